@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Two commands are enough: `make run` and `make test`. Everything is safe to repeat.
+#   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
+#   make build   install what is missing and build
+#   make test    everything CI checks
+#   make bench   what a step costs, feature by feature (docs/performance)
+#   make docs    the documentation (build/docs/index.html)
+#   make clean   remove build results
+SHELL := /bin/bash
+.DELETE_ON_ERROR:
+.PHONY: run build test bench docs clean setup sanitized
+
+PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
+CXX_MPI := mpicxx.openmpi
+# Bits must not depend on the machine: no fused multiply-add, no -march=native.
+FLAGS := -std=c++17 -O2 -fno-math-errno -ffp-contract=off -fPIC -g -Wall -Wextra -MMD -MP \
+         -DOMPI_SKIP_MPICXX -Isrc-package/compat -isystem /usr/include/liggghts
+SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+
+STYLES := $(wildcard src-package/styles/*.cpp)
+SOURCES := $(STYLES) src-package/host/liggghts_loader.cpp
+OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
+SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
+VENV_STAMP := .venv/.installed
+
+run: build
+	build/liggghts -in inputs/in.6208 -log none
+	.venv/bin/raceway summary build/run/6208
+	.venv/bin/raceway plot build/run/6208
+	@echo "The picture is build/run/6208/overview.png"
+
+build: setup
+	@$(MAKE) --no-print-directory build/liggghts build/libraceway_physics.so $(VENV_STAMP)
+
+test: build sanitized
+	@$(MAKE) --no-print-directory docs
+	.venv/bin/python -m pytest tests
+
+bench: build
+	.venv/bin/python tests/bench/step_cost.py
+
+docs: $(VENV_STAMP)
+	.venv/bin/sphinx-build -q -W --keep-going -b html docs build/docs
+	@echo "The documentation is build/docs/index.html"
+
+clean:
+	rm -rf build
+
+# ---- what the machine needs -------------------------------------------------------------------------
+# An installed package is not asked for again, so a second run needs neither root nor network.
+setup:
+	@missing=""; for p in $(PACKAGES); do dpkg -s $$p >/dev/null 2>&1 || missing="$$missing $$p"; done; \
+	if [ -n "$$missing" ]; then \
+	  echo "Installing$$missing"; \
+	  if [ "$$(id -u)" = 0 ]; then root=""; else root=sudo; fi; \
+	  export DEBIAN_FRONTEND=noninteractive; \
+	  $$root apt-get update -q && $$root apt-get install -q -y --no-install-recommends $$missing; \
+	fi
+
+$(VENV_STAMP): python/pyproject.toml
+	@echo "Installing the Python package into .venv"
+	python3 -m venv .venv
+	.venv/bin/pip install -q --disable-pip-version-check -e 'python[test,docs]'
+	@touch $@
+
+# ---- LIGGGHTS ---------------------------------------------------------------------------------------
+build/liggghts: src-package/host/main.cpp build/libraceway_liggghts.so
+	@echo "  LINK $@"
+	@$(CXX_MPI) $(FLAGS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
+
+build/libraceway_liggghts.so: $(OBJECTS)
+	@echo "  LINK $@"
+	@$(CXX_MPI) -shared $^ -o $@ -lliggghts -ldl
+
+build/obj/%.o: src-package/%.cpp
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@$(CXX_MPI) $(FLAGS) -Wno-non-template-friend -c $< -o $@
+
+# The same with AddressSanitizer and UndefinedBehaviorSanitizer, for the tests.
+sanitized: setup
+	@$(MAKE) --no-print-directory build/sanitized/liggghts
+
+build/sanitized/liggghts: src-package/host/main.cpp $(SANITIZED)
+	@mkdir -p $(@D)
+	@echo "  LINK $@"
+	@$(CXX_MPI) -shared $(SANITIZE) $(SANITIZED) -o $(@D)/libraceway_liggghts.so -lliggghts -ldl
+	@$(CXX_MPI) $(FLAGS) $(SANITIZE) $< -o $@ -Wl,--no-as-needed -L$(@D) -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
+
+build/obj-sanitized/%.o: src-package/%.cpp
+	@mkdir -p $(@D)
+	@echo "  CXX  $< (sanitized)"
+	@$(CXX_MPI) $(FLAGS) -O1 $(SANITIZE) -Wno-non-template-friend -c $< -o $@
+
+# ---- physics for the tests: plain functions behind a C interface ---------------------------------------
+build/libraceway_physics.so: tests/physics/physics_c.cpp
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@g++ $(filter-out -isystem /usr/include/liggghts,$(FLAGS)) -shared $< -o $@
+
+-include $(shell find build -name '*.d' 2>/dev/null)

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Electrical capacitance of lubricated contacts (eqs 8, 10, 11, 12), F."""
+
+import numpy as np
+
+VACUUM = 8.8541878128e-12  # F/m
+
+
+def density_ratio(pressure):
+    """rho/rho_0 of a lubricant under `pressure` in Pa (eq 11, Dowson-Higginson)."""
+    return (0.59e9 + 1.34 * pressure) / (0.59e9 + pressure)
+
+
+def permittivity(ambient, pressure):
+    """Relative permittivity under `pressure` in Pa of an oil that has `ambient` at rest (eqs 10, 11).
+
+    Clausius-Mossotti: (e - 1)/(e + 2) grows as the density. Raises `ValueError` for `ambient` below one, or so
+    large that no finite permittivity follows.
+    """
+    if np.any(np.asarray(ambient) < 1):
+        raise ValueError(f"permittivity = {ambient} must be one or more")
+    x = (ambient - 1) / (ambient + 2) * density_ratio(pressure)
+    if np.any(x >= 1):
+        raise ValueError(f"permittivity = {ambient} is too large for Clausius-Mossotti at {pressure} Pa")
+    return (1 + 2 * x) / (1 - x)
+
+
+def contact(ambient, pressure, a, b, h_c):
+    """eps_0 eps_r(p) pi a b/h_c of one contact; `pressure` in Pa, lengths in m (eq 8)."""
+    return VACUUM * permittivity(ambient, pressure) * np.pi * a * b / h_c
+
+
+def ball(inner, outer):
+    """Inner and outer contact in series, F; zero where either is (eq 12). Arrays of one shape."""
+    inner, outer = np.asarray(inner, dtype=float), np.asarray(outer, dtype=float)
+    both = (inner > 0) & (outer > 0)
+    total = np.where(both, inner + outer, 1.0)
+    return np.where(both, inner * outer / total, 0.0)[()]
+
+
+def bearing(inner, outer, background=0.0):
+    """All balls in parallel, F, over the last axis (eq 12), plus `background` when asked."""
+    return np.sum(ball(inner, outer), axis=-1) + background

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Normal damping of a contact (eqs 4, 5), N s/m."""
+
+import numpy as np
+
+
+def hysteretic(load, restitution=0.08):
+    """1.5 alpha_e Q for an elastic `load` Q in N and alpha_e = `restitution` in s/m (eq 4, Hunt-Crossley)."""
+    return 1.5 * restitution * load
+
+
+def film(viscosity, length, radius, h_min):
+    """Squeeze film, 3 pi eta a/sqrt(2) (R/h)^1.5 (eq 5, Walford-Stone).
+
+    `viscosity` in Pa s, `length` the semi-axis a across the groove (eq 5) or 2a, `radius` the ball's R_b (eq 5)
+    or the effective R_x, `h_min` in m. Raises `ValueError` where there is no film.
+    """
+    if np.any(np.asarray(h_min) <= 0):
+        raise ValueError(f"h_min = {h_min} m must be positive")
+    return 3 * np.pi * viscosity * length / np.sqrt(2) * (radius / h_min) ** 1.5

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Stribeck-Harris distribution of a radial load over the balls (eq A.1), contact angle zero.
+
+The balls are thought spread evenly: a real bearing scatters about these values as the balls pass.
+"""
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+from raceway import hertz
+from raceway.bearing import INNER, OUTER
+
+
+def relative_load(azimuth, parameter):
+    """Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, zero outside the loaded zone (eq A.1).
+
+    `azimuth` psi in rad from the load line, `parameter` epsilon > 0.
+    """
+    if not parameter > 0:
+        raise ValueError(f"load parameter = {parameter} must be positive")
+    return np.maximum(1 - (1 - np.cos(azimuth)) / (2 * parameter), 0) ** 1.5
+
+
+def radial_integral(parameter):
+    """J_r(epsilon) = 1/(2 pi) integral of Q/Q_max cos psi over the loaded zone (Harris 7.24)."""
+    if parameter >= 1:
+        value, _ = quad(lambda psi: relative_load(psi, parameter) * np.cos(psi), 0, np.pi, epsrel=1e-11)
+        return value / np.pi
+
+    def smooth(t):  # sin(psi/2) = sqrt(epsilon) sin(t) leaves no root at the edge of the zone
+        part = parameter * np.sin(t) ** 2
+        return np.cos(t) ** 4 * (1 - 2 * part) / np.sqrt(1 - part)
+
+    value, _ = quad(smooth, 0, np.pi / 2, epsrel=1e-11)
+    return 2 * np.sqrt(parameter) * value / np.pi
+
+
+def largest_load(balls, radial_load, parameter):
+    """Q_max = F_r/(Z J_r) in N (Stribeck)."""
+    return radial_load / (balls * radial_integral(parameter))
+
+
+def series_stiffness(bearing):
+    """K in N/m^1.5 of inner and outer contact of one ball in series, contact angle zero (Harris 7.5)."""
+    inner, outer = (hertz.stiffness(hertz.exact(*bearing.effective_radii(side)), bearing.effective_modulus)
+                    for side in (INNER, OUTER))
+    return (inner ** (-2 / 3) + outer ** (-2 / 3)) ** -1.5
+
+
+def shift(bearing, radial_load, clearance=0.0):
+    """Radial shift delta_r in m under `radial_load` > 0 N: F_r = Z K (delta_r - P_d/2)^1.5 J_r(epsilon)."""
+    if not radial_load > 0:
+        raise ValueError(f"radial load = {radial_load} N must be positive")
+    stiffness = bearing.balls * series_stiffness(bearing)
+
+    def excess(delta):
+        squeeze = delta - clearance / 2
+        return stiffness * squeeze**1.5 * radial_integral(squeeze / (2 * delta)) - radial_load
+
+    scale = (radial_load / stiffness) ** (2 / 3)
+    low = max(clearance / 2, 0.0) + 1e-9 * scale
+    return brentq(excess, low, max(clearance / 2, 0.0) + 20 * scale, xtol=1e-18, rtol=1e-13)

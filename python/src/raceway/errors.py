@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What can go wrong, by name. Formulas given values outside their domain raise `ValueError`."""
+
+
+class RacewayError(Exception):
+    """Base of everything a user can cause; its text is a complete message."""
+
+
+class RunError(RacewayError):
+    """A run folder is missing, broken, unfinished or inconsistent."""
+
+
+class RunWarning(UserWarning):
+    """A run folder can be read, but not all of it."""
+
+
+class NoEquilibrium(RacewayError):
+    """The bearing cannot carry the load, or nothing determines where its ring sits."""

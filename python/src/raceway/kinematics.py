@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Speeds of a bearing whose balls roll without slip, and of one that was simulated."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Frequencies(NamedTuple):
+    """Orders of the shaft's rotation, outer ring at rest."""
+
+    cage: float  # FTF
+    outer: float  # BPFO, ball passes over a point of the outer ring
+    inner: float  # BPFI, over a point of the inner ring
+    spin: float  # BSF, turns of a ball relative to the cage
+
+
+def frequencies(bearing, angle=0.0):
+    """FTF, BPFO, BPFI, BSF in shaft orders at a contact `angle` in rad (Harris, ch. 10)."""
+    gamma = bearing.ball_radius * np.cos(angle) / bearing.pitch_radius
+    return Frequencies((1 - gamma) / 2, bearing.balls * (1 - gamma) / 2, bearing.balls * (1 + gamma) / 2,
+                       (1 - gamma**2) / (2 * gamma))
+
+
+def entrainment(bearing, spin, angle=0.0):
+    """Entrainment speed in m/s, the same at both raceways, for an inner ring at `spin` rad/s.
+
+    U_r = omega r_pitch (1 - gamma^2)/2: half the sum of both surface speeds seen from the contact.
+    """
+    gamma = bearing.ball_radius * np.cos(angle) / bearing.pitch_radius
+    return np.abs(spin) * bearing.pitch_radius * (1 - gamma**2) / 2
+
+
+def orbital_speed(x, y, vx, vy):
+    """(x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the axis. Raises `ValueError` on the axis."""
+    squared = np.square(x) + np.square(y)
+    if np.any(squared == 0):
+        raise ValueError("a ball sits on the bearing's axis")
+    return (x * vy - y * vx) / squared

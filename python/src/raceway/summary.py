@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The figures of a run: `summary` as a mapping, `table` as text.
+
+The mapping's keys are a promise to scripts outside this package; add, never rename.
+"""
+
+import math
+from typing import NamedTuple
+
+from raceway import clearance, kinematics
+from raceway.bearing import INNER, OUTER
+from raceway.errors import RunError
+from raceway.run import BALL, LUBRICANT
+from raceway.units import prefixed
+
+FILM = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
+
+
+class Row(NamedTuple):
+    """One line of the table."""
+
+    key: str
+    label: str
+    unit: str | None  # SI unit, shown with a prefix; "" a plain number; None text
+    source: str = ""
+
+
+TOPICS = {
+    "Operating point": (
+        Row("bearing", "bearing", None),
+        Row("lubricant", "lubricant", None),
+        Row("load_N", "radial load", "N", "as set"),
+        Row("rpm", "inner ring speed", "rpm", "as set"),
+        Row("clearance_m", "diametral clearance P_d", "m", "as set"),
+        Row("viscosity_Pa_s", "viscosity", "Pa s", "eta of eq 6"),
+        Row("pressure_viscosity_per_Pa", "pressure-viscosity coefficient", "1/GPa", "xi of eq 6"),
+        Row("permittivity", "relative permittivity at rest", "", "eps_r of eq 10"),
+        Row("roughness_m", "roughness", "m", "sigma of eq 7"),
+    ),
+    "Loads and pressures": (
+        Row("ring_shift_m", "ring shift along the load", "m", "mean, delta_r of fig A.1"),
+        Row("load_parameter", "load parameter", "", "1/2 (1 - P_d/(2 shift)), appendix A"),
+        Row("q_max_N", "largest contact load", "N", "eq 2"),
+        Row("q_inner_max_N", "  inner raceway", "N", "eq 2"),
+        Row("q_outer_max_N", "  outer raceway", "N", "eq 2"),
+        Row("p_max_inner_Pa", "Hertz pressure there, inner", "Pa", "1.5 Q/(pi a b)"),
+        Row("p_max_outer_Pa", "Hertz pressure there, outer", "Pa", "1.5 Q/(pi a b)"),
+        Row("loaded_balls_mean", "balls loaded on both raceways", "", "mean, N_l of eq 12"),
+    ),
+    "Film at the largest inner load": (
+        Row("h_min_m", "smallest thickness", "m", "eq 6"),
+        Row("h_c_m", "central thickness", "m", "eq 9"),
+        Row("lambda", "lambda", "", "eq 7"),
+    ),
+    "Capacitance": (
+        Row("capacitance_F", "bearing, mean", "F", "eq 12"),
+        Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
+    ),
+    "Kinematics": (
+        Row("cage_speed_rad_s", "orbital speed of the balls", "rad/s", "mean of (x v_y - y v_x)/r^2"),
+        Row("entrainment_speed_m_s", "entrainment at the largest load", "m/s", "U_r of eq 6, inner"),
+    ),
+    "Cost": (
+        Row("host", "host", None),
+        Row("integrator", "integrator", None),
+        Row("step_s", "mean time step", "s", "as run"),
+        Row("passes", "ball passes measured", "", "as set"),
+        Row("simulated_s", "simulated", "s", "measured passes"),
+        Row("wall_s", "wall time", "s", "measured passes"),
+        Row("real_time_factor", "real-time factor", "", "simulated/wall"),
+    ),
+}
+
+
+def summary(run):
+    """The figures of `run` (a `Run`) by name, SI units, text or numbers; None where the run has none.
+
+    Raises `RunError` when a file is broken or no ball ever touched a raceway.
+    """
+    settings = run.settings
+    result = {key: settings.get(key) for key in
+              ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearance_m", "step_s", "passes")}
+    result.update({key: settings[key] if run.lubricated else None for key in LUBRICANT})
+    result.update(_mechanics(run))
+    result["cage_speed_rad_s"] = _cage_speed(run)
+    result.update(_film(run))
+    result.update(wall_s=settings["wall_s"], simulated_s=settings["simulated_s"],
+                  real_time_factor=settings["simulated_s"] / settings["wall_s"])
+    return {key: _plain(value) for key, value in result.items()}
+
+
+def ring_displacement(run):
+    """Displacement of the inner ring along the load in m, one value a sample."""
+    azimuth = run.settings["load_azimuth_rad"]
+    return (run.rings["x"] * math.cos(azimuth) + run.rings["y"] * math.sin(azimuth)).to_numpy()
+
+
+def _mechanics(run):
+    contacts, result = run.contacts, {}
+    shift = result["ring_shift_m"] = ring_displacement(run).mean()
+    pd = run.settings["clearance_m"]
+    result["load_parameter"] = clearance.load_parameter(pd, shift) if shift else None
+    tops = {"inner": _top(run, INNER), "outer": _top(run, OUTER)}
+    result["q_max_N"] = max(top["load"] for top in tops.values())
+    for side, top in tops.items():
+        result[f"q_{side}_max_N"] = top["load"]
+    for side, top in tops.items():
+        result[f"p_max_{side}_Pa"] = top["pressure"]
+    result["loaded_balls_mean"] = len(run.pairs) / contacts.attrs["samples"]
+    return result
+
+
+def _top(run, raceway):
+    """The row of the contact with the largest load on one raceway."""
+    rows = run.contacts[run.contacts["raceway"] == raceway]
+    if rows.empty:
+        name = {INNER: "inner", OUTER: "outer"}[raceway]
+        raise RunError(f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any sample")
+    return rows.loc[rows["load"].idxmax()]
+
+
+def _cage_speed(run):
+    balls, ring = run.balls, run.settings["outer_ring"]
+    rings = balls.loc[balls["id"] == ring].set_index("sample")
+    rolling = balls[balls["type"] == BALL]
+    if rings.empty or rolling.empty:
+        raise RunError(f"{run.folder / 'balls.dump'} has no {'atom ' + str(ring) if rings.empty else 'ball (type 1)'}")
+    axis = rings.loc[rolling["sample"], ["x", "y", "vx", "vy"]].to_numpy()
+    relative = rolling[["x", "y", "vx", "vy"]].to_numpy() - axis
+    return kinematics.orbital_speed(*relative.T).mean()
+
+
+def _film(run):
+    top, result = _top(run, INNER), dict.fromkeys(("entrainment_speed_m_s", *FILM))
+    result["entrainment_speed_m_s"] = top.get("entrainment")
+    if not run.lubricated:
+        return result
+    for key, column in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
+        result[key] = top.get(column)
+    if "capacitance" in run.contacts:
+        result["capacitance_F"] = run.bearing_capacitance.mean()
+        result["capacitance_top_F"] = run.pairs["capacitance"].max() if len(run.pairs) else 0.0
+    return result
+
+
+def _plain(value):
+    """Something JSON has: text, a finite float, or None."""
+    if value is None or isinstance(value, str):
+        return value
+    return float(value) if math.isfinite(value) else None
+
+
+def table(figures):
+    """The mapping of `summary` as text, a topic a block; figures the run has none of are left out."""
+    lines = []
+    for topic, rows in TOPICS.items():
+        block = [_line(row, figures[row.key]) for row in rows if figures[row.key] is not None]
+        if block:
+            lines += ["", topic, *block]
+    return "\n".join(lines[1:])
+
+
+def _line(row, value):
+    if row.unit is None:
+        shown = value
+    elif row.unit == "rpm":
+        shown = f"{value:g} rpm"
+    elif row.unit == "1/GPa":
+        shown = f"{value * 1e9:.4g} 1/GPa"
+    else:
+        shown = prefixed(value, row.unit) if row.unit else f"{value:.4g}"
+    source = f"({row.source})" if row.source else ""
+    return f"  {row.label:<32}{shown:>14}  {source}".rstrip()

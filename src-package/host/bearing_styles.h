@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The one list of styles for every loader.
+#ifndef BEARING_STYLES_H
+#define BEARING_STYLES_H
+
+#include "../styles/compute_bearing_ball.h"
+#include "../styles/compute_bearing_contact.h"
+#include "../styles/compute_bearing_total.h"
+#include "../styles/create_bearing.h"
+#include "../styles/deck_files.h"
+#include "../styles/fix_bearing_cage.h"
+#include "../styles/fix_bearing_capacitance.h"
+#include "../styles/fix_bearing_ring.h"
+#include "../styles/fix_bearing_state.h"
+#include "../styles/fix_bearing_timestep.h"
+#include "../styles/pair_bearing_ehd.h"
+
+// add.pair<Class>("name"), add.fix<Class>("name"), ...
+template <class Registry> void register_bearing_styles(Registry &add)
+{
+  using namespace LAMMPS_NS;
+  add.template pair<PairBearingHertz>("bearing/hertz");
+  add.template pair<PairBearingEHD>("bearing/ehd");
+  add.template fix<FixBearingState>("bearing/state");
+  add.template fix<FixBearingRing>("bearing/ring");
+  add.template fix<FixBearingCage>("bearing/cage");
+  add.template fix<FixBearingCapacitance>("bearing/capacitance");
+  add.template fix<FixBearingTimestep>("bearing/timestep");
+  add.template compute<ComputeBearingContact>("bearing/contact");
+  add.template compute<ComputeBearingBall>("bearing/ball");
+  add.template compute<ComputeBearingTotal>("bearing/total");
+  add.template command<CreateBearing>("create_bearing");
+  add.template command<BearingInput>("bearing_input");
+  add.template command<BearingOutput>("bearing_output");
+  add.template command<BearingRange>("bearing_range");
+}
+
+#endif

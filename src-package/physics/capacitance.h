@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Electrical capacitance of a lubricated Hertz contact (PHYSICS section 6; Farah 2020 eqs 8, 10-12).
+#ifndef RACEWAY_CAPACITANCE_H
+#define RACEWAY_CAPACITANCE_H
+
+namespace raceway {
+
+constexpr double vacuum_permittivity = 8.8541878128e-12;    // F/m, CODATA 2018
+
+// rho/rho_0 at pressure p (Pa), eq 11 (Dowson & Higginson 1966).
+inline double density_ratio(double p) { return (0.59e9 + 1.34 * p) / (0.59e9 + p); }
+
+// Relative permittivity at pressure p from that at ambient pressure, eq 10 (Clausius-Mossotti):
+// (eps - 1)/(eps + 2) is proportional to the density. Pre-condition 1 <= eps_ambient.
+inline double permittivity_at(double eps_ambient, double p)
+{
+  const double c = (eps_ambient - 1.0) / (eps_ambient + 2.0) * density_ratio(p);
+  return (1.0 + 2.0 * c) / (1.0 - c);
+}
+
+// Parallel plates of the Hertz ellipse, eq 8, F. a, b semi-axes (m), h central film (m).
+inline double contact_capacitance(double eps_r, double a, double b, double h)
+{
+  return vacuum_permittivity * eps_r * 3.14159265358979323846 * a * b / h;
+}
+
+// Inner and outer contact of a ball in series, one term of eq 12; a side without contact gives 0.
+inline double series_capacitance(double inner, double outer)
+{
+  return inner > 0.0 && outer > 0.0 ? inner * outer / (inner + outer) : 0.0;
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One ball on one raceway: from positions and velocities to load, film, friction, force and torque.
+//
+// The contact point is R_b along the normal from the ball centre; both bodies are taken rigid there.
+// The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h), its opposite acts on
+// the ring at the same point, so linear and angular momentum are conserved to rounding.
+//
+// Entrainment speed (PHYSICS section 4): half the sum of both surface velocities relative to the moving
+// contact point, along t. The contact point turns about the ring axis with the ball centre, at
+// phi' = (v_b - v_r).t/r.
+#ifndef RACEWAY_CONTACT_H
+#define RACEWAY_CONTACT_H
+
+#include "friction.h"
+#include "raceway_law.h"
+
+namespace raceway {
+
+enum class Friction { none, constant, stribeck };
+
+// Everything about one raceway that does not change during a run.
+struct RacewayPhysics {
+  Groove groove;
+  RacewayMaterial material;
+  RacewayModel model;
+  Friction friction = Friction::none;
+  double mu = 0.0;                  // Friction::constant
+  StribeckCurve curve;              // Friction::stribeck and regimes
+  double hysteresis = 0.08;         // s/m, alpha_e
+  double ring_roughness = 0.0;      // m
+  double ball_roughness = 0.0;      // m
+  double film_floor = -1.0;         // m, of the film damper; < 0: composite roughness
+  double tangential_ratio = -1.0;   // k_t/k_n; < 0: Mindlin
+  double tangential_zeta = 0.3;     // dashpot over critical of the rolling mode, mass 2/7 m_b
+
+  // derived by prepare()
+  RacewayLaw law;
+  double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;
+  double roughness = 0.0, inverse_roughness = 0.0, floor = 0.0;
+  double kt_ratio = 0.0, ct_factor = 0.0;
+
+  // pitch_radius (m) sets gamma; ball_mass (kg) the dashpot; overlap_limit is a fraction of R_b.
+  void prepare(double pitch_radius, double ball_mass, double overlap_limit)
+  {
+    law = RacewayLaw(groove, pitch_radius, material, model);
+    centre_circle = groove.centre_circle();
+    slack = groove.slack();
+    largest_overlap = overlap_limit * groove.ball_radius;
+    roughness = composite_roughness(ring_roughness, ball_roughness);
+    inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
+    floor = film_floor >= 0.0 ? film_floor : roughness;
+    kt_ratio = tangential_ratio >= 0.0
+        ? tangential_ratio
+        : raceway::tangential_ratio(material.ball_young, material.ball_poisson, material.ring_young,
+                                    material.ring_poisson);
+    ct_factor = 2.0 * tangential_zeta * std::sqrt(2.0 / 7.0 * ball_mass);
+  }
+};
+
+struct BallState {
+  Vec3 x, v, w;
+};
+
+struct RingState {
+  Vec3 x, v, w;
+  Vec3 e;    // unit axis
+};
+
+// What a contact is at one instant. Speeds m/s, forces N, lengths m.
+struct ContactState {
+  Vec3 u, t;                      // radial and rolling directions
+  double r = 0.0, z = 0.0;        // ball centre in the ring: radius, axial position
+  double nu = 0.0, ne = 0.0;      // normal in (u, e)
+  double overlap = 0.0, root = 0.0;    // overlap and its square root
+  double cos_angle = 1.0;         // of the contact angle
+  double overlap_rate = 0.0;
+  double load = 0.0;              // Q, elastic
+  double stiffness = 0.0;         // dQ/d(overlap), N/m
+  double damping = 0.0;           // C, N s/m
+  double normal = 0.0;            // N = max(0, Q + C d(overlap)/dt)
+  double entrainment = 0.0;
+  double sliding_t = 0.0, sliding_w = 0.0;    // ball surface minus ring surface
+  double h_min = 0.0, lambda = 0.0;
+  double mu = 0.0;
+  double kt = 0.0, ct = 0.0;      // tangential spring and dashpot
+  double friction_t = 0.0, friction_w = 0.0;  // force of the ring on the ball is -friction
+};
+
+struct ContactForces {
+  Vec3 force;          // on the ball
+  Vec3 ball_torque;    // about the ball centre
+  Vec3 ring_torque;    // about the ring centre
+};
+
+// Geometry only. True where the surfaces overlap; then overlap, root and frame are set.
+inline bool touch(const RacewayPhysics &p, const Vec3 &d, const Vec3 &e, ContactState &c)
+{
+  const GroovePosition g = locate(d, e, p.centre_circle);
+  c.u = g.u;
+  c.t = g.t;
+  c.r = g.r;
+  c.z = g.z;
+  c.nu = g.nu;
+  c.ne = g.ne;
+  c.overlap = g.s - p.slack;
+  return c.overlap > 0.0;
+}
+
+// Loads, film and friction of a contact for which touch() was true. dt advances the tangential spring
+// xi (2 values, m); dt = 0 leaves it as it is.
+template <bool with_film, Friction friction>
+inline ContactForces contact_forces(const RacewayPhysics &p, const BallState &ball, const RingState &ring,
+                                    double dt, double *xi, ContactState &c)
+{
+  const double Rb = p.groove.ball_radius;
+  c.root = std::sqrt(c.overlap);
+  c.cos_angle = std::fabs(c.nu);
+  RacewayConstants oblique;
+  const RacewayConstants *k = &p.law.radial();
+  if (1.0 - c.cos_angle >= 1e-12) {
+    oblique = p.law.at(c.cos_angle);
+    k = &oblique;
+  }
+
+  // velocities in (u, t, e), relative to the ring centre
+  const Vec3 dv = ball.v - ring.v;
+  const double vu = dot(dv, c.u), vt = dot(dv, c.t), ve = dot(dv, ring.e);
+  const double wu = dot(ball.w, c.u), wt = dot(ball.w, c.t), we = dot(ball.w, ring.e);
+  const double Wu = dot(ring.w, c.u), Wt = dot(ring.w, c.t), We = dot(ring.w, ring.e);
+  const double rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;    // contact point in the ring
+  const double Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // ring surface, W x (rc u + zc e)
+
+  c.overlap_rate = (vu - Vu) * c.nu + (ve - Ve) * c.ne;
+  const double roll = Rb * (we * c.nu - wu * c.ne);    // ball surface along t, from its spin
+  c.sliding_t = vt + roll - Vt;
+  c.sliding_w = (ve - Ve) * c.nu - (vu - Vu) * c.ne - Rb * wt;
+  const double turn = vt / c.r * rc;                   // contact point along t
+  c.entrainment = 0.5 * std::fabs((vt + roll - turn) + (Vt - turn));
+
+  c.load = k->K * c.overlap * c.root;
+  c.stiffness = 1.5 * k->K * c.root;
+  c.damping = hysteretic_damping(p.hysteresis, c.load);
+  if (with_film) {
+    c.h_min = film_thickness(k->film.min, std::log(c.entrainment), std::log(c.load));
+    c.lambda = c.h_min * p.inverse_roughness;
+    c.damping += film_damping(k->film_damper, k->a * c.root, c.h_min, p.floor);
+  }
+  const double N = c.load + c.damping * c.overlap_rate;
+  c.normal = N > 0.0 ? N : 0.0;
+
+  double ft = 0.0, fw = 0.0;
+  if (friction != Friction::none) {
+    c.mu = friction == Friction::stribeck ? stribeck(p.curve, c.lambda) : p.mu;
+    c.kt = p.kt_ratio * c.stiffness;
+    c.ct = p.ct_factor * std::sqrt(c.kt);
+    xi[0] += dt * c.sliding_t;
+    xi[1] += dt * c.sliding_w;
+    tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, xi, ft, fw);
+  }
+  c.friction_t = ft;
+  c.friction_w = fw;
+
+  // w = n x t = nu e - ne u; lever of the ball Rb n, of the ring rc u + zc e
+  const double fu = -c.normal * c.nu + fw * c.ne, fe = -c.normal * c.ne - fw * c.nu;
+  ContactForces f;
+  f.force = c.u * fu + c.t * -ft + ring.e * fe;
+  // n x t = w, n x w = -t
+  f.ball_torque = c.u * (Rb * ft * c.ne) + ring.e * (-Rb * ft * c.nu) + c.t * (Rb * fw);
+  // -(rc u + zc e) x F with u x t = e, t x e = u, e x u = t
+  f.ring_torque = c.u * (-zc * ft) + c.t * (rc * fe - zc * fu) + ring.e * (rc * ft);
+  return f;
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Friction coefficient (PHYSICS section 5; Farah 2020 fig. 5) and the tangential spring with a Coulomb cap.
+//
+// mu is a constant, or follows the film parameter Lambda: boundary below Lambda_1, full film above
+// Lambda_2, and between them the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/(Lambda_2 - Lambda_1),
+// so that mu and dmu/dLambda are continuous (the curve of fig. 5 is schematic; this is our choice).
+#ifndef RACEWAY_FRICTION_H
+#define RACEWAY_FRICTION_H
+
+#include <cmath>
+
+namespace raceway {
+
+struct StribeckCurve {
+  double mu_boundary = 0.0, mu_full = 0.0;
+  double lambda_1 = 1.0, lambda_2 = 3.0;
+};
+
+inline double stribeck(const StribeckCurve &c, double lambda)
+{
+  if (lambda <= c.lambda_1) return c.mu_boundary;
+  if (lambda >= c.lambda_2) return c.mu_full;
+  const double s = (lambda - c.lambda_1) / (c.lambda_2 - c.lambda_1);
+  return c.mu_boundary + (c.mu_full - c.mu_boundary) * s * s * (3.0 - 2.0 * s);
+}
+
+// 0 boundary, 1 mixed, 2 full film.
+inline int regime(const StribeckCurve &c, double lambda)
+{
+  return lambda < c.lambda_1 ? 0 : lambda <= c.lambda_2 ? 1 : 2;
+}
+
+// Tangential spring-dashpot in the two directions t and w of the contact frame, capped at mu N.
+// xi is the spring's elongation (m) and is set back where the contact slides, so that the spring
+// force plus the dashpot equals the cap. The contact frame turns with the ball's azimuth, hence xi
+// needs no transport. Returns the force of the raceway on the ball along -t, -w through ft, fw.
+struct TangentialSpring {
+  double k = 0.0;    // N/m
+  double c = 0.0;    // N s/m
+};
+
+inline void tangential_force(const TangentialSpring &s, double cap, double vt, double vw, double *xi,
+                             double &ft, double &fw)
+{
+  ft = s.k * xi[0] + s.c * vt;
+  fw = s.k * xi[1] + s.c * vw;
+  const double f2 = ft * ft + fw * fw;
+  if (f2 > cap * cap) {
+    const double scale = cap / std::sqrt(f2);
+    ft *= scale;
+    fw *= scale;
+    xi[0] = (ft - s.c * vt) / s.k;
+    xi[1] = (fw - s.c * vw) / s.k;
+  }
+}
+
+}    // namespace raceway
+
+#endif

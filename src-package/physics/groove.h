@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A ball in the torus groove of a ring, at any contact angle and ring tilt.
+//
+// Law (PHYSICS section 1; Farah 2020 fig. 4): the centres of curvature of the groove lie on a circle
+// of radius rho about the ring axis e. With d = ball centre - ring centre, z = d.e, r = |d - z e|,
+// u = (d - z e)/r, the ball's distance from that circle is s = |(r - rho) u + z e| and
+//   overlap = s - (r_c - R_b),   normal n = ((r - rho) u + z e)/s  (ball -> raceway).
+// The same expression serves both rings: rho lies outside the ball path for the inner ring
+// (n points to the axis) and inside it for the outer ring.
+//
+// Local frame: u (radial), t = e x u (circumferential, rolling), e (axial); w = n x t.
+// Pre-conditions: r > 0 (a ball on the axis has no azimuth), r_c > R_b.
+#ifndef RACEWAY_GROOVE_H
+#define RACEWAY_GROOVE_H
+
+#include "vec3.h"
+
+namespace raceway {
+
+enum class Side { inner = 0, outer = 1 };
+
+struct Groove {
+  Side side = Side::inner;
+  double raceway_radius = 0.0;    // m, R_i or R_e: bottom of the groove
+  double groove_radius = 0.0;     // m, r_c: cross-section
+  double ball_radius = 0.0;       // m, R_b
+
+  // Radius of the circle of groove centres, m.
+  double centre_circle() const
+  {
+    return side == Side::inner ? raceway_radius + groove_radius : raceway_radius - groove_radius;
+  }
+  // Distance of the ball centre from that circle at which the surfaces touch, m.
+  double slack() const { return groove_radius - ball_radius; }
+};
+
+struct GroovePosition {
+  Vec3 u, t;              // radial and circumferential unit vectors
+  double r = 0.0;         // m, distance of the ball centre from the ring axis
+  double z = 0.0;         // m, along the axis
+  double s = 0.0;         // m, distance from the circle of groove centres
+  double nu = 0.0;        // normal, radial component
+  double ne = 0.0;        // normal, axial component
+};
+
+// Where a ball centre at d from the ring centre sits; e is the unit axis of the ring.
+inline GroovePosition locate(const Vec3 &d, const Vec3 &e, double centre_circle)
+{
+  GroovePosition p;
+  p.z = dot(d, e);
+  const Vec3 radial = d - e * p.z;
+  p.r = norm(radial);
+  p.u = radial * (1.0 / p.r);
+  p.t = cross(e, p.u);
+  const double g = p.r - centre_circle;
+  p.s = std::sqrt(g * g + p.z * p.z);
+  p.nu = g / p.s;
+  p.ne = p.z / p.s;
+  return p;
+}
+
+}    // namespace raceway
+
+#endif

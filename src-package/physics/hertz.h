@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Elliptical Hertz contact of two smooth elastic bodies (PHYSICS section 2; Farah 2020 eq. 2).
+//
+//   Q = K overlap^1.5,  K = pi kappa E' sqrt(Ebar R / (4.5 Fbar^3)),  1/R = 1/R_x + 1/R_y,
+//   E' = 2/sum((1 - nu^2)/E),
+//   a = (6 kappa^2 Ebar Q R / (pi E'))^(1/3),  b = a/kappa,  p_max = 1.5 Q/(pi a b).
+//
+// R_x is the effective radius along rolling, R_y across the groove. Internally the longer axis of
+// the ellipse is "major"; kappa = a/b is reported across/along rolling and may be below 1.
+// Units SI. Source of the exact relation: Johnson, Contact Mechanics (1985), eqs 4.25-4.28;
+// fits: Hamrock & Brewe 1983, and the form printed in Farah 2020 (F = 1 + q ln alpha).
+#ifndef RACEWAY_HERTZ_H
+#define RACEWAY_HERTZ_H
+
+#include "elliptic.h"
+
+#include <cmath>
+
+namespace raceway {
+
+enum class Ellipse { exact, hamrock, printed };
+
+struct ContactEllipse {
+  double kappa = 1.0;    // a/b: axis across the groove over axis along rolling
+  double Ebar = 0.0;     // elliptic integral of the second kind
+  double Fbar = 0.0;     // elliptic integral of the first kind
+};
+
+// Axis ratio from the ratio of effective radii by bisection and Newton in ln(kappa).
+// R_minor/R_major = (1/R_y)/(1/R_x) = m1 D(m)/(K(m) - D(m)), m1 = 1/kappa^2.
+inline ContactEllipse exact_ellipse_major(double alpha)    // alpha = R_y/R_x >= 1
+{
+  // f is monotone in L = ln kappa: f(0) = -ln(alpha) <= 0. kappa <= alpha always.
+  auto residual = [alpha](double L, EllipticIntegrals &v) {
+    const double m1 = std::exp(-2.0 * L);
+    v = complete_elliptic(m1);
+    return std::log((v.K - v.D) / (m1 * v.D)) - std::log(alpha);
+  };
+  EllipticIntegrals v;
+  double lo = 0.0, hi = std::log(alpha) + 1e-12;
+  double L = 2.0 / 3.14159265358979323846 * std::log(alpha);
+  double previous = residual(lo, v), at = lo;
+  for (int it = 0; it < 100; ++it) {
+    const double f = residual(L, v);
+    if (f > 0.0) hi = L; else lo = L;
+    // secant slope, safeguarded by the bracket
+    double next = L - f * (L - at) / (f - previous);
+    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    at = L;
+    previous = f;
+    if (std::fabs(next - L) <= 1e-16 * (1.0 + L)) break;
+    L = next;
+  }
+  ContactEllipse c;
+  c.kappa = std::exp(L);
+  c.Ebar = v.E;
+  c.Fbar = v.K;
+  return c;
+}
+
+inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
+{
+  const double pi = 3.14159265358979323846, q = 0.5 * pi - 1.0;
+  ContactEllipse c;
+  c.kappa = std::pow(alpha, 2.0 / pi);
+  c.Ebar = 1.0 + q / alpha;
+  c.Fbar = (form == Ellipse::printed ? 1.0 : 0.5 * pi) + q * std::log(alpha);
+  return c;
+}
+
+struct HertzContact {
+  ContactEllipse ellipse;
+  double R = 0.0;       // m, 1/R = 1/R_x + 1/R_y
+  double K = 0.0;       // N/m^1.5
+  double a = 0.0;       // sqrt(m): semi-axis across the groove = a sqrt(overlap)
+  double b = 0.0;       // sqrt(m): semi-axis along rolling     = b sqrt(overlap)
+  double p = 0.0;       // Pa/sqrt(m): p_max = p sqrt(overlap)
+};
+
+// E' = 2/sum((1 - nu^2)/E), Pa.
+inline double reduced_modulus(double E1, double nu1, double E2, double nu2)
+{
+  return 2.0 / ((1.0 - nu1 * nu1) / E1 + (1.0 - nu2 * nu2) / E2);
+}
+
+inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse form)
+{
+  const double pi = 3.14159265358979323846;
+  const bool swapped = Ry < Rx;
+  const double alpha = swapped ? Rx / Ry : Ry / Rx;
+  HertzContact h;
+  h.ellipse = form == Ellipse::exact ? exact_ellipse_major(alpha) : fitted_ellipse_major(alpha, form);
+  h.R = 1.0 / (1.0 / Rx + 1.0 / Ry);
+  const double k = h.ellipse.kappa, E = h.ellipse.Ebar, F = h.ellipse.Fbar;
+  h.K = pi * k * Eprime * std::sqrt(E * h.R / (4.5 * F * F * F));
+  const double major = std::cbrt(6.0 * k * k * E * h.K * h.R / (pi * Eprime));
+  const double minor = major / k;
+  h.a = swapped ? minor : major;
+  h.b = swapped ? major : minor;
+  if (swapped) h.ellipse.kappa = 1.0 / k;
+  h.p = 1.5 * h.K / (pi * major * minor);
+  return h;
+}
+
+// Effective radii of a ball in a groove at contact angle alpha (cosine given), PHYSICS section 1:
+// gamma = R_b cos(alpha)/r_pitch, R_x = R_b (1 -+ gamma), R_y = R_b r_c/(r_c - R_b).
+struct EffectiveRadii { double x, y; };
+inline EffectiveRadii groove_radii(double ball_radius, double groove_radius, double pitch_radius,
+                                   bool inner, double cos_angle)
+{
+  const double gamma = ball_radius * cos_angle / pitch_radius;
+  return {ball_radius * (inner ? 1.0 - gamma : 1.0 + gamma),
+          ball_radius * groove_radius / (groove_radius - ball_radius)};
+}
+
+// Sphere on sphere: K = 4/3 E* sqrt(R), E* = E'/2 (the algebra of Farah 2020 eq. 3 without its extra
+// 1/(1 - nu); multiply by 1/(1 - nu) for the form as printed).
+inline double sphere_stiffness(double R1, double R2, double Eprime)
+{
+  return 2.0 / 3.0 * Eprime * std::sqrt(R1 * R2 / (R1 + R2));
+}
+
+// Ratio of tangential to normal incremental stiffness of a sticking circular contact,
+// k_t/k_n = 4 G*/E*, 1/G* = sum((2 - nu)/G), E* = E'/2 (Mindlin 1949; 2(1-nu)/(2-nu) for like bodies).
+inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
+{
+  const double g = 1.0 / ((2.0 - nu1) * 2.0 * (1.0 + nu1) / E1 + (2.0 - nu2) * 2.0 * (1.0 + nu2) / E2);
+  return 4.0 * g / (0.5 * reduced_modulus(E1, nu1, E2, nu2));
+}
+
+}    // namespace raceway
+
+#endif

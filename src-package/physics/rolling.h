@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Kinematics of pure rolling at zero contact angle: the start of a bearing that already turns.
+#ifndef RACEWAY_ROLLING_H
+#define RACEWAY_ROLLING_H
+
+namespace raceway {
+
+struct Rolling {
+  double orbit = 0.0;    // rad/s, ball centres (cage) about the bearing axis
+  double spin = 0.0;     // rad/s, ball about its own axis, parallel to the bearing axis, inertial frame
+};
+
+// Ball radius R, pitch radius r, ring speeds (rad/s). No slip at r - R (inner) and r + R (outer).
+inline Rolling pure_rolling(double R, double r, double inner_speed, double outer_speed)
+{
+  Rolling k;
+  k.orbit = 0.5 * (inner_speed * (r - R) + outer_speed * (r + R)) / r;
+  k.spin = (k.orbit * r - inner_speed * (r - R)) / R;
+  return k;
+}
+
+}    // namespace raceway
+
+#endif

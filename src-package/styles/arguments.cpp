@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "arguments.h"
+
+using namespace LAMMPS_NS;
+
+namespace bearing {
+
+std::string text(double value)
+{
+  char buf[32];
+  snprintf(buf, sizeof buf, "%.6g", value);
+  return buf;
+}
+
+Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first) :
+    Pointers(lmp), command_(command), words_(arg + (first < narg ? first : narg), arg + narg)
+{
+}
+
+Arguments::Arguments(LAMMPS *lmp, const std::string &command, const std::vector<std::string> &words) :
+    Pointers(lmp), command_(command), words_(words)
+{
+}
+
+void Arguments::fail(const std::string &why) const
+{
+  error->all(FLERR, (command_ + ": " + why).c_str());
+  std::abort();    // not reached: error->all ends the run
+}
+
+bool Arguments::take(const char *keyword)
+{
+  if (!more() || words_[next_] != keyword) return false;
+  ++next_;
+  return true;
+}
+
+std::string Arguments::word(const std::string &what)
+{
+  if (!more()) fail("too few arguments: " + what + " is missing");
+  return words_[next_++];
+}
+
+static bool parse(const std::string &s, double &value)
+{
+  char *end = nullptr;
+  value = strtod(s.c_str(), &end);
+  return !s.empty() && *end == '\0' && std::isfinite(value);
+}
+
+bool Arguments::next_is_number() const
+{
+  double value;
+  return more() && parse(words_[next_], value);
+}
+
+double Arguments::number(const std::string &what)
+{
+  const std::string s = word(what);
+  double value;
+  if (!parse(s, value)) fail(what + " must be a number, not '" + s + "'");
+  return value;
+}
+
+double Arguments::positive(const std::string &what)
+{
+  const double v = number(what);
+  if (!(v > 0.0)) fail(what + " is " + text(v) + ", must be > 0");
+  return v;
+}
+
+double Arguments::non_negative(const std::string &what)
+{
+  const double v = number(what);
+  if (!(v >= 0.0)) fail(what + " is " + text(v) + ", must be >= 0");
+  return v;
+}
+
+double Arguments::within(const std::string &what, double lo, double hi)
+{
+  const double v = number(what);
+  if (!(v >= lo && v <= hi)) fail(what + " is " + text(v) + ", must be from " + text(lo) + " to " + text(hi));
+  return v;
+}
+
+int Arguments::integer(const std::string &what, int lo, int hi)
+{
+  const double v = number(what);
+  if (v != std::floor(v) || v < lo || v > hi)
+    fail(what + " is " + text(v) + ", must be a whole number from " + std::to_string(lo) + " to " +
+         std::to_string(hi));
+  return static_cast<int>(v);
+}
+
+int Arguments::choice(const std::string &what, std::initializer_list<const char *> allowed)
+{
+  const std::string s = word(what);
+  int n = 0;
+  std::string list;
+  for (const char *a : allowed) {
+    if (s == a) return n;
+    list += (n++ ? ", " : "") + std::string(a);
+  }
+  fail(what + " is '" + s + "', must be one of: " + list);
+}
+
+void Arguments::unknown(const std::string &allowed)
+{
+  fail("unknown keyword or one argument too many: '" + words_[next_] + "'; known: " + allowed);
+}
+
+}    // namespace bearing

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Reads the words of one command and turns every mistake into an error that names the command, the
+// value and the allowed range, on all ranks, before anything runs.
+#ifndef BEARING_ARGUMENTS_H
+#define BEARING_ARGUMENTS_H
+
+#include "bearing_compat.h"
+
+#include <initializer_list>
+#include <vector>
+
+namespace bearing {
+
+// A number as a user writes it ("6.3e-3") for messages.
+std::string text(double value);
+
+class Arguments : protected LAMMPS_NS::Pointers {
+ public:
+  Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);
+  Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, const std::vector<std::string> &words);
+
+  bool more() const { return next_ < words_.size(); }
+  size_t left() const { return words_.size() - next_; }
+  bool take(const char *keyword);                 // true and consumed if the next word is this
+  bool next_is_number() const;
+  std::string word(const std::string &what);      // next word; error if there is none
+  double number(const std::string &what);
+  double positive(const std::string &what);       // > 0
+  double non_negative(const std::string &what);   // >= 0
+  double within(const std::string &what, double lo, double hi);
+  int integer(const std::string &what, int lo, int hi);
+  int choice(const std::string &what, std::initializer_list<const char *> allowed);
+  [[noreturn]] void unknown(const std::string &allowed);    // the next word is no keyword
+  [[noreturn]] void fail(const std::string &why) const;
+
+ private:
+  std::string command_;
+  std::vector<std::string> words_;
+  size_t next_ = 0;
+};
+
+}    // namespace bearing
+
+#endif

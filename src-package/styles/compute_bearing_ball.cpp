@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "compute_bearing_ball.h"
+
+#include "pair_bearing_hertz.h"
+
+using namespace LAMMPS_NS;
+using namespace raceway;
+using bearing::RacewayContact;
+
+// compute ID group bearing/ball azimuth|orbit|inner_ATTRIBUTE|outer_ATTRIBUTE ...
+ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
+    BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/ball"))
+{
+  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/ball", narg, arg, BRG_COMPUTE_FIRST);
+  do {
+    const std::string name = args.word("a ball attribute");
+    if (name == "azimuth" || name == "orbit") {
+      columns_.push_back({name == "azimuth" ? azimuth : orbit, nullptr});
+      continue;
+    }
+    const bool is_inner = name.compare(0, 6, "inner_") == 0, is_outer = name.compare(0, 6, "outer_") == 0;
+    const bearing::ContactAttribute *a = is_inner || is_outer ? bearing::find_attribute(name.substr(6)) : nullptr;
+    if (!a)
+      args.fail("unknown attribute '" + name + "'; known: azimuth, orbit, and with inner_ or outer_ before it: " +
+                bearing::attribute_names());
+    if (a->film && !pair_->lubricated())
+      args.fail("attribute '" + name + "' needs a lubricant: use pair_style bearing/ehd");
+    columns_.push_back({is_inner ? inner : outer, a});
+    needed_.push_back(a);
+  } while (args.more());
+  peratom_flag = 1;
+  size_peratom_cols = columns_.size() == 1 ? 0 : static_cast<int>(columns_.size());
+}
+
+ComputeBearingBall::~ComputeBearingBall()
+{
+  memory->destroy(vector_);
+  memory->destroy(array_);
+}
+
+void ComputeBearingBall::init()
+{
+  const std::string name = std::string("compute ") + id + " bearing/ball";
+  pair_ = PairBearingHertz::find(lmp, name);
+  context_ = bearing::attribute_context(lmp, *pair_, needed_, name);
+}
+
+// 0 where the ball does not touch that raceway, and for atoms that are no balls.
+void ComputeBearingBall::compute_peratom()
+{
+  invoked_peratom = update->ntimestep;
+  const int n = static_cast<int>(columns_.size());
+  if (atom->nmax > nmax_) {
+    nmax_ = atom->nmax;
+    memory->destroy(vector_);
+    memory->destroy(array_);
+    memory->create(vector_, nmax_, "bearing/ball:vector");
+    memory->create(array_, nmax_, n, "bearing/ball:array");
+    vector_atom = vector_;
+    array_atom = array_;
+  }
+  for (int i = 0; i < atom->nlocal; ++i) {
+    vector_[i] = 0.0;
+    for (int k = 0; k < n; ++k) array_[i][k] = 0.0;
+  }
+  for (const RacewayContact &c : pair_->table().raceway) {
+    if (!(atom->mask[c.i_ball] & groupbit)) continue;
+    for (int k = 0; k < n; ++k) {
+      double &v = array_[c.i_ball][k];
+      if (columns_[k].kind == azimuth) {
+        v = bearing::azimuth(c.state.u, context_.axis);
+      } else if (columns_[k].kind == orbit) {
+        const Vec3 dv = Vec3::from(atom->v[c.i_ball]) - Vec3::from(atom->v[c.i_ring]);
+        v = dot(dv, c.state.t) / c.state.r;
+      } else if (c.live && (columns_[k].kind == inner) == (c.side() == Side::inner)) {
+        v = columns_[k].attribute->value(c, context_);
+      }
+      if (k == 0) vector_[c.i_ball] = v;
+    }
+  }
+}
+
+double ComputeBearingBall::memory_usage() { return double(nmax_) * (columns_.size() + 1) * sizeof(double); }

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// compute bearing/ball: per-atom data of rolling balls, from their inner and outer contact.
+#ifdef COMPUTE_CLASS
+ComputeStyle(bearing/ball,ComputeBearingBall)
+#else
+#ifndef LMP_COMPUTE_BEARING_BALL_H
+#define LMP_COMPUTE_BEARING_BALL_H
+
+#include "contact_attribute.h"
+
+namespace LAMMPS_NS {
+
+class ComputeBearingBall : public Compute {
+ public:
+  ComputeBearingBall(BRG_COMPUTE_ARGS);
+  ~ComputeBearingBall() override;
+  void init() override;
+  void compute_peratom() override;
+  double memory_usage() override;
+
+ private:
+  enum Kind { azimuth, orbit, inner, outer };
+  struct Column { Kind kind; const bearing::ContactAttribute *attribute; };
+
+  PairBearingHertz *pair_;
+  std::vector<Column> columns_;
+  std::vector<const bearing::ContactAttribute *> needed_;
+  bearing::AttributeContext context_;
+  int nmax_ = 0;
+  double *vector_ = nullptr, **array_ = nullptr;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

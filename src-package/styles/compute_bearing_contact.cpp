@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "compute_bearing_contact.h"
+
+#include "pair_bearing_hertz.h"
+
+using namespace LAMMPS_NS;
+using bearing::RacewayContact;
+
+// compute ID group bearing/contact attribute ...
+ComputeBearingContact::ComputeBearingContact(BRG_COMPUTE_ARGS) :
+    BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/contact"))
+{
+  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/contact", narg, arg, BRG_COMPUTE_FIRST);
+  columns_ = bearing::read_attributes(args, *pair_);
+  local_flag = 1;
+  size_local_rows = 0;
+  // one column is a vector to the host, several are an array
+  size_local_cols = columns_.size() == 1 ? 0 : static_cast<int>(columns_.size());
+}
+
+void ComputeBearingContact::init()
+{
+  const std::string name = std::string("compute ") + id + " bearing/contact";
+  pair_ = PairBearingHertz::find(lmp, name);
+  context_ = bearing::attribute_context(lmp, *pair_, columns_, name);
+}
+
+void ComputeBearingContact::compute_local()
+{
+  invoked_local = update->ntimestep;
+  values_.clear();
+  for (const RacewayContact &c : pair_->table().raceway) {
+    if (!c.live || !(atom->mask[c.i_ball] & groupbit)) continue;
+    for (const bearing::ContactAttribute *a : columns_) values_.push_back(a->value(c, context_));
+  }
+  const size_t n = values_.size() / columns_.size();
+  size_local_rows = static_cast<int>(n);
+  rows_.resize(n);
+  for (size_t k = 0; k < n; ++k) rows_[k] = &values_[k * columns_.size()];
+  vector_local = values_.data();
+  array_local = rows_.data();
+}
+
+double ComputeBearingContact::memory_usage()
+{
+  return values_.capacity() * sizeof(double) + rows_.capacity() * sizeof(double *);
+}

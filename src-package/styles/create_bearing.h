@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// create_bearing: makes balls, cage balls and one atom per ring of one bearing, rolling or at rest.
+#ifdef COMMAND_CLASS
+CommandStyle(create_bearing,CreateBearing)
+#else
+#ifndef LMP_CREATE_BEARING_H
+#define LMP_CREATE_BEARING_H
+
+#include "../physics/groove.h"
+#include "bearing_compat.h"
+
+namespace bearing { class Arguments; }
+
+namespace LAMMPS_NS {
+
+class PairBearingHertz;
+
+class CreateBearing : public bearing::CommandBase {
+ public:
+  explicit CreateBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+
+ private:
+  struct Plan {
+    int ball_type, cage_type, inner_type, outer_type;
+    int balls = 0;
+    double ball_radius = 0.0, ball_density = 7800.0;
+    double cage_radius = 0.0, cage_density = 1140.0;
+    double centre[3] = {0.0, 0.0, 0.0};
+    double phase = 0.0;                        // rad, azimuth of the first ball
+    double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
+    double pitch = 0.0;
+  };
+
+  Plan parse(bearing::Arguments &);
+  void check(bearing::Arguments &, const PairBearingHertz &, Plan &);
+  void place(const Plan &, const PairBearingHertz &);
+  void add(int type, const raceway::Vec3 &x, double radius, double mass, const raceway::Vec3 &v,
+           const raceway::Vec3 &w);
+
+  bearing::tag_t next_tag_ = 0;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "deck_files.h"
+
+#include "arguments.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+using namespace LAMMPS_NS;
+namespace fs = std::filesystem;
+using bearing::Arguments;
+
+// What rank 0 found out, on every rank: empty means all is well.
+static std::string agree(std::string complaint, MPI_Comm world)
+{
+  int n = static_cast<int>(complaint.size());
+  MPI_Bcast(&n, 1, MPI_INT, 0, world);
+  complaint.resize(n);
+  if (n) MPI_Bcast(&complaint[0], n, MPI_CHAR, 0, world);
+  return complaint;
+}
+
+void BearingInput::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_input", narg, arg, 0);
+  const std::string folder = args.word("folder"), name = args.word("name");
+  if (args.more()) args.unknown("none, the command ends here");
+  const fs::path file = fs::path(folder) / name;
+  std::string complaint;
+  if (comm->me == 0) {
+    std::error_code ec;
+    if (!fs::is_regular_file(file, ec)) {
+      std::set<std::string> names;
+      for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+        names.insert(it->path().filename().string());
+      std::string list;
+      for (const std::string &n : names) list += (list.empty() ? "" : ", ") + n;
+      complaint = "there is no '" + name + "' in folder " + folder + "; there is: " +
+          (list.empty() ? "nothing (run from the folder that holds it, or set the variable 'inputs')" : list);
+    }
+  }
+  complaint = agree(complaint, world);
+  if (!complaint.empty()) args.fail(complaint);
+  input->one(("include " + file.string()).c_str());
+}
+
+void BearingOutput::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_output", narg, arg, 0);
+  const std::string folder = args.word("folder");
+  if (args.more()) args.unknown("none, the command ends here");
+  std::string complaint;
+  if (comm->me == 0) {
+    std::error_code ec;
+    fs::create_directories(folder, ec);
+    if (ec) {
+      complaint = "cannot make output folder '" + folder + "': " + ec.message();
+    } else {
+      const fs::path probe = fs::path(folder) / ".writable";
+      std::ofstream out(probe);
+      out << "x" << std::flush;
+      if (!out) complaint = "output folder '" + folder + "' is not writable: " + strerror(errno);
+      out.close();
+      fs::remove(probe, ec);
+    }
+  }
+  complaint = agree(complaint, world);
+  if (!complaint.empty()) args.fail(complaint);
+}
+
+void BearingRange::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_range", narg, arg, 0);
+  const std::string name = args.word("name");
+  const std::string value = args.word("value of " + name);
+  const double lo = args.number("lowest " + name), hi = args.number("highest " + name);
+  if (args.more()) args.unknown("none, the command ends here");
+  Arguments given(lmp, "bearing_range", {value});
+  given.within(name, lo, hi);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// bearing_input, bearing_output, bearing_range: a deck's data files, result folder and numbers, with errors
+// that help before anything runs.
+#ifdef COMMAND_CLASS
+CommandStyle(bearing_input,BearingInput)
+CommandStyle(bearing_output,BearingOutput)
+CommandStyle(bearing_range,BearingRange)
+#else
+#ifndef LMP_DECK_FILES_H
+#define LMP_DECK_FILES_H
+
+#include "bearing_compat.h"
+
+namespace LAMMPS_NS {
+
+// bearing_input FOLDER NAME: include FOLDER/NAME; if it is not there, say what is.
+class BearingInput : public bearing::CommandBase {
+ public:
+  explicit BearingInput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_output FOLDER: make the folder (and those above it) and make sure that it can be written.
+class BearingOutput : public bearing::CommandBase {
+ public:
+  explicit BearingOutput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_range NAME VALUE LO HI: stop with a message unless LO <= VALUE <= HI.
+class BearingRange : public bearing::CommandBase {
+ public:
+  explicit BearingRange(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

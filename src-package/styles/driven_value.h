@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A number, or an equal-style variable v_NAME evaluated once a step.
+#ifndef BEARING_DRIVEN_VALUE_H
+#define BEARING_DRIVEN_VALUE_H
+
+#include "arguments.h"
+
+namespace bearing {
+
+class DrivenValue {
+ public:
+  // The next word of a command: a number or v_NAME.
+  static DrivenValue read(Arguments &args, const std::string &what)
+  {
+    DrivenValue d;
+    if (args.next_is_number()) {
+      d.value_ = args.number(what);
+      return d;
+    }
+    const std::string w = args.word(what);
+    if (w.compare(0, 2, "v_") != 0 || w.size() < 3)
+      args.fail(what + " must be a number or an equal-style variable v_NAME, not '" + w + "'");
+    d.name_ = w.substr(2);
+    return d;
+  }
+
+  bool is_variable() const { return !name_.empty(); }
+
+  // Before a run: does the variable exist?
+  void check(LAMMPS_NS::LAMMPS *lmp, const std::string &command)
+  {
+    if (!is_variable()) return;
+    index_ = lmp->input->variable->find(const_cast<char *>(name_.c_str()));
+    if (index_ < 0 || !lmp->input->variable->equalstyle(index_))
+      lmp->error->all(FLERR, (command + ": there is no equal-style variable '" + name_ + "'").c_str());
+  }
+
+  double now(LAMMPS_NS::LAMMPS *lmp) const
+  {
+    return is_variable() ? lmp->input->variable->compute_equal(index_) : value_;
+  }
+
+ private:
+  double value_ = 0.0;
+  std::string name_;
+  int index_ = -1;
+};
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_cage.h"
+
+#include "../physics/damped_hertz.h"
+#include "arguments.h"
+#include "fix_bearing_state.h"
+#include "pair_bearing_hertz.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using namespace raceway;
+using bearing::Arguments;
+
+// fix ID cage-group bearing/cage RING_TYPE [rail R r z] ... [tube r] [gap g] [young E_ball E_rail] [poisson ...]
+FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/cage"))
+{
+  scalar_flag = vector_flag = 1;
+  size_vector = 2;
+  global_freq = 1;
+  extscalar = extvector = 0;
+  Arguments args(lmp, std::string("fix ") + id + " bearing/cage", narg, arg, 3);
+  ring_type_ = args.integer("type of the ring that carries the rails", 1, atom->ntypes);
+  if (!pair_->is_ring_type(ring_type_))
+    args.fail("type " + std::to_string(ring_type_) + " is no ring: no pair_coeff names it inner or outer");
+  while (args.more()) {
+    if (args.take("rail")) {
+      Rail r;
+      r.circle = args.positive("radius of the rail's centre circle (m)");
+      r.tube = args.positive("radius of the rail's tube (m)");
+      r.offset = args.number("axial offset of the rail (m)");
+      if (r.tube >= r.circle) args.fail("rail: tube radius must be smaller than the centre circle");
+      rails_.push_back(r);
+      seats_ = false;
+    } else if (args.take("tube")) {
+      tube_ = args.positive("tube radius (m)");
+    } else if (args.take("gap")) {
+      gap_ = args.non_negative("gap between cage ball and rail (m)");
+    } else if (args.take("young")) {
+      young_[0] = args.positive("Young's modulus of the cage balls (Pa)");
+      young_[1] = args.positive("Young's modulus of the rails (Pa)");
+    } else if (args.take("poisson")) {
+      poisson_[0] = args.within("Poisson's ratio of the cage balls", 0.0, 0.5);
+      poisson_[1] = args.within("Poisson's ratio of the rails", 0.0, 0.5);
+    } else {
+      args.unknown("rail, tube, gap, young, poisson");
+    }
+  }
+}
+
+int FixBearingCage::setmask() { return PRE_NEIGHBOR | PRE_FORCE; }
+
+void FixBearingCage::init()
+{
+  pair_ = PairBearingHertz::find(lmp, "fix bearing/cage");
+  // one radius and one pitch circle for the whole cage: where its balls are now
+  double most[2] = {0.0, 0.0};
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) most[0] = std::max(most[0], atom->radius[i]);
+  for (int t = 1; t <= atom->ntypes; ++t)
+    if (pair_->is_ball_type(t))
+      if (const RacewayPhysics *p = pair_->raceway(t, ring_type_))
+        most[1] = std::max(most[1], p->groove.raceway_radius + (p->groove.side == Side::inner ? 1.0 : -1.0) *
+                           p->groove.ball_radius);
+  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, world);
+  if (most[0] == 0.0) BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
+  pitch_ = most[1];
+  if (seats_) rails_ = {seat_rail(pitch_, most[0], tube_, gap_, 1.0), seat_rail(pitch_, most[0], tube_, gap_, -1.0)};
+  stiffness_.clear();
+  const double E = reduced_modulus(young_[0], poisson_[0], young_[1], poisson_[1]);
+  for (const Rail &r : rails_) stiffness_.push_back(rail_stiffness(r, most[0], pitch_, E));
+}
+
+void FixBearingCage::setup_pre_neighbor() { find_riders(); }
+void FixBearingCage::pre_neighbor() { find_riders(); }
+
+// The ring whose centre is nearest carries the cage ball: local indices hold until the next build.
+void FixBearingCage::find_riders()
+{
+  riders_.clear();
+  const int nall = atom->nlocal + atom->nghost;
+  std::vector<int> rings;
+  for (int i = 0; i < nall; ++i)
+    if (atom->type[i] == ring_type_) rings.push_back(i);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    int nearest = -1;
+    double best = 4.0 * pitch_ * pitch_;
+    for (int j : rings) {
+      const Vec3 d = Vec3::from(atom->x[i]) - Vec3::from(atom->x[j]);
+      if (dot(d, d) < best) {
+        best = dot(d, d);
+        nearest = j;
+      }
+    }
+    if (nearest < 0)
+      BRG_ONE(std::string("fix ") + id + " bearing/cage: lost cage ball " + std::to_string(atom->tag[i]) +
+              " at step " + std::to_string(update->ntimestep) + ": no ring of type " + std::to_string(ring_type_) +
+              " within two pitch radii");
+    riders_.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1});
+  }
+  std::sort(riders_.begin(), riders_.end(), [](const Rider &a, const Rider &b) { return a.tag < b.tag; });
+}
+
+void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
+
+void FixBearingCage::pre_force(int)
+{
+  double **x = atom->x, **v = atom->v, **f = atom->f;
+  force_sum_ = force_max_ = 0.0;
+  for (Rider &rider : riders_) {
+    const Vec3 e = pair_->state()->axis(rider.i_ring);
+    const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
+    const double z = dot(d, e);
+    const Vec3 radial = d - e * z;
+    const double r = norm(radial);
+    for (size_t k = 0; k < rails_.size(); ++k) {
+      const Rail &rail = rails_[k];
+      const double dr = r - rail.circle, dz = z - rail.offset, s2 = dr * dr + dz * dz;
+      const double reach = atom->radius[rider.i] + rail.tube;
+      if (!(s2 < reach * reach)) continue;
+      const double s = std::sqrt(s2);
+      const Vec3 n = radial * (dr / (s * r)) + e * (dz / s);    // rail -> ball
+      const Vec3 ring_v = Vec3::from(v[rider.i_ring]) + cross(Vec3::from(atom->omega[rider.i_ring]), d);
+      const double rate = -dot(Vec3::from(v[rider.i]) - ring_v, n);
+      const DampedHertz h = damped_hertz(stiffness_[k], reach - s, rate, atom->rmass[rider.i]);
+      if (h.force == 0.0) continue;
+      const Vec3 force = n * h.force;
+      force.add_to(f[rider.i]);
+      if (rider.slot < 0) rider.slot = pair_->ring_sum().slot(rider.i_ring, rider.ring);
+      pair_->ring_sum().add(rider.slot, bearing::RingSum::rail, rider.tag, -force, -cross(d, force));
+      force_sum_ += h.force;
+      force_max_ = std::max(force_max_, h.force);
+    }
+  }
+}
+
+double FixBearingCage::compute_scalar() { return compute_vector(0); }
+
+// 1: sum of all rail forces (N), 2: largest rail force (N)
+double FixBearingCage::compute_vector(int k)
+{
+  double mine = k == 0 ? force_sum_ : force_max_, all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, k == 0 ? MPI_SUM : MPI_MAX, world);
+  return all;
+}

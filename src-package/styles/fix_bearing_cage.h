@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/cage: torus rails that hold the cage balls of a group; elastic, frictionless, critically
+// damped. The rails sit on a ring (usually the outer one) and pass their reaction to it.
+#ifdef FIX_CLASS
+FixStyle(bearing/cage,FixBearingCage)
+#else
+#ifndef LMP_FIX_BEARING_CAGE_H
+#define LMP_FIX_BEARING_CAGE_H
+
+#include "../physics/rail.h"
+#include "bearing_compat.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PairBearingHertz;
+
+class FixBearingCage : public Fix {
+ public:
+  FixBearingCage(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup_pre_neighbor() override;
+  void pre_neighbor() override;
+  void setup_pre_force(int) override;
+  void pre_force(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+
+ private:
+  struct Rider { int i, i_ring; bearing::tag_t tag, ring; int slot; };    // a cage ball on the rails of its ring
+
+  void find_riders();
+
+  PairBearingHertz *pair_;
+  int ring_type_ = 0;
+  std::vector<raceway::Rail> rails_;
+  double tube_ = 1e-3, gap_ = 0.0;
+  double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
+  bool seats_ = true;                  // default pair of rails, placed from the cage balls
+  double pitch_ = 0.0;
+  std::vector<double> stiffness_;      // N/m^1.5 per rail
+  std::vector<Rider> riders_;          // by tag
+  double force_sum_ = 0.0, force_max_ = 0.0;    // of the last step, this rank
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_ring.h"
+
+#include "arguments.h"
+#include "fix_bearing_state.h"
+#include "pair_bearing_hertz.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using bearing::Arguments;
+using bearing::DrivenValue;
+using raceway::Vec3;
+
+static Vec3 unit(int k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
+
+FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/ring"))
+{
+  time_integrate = 1;
+  restart_global = 1;
+  vector_flag = array_flag = 1;
+  size_vector = size_array_cols = N_REPORT;
+  extvector = extarray = 0;
+  global_freq = 1;
+  along_ = pair_->axis_index();
+  across_[0] = (along_ + 1) % 3;
+  across_[1] = (along_ + 2) % 3;
+  parse(narg, arg);
+
+  std::vector<int> mine;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) {
+      if (!pair_->is_ring_type(atom->type[i]))
+        BRG_ONE(std::string("fix ") + id + " bearing/ring: atom " + std::to_string(atom->tag[i]) + " of group " +
+                arg[1] + " is of type " + std::to_string(atom->type[i]) + ", which no pair_coeff names as a ring");
+      mine.push_back(static_cast<int>(atom->tag[i]));
+    }
+  std::vector<int> count(comm->nprocs), offset(comm->nprocs, 0);
+  int n = static_cast<int>(mine.size());
+  MPI_Allgather(&n, 1, MPI_INT, count.data(), 1, MPI_INT, world);
+  for (int p = 1; p < comm->nprocs; ++p) offset[p] = offset[p - 1] + count[p - 1];
+  tags_.resize(offset.back() + count.back());
+  MPI_Allgatherv(mine.data(), n, MPI_INT, tags_.data(), count.data(), offset.data(), MPI_INT, world);
+  std::sort(tags_.begin(), tags_.end());
+  if (tags_.empty()) BRG_ALL(std::string("fix ") + id + " bearing/ring: missing ring, group " + arg[1] + " is empty");
+  size_array_rows = static_cast<int>(tags_.size());
+  report_.assign(tags_.size() * N_REPORT, 0.0);
+}
+
+void FixBearingRing::read_freedom(Arguments &args, const std::string &name, Freedom &f)
+{
+  f.mode = args.choice(name, {"fixed", "free", "speed", "position"});
+  if (f.mode >= Freedom::speed) f.value = DrivenValue::read(args, name);
+}
+
+void FixBearingRing::parse(int narg, char **arg)
+{
+  Arguments args(lmp, std::string("fix ") + id + " bearing/ring", narg, arg, 3);
+  static const char *lab[] = {"x", "y", "z"}, *turn[] = {"rx", "ry", "rz"};
+  while (args.more()) {
+    bool known = false;
+    for (int k = 0; k < 3 && !known; ++k)
+      if (args.take(lab[k])) {
+        read_freedom(args, lab[k], dof_[k]);
+        known = true;
+      }
+    for (int k = 0; k < 2 && !known; ++k)
+      if (args.take(turn[across_[k]])) {
+        read_freedom(args, turn[across_[k]], dof_[3 + k]);
+        known = true;
+      }
+    if (known) continue;
+    if (args.take("spin")) {
+      read_freedom(args, "spin", dof_[SPIN_DOF]);
+      if (dof_[SPIN_DOF].mode == Freedom::position) args.fail("spin takes fixed, free or speed, not position");
+    } else if (args.take("mass")) {
+      mass_ = args.positive("mass (kg)");
+    } else if (args.take("inertia")) {
+      inertia_.axial = args.positive("inertia about the axis (kg m^2)");
+      inertia_.transverse = args.positive("inertia across the axis (kg m^2)");
+      if (inertia_.axial > 2.0 * inertia_.transverse)
+        args.fail("inertia " + bearing::text(inertia_.axial) + " " + bearing::text(inertia_.transverse) +
+                  ": no body has more than twice as much about its axis as across it");
+    } else if (args.take("force")) {
+      for (DrivenValue &f : force_) f = DrivenValue::read(args, "force (N)");
+    } else if (args.take("moment")) {
+      for (DrivenValue &m : moment_) m = DrivenValue::read(args, "moment (N m)");
+    } else if (args.take("ramp")) {
+      ramp_time_ = args.non_negative("ramp time (s)");
+    } else {
+      args.unknown(std::string("x, y, z, ") + turn[across_[0]] + ", " + turn[across_[1]] +
+                   ", spin, mass, inertia, force, moment, ramp");
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+    if (dof_[k].mode == Freedom::free && mass_ == 0.0)
+      args.fail(std::string(lab[k]) + " free needs 'mass M'");
+  for (int k = 3; k < N_DOF; ++k)
+    if (dof_[k].mode == Freedom::free && inertia_.axial == 0.0)
+      args.fail("a free tilt or spin needs 'inertia AXIAL TRANSVERSE'");
+}
+
+int FixBearingRing::setmask() { return INITIAL_INTEGRATE | POST_FORCE | FINAL_INTEGRATE; }
+
+void FixBearingRing::init()
+{
+  pair_ = PairBearingHertz::find(lmp, "fix bearing/ring");
+  state_ = pair_->state();
+  const std::string command = std::string("fix ") + id + " bearing/ring";
+  for (Freedom &f : dof_) f.value.check(lmp, command);
+  for (DrivenValue &f : force_) f.check(lmp, command);
+  for (DrivenValue &m : moment_) m.check(lmp, command);
+  if (mass_ > 0.0)
+    for (int i = 0; i < atom->nlocal; ++i)
+      if (atom->mask[i] & groupbit) atom->rmass[i] = mass_;    // kinetic energy in thermo output
+}
+
+// Driven speeds hold from the first instant; forces of the set-up get the load like any others.
+void FixBearingRing::setup(int vflag)
+{
+  update_driven();
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) {
+      for (int k = 0; k < 3; ++k)
+        if (dof_[k].mode == Freedom::speed) atom->v[i][k] = target_[k];
+      if (dof_[SPIN_DOF].mode == Freedom::speed) {
+        const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
+        (w + e * (target_[SPIN_DOF] - dot(w, e))).to(atom->omega[i]);
+      }
+    }
+  post_force(vflag);
+}
+
+void FixBearingRing::update_driven()
+{
+  for (int k = 0; k < N_DOF; ++k)
+    if (dof_[k].mode >= Freedom::speed) target_[k] = dof_[k].value.now(lmp);
+}
+
+// Smooth growth of force and moment from 0 to full over the ramp time (3s^2 - 2s^3).
+double FixBearingRing::ramp() const
+{
+  if (time_ >= ramp_time_) return 1.0;
+  const double s = time_ / ramp_time_;
+  return s * s * (3.0 - 2.0 * s);
+}
+
+// Half a step of velocity from the forces; degrees of freedom that are not free ignore them.
+void FixBearingRing::kick()
+{
+  const double half = 0.5 * update->dt * force->ftm2v;
+  const bool tilts_free = dof_[3].mode == Freedom::free && dof_[4].mode == Freedom::free;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    for (int k = 0; k < 3; ++k)
+      if (dof_[k].mode == Freedom::free) atom->v[i][k] += half / mass_ * atom->f[i][k];
+    const Vec3 e = state_->axis(i), M = Vec3::from(atom->torque[i]);
+    Vec3 w = Vec3::from(atom->omega[i]);
+    if (tilts_free) {
+      // all of the gyroscopic coupling is in the momentum; an imposed spin takes its reaction
+      const double spin = dot(w, e);
+      w = raceway::angular_velocity(inertia_, raceway::angular_momentum(inertia_, w, e) + M * half, e);
+      if (dof_[SPIN_DOF].mode != Freedom::free) w += e * (spin - dot(w, e));
+    } else {
+      for (int k = 0; k < 2; ++k)
+        if (dof_[3 + k].mode == Freedom::free) {
+          const Vec3 a = unit(across_[k]);
+          w += a * (half / inertia_.transverse * dot(M, a));
+        }
+      if (dof_[SPIN_DOF].mode == Freedom::free) w += e * (half / inertia_.axial * dot(M, e));
+    }
+    w.to(atom->omega[i]);
+  }
+}
+
+// Orientation over a full step, and driven rotation speeds.
+void FixBearingRing::turn(int i)
+{
+  const double dt = update->dt;
+  FixBearingState::RingMotion &ring = state_->ring(i);
+  Vec3 w = Vec3::from(atom->omega[i]);
+  const bool free1 = dof_[3].mode == Freedom::free, free2 = dof_[4].mode == Freedom::free;
+  const double spin = dof_[SPIN_DOF].mode == Freedom::speed ? target_[SPIN_DOF]
+      : dof_[SPIN_DOF].mode == Freedom::fixed               ? 0.0
+                                                            : dot(w, ring.axis);
+  if (free1 && free2) {
+    const Vec3 L = raceway::angular_momentum(inertia_, w, ring.axis);
+    ring.axis = raceway::drift_axis(inertia_, L, ring.axis, dt);
+    w = raceway::angular_velocity(inertia_, L, ring.axis);
+    w += ring.axis * (spin - dot(w, ring.axis));
+  } else if (dof_[3].mode != Freedom::fixed || dof_[4].mode != Freedom::fixed) {
+    Vec3 across;    // rotation velocity of the axis
+    for (int k = 0; k < 2; ++k) {
+      double rate = 0.0;
+      if (dof_[3 + k].mode == Freedom::free) rate = dot(w, unit(across_[k]));
+      if (dof_[3 + k].mode == Freedom::speed) rate = target_[3 + k];
+      if (dof_[3 + k].mode == Freedom::position) rate = (target_[3 + k] - ring.tilt[k]) / dt;
+      ring.tilt[k] += rate * dt;
+      across += unit(across_[k]) * rate;
+    }
+    // two driven tilts define the axis outright: no drift from adding up small rotations
+    ring.axis = rotate(unit(along_), unit(across_[0]) * ring.tilt[0] + unit(across_[1]) * ring.tilt[1]);
+    w = across + ring.axis * spin;
+  } else if (dof_[SPIN_DOF].mode != Freedom::free) {
+    w = ring.axis * spin;
+  }
+  ring.angle += spin * dt;
+  w.to(atom->omega[i]);
+}
+
+void FixBearingRing::initial_integrate(int)
+{
+  const double dt = update->dt;
+  time_ += dt;
+  kick();
+  update_driven();
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    double *x = atom->x[i], *v = atom->v[i], origin[3];
+    state_->ring(i).origin.to(origin);
+    for (int k = 0; k < 3; ++k) {
+      if (dof_[k].mode == Freedom::fixed) v[k] = 0.0;
+      if (dof_[k].mode == Freedom::speed) v[k] = target_[k];
+      if (dof_[k].mode == Freedom::position) {
+        v[k] = (origin[k] + target_[k] - x[k]) / dt;
+        x[k] = origin[k] + target_[k];
+      } else {
+        x[k] += dt * v[k];
+      }
+    }
+    turn(i);
+  }
+}
+
+void FixBearingRing::post_force(int)
+{
+  const double share = ramp();
+  double load[3], moment[3];
+  for (int k = 0; k < 3; ++k) {
+    load[k] = share * force_[k].now(lmp);
+    moment[k] = share * moment_[k].now(lmp);
+  }
+  contact_force_.clear();
+  contact_moment_.clear();
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) {
+      contact_force_.push_back(Vec3::from(atom->f[i]));
+      contact_moment_.push_back(Vec3::from(atom->torque[i]));
+      for (int k = 0; k < 3; ++k) {
+        atom->f[i][k] += load[k];
+        atom->torque[i][k] += moment[k];
+      }
+    }
+}
+
+void FixBearingRing::final_integrate() { kick(); }
+
+// Rings live on one rank each: a sum over ranks only moves their numbers.
+void FixBearingRing::gather_reports()
+{
+  if (reported_ == update->ntimestep) return;
+  reported_ = update->ntimestep;
+  std::fill(report_.begin(), report_.end(), 0.0);
+  size_t m = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const size_t row = std::lower_bound(tags_.begin(), tags_.end(), static_cast<int>(atom->tag[i])) - tags_.begin();
+    double *r = &report_[row * N_REPORT];
+    const FixBearingState::RingMotion &ring = state_->ring(i);
+    const Vec3 w = Vec3::from(atom->omega[i]);
+    (Vec3::from(atom->x[i]) - ring.origin).to(r + DX);
+    Vec3::from(atom->v[i]).to(r + VX);
+    // small tilts are e x about the two axes: e = axis + tilt x axis
+    r[TILT1] = -std::asin(dot(ring.axis, unit(across_[1])));
+    r[TILT2] = std::asin(dot(ring.axis, unit(across_[0])));
+    r[SPIN] = dot(w, ring.axis);
+    r[ANGLE] = ring.angle;
+    if (m < contact_force_.size()) {
+      contact_force_[m].to(r + FX);
+      contact_moment_[m].to(r + MX);
+      r[FRICTION_TORQUE] = dot(contact_moment_[m], ring.axis);
+    }
+    ++m;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, report_.data(), static_cast<int>(report_.size()), MPI_DOUBLE, MPI_SUM, world);
+}
+
+double FixBearingRing::compute_vector(int k) { return compute_array(0, k); }
+
+double FixBearingRing::compute_array(int row, int k)
+{
+  if (!state_) return 0.0;    // before the first run
+  gather_reports();
+  return report_[row * N_REPORT + k];
+}
+
+void FixBearingRing::write_restart(FILE *fp)
+{
+  if (comm->me != 0) return;
+  const int size = sizeof(double);
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(&time_, sizeof(double), 1, fp);
+}
+
+void FixBearingRing::restart(char *buf) { memcpy(&time_, buf, sizeof(double)); }

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_state.h"
+
+#include "arguments.h"
+#include "pair_bearing_hertz.h"
+#include "step_check.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using raceway::Vec3;
+using bearing::text;
+
+FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/state"))
+{
+  restart_peratom = 1;
+  create_attribute = 1;
+  comm_forward = 3;
+  nevery = 1000;    // how often the step is checked against the contacts
+  BRG_SET_MAXEXCHANGE(packed_size);
+  grow_arrays(atom->nmax);
+  atom->add_callback(0);
+  atom->add_callback(1);
+  for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+}
+
+FixBearingState::~FixBearingState()
+{
+  atom->delete_callback(id, 0);
+  atom->delete_callback(id, 1);
+}
+
+int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
+
+// Local indices change: rails (pre_force) and contacts (pair) claim their ring slots anew.
+void FixBearingState::pre_neighbor() { pair_->ring_sum().reset_rings(); }
+
+// Last of the fixes: put back the forces of the step before, if this run continues it.
+void FixBearingState::setup(int)
+{
+  running_ = true;
+  int continues = 1;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep)) continues = 0;
+  MPI_Allreduce(MPI_IN_PLACE, &continues, 1, MPI_INT, MPI_MIN, world);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (continues)
+      for (int k = 0; k < 3; ++k) {
+        atom->f[i][k] = per_atom_[i].force[k];
+        atom->torque[i][k] = per_atom_[i].torque[k];
+      }
+    per_atom_[i].saved = false;
+  }
+  check_step();
+}
+
+void FixBearingState::end_of_step()
+{
+  if (update->ntimestep % nevery == 0) check_step();
+}
+
+void FixBearingState::check_step()
+{
+  const bearing::StepLimit limit = bearing::step_limit(lmp, *pair_);
+  const double ratio = update->dt / limit.step;
+  if (ratio > 10.0)
+    BRG_ALL("timestep " + text(update->dt) + " s: " + limit.why() + " allows at most " + text(limit.step) + " s");
+  if (ratio > 1.0 && !warned_ && comm->me == 0)
+    BRG_WARN("timestep " + text(update->dt) + " s is too large for velocity Verlet: " + limit.why() +
+             " allows at most " + text(limit.step) + " s; see fix bearing/timestep");
+  if (ratio > 1.0) warned_ = true;
+}
+
+void FixBearingState::save_forces()
+{
+  for (int i = 0; i < atom->nlocal; ++i) {
+    PerAtom &p = per_atom_[i];
+    p.saved = true;
+    p.saved_step = static_cast<double>(update->ntimestep);
+    for (int k = 0; k < 3; ++k) {
+      p.force[k] = atom->f[i][k];
+      p.torque[k] = atom->torque[i][k];
+    }
+  }
+}
+
+void FixBearingState::post_run()
+{
+  save_forces();
+  running_ = false;
+}
+
+double *FixBearingState::spring(int i, bearing::tag_t ring)
+{
+  PerAtom &p = per_atom_[i];
+  for (int k = 0; k < p.n_springs; ++k)
+    if (p.spring_ring[k] == ring) return p.spring[k];
+  if (p.n_springs == max_rings)
+    BRG_ONE("ball " + std::to_string(atom->tag[i]) + " has met more than " + std::to_string(max_rings) + " rings");
+  p.spring_ring[p.n_springs] = ring;
+  p.spring[p.n_springs][0] = p.spring[p.n_springs][1] = 0.0;
+  return p.spring[p.n_springs++];
+}
+
+void FixBearingState::forward_axes() { BRG_FORWARD_FIX(this); }
+
+void FixBearingState::grow_arrays(int n) { per_atom_.resize(n); }
+
+void FixBearingState::copy_arrays(int i, int j, int) { per_atom_[j] = per_atom_[i]; }
+
+void FixBearingState::set_arrays(int i)
+{
+  per_atom_[i] = PerAtom();
+  per_atom_[i].ring.axis = pair_->axis();
+  per_atom_[i].ring.origin = Vec3::from(atom->x[i]);
+}
+
+int FixBearingState::pack_exchange(int i, double *buf)
+{
+  const PerAtom &p = per_atom_[i];
+  int m = 0;
+  buf[m++] = p.n_springs;
+  for (int k = 0; k < max_rings; ++k) {
+    buf[m++] = static_cast<double>(p.spring_ring[k]);
+    buf[m++] = p.spring[k][0];
+    buf[m++] = p.spring[k][1];
+  }
+  p.ring.axis.to(buf + m);
+  p.ring.origin.to(buf + m + 3);
+  m += 6;
+  buf[m++] = p.ring.angle;
+  buf[m++] = p.ring.tilt[0];
+  buf[m++] = p.ring.tilt[1];
+  buf[m++] = p.saved;
+  buf[m++] = p.saved_step;
+  for (int k = 0; k < 3; ++k) buf[m++] = p.force[k];
+  for (int k = 0; k < 3; ++k) buf[m++] = p.torque[k];
+  return m;
+}
+
+int FixBearingState::unpack_exchange(int i, double *buf)
+{
+  PerAtom &p = per_atom_[i];
+  int m = 0;
+  p.n_springs = static_cast<int>(buf[m++]);
+  for (int k = 0; k < max_rings; ++k) {
+    p.spring_ring[k] = static_cast<bearing::tag_t>(buf[m++]);
+    p.spring[k][0] = buf[m++];
+    p.spring[k][1] = buf[m++];
+  }
+  p.ring.axis = Vec3::from(buf + m);
+  p.ring.origin = Vec3::from(buf + m + 3);
+  m += 6;
+  p.ring.angle = buf[m++];
+  p.ring.tilt[0] = buf[m++];
+  p.ring.tilt[1] = buf[m++];
+  p.saved = buf[m++] != 0.0;
+  p.saved_step = buf[m++];
+  for (int k = 0; k < 3; ++k) p.force[k] = buf[m++];
+  for (int k = 0; k < 3; ++k) p.torque[k] = buf[m++];
+  return m;
+}
+
+int FixBearingState::pack_restart(int i, double *buf)
+{
+  // during a run the forces of this step are still in place; between runs they were saved
+  if (running_ && i == 0) save_forces();
+  const int m = 1 + pack_exchange(i, buf + 1);
+  buf[0] = m;
+  return m;
+}
+
+void FixBearingState::unpack_restart(int i, int nth)
+{
+  double **extra = atom->extra;
+  int m = 0;
+  for (int k = 0; k < nth; ++k) m += static_cast<int>(extra[i][m]);
+  unpack_exchange(i, &extra[i][m + 1]);
+}
+
+int FixBearingState::size_restart(int) { return packed_size; }
+int FixBearingState::maxsize_restart() { return packed_size; }
+
+int FixBearingState::BRG_PACK_FORWARD(int n, int *list, double *buf, int, int *)
+{
+  for (int k = 0; k < n; ++k) per_atom_[list[k]].ring.axis.to(buf + 3 * k);
+  return BRG_COMM_RETURN(3 * n, 3);
+}
+
+void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
+{
+  for (int k = 0; k < n; ++k) per_atom_[first + k].ring.axis = Vec3::from(buf + 3 * k);
+}
+
+#if BEARING_IS_LIGGGHTS
+// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2): a ring centre lies deeper.
+double FixBearingState::extend_cut_ghost() { return 2.0 * reach_; }
+#endif
+
+double FixBearingState::memory_usage() { return per_atom_.capacity() * sizeof(PerAtom); }

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Internal fix of the bearing pair styles: what a ball or ring carries from step to step beyond position
+// and velocity, across ranks and restarts. Made by the pair style; users need not name it.
+//
+//   ball: tangential springs, keyed by the ring's tag;   ring: axis, spin angle, origin, imposed tilt;
+//   all:  force and torque at the end of a run, so that the next run (or a restart) starts its first half
+//         kick with the bits of the step before instead of forces from full-step velocities.
+#ifdef FIX_CLASS
+FixStyle(bearing/state,FixBearingState)
+#else
+#ifndef LMP_FIX_BEARING_STATE_H
+#define LMP_FIX_BEARING_STATE_H
+
+#include "../physics/vec3.h"
+#include "bearing_compat.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PairBearingHertz;
+
+class FixBearingState : public Fix {
+ public:
+  static constexpr const char *fixed_id = "BEARING_STATE";
+  static constexpr int max_rings = 4;    // springs per ball
+
+  struct RingMotion {
+    raceway::Vec3 axis;
+    raceway::Vec3 origin;         // m, where the ring was at the start
+    double angle = 0.0;           // rad, turned about its axis
+    double tilt[2] = {0.0, 0.0};  // rad, imposed, about the two axes across
+  };
+
+  FixBearingState(class LAMMPS *, int, char **);
+  ~FixBearingState() override;
+  int setmask() override;
+  void setup_pre_neighbor() override { pre_neighbor(); }
+  void pre_neighbor() override;
+  void setup(int) override;
+  void end_of_step() override;
+  void post_run() override;
+
+  const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
+  RingMotion &ring(int i) { return per_atom_[i].ring; }
+  double *spring(int i_ball, bearing::tag_t ring);    // 2 values, a new slot starts at 0
+  void forward_axes();
+  void ghost_reach(double cut) { if (cut > reach_) reach_ = cut; }
+
+  void grow_arrays(int) override;
+  void copy_arrays(int, int, int) override;
+  void set_arrays(int) override;
+  int pack_exchange(int, double *) override;
+  int unpack_exchange(int, double *) override;
+  int pack_restart(int, double *) override;
+  void unpack_restart(int, int) override;
+  int size_restart(int) override;
+  int maxsize_restart() override;
+  int BRG_PACK_FORWARD(int, int *, double *, int, int *) override;
+  void BRG_UNPACK_FORWARD(int, int, double *) override;
+#if BEARING_IS_LIGGGHTS
+  double extend_cut_ghost() override;
+#endif
+  double memory_usage() override;
+
+ private:
+  struct PerAtom {
+    int n_springs = 0;
+    bearing::tag_t spring_ring[max_rings] = {};
+    double spring[max_rings][2] = {};
+    RingMotion ring;
+    bool saved = false;           // force and torque below belong to saved_step
+    double saved_step = -1.0;
+    double force[3] = {}, torque[3] = {};
+  };
+  static constexpr int packed_size = 2 + 3 * max_rings + 9 + 8;
+
+  void save_forces();
+  void check_step();
+
+  std::vector<PerAtom> per_atom_;
+  PairBearingHertz *pair_;
+  double reach_ = 0.0;
+  bool running_ = false, warned_ = false;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

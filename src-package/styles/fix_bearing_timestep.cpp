@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_timestep.h"
+
+#include "arguments.h"
+#include "pair_bearing_hertz.h"
+#include "step_check.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using bearing::Arguments;
+using bearing::text;
+
+// fix ID group bearing/timestep N [safety F] [adapt yes|no] [max DT] [exceed ignore|warn|stop]
+FixBearingTimestep::FixBearingTimestep(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/timestep"))
+{
+  Arguments args(lmp, std::string("fix ") + id + " bearing/timestep", narg, arg, 3);
+  nevery = args.integer("steps between checks", 1, 1000000000);
+  while (args.more()) {
+    if (args.take("safety")) {
+      safety_ = args.within("safety", 1e-3, 1.0);
+    } else if (args.take("adapt")) {
+      adapt_ = args.choice("adapt", {"no", "yes"}) == 1;
+    } else if (args.take("max")) {
+      largest_ = args.positive("largest step (s)");
+    } else if (args.take("exceed")) {
+      exceed_ = args.choice("exceed", {"ignore", "warn", "stop"});
+    } else {
+      args.unknown("safety, adapt, max, exceed");
+    }
+  }
+  time_depend = adapt_ ? 1 : 0;
+  scalar_flag = vector_flag = 1;
+  size_vector = 4;
+  global_freq = 1;
+  extscalar = extvector = 0;
+}
+
+int FixBearingTimestep::setmask() { return END_OF_STEP; }
+
+void FixBearingTimestep::init() { pair_ = PairBearingHertz::find(lmp, "fix bearing/timestep"); }
+
+void FixBearingTimestep::setup(int)
+{
+  run_start_ = MPI_Wtime();
+  check();
+}
+void FixBearingTimestep::end_of_step() { check(); }
+
+void FixBearingTimestep::check()
+{
+  const bearing::StepLimit limit = bearing::step_limit(lmp, *pair_);
+  limit_ = limit.step;
+  smallest_limit_ = std::min(smallest_limit_, limit_);
+  if (adapt_) {
+    // shrink at once, grow by a fifth a check: a contact that is about to close has no say yet
+    const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
+    if (wanted != update->dt) set_step(wanted);
+    return;
+  }
+  if (update->dt <= limit_ || exceed_ == ignore) return;
+  const std::string message = std::string("fix ") + id + " bearing/timestep: step " + text(update->dt) +
+      " s exceeds what " + limit.why() + " allows, " + text(limit_) + " s, at step " +
+      std::to_string(update->ntimestep);
+  if (exceed_ == stop) BRG_ALL(message);
+  if (!warned_ && comm->me == 0) BRG_WARN(message);
+  warned_ = true;
+}
+
+void FixBearingTimestep::set_step(double dt)
+{
+  update->update_time();    // thermo 'time' keeps counting with steps of different length
+  update->dt = dt;
+  if (force->pair) force->pair->reset_dt();
+  for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();
+}
+
+double FixBearingTimestep::compute_scalar() { return limit_; }
+
+// 1: limit now, 2: smallest limit since the fix was made, 3: simulated time, 4: wall time since the start
+// of the run, all in s
+double FixBearingTimestep::compute_vector(int k)
+{
+  if (k == 2) return update->atime + (update->ntimestep - update->atimestep) * update->dt;
+  if (k == 3) return MPI_Wtime() - run_start_;
+  return k == 0 ? limit_ : smallest_limit_;
+}

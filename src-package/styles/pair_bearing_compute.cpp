@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The step: fill the contact table, add forces. What a scene does not ask for is a template parameter.
+#include "pair_bearing_hertz.h"
+
+#include "../physics/damped_hertz.h"
+#include "arguments.h"
+#include "fix_bearing_state.h"
+
+using namespace LAMMPS_NS;
+using namespace raceway;
+using bearing::RacewayContact;
+using bearing::RingSum;
+using bearing::SphereContact;
+using bearing::text;
+
+void PairBearingHertz::compute(int eflag, int vflag)
+{
+  BRG_EV_INIT(eflag, vflag);
+  if (comm->nprocs > 1) state_->forward_axes();
+  if (neighbor->ago == 0 || rebuild_) rebuild_contacts();
+  if (evflag) choose_friction<true>();
+  else choose_friction<false>();
+  sphere_forces(evflag);
+  ring_sum_.flush();
+}
+
+template <bool tally> void PairBearingHertz::choose_friction()
+{
+  if (with_film_) switch (friction_) {
+    case Friction::none: raceway_forces<true, Friction::none, tally>(); break;
+    case Friction::constant: raceway_forces<true, Friction::constant, tally>(); break;
+    case Friction::stribeck: raceway_forces<true, Friction::stribeck, tally>(); break;
+  }
+  else if (friction_ == Friction::none) raceway_forces<false, Friction::none, tally>();
+  else raceway_forces<false, Friction::constant, tally>();
+}
+
+template <bool film, Friction friction, bool tally> void PairBearingHertz::raceway_forces()
+{
+  double **x = atom->x, **v = atom->v, **w = atom->omega, **f = atom->f, **torque = atom->torque;
+  // the forces of a set-up belong to a step already made: they must not advance the springs
+  const bool advance = !update->setupflag;
+  const double dt = advance ? update->dt : 0.0;
+  BallState ball;
+  RingState ring;
+  for (RacewayContact &c : table_.raceway) {
+    const RacewayPhysics &p = *c.raceway;
+    ball.x = Vec3::from(x[c.i_ball]);
+    ring.x = Vec3::from(x[c.i_ring]);
+    ring.e = state_->axis(c.i_ring);
+    c.live = touch(p, ball.x - ring.x, ring.e, c.state);
+    if (!c.live) {
+      if (c.state.overlap != c.state.overlap) lost(c);
+      if (friction != Friction::none && advance) c.spring[0] = c.spring[1] = 0.0;
+      continue;
+    }
+    if (!(c.state.overlap < p.largest_overlap)) lost(c);
+    ball.v = Vec3::from(v[c.i_ball]);
+    ball.w = Vec3::from(w[c.i_ball]);
+    ring.v = Vec3::from(v[c.i_ring]);
+    ring.w = Vec3::from(w[c.i_ring]);
+    double xi[2] = {c.spring[0], c.spring[1]};
+    const ContactForces forces = contact_forces<film, friction>(p, ball, ring, dt, xi, c.state);
+    if (friction != Friction::none && advance) {
+      c.spring[0] = xi[0];
+      c.spring[1] = xi[1];
+    }
+    if (!std::isfinite(c.state.normal)) lost(c);
+    forces.force.add_to(f[c.i_ball]);
+    forces.ball_torque.add_to(torque[c.i_ball]);
+    ring_sum_.add(c.ring_slot, RingSum::ball, c.ball, -forces.force, forces.ring_torque);
+    if (tally) {
+      const Vec3 d = ball.x - ring.x;
+      // int Q d(overlap) = 2/5 Q overlap. Only this rank sees the pair: count it whole (newton = 1)
+      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? 0.4 * c.state.load * c.state.overlap : 0.0,
+                   0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
+    }
+  }
+}
+
+void PairBearingHertz::sphere_forces(bool tally)
+{
+  double **x = atom->x, **v = atom->v, **f = atom->f;
+  const int nlocal = atom->nlocal;
+  for (SphereContact &s : table_.sphere) {
+    const Vec3 d = Vec3::from(x[s.i]) - Vec3::from(x[s.j]);
+    const double r2 = dot(d, d);
+    if (r2 >= s.reach * s.reach) {
+      s.stiffness = s.damping = s.force = 0.0;
+      continue;
+    }
+    const double r = std::sqrt(r2);
+    const Vec3 n = d * (1.0 / r), dv = Vec3::from(v[s.i]) - Vec3::from(v[s.j]);
+    const DampedHertz h = damped_hertz(s.K, s.reach - r, -dot(dv, n), s.mass);
+    s.stiffness = h.stiffness;
+    s.damping = h.damping;
+    s.force = h.force;
+    const Vec3 force = n * h.force;
+    if (s.i < nlocal) force.add_to(f[s.i]);
+    if (s.j < nlocal) (-force).add_to(f[s.j]);
+    if (tally) {
+      const double energy = eflag_either ? 0.4 * s.K * (s.reach - r) * (s.reach - r) * std::sqrt(s.reach - r) : 0.0;
+      ev_tally_xyz(s.i, s.j, nlocal, 0, energy, 0.0, force.x, force.y, force.z, d.x, d.y, d.z);
+    }
+  }
+}
+
+void PairBearingHertz::lost(const RacewayContact &c)
+{
+  BRG_ONE("ball " + std::to_string(c.ball) + " on " + (c.side() == Side::inner ? "inner" : "outer") + " ring " +
+          std::to_string(c.ring) + " at step " + std::to_string(update->ntimestep) + ": overlap " +
+          text(c.state.overlap) + " m, force " + text(c.state.normal) + " N, largest allowed overlap " +
+          text(c.raceway->largest_overlap) + " m (overlap_limit of the ball radius). The step " + text(update->dt) +
+          " s is too large, the load too high, or the start overlaps");
+  std::abort();
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which ball may touch which raceway, cage ball or ball: found once per neighbour build.
+#include "pair_bearing_hertz.h"
+
+#include "arguments.h"
+#include "fix_bearing_state.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace raceway;
+using bearing::RacewayContact;
+using bearing::SphereContact;
+using bearing::text;
+
+void PairBearingHertz::rebuild_contacts()
+{
+  table_.raceway.clear();
+  table_.sphere.clear();
+  const int nlocal = atom->nlocal, *type = atom->type;
+  for (int ii = 0; ii < list->inum; ++ii) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; ++jj) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      if (ring_type_[type[i]] || ring_type_[type[j]]) {
+        RacewayContact c;
+        c.i_ball = ring_type_[type[i]] ? j : i;
+        c.i_ring = ring_type_[type[i]] ? i : j;
+        c.raceway = raceway(type[c.i_ball], type[c.i_ring]);
+        if (!c.raceway || c.i_ball >= nlocal) continue;    // the owner of the ball does it
+        // a ball of another bearing is not in this groove
+        const Vec3 d = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
+        if (!(locate(d, state_->axis(c.i_ring), c.raceway->centre_circle).s < c.raceway->groove.groove_radius))
+          continue;
+        c.ball = atom->tag[c.i_ball];
+        c.ring = atom->tag[c.i_ring];
+        table_.raceway.push_back(c);
+        continue;
+      }
+      const bool i_first = atom->tag[i] < atom->tag[j];
+      SphereContact s;
+      s.i = i_first ? i : j;
+      s.j = i_first ? j : i;
+      s.tag_i = atom->tag[s.i];
+      s.tag_j = atom->tag[s.j];
+      s.reach = atom->radius[i] + atom->radius[j];
+      const Vec3 d = Vec3::from(atom->x[i]) - Vec3::from(atom->x[j]);
+      if (update->setupflag && norm(d) < 0.98 * s.reach)
+        BRG_ONE("overlapping balls: atoms " + std::to_string(s.tag_i) + " and " + std::to_string(s.tag_j) +
+                " are " + text(norm(d)) + " m apart, the sum of their radii is " + text(s.reach) + " m");
+      const auto it = spheres_.find({std::min(type[i], type[j]), std::max(type[i], type[j])});
+      if (it == spheres_.end()) continue;
+      const Sphere &m = it->second;
+      s.K = m.factor * sphere_stiffness(atom->radius[i], atom->radius[j], reduced_modulus(m.E1, m.nu1, m.E2, m.nu2));
+      s.mass = atom->rmass[i] * atom->rmass[j] / (atom->rmass[i] + atom->rmass[j]);
+      table_.sphere.push_back(s);
+    }
+  }
+  std::sort(table_.raceway.begin(), table_.raceway.end(), [](const RacewayContact &a, const RacewayContact &b) {
+    return a.ball != b.ball ? a.ball < b.ball : a.ring < b.ring;
+  });
+  std::sort(table_.sphere.begin(), table_.sphere.end(), [](const SphereContact &a, const SphereContact &b) {
+    return a.tag_i != b.tag_i ? a.tag_i < b.tag_i : a.tag_j < b.tag_j;
+  });
+  add_raceway_contacts();
+  rebuild_ = false;
+}
+
+// Slots and springs; every ball must sit in one groove of every side its type has a raceway on.
+void PairBearingHertz::add_raceway_contacts()
+{
+  std::vector<int> sides(atom->nlocal, 0);
+  for (RacewayContact &c : table_.raceway) {
+    c.ring_slot = ring_sum_.slot(c.i_ring, c.ring);
+    c.spring = state_->spring(c.i_ball, c.ring);
+    const int bit = c.side() == Side::inner ? 1 : 2;
+    if (sides[c.i_ball] & bit)
+      BRG_ONE("ball " + std::to_string(c.ball) + " sits in the grooves of two " +
+              (bit == 1 ? "inner" : "outer") + " rings: two bearings overlap, or a ring is there twice");
+    sides[c.i_ball] |= bit;
+  }
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!ball_type_[atom->type[i]]) continue;
+    int wanted = 0;
+    for (const auto &r : raceways_)
+      if (r.first.first == atom->type[i]) wanted |= r.second.groove.side == Side::inner ? 1 : 2;
+    const int missing = wanted & ~sides[i];
+    if (missing)
+      BRG_ONE(std::string(update->setupflag ? "ball " : "lost ball ") + std::to_string(atom->tag[i]) + " at (" +
+              text(atom->x[i][0]) + ", " + text(atom->x[i][1]) + ", " + text(atom->x[i][2]) +
+              ") m sits in no groove of an " + (missing & 1 ? "inner" : "outer") + " ring at step " +
+              std::to_string(update->ntimestep) +
+              (update->setupflag ? ": ring missing, at another place or at odds with the other ring"
+                                 : ": step too large, load too high, or the rings have come apart"));
+  }
+}

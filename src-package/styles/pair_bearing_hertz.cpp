@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Set-up of the pair style: commands, coefficients, restart. The step itself is in
+// pair_bearing_compute.cpp, the finding of contacts in pair_bearing_contacts.cpp.
+#include "pair_bearing_hertz.h"
+
+#include "arguments.h"
+#include "fix_bearing_state.h"
+#include "raceway_options.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace raceway;
+using bearing::Arguments;
+using bearing::text;
+
+PairBearingHertz::PairBearingHertz(LAMMPS *lmp) : Pair(lmp), ring_sum_(lmp)
+{
+  single_enable = 0;
+  restartinfo = 1;
+  no_virial_fdotr_compute = 1;
+}
+
+PairBearingHertz::~PairBearingHertz()
+{
+  // Modify may be gone already when the host shuts down
+  if (modify && modify->nfix && modify->find_fix(FixBearingState::fixed_id) >= 0)
+    modify->delete_fix(FixBearingState::fixed_id);
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+PairBearingHertz *PairBearingHertz::find(LAMMPS *lmp, const std::string &asked_by)
+{
+  PairBearingHertz *p = dynamic_cast<PairBearingHertz *>(lmp->force->pair);
+  if (!p)
+    lmp->error->all(FLERR, (asked_by + " needs pair_style bearing/hertz or bearing/ehd before it").c_str());
+  return p;
+}
+
+void PairBearingHertz::allocate()
+{
+  const int n = atom->ntypes + 1;
+  allocated = 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  // types that no pair_coeff names do not interact: that is a complete statement, not a missing one
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      setflag[i][j] = 1;
+      cutsq[i][j] = 0.0;
+    }
+  ring_type_.assign(n, 0);
+  ball_type_.assign(n, 0);
+  type_radius_.assign(n, 0.0);
+}
+
+// pair_style bearing/hertz [axis x|y|z] [overlap_limit F] [raceway keywords]
+void PairBearingHertz::settings(int narg, char **arg)
+{
+  said_.assign(1, std::vector<std::string>(arg, arg + narg));
+  defaults_ = RacewayPhysics();
+  raceways_.clear();
+  spheres_.clear();
+  Arguments args(lmp, std::string("pair_style ") + (with_film_ ? "bearing/ehd" : "bearing/hertz"), narg, arg, 0);
+  while (args.more()) {
+    if (args.take("axis")) axis_ = args.choice("axis", {"x", "y", "z"});
+    else if (args.take("overlap_limit")) overlap_limit_ = args.within("overlap_limit", 1e-4, 0.5);
+    else if (!bearing::read_raceway_keyword(args, with_film_, defaults_))
+      args.unknown("axis, overlap_limit, " + bearing::raceway_keywords(with_film_));
+  }
+}
+
+// pair_coeff BALL RING inner|outer R r_c [keywords]   or   pair_coeff I J sphere E1 nu1 E2 nu2 [printed]
+void PairBearingHertz::coeff(int narg, char **arg)
+{
+  if (!allocated) allocate();
+  said_.emplace_back(arg, arg + narg);
+  std::string command = "pair_coeff";
+  for (int k = 0; k < narg && k < 3; ++k) command += std::string(" ") + arg[k];
+  Arguments args(lmp, command, narg, arg, 0);
+  const int i = args.integer("first type", 1, atom->ntypes), j = args.integer("second type", 1, atom->ntypes);
+  const int role = args.choice("role", {"inner", "outer", "sphere"});
+  if (role == 2) {
+    read_sphere(args, i, j);
+    return;
+  }
+  if (i == j) args.fail("ball and ring need different atom types");
+  if (raceways_.count({j, i})) args.fail("the ball type comes first, and an earlier pair_coeff has it second");
+  RacewayPhysics p = defaults_;
+  p.groove.side = role == 0 ? Side::inner : Side::outer;
+  p.groove.raceway_radius = args.positive("raceway radius (m)");
+  p.groove.groove_radius = args.positive("groove radius (m)");
+  if (p.groove.groove_radius >= p.groove.raceway_radius)
+    args.fail("groove radius " + text(p.groove.groove_radius) + " must be smaller than the raceway radius " +
+              text(p.groove.raceway_radius));
+  while (args.more())
+    if (!bearing::read_raceway_keyword(args, with_film_, p)) args.unknown(bearing::raceway_keywords(with_film_));
+  if (with_film_ && p.model.lubricant.viscosity == 0.0)
+    args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; without a "
+              "lubricant use bearing/hertz");
+  if (with_film_ && p.ring_roughness == 0.0)
+    args.fail("bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it sets the film parameter "
+              "and the floor of the film damper");
+  raceways_[{i, j}] = p;
+  ball_type_[i] = ring_type_[j] = 1;
+  if (ball_type_[j] || ring_type_[i]) args.fail("a type cannot be both ball and ring");
+}
+
+void PairBearingHertz::read_sphere(Arguments &args, int i, int j)
+{
+  Sphere s;
+  s.E1 = args.positive("Young's modulus of the first type (Pa)");
+  s.nu1 = args.within("Poisson's ratio of the first type", 0.0, 0.5);
+  s.E2 = args.positive("Young's modulus of the second type (Pa)");
+  s.nu2 = args.within("Poisson's ratio of the second type", 0.0, 0.5);
+  // eq 3 as printed has an extra 1/(1 - nu), nu of the steel ball
+  s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;
+  if (args.more()) args.unknown("printed");
+  spheres_[{std::min(i, j), std::max(i, j)}] = s;
+}
+
+Vec3 PairBearingHertz::axis() const
+{
+  return {axis_ == 0 ? 1.0 : 0.0, axis_ == 1 ? 1.0 : 0.0, axis_ == 2 ? 1.0 : 0.0};
+}
+
+const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type) const
+{
+  auto it = raceways_.find({ball_type, ring_type});
+  return it == raceways_.end() ? nullptr : &it->second;
+}
+
+void PairBearingHertz::init_style()
+{
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->torque_flag || !atom->omega_flag)
+    BRG_ALL("pair_style bearing needs atom_style sphere (granular in LIGGGHTS): balls turn");
+  if (force->newton_pair)
+    BRG_ALL("pair_style bearing needs 'newton off': the owner of a ball computes its contacts");
+  if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
+    BRG_ALL("pair_style bearing needs 'boundary f f f' (or m, s): a bearing is not periodic");
+  if (raceways_.empty()) BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
+  comm->ghost_velocity = 1;
+  BRG_REQUEST_HALF();
+  prepare_raceways();
+  check_rings();
+  if (modify->find_fix(FixBearingState::fixed_id) < 0) {
+    const char *words[3] = {FixBearingState::fixed_id, "all", "bearing/state"};
+    modify->add_fix(3, const_cast<char **>(words));
+  }
+  state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->find_fix(FixBearingState::fixed_id)]);
+  rebuild_ = true;
+}
+
+// Ball radius and mass come from the atoms: one size per ball type.
+void PairBearingHertz::prepare_raceways()
+{
+  const int n = atom->ntypes + 1;
+  std::vector<double> lo(n, -HUGE_VAL), hi(n, 0.0), mass(n, 0.0);    // lo holds -radius: one MAX for all
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int t = atom->type[i];
+    lo[t] = std::max(lo[t], -atom->radius[i]);
+    hi[t] = std::max(hi[t], atom->radius[i]);
+    mass[t] = std::max(mass[t], atom->rmass[i]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, lo.data(), n, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(MPI_IN_PLACE, hi.data(), n, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(MPI_IN_PLACE, mass.data(), n, MPI_DOUBLE, MPI_MAX, world);
+  type_radius_ = hi;
+  bool first = true;
+  for (auto &entry : raceways_) {
+    const int ball = entry.first.first, ring = entry.first.second;
+    RacewayPhysics &p = entry.second;
+    const std::string who = "pair_coeff " + std::to_string(ball) + " " + std::to_string(ring);
+    if (hi[ball] == 0.0) BRG_ALL(who + ": there is no ball of type " + std::to_string(ball));
+    if (hi[ball] + lo[ball] > 1e-12 * hi[ball])
+      BRG_ALL(who + ": balls of type " + std::to_string(ball) + " have radii from " + text(-lo[ball]) + " to " +
+              text(hi[ball]) + " m; give each size its own type");
+    p.groove.ball_radius = hi[ball];
+    if (!(p.groove.groove_radius > hi[ball] * (1.0 + 1e-9)))
+      BRG_ALL(who + ": groove radius " + text(p.groove.groove_radius) + " m must be larger than the ball radius " +
+              text(hi[ball]) + " m (a conformal groove is no Hertz point contact)");
+    const double pitch = p.groove.side == Side::inner ? p.groove.raceway_radius + hi[ball]
+                                                      : p.groove.raceway_radius - hi[ball];
+    if (!(pitch > hi[ball]))
+      BRG_ALL(who + ": raceway radius " + text(p.groove.raceway_radius) + " m leaves no pitch circle for balls of " +
+              "radius " + text(hi[ball]) + " m");
+    p.prepare(pitch, mass[ball], overlap_limit_);
+    if (!first && p.friction != friction_)
+      BRG_ALL(who + ": all raceways of a run share one friction law (its numbers may differ)");
+    friction_ = p.friction;
+    first = false;
+  }
+}
+
+// A ball type has at most one inner and one outer ring type, and the ball fits between them.
+void PairBearingHertz::check_rings()
+{
+  std::vector<int> rings(atom->ntypes + 1, 0);
+  for (int i = 0; i < atom->nlocal; ++i) ++rings[atom->type[i]];
+  MPI_Allreduce(MPI_IN_PLACE, rings.data(), atom->ntypes + 1, MPI_INT, MPI_SUM, world);
+  for (const auto &a : raceways_) {
+    const int ball = a.first.first, ring = a.first.second;
+    if (rings[ring] == 0)
+      BRG_ALL("missing ring: pair_coeff " + std::to_string(ball) + " " + std::to_string(ring) +
+              " names ring type " + std::to_string(ring) + ", but no atom has that type");
+    for (const auto &b : raceways_) {
+      if (b.first.first != ball || b.first.second == ring) continue;
+      if (a.second.groove.side == Side::inner && b.second.groove.side == Side::outer &&
+          a.second.groove.raceway_radius >= b.second.groove.raceway_radius)
+        BRG_ALL("two rings at odds: inner raceway radius " + text(a.second.groove.raceway_radius) + " m (type " +
+                std::to_string(ring) + ") is not smaller than the outer one, " +
+                text(b.second.groove.raceway_radius) + " m (type " + std::to_string(b.first.second) + ")");
+    }
+  }
+}
+
+double PairBearingHertz::init_one(int i, int j)
+{
+  // a ball sits within half a groove of its raceway; spheres touch at the sum of their radii
+  double cut = 0.0;
+  for (const TypePair &key : {TypePair(i, j), TypePair(j, i)}) {
+    auto it = raceways_.find(key);
+    if (it != raceways_.end()) cut = it->second.groove.raceway_radius + it->second.groove.groove_radius;
+  }
+  if (spheres_.count({std::min(i, j), std::max(i, j)})) cut = type_radius_[i] + type_radius_[j];
+  // balls of one type are listed as neighbours so that overlapping ones can be refused at the start
+  if (i == j && ball_type_[i]) cut = 2.0 * type_radius_[i];
+  state_->ghost_reach(cut);
+  return cut;
+}
+
+// A restart file keeps the commands themselves; reading it says them again.
+static void write_words(FILE *fp, const std::vector<std::string> &words)
+{
+  const int n = static_cast<int>(words.size());
+  fwrite(&n, sizeof(int), 1, fp);
+  for (const std::string &w : words) {
+    const int len = static_cast<int>(w.size());
+    fwrite(&len, sizeof(int), 1, fp);
+    fwrite(w.data(), 1, len, fp);
+  }
+}
+
+void PairBearingHertz::write_restart(FILE *fp)
+{
+  const int n = static_cast<int>(said_.size());
+  fwrite(&n, sizeof(int), 1, fp);
+  for (const auto &words : said_) write_words(fp, words);
+}
+
+void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
+{
+  BRG_UNUSED_RESTART_ARGS;
+  auto read_int = [&]() {
+    int v = 0;
+    if (comm->me == 0 && fread(&v, sizeof(int), 1, fp) != 1) BRG_ONE("pair_style bearing: restart file ends early");
+    MPI_Bcast(&v, 1, MPI_INT, 0, world);
+    return v;
+  };
+  const int n = read_int();
+  for (int k = 0; k < n; ++k) {
+    std::vector<std::string> words(read_int());
+    for (std::string &w : words) {
+      w.resize(read_int());
+      if (comm->me == 0 && fread(&w[0], 1, w.size(), fp) != w.size())
+        BRG_ONE("pair_style bearing: restart file ends early");
+      MPI_Bcast(&w[0], static_cast<int>(w.size()), MPI_CHAR, 0, world);
+    }
+    std::vector<char *> arg;
+    for (std::string &w : words) arg.push_back(&w[0]);
+    if (k == 0) settings(static_cast<int>(arg.size()), arg.data());
+    else coeff(static_cast<int>(arg.size()), arg.data());
+  }
+}
+
+double PairBearingHertz::memory_usage()
+{
+  return table_.raceway.capacity() * sizeof(bearing::RacewayContact) +
+      table_.sphere.capacity() * sizeof(bearing::SphereContact);
+}

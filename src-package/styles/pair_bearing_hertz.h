@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// pair_style bearing/hertz: dry elliptical Hertz contact of balls in the grooves of rings, friction, and
+// frictionless sphere contacts of the cage. Owns the contact table. bearing/ehd adds the film.
+#ifdef PAIR_CLASS
+PairStyle(bearing/hertz,PairBearingHertz)
+#else
+#ifndef LMP_PAIR_BEARING_HERTZ_H
+#define LMP_PAIR_BEARING_HERTZ_H
+
+#include "contact_table.h"
+#include "ring_sum.h"
+
+#include <map>
+
+namespace bearing { class Arguments; }
+
+namespace LAMMPS_NS {
+
+class FixBearingState;
+
+class PairBearingHertz : public Pair {
+ public:
+  PairBearingHertz(class LAMMPS *);
+  ~PairBearingHertz() override;
+  void compute(int, int) override;
+  void settings(int, char **) override;
+  void coeff(int, char **) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  void write_restart(FILE *) override;
+  void read_restart BRG_READ_RESTART_SIG override;
+  double memory_usage() override;
+
+  // For fixes, computes and commands of this package.
+  const bearing::ContactTable &table() const { return table_; }
+  bearing::RingSum &ring_sum() { return ring_sum_; }
+  FixBearingState *state() const { return state_; }
+  bool lubricated() const { return with_film_; }
+  int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
+  raceway::Vec3 axis() const;
+  bool is_ring_type(int type) const { return ring_type_[type]; }
+  bool is_ball_type(int type) const { return ball_type_[type]; }
+  const raceway::RacewayPhysics *raceway(int ball_type, int ring_type) const;    // null: none
+  double overlap_limit() const { return overlap_limit_; }
+
+  // Mass centre of this package among the pair styles of the run; error if it is another one.
+  static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
+
+ protected:
+  bool with_film_ = false;
+
+ private:
+  struct Sphere { double E1, nu1, E2, nu2, factor; };
+  using TypePair = std::pair<int, int>;
+
+  void allocate();
+  void read_sphere(bearing::Arguments &, int i, int j);
+  void prepare_raceways();
+  void check_rings();
+  void rebuild_contacts();
+  void add_raceway_contacts();
+  template <bool film, raceway::Friction friction, bool tally> void raceway_forces();
+  template <bool tally> void choose_friction();
+  void sphere_forces(bool tally);
+  [[noreturn]] void lost(const bearing::RacewayContact &);
+
+  raceway::RacewayPhysics defaults_;
+  int axis_ = 2;
+  double overlap_limit_ = 0.05;
+  std::map<TypePair, raceway::RacewayPhysics> raceways_;    // (ball type, ring type)
+  std::map<TypePair, Sphere> spheres_;                      // (smaller type, larger type)
+  std::vector<char> ring_type_, ball_type_;
+  std::vector<double> type_radius_;
+  raceway::Friction friction_ = raceway::Friction::none;    // the law of all raceways of a run
+
+  // the words of every command so far: what a restart file keeps and replays
+  std::vector<std::vector<std::string>> said_;
+
+  bearing::ContactTable table_;
+  bearing::RingSum ring_sum_;
+  FixBearingState *state_ = nullptr;
+  bool rebuild_ = true;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "step_check.h"
+
+#include "../physics/step_limit.h"
+#include "arguments.h"
+#include "pair_bearing_hertz.h"
+
+using namespace LAMMPS_NS;
+using raceway::verlet_step_limit;
+
+namespace bearing {
+
+std::string StepLimit::why() const
+{
+  static const char *names[] = {"the contact spring at 1 um overlap", "the contact spring", "the film damper",
+                                "the tangential spring and dashpot", "a cage contact"};
+  std::string s = names[cause];
+  if (cause != unloaded)
+    s += " of atom " + std::to_string(ball) + " (" + text(stiffness) + " N/m, " + text(damping) + " N s/m)";
+  return s;
+}
+
+static void keep_smaller(StepLimit &limit, double k, double c, double m, int cause, tag_t ball)
+{
+  const double step = verlet_step_limit(k, c, m);
+  if (step >= limit.step) return;
+  // a damper is to blame when the spring alone would allow twice as much
+  if (cause == StepLimit::spring && verlet_step_limit(k, 0.0, m) > 2.0 * step) cause = StepLimit::film_damper;
+  limit = StepLimit{step, cause, ball, k, c};
+}
+
+StepLimit step_limit(LAMMPS *lmp, const PairBearingHertz &pair)
+{
+  StepLimit limit;
+  const std::vector<RacewayContact> &rows = pair.table().raceway;
+  const double *rmass = lmp->atom->rmass;
+  double unloaded = HUGE_VAL;
+  for (size_t i = 0; i < rows.size();) {
+    const RacewayContact &first = rows[i];
+    const double m = rmass[first.i_ball];
+    double k = 0.0, c = 0.0, kt = 0.0, ct = 0.0, k0 = 0.0;
+    for (; i < rows.size() && rows[i].ball == first.ball; ++i) {
+      k0 += 1.5 * rows[i].raceway->law.radial().K * 1e-3;    // sqrt(1 um)
+      if (!rows[i].live) continue;
+      k += rows[i].state.stiffness;
+      c += rows[i].state.damping;
+      kt += rows[i].state.kt;
+      ct += rows[i].state.ct;
+    }
+    keep_smaller(limit, k, c, m, StepLimit::spring, first.ball);
+    keep_smaller(limit, kt, ct, 2.0 / 7.0 * m, StepLimit::tangential, first.ball);
+    unloaded = std::fmin(unloaded, verlet_step_limit(k0, 0.0, m));
+  }
+  for (const SphereContact &s : pair.table().sphere)
+    if (s.stiffness > 0.0) keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
+  if (unloaded < limit.step) limit = StepLimit{unloaded, StepLimit::unloaded, 0, 0.0, 0.0};
+
+  // the rank with the smallest step tells the others (lowest rank on a tie)
+  struct { double step; int rank; } mine = {limit.step, lmp->comm->me}, best;
+  MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE_INT, MPI_MINLOC, lmp->world);
+  MPI_Bcast(&limit, sizeof limit, MPI_BYTE, best.rank, lmp->world);
+  return limit;
+}
+
+}    // namespace bearing

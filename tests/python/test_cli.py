@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The command: what it prints, where, and its exit codes."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import raceway
+from raceway.cli import main
+from raceway.run import Run
+from raceway.summary import summary, table
+
+
+def test_summary(folder, capsys):
+    assert main(["summary", str(folder)]) == 0
+    printed = capsys.readouterr()
+    assert printed.out == table(summary(Run(folder))) + "\n"
+    assert printed.err == ""
+
+
+def test_json(folder, capsys):
+    assert main(["summary", str(folder), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == summary(Run(folder))
+
+
+def test_plot(folder, tmp_path, capsys):
+    assert main(["plot", str(folder)]) == 0
+    assert (folder / "overview.png").read_bytes()[:4] == b"\x89PNG"
+    assert main(["plot", str(folder), "--out", str(tmp_path / "other.png")]) == 0
+    assert (tmp_path / "other.png").stat().st_size > 10_000
+    assert capsys.readouterr().out.split() == [str(folder / "overview.png"), str(tmp_path / "other.png")]
+
+
+@pytest.mark.parametrize("command", ["summary", "plot"])
+def test_unusable_run(folder, capsys, command):
+    (folder / "run.yaml").write_text("bearing: 6208\n")
+    assert main([command, str(folder)]) == 1
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err.startswith("raceway: run has not finished: ")
+
+
+def test_cut_file_is_a_warning(folder, capsys):
+    path = folder / "contacts.dump"
+    path.write_bytes(path.read_bytes()[:-5])
+    assert main(["summary", str(folder), "--json"]) == 0
+    printed = capsys.readouterr()
+    assert "raceway: warning: " in printed.err and "contacts.dump, line " in printed.err
+    json.loads(printed.out)
+
+
+@pytest.mark.parametrize("arguments", [[], ["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]])
+def test_wrong_command_line(arguments, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(arguments)
+    assert stop.value.code == 2
+    assert "usage: raceway" in capsys.readouterr().err
+
+
+def run_module(*arguments, **options):
+    environment = {**os.environ, "PYTHONPATH": str(Path(raceway.__file__).parents[1]), "PYTHONDONTWRITEBYTECODE": "1"}
+    return subprocess.run([sys.executable, "-m", "raceway", *arguments], env=environment, text=True, timeout=60,
+                          capture_output=True, **options)
+
+
+def test_as_a_program(folder, tmp_path):
+    done = run_module("summary", str(folder))
+    assert (done.returncode, done.stderr) == (0, "")
+    failed = run_module("summary", str(tmp_path))
+    assert failed.returncode == 1
+    assert "Traceback" not in failed.stderr and "run.yaml" in failed.stderr
+    assert run_module("--version").stdout == f"raceway {raceway.__version__}\n"
+
+
+def test_nobody_listens(folder):
+    """`raceway summary DIR | head -0` is no reason for a traceback."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    environment = {**os.environ, "PYTHONPATH": str(Path(raceway.__file__).parents[1])}
+    done = subprocess.run([sys.executable, "-B", "-m", "raceway", "summary", str(folder)], env=environment,
+                          stdout=writing, stderr=subprocess.PIPE, timeout=60)
+    os.close(writing)
+    assert done.stderr == b""

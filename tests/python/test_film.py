@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Film thickness against its own logarithmic slopes, Hamrock-Dowson, and eq 6 worked by hand."""
+
+import numpy as np
+import pytest
+
+from raceway import film, hertz
+from raceway.bearing import INNER, OUTER
+
+
+def group(bearing, side=INNER, speed=0.725, load=2436.2):
+    r_x, r_y = bearing.effective_radii(side)
+    return r_x, film.group(0.04, 20e-9, bearing.effective_modulus, r_x, hertz.exact(r_x, r_y).kappa, speed, load)
+
+
+def test_by_hand():
+    g = film.Group(speed=1e-11, material=4500.0, load=1e-4, kappa=1.0)  # kappa = 1: the exponents are the printed ones
+    assert film.h_min(1.0, g) == pytest.approx(
+        1.637 * 10 ** (-11 * 0.711) * 4500**0.65 * 10 ** (4 * 0.09) * (1 - 0.974 * np.exp(-0.676)), rel=1e-13)
+    assert film.h_c(1.0, g) == pytest.approx(
+        3.672 * 10 ** (-11 * 0.663) * 4500**0.502 * 10 ** (4 * 0.045) * (1 - 0.573 * np.exp(-0.74)), rel=1e-13)
+    assert film.h_c(1.0, g) == film.h_c(1.0, g, printed=True)
+
+
+@pytest.mark.parametrize("speed", [0.1, 0.725, 3.0])
+def test_central_film_agrees_with_hamrock_dowson(bearing, speed):  # PHYSICS.md section 8: 11-15 %
+    for side in (INNER, OUTER):
+        r_x, g = group(bearing, side, speed)
+        assert film.h_c(r_x, g) == pytest.approx(film.hamrock_dowson_c(r_x, g), rel=0.16)
+
+
+def test_printed_signs_of_equation_9_do_not(bearing):
+    r_x, g = group(bearing, speed=0.05)
+    assert film.h_c(r_x, g, printed=True) / film.hamrock_dowson_c(r_x, g) > 1.4
+
+
+def test_smallest_is_below_central(bearing):
+    for side in (INNER, OUTER):
+        r_x, g = group(bearing, side)
+        assert 0 < film.h_min(r_x, g) < film.h_c(r_x, g)
+        assert 0 < film.hamrock_dowson_min(r_x, g) < film.hamrock_dowson_c(r_x, g)
+
+
+def test_dimensionless_group(bearing):
+    r_x, g = group(bearing)
+    modulus = 210e9 / 0.91
+    assert g[:3] == pytest.approx((0.04 * 0.725 / (modulus * r_x), 20e-9 * modulus, 2436.2 / (modulus * r_x**2)),
+                                  rel=1e-14)
+
+
+def test_direction_of_rolling_does_not_matter_and_rest_has_no_film(bearing):
+    r_x, g = group(bearing, speed=-0.725)
+    assert film.h_c(r_x, g) == film.h_c(*group(bearing))
+    assert film.h_c(*group(bearing, speed=0.0)) == 0
+
+
+def test_unloaded_contact_is_an_error(bearing):
+    with pytest.raises(ValueError, match="load = 0"):
+        group(bearing, load=0)
+
+
+def test_ratio_and_regimes():
+    assert film.ratio(5e-7, 3e-7, 4e-7) == pytest.approx(1)
+    assert film.regime([0.5, 1.0, 3.0, 3.1]).tolist() == [0, 1, 1, 2]
+    assert film.regime(0.5, boundary=0.4, full=0.45) == 2

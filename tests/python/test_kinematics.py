@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Bearing frequencies against the figures of PHYSICS.md section 10 and rolling without slip."""
+
+import numpy as np
+import pytest
+
+from raceway import kinematics
+
+
+def test_frequencies_of_the_6208(bearing):  # to the digits printed
+    assert kinematics.frequencies(bearing) == pytest.approx((0.39604, 3.5644, 5.4356, 2.3008), rel=2e-5)
+
+
+def test_every_ball_passes_both_rings(bearing):
+    order = kinematics.frequencies(bearing, np.radians(25))
+    assert order.outer + order.inner == pytest.approx(bearing.balls, rel=1e-14)
+    assert order.outer == pytest.approx(bearing.balls * order.cage, rel=1e-14)
+
+
+def test_entrainment_from_the_surfaces(bearing):
+    """Seen from the contact, both surfaces of either raceway move at (ring - cage) times the raceway's radius."""
+    spin = 50.0
+    cage = spin * kinematics.frequencies(bearing).cage
+    speed = kinematics.entrainment(bearing, spin)
+    assert speed == pytest.approx((spin - cage) * bearing.inner_radius, rel=1e-13)
+    assert speed == pytest.approx(cage * bearing.outer_radius, rel=1e-13)
+    assert kinematics.entrainment(bearing, 477.5 * np.pi / 30) == pytest.approx(0.725, abs=5e-4)
+    assert kinematics.entrainment(bearing, -spin) == speed
+
+
+def test_orbital_speed():
+    azimuth = np.linspace(0, 6, 7)
+    x, y = 0.03 * np.cos(azimuth), 0.03 * np.sin(azimuth)
+    radial = 0.4  # must not count
+    found = kinematics.orbital_speed(x, y, -20 * y + radial * x, 20 * x + radial * y)
+    assert found == pytest.approx(np.full(7, 20.0), rel=1e-13)
+    with pytest.raises(ValueError, match="axis"):
+        kinematics.orbital_speed(0.0, 0.0, 1.0, 0.0)

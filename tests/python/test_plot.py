@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The picture: drawn for every kind of run, and drawn from the right numbers."""
+
+import matplotlib.image
+import numpy as np
+import pytest
+import synthetic
+
+from raceway import plot
+from raceway.errors import RunError
+from raceway.run import Run
+
+
+@pytest.fixture
+def axes(monkeypatch):
+    """The panels of the last picture, kept from being closed away."""
+    kept = []
+    monkeypatch.setattr(plot.plt, "close", kept.append)
+    yield lambda: {panel.get_title(loc="left"): panel for panel in kept[-1].axes}
+    monkeypatch.undo()
+    for figure in kept:
+        plot.plt.close(figure)
+
+
+def drawn(panel, colour):
+    """All points of the lines of one colour: (n, 2)."""
+    lines = [np.column_stack(line.get_data()) for line in panel.lines if line.get_color() == colour]
+    points = np.concatenate(lines).astype(float)
+    return points[~np.isnan(points).any(axis=1)]
+
+
+def test_lubricated(folder, lubricated, tmp_path, axes):
+    out = tmp_path / "picture.png"
+    run = Run(folder)
+    plot.overview(run, out)
+    height, width, _ = matplotlib.image.imread(out).shape
+    assert width >= 1200 and height >= 1200
+    panels = axes()
+    assert set(panels) == {"Contact load around the ring", "Film thickness around the ring", "Hertz pressure",
+                           "Capacitance"}
+    load = drawn(panels["Contact load around the ring"], plot.COLOUR[0])
+    expected = [row[6] for frame in lubricated["contacts"] for row in frame if row[2] == 0]
+    assert np.sort(load[:, 1]) == pytest.approx(np.sort(expected) / 1e3)  # all samples of all balls, in kN
+    heaviest = load[np.argmax(load[:, 1])]
+    assert np.cos(heaviest[0]) > 0.99  # on the load line
+    total = drawn(panels["Capacitance"], plot.INK)
+    assert total[:, 0] == pytest.approx(np.arange(48) / 24)
+    assert total[:, 1] == pytest.approx(run.bearing_capacitance * 1e12)
+    pressure = drawn(panels["Hertz pressure"], plot.COLOUR[1])
+    assert np.all(np.abs(pressure[:, 0]) <= 180)
+
+
+def test_lost_contact_breaks_the_line(tmp_path, axes):
+    """Twelve passes bring balls back into the loaded zone: no line leads across the zone without load."""
+    data = synthetic.run(clearance=1e-5, passes=12, samples_per_pass=8)
+    plot.overview(Run(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
+    panel = axes()["Contact load around the ring"]
+    steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
+    assert np.isnan(steps).any()
+    assert np.nanmax(np.abs(steps)) == pytest.approx(2 * np.pi / 9 / 8, rel=1e-6)  # what a ball goes in one sample
+
+
+def test_dry(dry_folder, tmp_path, axes):
+    plot.overview(Run(dry_folder), tmp_path / "dry.png")
+    assert set(axes()) == {"Contact load around the ring", "Hertz pressure", "Ring shift along the load"}
+
+
+def test_ball_that_goes_round_more_than_once(tmp_path, axes):
+    data = synthetic.run(clearance=-4e-5, passes=12, samples_per_pass=8)
+    plot.overview(Run(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
+    pressure = axes()["Hertz pressure"]
+    for line in pressure.lines:
+        assert not np.any(np.abs(np.diff(line.get_xdata())) > 90)  # no line across the panel
+
+
+def test_cannot_write(folder, tmp_path):
+    with pytest.raises(RunError, match="cannot write .*No such file"):
+        plot.overview(Run(folder), tmp_path / "no" / "where.png")

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The run folder: settings as text and numbers, and what a spoilt one says."""
+
+import re
+
+import numpy as np
+import pytest
+import synthetic
+
+from raceway.errors import RunError
+from raceway.run import Run
+
+
+def spoil(folder, pattern, replacement, name="run.yaml"):
+    path = folder / name
+    text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.MULTILINE)
+    assert count == 1
+    path.write_text(text)
+
+
+def test_settings(folder):
+    run = Run(folder)
+    assert run.settings["bearing"] == "6208"  # a name, though it looks like a number
+    assert run.settings["clearance_m"] == 1e-5  # printed 1e-05, which YAML 1.1 takes for text
+    assert run.lubricated
+
+
+@pytest.mark.parametrize("name", ["dry", "none"])
+def test_dry_needs_no_lubricant(dry_folder, name):
+    spoil(dry_folder, "^lubricant: dry", f"lubricant: {name}")
+    assert not Run(dry_folder).lubricated
+
+
+@pytest.mark.parametrize("pattern, replacement, said", [
+    ("^wall_s:.*\n", "", "run has not finished: .*run.yaml has no wall_s$"),
+    ("^wall_s:.*\n(simulated_s:.*\n)", "", "no wall_s and no simulated_s"),
+    ("^rpm:.*\n", "", "has no rpm"),
+    ("^viscosity_Pa_s:.*\n", "", "has no viscosity_Pa_s"),
+    ("^rpm:.*", "rpm: fast", "rpm is not a number: 'fast'"),
+    ("^rpm:.*", "rpm: .inf", "rpm is not a number: '.inf'"),
+    ("^rpm:.*", "rpm: [1, 2]", "rpm is not a number"),
+    ("^samples_per_pass:.*", "samples_per_pass: 0", "samples_per_pass = 0 must be positive"),
+    ("^rpm:.*", "rpm: [1", "line [0-9]+: "),
+    (r"\A[\s\S]*\Z", "words\n", "not a list of 'name: value'")])
+def test_spoilt_settings(folder, pattern, replacement, said):
+    spoil(folder, pattern, replacement)
+    with pytest.raises(RunError, match=said):
+        Run(folder)
+
+
+def test_no_folder(tmp_path):
+    with pytest.raises(RunError, match="cannot read .*run.yaml: No such file"):
+        Run(tmp_path / "nowhere")
+
+
+def test_column_names(folder):
+    spoil(folder, " overlap ", " load ")
+    with pytest.raises(RunError, match="contact_columns names load twice"):
+        Run(folder).contacts
+
+
+def test_column_needed(folder):
+    spoil(folder, "^(contact_columns: .*) load ", r"\1 weight ")
+    with pytest.raises(RunError, match="contacts.dump has no column load"):
+        Run(folder).contacts
+
+
+def test_contacts(folder, lubricated):
+    contacts = Run(folder).contacts
+    expected = np.array([row for frame in lubricated["contacts"] for row in frame])
+    assert np.array_equal(contacts[synthetic.LUBRICATED].to_numpy(), expected)
+    assert contacts.attrs["samples"] == len(lubricated["contacts"])
+
+
+def test_azimuth_counts_from_the_load_line(folder):
+    run = Run(folder)  # loaded towards -90 degrees
+    assert run.from_load_line(np.array([-np.pi / 2, 0, np.pi - 0.1])) == pytest.approx(
+        [0, np.pi / 2, -np.pi / 2 - 0.1])
+    assert run.passes(24) == 1
+
+
+def test_pair_needs_both_raceways(tmp_path, lubricated):
+    data = dict(lubricated, contacts=[list(frame) for frame in lubricated["contacts"]])
+    before = Run(synthetic.write(tmp_path / "a", data))
+    first = next(i for i, row in enumerate(data["contacts"][0]) if row[2] == 1)  # one outer contact goes
+    lost = data["contacts"][0].pop(first)
+    after = Run(synthetic.write(tmp_path / "b", data))
+    assert len(after.pairs) == len(before.pairs) - 1
+    assert not ((after.pairs["sample"] == 0) & (after.pairs["ball"] == lost[0])).any()
+    assert after.bearing_capacitance[0] < before.bearing_capacitance[0]
+    assert np.array_equal(after.bearing_capacitance[1:], before.bearing_capacitance[1:])

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The bearing's equilibrium against the figures of PHYSICS.md, closed forms, and its own equations written anew."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from raceway import clearance, hertz
+from raceway.bearing import INNER, OUTER
+from raceway.errors import NoEquilibrium
+from raceway.static import equilibrium
+
+
+def test_numbers_of_the_6208(bearing):  # PHYSICS.md section 10
+    state = equilibrium(bearing, 5000.0)
+    assert state.inner.load[[0, 1, 2, 8]] == pytest.approx([2436.2, 1633.4, 176.3, 1633.4], abs=0.05)
+    assert state.inner.load[0] / 5000 == pytest.approx(0.48725, abs=5e-6)
+    assert state.shift == pytest.approx([34.87e-6, 0, 0], abs=0.005e-6)
+    assert [state.inner.a[0], state.inner.b[0]] == pytest.approx([2.059e-3, 0.2197e-3], rel=3e-4)
+    assert [state.outer.a[0], state.outer.b[0]] == pytest.approx([1.993e-3, 0.2749e-3], rel=3e-4)
+    assert [state.inner.pressure[0], state.outer.pressure[0]] == pytest.approx([2571e6, 2123e6], abs=0.6e6)
+    springs = sum(1.5 * side.load[0] / side.overlap[0] for side in (state.inner, state.outer))
+    assert springs == pytest.approx(4.19e8, rel=2e-3)
+
+
+@pytest.mark.parametrize("relative, low, high", [(-0.0045, 1.699, 1.699), (-0.0035, 1.317, 1.317), (0, 0.5, 0.5),
+                                                 (0.0035, 0.318, 0.320), (0.0045, 0.291, 0.293)])
+def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # PHYSICS.md section 8
+    pd = relative * bearing.ball_diameter
+    found = [clearance.load_parameter(pd, equilibrium(bearing, 5000.0, clearance=pd, phase=phase).shift[0])
+             for phase in np.linspace(0, np.pi / 9, 4)]
+    assert (min(found), max(found)) == pytest.approx((low, high), abs=6e-4)
+
+
+@pytest.mark.parametrize("axial", [50.0, -3000.0])
+@pytest.mark.parametrize("pd", [0.0, 30e-6])
+def test_thrust(bearing, axial, pd):
+    """All balls alike: F_a = Z Q sin(alpha), groove centres C (cos(alpha_0)/cos(alpha)) apart (Harris 7.33)."""
+    free, c = clearance.free_contact_angle(bearing, pd), clearance.groove_distance(bearing)
+
+    def load(angle):
+        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle)), bearing.effective_modulus)
+             for side in (INNER, OUTER)]
+        return (k[0] ** (-2 / 3) + k[1] ** (-2 / 3)) ** -1.5 * (c * (np.cos(free) / np.cos(angle) - 1)) ** 1.5
+
+    angle = brentq(lambda a: 9 * load(a) * np.sin(a) - abs(axial), free + 1e-9, 1.2, xtol=1e-14)
+    state = equilibrium(bearing, 0.0, axial, clearance=pd)
+    # overlaps are differences of lengths a thousand times larger: 1e-13 of rounding becomes 1e-9
+    assert state.inner.load == pytest.approx(np.full(9, load(angle)), rel=1e-8)
+    assert state.inner.angle == pytest.approx(np.full(9, np.sign(axial) * angle), rel=1e-8)
+    assert state.shift[:2] == pytest.approx([0, 0], abs=1e-12)
+
+
+@pytest.mark.parametrize("finite_shift", [False, True])
+@pytest.mark.parametrize("radial, axial, pd, orbit", [
+    (5000.0, 0.0, 0.0, 0.0), (5000.0, 0.0, -44.1e-6, 300.0), (800.0, 2000.0, 30e-6, 0.0),
+    (3000.0, -500.0, 15e-6, 900.0), (0.0, 700.0, 10e-6, 1500.0), (1.0, 0.0, 150e-6, 0.0)])
+def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
+    """Ball places from both sides coincide, loads follow Hertz, each ball and the ring are in balance."""
+    state = equilibrium(bearing, radial, axial, clearance=pd, load_azimuth=2.0, phase=0.3, orbital_speed=orbit,
+                        finite_shift=finite_shift)
+    u = np.stack([np.cos(state.azimuth), np.sin(state.azimuth), np.zeros(9)], 1)
+    e = np.array([0.0, 0.0, 1.0])
+    modulus, thrown = bearing.effective_modulus, 7800 * 4 / 3 * np.pi * 6.3e-3**3 * 30.3e-3 * orbit**2
+
+    def direction(angle, outwards):
+        return outwards * (np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * e)
+
+    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
+        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle)), modulus) for angle in contact.angle]
+        assert contact.load == pytest.approx(k * contact.overlap**1.5, rel=1e-7, abs=1e-9)
+    out, into = direction(state.outer.angle, 1), direction(state.inner.angle, -1)
+    scale = max(radial, abs(axial), thrown)
+    balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
+    live = state.outer.load > 0
+    assert balance[live] == pytest.approx(np.zeros((live.sum(), 3)), abs=1e-7 * scale)
+
+    both = state.inner.load > 0
+    ball = bearing.groove_circle(OUTER, pd) * u + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
+    d = ball - state.shift
+    if finite_shift:  # the distance to the shifted circle itself
+        distance = np.hypot(np.hypot(d[:, 0], d[:, 1]) - bearing.groove_circle(INNER), d[:, 2])
+        u_ring = d * [1, 1, 0] / np.hypot(d[:, 0], d[:, 1])[:, None]
+        # the solver cuts the circle with the ball's plane, an angle shift/r off the nearest point
+        tolerance = distance.max() * (np.hypot(*state.shift[:2]) / bearing.pitch_radius) ** 2 / 2 + 1e-14
+    else:
+        centre = (bearing.groove_circle(INNER) + u @ state.shift)[:, None] * u + state.shift[2] * e
+        distance, u_ring, tolerance = np.linalg.norm(ball - centre, axis=1), u, 1e-14
+    overlap = distance - bearing.groove_gap(INNER)
+    assert overlap[both] == pytest.approx(state.inner.overlap[both], abs=tolerance)
+    assert np.all(overlap[~both & live] <= tolerance)
+
+    # on the ring, along its own radius
+    force = -(state.inner.load * np.cos(state.inner.angle))[:, None] * u_ring \
+        + (state.inner.load * (into @ e))[:, None] * e
+    load = np.array([radial * np.cos(2.0), radial * np.sin(2.0), axial])
+    assert force.sum(0) + load == pytest.approx(np.zeros(3), abs=(1e-5 if finite_shift else 1e-7) * scale)
+    assert state.residual < 1e-7 * scale
+
+
+def test_centrifugal_load_alone_on_the_outer_raceway(bearing):
+    state = equilibrium(bearing, 1000.0, clearance=20e-6, orbital_speed=500.0, ball_density=7800.0)
+    expected = 7800 * 4 / 3 * np.pi * 6.3e-3**3 * 30.3e-3 * 500.0**2
+    idle = state.inner.load == 0
+    assert idle.sum() >= 4
+    assert state.outer.load[idle] == pytest.approx(np.full(idle.sum(), expected), rel=1e-9)
+    assert np.all(state.outer.load[~idle] > state.inner.load[~idle])
+
+
+def test_turning_everything_changes_nothing(bearing):
+    one = equilibrium(bearing, 2000.0, 300.0, clearance=20e-6, phase=0.2)
+    other = equilibrium(bearing, 2000.0, 300.0, clearance=20e-6, phase=1.2, load_azimuth=1.0)
+    assert other.inner.load == pytest.approx(one.inner.load, rel=1e-7, abs=1e-6)
+
+
+def test_preload_without_load_is_centred(bearing):
+    state = equilibrium(bearing, 0.0, clearance=-20e-6)
+    assert state.shift == pytest.approx(np.zeros(3), abs=1e-12)
+    assert np.ptp(state.inner.load) < 1e-6 * state.inner.load[0]
+
+
+def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
+    """A groove circle cut x_t off its diameter is x_t^2/(2 rho) nearer: that takes load off the ball at 80 degrees."""
+    straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
+    sideways = circle.shift[0] * np.sin(np.radians(80))
+    squeeze = (circle.inner.overlap + circle.outer.overlap)[2]
+    expected = circle.shift[0] * np.cos(np.radians(80)) - sideways**2 / (2 * bearing.groove_circle(INNER))
+    assert squeeze == pytest.approx(expected, rel=1e-5)
+    assert circle.inner.load[2] / straight.inner.load[2] == pytest.approx(0.996, abs=5e-4)
+
+
+def test_ring_on_one_ball_rolls_off(bearing):
+    loaded = equilibrium(bearing, 1.0, clearance=150e-6, finite_shift=True).inner.load > 0
+    assert loaded.sum() == 2
+
+
+@pytest.mark.parametrize("arguments, said", [
+    ({"radial_load": 0.0, "clearance": 1e-5}, "without a load"),
+    ({"radial_load": float("nan")}, "finite"),
+    ({"radial_load": 1e7}, "groove|no place"),
+    ({"radial_load": 0.0, "axial_load": 1e7}, "groove|no place")])
+def test_no_equilibrium(bearing, arguments, said):
+    with pytest.raises(NoEquilibrium, match=said):
+        equilibrium(bearing, **arguments)
