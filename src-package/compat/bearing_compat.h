@@ -81,6 +81,8 @@ typedef LAMMPS_NS::Command CommandBase;
 #define BRG_UNUSED_RESTART_ARGS do { (void) major; (void) minor; } while (0)
 // values per atom; LAMMPS wants the total
 #define BRG_COMM_RETURN(total, peratom) ((void) (total), (peratom))
+// LIGGGHTS calls set_arrays() for all atoms in the first setup, after forces and restart data are there
+#define BRG_ARRAYS_ARE_SET() just_created = 0
 #define BRG_FORWARD_FIX(fix) comm->forward_comm_fix(fix)
 #define BRG_SET_MAXEXCHANGE(n) \
   comm->maxexchange_fix = comm->maxexchange_fix > (int) (n) ? comm->maxexchange_fix : (int) (n)
@@ -100,6 +102,7 @@ typedef LAMMPS_NS::Command CommandBase;
 #define BRG_READ_RESTART_SIG (FILE *fp)
 #define BRG_UNUSED_RESTART_ARGS do { } while (0)
 #define BRG_COMM_RETURN(total, peratom) ((void) (peratom), (total))
+#define BRG_ARRAYS_ARE_SET() do { } while (0)
 #if BEARING_HOST == BEARING_LAMMPS_2022
 #define BRG_FORWARD_FIX(fix) comm->forward_comm(fix)
 #define BRG_REQUEST_HALF() neighbor->add_request(this)

@@ -23,7 +23,12 @@ static const ContactAttribute attributes[] = {
     {"ring", [](Row c, Context) { return double(c.ring); }, false, false},
     {"raceway", [](Row c, Context) { return c.side() == Side::inner ? 0.0 : 1.0; }, false, false},
     {"azimuth", [](Row c, Context x) { return azimuth(c.state.u, x.axis); }, false, false},
-    {"angle", [](Row c, Context) { return std::atan2(c.state.ne, std::fabs(c.state.nu)); }, false, false},
+    // positive on both raceways where the inner ring is pushed along +axis
+    {"angle",
+     [](Row c, Context) {
+       return std::atan2(c.side() == Side::inner ? -c.state.ne : c.state.ne, std::fabs(c.state.nu));
+     },
+     false, false},
     {"overlap", [](Row c, Context) { return c.state.overlap; }, false, false},
     {"load", [](Row c, Context) { return c.state.load; }, false, false},
     {"normal", [](Row c, Context) { return c.state.normal; }, false, false},

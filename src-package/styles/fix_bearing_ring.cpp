@@ -273,7 +273,7 @@ void FixBearingRing::gather_reports()
     (Vec3::from(atom->x[i]) - ring.origin).to(r + DX);
     Vec3::from(atom->v[i]).to(r + VX);
     // small tilts are e x about the two axes: e = axis + tilt x axis
-    r[TILT1] = -std::asin(dot(ring.axis, unit(across_[1])));
+    r[TILT1] = 0.0 - std::asin(dot(ring.axis, unit(across_[1])));    // 0 without sign
     r[TILT2] = std::asin(dot(ring.axis, unit(across_[0])));
     r[SPIN] = dot(w, ring.axis);
     r[ANGLE] = ring.angle;

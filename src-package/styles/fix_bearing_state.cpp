@@ -22,6 +22,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
   atom->add_callback(0);
   atom->add_callback(1);
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+  BRG_ARRAYS_ARE_SET();
 }
 
 FixBearingState::~FixBearingState()

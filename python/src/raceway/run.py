@@ -57,7 +57,8 @@ class Run:
         """A row per sample: where the inner ring is and how it moves."""
         table = read_table(self.folder / "rings.dat")
         self._need(table, ("x", "y"), "rings.dat")
-        table["sample"] = np.arange(len(table))
+        # counted from the start of the window, like the dumps; the first row may be a later sample
+        table["sample"] = np.rint(table["time"] / self.settings["sample_s"]).astype(int)
         return table
 
     @cached_property

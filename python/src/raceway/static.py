@@ -53,7 +53,8 @@ def equilibrium(bearing, radial_load, axial_load=0.0, *, clearance=0.0, load_azi
                 orbital_speed=0.0, ball_density=7800.0, finite_shift=False):
     """`Equilibrium` of `bearing` under loads in N on the inner ring, toward `load_azimuth` (rad) and +z.
 
-    `clearance` is diametral, m; `phase` the azimuth of the first ball, rad; `orbital_speed` of the balls, rad/s,
+    `clearance` is diametral, m; `phase` the azimuth of the first ball, rad, or of every ball when they are not evenly
+    spaced (Z,); `orbital_speed` of the balls, rad/s,
     gives each the centrifugal load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift` see above.
     Raises `NoEquilibrium` when the ring is free to move or the balls are forced out of their grooves.
     """
@@ -80,7 +81,8 @@ class _System:
     def __init__(self, bearing, loads, clearance, phase, orbital_speed, ball_density,
                  finite_shift):
         self.bearing, self.loads, self.clearance, self.finite_shift = bearing, loads, clearance, finite_shift
-        self.azimuth = phase + 2 * np.pi * np.arange(bearing.balls) / bearing.balls
+        even = 2 * np.pi * np.arange(bearing.balls) / bearing.balls
+        self.azimuth = np.asarray(phase, float) if np.ndim(phase) else phase + even
         self.cos, self.sin = np.cos(self.azimuth), np.sin(self.azimuth)
         self.gap = np.array([bearing.groove_gap(side) for side in (INNER, OUTER)])
         mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density

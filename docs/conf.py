@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Sphinx: `make docs` writes build/docs; a warning is an error."""
+
+project = "Raceway"
+author = "the Raceway authors"
+copyright = "the Raceway authors, GPL-2.0-or-later"
+version = release = "0.1.0"
+extensions = ["sphinx.ext.mathjax"]
+highlight_language = "none"
+exclude_patterns = ["decks"]
+html_theme = "alabaster"
+html_theme_options = {
+    "description": "Ball bearings under EHD lubrication, in LIGGGHTS",
+    "page_width": "1080px",
+    "sidebar_width": "250px",
+    "fixed_sidebar": True,
+}
+html_show_sourcelink = False

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Run what the pages show: the decks in docs/decks, and every block under a heading "Examples".
+
+    .venv/bin/python docs/try_examples.py [build/liggghts]
+
+A block stands in for the lines of decks/in.ehd that give the same command; the rest of that deck stays.
+Exit code 1 when a run fails; its last lines are shown.
+"""
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+DOCS = Path(__file__).resolve().parent
+FILM_ONLY = ("fix cap ", "compute contact ", "dump ", "dump_modify ", "variable out ")
+UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
+
+
+def joined(text):
+    """The commands of a deck: no comments, no blank lines, no continuations."""
+    text = re.sub(r"&\s*\n\s*", "", text)
+    return [line for line in (re.sub(r"\s#.*|^#.*", "", line).strip() for line in text.splitlines()) if line]
+
+
+def blocks(page):
+    """The literal blocks of a page's sections called Examples."""
+    lines, inside, block = page.read_text().splitlines(), False, []
+    for here, below in zip(lines, lines[1:] + [""]):
+        if UNDERLINE.match(below):
+            inside = here.strip() == "Examples"
+        if inside and here.startswith("   "):
+            block.append(here)
+        elif block and here.strip():
+            yield "\n".join(block)
+            block = []
+    if block:
+        yield "\n".join(block)
+
+
+def key(line):
+    """What makes two lines the same command."""
+    word = line.split()
+    if word[0] in ("pair_style", "create_bearing", "timestep", "run"):
+        return word[0]
+    if word[0] in ("pair_coeff", "variable"):
+        return tuple(word[:3] if word[0] == "pair_coeff" else word[:2])
+    if word[0] in ("fix", "compute"):
+        return (word[0], word[2], word[3]) if word[3] == "bearing/ring" else (word[0], word[3])
+    return line
+
+
+def deck(base, block):
+    """`base` (lines) with the lines of `block` in their places."""
+    if any("bearing/hertz" in line for line in block):
+        base = [line.replace(" f_cap", "").replace(" c_total[6] c_total[7]", "") for line in base
+                if not line.startswith(FILM_ONLY)]
+    if any("bearing/contact" in line for line in block):  # another compute: its columns are not the dump's
+        base = [line for line in base if not line.startswith(("dump ", "dump_modify "))]
+    if any("axis x" in line for line in block):
+        base = [line.replace("x free y free", "y free z free") for line in base]
+    given = {key(line): line for line in block}
+    rest = [line for line in block if key(line) not in {key(line) for line in base}]
+    result = []
+    for line in base:
+        if line.startswith("create_bearing") or line.startswith("timestep"):
+            early = [new for new in rest if new.startswith(("pair_coeff", "variable")) ==
+                     line.startswith("create_bearing")]
+            result += early
+        result.append("run 100" if line.startswith("run") else given.get(key(line), line))
+    return result
+
+
+def main():
+    program = Path(sys.argv[1] if len(sys.argv) > 1 else DOCS.parent / "build/liggghts").resolve()
+    base = joined((DOCS / "decks/in.ehd").read_text())
+    jobs = [(path.name, joined(path.read_text())) for path in sorted((DOCS / "decks").glob("in.*"))]
+    for page in sorted(DOCS.glob("*.rst")):
+        for number, block in enumerate(blocks(page), 1):
+            jobs.append((f"{page.name} example {number}", deck(base, joined(block))))
+    failed = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for name, lines in jobs:
+            path = Path(folder) / "in.deck"
+            path.write_text("\n".join(lines) + "\n")
+            done = subprocess.run([program, "-in", path, "-log", "none"], cwd=folder, capture_output=True, text=True)
+            good = done.returncode == 0
+            print(f"{'ok    ' if good else 'FAILED'} {name}")
+            if not good:
+                failed += 1
+                print("\n".join(lines), "\n", done.stdout[-800:], done.stderr[-400:])
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

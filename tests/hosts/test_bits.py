@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Same input, same bits: on 1, 2 or 4 ranks, in one run or two, and through a restart on another number of ranks.
+
+The scene (in.bits) has everything switched on: film, friction springs, cage, a free inner ring with gyroscopic
+moments, capacitance. Its box is cut far from the ring atoms and through the balls.
+"""
+
+import pytest
+from host import frames, succeed
+
+LAST = 400  # steps
+SCENES = {"film, ring free to tilt": {"lubricant": "mineral", "tilt": "free"},
+          "dry, ring not tilting": {"lubricant": "dry", "tilt": "fixed"}}
+
+
+@pytest.fixture(scope="module", params=SCENES, ids=lambda name: name.replace(", ", "-").replace(" ", "_"))
+def scene(request, tmp_path_factory):
+    """Variables of a scene, and the folder of its run on one rank."""
+    folder = tmp_path_factory.mktemp("bits")
+    variables = SCENES[request.param]
+    succeed("tests/hosts/in.bits", out=folder / "whole", **variables)
+    return variables, folder
+
+
+def state(folder):
+    """Every bit of the last sample: contacts, atoms, ring."""
+    return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
+        (folder / "ring.txt").read_text().splitlines()[-1]]
+
+
+def test_scene_is_worth_comparing(scene):
+    contacts, balls, ring = state(scene[1] / "whole")
+    assert len(contacts) == 18  # the preload keeps all nine balls on both raceways
+    assert len(balls) == 20
+    assert abs(float(ring.split()[2])) > 1000  # N, the ring feels its balls
+
+
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_ranks(scene, ranks):
+    variables, folder = scene
+    succeed("tests/hosts/in.bits", ranks=ranks, out=folder / str(ranks), **variables)
+    whole = folder / "whole"
+    for name in ("contacts.dump", "balls.dump"):
+        assert frames(folder / str(ranks) / name) == frames(whole / name)
+    assert (folder / str(ranks) / "ring.txt").read_text() == (whole / "ring.txt").read_text()
+
+
+def test_two_runs_are_one(scene):
+    variables, folder = scene
+    succeed("tests/hosts/in.bits", out=folder / "split", first=200, second=200, **variables)
+    assert state(folder / "split") == state(folder / "whole")
+
+
+@pytest.mark.parametrize("when, write_ranks, read_ranks", [("during", 1, 1), ("after", 1, 2), ("after", 4, 1),
+                                                           ("during", 2, 4)])
+def test_restart(scene, when, write_ranks, read_ranks):
+    """A restart file written in the middle of a run, or by a command after one."""
+    variables, folder = scene
+    out = folder / f"{when}{write_ranks}{read_ranks}"
+    how = {"keep": 200} if when == "during" else {"first": 200, "write": 1}
+    succeed("tests/hosts/in.bits", ranks=write_ranks, out=out, **how, **variables)
+    succeed("tests/hosts/in.bits_resume", ranks=read_ranks, out=out / "resumed", **variables,
+            **{"from": out / "restart.200"})
+    assert state(out / "resumed") == state(folder / "whole")

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The styles are there in every way LIGGGHTS is started: after `clear`, by preload, in partitions, from Python."""
+
+import os
+import shutil
+import subprocess
+import sys
+import textwrap
+
+from host import ROOT, frames, succeed
+
+
+def test_clear(tmp_path):
+    """The second bearing of one script, after `clear`, has the bits of the first."""
+    deck = tmp_path / "in.clear"
+    deck.write_text(f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
+                    f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n")
+    succeed(deck)
+    assert frames(tmp_path / "first" / "balls.dump") == frames(tmp_path / "second" / "balls.dump")
+
+
+def test_partition(tmp_path):
+    """Two partitions run two lubricants at once (universe variables), each as it would alone."""
+    deck = tmp_path / "in.partition"
+    deck.write_text(f"variable lubricant universe mineral pao48\nvariable out index {tmp_path}/together/${{lubricant}}\n"
+                    "include tests/hosts/in.bits\n")
+    succeed(deck, ranks=2, extra=("-partition", "2x1", "-screen", "none"))
+    for oil in ("mineral", "pao48"):
+        succeed("tests/hosts/in.bits", lubricant=oil, out=tmp_path / "alone" / oil)
+        assert (frames(tmp_path / "together" / oil / "contacts.dump") ==
+                frames(tmp_path / "alone" / oil / "contacts.dump"))
+
+
+def test_preload_into_the_stock_program(tmp_path):
+    done = subprocess.run([shutil.which("liggghts"), "-in", "tests/hosts/in.bits", "-log", "none", "-var", "out",
+                           str(tmp_path)], cwd=ROOT, text=True, capture_output=True, check=False,
+                          env=dict(os.environ, LD_PRELOAD=str(ROOT / "build" / "libraceway_liggghts.so")))
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr
+    succeed("tests/hosts/in.bits", out=tmp_path / "ours")
+    assert frames(tmp_path / "balls.dump") == frames(tmp_path / "ours" / "balls.dump")
+
+
+def test_from_python(tmp_path):
+    """Loaded with ctypes (docs: "From Python"); the library's C interface drives the deck."""
+    script = textwrap.dedent("""
+        import ctypes, sys
+        lib = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)
+        lib.lammps_open_no_mpi.argtypes = [ctypes.c_int, ctypes.POINTER(ctypes.c_char_p), ctypes.POINTER(ctypes.c_void_p)]
+        lib.lammps_file.argtypes = [ctypes.c_void_p, ctypes.c_char_p]
+        lib.lammps_command.argtypes = [ctypes.c_void_p, ctypes.c_char_p]
+        lib.lammps_close.argtypes = [ctypes.c_void_p]
+        words = [b"liggghts", b"-log", b"none", b"-screen", b"none", b"-var", b"out", sys.argv[2].encode()]
+        handle = ctypes.c_void_p()
+        lib.lammps_open_no_mpi(len(words), (ctypes.c_char_p * len(words))(*words), ctypes.byref(handle))
+        lib.lammps_file(handle, b"tests/hosts/in.bits")
+        lib.lammps_command(handle, b"run 20")
+        lib.lammps_close(handle)
+    """)
+    done = subprocess.run([sys.executable, "-c", script, str(ROOT / "build" / "libraceway_liggghts.so"), str(tmp_path)],
+                          cwd=ROOT, text=True, capture_output=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert max(frames(tmp_path / "balls.dump")) == 420

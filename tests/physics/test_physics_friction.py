@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""friction.h: the Stribeck passage and the capped tangential spring."""
+
+import numpy as np
+import pytest
+
+from raceway import film as package
+
+CURVE = (0.12, 0.02, 0.8, 2.9)  # mu_boundary mu_full lambda_1 lambda_2
+
+
+def mu(physics, lam):
+    return physics.scalar("friction_coefficient", *CURVE, lam)
+
+
+def test_stribeck_ends(physics):
+    assert [mu(physics, lam) for lam in (0.0, 0.5, 0.8)] == [0.12] * 3
+    assert [mu(physics, lam) for lam in (2.9, 4.0, 1e9)] == [0.02] * 3
+    assert mu(physics, (0.8 + 2.9) / 2) == pytest.approx((0.12 + 0.02) / 2, rel=1e-14)  # half-way
+
+
+def test_stribeck_is_the_cubic(physics):
+    # the only cubic with these ends and no slope there: s^2 (3 - 2 s)
+    for s in np.linspace(0.05, 0.95, 7):
+        expected = 0.12 - 0.10 * (3 * s**2 - 2 * s**3)
+        assert mu(physics, 0.8 + 2.1 * s) == pytest.approx(expected, rel=1e-14)
+
+
+@pytest.mark.parametrize("end", [0.8, 2.9])
+def test_stribeck_has_no_kink(physics, end):
+    h = 1e-4
+    inside, outside = (abs(mu(physics, end + side) - mu(physics, end)) / h for side in (-h, h))
+    # one side is flat; on the other mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the quotient mu'' h/2
+    assert sorted([inside, outside]) == pytest.approx([0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12)
+
+
+def test_stribeck_falls_all_the_way(physics):
+    assert np.all(np.diff([mu(physics, lam) for lam in np.linspace(0.8, 2.9, 50)]) < 0)
+
+
+@pytest.mark.parametrize("lam", [0.0, 0.999, 1.0, 2.0, 3.0, 3.001])
+def test_regimes_as_in_the_python_package(physics, lam):
+    assert physics.scalar("friction_regime", 1.0, 3.0, lam) == package.regime(lam)
+
+
+def spring(physics, xi, velocity, cap, k=1e7, c=30.0):
+    xi = np.array(xi, dtype=float)
+    return physics.array("friction_spring", 2, k, c, cap, *velocity, xi), xi
+
+
+def test_stick_is_a_spring_and_a_dashpot(physics):
+    force, xi = spring(physics, (3e-7, -2e-7), (0.01, 0.02), cap=100.0)
+    assert force == pytest.approx([1e7 * 3e-7 + 30 * 0.01, -1e7 * 2e-7 + 30 * 0.02], rel=1e-14)
+    assert xi.tolist() == [3e-7, -2e-7]
+
+
+def test_slip_keeps_the_direction_and_the_size_of_the_cap(physics):
+    trial = np.array([1e7 * 3e-7 + 30 * 0.01, -1e7 * 2e-7 + 30 * 0.02])
+    force, xi = spring(physics, (3e-7, -2e-7), (0.01, 0.02), cap=1.5)
+    assert force == pytest.approx(1.5 * trial / np.linalg.norm(trial), rel=1e-14)
+    # the spring is set back so that, with the dashpot, it gives just this force
+    again, same = spring(physics, xi, (0.01, 0.02), cap=1.5 * (1 + 1e-12))
+    assert again == pytest.approx(force, rel=1e-12) and same == pytest.approx(xi, rel=1e-12)
+
+
+def test_without_load_no_friction(physics):
+    force, xi = spring(physics, (3e-7, -2e-7), (0.01, 0.02), cap=0.0)
+    assert force.tolist() == [0, 0]
+    assert xi == pytest.approx([-30 * 0.01 / 1e7, -30 * 0.02 / 1e7], rel=1e-14)
+
+
+def test_steady_sliding_reaches_coulomb(physics):
+    # advanced as contact.h does: xi += dt v, then the force
+    xi, velocity, dt = np.zeros(2), np.array([0.3, -0.4]), 1e-7
+    for _ in range(200):
+        xi += dt * velocity
+        force = physics.array("friction_spring", 2, 1e7, 30.0, 5.0, *velocity, xi)
+    assert force == pytest.approx(5.0 * velocity / 0.5, rel=1e-12)
+
+
+def test_a_sticking_ball_swings_on_the_spring(physics):
+    # x'' = -k x/m from one side: after half a period the far side, and without damper no loss
+    k, m, steps = 1e7, 1e-3, 2000
+    period = 2 * np.pi * np.sqrt(m / k)
+    dt, xi, v = period / 2 / steps, np.array([1e-6, 0.0]), 0.0
+    for _ in range(steps):
+        v -= dt / 2 * physics.array("friction_spring", 2, k, 0.0, 1e3, v, 0.0, xi)[0] / m
+        xi[0] += dt * v
+        v -= dt / 2 * physics.array("friction_spring", 2, k, 0.0, 1e3, v, 0.0, xi)[0] / m
+    assert xi[0] == pytest.approx(-1e-6, rel=(np.pi / steps) ** 2)  # Verlet's second order
