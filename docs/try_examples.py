@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parent
-FILM_ONLY = ("fix cap ", "compute contact ", "dump ", "dump_modify ", "variable out ")
+FILM_ONLY = ("fix cap ", "compute contact ", "dump ", "dump_modify ", "variable out ", "bearing_output ")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
@@ -80,6 +80,10 @@ def main():
         for number, block in enumerate(blocks(page), 1):
             jobs.append((f"{page.name} example {number}", deck(base, joined(block))))
     failed = 0
+    script = DOCS / "decks/from_python.py"
+    done = subprocess.run([sys.executable, script], cwd=DOCS.parent, capture_output=True, text=True)
+    print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
+    failed += done.returncode != 0
     with tempfile.TemporaryDirectory() as folder:
         for name, lines in jobs:
             path = Path(folder) / "in.deck"

@@ -82,6 +82,8 @@ __attribute__((visibility("default"))) void LAMMPS::post_create()
     fprintf(stderr, "raceway: this is not the LIGGGHTS it was built for: LAMMPS::post_create() not found\n");
     abort();
   }
+  // the host ends a failed rank with MPI_Abort, which drops a buffered message: keep whole lines
+  setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   raceway_register(this);
   next(this);
 }

@@ -6,8 +6,8 @@
 // the ring at the same point, so linear and angular momentum are conserved to rounding.
 //
 // Entrainment speed (PHYSICS section 4): half the sum of both surface velocities relative to the moving
-// contact point, along t. The contact point turns about the ring axis with the ball centre, at
-// phi' = (v_b - v_r).t/r.
+// contact point, along t. The contact point rc u + zc e turns about the ring axis with the ball centre, at
+// phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis: u'.t = phi', e'.t = -W.u.
 #ifndef RACEWAY_CONTACT_H
 #define RACEWAY_CONTACT_H
 
@@ -134,7 +134,7 @@ inline ContactForces contact_forces(const RacewayPhysics &p, const BallState &ba
   const double roll = Rb * (we * c.nu - wu * c.ne);    // ball surface along t, from its spin
   c.sliding_t = vt + roll - Vt;
   c.sliding_w = (ve - Ve) * c.nu - (vu - Vu) * c.ne - Rb * wt;
-  const double turn = vt / c.r * rc;                   // contact point along t
+  const double turn = (vt + c.z * Wu) / c.r * rc - Wu * zc;    // contact point along t
   c.entrainment = 0.5 * std::fabs((vt + roll - turn) + (Vt - turn));
 
   c.load = k->K * c.overlap * c.root;

@@ -67,6 +67,7 @@ void ComputeBearingBall::compute_peratom()
     if (!(atom->mask[c.i_ball] & groupbit)) continue;
     for (int k = 0; k < n; ++k) {
       double &v = array_[c.i_ball][k];
+      if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner) continue;    // seen from outside
       if (columns_[k].kind == azimuth) {
         v = bearing::azimuth(c.state.u, context_.axis);
       } else if (columns_[k].kind == orbit) {

@@ -52,7 +52,8 @@ void ComputeBearingTotal::compute_vector()
     }
     sum[1] += sides == 3;
     sum[2] += 1.0;
-    const RacewayContact &c = rows[first];
+    // the orbit is seen from the outer ring where there is one, as in compute bearing/ball
+    const RacewayContact &c = rows[first].side() == Side::outer ? rows[first] : rows[i - 1];
     sum[3] += dot(Vec3::from(atom->v[c.i_ball]) - Vec3::from(atom->v[c.i_ring]), c.state.t) / c.state.r;
   }
   for (const bearing::SphereContact &s : pair_->table().sphere) most[5] = std::max(most[5], s.force);

@@ -55,22 +55,17 @@ int FixBearingCage::setmask() { return PRE_NEIGHBOR | PRE_FORCE; }
 void FixBearingCage::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/cage");
-  // one radius and one pitch circle for the whole cage: where its balls are now
-  double most[2] = {0.0, 0.0};
+  // one radius and one pitch circle for the whole cage: where create_bearing puts its balls
+  double radius = 0.0;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit) most[0] = std::max(most[0], atom->radius[i]);
-  for (int t = 1; t <= atom->ntypes; ++t)
-    if (pair_->is_ball_type(t))
-      if (const RacewayPhysics *p = pair_->raceway(t, ring_type_))
-        most[1] = std::max(most[1], p->groove.raceway_radius + (p->groove.side == Side::inner ? 1.0 : -1.0) *
-                           p->groove.ball_radius);
-  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, world);
-  if (most[0] == 0.0) BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
-  pitch_ = most[1];
-  if (seats_) rails_ = {seat_rail(pitch_, most[0], tube_, gap_, 1.0), seat_rail(pitch_, most[0], tube_, gap_, -1.0)};
+    if (atom->mask[i] & groupbit) radius = std::max(radius, atom->radius[i]);
+  MPI_Allreduce(MPI_IN_PLACE, &radius, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (radius == 0.0) BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
+  pitch_ = pair_->pitch_radius(ring_type_);
+  if (seats_) rails_ = {seat_rail(pitch_, radius, tube_, gap_, 1.0), seat_rail(pitch_, radius, tube_, gap_, -1.0)};
   stiffness_.clear();
   const double E = reduced_modulus(young_[0], poisson_[0], young_[1], poisson_[1]);
-  for (const Rail &r : rails_) stiffness_.push_back(rail_stiffness(r, most[0], pitch_, E));
+  for (const Rail &r : rails_) stiffness_.push_back(rail_stiffness(r, radius, pitch_, E));
 }
 
 void FixBearingCage::setup_pre_neighbor() { find_riders(); }

@@ -175,6 +175,14 @@ void FixBearingRing::kick()
   }
 }
 
+// The rotation vector (rad, about the two lab axes across) that turns the bearing axis into e.
+void FixBearingRing::tilt_of(const Vec3 &e, double *tilt) const
+{
+  const Vec3 s = cross(unit(along_), e);
+  const double sine = norm(s), factor = sine > 0.0 ? std::atan2(sine, dot(unit(along_), e)) / sine : 1.0;
+  for (int k = 0; k < 2; ++k) tilt[k] = factor * dot(s, unit(across_[k])) + 0.0;    // no minus zero
+}
+
 // Orientation over a full step, and driven rotation speeds.
 void FixBearingRing::turn(int i)
 {
@@ -190,6 +198,7 @@ void FixBearingRing::turn(int i)
     ring.axis = raceway::drift_axis(inertia_, L, ring.axis, dt);
     w = raceway::angular_velocity(inertia_, L, ring.axis);
     w += ring.axis * (spin - dot(w, ring.axis));
+    tilt_of(ring.axis, ring.tilt);
   } else if (dof_[3].mode != Freedom::fixed || dof_[4].mode != Freedom::fixed) {
     Vec3 across;    // rotation velocity of the axis
     for (int k = 0; k < 2; ++k) {
@@ -214,6 +223,7 @@ void FixBearingRing::initial_integrate(int)
 {
   const double dt = update->dt;
   time_ += dt;
+  reported_ = -1;
   kick();
   update_driven();
   for (int i = 0; i < atom->nlocal; ++i) {
@@ -255,7 +265,11 @@ void FixBearingRing::post_force(int)
     }
 }
 
-void FixBearingRing::final_integrate() { kick(); }
+void FixBearingRing::final_integrate()
+{
+  kick();
+  reported_ = -1;    // a variable may have asked in the middle of the step
+}
 
 // Rings live on one rank each: a sum over ranks only moves their numbers.
 void FixBearingRing::gather_reports()
@@ -272,9 +286,7 @@ void FixBearingRing::gather_reports()
     const Vec3 w = Vec3::from(atom->omega[i]);
     (Vec3::from(atom->x[i]) - ring.origin).to(r + DX);
     Vec3::from(atom->v[i]).to(r + VX);
-    // small tilts are e x about the two axes: e = axis + tilt x axis
-    r[TILT1] = 0.0 - std::asin(dot(ring.axis, unit(across_[1])));    // 0 without sign
-    r[TILT2] = std::asin(dot(ring.axis, unit(across_[0])));
+    tilt_of(ring.axis, r + TILT1);
     r[SPIN] = dot(w, ring.axis);
     r[ANGLE] = ring.angle;
     if (m < contact_force_.size()) {

@@ -48,6 +48,7 @@ class FixBearingRing : public Fix {
   double ramp() const;
   void kick();
   void turn(int i);
+  void tilt_of(const raceway::Vec3 &e, double *tilt) const;
   void gather_reports();
 
   PairBearingHertz *pair_;

@@ -22,6 +22,7 @@ class PairBearingHertz;
 
 class FixBearingState : public Fix {
  public:
+  struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
   static constexpr int max_rings = 4;    // springs per ball
 
@@ -45,6 +46,7 @@ class FixBearingState : public Fix {
   RingMotion &ring(int i) { return per_atom_[i].ring; }
   double *spring(int i_ball, bearing::tag_t ring);    // 2 values, a new slot starts at 0
   void forward_axes();
+  std::vector<PerAtom> &per_atom() { return per_atom_; }
   void ghost_reach(double cut) { if (cut > reach_) reach_ = cut; }
 
   void grow_arrays(int) override;
@@ -63,7 +65,6 @@ class FixBearingState : public Fix {
 #endif
   double memory_usage() override;
 
- private:
   struct PerAtom {
     int n_springs = 0;
     bearing::tag_t spring_ring[max_rings] = {};
@@ -73,6 +74,8 @@ class FixBearingState : public Fix {
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
   };
+
+ private:
   static constexpr int packed_size = 2 + 3 * max_rings + 9 + 8;
 
   void save_forces();

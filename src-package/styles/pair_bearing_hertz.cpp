@@ -64,6 +64,10 @@ void PairBearingHertz::settings(int narg, char **arg)
   defaults_ = RacewayPhysics();
   raceways_.clear();
   spheres_.clear();
+  axis_ = 2;
+  overlap_limit_ = 0.05;
+  std::fill(ring_type_.begin(), ring_type_.end(), 0);
+  std::fill(ball_type_.begin(), ball_type_.end(), 0);
   Arguments args(lmp, std::string("pair_style ") + (with_film_ ? "bearing/ehd" : "bearing/hertz"), narg, arg, 0);
   while (args.more()) {
     if (args.take("axis")) axis_ = args.choice("axis", {"x", "y", "z"});
@@ -116,7 +120,7 @@ void PairBearingHertz::read_sphere(Arguments &args, int i, int j)
   s.nu1 = args.within("Poisson's ratio of the first type", 0.0, 0.5);
   s.E2 = args.positive("Young's modulus of the second type (Pa)");
   s.nu2 = args.within("Poisson's ratio of the second type", 0.0, 0.5);
-  // eq 3 as printed has an extra 1/(1 - nu), nu of the steel ball
+  // eq 3 as printed has an extra 1/(1 - nu), nu of the rolling ball: the first type given
   s.factor = args.take("printed") ? 1.0 / (1.0 - s.nu1) : 1.0;
   if (args.more()) args.unknown("printed");
   spheres_[{std::min(i, j), std::max(i, j)}] = s;
@@ -127,6 +131,19 @@ Vec3 PairBearingHertz::axis() const
   return {axis_ == 0 ? 1.0 : 0.0, axis_ == 1 ? 1.0 : 0.0, axis_ == 2 ? 1.0 : 0.0};
 }
 
+double PairBearingHertz::pitch_radius(int ring_type) const
+{
+  for (const auto &own : raceways_) {
+    if (own.first.second != ring_type) continue;
+    for (const auto &other : raceways_)
+      if (other.first.first == own.first.first && other.second.groove.side != own.second.groove.side)
+        return 0.5 * (own.second.groove.raceway_radius + other.second.groove.raceway_radius);
+    const double sign = own.second.groove.side == Side::inner ? 1.0 : -1.0;
+    return own.second.groove.raceway_radius + sign * own.second.groove.ball_radius;
+  }
+  return 0.0;
+}
+
 const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type) const
 {
   auto it = raceways_.find({ball_type, ring_type});
@@ -135,6 +152,8 @@ const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type) co
 
 void PairBearingHertz::init_style()
 {
+  if (strcmp(update->unit_style, "si") != 0)
+    BRG_ALL(std::string("pair_style bearing needs 'units si', not 'units ") + update->unit_style + "'");
   if (!atom->radius_flag || !atom->rmass_flag || !atom->torque_flag || !atom->omega_flag)
     BRG_ALL("pair_style bearing needs atom_style sphere (granular in LIGGGHTS): balls turn");
   if (force->newton_pair)
@@ -146,12 +165,26 @@ void PairBearingHertz::init_style()
   BRG_REQUEST_HALF();
   prepare_raceways();
   check_rings();
-  if (modify->find_fix(FixBearingState::fixed_id) < 0) {
+  put_state_last();
+  rebuild_ = true;
+}
+
+// The state fix puts back the forces of the step before after every other fix has had its set-up: it must be
+// the last one. Fixes defined since the run before move it to the end again, with all it keeps.
+void PairBearingHertz::put_state_last()
+{
+  const int at = modify->find_fix(FixBearingState::fixed_id);
+  if (at < 0 || at != modify->nfix - 1) {
+    std::vector<FixBearingState::PerAtom> kept;
+    if (at >= 0) {
+      kept = dynamic_cast<FixBearingState *>(modify->fix[at])->per_atom();
+      modify->delete_fix(FixBearingState::fixed_id);
+    }
     const char *words[3] = {FixBearingState::fixed_id, "all", "bearing/state"};
     modify->add_fix(3, const_cast<char **>(words));
+    if (at >= 0) dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1])->per_atom() = kept;
   }
-  state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->find_fix(FixBearingState::fixed_id)]);
-  rebuild_ = true;
+  state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
 }
 
 // Ball radius and mass come from the atoms: one size per ball type.

@@ -41,9 +41,10 @@ class PairBearingHertz : public Pair {
   bool is_ring_type(int type) const { return ring_type_[type]; }
   bool is_ball_type(int type) const { return ball_type_[type]; }
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type) const;    // null: none
-  double overlap_limit() const { return overlap_limit_; }
+  // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no ring.
+  double pitch_radius(int ring_type) const;
 
-  // Mass centre of this package among the pair styles of the run; error if it is another one.
+  // The pair style of the run; error naming `asked_by` if it is not one of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
 
  protected:
@@ -56,6 +57,7 @@ class PairBearingHertz : public Pair {
   void allocate();
   void read_sphere(bearing::Arguments &, int i, int j);
   void prepare_raceways();
+  void put_state_last();
   void check_rings();
   void rebuild_contacts();
   void add_raceway_contacts();

@@ -9,7 +9,8 @@ from raceway import damping as package
 
 
 def film_damping(physics, viscosity, length, radius, h, floor=0.0, factor=1.0):
-    return physics.scalar("film_damper", physics.scalar("damper_prefactor", viscosity, radius, factor), length, h, floor)
+    prefactor = physics.scalar("damper_prefactor", viscosity, radius, factor)
+    return physics.scalar("film_damper", prefactor, length, h, floor)
 
 
 def test_equation_5(physics):
@@ -23,7 +24,7 @@ def test_numbers_of_the_6208(physics):  # PHYSICS.md section 3: 0.8, 3.1, 8.7 kN
 
 
 def test_over_damped_below_a_quarter_of_a_micron(physics):
-    # c > 2 sqrt(k m) of the loaded ball with both contacts in series about the ball: k = 4.19e8 N/m, 2 c
+    # c > 2 sqrt(k m) of the ball between both raceways at 5 kN: k = 4.19e8 N/m, and two dampers; "about 250 nm"
     mass, k = 4 / 3 * np.pi * BALL**3 * 7800, 4.19e8
     excess = [2 * film_damping(physics, 0.04, 2.03e-3, BALL, h) / (2 * np.sqrt(k * mass)) for h in (200e-9, 320e-9)]
     assert excess[0] > 1 > excess[1]

@@ -75,8 +75,9 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
                                   for model in (MASJEDI, MASJEDI_PRINTED, HAMROCK_DOWSON))
         assert abs(plus / reference - 1) < 0.15  # PHYSICS.md: 11-15 %
         assert minus / plus > 1.2 and abs(minus / reference - 1) > abs(plus / reference - 1)
-    slow = [physics.film(model, kappa, *OIL, STEEL, r_x, 0.05, 2436.0)[1] for model in (MASJEDI_PRINTED, MASJEDI)]
-    assert slow[0] / slow[1] < 1.7  # "up to 65 % high at low speed"
+    minus, reference = (physics.film(model, kappa, 0.04, 13e-9, STEEL, r_x, 0.01, 2436.0)[1]
+                        for model in (MASJEDI_PRINTED, HAMROCK_DOWSON))
+    assert 1.5 < minus / reference < 1.66  # "up to 65 % high at low speed", the more so on the inner ring
 
 
 def test_composite_roughness(physics):

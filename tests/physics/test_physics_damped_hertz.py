@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""damped_hertz.h: Hertz spring, critical damping, no adhesion."""
+
+import numpy as np
+import pytest
+
+K, MASS = 3.3e8, 2.1e-4
+
+
+def contact(physics, overlap, rate=0.0):
+    return physics.record("cage_contact", "stiffness damping force", K, overlap, rate, MASS)
+
+
+def test_spring(physics):
+    assert contact(physics, 2e-6).force == pytest.approx(K * 2e-6**1.5, rel=1e-15)
+
+
+def test_stiffness_is_the_slope_of_the_spring(physics):
+    overlap, h = 2e-6, 1e-9
+    slope = (contact(physics, overlap + h).force - contact(physics, overlap - h).force) / (2 * h)
+    # truncation (h/overlap)^2/24 of a 3/2 power; rounding eps overlap/h
+    bound = (h / overlap) ** 2 / 24 + 1e-15 * overlap / h
+    assert contact(physics, overlap).stiffness == pytest.approx(slope, rel=bound)
+
+
+def test_damping_is_critical(physics):
+    c = contact(physics, 2e-6)
+    # m x'' + c x' + k x = 0 has a double root: no discriminant
+    assert c.damping**2 == pytest.approx(4 * c.stiffness * MASS, rel=1e-15)
+
+
+def test_damper_is_linear_and_resists_closing(physics):
+    still, closing = contact(physics, 2e-6), contact(physics, 2e-6, 0.01)
+    assert closing.force - still.force == pytest.approx(still.damping * 0.01, rel=1e-13)
+    assert closing.damping == still.damping
+
+
+def test_no_adhesion(physics):
+    c = contact(physics, 2e-6)
+    edge = c.force / c.damping
+    assert contact(physics, 2e-6, -0.99 * edge).force > 0
+    assert contact(physics, 2e-6, -1.01 * edge).force == 0
+
+
+def test_nothing_at_first_touch(physics):
+    c = contact(physics, 0.0, 1.0)
+    assert [c.stiffness, c.damping, c.force] == [0, 0, 0]
+    assert np.isfinite(contact(physics, 1e-30, 1.0).force)

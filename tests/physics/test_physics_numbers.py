@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""PHYSICS.md section 10 and Table 3 of the paper from the headers' constants: static theory of a 6208 at 5 kN."""
+
+import numpy as np
+import pytest
+from physics_c import BALL_MASS, EXACT, INNER, OUTER, PITCH, PRINTED
+from scipy.optimize import brentq
+
+STEEL = 210e9 / (1 - 0.09)
+PSI = 2 * np.pi * np.arange(9) / 9  # a ball on the load line
+
+
+def stiffness(physics, form=EXACT):
+    return [physics.hertz(*physics.radii(side), STEEL, form).K for side in (INNER, OUTER)]
+
+
+def ball_loads(series, shift, clearance):
+    return series * np.maximum(shift * np.cos(PSI) - clearance / 2, 0) ** 1.5
+
+
+def equilibrium(physics, load, clearance=0.0, form=EXACT):
+    """(shift, loads of the balls) of an inner ring pushed towards ball 0, balls in balance between the raceways."""
+    series = np.sum(np.array(stiffness(physics, form)) ** (-2 / 3)) ** -1.5
+    shift = brentq(lambda s: ball_loads(series, s, clearance) @ np.cos(PSI) - load, 1e-7, 2e-4, xtol=1e-15)
+    return shift, ball_loads(series, shift, clearance)
+
+
+def test_stiffness(physics):
+    assert stiffness(physics) == pytest.approx([3.2497e10, 3.4483e10], abs=0.00005e10)
+
+
+def test_5_kn(physics):
+    shift, loads = equilibrium(physics, 5000.0)
+    assert loads[:3] == pytest.approx([2436.2, 1633.4, 176.3], abs=0.05)
+    assert loads[3:7].tolist() == [0] * 4
+    assert loads[0] / 5000 == pytest.approx(0.48725, abs=5e-6)
+    assert shift == pytest.approx(34.87e-6, abs=0.005e-6)
+
+
+@pytest.mark.parametrize("side, a, b, p", [(INNER, 2.059, 0.2197, 2571), (OUTER, 1.993, 0.2749, 2123)])
+def test_ellipse_and_pressure(physics, side, a, b, p):
+    h = physics.hertz(*physics.radii(side), STEEL)
+    root = (2436.2 / h.K) ** (1 / 3)  # of the overlap
+    assert h.a * root * 1e3 == pytest.approx(a, abs=5e-4)
+    assert h.b * root * 1e3 == pytest.approx(b, abs=5e-5)
+    assert h.p * root / 1e6 == pytest.approx(p, abs=0.5)
+
+
+def test_spring_of_the_loaded_ball(physics):
+    k = sum(1.5 * K ** (2 / 3) * 2436.2 ** (1 / 3) for K in stiffness(physics))
+    assert k == pytest.approx(4.19e8, abs=0.005e8)
+    assert physics.scalar("largest_step", k, 0.0, BALL_MASS) == pytest.approx(8.8e-6, abs=0.05e-6)
+
+
+def parameter(physics, ratio, form):
+    clearance = ratio * 12.6e-3
+    return 0.5 * (1 - clearance / (2 * equilibrium(physics, 5000.0, clearance, form)[0]))
+
+
+# form: the load parameters of PHYSICS.md section 8 at P_d/D, to the digits and ranges (ball phase) given there
+@pytest.mark.parametrize("form, expected", [
+    (EXACT, {-0.0045: (1.699, 5e-4), -0.0035: (1.317, 5e-4), 0.0: (0.5, 1e-12), 0.0035: (0.319, 1.5e-3),
+             0.0045: (0.292, 1.5e-3)}),
+    (PRINTED, {-0.0045: (2.09, 5e-3), -0.0035: (1.58, 5e-3), 0.0: (0.5, 1e-12), 0.0035: (0.30, 5e-3),
+               0.0045: (0.27, 5e-3)})])
+def test_errata_load_parameters(physics, form, expected):
+    for ratio, (value, digits) in expected.items():
+        assert parameter(physics, ratio, form) == pytest.approx(value, abs=digits), ratio
+
+
+def test_errata_of_table_3(physics):
+    assert [parameter(physics, ratio, EXACT) for ratio in (-0.002, 0.002)] == pytest.approx([0.821, 0.373], abs=5e-3)
+
+
+def test_the_contacts_themselves_balance_the_load(physics):
+    # geometry and all: each ball settles on its radius between the grooves, and the inner ring stays a circle, which
+    # the theory neglects off the load line (0.4 % of a ball 80 degrees away, raceway.static)
+    shift, loads = equilibrium(physics, 5000.0)
+    inner, outer = physics.raceway_6208(INNER), physics.raceway_6208(OUTER)
+    axis, still = np.array([0.0, 0.0, 1.0]), np.zeros(3)
+
+    def push(model, ball, ring):
+        if not model.touch(ball - ring, axis)[0]:
+            return np.zeros(3)
+        return model.contact((ball, still, still), (ring, still, still, axis)).force
+
+    ring = np.array([shift, 0.0, 0.0])
+
+    def settled(psi):
+        direction = np.array([np.cos(psi), np.sin(psi), 0.0])
+
+        def net(r):
+            return (push(inner, r * direction, ring) + push(outer, r * direction, still)) @ direction
+        r = brentq(net, PITCH - 5e-5, PITCH + 5e-5, xtol=1e-16)
+        return push(inner, r * direction, ring)
+
+    carried = np.array([settled(psi) if np.cos(psi) > 0 else np.zeros(3) for psi in PSI])
+    assert carried.sum(0)[0] == pytest.approx(5000, rel=2e-3)
+    assert np.linalg.norm(carried[0]) == pytest.approx(loads[0], rel=1e-9)  # 1e-17 m of 1e-5 m

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""rolling.h: no slip at either raceway, the frequencies of the 6208, limits."""
+
+import numpy as np
+import pytest
+from physics_c import BALL, PITCH
+
+from raceway.bearing import Bearing
+from raceway.kinematics import frequencies
+
+SIX_TWO_0_8 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+
+
+@pytest.mark.parametrize("inner, outer", [(50.0, 0.0), (0.0, 50.0), (120.0, -70.0), (-30.0, -30.0)])
+def test_no_slip(physics, inner, outer):
+    motion = physics.rolling(inner, outer)
+    centre = motion.orbit * PITCH
+    # an ulp of a few m/s
+    assert centre - motion.spin * BALL == pytest.approx(inner * (PITCH - BALL), abs=5e-15)
+    assert centre + motion.spin * BALL == pytest.approx(outer * (PITCH + BALL), abs=5e-15)
+
+
+def test_both_rings_together_carry_the_balls_along(physics):
+    motion = physics.rolling(40.0, 40.0)
+    assert [motion.orbit, motion.spin] == pytest.approx([40, 40], rel=1e-14)
+
+
+def test_frequencies_of_the_6208(physics):  # PHYSICS.md section 10, to the digits given there
+    motion = physics.rolling(1.0)
+    found = [motion.orbit, 9 * motion.orbit, 9 * (1 - motion.orbit), abs(motion.spin - motion.orbit)]
+    assert found == pytest.approx([0.39604, 3.5644, 5.4356, 2.3008], abs=5e-5)
+    assert found == pytest.approx(list(frequencies(SIX_TWO_0_8)), rel=1e-13)
+
+
+def test_entrainment_of_the_errata(physics):  # 477.5 rpm gives 0.725 m/s, 0.41 m/s is 270 rpm
+    for rpm, expected in ((477.5, 0.725), (270.0, 0.41)):
+        omega = rpm * 2 * np.pi / 60
+        motion = physics.rolling(omega)
+        # surfaces seen from the ball's centre move at spin - orbit; both rings' contact alike
+        inner = abs((omega - motion.orbit) * (PITCH - BALL))
+        ball = abs((motion.spin - motion.orbit) * BALL)
+        assert [inner, ball] == pytest.approx([expected] * 2, abs=5e-4)

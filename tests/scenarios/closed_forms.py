@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a run ought to give, from kinematics and the static solver (written apart from the C++)."""
+
+import numpy as np
+
+from raceway import hertz, kinematics, static
+from raceway.bearing import INNER, OUTER, Bearing
+
+
+def bearing_of(settings):
+    """The bearing a run was made with."""
+    return Bearing(int(settings["balls"]), settings["ball_diameter_m"], settings["inner_radius_m"],
+                   settings["outer_radius_m"], settings["inner_groove_m"], settings["outer_groove_m"],
+                   young=float(settings["ball_young_Pa"]), poisson=float(settings["ball_poisson"]))
+
+
+def shaft_speed(settings):
+    """rad/s."""
+    return settings["rpm"] * np.pi / 30
+
+
+def equilibrium(run, sample):
+    """Static equilibrium with the balls where they are at a sample of the run."""
+    settings, balls = run.settings, run.balls
+    now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
+    orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)
+    return static.equilibrium(bearing_of(settings), settings["load_N"], clearance=settings["clearance_m"],
+                              load_azimuth=settings["load_azimuth_rad"], finite_shift=True, orbital_speed=orbit,
+                              phase=np.arctan2(now["y"], now["x"]).to_numpy())
+
+
+def _all(run):
+    samples = sorted(run.contacts["sample"].unique())
+    return [equilibrium(run, sample) for sample in samples[::4]]
+
+
+def static_shift(run, _):
+    """Mean shift of the inner ring along the load, m."""
+    azimuth = run.settings["load_azimuth_rad"]
+    return np.mean([state.shift[0] * np.cos(azimuth) + state.shift[1] * np.sin(azimuth) for state in _all(run)])
+
+
+def static_largest_load(run, _):
+    """Largest contact load over the pass, N."""
+    return max(state.inner.load.max() for state in _all(run))
+
+
+def cage_speed(run, _):
+    """Kinematic, rad/s."""
+    return kinematics.frequencies(bearing_of(run.settings)).cage * shaft_speed(run.settings)
+
+
+def entrainment(run, _):
+    """Kinematic, m/s."""
+    return kinematics.entrainment(bearing_of(run.settings), shaft_speed(run.settings))
+
+
+def _pressure(run, side, load):
+    bearing = bearing_of(run.settings)
+    ellipse = hertz.exact(*bearing.effective_radii(side, 0.0))
+    return hertz.pressure(ellipse, bearing.effective_modulus, load)
+
+
+def pressure_inner(run, summary):
+    """Hertz pressure at the largest inner load, Pa."""
+    return _pressure(run, INNER, summary["q_inner_max_N"])
+
+
+def pressure_outer(run, summary):
+    """Hertz pressure at the largest outer load, Pa."""
+    return _pressure(run, OUTER, summary["q_outer_max_N"])

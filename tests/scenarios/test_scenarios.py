@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every scenario of scenarios.yaml: run the deck, compare its summary with closed forms and references."""
+
+from pathlib import Path
+
+import pytest
+import yaml
+from host import succeed
+from raceway.run import Run
+from raceway.summary import summary
+
+from scenarios import closed_forms
+
+SCENARIOS = yaml.safe_load((Path(__file__).parent / "scenarios.yaml").read_text())
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_scenario(name, tmp_path):
+    scenario = SCENARIOS[name]
+    succeed(scenario["deck"], out=tmp_path, **scenario.get("variables", {}))
+    run = Run(tmp_path)
+    figures = summary(run)
+    for key, want in scenario["expect"].items():
+        value = want["value"] if "value" in want else getattr(closed_forms, want["form"])(run, figures)
+        allowed = want["within"] if "within" in want else want["tolerance"] * abs(value)
+        assert abs(figures[key] - value) <= allowed, (
+            f"{key} is {figures[key]}, should be {value} within {allowed} ({want['why']})")
