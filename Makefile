@@ -13,7 +13,7 @@ SHELL := /bin/bash
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
 # Bits must not depend on the machine: no fused multiply-add, no -march=native.
-FLAGS := -std=c++17 -O2 -fno-math-errno -ffp-contract=off -fPIC -g -Wall -Wextra -MMD -MP \
+FLAGS := -std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g -Wall -Wextra -MMD -MP \
          -DOMPI_SKIP_MPICXX -Isrc-package/compat -isystem /usr/include/liggghts
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
@@ -96,6 +96,6 @@ build/obj-sanitized/%.o: src-package/%.cpp
 build/libraceway_physics.so: tests/physics/physics_c.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ $(filter-out -isystem /usr/include/liggghts,$(FLAGS)) -shared $< -o $@
+	@g++ $(filter-out -isystem /usr/include/liggghts -fvisibility=hidden,$(FLAGS)) -shared $< -o $@
 
 -include $(shell find build -name '*.d' 2>/dev/null)

@@ -68,7 +68,7 @@ struct Registry {
 }    // namespace
 
 // Also callable by hand on a LAMMPS object made elsewhere.
-extern "C" void raceway_register(void *lmp)
+extern "C" __attribute__((visibility("default"))) void raceway_register(void *lmp)
 {
   Registry registry{static_cast<LAMMPS *>(lmp)};
   register_bearing_styles(registry);

@@ -67,10 +67,7 @@ struct RingState {
 };
 
 // What a contact is at one instant. Speeds m/s, forces N, lengths m.
-struct ContactState {
-  Vec3 u, t;                      // radial and rolling directions
-  double r = 0.0, z = 0.0;        // ball centre in the ring: radius, axial position
-  double nu = 0.0, ne = 0.0;      // normal in (u, e)
+struct ContactState : GroovePosition {    // u, t, r, z, s, nu, ne
   double overlap = 0.0, root = 0.0;    // overlap and its square root
   double cos_angle = 1.0;         // of the contact angle
   double overlap_rate = 0.0;
@@ -92,24 +89,18 @@ struct ContactForces {
   Vec3 ring_torque;    // about the ring centre
 };
 
-// Geometry only. True where the surfaces overlap; then overlap, root and frame are set.
+// Geometry only. True where the surfaces overlap (or a position is not a number); only then the frame is set.
 inline bool touch(const RacewayPhysics &p, const Vec3 &d, const Vec3 &e, ContactState &c)
 {
-  const GroovePosition g = locate(d, e, p.centre_circle);
-  c.u = g.u;
-  c.t = g.t;
-  c.r = g.r;
-  c.z = g.z;
-  c.nu = g.nu;
-  c.ne = g.ne;
-  c.overlap = g.s - p.slack;
-  return c.overlap > 0.0;
+  if (!locate_beyond(d, e, p.centre_circle, p.slack, c)) return false;
+  c.overlap = c.s - p.slack;
+  return !(c.overlap <= 0.0);
 }
 
 // Loads, film and friction of a contact for which touch() was true. dt advances the tangential spring
 // xi (2 values, m); dt = 0 leaves it as it is.
 template <bool with_film, Friction friction>
-inline ContactForces contact_forces(const RacewayPhysics &p, const BallState &ball, const RingState &ring,
+__attribute__((always_inline)) inline ContactForces contact_forces(const RacewayPhysics &p, const BallState &ball, const RingState &ring,
                                     double dt, double *xi, ContactState &c)
 {
   const double Rb = p.groove.ball_radius;

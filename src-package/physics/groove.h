@@ -43,19 +43,29 @@ struct GroovePosition {
   double ne = 0.0;        // normal, axial component
 };
 
-// Where a ball centre at d from the ring centre sits; e is the unit axis of the ring.
-inline GroovePosition locate(const Vec3 &d, const Vec3 &e, double centre_circle)
+// Where a ball centre at d from the ring centre sits; e is the unit axis of the ring. False, and only r and z
+// set, if it is no farther than `slack` from the circle of groove centres (no contact); slack < 0 always locates.
+// True for a position that is not a number: it must not pass for a gap.
+inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, double slack, GroovePosition &p)
 {
-  GroovePosition p;
   p.z = dot(d, e);
   const Vec3 radial = d - e * p.z;
   p.r = norm(radial);
+  const double g = p.r - centre_circle, s2 = g * g + p.z * p.z;
+  if (slack >= 0.0 && s2 <= slack * slack) return false;
   p.u = radial * (1.0 / p.r);
   p.t = cross(e, p.u);
-  const double g = p.r - centre_circle;
-  p.s = std::sqrt(g * g + p.z * p.z);
-  p.nu = g / p.s;
-  p.ne = p.z / p.s;
+  p.s = std::sqrt(s2);
+  const double inverse = 1.0 / p.s;
+  p.nu = g * inverse;
+  p.ne = p.z * inverse;
+  return true;
+}
+
+inline GroovePosition locate(const Vec3 &d, const Vec3 &e, double centre_circle)
+{
+  GroovePosition p;
+  locate_beyond(d, e, centre_circle, -1.0, p);
   return p;
 }
 

@@ -89,7 +89,7 @@ class RacewayLaw {
   }
 
  private:
-  static constexpr int cells = 256, n_constants = 11;
+  static constexpr int cells = 64, n_constants = 11;
   using Packed = std::array<double, n_constants>;
 
   static Packed pack(const RacewayConstants &c)

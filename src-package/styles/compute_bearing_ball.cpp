@@ -69,10 +69,9 @@ void ComputeBearingBall::compute_peratom()
       double &v = array_[c.i_ball][k];
       if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner) continue;    // seen from outside
       if (columns_[k].kind == azimuth) {
-        v = bearing::azimuth(c.state.u, context_.axis);
+        v = bearing::azimuth(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]), context_.axis);
       } else if (columns_[k].kind == orbit) {
-        const Vec3 dv = Vec3::from(atom->v[c.i_ball]) - Vec3::from(atom->v[c.i_ring]);
-        v = dot(dv, c.state.t) / c.state.r;
+        v = bearing::orbit(*atom, *pair_, c);
       } else if (c.live && (columns_[k].kind == inner) == (c.side() == Side::inner)) {
         v = columns_[k].attribute->value(c, context_);
       }

@@ -2,6 +2,7 @@
 #include "compute_bearing_total.h"
 
 #include "arguments.h"
+#include "contact_attribute.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ void ComputeBearingTotal::compute_vector()
     sum[2] += 1.0;
     // the orbit is seen from the outer ring where there is one, as in compute bearing/ball
     const RacewayContact &c = rows[first].side() == Side::outer ? rows[first] : rows[i - 1];
-    sum[3] += dot(Vec3::from(atom->v[c.i_ball]) - Vec3::from(atom->v[c.i_ring]), c.state.t) / c.state.r;
+    sum[3] += bearing::orbit(*atom, *pair_, c);
   }
   for (const bearing::SphereContact &s : pair_->table().sphere) most[5] = std::max(most[5], s.force);
   MPI_Allreduce(MPI_IN_PLACE, most, 7, MPI_DOUBLE, MPI_MAX, world);

@@ -2,6 +2,7 @@
 #include "contact_attribute.h"
 
 #include "fix_bearing_capacitance.h"
+#include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
@@ -13,6 +14,13 @@ double azimuth(const Vec3 &u, int axis)
 {
   const double c[3] = {u.x, u.y, u.z};
   return std::atan2(c[(axis + 2) % 3], c[(axis + 1) % 3]);
+}
+
+double orbit(const Atom &atom, const PairBearingHertz &pair, const RacewayContact &c)
+{
+  const Vec3 d = Vec3::from(atom.x[c.i_ball]) - Vec3::from(atom.x[c.i_ring]);
+  const GroovePosition g = locate(d, pair.state()->axis(c.i_ring), c.raceway->centre_circle);
+  return dot(Vec3::from(atom.v[c.i_ball]) - Vec3::from(atom.v[c.i_ring]), g.t) / g.r;
 }
 
 using Row = const RacewayContact &;

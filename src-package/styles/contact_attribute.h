@@ -37,6 +37,9 @@ std::vector<const ContactAttribute *> read_attributes(Arguments &, const LAMMPS_
 AttributeContext attribute_context(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                                    const std::vector<const ContactAttribute *> &, const std::string &asked_by);
 
+// Orbital speed of a ball about the ring of a contact, rad/s; the surfaces need not touch.
+double orbit(const LAMMPS_NS::Atom &, const LAMMPS_NS::PairBearingHertz &, const RacewayContact &);
+
 // Azimuth of a direction about the bearing axis, rad in (-pi, pi], from the next lab axis (x for axis z).
 double azimuth(const raceway::Vec3 &u, int axis);
 

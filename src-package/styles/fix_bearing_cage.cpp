@@ -101,34 +101,57 @@ void FixBearingCage::find_riders()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
+// All riders on one rail after the other: plain loops over arrays, so that square roots run side by side.
 void FixBearingCage::pre_force(int)
 {
   double **x = atom->x, **v = atom->v, **f = atom->f;
-  force_sum_ = force_max_ = 0.0;
-  for (Rider &rider : riders_) {
+  const size_t n = riders_.size();
+  for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &reach_, &fr_, &fe_}) a->resize(n);
+  for (size_t i = 0; i < n; ++i) {
+    const Rider &rider = riders_[i];
     const Vec3 e = pair_->state()->axis(rider.i_ring);
     const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
-    const double z = dot(d, e);
-    const Vec3 radial = d - e * z;
-    const double r = norm(radial);
-    for (size_t k = 0; k < rails_.size(); ++k) {
-      const Rail &rail = rails_[k];
-      const double dr = r - rail.circle, dz = z - rail.offset, s2 = dr * dr + dz * dz;
-      const double reach = atom->radius[rider.i] + rail.tube;
-      if (!(s2 < reach * reach)) continue;
-      const double s = std::sqrt(s2);
-      const Vec3 n = radial * (dr / (s * r)) + e * (dz / s);    // rail -> ball
-      const Vec3 ring_v = Vec3::from(v[rider.i_ring]) + cross(Vec3::from(atom->omega[rider.i_ring]), d);
-      const double rate = -dot(Vec3::from(v[rider.i]) - ring_v, n);
-      const DampedHertz h = damped_hertz(stiffness_[k], reach - s, rate, atom->rmass[rider.i]);
-      if (h.force == 0.0) continue;
-      const Vec3 force = n * h.force;
-      force.add_to(f[rider.i]);
-      if (rider.slot < 0) rider.slot = pair_->ring_sum().slot(rider.i_ring, rider.ring);
-      pair_->ring_sum().add(rider.slot, bearing::RingSum::rail, rider.tag, -force, -cross(d, force));
-      force_sum_ += h.force;
-      force_max_ = std::max(force_max_, h.force);
+    // velocity of the ball against the ring, radial and axial: all that a frictionless torus feels
+    const Vec3 dv = Vec3::from(v[rider.i]) - Vec3::from(v[rider.i_ring]) -
+        cross(Vec3::from(atom->omega[rider.i_ring]), d);
+    z_[i] = dot(d, e);
+    r_[i] = dot(d, d) - z_[i] * z_[i];
+    ve_[i] = dot(dv, e);
+    vr_[i] = dot(dv, d) - ve_[i] * z_[i];
+    mass_[i] = atom->rmass[rider.i];
+    reach_[i] = atom->radius[rider.i];
+    fr_[i] = fe_[i] = 0.0;
+  }
+  for (size_t i = 0; i < n; ++i) {
+    r_[i] = std::sqrt(r_[i]);
+    vr_[i] /= r_[i];
+  }
+  double sum = 0.0, most = 0.0;
+  for (size_t k = 0; k < rails_.size(); ++k) {
+    const Rail rail = rails_[k];
+    const double K = stiffness_[k];
+    for (size_t i = 0; i < n; ++i) {
+      const double dr = r_[i] - rail.circle, dz = z_[i] - rail.offset, s = std::sqrt(dr * dr + dz * dz);
+      const double inverse = 1.0 / s, nr = dr * inverse, ne = dz * inverse;    // rail -> ball
+      const double gap = reach_[i] + rail.tube - s, overlap = gap > 0.0 ? gap : 0.0;
+      const double force = damped_hertz(K, overlap, -(vr_[i] * nr + ve_[i] * ne), mass_[i]).force;
+      fr_[i] += force * nr;
+      fe_[i] += force * ne;
+      sum += force;
+      most = force > most ? force : most;
     }
+  }
+  force_sum_ = sum;
+  force_max_ = most;
+  for (size_t i = 0; i < n; ++i) {
+    if (fr_[i] == 0.0 && fe_[i] == 0.0) continue;
+    Rider &rider = riders_[i];
+    const Vec3 e = pair_->state()->axis(rider.i_ring);
+    const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
+    const Vec3 force = (d - e * z_[i]) * (fr_[i] / r_[i]) + e * fe_[i];
+    force.add_to(f[rider.i]);
+    if (rider.slot < 0) rider.slot = pair_->ring_sum().slot(rider.i_ring, rider.ring);
+    pair_->ring_sum().add(rider.slot, bearing::RingSum::rail, rider.tag, -force, -cross(d, force));
   }
 }
 

@@ -50,7 +50,6 @@ template <bool film, Friction friction, bool tally> void PairBearingHertz::racew
     ring.e = state_->axis(c.i_ring);
     c.live = touch(p, ball.x - ring.x, ring.e, c.state);
     if (!c.live) {
-      if (c.state.overlap != c.state.overlap) lost(c);
       if (friction != Friction::none && advance) c.spring[0] = c.spring[1] = 0.0;
       continue;
     }

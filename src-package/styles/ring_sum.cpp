@@ -23,16 +23,10 @@ int RingSum::slot(int i_ring, tag_t tag)
   return found.first->second;
 }
 
-void RingSum::add(int slot, Source source, tag_t partner, const Vec3 &force, const Vec3 &torque)
+void RingSum::keep(int slot, Source source, tag_t partner, const Vec3 &force, const Vec3 &torque)
 {
-  Ring &r = rings_[slot];
-  if (comm->nprocs == 1) {
-    r.force += force;
-    r.torque += torque;
-    return;
-  }
   Part p;
-  p.ring = r.tag;
+  p.ring = rings_[slot].tag;
   p.partner = partner;
   p.source = source;
   force.to(p.force);
@@ -42,7 +36,7 @@ void RingSum::add(int slot, Source source, tag_t partner, const Vec3 &force, con
 
 void RingSum::flush()
 {
-  if (comm->nprocs > 1) {
+  if (!serial_) {
     std::vector<Part> all = gather_all(parts_, world);
     parts_.clear();
     std::sort(all.begin(), all.end());

@@ -9,6 +9,7 @@
 
 #include "../physics/vec3.h"
 #include "bearing_compat.h"
+#include "lammps.h"
 
 #include <unordered_map>
 #include <vector>
@@ -18,14 +19,25 @@ namespace bearing {
 class RingSum : protected LAMMPS_NS::Pointers {
  public:
   enum Source { rail = 0, ball = 1 };    // in the order in which they are added
-  explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp) {}
+  explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp), serial_(lmp->comm->nprocs == 1) {}
 
   void reset_rings();                                // after a neighbour build: forget all slots
   int slot(int i_ring, tag_t tag);                   // of a ring, owned or ghost
-  void add(int slot, Source source, tag_t partner, const raceway::Vec3 &force, const raceway::Vec3 &torque);
+  void add(int slot, Source source, tag_t partner, const raceway::Vec3 &force, const raceway::Vec3 &torque)
+  {
+    if (serial_) {
+      rings_[slot].force += force;
+      rings_[slot].torque += torque;
+    } else {
+      keep(slot, source, partner, force, torque);
+    }
+  }
   void flush();                                      // into atom->f and atom->torque of owned rings
 
  private:
+  void keep(int slot, Source source, tag_t partner, const raceway::Vec3 &force, const raceway::Vec3 &torque);
+
+  bool serial_;
   struct Ring { int i; tag_t tag; raceway::Vec3 force, torque; };
   struct Part {
     tag_t ring, partner;

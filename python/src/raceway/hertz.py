@@ -8,7 +8,7 @@ and returns numbers or arrays of one shape, SI units.
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import ellipe, ellipk, elliprd
+from scipy.special import ellipe, ellipkm1, elliprd
 
 
 class Ellipse(NamedTuple):
@@ -50,7 +50,7 @@ def exact(r_x, r_y):
     """`Ellipse` of effective radii `r_x`, `r_y` (m), by the exact elliptic integrals."""
     kappa = ellipticity(r_y / r_x)
     m = 1 - kappa**-2
-    return Ellipse(kappa, ellipk(m), ellipe(m), 1 / (1 / r_x + 1 / r_y))
+    return Ellipse(kappa, ellipkm1(kappa**-2), ellipe(m), 1 / (1 / r_x + 1 / r_y))
 
 
 def hamrock_brewe(r_x, r_y, printed=False):
