@@ -254,10 +254,15 @@ void raceway_exact(const RacewayPhysics *p, double pitch_radius, double cos_angl
 void raceway_table(const RacewayPhysics *p, double cos_angle, double *out) { put(p->law.at(cos_angle), out); }
 void raceway_radial(const RacewayPhysics *p, double *out) { put(p->law.radial(), out); }
 
+// Where there is no contact touch() leaves the frame unset; then it is filled in here, overlap <= 0.
 double contact_touch(const RacewayPhysics *p, const double *d, const double *e, double *state)
 {
   ContactState c;
   const bool touching = touch(*p, Vec3::from(d), Vec3::from(e), c);
+  if (!touching) {
+    static_cast<GroovePosition &>(c) = locate(Vec3::from(d), Vec3::from(e), p->centre_circle);
+    c.overlap = c.s - p->slack;
+  }
   put(c, state);
   return touching;
 }
