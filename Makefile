@@ -34,6 +34,7 @@ build: setup
 
 test: build sanitized
 	@$(MAKE) --no-print-directory docs
+	.venv/bin/python docs/try_examples.py
 	.venv/bin/python -m pytest tests
 
 bench: build

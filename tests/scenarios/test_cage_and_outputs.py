@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The cage in its seats, and every way to read a contact telling the same."""
+
+import numpy as np
+import pytest
+from host import ROOT, succeed
+from raceway.run import Run
+
+SAMPLES = 40
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """The main deck for one pass, with the other computes beside it."""
+    folder = tmp_path_factory.mktemp("cage")
+    deck = folder / "in.cage"
+    text = (ROOT / "inputs" / "in.6208").read_text()
+    extra = """
+compute per balls bearing/ball inner_load outer_load azimuth orbit inner_h_min
+variable live equal c_total[1]
+variable loaded equal c_total[2]
+variable inner_load equal c_total[3]
+variable outer_load equal c_total[4]
+variable pressure equal c_total[5]
+variable thin equal c_total[6]
+variable lam equal c_total[7]
+variable orbit equal c_total[8]
+variable rail equal f_rails[1]
+compute sum_inner balls reduce sum c_per[1]
+compute max_outer balls reduce max c_per[2]
+compute mean_orbit balls reduce ave c_per[4]
+variable sum_inner equal c_sum_inner
+variable max_outer equal c_max_outer
+variable mean_orbit equal c_mean_orbit
+compute energy all pe
+variable pe equal c_energy
+"""
+    measure = (ROOT / "inputs" / "modules" / "measure").read_text()
+    head, tail = measure.split("variable now equal")
+    marker = 'fix totals all print ${every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure} ${thin} ${lam} ' \
+        '${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe}" file ${out}/totals.txt screen no\n'
+    (folder / "measure").write_text(head + extra + marker + "variable now equal" + tail)
+    deck.write_text(text.replace("${inputs}/modules/measure", f"{folder}/measure"))
+    succeed(deck, out=folder / "run", passes=1, samples=SAMPLES)
+    result = Run(folder / "run")
+    result.totals = np.loadtxt(folder / "run" / "totals.txt").T
+    return result
+
+
+def test_totals_are_those_of_the_contacts(run):
+    """compute bearing/total, compute bearing/ball and the local rows read one table; dumps keep 12 digits."""
+    live, loaded, inner, outer, pressure, thin, lam, orbit, _, sum_inner, max_outer, mean_orbit, _ = run.totals
+    by_sample = [rows for _, rows in run.contacts[run.contacts["sample"] > 0].groupby("sample")]
+    assert len(by_sample) == len(live) == SAMPLES
+    for k, rows in enumerate(by_sample):
+        sides = [rows[rows["raceway"] == side] for side in (0, 1)]
+        assert live[k] == len(rows)
+        assert loaded[k] == len(set(sides[0]["ball"]) & set(sides[1]["ball"]))
+        close = dict(rel=1e-11)
+        assert inner[k] == pytest.approx(sides[0]["load"].max(), **close)
+        assert outer[k] == pytest.approx(sides[1]["load"].max(), **close)
+        assert pressure[k] == pytest.approx(rows["pressure"].max(), **close)
+        assert thin[k] == pytest.approx(rows["h_min"].min(), **close)
+        assert lam[k] == pytest.approx(rows["lambda"].min(), **close)
+        assert sum_inner[k] == pytest.approx(sides[0]["load"].sum(), **close)
+        assert max_outer[k] == pytest.approx(sides[1]["load"].max(), **close)
+        assert orbit[k] == pytest.approx(mean_orbit[k], rel=1e-12)
+
+
+def test_potential_energy_is_that_of_the_springs(run):
+    """pe = sum of 2/5 Q overlap; cage contacts hold less than 1e-3 of it."""
+    energy = run.totals[-1]
+    rows = run.contacts[run.contacts["sample"] > 0]
+    springs = (0.4 * rows["load"] * rows["overlap"]).groupby(rows["sample"]).sum().to_numpy()
+    np.testing.assert_allclose(energy, springs, rtol=1e-3)
+
+
+def test_cage_balls_stay_centred(run):
+    """On the pitch circle within the 190 um that pocket and chord leave them, and in the middle plane."""
+    cage = run.balls[run.balls["type"] == 2]
+    radius = np.hypot(cage["x"], cage["y"])
+    assert np.all(np.abs(radius - 30.3e-3) < 190e-6)
+    assert np.all(np.abs(cage["z"]) < 1e-9)  # two rails alike
+
+
+def test_rails_carry_the_centrifugal_load_at_least(run):
+    """m_c r w^2 of nine polyamide balls, divided by the cosine of the seat (45 degrees), is what pushes on the rails;
+    balls that push cage balls outwards add to it."""
+    mass = 4 / 3 * np.pi * 4.19e-3**3 * 1140
+    orbit = 19.8
+    assert run.totals[8].mean() > 0.99 * 9 * mass * 30.3e-3 * orbit**2 / np.cos(np.pi / 4)
+
+
+def test_step_limit_is_that_of_the_stiffest_ball(tmp_path):
+    """fix bearing/timestep: dry, so 2 sqrt(m/k) with k of both raceways (tangential modes are softer here: the
+    rolling sphere has 2/7 of the mass but the limit is checked against the smaller of both)."""
+    deck = tmp_path / "in.limit"
+    text = (ROOT / "inputs" / "in.dry").read_text()
+    deck.write_text(text.replace("include ${inputs}/modules/measure", "") + """
+compute contact balls bearing/contact ball stiffness damping
+dump contact balls local 1 ${out}/stiffness.dump c_contact[1] c_contact[2] c_contact[3]
+dump_modify contact format "%.0f %.12g %.12g"
+variable limit equal f_step[1]
+fix limit all print 1 "${limit}" file ${out}/limit.txt screen no
+fix step all bearing/timestep 1
+run 1
+""")
+    succeed(deck, out=tmp_path)
+    rows = np.array([line.split() for line in (tmp_path / "stiffness.dump").read_text().split("c_contact[3]")[-1]
+                    .strip().splitlines()], float)
+    limit = np.loadtxt(tmp_path / "limit.txt")
+    mass = 4 / 3 * np.pi * 6.3e-3**3 * 7800
+
+    def verlet(k, c, m):
+        return (np.sqrt(c**2 + 4 * k * m) - c) / k
+
+    expected = np.inf
+    for ball in set(rows[:, 0]):
+        k, c = rows[rows[:, 0] == ball, 1].sum(), rows[rows[:, 0] == ball, 2].sum()
+        kt = 2 * 0.7 / 1.7 * k  # Mindlin, like bodies
+        each = 2 * 0.7 / 1.7 * rows[rows[:, 0] == ball, 1]
+        ct = (2 * 0.3 * np.sqrt(2 / 7 * mass * each)).sum()
+        expected = min(expected, verlet(k, c, mass), verlet(kt, ct, 2 / 7 * mass))
+    assert limit == pytest.approx(expected, rel=1e-9)
