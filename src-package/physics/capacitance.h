@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Electrical capacitance of a lubricated Hertz contact (PHYSICS section 6; Farah 2020 eqs 8, 10-12).
+// Electrical capacitance of a lubricated Hertz contact (docs/theory, Capacitance; Farah 2020 eqs 8, 10-12).
 #ifndef RACEWAY_CAPACITANCE_H
 #define RACEWAY_CAPACITANCE_H
 

@@ -5,7 +5,7 @@
 // The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h), its opposite acts on
 // the ring at the same point, so linear and angular momentum are conserved to rounding.
 //
-// Entrainment speed (PHYSICS section 4): half the sum of both surface velocities relative to the moving
+// Entrainment speed (docs/theory, Film): half the sum of both surface velocities relative to the moving
 // contact point, along t. The contact point rc u + zc e turns about the ring axis with the ball centre, at
 // phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis: u'.t = phi', e'.t = -W.u.
 #ifndef RACEWAY_CONTACT_H
@@ -100,8 +100,9 @@ inline bool touch(const RacewayPhysics &p, const Vec3 &d, const Vec3 &e, Contact
 // Loads, film and friction of a contact for which touch() was true. dt advances the tangential spring
 // xi (2 values, m); dt = 0 leaves it as it is.
 template <bool with_film, Friction friction>
-__attribute__((always_inline)) inline ContactForces contact_forces(const RacewayPhysics &p, const BallState &ball, const RingState &ring,
-                                    double dt, double *xi, ContactState &c)
+__attribute__((always_inline)) inline ContactForces
+contact_forces(const RacewayPhysics &p, const BallState &ball, const RingState &ring, double dt, double *xi,
+               ContactState &c)
 {
   const double Rb = p.groove.ball_radius;
   c.root = std::sqrt(c.overlap);

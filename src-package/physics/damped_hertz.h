@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frictionless sphere-like contact of cage parts: Hertz spring with critical damping (PHYSICS section 5).
+// Frictionless sphere-like contact of cage parts: Hertz spring with critical damping (docs/theory, Friction).
 #ifndef RACEWAY_DAMPED_HERTZ_H
 #define RACEWAY_DAMPED_HERTZ_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Normal damping of a ball on a raceway (PHYSICS section 3; Farah 2020 eqs 1, 4, 5).
+// Normal damping of a ball on a raceway (docs/theory, Normal damping; Farah 2020 eqs 1, 4, 5).
 //
 //   F_n = max(0, Q + C d(overlap)/dt),  C = C_hyst + C_fluid   (Kelvin-Voigt, no adhesion)
 //   C_hyst  = 1.5 alpha_e Q                                    (Hunt & Crossley 1975)

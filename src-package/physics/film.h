@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// EHD film thickness of a smooth elliptical contact (PHYSICS section 4; Farah 2020 eqs 6, 7, 9).
+// EHD film thickness of a smooth elliptical contact (docs/theory, Film; Farah 2020 eqs 6, 7, 9).
 //
 // Every law here has the form h/R_x = c U^p G^g W^m (1 - k1 exp(-k2 kappa)) with
 //   U = eta u/(E' R_x),  G = xi E',  W = Q/(E' R_x^2),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction coefficient (PHYSICS section 5; Farah 2020 fig. 5) and the tangential spring with a Coulomb cap.
+// Friction coefficient (docs/theory, Friction; Farah 2020 fig. 5) and the tangential spring with a Coulomb cap.
 //
 // mu is a constant, or follows the film parameter Lambda: boundary below Lambda_1, full film above
 // Lambda_2, and between them the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/(Lambda_2 - Lambda_1),

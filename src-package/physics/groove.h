@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A ball in the torus groove of a ring, at any contact angle and ring tilt.
 //
-// Law (PHYSICS section 1; Farah 2020 fig. 4): the centres of curvature of the groove lie on a circle
+// Law (docs/theory, Geometry; Farah 2020 fig. 4): the centres of curvature of the groove lie on a circle
 // of radius rho about the ring axis e. With d = ball centre - ring centre, z = d.e, r = |d - z e|,
 // u = (d - z e)/r, the ball's distance from that circle is s = |(r - rho) u + z e| and
 //   overlap = s - (r_c - R_b),   normal n = ((r - rho) u + z e)/s  (ball -> raceway).

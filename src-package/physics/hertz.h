@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Elliptical Hertz contact of two smooth elastic bodies (PHYSICS section 2; Farah 2020 eq. 2).
+// Elliptical Hertz contact of two smooth elastic bodies (docs/theory, Elliptical Hertz contact; Farah 2020 eq. 2).
 //
 //   Q = K overlap^1.5,  K = pi kappa E' sqrt(Ebar R / (4.5 Fbar^3)),  1/R = 1/R_x + 1/R_y,
 //   E' = 2/sum((1 - nu^2)/E),
@@ -102,7 +102,7 @@ inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse f
   return h;
 }
 
-// Effective radii of a ball in a groove at contact angle alpha (cosine given), PHYSICS section 1:
+// Effective radii of a ball in a groove at contact angle alpha (cosine given), docs/theory, Geometry:
 // gamma = R_b cos(alpha)/r_pitch, R_x = R_b (1 -+ gamma), R_y = R_b r_c/(r_c - R_b).
 struct EffectiveRadii { double x, y; };
 inline EffectiveRadii groove_radii(double ball_radius, double groove_radius, double pitch_radius,

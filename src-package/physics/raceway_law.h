@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All constants of one raceway that a contact needs, as functions of the contact angle.
 //
-// The effective radii follow the contact angle (PHYSICS section 1), and with them stiffness, ellipse
+// The effective radii follow the contact angle (docs/theory, Geometry), and with them stiffness, ellipse
 // and film exponents. They depend on cos(alpha) only, so they are computed once on a uniform grid of
 // cos(alpha) in [0, 1] and interpolated by a four-point cubic: relative error below 1e-9 (tested).
 // A radial scene stays at cos(alpha) = 1 and uses those constants directly.

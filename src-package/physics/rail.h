@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A cage ball on a torus rail (PHYSICS section 7): elastic, frictionless, critically damped.
+// A cage ball on a torus rail (docs/theory, Rings): elastic, frictionless, critically damped.
 //
 // The rail is a torus: centre-circle radius, tube radius, axial offset of that circle along the ring
 // axis. Contact when the ball centre is nearer to the centre circle than ball radius + tube radius.

@@ -18,7 +18,7 @@ def test_equation_5(physics):
     assert film_damping(physics, 0.04, 2e-3, BALL, 2e-7) == pytest.approx(expected, rel=1e-14)  # some ten roundings
 
 
-def test_numbers_of_the_6208(physics):  # PHYSICS.md section 3: 0.8, 3.1, 8.7 kN s/m at 5 kN, 0.04 Pa s
+def test_numbers_of_the_6208(physics):  # docs/theory, Normal damping: 0.8, 3.1, 8.7 kN s/m at 5 kN, 0.04 Pa s
     found = [film_damping(physics, 0.04, 2.059e-3, BALL, h) for h in (500e-9, 200e-9, 100e-9)]
     assert found == pytest.approx([0.8e3, 3.1e3, 8.7e3], abs=50)
 

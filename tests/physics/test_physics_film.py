@@ -73,7 +73,7 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
     for speed in (0.1, 0.4, 1.0, 2.0):
         plus, minus, reference = (physics.film(model, kappa, *OIL, STEEL, r_x, speed, 2436.0)[1]
                                   for model in (MASJEDI, MASJEDI_PRINTED, HAMROCK_DOWSON))
-        assert abs(plus / reference - 1) < 0.15  # PHYSICS.md: 11-15 %
+        assert abs(plus / reference - 1) < 0.15  # docs/errata: 11-15 %
         assert minus / plus > 1.2 and abs(minus / reference - 1) > abs(plus / reference - 1)
     minus, reference = (physics.film(model, kappa, 0.04, 13e-9, STEEL, r_x, 0.01, 2436.0)[1]
                         for model in (MASJEDI_PRINTED, HAMROCK_DOWSON))

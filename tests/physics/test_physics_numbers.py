@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""PHYSICS.md section 10 and Table 3 of the paper from the headers' constants: static theory of a 6208 at 5 kN."""
+"""docs/theory, Numbers to reproduce and Table 3 of the paper from the headers' constants: static theory of a 6208 at 5 kN."""
 
 import numpy as np
 import pytest
@@ -57,7 +57,7 @@ def parameter(physics, ratio, form):
     return 0.5 * (1 - clearance / (2 * equilibrium(physics, 5000.0, clearance, form)[0]))
 
 
-# form: the load parameters of PHYSICS.md section 8 at P_d/D, to the digits and ranges (ball phase) given there
+# form: the load parameters of docs/errata at P_d/D, to the digits and ranges (ball phase) given there
 @pytest.mark.parametrize("form, expected", [
     (EXACT, {-0.0045: (1.699, 5e-4), -0.0035: (1.317, 5e-4), 0.0: (0.5, 1e-12), 0.0035: (0.319, 1.5e-3),
              0.0045: (0.292, 1.5e-3)}),

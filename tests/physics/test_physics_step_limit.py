@@ -42,7 +42,7 @@ def test_closed_forms(physics):
     assert physics.scalar("largest_step", 0.0, 0.0, m) == np.inf
 
 
-def test_numbers_of_the_6208(physics):  # PHYSICS.md section 10, to the digits given there
+def test_numbers_of_the_6208(physics):  # docs/theory, Numbers to reproduce, to the digits given there
     assert physics.scalar("largest_step", SPRING, 0.0, BALL_MASS) == pytest.approx(8.8e-6, abs=0.05e-6)
     # both raceways' fluid dampers at h = 100 nm
     prefactor = physics.scalar("damper_prefactor", 0.04, 6.3e-3, 1.0)

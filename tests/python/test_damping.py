@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damping against the figures of PHYSICS.md section 3."""
+"""Damping against the figures of docs/theory, Normal damping."""
 
 import pytest
 

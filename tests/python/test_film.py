@@ -23,7 +23,7 @@ def test_by_hand():
 
 
 @pytest.mark.parametrize("speed", [0.1, 0.725, 3.0])
-def test_central_film_agrees_with_hamrock_dowson(bearing, speed):  # PHYSICS.md section 8: 11-15 %
+def test_central_film_agrees_with_hamrock_dowson(bearing, speed):  # docs/errata: 11-15 %
     for side in (INNER, OUTER):
         r_x, g = group(bearing, side, speed)
         assert film.h_c(r_x, g) == pytest.approx(film.hamrock_dowson_c(r_x, g), rel=0.16)

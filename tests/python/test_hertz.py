@@ -42,7 +42,7 @@ def test_arrays_equal_numbers():
     assert np.array_equal(hertz.ellipticity(ratios), [hertz.ellipticity(ratio) for ratio in ratios])
 
 
-def test_numbers_of_the_6208(bearing):  # PHYSICS.md section 10, to the digits given there
+def test_numbers_of_the_6208(bearing):  # docs/theory, Numbers to reproduce, to the digits given there
     modulus = bearing.effective_modulus
     for side, load, k, a, b, p in ((INNER, 2436.2, 3.2497e10, 2.059e-3, 0.2197e-3, 2571e6),
                                    (OUTER, 2436.2, 3.4483e10, 1.993e-3, 0.2749e-3, 2123e6)):
@@ -68,7 +68,7 @@ def test_hamrock_brewe_is_near_and_its_misprint_is_not(bearing):
         fit = hertz.stiffness(hertz.hamrock_brewe(*radii), modulus)
         printed = hertz.stiffness(hertz.hamrock_brewe(*radii, printed=True), modulus)
         assert fit == pytest.approx(exact, rel=0.03)  # the fit's own claim
-        assert 1.25 < printed / exact < 1.40  # PHYSICS.md: 32 % too stiff
+        assert 1.25 < printed / exact < 1.40  # docs/errata: 32 % too stiff
 
 
 def test_conformal_is_an_error():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearing frequencies against the figures of PHYSICS.md section 10 and rolling without slip."""
+"""Bearing frequencies against the figures of docs/theory, Numbers to reproduce and rolling without slip."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's equilibrium against the figures of PHYSICS.md, closed forms, and its own equations written anew."""
+"""The bearing's equilibrium against the figures of docs/theory, closed forms, and its own equations written anew."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from raceway.errors import NoEquilibrium
 from raceway.static import equilibrium
 
 
-def test_numbers_of_the_6208(bearing):  # PHYSICS.md section 10
+def test_numbers_of_the_6208(bearing):  # docs/theory, Numbers to reproduce
     state = equilibrium(bearing, 5000.0)
     assert state.inner.load[[0, 1, 2, 8]] == pytest.approx([2436.2, 1633.4, 176.3, 1633.4], abs=0.05)
     assert state.inner.load[0] / 5000 == pytest.approx(0.48725, abs=5e-6)
@@ -25,7 +25,7 @@ def test_numbers_of_the_6208(bearing):  # PHYSICS.md section 10
 
 @pytest.mark.parametrize("relative, low, high", [(-0.0045, 1.699, 1.699), (-0.0035, 1.317, 1.317), (0, 0.5, 0.5),
                                                  (0.0035, 0.318, 0.320), (0.0045, 0.291, 0.293)])
-def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # PHYSICS.md section 8
+def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # docs/errata
     pd = relative * bearing.ball_diameter
     found = [clearance.load_parameter(pd, equilibrium(bearing, 5000.0, clearance=pd, phase=phase).shift[0])
              for phase in np.linspace(0, np.pi / 9, 4)]
