@@ -10,6 +10,7 @@
 #include "../styles/deck_files.h"
 #include "../styles/fix_bearing_cage.h"
 #include "../styles/fix_bearing_capacitance.h"
+#include "../styles/fix_bearing_implicit.h"
 #include "../styles/fix_bearing_ring.h"
 #include "../styles/fix_bearing_state.h"
 #include "../styles/fix_bearing_timestep.h"
@@ -23,6 +24,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template pair<PairBearingEHD>("bearing/ehd");
   add.template fix<FixBearingState>("bearing/state");
   add.template fix<FixBearingRing>("bearing/ring");
+  add.template fix<FixBearingImplicit>("bearing/implicit");
   add.template fix<FixBearingCage>("bearing/cage");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");
   add.template fix<FixBearingTimestep>("bearing/timestep");

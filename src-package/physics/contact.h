@@ -32,6 +32,8 @@ struct RacewayPhysics {
   double film_floor = -1.0;         // m, of the film damper; < 0: composite roughness
   double tangential_ratio = -1.0;   // k_t/k_n; < 0: Mindlin
   double tangential_zeta = 0.3;     // dashpot over critical of the rolling mode, mass 2/7 m_b
+  double creep = 0.0;               // > 0: smoothed Coulomb law, v_0 = creep * entrainment speed; 0: spring
+  double creep_floor = 1e-4;        // m/s, least v_0: a bearing at rest
 
   // derived by prepare()
   RacewayLaw law;
@@ -80,6 +82,7 @@ struct ContactState : GroovePosition {    // u, t, r, z, s, nu, ne
   double h_min = 0.0, lambda = 0.0;
   double mu = 0.0;
   double kt = 0.0, ct = 0.0;      // tangential spring and dashpot
+  double v_0 = 0.0;               // m/s, of the smoothed Coulomb law
   double friction_t = 0.0, friction_w = 0.0;  // force of the ring on the ball is -friction
 };
 
@@ -143,11 +146,20 @@ contact_forces(const RacewayPhysics &p, const BallState &ball, const RingState &
   double ft = 0.0, fw = 0.0;
   if (friction != Friction::none) {
     c.mu = friction == Friction::stribeck ? stribeck(p.curve, c.lambda) : p.mu;
-    c.kt = p.kt_ratio * c.stiffness;
-    c.ct = p.ct_factor * std::sqrt(c.kt);
-    xi[0] += dt * c.sliding_t;
-    xi[1] += dt * c.sliding_w;
-    tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, xi, ft, fw);
+    if (p.creep > 0.0) {
+      const double u = p.creep * c.entrainment;
+      c.v_0 = std::sqrt(u * u + p.creep_floor * p.creep_floor);
+      c.kt = 0.0;
+      c.ct = smoothed_friction(c.mu * c.normal, c.sliding_t, c.sliding_w, c.v_0);
+      ft = c.ct * c.sliding_t;
+      fw = c.ct * c.sliding_w;
+    } else {
+      c.kt = p.kt_ratio * c.stiffness;
+      c.ct = p.ct_factor * std::sqrt(c.kt);
+      xi[0] += dt * c.sliding_t;
+      xi[1] += dt * c.sliding_w;
+      tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, xi, ft, fw);
+    }
   }
   c.friction_t = ft;
   c.friction_w = fw;

@@ -8,6 +8,7 @@
 #ifndef RACEWAY_RAIL_H
 #define RACEWAY_RAIL_H
 
+#include "damped_hertz.h"
 #include "hertz.h"
 #include "vec3.h"
 
@@ -39,6 +40,28 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
   const double along = 1.0 / ball_radius - cos_seat / contact_radius;
   const double across = 1.0 / ball_radius + 1.0 / rail.tube;
   return hertz_contact(1.0 / along, 1.0 / across, Eprime, Ellipse::exact).K;
+}
+
+struct RailTouch {
+  Vec3 n;           // rail -> ball
+  DampedHertz h;
+};
+
+// The law of fix bearing/cage for one ball and rail, with the normal an implicit step needs. Ball centre at d from the
+// ring centre, moving at dv against the ring there. False: no contact.
+inline bool touch_rail(const Rail &rail, double K, const Vec3 &d, const Vec3 &e, double radius, double mass,
+                       const Vec3 &dv, RailTouch &t)
+{
+  const double z = dot(d, e);
+  const Vec3 radial = d - e * z;
+  const double r = norm(radial);
+  const double dr = r - rail.circle, dz = z - rail.offset, s2 = dr * dr + dz * dz;
+  const double reach = radius + rail.tube;
+  if (!(s2 < reach * reach)) return false;
+  const double s = std::sqrt(s2);
+  t.n = radial * (dr / (s * r)) + e * (dz / s);
+  t.h = damped_hertz(K, reach - s, -dot(dv, t.n), mass);
+  return t.h.force > 0.0;
 }
 
 }    // namespace raceway

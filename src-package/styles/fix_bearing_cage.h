@@ -28,9 +28,13 @@ class FixBearingCage : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
- private:
+  // For fix bearing/implicit: who sits on which rails.
   struct Rider { int i, i_ring; bearing::tag_t tag, ring; int slot; };    // a cage ball on the rails of its ring
+  const std::vector<Rider> &riders() const { return riders_; }
+  const std::vector<raceway::Rail> &rails() const { return rails_; }
+  const std::vector<double> &stiffness() const { return stiffness_; }
 
+ private:
   void find_riders();
 
   PairBearingHertz *pair_;

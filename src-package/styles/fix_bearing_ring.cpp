@@ -52,7 +52,7 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
 void FixBearingRing::read_freedom(Arguments &args, const std::string &name, Freedom &f)
 {
   f.mode = args.choice(name, {"fixed", "free", "speed", "position"});
-  if (f.mode >= Freedom::speed) f.value = DrivenValue::read(args, name);
+  if (f.mode >= speed) f.value = DrivenValue::read(args, name);
 }
 
 void FixBearingRing::parse(int narg, char **arg)
@@ -74,7 +74,7 @@ void FixBearingRing::parse(int narg, char **arg)
     if (known) continue;
     if (args.take("spin")) {
       read_freedom(args, "spin", dof_[SPIN_DOF]);
-      if (dof_[SPIN_DOF].mode == Freedom::position) args.fail("spin takes fixed, free or speed, not position");
+      if (dof_[SPIN_DOF].mode == position) args.fail("spin takes fixed, free or speed, not position");
     } else if (args.take("mass")) {
       mass_ = args.positive("mass (kg)");
     } else if (args.take("inertia")) {
@@ -95,10 +95,10 @@ void FixBearingRing::parse(int narg, char **arg)
     }
   }
   for (int k = 0; k < 3; ++k)
-    if (dof_[k].mode == Freedom::free && mass_ == 0.0)
+    if (dof_[k].mode == free && mass_ == 0.0)
       args.fail(std::string(lab[k]) + " free needs 'mass M'");
   for (int k = 3; k < N_DOF; ++k)
-    if (dof_[k].mode == Freedom::free && inertia_.axial == 0.0)
+    if (dof_[k].mode == free && inertia_.axial == 0.0)
       args.fail("a free tilt or spin needs 'inertia AXIAL TRANSVERSE'");
 }
 
@@ -112,6 +112,12 @@ void FixBearingRing::init()
   for (Freedom &f : dof_) f.value.check(lmp, command);
   for (DrivenValue &f : force_) f.check(lmp, command);
   for (DrivenValue &m : moment_) m.check(lmp, command);
+  by_another_ = false;
+  for (int k = 0; k < modify->nfix; ++k)
+    if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
+      for (int i = 0; i < atom->nlocal; ++i)
+        if ((atom->mask[i] & groupbit) && (atom->mask[i] & modify->fix[k]->groupbit)) by_another_ = true;
+  time_integrate = by_another_ ? 0 : 1;
   if (mass_ > 0.0)
     for (int i = 0; i < atom->nlocal; ++i)
       if (atom->mask[i] & groupbit) atom->rmass[i] = mass_;    // kinetic energy in thermo output
@@ -121,11 +127,14 @@ void FixBearingRing::init()
 void FixBearingRing::setup(int vflag)
 {
   update_driven();
+  update_loads();
+  std::copy(target_, target_ + N_DOF, before_);
+  std::copy(load_, load_ + N_DOF, load_before_);
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) {
       for (int k = 0; k < 3; ++k)
-        if (dof_[k].mode == Freedom::speed) atom->v[i][k] = target_[k];
-      if (dof_[SPIN_DOF].mode == Freedom::speed) {
+        if (dof_[k].mode == speed) atom->v[i][k] = target_[k];
+      if (dof_[SPIN_DOF].mode == speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
         (w + e * (target_[SPIN_DOF] - dot(w, e))).to(atom->omega[i]);
       }
@@ -136,40 +145,66 @@ void FixBearingRing::setup(int vflag)
 void FixBearingRing::update_driven()
 {
   for (int k = 0; k < N_DOF; ++k)
-    if (dof_[k].mode >= Freedom::speed) target_[k] = dof_[k].value.now(lmp);
+    if (dof_[k].mode >= speed) target_[k] = dof_[k].value.now(lmp);
+}
+
+void FixBearingRing::update_loads()
+{
+  for (int k = 0; k < 3; ++k) {
+    load_[k] = force_[k].now(lmp);
+    load_[3 + k] = moment_[k].now(lmp);
+  }
 }
 
 // Smooth growth of force and moment from 0 to full over the ramp time (3s^2 - 2s^3).
-double FixBearingRing::ramp() const
+double FixBearingRing::ramp(double time) const
 {
-  if (time_ >= ramp_time_) return 1.0;
-  const double s = time_ / ramp_time_;
+  if (time >= ramp_time_) return 1.0;
+  const double s = time / ramp_time_;
   return s * s * (3.0 - 2.0 * s);
+}
+
+Vec3 FixBearingRing::load_at(int first, double s) const
+{
+  const double share = ramp(time_ - (1.0 - s) * update->dt);
+  double v[3];
+  for (int k = 0; k < 3; ++k) v[k] = share * (load_before_[first + k] + s * (load_[first + k] - load_before_[first + k]));
+  return Vec3::from(v);
+}
+
+void FixBearingRing::begin_step()
+{
+  time_ += update->dt;
+  reported_ = -1;
+  std::copy(target_, target_ + N_DOF, before_);
+  std::copy(load_, load_ + N_DOF, load_before_);
+  update_driven();
+  update_loads();
 }
 
 // Half a step of velocity from the forces; degrees of freedom that are not free ignore them.
 void FixBearingRing::kick()
 {
   const double half = 0.5 * update->dt * force->ftm2v;
-  const bool tilts_free = dof_[3].mode == Freedom::free && dof_[4].mode == Freedom::free;
+  const bool tilts_free = dof_[3].mode == free && dof_[4].mode == free;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     for (int k = 0; k < 3; ++k)
-      if (dof_[k].mode == Freedom::free) atom->v[i][k] += half / mass_ * atom->f[i][k];
+      if (dof_[k].mode == free) atom->v[i][k] += half / mass_ * atom->f[i][k];
     const Vec3 e = state_->axis(i), M = Vec3::from(atom->torque[i]);
     Vec3 w = Vec3::from(atom->omega[i]);
     if (tilts_free) {
       // all of the gyroscopic coupling is in the momentum; an imposed spin takes its reaction
       const double spin = dot(w, e);
       w = raceway::angular_velocity(inertia_, raceway::angular_momentum(inertia_, w, e) + M * half, e);
-      if (dof_[SPIN_DOF].mode != Freedom::free) w += e * (spin - dot(w, e));
+      if (dof_[SPIN_DOF].mode != free) w += e * (spin - dot(w, e));
     } else {
       for (int k = 0; k < 2; ++k)
-        if (dof_[3 + k].mode == Freedom::free) {
+        if (dof_[3 + k].mode == free) {
           const Vec3 a = unit(across_[k]);
           w += a * (half / inertia_.transverse * dot(M, a));
         }
-      if (dof_[SPIN_DOF].mode == Freedom::free) w += e * (half / inertia_.axial * dot(M, e));
+      if (dof_[SPIN_DOF].mode == free) w += e * (half / inertia_.axial * dot(M, e));
     }
     w.to(atom->omega[i]);
   }
@@ -183,15 +218,11 @@ void FixBearingRing::tilt_of(const Vec3 &e, double *tilt) const
   for (int k = 0; k < 2; ++k) tilt[k] = factor * dot(s, unit(across_[k])) + 0.0;    // no minus zero
 }
 
-// Orientation over a full step, and driven rotation speeds.
-void FixBearingRing::turn(int i)
+void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w, double dt, const double *target) const
 {
-  const double dt = update->dt;
-  FixBearingState::RingMotion &ring = state_->ring(i);
-  Vec3 w = Vec3::from(atom->omega[i]);
-  const bool free1 = dof_[3].mode == Freedom::free, free2 = dof_[4].mode == Freedom::free;
-  const double spin = dof_[SPIN_DOF].mode == Freedom::speed ? target_[SPIN_DOF]
-      : dof_[SPIN_DOF].mode == Freedom::fixed               ? 0.0
+  const bool free1 = dof_[3].mode == free, free2 = dof_[4].mode == free;
+  const double spin = dof_[SPIN_DOF].mode == speed ? target[SPIN_DOF]
+      : dof_[SPIN_DOF].mode == fixed               ? 0.0
                                                             : dot(w, ring.axis);
   if (free1 && free2) {
     const Vec3 L = raceway::angular_momentum(inertia_, w, ring.axis);
@@ -199,28 +230,28 @@ void FixBearingRing::turn(int i)
     w = raceway::angular_velocity(inertia_, L, ring.axis);
     w += ring.axis * (spin - dot(w, ring.axis));
     tilt_of(ring.axis, ring.tilt);
-  } else if (dof_[3].mode != Freedom::fixed || dof_[4].mode != Freedom::fixed) {
+  } else if (dof_[3].mode != fixed || dof_[4].mode != fixed) {
     Vec3 across;    // rotation velocity of the axis
     for (int k = 0; k < 2; ++k) {
       double rate = 0.0;
-      if (dof_[3 + k].mode == Freedom::free) rate = dot(w, unit(across_[k]));
-      if (dof_[3 + k].mode == Freedom::speed) rate = target_[3 + k];
-      if (dof_[3 + k].mode == Freedom::position) rate = (target_[3 + k] - ring.tilt[k]) / dt;
+      if (dof_[3 + k].mode == free) rate = dot(w, unit(across_[k]));
+      if (dof_[3 + k].mode == speed) rate = target[3 + k];
+      if (dof_[3 + k].mode == position) rate = (target[3 + k] - ring.tilt[k]) / dt;
       ring.tilt[k] += rate * dt;
       across += unit(across_[k]) * rate;
     }
     // two driven tilts define the axis outright: no drift from adding up small rotations
     ring.axis = rotate(unit(along_), unit(across_[0]) * ring.tilt[0] + unit(across_[1]) * ring.tilt[1]);
     w = across + ring.axis * spin;
-  } else if (dof_[SPIN_DOF].mode != Freedom::free) {
+  } else if (dof_[SPIN_DOF].mode != free) {
     w = ring.axis * spin;
   }
   ring.angle += spin * dt;
-  w.to(atom->omega[i]);
 }
 
 void FixBearingRing::initial_integrate(int)
 {
+  if (by_another_) return;
   const double dt = update->dt;
   time_ += dt;
   reported_ = -1;
@@ -231,27 +262,25 @@ void FixBearingRing::initial_integrate(int)
     double *x = atom->x[i], *v = atom->v[i], origin[3];
     state_->ring(i).origin.to(origin);
     for (int k = 0; k < 3; ++k) {
-      if (dof_[k].mode == Freedom::fixed) v[k] = 0.0;
-      if (dof_[k].mode == Freedom::speed) v[k] = target_[k];
-      if (dof_[k].mode == Freedom::position) {
+      if (dof_[k].mode == fixed) v[k] = 0.0;
+      if (dof_[k].mode == speed) v[k] = target_[k];
+      if (dof_[k].mode == position) {
         v[k] = (origin[k] + target_[k] - x[k]) / dt;
         x[k] = origin[k] + target_[k];
       } else {
         x[k] += dt * v[k];
       }
     }
-    turn(i);
+    Vec3 w = Vec3::from(atom->omega[i]);
+    turn(state_->ring(i), w, dt, target_);
+    w.to(atom->omega[i]);
   }
 }
 
 void FixBearingRing::post_force(int)
 {
-  const double share = ramp();
-  double load[3], moment[3];
-  for (int k = 0; k < 3; ++k) {
-    load[k] = share * force_[k].now(lmp);
-    moment[k] = share * moment_[k].now(lmp);
-  }
+  update_loads();
+  const double share = ramp(time_);
   contact_force_.clear();
   contact_moment_.clear();
   for (int i = 0; i < atom->nlocal; ++i)
@@ -259,15 +288,15 @@ void FixBearingRing::post_force(int)
       contact_force_.push_back(Vec3::from(atom->f[i]));
       contact_moment_.push_back(Vec3::from(atom->torque[i]));
       for (int k = 0; k < 3; ++k) {
-        atom->f[i][k] += load[k];
-        atom->torque[i][k] += moment[k];
+        atom->f[i][k] += share * load_[k];
+        atom->torque[i][k] += share * load_[3 + k];
       }
     }
 }
 
 void FixBearingRing::final_integrate()
 {
-  kick();
+  if (!by_another_) kick();
   reported_ = -1;    // a variable may have asked in the middle of the step
 }
 

@@ -9,10 +9,10 @@ FixStyle(bearing/ring,FixBearingRing)
 #include "../physics/ring_body.h"
 #include "bearing_compat.h"
 #include "driven_value.h"
+#include "fix_bearing_state.h"
 
 namespace LAMMPS_NS {
 
-class FixBearingState;
 class PairBearingHertz;
 
 class FixBearingRing : public Fix {
@@ -29,25 +29,37 @@ class FixBearingRing : public Fix {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
+  // For fix bearing/implicit, which moves the rings of its group itself: degrees of freedom and loads within a
+  // step, s from 0 (start) to 1 (end). Driven values are linear over the step; the ramp is exact.
+  enum Mode { fixed, free, speed, position };
+  enum { SPIN_DOF = 5, N_DOF = 6 };    // x, y, z, tilt about the first and second axis across, spin about the axis
+  bool moves(int i) const { return atom->mask[i] & groupbit; }
+  int mode(int dof) const { return dof_[dof].mode; }
+  double mass() const { return mass_; }
+  const raceway::RingInertia &inertia() const { return inertia_; }
+  void begin_step();
+  double target(int dof, double s) const { return before_[dof] + s * (target_[dof] - before_[dof]); }
+  raceway::Vec3 load(double s) const { return load_at(0, s); }
+  raceway::Vec3 moment(double s) const { return load_at(3, s); }
+  // Orientation over the time h, and driven rotation speeds; target: the values at its end
+  void turn(FixBearingState::RingMotion &, raceway::Vec3 &w, double h, const double *target) const;
+
   enum Report {    // columns of f_ID[...], from 1
     DX, DY, DZ, VX, VY, VZ, TILT1, TILT2, SPIN, ANGLE, FX, FY, FZ, MX, MY, MZ, FRICTION_TORQUE, N_REPORT
   };
 
  private:
   struct Freedom {
-    enum Mode { fixed, free, speed, position };
     int mode = fixed;
     bearing::DrivenValue value;
   };
-  // x, y, z, tilt about the first and second axis across, spin about the ring axis
-  enum { SPIN_DOF = 5, N_DOF = 6 };
-
   void parse(int, char **);
   void read_freedom(class bearing::Arguments &, const std::string &name, Freedom &);
   void update_driven();
-  double ramp() const;
+  double ramp(double time) const;
+  void update_loads();
+  raceway::Vec3 load_at(int first, double s) const;
   void kick();
-  void turn(int i);
   void tilt_of(const raceway::Vec3 &e, double *tilt) const;
   void gather_reports();
 
@@ -60,6 +72,9 @@ class FixBearingRing : public Fix {
   double ramp_time_ = 0.0, time_ = 0.0;
   int across_[2], along_;               // lab axes across and along the bearing axis
   double target_[N_DOF] = {};           // driven value of this step: speed, or position at its end
+  double before_[N_DOF] = {};           // that of the step before
+  double load_[N_DOF] = {}, load_before_[N_DOF] = {};    // force and moment without the ramp, likewise
+  bool by_another_ = false;             // a fix bearing/implicit integrates these rings
   std::vector<int> tags_;               // of the rings, rising
   std::vector<raceway::Vec3> contact_force_, contact_moment_;    // per local atom of the group, last step
   std::vector<double> report_;

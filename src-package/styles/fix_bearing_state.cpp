@@ -40,6 +40,9 @@ void FixBearingState::pre_neighbor() { pair_->ring_sum().reset_rings(); }
 void FixBearingState::setup(int)
 {
   running_ = true;
+  explicit_step_ = true;
+  for (int k = 0; k < modify->nfix; ++k)
+    if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0) explicit_step_ = false;
   int continues = 1;
   for (int i = 0; i < atom->nlocal; ++i)
     if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep)) continues = 0;
@@ -62,6 +65,7 @@ void FixBearingState::end_of_step()
 
 void FixBearingState::check_step()
 {
+  if (!explicit_step_) return;
   const bearing::StepLimit limit = bearing::step_limit(lmp, *pair_);
   const double ratio = update->dt / limit.step;
   if (ratio > 10.0)

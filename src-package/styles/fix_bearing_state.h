@@ -84,7 +84,7 @@ class FixBearingState : public Fix {
   std::vector<PerAtom> per_atom_;
   PairBearingHertz *pair_;
   double reach_ = 0.0;
-  bool running_ = false, warned_ = false;
+  bool running_ = false, warned_ = false, explicit_step_ = true;
 };
 
 }    // namespace LAMMPS_NS

@@ -64,6 +64,7 @@ void PairBearingHertz::rebuild_contacts()
   });
   add_raceway_contacts();
   rebuild_ = false;
+  ++builds_;
 }
 
 // Slots and springs; every ball must sit in one groove of every side its type has a raceway on.

@@ -150,6 +150,17 @@ const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type) co
   return it == raceways_.end() ? nullptr : &it->second;
 }
 
+bool PairBearingHertz::smooth_friction(double creep)
+{
+  bool changed = false;
+  for (auto &entry : raceways_)
+    if (entry.second.friction != Friction::none && entry.second.creep == 0.0) {
+      entry.second.creep = creep;
+      changed = true;
+    }
+  return changed;
+}
+
 void PairBearingHertz::init_style()
 {
   if (strcmp(update->unit_style, "si") != 0)

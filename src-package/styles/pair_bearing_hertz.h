@@ -43,6 +43,9 @@ class PairBearingHertz : public Pair {
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type) const;    // null: none
   // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no ring.
   double pitch_radius(int ring_type) const;
+  raceway::Friction friction() const { return friction_; }
+  bool smooth_friction(double creep);          // raceways with a tangential spring take this creep instead: true
+  int table_build() const { return builds_; }    // counts how often local indices in the table changed
 
   // The pair style of the run; error naming `asked_by` if it is not one of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
@@ -82,6 +85,7 @@ class PairBearingHertz : public Pair {
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
   bool rebuild_ = true;
+  int builds_ = 0;
 };
 
 }    // namespace LAMMPS_NS

@@ -67,6 +67,7 @@ bool read_raceway_keyword(Arguments &args, bool with_film, RacewayPhysics &p)
       args.fail("friction '" + args.word("friction law") + "', must be one of: none, constant MU" +
                 (with_film ? ", stribeck MU_BOUNDARY MU_FULL" : " (stribeck needs pair_style bearing/ehd)"));
     }
+    if (args.take("smoothed")) p.creep = args.within("creep of the smoothed friction", 1e-6, 1.0);
   } else if (args.take("tangential")) {
     p.tangential_ratio = args.positive("tangential over normal stiffness");
     p.tangential_zeta = args.within("tangential damping over critical", 0.0, 2.0);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/implicit: backward Euler for balls, cage balls and rings, by one or a few Newton corrections.
+//
+// Where it sits in the host's step: initial_integrate makes the whole step, in as many substeps as the control
+// asks for, with its own copy of the state and its own calls of the contact functions; the host's force
+// evaluation that follows fills the contact table at the end of the step. Chosen because the host's step is then
+// what output sees, however the control varies inside it; the table and every output of it belong to the state
+// that is written, not to a prediction; substeps and repeats cost no neighbour check, no fix, no clearing of
+// arrays; and nothing but positions, velocities and one step size has to survive in a restart.
+#ifdef FIX_CLASS
+FixStyle(bearing/implicit,FixBearingImplicit)
+#else
+#ifndef LMP_FIX_BEARING_IMPLICIT_H
+#define LMP_FIX_BEARING_IMPLICIT_H
+
+#include "implicit_bearing.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixBearingImplicit : public Fix {
+ public:
+  FixBearingImplicit(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void initial_integrate(int) override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  struct Part {
+    bearing::ImplicitBearing bearing;
+    double step;         // s, the control's wish for the next substep
+  };
+
+  void check_fixes();
+  void build();
+  void advance(Part &);
+  bool substep(Part &, double h, double s, int &corrections);
+  [[noreturn]] void give_up(double h, double size);
+
+  PairBearingHertz *pair_;
+  double tolerance_ = 1e-7;       // m
+  int most_ = 8;                  // corrections in a substep
+  double largest_ = HUGE_VAL;     // s, substep
+  double creep_ = 0.01;
+  std::vector<Part> parts_;
+  double wish_ = HUGE_VAL;        // s, from a restart or the last build
+  int build_ = -1;
+  double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL, last_ = 0.0;
+  double worst_ = 0.0;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// State and motion of one bearing under an implicit step; its forces are in implicit_forces.cpp.
+#include "implicit_bearing.h"
+
+#include "arguments.h"
+#include "fix_bearing_cage.h"
+#include "fix_bearing_state.h"
+#include "pair_bearing_hertz.h"
+
+using namespace LAMMPS_NS;
+using raceway::TurningFrame;
+using raceway::Vec3;
+
+namespace bearing {
+
+Vec3 ImplicitBearing::in(const Vec3 &v) const
+{
+  const int a = pair_->axis_index();
+  return a == 2 ? v : a == 0 ? Vec3{v.y, v.z, v.x} : Vec3{v.z, v.x, v.y};
+}
+
+Vec3 ImplicitBearing::out(const Vec3 &v) const
+{
+  const int a = pair_->axis_index();
+  return a == 2 ? v : a == 0 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x};
+}
+
+int ImplicitBearing::body(int i)
+{
+  const auto found = body_of_.emplace(i, static_cast<int>(bodies_.size()));
+  if (found.second) {
+    Body b = Body();
+    b.i = i;
+    b.size = pair_->is_ball_type(atom->type[i]) ? 6 : 3;
+    b.mass = atom->rmass[i];
+    b.radius = atom->radius[i];
+    b.inertia = 0.4 * b.mass * b.radius * b.radius;
+    bodies_.push_back(b);
+  }
+  return found.first->second;
+}
+
+int ImplicitBearing::ring(int i, FixBearingRing *fix)
+{
+  const auto found = ring_of_.emplace(i, static_cast<int>(rings_.size()));
+  if (found.second) {
+    Ring r = Ring();
+    r.i = i;
+    r.fix = fix;
+    for (int k = 0; k < FixBearingRing::N_DOF; ++k) {
+      r.unknown[k] = -1;
+      if (!fix || fix->mode(k) != FixBearingRing::free) continue;
+      r.unknown[k] = static_cast<int>(free_.size());
+      const double inertia = k < 3                ? fix->mass()
+          : k == FixBearingRing::SPIN_DOF ? fix->inertia().axial
+                                          : fix->inertia().transverse;
+      free_.push_back({found.first->second, k, inertia});
+    }
+    rings_.push_back(r);
+  }
+  return found.first->second;
+}
+
+void ImplicitBearing::add(const RacewayContact &c, FixBearingRing *fix)
+{
+  const int b = body(c.i_ball), r = ring(c.i_ring, fix);
+  grooves_.push_back({b, r, c.raceway, raceway::ContactState()});
+}
+
+void ImplicitBearing::add(const SphereContact &s)
+{
+  const int a = body(s.i), b = body(s.j);
+  pockets_.push_back({a, b, s.K, s.reach, s.mass});
+}
+
+void ImplicitBearing::add_rails(const FixBearingCage &cage, size_t rider, FixBearingRing *fix)
+{
+  const FixBearingCage::Rider &who = cage.riders()[rider];
+  const int b = body(who.i), r = ring(who.i_ring, fix);
+  for (size_t k = 0; k < cage.rails().size(); ++k) seats_.push_back({b, r, cage.rails()[k], cage.stiffness()[k]});
+}
+
+void ImplicitBearing::finish()
+{
+  system_.resize(body_count(), static_cast<int>(free_.size()));
+  for (int k = 0; k < body_count(); ++k) system_.block[k].size = bodies_[k].size;
+  gained_.assign(free_.size(), 0.0);
+}
+
+void ImplicitBearing::load()
+{
+  FixBearingState &state = *pair_->state();
+  for (Ring &r : rings_) {
+    r.x_start = Vec3::from(atom->x[r.i]);
+    r.v_start = Vec3::from(atom->v[r.i]);
+    r.w_start = Vec3::from(atom->omega[r.i]);
+    r.motion_start = state.ring(r.i);
+  }
+  // balls circle the ring that is not free, the last one if there is a choice
+  centre_ = in(rings_.front().x_start);
+  for (const Ring &r : rings_)
+    if (!r.fix || (r.unknown[0] < 0 && r.unknown[1] < 0 && r.unknown[2] < 0)) centre_ = in(r.x_start);
+  for (Body &b : bodies_) {
+    b.start = TurningFrame::at(in(Vec3::from(atom->x[b.i])) - centre_);
+    b.v_start = b.start.local(in(Vec3::from(atom->v[b.i])));
+    b.w_start = b.start.local(in(Vec3::from(atom->omega[b.i])));
+  }
+}
+
+void ImplicitBearing::store()
+{
+  FixBearingState &state = *pair_->state();
+  for (Ring &r : rings_) {
+    r.x_start.to(atom->x[r.i]);
+    r.v_start.to(atom->v[r.i]);
+    r.w_start.to(atom->omega[r.i]);
+    state.ring(r.i) = r.motion_start;
+  }
+  for (Body &b : bodies_) {
+    out(b.start.place() + centre_).to(atom->x[b.i]);
+    out(b.start.lab(b.v_start)).to(atom->v[b.i]);
+    if (b.size == 6) out(b.start.lab(b.w_start)).to(atom->omega[b.i]);
+  }
+}
+
+void ImplicitBearing::predict(double h, double s)
+{
+  h_ = h;
+  share_ = s;
+  for (Body &b : bodies_) {
+    b.v = b.v_start;
+    b.w = b.w_start;
+  }
+  std::fill(gained_.begin(), gained_.end(), 0.0);
+  move();
+}
+
+void ImplicitBearing::move()
+{
+  for (Body &b : bodies_) {
+    b.now = b.start.drifted(b.v, h_);
+    b.x_lab = b.now.place() + centre_;
+    b.v_lab = b.now.lab(b.v);
+    b.w_lab = b.now.lab(b.w);
+  }
+  for (Ring &r : rings_) move_ring(r);
+}
+
+// Unit vector of a degree of freedom in lab names; spin about the axis at the start of the step.
+Vec3 ImplicitBearing::lab_unit(int dof, const Ring &r) const
+{
+  if (dof == FixBearingRing::SPIN_DOF) return r.motion_start.axis;
+  const int k = dof < 3 ? dof : (pair_->axis_index() + dof - 2) % 3;
+  return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
+}
+
+void ImplicitBearing::move_ring(Ring &r)
+{
+  r.x_lab = r.x_start;
+  r.v_lab = r.v_start;
+  r.w_lab = r.w_start;
+  r.motion = r.motion_start;
+  if (r.fix) {
+    for (int k = 0; k < FixBearingRing::N_DOF; ++k)
+      if (r.unknown[k] >= 0) (k < 3 ? r.v_lab : r.w_lab) += lab_unit(k, r) * gained_[r.unknown[k]];
+    double target[FixBearingRing::N_DOF], x[3], v[3], origin[3];
+    for (int k = 0; k < FixBearingRing::N_DOF; ++k) target[k] = r.fix->target(k, share_);
+    r.x_lab.to(x);
+    r.v_lab.to(v);
+    r.motion.origin.to(origin);
+    for (int k = 0; k < 3; ++k) {
+      const int mode = r.fix->mode(k);
+      if (mode == FixBearingRing::fixed) v[k] = 0.0;
+      if (mode == FixBearingRing::speed) v[k] = target[k];
+      if (mode == FixBearingRing::position) v[k] = (origin[k] + target[k] - x[k]) / h_;
+      x[k] += h_ * v[k];
+    }
+    r.x_lab = Vec3::from(x);
+    r.v_lab = Vec3::from(v);
+    r.fix->turn(r.motion, r.w_lab, h_, target);
+  }
+  r.now.x = in(r.x_lab);
+  r.now.v = in(r.v_lab);
+  r.now.w = in(r.w_lab);
+  r.now.e = in(r.motion.axis);
+}
+
+// One Newton correction from the present velocities.
+ImplicitBearing::Correction ImplicitBearing::correct()
+{
+  Correction c;
+  start_system();
+  if (!choose_grooves()) return c;
+  add_pockets();
+  add_seats();
+  for (size_t f = 0; f < free_.size(); ++f) {
+    const Free &q = free_[f];
+    const Ring &r = rings_[q.ring];
+    const Vec3 push = q.dof < 3 ? r.force + in(r.fix->load(share_)) : r.moment + in(r.fix->moment(share_));
+    system_.D[f * free_.size() + f] += q.inertia;
+    system_.y[f] = h_ * dot(push, in(lab_unit(q.dof, r))) - q.inertia * gained_[f];
+  }
+  system_.solve();
+
+  double largest = 0.0;
+  for (int k = 0; k < body_count(); ++k) {
+    Body &b = bodies_[k];
+    const double *x = system_.block[k].x;
+    const Vec3 dv = b.now.local(Vec3::from(x));
+    b.v += dv;
+    if (b.size == 3) continue;
+    b.w += b.now.local(Vec3::from(x + 3));
+    largest = std::fmax(largest, std::fmax(std::fabs(dv.x), std::fabs(dv.z)));
+    if (!(std::fabs(dv.x) + std::fabs(dv.y) + std::fabs(dv.z) < HUGE_VAL)) return c;
+  }
+  for (size_t f = 0; f < free_.size(); ++f) {
+    gained_[f] += system_.y[f];
+    if (!(std::fabs(system_.y[f]) < HUGE_VAL)) return c;
+    if (free_[f].dof == FixBearingRing::SPIN_DOF) continue;
+    const double lever = free_[f].dof < 3 ? 1.0 : bodies_.front().now.r;
+    largest = std::fmax(largest, std::fabs(system_.y[f]) * lever);
+  }
+  c.size = h_ * largest;
+  c.sane = true;
+  move();
+  return c;
+}
+
+void ImplicitBearing::accept()
+{
+  for (Body &b : bodies_) {
+    b.start = b.now;
+    b.v_start = b.v;
+    b.w_start = b.w;
+  }
+  for (Ring &r : rings_) {
+    r.x_start = r.x_lab;
+    r.v_start = r.v_lab;
+    r.w_start = r.w_lab;
+    r.motion_start = r.motion;
+  }
+}
+
+}    // namespace bearing

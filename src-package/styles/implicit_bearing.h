@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One bearing (everything that is connected through possible contacts) in the hands of an implicit integrator:
+// a copy of its state in turning frames, its forces and their derivatives, one Newton step, and the way back.
+//
+// A step of length h looks for velocities V at its end with  M (V - V_n) = h F(q_n + h V, V)  (backward Euler; q
+// and V in each body's turning frame, physics/turning_frame.h). Newton's method starts from V = V_n, so that the
+// first correction alone is the linearly implicit Euler step.
+//
+// Vectors here have the ring axis as their third component: a cyclic change of names when the axis is x or y.
+#ifndef BEARING_IMPLICIT_BEARING_H
+#define BEARING_IMPLICIT_BEARING_H
+
+#include "../physics/arrow_system.h"
+#include "../physics/rail.h"
+#include "../physics/turning_frame.h"
+#include "contact_table.h"
+#include "fix_bearing_ring.h"
+
+#include <unordered_map>
+
+namespace LAMMPS_NS {
+class FixBearingCage;
+class PairBearingHertz;
+}
+
+namespace bearing {
+
+class ImplicitBearing : protected LAMMPS_NS::Pointers {
+ public:
+  // What one Newton correction did, m: largest over balls across the raceways and over the rings.
+  struct Correction {
+    bool sane = false;     // false: no finite numbers, or a ball far outside its groove
+    double size = HUGE_VAL;
+  };
+
+  ImplicitBearing(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::PairBearingHertz *pair) : Pointers(lmp), pair_(pair) {}
+
+  // Building: all contacts of one bearing, then finish().
+  void add(const RacewayContact &, LAMMPS_NS::FixBearingRing *);
+  void add(const SphereContact &);
+  void add_rails(const LAMMPS_NS::FixBearingCage &, size_t rider, LAMMPS_NS::FixBearingRing *);
+  void finish();
+  bool has(int i) const { return body_of_.count(i) || ring_of_.count(i); }
+  int body_count() const { return static_cast<int>(bodies_.size()); }
+
+  void load();     // from the atoms
+  void store();    // to the atoms
+
+  // A step of length h whose end is at the share s (0 to 1) of the host's step.
+  void predict(double h, double s);
+  Correction correct();
+  void accept();
+
+ private:
+  using Vec3 = raceway::Vec3;
+  struct Body {
+    int i, size;
+    double mass, inertia, radius;
+    raceway::TurningFrame start, now;
+    Vec3 v_start, w_start, v, w;      // in the frames
+    Vec3 x_lab, v_lab, w_lab;         // of `now`
+  };
+  struct Ring {
+    int i;
+    LAMMPS_NS::FixBearingRing *fix;                              // null: at rest
+    int unknown[LAMMPS_NS::FixBearingRing::N_DOF];                // of a free degree of freedom, else -1
+    Vec3 x_start, v_start, w_start;                              // lab names
+    LAMMPS_NS::FixBearingState::RingMotion motion_start, motion;
+    raceway::RingState now;                                       // names of this class
+    Vec3 x_lab, v_lab, w_lab;
+    Vec3 force, moment;                                          // on the ring
+  };
+  struct Free { int ring, dof; double inertia; };                // a free degree of freedom
+  struct Groove { int body, ring; const raceway::RacewayPhysics *physics; raceway::ContactState state; };
+  struct Pocket { int a, b; double K, reach, mass; };
+  struct Seat { int body, ring; raceway::Rail rail; double K; };
+
+  int body(int i);
+  int ring(int i, LAMMPS_NS::FixBearingRing *);
+  Vec3 in(const Vec3 &lab) const;     // lab names -> names of this class
+  Vec3 out(const Vec3 &) const;
+  Vec3 lab_unit(int dof, const Ring &) const;
+  void move();                        // everything to the end of the step with the present velocities
+  void move_ring(Ring &);
+  void start_system();
+  template <bool film, raceway::Friction friction> bool add_grooves();
+  bool choose_grooves();
+  void add_pockets();
+  void add_seats();
+  void couple(int body, int ring, const raceway::ContactJacobian &, const Vec3 &lever, double reach);
+  Vec3 motion_of(const Free &, const Vec3 &lever) const;
+
+  LAMMPS_NS::PairBearingHertz *pair_;
+  std::vector<Body> bodies_;
+  std::vector<Ring> rings_;
+  std::vector<Free> free_;
+  std::vector<double> gained_;        // velocity of the free degrees of freedom gained in this step
+  std::vector<Groove> grooves_;
+  std::vector<Pocket> pockets_;
+  std::vector<Seat> seats_;
+  std::unordered_map<int, int> body_of_, ring_of_;
+  raceway::ArrowSystem system_;
+  double h_ = 0.0, share_ = 1.0;
+  Vec3 centre_;                       // of the turning frames
+};
+
+}    // namespace bearing
+
+#endif
