@@ -35,14 +35,29 @@ template <int n> inline void factor(double *a)
   }
 }
 
-template <int n> inline void substitute(const double *a, double *x)
+// Solves for `width` right-hand sides side by side: rows of x are `stride` apart.
+template <int n, int width> inline void substitute(const double *a, double *x, int stride)
 {
   for (int i = 1; i < n; ++i)
-    for (int k = 0; k < i; ++k) x[i] -= a[6 * i + k] * x[k];
+    for (int k = 0; k < i; ++k)
+      for (int c = 0; c < width; ++c) x[i * stride + c] -= a[6 * i + k] * x[k * stride + c];
   for (int i = n - 1; i >= 0; --i) {
-    for (int k = i + 1; k < n; ++k) x[i] -= a[6 * i + k] * x[k];
-    x[i] *= a[6 * i + i];
+    for (int k = i + 1; k < n; ++k)
+      for (int c = 0; c < width; ++c) x[i * stride + c] -= a[6 * i + k] * x[k * stride + c];
+    for (int c = 0; c < width; ++c) x[i * stride + c] *= a[6 * i + i];
   }
+}
+
+template <int n> inline void substitute(const double *a, double *x, int width)
+{
+  switch (width) {
+    case 1: return substitute<n, 1>(a, x, width);
+    case 2: return substitute<n, 2>(a, x, width);
+    case 3: return substitute<n, 3>(a, x, width);
+    case 4: return substitute<n, 4>(a, x, width);
+    case 6: return substitute<n, 6>(a, x, width);
+  }
+  for (int c = 0; c < width; ++c) substitute<n, 1>(a, x + c, width);
 }
 
 class ArrowSystem {
@@ -50,41 +65,57 @@ class ArrowSystem {
   struct Block {
     int size = 6;          // 6 or 3
     double A[36];          // rows 6 apart
-    double x[6];           // right-hand side, then solution
     int links = 0, link[2];
+    bool coupled = false;  // to the border, directly or through a link
   };
 
   void resize(int bodies, int border)
   {
     block.resize(bodies);
     nf_ = border;
-    B.assign(static_cast<size_t>(bodies) * border * 6, 0.0);
-    C.assign(B.size(), 0.0);
+    width_ = 1 + border;
+    X.assign(static_cast<size_t>(bodies) * width_ * 6, 0.0);
+    C.assign(static_cast<size_t>(bodies) * border * 6, 0.0);
     D.assign(static_cast<size_t>(border) * border, 0.0);
     y.assign(border, 0.0);
   }
-  int border() const { return nf_; }
 
   void clear()
   {
     for (Block &b : block) {
       std::fill(b.A, b.A + 36, 0.0);
       b.links = 0;
+      b.coupled = false;
     }
-    std::fill(B.begin(), B.end(), 0.0);
+    std::fill(X.begin(), X.end(), 0.0);
     std::fill(C.begin(), C.end(), 0.0);
     std::fill(D.begin(), D.end(), 0.0);
     links_.clear();
   }
 
-  double *column(int body, int j) { return &B[6 * (static_cast<size_t>(body) * nf_ + j)]; }
-  double *row(int body, int j) { return &C[6 * (static_cast<size_t>(body) * nf_ + j)]; }
+  // Row m of body k in [right-hand side, then solution | B_k]; row of C_k for border unknown j (6 values).
+  double *x(int k, int m) { return &X[width_ * (6 * static_cast<size_t>(k) + m)]; }
+  double *row(int k, int j) { return &C[6 * (static_cast<size_t>(k) * nf_ + j)]; }
+  void add_rhs(int k, const Vec3 &v, int first = 0)
+  {
+    x(k, first)[0] += v.x;
+    x(k, first + 1)[0] += v.y;
+    x(k, first + 2)[0] += v.z;
+  }
+  void add_column(int k, int j, const Vec3 &v, int first = 0)
+  {
+    x(k, first)[1 + j] += v.x;
+    x(k, first + 1)[1 + j] += v.y;
+    x(k, first + 2)[1 + j] += v.z;
+  }
+  Vec3 solution(int k, int first = 0) { return {x(k, first)[0], x(k, first + 1)[0], x(k, first + 2)[0]}; }
 
   // False if a body would have a third link: then it is no chain.
   bool link(int first, int second, const Vec3 &n, double a)
   {
     for (int k : {first, second}) {
       if (block[k].links == 2) return false;
+      block[k].coupled = true;
       block[k].link[block[k].links++] = static_cast<int>(links_.size());
     }
     links_.push_back(Link());
@@ -102,20 +133,20 @@ class ArrowSystem {
       Block &b = block[k];
       if (b.size == 6) {
         factor<6>(b.A);
-        substitute<6>(b.A, b.x);
-        for (int j = 0; j < nf_; ++j) substitute<6>(b.A, column(k, j));
+        if (b.coupled) substitute<6>(b.A, x(k, 0), width_);
+        else substitute<6, 1>(b.A, x(k, 0), width_);
       } else {
         factor<3>(b.A);
-        substitute<3>(b.A, b.x);
-        for (int j = 0; j < nf_; ++j) substitute<3>(b.A, column(k, j));
+        if (b.coupled) substitute<3>(b.A, x(k, 0), width_);
+        else substitute<3, 1>(b.A, x(k, 0), width_);
       }
     }
     if (!links_.empty()) solve_links();
-    solve_border();
+    if (nf_ > 0) solve_border();
   }
 
   std::vector<Block> block;
-  std::vector<double> B, C;    // per body and border unknown, 6 values: a column of B_k, a row of C_k
+  std::vector<double> X, C;    // per body, see x() and row()
   std::vector<double> D, y;    // y: right-hand side, then solution
 
  private:
@@ -149,10 +180,10 @@ class ArrowSystem {
         const Block &b = block[l.body[end]];
         double *P = l.P[end];
         for (int k = 0; k < 6; ++k) P[k] = k < 3 ? l.n[k] : 0.0;
-        if (b.size == 6) substitute<6>(b.A, P);
-        else substitute<3>(b.A, P);
+        if (b.size == 6) substitute<6, 1>(b.A, P, 1);
+        else substitute<3, 1>(b.A, P, 1);
       }
-    const int width = 1 + nf_, n = static_cast<int>(links_.size());
+    const int width = width_, n = static_cast<int>(links_.size());
     rhs_.resize(static_cast<size_t>(n) * width);
     // open chains first, from their ends; what is left are circles
     for (int pass = 0; pass < 2; ++pass)
@@ -168,11 +199,8 @@ class ArrowSystem {
       for (int end = 0; end < 2; ++end) {
         const int k = links_[i].body[end];
         const double s = end == 0 ? 1.0 : -1.0, *P = links_[i].P[end];
-        for (int c = 0; c < width; ++c) {
-          double *x = c == 0 ? block[k].x : column(k, c - 1);
-          const double f = s * rhs_[i * width + c];
-          for (int m = 0; m < block[k].size; ++m) x[m] -= f * P[m];
-        }
+        for (int m = 0; m < block[k].size; ++m)
+          for (int c = 0; c < width; ++c) x(k, m)[c] -= s * P[m] * rhs_[i * width + c];
       }
   }
 
@@ -207,11 +235,10 @@ class ArrowSystem {
         up_[q] = coupling(i, exit_[q], chain_[q + 1]);
         low_[q + 1] = coupling(chain_[q + 1], 1 - exit_[q + 1], i);
       }
-      for (int c = 0; c < width; ++c) {
-        const double *p = c == 0 ? block[l.body[0]].x : column(l.body[0], c - 1);
-        const double *s = c == 0 ? block[l.body[1]].x : column(l.body[1], c - 1);
-        rhs_[i * width + c] = l.n[0] * (p[0] - s[0]) + l.n[1] * (p[1] - s[1]) + l.n[2] * (p[2] - s[2]);
-      }
+      const double *p = x(l.body[0], 0), *s = x(l.body[1], 0);
+      for (int c = 0; c < width; ++c)
+        rhs_[i * width + c] = l.n[0] * (p[c] - s[c]) + l.n[1] * (p[width + c] - s[width + c]) +
+            l.n[2] * (p[2 * width + c] - s[2 * width + c]);
     }
     const int last = m - 1;
     if (circle && m > 1) {
@@ -249,19 +276,14 @@ class ArrowSystem {
 
   void solve_border()
   {
-    if (nf_ == 0) return;
     for (size_t k = 0; k < block.size(); ++k)
-      for (int i = 0; i < nf_; ++i) {
+      for (int i = 0; block[k].coupled && i < nf_; ++i) {
         const double *c = row(k, i);
-        const int n = block[k].size;
-        double s = 0.0;
-        for (int m = 0; m < n; ++m) s += c[m] * block[k].x[m];
-        y[i] -= s;
-        for (int j = 0; j < nf_; ++j) {
-          const double *b = column(k, j);
-          s = 0.0;
-          for (int m = 0; m < n; ++m) s += c[m] * b[m];
-          D[i * nf_ + j] -= s;
+        for (int m = 0; m < block[k].size; ++m) {
+          if (c[m] == 0.0) continue;
+          const double *b = x(k, m);
+          y[i] -= c[m] * b[0];
+          for (int j = 0; j < nf_; ++j) D[i * nf_ + j] -= c[m] * b[1 + j];
         }
       }
     for (int k = 0; k < nf_; ++k) {
@@ -283,13 +305,13 @@ class ArrowSystem {
       y[i] /= D[i * nf_ + i];
     }
     for (size_t k = 0; k < block.size(); ++k)
-      for (int j = 0; j < nf_; ++j) {
-        const double *b = column(k, j);
-        for (int m = 0; m < block[k].size; ++m) block[k].x[m] -= b[m] * y[j];
+      for (int m = 0; block[k].coupled && m < block[k].size; ++m) {
+        double *b = x(k, m);
+        for (int j = 0; j < nf_; ++j) b[0] -= b[1 + j] * y[j];
       }
   }
 
-  int nf_ = 0;
+  int nf_ = 0, width_ = 1;
   std::vector<Link> links_;
   std::vector<int> chain_, exit_;
   std::vector<double> rhs_, d_, up_, low_, col_, row_;

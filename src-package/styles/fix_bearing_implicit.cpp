@@ -17,7 +17,7 @@ using bearing::text;
 
 static constexpr double smallest_step = 1e-12;    // s
 
-// fix ID group bearing/implicit [tolerance T] [corrections N] [largest H] [creep C]
+// fix ID group bearing/implicit [tolerance T] [predictor M] [corrections N] [largest H] [creep C]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit"))
 {
@@ -25,10 +25,14 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   while (args.more()) {
     if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-12, 1e-4);
     else if (args.take("corrections")) most_ = args.integer("corrections in a step", 1, 100);
+    else if (args.take("predictor")) miss_ = args.within("allowed miss of the predictor (m)", 1e-12, 1.0);
     else if (args.take("largest")) largest_ = args.positive("largest step (s)");
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
-    else args.unknown("tolerance, corrections, largest, creep");
+    else args.unknown("tolerance, corrections, predictor, largest, creep");
   }
+  if (miss_ == 0.0) miss_ = 30.0 * tolerance_;
+  if (miss_ < tolerance_)
+    args.fail("predictor " + text(miss_) + " m must not be below the tolerance, " + text(tolerance_) + " m");
   if (comm->nprocs > 1)
     args.fail("runs on one rank, not on " + std::to_string(comm->nprocs) + ": give each rank its own bearing with a "
               "partition, or use the explicit integrator (fix nve/sphere)");
@@ -155,44 +159,58 @@ void FixBearingImplicit::advance(Part &p)
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
     const bool last = pieces <= 1.0;
     const double h = last ? left : left / pieces;
-    int corrections = 0;
-    if (!substep(p, h, last ? 1.0 : (done + h) / whole, corrections)) {
+    const Outcome o = substep(p, h, last ? 1.0 : (done + h) / whole);
+    // the miss of the predictor grows like h^2
+    const double fit = 0.9 * std::sqrt(miss_ / std::max(o.miss, 1e-6 * miss_));
+    if (!o.accepted) {
       refused_ += 1.0;
-      if (h * 0.25 < smallest_step) give_up(h, last_);
-      p.step = 0.25 * h;
+      p.step = h * std::min(0.5, std::max(0.2, o.solved ? fit : 0.25));
+      if (p.step < smallest_step) give_up(h);
       continue;
     }
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
+    worst_ = std::max(worst_, o.miss);
     // grow back where Newton had an easy time
-    if (corrections <= (most_ + 1) / 2) p.step = std::max(p.step, std::min(2.0 * h, whole));
+    const double grow = std::min(2.0, std::max(0.5, fit));
+    if (o.corrections <= (most_ + 1) / 2 && (grow < 1.0 || !last || h > 0.99 * p.step))
+      p.step = std::min(grow * h, whole);
     done = last ? whole : done + h;
   }
   p.bearing.store();
 }
 
 // Newton's corrections until one is below the tolerance; a single one is the linearly implicit Euler step.
-bool FixBearingImplicit::substep(Part &p, double h, double s, int &corrections)
+FixBearingImplicit::Outcome FixBearingImplicit::substep(Part &p, double h, double s)
 {
+  Outcome o;
   p.bearing.predict(h, s);
-  for (corrections = 1; corrections <= most_; ++corrections) {
+  while (o.corrections < most_) {
     const ImplicitBearing::Correction c = p.bearing.correct();
+    ++o.corrections;
     corrections_ += 1.0;
     last_ = c.size;
-    if (!c.sane) return false;
-    if (corrections == 1) worst_ = std::max(worst_, c.size);
-    if (c.size <= tolerance_ || most_ == 1) {
-      p.bearing.accept();
-      return true;
+    if (!c.sane) return o;
+    if (o.corrections == 1) {
+      o.miss = c.size;
+      if (c.size > 4.0 * miss_) {    // no use to go on
+        o.solved = true;
+        return o;
+      }
     }
+    if (c.size > tolerance_ && most_ > 1) continue;
+    o.solved = true;
+    o.accepted = o.miss <= miss_;
+    if (o.accepted) p.bearing.accept();
+    return o;
   }
-  return false;
+  return o;
 }
 
-void FixBearingImplicit::give_up(double h, double size)
+void FixBearingImplicit::give_up(double h)
 {
   BRG_ONE(std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep) +
-          ": no solution with substeps down to " + text(h) + " s; last correction " + text(size) + " m, tolerance " +
+          ": no solution with substeps down to " + text(h) + " s; last correction " + text(last_) + " m, tolerance " +
           text(tolerance_) + " m. Load too high, rings apart, or the start overlaps");
   std::abort();
 }

@@ -37,14 +37,21 @@ class FixBearingImplicit : public Fix {
     double step;         // s, the control's wish for the next substep
   };
 
+  struct Outcome {
+    bool solved = false, accepted = false;
+    int corrections = 0;
+    double miss = HUGE_VAL;    // m, of the predictor: the first correction
+  };
+
   void check_fixes();
   void build();
   void advance(Part &);
-  bool substep(Part &, double h, double s, int &corrections);
-  [[noreturn]] void give_up(double h, double size);
+  Outcome substep(Part &, double h, double s);
+  [[noreturn]] void give_up(double h);
 
   PairBearingHertz *pair_;
   double tolerance_ = 1e-7;       // m
+  double miss_ = 0.0;             // m, allowed of the predictor; 0: 30 tolerances
   int most_ = 8;                  // corrections in a substep
   double largest_ = HUGE_VAL;     // s, substep
   double creep_ = 0.01;

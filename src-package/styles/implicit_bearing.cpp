@@ -13,16 +13,9 @@ using raceway::Vec3;
 
 namespace bearing {
 
-Vec3 ImplicitBearing::in(const Vec3 &v) const
+ImplicitBearing::ImplicitBearing(LAMMPS *lmp, PairBearingHertz *pair) :
+    Pointers(lmp), pair_(pair), axis_(pair->axis_index())
 {
-  const int a = pair_->axis_index();
-  return a == 2 ? v : a == 0 ? Vec3{v.y, v.z, v.x} : Vec3{v.z, v.x, v.y};
-}
-
-Vec3 ImplicitBearing::out(const Vec3 &v) const
-{
-  const int a = pair_->axis_index();
-  return a == 2 ? v : a == 0 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x};
 }
 
 int ImplicitBearing::body(int i)
@@ -51,10 +44,11 @@ int ImplicitBearing::ring(int i, FixBearingRing *fix)
       r.unknown[k] = -1;
       if (!fix || fix->mode(k) != FixBearingRing::free) continue;
       r.unknown[k] = static_cast<int>(free_.size());
+      r.loose = true;
       const double inertia = k < 3                ? fix->mass()
           : k == FixBearingRing::SPIN_DOF ? fix->inertia().axial
                                           : fix->inertia().transverse;
-      free_.push_back({found.first->second, k, inertia});
+      free_.push_back({found.first->second, k, inertia, Vec3()});
     }
     rings_.push_back(r);
   }
@@ -77,7 +71,7 @@ void ImplicitBearing::add_rails(const FixBearingCage &cage, size_t rider, FixBea
 {
   const FixBearingCage::Rider &who = cage.riders()[rider];
   const int b = body(who.i), r = ring(who.i_ring, fix);
-  for (size_t k = 0; k < cage.rails().size(); ++k) seats_.push_back({b, r, cage.rails()[k], cage.stiffness()[k]});
+  seats_.push_back({b, r, &cage});
 }
 
 void ImplicitBearing::finish()
@@ -150,7 +144,7 @@ void ImplicitBearing::move()
 Vec3 ImplicitBearing::lab_unit(int dof, const Ring &r) const
 {
   if (dof == FixBearingRing::SPIN_DOF) return r.motion_start.axis;
-  const int k = dof < 3 ? dof : (pair_->axis_index() + dof - 2) % 3;
+  const int k = dof < 3 ? dof : (axis_ + dof - 2) % 3;
   return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
 }
 
@@ -198,18 +192,17 @@ ImplicitBearing::Correction ImplicitBearing::correct()
     const Ring &r = rings_[q.ring];
     const Vec3 push = q.dof < 3 ? r.force + in(r.fix->load(share_)) : r.moment + in(r.fix->moment(share_));
     system_.D[f * free_.size() + f] += q.inertia;
-    system_.y[f] = h_ * dot(push, in(lab_unit(q.dof, r))) - q.inertia * gained_[f];
+    system_.y[f] = h_ * dot(push, q.unit) - q.inertia * gained_[f];
   }
   system_.solve();
 
   double largest = 0.0;
   for (int k = 0; k < body_count(); ++k) {
     Body &b = bodies_[k];
-    const double *x = system_.block[k].x;
-    const Vec3 dv = b.now.local(Vec3::from(x));
+    const Vec3 dv = b.now.local(system_.solution(k));
     b.v += dv;
     if (b.size == 3) continue;
-    b.w += b.now.local(Vec3::from(x + 3));
+    b.w += b.now.local(system_.solution(k, 3));
     largest = std::fmax(largest, std::fmax(std::fabs(dv.x), std::fabs(dv.z)));
     if (!(std::fabs(dv.x) + std::fabs(dv.y) + std::fabs(dv.z) < HUGE_VAL)) return c;
   }

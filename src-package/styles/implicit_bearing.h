@@ -11,7 +11,6 @@
 #define BEARING_IMPLICIT_BEARING_H
 
 #include "../physics/arrow_system.h"
-#include "../physics/rail.h"
 #include "../physics/turning_frame.h"
 #include "contact_table.h"
 #include "fix_bearing_ring.h"
@@ -33,7 +32,7 @@ class ImplicitBearing : protected LAMMPS_NS::Pointers {
     double size = HUGE_VAL;
   };
 
-  ImplicitBearing(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::PairBearingHertz *pair) : Pointers(lmp), pair_(pair) {}
+  ImplicitBearing(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::PairBearingHertz *pair);
 
   // Building: all contacts of one bearing, then finish().
   void add(const RacewayContact &, LAMMPS_NS::FixBearingRing *);
@@ -64,21 +63,23 @@ class ImplicitBearing : protected LAMMPS_NS::Pointers {
     int i;
     LAMMPS_NS::FixBearingRing *fix;                              // null: at rest
     int unknown[LAMMPS_NS::FixBearingRing::N_DOF];                // of a free degree of freedom, else -1
+    bool loose;                                                  // some are free
     Vec3 x_start, v_start, w_start;                              // lab names
     LAMMPS_NS::FixBearingState::RingMotion motion_start, motion;
     raceway::RingState now;                                       // names of this class
     Vec3 x_lab, v_lab, w_lab;
     Vec3 force, moment;                                          // on the ring
   };
-  struct Free { int ring, dof; double inertia; };                // a free degree of freedom
+  struct Free { int ring, dof; double inertia; Vec3 unit; };     // a free degree of freedom
   struct Groove { int body, ring; const raceway::RacewayPhysics *physics; raceway::ContactState state; };
   struct Pocket { int a, b; double K, reach, mass; };
-  struct Seat { int body, ring; raceway::Rail rail; double K; };
+  struct Seat { int body, ring; const LAMMPS_NS::FixBearingCage *cage; };
 
   int body(int i);
   int ring(int i, LAMMPS_NS::FixBearingRing *);
-  Vec3 in(const Vec3 &lab) const;     // lab names -> names of this class
-  Vec3 out(const Vec3 &) const;
+  // lab names -> names of this class, and back
+  Vec3 in(const Vec3 &v) const { return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.y, v.z, v.x} : Vec3{v.z, v.x, v.y}; }
+  Vec3 out(const Vec3 &v) const { return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x}; }
   Vec3 lab_unit(int dof, const Ring &) const;
   void move();                        // everything to the end of the step with the present velocities
   void move_ring(Ring &);
@@ -91,6 +92,7 @@ class ImplicitBearing : protected LAMMPS_NS::Pointers {
   Vec3 motion_of(const Free &, const Vec3 &lever) const;
 
   LAMMPS_NS::PairBearingHertz *pair_;
+  int axis_;
   std::vector<Body> bodies_;
   std::vector<Ring> rings_;
   std::vector<Free> free_;

@@ -2,6 +2,7 @@
 // Forces and their derivatives at the present place of one bearing, put into the block arrow system.
 #include "implicit_bearing.h"
 
+#include "fix_bearing_cage.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
@@ -18,21 +19,21 @@ void ImplicitBearing::start_system()
     ArrowSystem::Block &s = system_.block[k];
     const double rate = b.v.y / b.now.r;
     const Vec3 dv = b.v_start - b.v + frame_acceleration(rate, b.v) * h_;
-    (b.now.lab(dv) * b.mass).to(s.x);
+    system_.add_rhs(k, b.now.lab(dv) * b.mass);
     for (int m = 0; m < 3; ++m) s.A[7 * m] = b.mass;
     if (b.size == 3) continue;
     const Vec3 dw = b.w_start - b.w + frame_acceleration(rate, b.w) * h_;
-    (b.now.lab(dw) * b.inertia).to(s.x + 3);
+    system_.add_rhs(k, b.now.lab(dw) * b.inertia, 3);
     for (int m = 3; m < 6; ++m) s.A[7 * m] = b.inertia;
   }
+  for (Free &f : free_) f.unit = in(lab_unit(f.dof, rings_[f.ring]));
   for (Ring &r : rings_) r.force = r.moment = Vec3();
 }
 
 // Velocity of a ring's point at `lever` from its centre for a unit of this degree of freedom.
 Vec3 ImplicitBearing::motion_of(const Free &f, const Vec3 &lever) const
 {
-  const Vec3 a = in(lab_unit(f.dof, rings_[f.ring]));
-  return f.dof < 3 ? a : cross(a, lever);
+  return f.dof < 3 ? f.unit : cross(f.unit, lever);
 }
 
 // Derivatives of a contact force between body and ring: the body's own block, and its coupling to what is free
@@ -56,19 +57,21 @@ void ImplicitBearing::couple(int k, int ring, const ContactJacobian &j, const Ve
       }
   }
   const Ring &r = rings_[ring];
+  if (!r.loose) return;
   const int nf = static_cast<int>(free_.size());
   for (int p = 0; p < FixBearingRing::N_DOF; ++p) {
     const int f = r.unknown[p];
     if (f < 0) continue;
+    system_.block[k].coupled = true;
     const Vec3 q = motion_of(free_[f], lever);
     const Mat3 &M = p == FixBearingRing::SPIN_DOF ? j.damping : j.both;
     const Vec3 push = M * q;                               // force on the body
-    double *B = system_.column(k, f), *C = system_.row(k, f);
-    (-push).add_to(B);
+    double *C = system_.row(k, f);
+    system_.add_column(k, f, -push);
     const Vec3 back = q * j.both;
     (-back).add_to(C);
     if (spins) {
-      (-cross(arm, push)).add_to(B + 3);
+      system_.add_column(k, f, -cross(arm, push), 3);
       // q D (w x arm) = w . (arm x (q D))
       (-cross(arm, q * j.damping)).add_to(C + 3);
     }
@@ -101,9 +104,8 @@ template <bool film, Friction friction> bool ImplicitBearing::add_grooves()
     double no_spring[2] = {0.0, 0.0};
     const BallState ball = {b.x_lab, b.v_lab, b.w_lab};
     const ContactForces f = contact_forces<film, friction>(p, ball, r.now, 0.0, no_spring, g.state);
-    double *x = system_.block[g.body].x;
-    (f.force * h_).add_to(x);
-    (f.ball_torque * h_).add_to(x + 3);
+    system_.add_rhs(g.body, f.force * h_);
+    system_.add_rhs(g.body, f.ball_torque * h_, 3);
     r.force -= f.force;
     r.moment += f.ring_torque;
     const ContactJacobian j = contact_jacobian(g.state, p.slack, r.now.e, h_, h_ * h_);
@@ -124,8 +126,8 @@ void ImplicitBearing::add_pockets()
     const DampedHertz c = damped_hertz(s.K, s.reach - r, -dot(dv, n), s.mass);
     if (!(c.force > 0.0)) continue;
     const Vec3 push = n * (h_ * c.force);
-    push.add_to(system_.block[s.a].x);
-    (-push).add_to(system_.block[s.b].x);
+    system_.add_rhs(s.a, push);
+    system_.add_rhs(s.b, -push);
     if (!system_.link(s.a, s.b, n, h_ * c.damping + h_ * h_ * c.stiffness))
       BRG_ONE("fix bearing/implicit: atom " + std::to_string(atom->tag[bodies_[s.a].i]) + " or " +
               std::to_string(atom->tag[bodies_[s.b].i]) + " touches more than two balls or cage balls");
@@ -137,19 +139,20 @@ void ImplicitBearing::add_seats()
   for (const Seat &s : seats_) {
     const Body &b = bodies_[s.body];
     Ring &r = rings_[s.ring];
-    const Vec3 d = b.x_lab - r.now.x;
-    RailTouch touch;
-    if (!touch_rail(s.rail, s.K, d, r.now.e, b.radius, b.mass, b.v_lab - r.now.v - cross(r.now.w, d), touch)) continue;
-    const Vec3 force = touch.n * touch.h.force;
-    (force * h_).add_to(system_.block[s.body].x);
-    r.force -= force;
-    r.moment -= cross(d, force);
-    ContactJacobian j;
-    j.normal = touch.n;
-    j.damping.add(h_ * touch.h.damping, touch.n, touch.n);
-    j.both = j.damping;
-    j.both.add(h_ * h_ * touch.h.stiffness, touch.n, touch.n);
-    couple(s.body, s.ring, j, d, 0.0);
+    const Vec3 d = b.x_lab - r.now.x, dv = b.v_lab - r.now.v - cross(r.now.w, d);
+    for (size_t k = 0; k < s.cage->rails().size(); ++k) {
+      RailTouch touch;
+      if (!touch_rail(s.cage->rails()[k], s.cage->stiffness()[k], d, r.now.e, b.radius, b.mass, dv, touch)) continue;
+      const Vec3 force = touch.n * touch.h.force;
+      system_.add_rhs(s.body, force * h_);
+      r.force -= force;
+      r.moment -= cross(d, force);
+      ContactJacobian j;
+      j.normal = touch.n;
+      if (r.loose) j.damping.add(h_ * touch.h.damping, touch.n, touch.n);
+      j.both.add(h_ * touch.h.damping + h_ * h_ * touch.h.stiffness, touch.n, touch.n);
+      couple(s.body, s.ring, j, d, 0.0);
+    }
   }
 }
 
