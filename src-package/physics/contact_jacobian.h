@@ -73,7 +73,8 @@ struct ContactJacobian {
   Mat3 damping;     // hd D
 };
 
-inline ContactJacobian contact_jacobian(const ContactState &c, double slack, const Vec3 &e, double hd, double hk)
+inline ContactJacobian contact_jacobian(const ContactState &c, double slack, const Vec3 &e, double hd, double hk,
+                                        bool secant)
 {
   ContactJacobian j;
   j.normal = c.u * c.nu + e * c.ne;
@@ -91,7 +92,7 @@ inline ContactJacobian contact_jacobian(const ContactState &c, double slack, con
     j.damping.add(hd * c.damping, pull, j.normal);
     j.damping.add(hd * g, c.t, c.t);
     j.damping.add(hd * g, w, w);
-    j.damping.add(-hd * g, eps, eps);
+    if (!secant) j.damping.add(-hd * g, eps, eps);
     j.both = j.damping;
     j.both.add(hk * c.stiffness, pull, j.normal);
     j.both.add(hk * c.normal / (c.overlap + slack), w, w);

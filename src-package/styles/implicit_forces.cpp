@@ -108,7 +108,7 @@ template <bool film, Friction friction> bool ImplicitBearing::add_grooves()
     system_.add_rhs(g.body, f.ball_torque * h_, 3);
     r.force -= f.force;
     r.moment += f.ring_torque;
-    const ContactJacobian j = contact_jacobian(g.state, p.slack, r.now.e, h_, h_ * h_);
+    const ContactJacobian j = contact_jacobian(g.state, p.slack, r.now.e, h_, h_ * h_, true);
     couple(g.body, g.ring, j, b.x_lab - r.now.x + j.normal * b.radius, b.radius);
   }
   return true;
