@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/implicit against velocity Verlet with the same friction, against statics, and against itself."""
+
+import re
+
+import numpy as np
+import pytest
+from host import ROOT, frames, liggghts, succeed
+from raceway.bearing import INNER, OUTER
+from raceway.run import Run
+
+from scenarios import closed_forms
+
+CASE = "tests/implicit/in.case"
+
+
+def loads(folder):
+    """Contact loads (samples, raceways, balls), N, of a run of in.case."""
+    table = np.zeros((len(frames(folder / "contacts.dump")), 2, 9))
+    for sample, rows in enumerate(frames(folder / "contacts.dump").values()):
+        for ball, side, load, *_ in (map(float, row.split()) for row in rows):
+            table[sample, int(side), int(ball) - 1] = load
+    return table
+
+
+def error(tmp_path, control="tolerance 1e-7", verlet_step=5e-8, after=0, **case):
+    """Largest difference of any contact load from sample `after` on, over the largest load."""
+    sample = float(case.get("sample", 1e-4))
+    succeed(CASE, out=tmp_path / "verlet", integrator="verlet", substeps=round(sample / verlet_step), **case)
+    succeed(CASE, out=tmp_path / "implicit", control=control, **case)
+    truth, found = loads(tmp_path / "verlet"), loads(tmp_path / "implicit")
+    return np.abs(found - truth)[after:].max() / truth.max()
+
+
+def ring(motion):
+    return f"x free y free {motion} ramp 3.0e-3"
+
+
+@pytest.mark.parametrize("name, bound, case", [
+    ("radial", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"))),
+    ("open", 1e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=44.1e-6)),
+    ("preload", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=-88.2e-6)),
+    ("axial", 1e-3, dict(inner=ring("z free spin speed 50 force 0 -2000 3000"))),
+    ("both rings free", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"),
+                                   outer="x free y free force 0 5000 0 ramp 3.0e-3")),
+    ("free spin", 3e-3, dict(inner=ring("spin free force 0 -5000 0 moment 0 0 0.5"))),
+    ("dry", 2e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), lubricant="dry")),
+    ("tight pockets", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"), cage_ball=8.4455e-3)),
+])
+def test_loads_against_verlet(tmp_path, name, bound, case):
+    """After the ramp, one step a sample of 0.1 ms: 2000 times Verlet's."""
+    assert error(tmp_path, samples=100, after=75, **case) < bound
+
+
+def test_first_order_with_tilts_and_everything_free(tmp_path):
+    """A transient with three free translations and two free tilts: the error falls with the step."""
+    case = dict(inner="x free y free z free rx free ry free spin speed 50 force 0 -2000 1000 moment 3 0 0 ramp 3.0e-3",
+                samples=50)
+    errors = [error(tmp_path, control=f"tolerance 1e-9 largest {h}", **case) for h in (4e-6, 1e-6, 2.5e-7)]
+    assert errors[2] < 3e-3
+    for coarse, fine in zip(errors, errors[1:]):
+        assert 2.5 < coarse / fine < 6
+
+
+@pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])
+def test_deck_against_statics(tmp_path, rpm):
+    """in.6208 with the implicit integrator: ball loads at every azimuth, centrifugal load included, within 0.2 % of
+    the largest; at 9549 rpm the loads vibrate on the contact springs and 2 % is allowed."""
+    succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
+    run = Run(tmp_path)
+    contacts = run.contacts
+    bound = 2e-3 if rpm < 1000 else 2e-2
+    for sample in range(0, 201, 10):
+        state = closed_forms.equilibrium(run, sample)
+        rows = contacts[contacts["sample"] == sample]
+        for side, theory in ((INNER, state.inner), (OUTER, state.outer)):
+            found = rows[rows["raceway"] == side].set_index("ball")["load"].reindex(range(1, 10)).fillna(0).to_numpy()
+            np.testing.assert_allclose(found, theory.load, rtol=0, atol=bound * theory.load.max())
+
+
+def test_split_run_and_restart_are_bitwise(tmp_path):
+    deck = "tests/implicit/in.bits"
+    succeed(deck, out=tmp_path / "whole", first=60)
+    succeed(deck, out=tmp_path / "split", first=40, second=20)
+    succeed(deck, out=tmp_path / "half", first=40)
+    succeed(deck, out=tmp_path / "resumed", first=20, begin="resume", **{"from": tmp_path / "half" / "restart"})
+    whole = frames(tmp_path / "whole" / "balls.dump")
+    assert frames(tmp_path / "split" / "balls.dump") == whole
+    assert frames(tmp_path / "resumed" / "balls.dump")[60] == whole[60]
+
+
+def test_cold_step_refines_by_itself(tmp_path):
+    """5 kN at once onto open clearance: substeps shrink below 5 us and grow back to the sample; what is left after
+    the impact agrees with Verlet."""
+    case = dict(inner="x free y free spin speed 50 force 0 -5000 0", clearance=44.1e-6, samples=100)
+    assert error(tmp_path, after=75, verlet_step=2.5e-8, **case) < 2e-3
+    text = succeed(CASE, out=tmp_path / "again", **case).text
+    mean, smallest = map(float, re.search(r"CONTROL mean (\S+) smallest (\S+)", text).groups())
+    assert smallest < 5e-6 and mean > 5e-5
+
+
+def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
+    """Samples 2 ms apart, 18 of them a ball pass."""
+    assert error(tmp_path, inner=ring("spin speed 50 force 0 -5000 0"), sample=2e-3, samples=20, after=3) < 1e-3
+
+
+@pytest.mark.parametrize("control, message", [
+    ("tolerance -1", "tolerance (m) is -1"),
+    ("tolerance 1e-7 predictor 1e-9", "predictor 1e-09 m must not be below the tolerance, 1e-07 m"),
+    ("corrections 0", "corrections in a step is 0"),
+    ("speed 3", "'speed'"),
+])
+def test_mistakes_are_named(tmp_path, control, message):
+    outcome = liggghts(CASE, out=tmp_path, control=control)
+    assert outcome.code != 0 and message in outcome.error
+
+
+def test_other_integrators_and_forces_are_refused(tmp_path):
+    deck = tmp_path / "in.twice"
+    text = (ROOT / CASE).read_text()
+    for line, message in (("fix nve moving nve/sphere", "moves them too"),
+                          ("fix g all gravity 9.81 vector 0 0 -1", "adds forces"),
+                          ("fix again moving bearing/implicit", "both move atom")):
+        deck.write_text(text.replace("neigh_modify", line + "\nneigh_modify", 1))
+        outcome = liggghts(deck, out=tmp_path / "out")
+        assert outcome.code != 0 and message in outcome.error
+
+
+def test_several_ranks_are_refused(tmp_path):
+    outcome = liggghts(CASE, out=tmp_path, ranks=2)
+    assert outcome.code != 0 and "runs on one rank, not on 2" in outcome.text
