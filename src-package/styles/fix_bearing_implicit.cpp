@@ -33,7 +33,7 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   if (miss_ == 0.0) miss_ = 30.0 * tolerance_;
   if (miss_ < tolerance_)
     args.fail("predictor " + text(miss_) + " m must not be below the tolerance, " + text(tolerance_) + " m");
-  if (comm->nprocs > 1)
+  if (comm->nprocs > 1)    // sums over balls of other ranks are still to be written
     args.fail("runs on one rank, not on " + std::to_string(comm->nprocs) + ": give each rank its own bearing with a "
               "partition, or use the explicit integrator (fix nve/sphere)");
   time_integrate = 1;
@@ -50,6 +50,17 @@ void FixBearingImplicit::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/implicit");
   check_fixes();
+  rings_.clear();
+  for (int k = 0; k < modify->nfix; ++k)
+    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k])) {
+      bool mine = false, others = false;
+      for (int i = 0; i < atom->nlocal; ++i)
+        if (r->moves(i)) (atom->mask[i] & groupbit ? mine : others) = true;
+      if (mine && others)
+        BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has some rings of fix " + r->id +
+                " but not all of them");
+      if (mine) rings_.push_back(r);
+    }
   if (pair_->smooth_friction(creep_) && comm->me == 0) {
     const std::string say = std::string("fix ") + id + " bearing/implicit: friction smoothed over a creep of " +
         text(creep_) + " of the entrainment speed\n";
@@ -142,8 +153,7 @@ void FixBearingImplicit::build()
 void FixBearingImplicit::initial_integrate(int)
 {
   build();
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k])) r->begin_step();
+  for (FixBearingRing *r : rings_) r->begin_step();
   for (Part &p : parts_) advance(p);
   time_ += update->dt;
 }

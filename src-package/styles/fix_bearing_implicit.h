@@ -55,6 +55,7 @@ class FixBearingImplicit : public Fix {
   int most_ = 8;                  // corrections in a substep
   double largest_ = HUGE_VAL;     // s, substep
   double creep_ = 0.01;
+  std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
   std::vector<Part> parts_;
   double wish_ = HUGE_VAL;        // s, from a restart or the last build
   int build_ = -1;
