@@ -47,7 +47,8 @@ def key(line):
     if word[0] in ("pair_coeff", "variable"):
         return tuple(word[:3] if word[0] == "pair_coeff" else word[:2])
     if word[0] in ("fix", "compute"):
-        return (word[0], word[2], word[3]) if word[3] == "bearing/ring" else (word[0], word[3])
+        style = "nve/sphere" if word[3] == "bearing/implicit" else word[3]  # either moves the balls
+        return (word[0], word[2], style) if style == "bearing/ring" else (word[0], style)
     return line
 
 
