@@ -96,10 +96,7 @@ template <bool film, Friction friction> bool ImplicitBearing::add_grooves()
     const Body &b = bodies_[g.body];
     Ring &r = rings_[g.ring];
     const RacewayPhysics &p = *g.physics;
-    if (!touch(p, b.x_lab - r.now.x, r.now.e, g.state)) {
-      if (g.state.overlap != g.state.overlap) return false;
-      continue;
-    }
+    if (!touch(p, b.x_lab - r.now.x, r.now.e, g.state)) continue;
     if (!(g.state.overlap < p.largest_overlap)) return false;
     double no_spring[2] = {0.0, 0.0};
     const BallState ball = {b.x_lab, b.v_lab, b.w_lab};
