@@ -78,9 +78,6 @@ build/obj/%.o: src-package/%.cpp
 	@echo "  CXX  $<"
 	@$(CXX_MPI) $(FLAGS) -Wno-non-template-friend -c $< -o $@
 
-# Loops over small blocks of known size want unrolling; the order of operations, and so the bits, stay.
-build/obj/styles/implicit_%.o: FLAGS += -O3
-
 # The same with AddressSanitizer and UndefinedBehaviorSanitizer, for the tests.
 sanitized: setup
 	@$(MAKE) --no-print-directory build/sanitized/liggghts
