@@ -3,7 +3,7 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   what a step costs, feature by feature (docs/performance)
+#   make bench   what a step costs, feature by feature; rewrites docs/performance/step_cost.rst
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
@@ -30,7 +30,7 @@ run: build
 	@echo "The picture is build/run/6208/overview.png"
 
 build: setup
-	@$(MAKE) --no-print-directory build/liggghts build/libraceway_physics.so $(VENV_STAMP)
+	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/libraceway_physics.so $(VENV_STAMP)
 
 test: build sanitized
 	@$(MAKE) --no-print-directory docs
@@ -40,7 +40,8 @@ test: build sanitized
 bench: build
 	.venv/bin/python tests/bench/step_cost.py
 
-docs: $(VENV_STAMP)
+docs: setup
+	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
 	.venv/bin/sphinx-build -q -W --keep-going -b html docs build/docs
 	@echo "The documentation is build/docs/index.html"
 
@@ -50,12 +51,17 @@ clean:
 # ---- what the machine needs -------------------------------------------------------------------------
 # An installed package is not asked for again, so a second run needs neither root nor network.
 setup:
-	@missing=""; for p in $(PACKAGES); do dpkg -s $$p >/dev/null 2>&1 || missing="$$missing $$p"; done; \
+	@missing=""; for p in $(PACKAGES); do \
+	  [ "$$(dpkg-query -W -f='$${db:Status-Status}' $$p 2>/dev/null)" = installed ] || missing="$$missing $$p"; \
+	done; \
 	if [ -n "$$missing" ]; then \
 	  echo "Installing$$missing"; \
 	  if [ "$$(id -u)" = 0 ]; then root=""; else root=sudo; fi; \
-	  export DEBIAN_FRONTEND=noninteractive; \
-	  $$root apt-get update -q && $$root apt-get install -q -y --no-install-recommends $$missing; \
+	  if [ -n "$$root" ] && ! command -v sudo >/dev/null; then \
+	    echo "Neither root nor sudo: as root, run  apt-get install --no-install-recommends$$missing"; exit 1; \
+	  fi; \
+	  $$root apt-get update -q && \
+	  $$root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $$missing; \
 	fi
 
 $(VENV_STAMP): python/pyproject.toml
@@ -80,7 +86,7 @@ build/obj/%.o: src-package/%.cpp
 
 # The same with AddressSanitizer and UndefinedBehaviorSanitizer, for the tests.
 sanitized: setup
-	@$(MAKE) --no-print-directory build/sanitized/liggghts
+	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
 build/sanitized/liggghts: src-package/host/main.cpp $(SANITIZED)
 	@mkdir -p $(@D)

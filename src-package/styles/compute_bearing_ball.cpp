@@ -49,6 +49,7 @@ void ComputeBearingBall::init()
 void ComputeBearingBall::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
+  pair_ = PairBearingHertz::find(lmp, "compute bearing/ball");    // it may have been replaced between runs
   const int n = static_cast<int>(columns_.size());
   if (atom->nmax > nmax_) {
     nmax_ = atom->nmax;

@@ -28,6 +28,7 @@ void ComputeBearingContact::init()
 void ComputeBearingContact::compute_local()
 {
   invoked_local = update->ntimestep;
+  pair_ = PairBearingHertz::find(lmp, "compute bearing/contact");    // it may have been replaced between runs
   values_.clear();
   for (const RacewayContact &c : pair_->table().raceway) {
     if (!c.live || !(atom->mask[c.i_ball] & groupbit)) continue;

@@ -3,6 +3,7 @@
 
 #include "arguments.h"
 #include "contact_attribute.h"
+#include "gather.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -27,15 +28,19 @@ void ComputeBearingTotal::init() { pair_ = PairBearingHertz::find(lmp, "compute 
 void ComputeBearingTotal::compute_vector()
 {
   invoked_vector = update->ntimestep;
+  pair_ = PairBearingHertz::find(lmp, "compute bearing/total");    // it may have been replaced between runs
   // largest values; the smallest as the largest negative
   double most[7] = {0.0, 0.0, 0.0, -HUGE_VAL, -HUGE_VAL, 0.0, 0.0};
-  double sum[6] = {};    // live, balls loaded on both sides, balls, orbit, friction and damping power
+  // counts are exact in any order; real sums are made over all balls by tag, for the same bits on any ranks
+  double count[3] = {};    // live contacts, balls loaded on both sides, balls
+  struct Ball { bearing::tag_t tag; double orbit, friction, damping; };
+  std::vector<Ball> balls;
   const std::vector<RacewayContact> &rows = pair_->table().raceway;
   for (size_t i = 0; i < rows.size();) {
-    const bearing::tag_t ball = rows[i].ball;
+    Ball ball = {rows[i].ball, 0.0, 0.0, 0.0};
     int sides = 0;
     const size_t first = i;
-    for (; i < rows.size() && rows[i].ball == ball; ++i) {
+    for (; i < rows.size() && rows[i].ball == ball.tag; ++i) {
       const RacewayContact &c = rows[i];
       if (!c.live) continue;
       const ContactState &s = c.state;
@@ -47,29 +52,38 @@ void ComputeBearingTotal::compute_vector()
         most[3] = std::max(most[3], -s.h_min);
         most[4] = std::max(most[4], -s.lambda);
       }
-      sum[0] += 1.0;
-      sum[4] += s.friction_t * s.sliding_t + s.friction_w * s.sliding_w;
-      sum[5] += (s.normal - s.load) * s.overlap_rate;
+      count[0] += 1.0;
+      ball.friction += s.friction_t * s.sliding_t + s.friction_w * s.sliding_w;
+      ball.damping += (s.normal - s.load) * s.overlap_rate;
     }
-    sum[1] += sides == 3;
-    sum[2] += 1.0;
+    count[1] += sides == 3;
+    count[2] += 1.0;
     // the orbit is seen from the outer ring where there is one, as in compute bearing/ball
     const RacewayContact &c = rows[first].side() == Side::outer ? rows[first] : rows[i - 1];
-    sum[3] += bearing::orbit(*atom, *pair_, c);
+    ball.orbit = bearing::orbit(*atom, *pair_, c);
+    balls.push_back(ball);
   }
   for (const bearing::SphereContact &s : pair_->table().sphere) most[5] = std::max(most[5], s.force);
   MPI_Allreduce(MPI_IN_PLACE, most, 7, MPI_DOUBLE, MPI_MAX, world);
-  MPI_Allreduce(MPI_IN_PLACE, sum, 6, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, count, 3, MPI_DOUBLE, MPI_SUM, world);
+  balls = bearing::gather_all(balls, world);
+  std::sort(balls.begin(), balls.end(), [](const Ball &a, const Ball &b) { return a.tag < b.tag; });
+  Ball sum = {0, 0.0, 0.0, 0.0};
+  for (const Ball &b : balls) {
+    sum.orbit += b.orbit;
+    sum.friction += b.friction;
+    sum.damping += b.damping;
+  }
   const bool film = pair_->lubricated() && std::isfinite(most[3]);
-  values_[LIVE] = sum[0];
-  values_[LOADED_BALLS] = sum[1];
+  values_[LIVE] = count[0];
+  values_[LOADED_BALLS] = count[1];
   values_[INNER_LOAD] = most[0];
   values_[OUTER_LOAD] = most[1];
   values_[PRESSURE] = most[2];
   values_[H_MIN] = film ? -most[3] : 0.0;
   values_[LAMBDA] = film ? -most[4] : 0.0;
-  values_[ORBIT] = sum[2] > 0.0 ? sum[3] / sum[2] : 0.0;
-  values_[FRICTION_POWER] = sum[4];
-  values_[DAMPING_POWER] = sum[5];
+  values_[ORBIT] = count[2] > 0.0 ? sum.orbit / count[2] : 0.0;
+  values_[FRICTION_POWER] = sum.friction;
+  values_[DAMPING_POWER] = sum.damping;
   values_[CAGE_FORCE] = most[5];
 }

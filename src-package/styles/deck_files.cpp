@@ -11,6 +11,7 @@
 using namespace LAMMPS_NS;
 namespace fs = std::filesystem;
 using bearing::Arguments;
+using bearing::text;
 
 // What rank 0 found out, on every rank: empty means all is well.
 static std::string agree(std::string complaint, MPI_Comm world)
@@ -76,7 +77,12 @@ void BearingRange::command(int narg, char **arg)
   const std::string name = args.word("name");
   const std::string value = args.word("value of " + name);
   const double lo = args.number("lowest " + name), hi = args.number("highest " + name);
-  if (args.more()) args.unknown("none, the command ends here");
+  const bool whole = args.take("whole");
+  const std::string advice = args.take("advice") ? " (" + args.word("advice") + ")" : "";
+  if (args.more()) args.unknown("whole, advice");
   Arguments given(lmp, "bearing_range", {value});
-  given.within(name, lo, hi);
+  const double v = given.number(name);
+  if (!(v >= lo && v <= hi) || (whole && v != std::floor(v)))
+    args.fail(name + " is " + text(v) + ", must be " + (whole ? "a whole number " : "") + "from " + text(lo) + " to " +
+              text(hi) + advice);
 }

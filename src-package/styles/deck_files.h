@@ -27,7 +27,8 @@ class BearingOutput : public bearing::CommandBase {
   void command(int, char **);
 };
 
-// bearing_range NAME VALUE LO HI: stop with a message unless LO <= VALUE <= HI.
+// bearing_range NAME VALUE LO HI [whole] [advice TEXT]: stop with a message unless LO <= VALUE <= HI (and it is
+// a whole number); TEXT says what to do.
 class BearingRange : public bearing::CommandBase {
  public:
   explicit BearingRange(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

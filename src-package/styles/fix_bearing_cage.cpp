@@ -104,6 +104,7 @@ void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 // All riders on one rail after the other: plain loops over arrays, so that square roots run side by side.
 void FixBearingCage::pre_force(int)
 {
+  pair_->state()->forward_axes();
   double **x = atom->x, **v = atom->v, **f = atom->f;
   const size_t n = riders_.size();
   for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &reach_, &fr_, &fe_}) a->resize(n);

@@ -332,7 +332,8 @@ double FixBearingRing::compute_vector(int k) { return compute_array(0, k); }
 
 double FixBearingRing::compute_array(int row, int k)
 {
-  if (!state_) return 0.0;    // before the first run
+  // before the first run, or after the pair style was replaced, there is nothing to tell
+  if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
   gather_reports();
   return report_[row * N_REPORT + k];
 }

@@ -34,12 +34,18 @@ FixBearingState::~FixBearingState()
 int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 
 // Local indices change: rails (pre_force) and contacts (pair) claim their ring slots anew.
-void FixBearingState::pre_neighbor() { pair_->ring_sum().reset_rings(); }
+// The owner of a ring listens for it even if it owns none of its balls.
+void FixBearingState::pre_neighbor()
+{
+  pair_->ring_sum().reset_rings();
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (pair_->is_ring_type(atom->type[i])) pair_->ring_sum().slot(i, atom->tag[i]);
+  axes_sent_ = -1;    // ghosts are other atoms now
+}
 
 // Last of the fixes: put back the forces of the step before, if this run continues it.
 void FixBearingState::setup(int)
 {
-  running_ = true;
   explicit_step_ = true;
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0) explicit_step_ = false;
@@ -89,11 +95,7 @@ void FixBearingState::save_forces()
   }
 }
 
-void FixBearingState::post_run()
-{
-  save_forces();
-  running_ = false;
-}
+void FixBearingState::post_run() { save_forces(); }
 
 double *FixBearingState::spring(int i, bearing::tag_t ring)
 {
@@ -107,7 +109,13 @@ double *FixBearingState::spring(int i, bearing::tag_t ring)
   return p.spring[p.n_springs++];
 }
 
-void FixBearingState::forward_axes() { BRG_FORWARD_FIX(this); }
+// Rails ask before the pair style does; the second in a step finds them sent.
+void FixBearingState::forward_axes()
+{
+  if (comm->nprocs == 1 || axes_sent_ == update->ntimestep) return;
+  axes_sent_ = update->ntimestep;
+  BRG_FORWARD_FIX(this);
+}
 
 void FixBearingState::grow_arrays(int n) { per_atom_.resize(n); }
 
@@ -169,7 +177,7 @@ int FixBearingState::unpack_exchange(int i, double *buf)
 int FixBearingState::pack_restart(int i, double *buf)
 {
   // during a run the forces of this step are still in place; between runs they were saved
-  if (running_ && i == 0) save_forces();
+  if (update->whichflag != 0 && i == 0) save_forces();
   const int m = 1 + pack_exchange(i, buf + 1);
   buf[0] = m;
   return m;

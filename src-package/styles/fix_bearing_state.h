@@ -45,7 +45,7 @@ class FixBearingState : public Fix {
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
   RingMotion &ring(int i) { return per_atom_[i].ring; }
   double *spring(int i_ball, bearing::tag_t ring);    // 2 values, a new slot starts at 0
-  void forward_axes();
+  void forward_axes();    // of rings to ghosts, once a step
   std::vector<PerAtom> &per_atom() { return per_atom_; }
   void ghost_reach(double cut) { if (cut > reach_) reach_ = cut; }
 
@@ -84,7 +84,8 @@ class FixBearingState : public Fix {
   std::vector<PerAtom> per_atom_;
   PairBearingHertz *pair_;
   double reach_ = 0.0;
-  bool running_ = false, warned_ = false, explicit_step_ = true;
+  bigint axes_sent_ = -1;    // step
+  bool warned_ = false, explicit_step_ = true;
 };
 
 }    // namespace LAMMPS_NS

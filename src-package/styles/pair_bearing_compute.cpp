@@ -16,7 +16,7 @@ using bearing::text;
 void PairBearingHertz::compute(int eflag, int vflag)
 {
   BRG_EV_INIT(eflag, vflag);
-  if (comm->nprocs > 1) state_->forward_axes();
+  state_->forward_axes();
   if (neighbor->ago == 0 || rebuild_) rebuild_contacts();
   if (evflag) choose_friction<true>();
   else choose_friction<false>();

@@ -38,8 +38,8 @@ class PairBearingHertz : public Pair {
   bool lubricated() const { return with_film_; }
   int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
   raceway::Vec3 axis() const;
-  bool is_ring_type(int type) const { return ring_type_[type]; }
-  bool is_ball_type(int type) const { return ball_type_[type]; }
+  bool is_ring_type(int type) const { return type < (int) ring_type_.size() && ring_type_[type]; }
+  bool is_ball_type(int type) const { return type < (int) ball_type_.size() && ball_type_[type]; }
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type) const;    // null: none
   // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no ring.
   double pitch_radius(int ring_type) const;

@@ -20,7 +20,9 @@ MAIN_DECK = {
     "unknown integrator": ({"integrator": "euler"}, r"bearing_input: there is no 'euler' in folder inputs/integrators; there is: "),
     "cage ball too large": ({"cage_ball_diameter": 9e-3}, r"create_bearing: cage ball of diameter 0.009 m is larger than its pocket: at most 0.0084\d* m"),
     "output not writable": ({"out": "/proc/nowhere/run"}, r"bearing_output: cannot make output folder '/proc/nowhere/run'"),
-    "standing still": ({"rpm": 0}, r"bearing_range: rpm is 0, must be from 0.1 to 100000"),
+    "standing still": ({"rpm": 0}, r"bearing_range: rpm is 0, must be from 1 to 100000"),
+    "half a pass": ({"passes": 1.5}, r"bearing_range: passes is 1.5, must be a whole number from 1 to"),
+    "load the other way": ({"load": -5000}, r"bearing_range: load is -5000, must be from 0.001"),
     "no number": ({"load": "much"}, r"bearing_range: load must be a number, not 'much'"),
 }
 
@@ -62,6 +64,8 @@ DECKS = {
     "newton on": (START.replace("newton off", "newton on") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'newton off'"),
     "periodic box": (START.replace("boundary f f f", "boundary p p p") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'boundary f f f'"),
     "step of 1 s": (DRY + "timestep 1.0\nrun 1\n", r"timestep 1 s: the contact spring at 1 um overlap allows at most"),
+    "ring fix before pair_coeff": (START + STYLE + "group inner type 3\nfix r inner bearing/ring\n", r"missing ring, group inner is empty"),
+    "cage fix before pair_coeff": (START + STYLE + "fix c all bearing/cage 3\n", r"fix c bearing/cage: type 3 is no ring"),
     "fix before pair style": (START + "group inner type 3\nfix r inner bearing/ring\n", r"fix bearing/ring needs pair_style bearing/hertz or bearing/ehd before it"),
     "ring fix on balls": (DRY + "fix r balls bearing/ring\n", r"fix r bearing/ring: atom \d of group balls is of type 1, which no pair_coeff names as a ring"),
     "ring fix on nothing": (DRY + "group none empty\nfix r none bearing/ring\n", r"missing ring, group none is empty|Could not find|Illegal"),

@@ -2,8 +2,11 @@
 """Same input, same bits: on 1, 2 or 4 ranks, in one run or two, and through a restart on another number of ranks.
 
 The scene (in.bits) has everything switched on: film, friction springs, cage, a free inner ring with gyroscopic
-moments, capacitance. Its box is cut far from the ring atoms and through the balls.
+moments, a wobbling outer ring with the rails on it, capacitance. Its box is cut far from the ring atoms and through
+the balls, neighbour lists are made anew many times and atoms change ranks.
 """
+
+import re
 
 import pytest
 from host import frames, succeed
@@ -18,7 +21,9 @@ def scene(request, tmp_path_factory):
     """Variables of a scene, and the folder of its run on one rank."""
     folder = tmp_path_factory.mktemp("bits")
     variables = SCENES[request.param]
-    succeed("tests/hosts/in.bits", out=folder / "whole", **variables)
+    outcome = succeed("tests/hosts/in.bits", out=folder / "whole", **variables)
+    builds = int(re.search(r"Neighbor list builds = (\d+)", outcome.text).group(1))
+    assert builds >= 5, f"only {builds} neighbour lists: indices and ranks of atoms hardly change"
     return variables, folder
 
 
@@ -43,6 +48,19 @@ def test_ranks(scene, ranks):
     for name in ("contacts.dump", "balls.dump"):
         assert frames(folder / str(ranks) / name) == frames(whole / name)
     assert (folder / str(ranks) / "ring.txt").read_text() == (whole / "ring.txt").read_text()
+
+
+@pytest.mark.parametrize("cuts", ["z", "3x3"])
+def test_cuts(scene, cuts, tmp_path):
+    """A cut through the middle plane, with balls on both sides; nine ranks, where the one with the rings has no ball."""
+    variables, _ = scene
+    box = {"xhi": 0.05, "ylo": -0.05, **variables}
+    grid, ranks = {"z": ({"cuts_x": 1, "cuts_y": 1, "cuts_z": 2}, 2), "3x3": ({"cuts_x": 3, "cuts_y": 3}, 9)}[cuts]
+    succeed("tests/hosts/in.bits", out=tmp_path / "one", **box)
+    succeed("tests/hosts/in.bits", ranks=ranks, out=tmp_path / "many", **box, **grid)
+    for name in ("contacts.dump", "balls.dump"):
+        assert frames(tmp_path / "many" / name) == frames(tmp_path / "one" / name)
+    assert (tmp_path / "many" / "ring.txt").read_text() == (tmp_path / "one" / "ring.txt").read_text()
 
 
 def test_two_runs_are_one(scene):

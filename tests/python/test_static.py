@@ -39,7 +39,7 @@ def test_thrust(bearing, axial, pd):
     free, c = clearance.free_contact_angle(bearing, pd), clearance.groove_distance(bearing)
 
     def load(angle):
-        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle)), bearing.effective_modulus)
+        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle, pd)), bearing.effective_modulus)
              for side in (INNER, OUTER)]
         return (k[0] ** (-2 / 3) + k[1] ** (-2 / 3)) ** -1.5 * (c * (np.cos(free) / np.cos(angle) - 1)) ** 1.5
 
@@ -67,7 +67,7 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
         return outwards * (np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * e)
 
     for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
-        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle)), modulus) for angle in contact.angle]
+        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle, pd)), modulus) for angle in contact.angle]
         assert contact.load == pytest.approx(k * contact.overlap**1.5, rel=1e-7, abs=1e-9)
     out, into = direction(state.outer.angle, 1), direction(state.inner.angle, -1)
     scale = max(radial, abs(axial), thrown)

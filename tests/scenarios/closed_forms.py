@@ -57,7 +57,7 @@ def entrainment(run, _):
 
 def _pressure(run, side, load):
     bearing = bearing_of(run.settings)
-    ellipse = hertz.exact(*bearing.effective_radii(side, 0.0))
+    ellipse = hertz.exact(*bearing.effective_radii(side, 0.0, run.settings["clearance_m"]))
     return hertz.pressure(ellipse, bearing.effective_modulus, load)
 
 

@@ -11,7 +11,7 @@ from raceway.run import Run
 from scenarios import closed_forms
 
 
-@pytest.fixture(scope="module", params=["radial", "printed"])
+@pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
 def run(request, tmp_path_factory):
     """The main job for one ball pass; and the same with the central film as the paper prints it."""
     folder = tmp_path_factory.mktemp("main")
@@ -23,7 +23,8 @@ def run(request, tmp_path_factory):
         contact = (ROOT / "inputs" / "modules" / "contact.film").read_text()
         (folder / "contact.film").write_text(contact.replace("friction stribeck", "film masjedi/printed friction stribeck"))
         deck.write_text(text.replace("${inputs}/modules/contact.${film}", f"{folder}/contact.film"))
-    succeed(deck, out=folder / "run", passes=1)
+    clearance = {"preload": -56.7e-6, "play": 56.7e-6}.get(request.param, 0.0)
+    succeed(deck, out=folder / "run", passes=1, clearance=clearance)
     result = Run(folder / "run")
     result.printed = request.param == "printed"
     return result
@@ -39,7 +40,7 @@ def test_contacts(run, side):
     assert len(rows) > 200
     assert np.all(np.abs(rows["angle"]) < 1e-6)  # a radial load: the formulas below are at contact angle 0
     modulus = bearing.effective_modulus
-    r_x, r_y = bearing.effective_radii(side, 0.0)
+    r_x, r_y = bearing.effective_radii(side, 0.0, settings["clearance_m"])
     ellipse = hertz.exact(r_x, r_y)
     load, speed = rows["load"].to_numpy(), rows["entrainment"].to_numpy()
     group = film.group(settings["viscosity_Pa_s"], settings["pressure_viscosity_per_Pa"], modulus, r_x, ellipse.kappa,

@@ -14,8 +14,8 @@ from scenarios import closed_forms
 
 
 def test_ball_loads_at_every_azimuth(tmp_path):
-    """Dry, 100 rpm, 5 kN: 0.1 % of the ball's own load, and 0.1 % of a hundredth of the largest for balls that
-    carry less than that (they are about to leave the loaded zone, where friction of 1e-4 of the load counts)."""
+    """Dry, 100 rpm, 5 kN: 0.1 % of the ball's own load, and 0.1 % of the largest for balls that carry less than
+    1.25 % of that (they are about to leave the loaded zone, where friction of 1e-4 of the largest load counts)."""
     succeed("inputs/in.dry", out=tmp_path)
     run = Run(tmp_path)
     contacts = run.contacts

@@ -84,13 +84,15 @@ class Bearing:
             return self.inner_radius + self.inner_groove
         return self.outer_radius + clearance / 2 - self.outer_groove
 
-    def effective_radii(self, raceway, angle=0.0):
+    def effective_radii(self, raceway, angle=0.0, clearance=0.0):
         """(R_x along rolling, R_y across the groove) in m, the shape of `angle` (contact angle, rad).
 
         gamma = R_b cos(angle)/r_pitch; R_x = R_b (1 - gamma) inner, R_b (1 + gamma) outer (eq 2, Harris 2.28).
         """
         radius, groove = self.ball_radius, self.groove(raceway)
-        gamma = radius * np.cos(angle) / self.pitch_radius
+        # the pitch of a ball at rest on that raceway: clearance has gone into the outer ring
+        pitch = self.pitch_radius + (0.0 if raceway == INNER else clearance / 2)
+        gamma = radius * np.cos(angle) / pitch
         r_x = radius * (1 - gamma if raceway == INNER else 1 + gamma)
         r_y = radius * groove / (groove - radius)
         return r_x, np.broadcast_to(r_y, np.shape(r_x))[()]

@@ -96,7 +96,7 @@ class _System:
                          for side in (INNER, OUTER)])
 
     def _ellipse(self, side, angle):
-        return hertz.exact(*self.bearing.effective_radii(side, angle))
+        return hertz.exact(*self.bearing.effective_radii(side, angle, self.clearance))
 
     def renew_stiffness(self, shift):
         _, _, touch, _ = self._balls(shift)
