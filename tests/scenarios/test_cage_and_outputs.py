@@ -33,12 +33,15 @@ variable sum_inner equal c_sum_inner
 variable max_outer equal c_max_outer
 variable mean_orbit equal c_mean_orbit
 compute energy all pe
+compute virial all pressure thermo_temp virial
+variable virial equal c_virial
+variable volume equal vol
 variable pe equal c_energy
 """
     measure = (ROOT / "inputs" / "modules" / "measure").read_text()
     head, tail = measure.split("variable now equal")
     marker = 'fix totals all print ${every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure} ${thin} ${lam} ' \
-        '${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe}" file ${out}/totals.txt screen no\n'
+        '${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe} ${virial} ${volume}" file ${out}/totals.txt screen no\n'
     (folder / "measure").write_text(head + extra + marker + "variable now equal" + tail)
     deck.write_text(text.replace("${inputs}/modules/measure", f"{folder}/measure"))
     succeed(deck, out=folder / "run", passes=1, samples=SAMPLES)
@@ -49,7 +52,7 @@ variable pe equal c_energy
 
 def test_totals_are_those_of_the_contacts(run):
     """compute bearing/total, compute bearing/ball and the local rows read one table; dumps keep 12 digits."""
-    live, loaded, inner, outer, pressure, thin, lam, orbit, _, sum_inner, max_outer, mean_orbit, _ = run.totals
+    live, loaded, inner, outer, pressure, thin, lam, orbit, _, sum_inner, max_outer, mean_orbit, *_ = run.totals
     by_sample = [rows for _, rows in run.contacts[run.contacts["sample"] > 0].groupby("sample")]
     assert len(by_sample) == len(live) == SAMPLES
     for k, rows in enumerate(by_sample):
@@ -69,10 +72,25 @@ def test_totals_are_those_of_the_contacts(run):
 
 def test_potential_energy_is_that_of_the_springs(run):
     """pe = sum of 2/5 Q overlap; cage contacts hold less than 1e-3 of it."""
-    energy = run.totals[-1]
+    energy = run.totals[12]
     rows = run.contacts[run.contacts["sample"] > 0]
     springs = (0.4 * rows["load"] * rows["overlap"]).groupby(rows["sample"]).sum().to_numpy()
     np.testing.assert_allclose(energy, springs, rtol=1e-3)
+
+
+def test_virial_is_that_of_the_contact_forces(run):
+    """3 p V = sum of F.(x_ball - x_ring): every raceway contact of a radial scene adds -N (n.u) r, with the normal
+    n.u = -1 on the inner and +1 on the outer raceway. Cage contacts (below 1 N) and friction are left out here."""
+    virial, volume = run.totals[13:15]
+    for k in range(SAMPLES):
+        rows = run.contacts[run.contacts["sample"] == k + 1]
+        balls = run.balls[run.balls["sample"] == k + 1].set_index("id")
+        expected, size = 0.0, 0.0
+        for raceway, ring, ball, normal in rows[["raceway", "ring", "ball", "normal"]].itertuples(index=False):
+            r = np.hypot(*(balls.loc[int(ball), ["x", "y"]] - balls.loc[int(ring), ["x", "y"]]))
+            expected += normal * r * (1 if raceway == 0 else -1)
+            size += normal * r
+        assert 3 * virial[k] * volume[k] == pytest.approx(expected, abs=1e-3 * size)
 
 
 def test_cage_balls_stay_centred(run):
