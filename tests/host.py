@@ -7,7 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-DECKS = ROOT / "tests" / "hosts"
+# A box for one 6208 around the origin, four atom types, nothing in it.
+BOX = """
+units si
+include inputs/modules/host.liggghts
+atom_modify map array sort 0 0.0
+boundary f f f
+newton off
+region box block -0.06 0.06 -0.06 0.06 -0.06 0.06 units box
+create_box 4 box
+neighbor 2.0e-3 bin
+neigh_modify delay 0 every 20 check yes
+"""
 
 
 @dataclass

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_cage.h"
 
-#include "../physics/damped_hertz.h"
 #include "arguments.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
@@ -107,7 +106,7 @@ void FixBearingCage::pre_force(int)
   pair_->state()->forward_axes();
   double **x = atom->x, **v = atom->v, **f = atom->f;
   const size_t n = riders_.size();
-  for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &reach_, &fr_, &fe_}) a->resize(n);
+  for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &radius_, &fr_, &fe_}) a->resize(n);
   for (size_t i = 0; i < n; ++i) {
     const Rider &rider = riders_[i];
     const Vec3 e = pair_->state()->axis(rider.i_ring);
@@ -120,7 +119,7 @@ void FixBearingCage::pre_force(int)
     ve_[i] = dot(dv, e);
     vr_[i] = dot(dv, d) - ve_[i] * z_[i];
     mass_[i] = atom->rmass[rider.i];
-    reach_[i] = atom->radius[rider.i];
+    radius_[i] = atom->radius[rider.i];
     fr_[i] = fe_[i] = 0.0;
   }
   for (size_t i = 0; i < n; ++i) {
@@ -132,12 +131,10 @@ void FixBearingCage::pre_force(int)
     const Rail rail = rails_[k];
     const double K = stiffness_[k];
     for (size_t i = 0; i < n; ++i) {
-      const double dr = r_[i] - rail.circle, dz = z_[i] - rail.offset, s = std::sqrt(dr * dr + dz * dz);
-      const double inverse = 1.0 / s, nr = dr * inverse, ne = dz * inverse;    // rail -> ball
-      const double gap = reach_[i] + rail.tube - s, overlap = gap > 0.0 ? gap : 0.0;
-      const double force = damped_hertz(K, overlap, -(vr_[i] * nr + ve_[i] * ne), mass_[i]).force;
-      fr_[i] += force * nr;
-      fe_[i] += force * ne;
+      const RailContact c = rail_contact(rail, K, r_[i], z_[i], vr_[i], ve_[i], radius_[i], mass_[i]);
+      const double force = c.h.force;
+      fr_[i] += force * c.nr;
+      fe_[i] += force * c.ne;
       sum += force;
       most = force > most ? force : most;
     }

@@ -47,7 +47,7 @@ class FixBearingCage : public Fix {
   std::vector<double> stiffness_;      // N/m^1.5 per rail
   std::vector<Rider> riders_;          // by tag
   // per rider: position and velocity in the ring (radial, axial), mass, radius, rail force
-  std::vector<double> r_, z_, vr_, ve_, mass_, reach_, fr_, fe_;
+  std::vector<double> r_, z_, vr_, ve_, mass_, radius_, fr_, fe_;
   double force_sum_ = 0.0, force_max_ = 0.0;    // of the last step, this rank
 };
 

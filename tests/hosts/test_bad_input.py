@@ -4,7 +4,7 @@
 import re
 
 import pytest
-from host import liggghts
+from host import BOX, liggghts
 
 # what is wrong: (variables of in.6208, what the error must say)
 MAIN_DECK = {
@@ -26,47 +26,37 @@ MAIN_DECK = {
     "no number": ({"load": "much"}, r"bearing_range: load must be a number, not 'much'"),
 }
 
-START = """
-units si
-include inputs/modules/host.liggghts
-atom_modify map array sort 0 0.0
-boundary f f f
-newton off
-region box block -0.06 0.06 -0.06 0.06 -0.06 0.06 units box
-create_box 4 box
-neighbor 2.0e-3 bin
-"""
 STYLE = "pair_style bearing/hertz\n"
 INNER = "pair_coeff 1 3 inner 24.0e-3 6.552e-3\n"
 OUTER = "pair_coeff 1 4 outer 36.6e-3 6.552e-3\n"
 CREATE = "create_bearing 1 none 3 4 balls 9 diameter 12.6e-3\n"
 GROUPS = "group balls type 1\ngroup inner type 3\nfix move balls nve/sphere\n"
-DRY = START + STYLE + INNER + OUTER + CREATE + GROUPS
+DRY = BOX + STYLE + INNER + OUTER + CREATE + GROUPS
 FILM = "lubricant 0.04 2e-8 roughness 1e-7 0"
 
 # what is wrong: (deck, what the error must say)
 DECKS = {
-    "unknown style keyword": (START + "pair_style bearing/hertz viscosity 0.04\n", r"pair_style bearing/hertz: unknown keyword .*'viscosity'; known: axis"),
-    "film keyword on dry contact": (START + "pair_style bearing/hertz lubricant 0.04 2e-8\n", r"unknown keyword .*'lubricant'"),
-    "too few numbers": (START + STYLE + "pair_coeff 1 3 inner 24.0e-3\n", r"pair_coeff 1 3 inner: too few arguments: groove radius \(m\) is missing"),
-    "too many numbers": (START + STYLE + "pair_coeff 1 3 inner 24.0e-3 6.552e-3 7\n", r"pair_coeff 1 3 inner: unknown keyword or one argument too many: '7'"),
-    "unknown role": (START + STYLE + "pair_coeff 1 3 middle 24.0e-3 6.552e-3\n", r"role is 'middle', must be one of: inner, outer, sphere"),
-    "film without oil": (START + "pair_style bearing/ehd\n" + INNER, r"bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY'"),
-    "film without roughness": (START + "pair_style bearing/ehd lubricant 0.04 2e-8\n" + INNER, r"bearing/ehd needs 'roughness RACEWAY BALL'"),
-    "missing ring in create": (START + STYLE + INNER + CREATE, r"create_bearing: missing ring: no pair_coeff 1 4 outer"),
-    "no ring atom": (START + STYLE + INNER + OUTER + "create_atoms 1 single 0.0303 0 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n", r"missing ring: pair_coeff 1 3 names ring type 3, but no atom has that type"),
+    "unknown style keyword": (BOX + "pair_style bearing/hertz viscosity 0.04\n", r"pair_style bearing/hertz: unknown keyword .*'viscosity'; known: axis"),
+    "film keyword on dry contact": (BOX + "pair_style bearing/hertz lubricant 0.04 2e-8\n", r"unknown keyword .*'lubricant'"),
+    "too few numbers": (BOX + STYLE + "pair_coeff 1 3 inner 24.0e-3\n", r"pair_coeff 1 3 inner: too few arguments: groove radius \(m\) is missing"),
+    "too many numbers": (BOX + STYLE + "pair_coeff 1 3 inner 24.0e-3 6.552e-3 7\n", r"pair_coeff 1 3 inner: unknown keyword or one argument too many: '7'"),
+    "unknown role": (BOX + STYLE + "pair_coeff 1 3 middle 24.0e-3 6.552e-3\n", r"role is 'middle', must be one of: inner, outer, sphere"),
+    "film without oil": (BOX + "pair_style bearing/ehd\n" + INNER, r"bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY'"),
+    "film without roughness": (BOX + "pair_style bearing/ehd lubricant 0.04 2e-8\n" + INNER, r"bearing/ehd needs 'roughness RACEWAY BALL'"),
+    "missing ring in create": (BOX + STYLE + INNER + CREATE, r"create_bearing: missing ring: no pair_coeff 1 4 outer"),
+    "no ring atom": (BOX + STYLE + INNER + OUTER + "create_atoms 1 single 0.0303 0 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n", r"missing ring: pair_coeff 1 3 names ring type 3, but no atom has that type"),
     "ring elsewhere": (DRY + "displace_atoms inner move 0.01 0 0 units box\nrun 0\n", r"ball \d at .* sits in no groove of an inner ring at step 0"),
     "two outer rings": (DRY + "create_atoms 4 single 1e-6 0 0 units box\nset type 4 diameter 2e-4\nrun 0\n", r"sits in the grooves of two outer rings"),
-    "overlapping balls": (START + STYLE + INNER + OUTER + CREATE.replace("9 diam", "13 diam") + "create_atoms 1 single 0.0303 0.004 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n", r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, the sum of their radii is 0.0126 m"),
+    "overlapping balls": (BOX + STYLE + INNER + OUTER + CREATE.replace("9 diam", "13 diam") + "create_atoms 1 single 0.0303 0.004 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n", r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, the sum of their radii is 0.0126 m"),
     "balls of two sizes": (DRY + "set atom 2 diameter 12.5e-3\nrun 0\n", r"balls of type 1 have radii from 0.00625 to 0.0063 m; give each size its own type"),
-    "conformal groove at run": (START + STYLE + INNER + OUTER + CREATE + GROUPS + "set type 1 diameter 13.2e-3\nrun 0\n", r"groove radius 0.006552 m must be larger than the ball radius 0.0066 m"),
-    "other units": (START.replace("units si", "units cgs") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'units si', not 'units cgs'"),
-    "newton on": (START.replace("newton off", "newton on") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'newton off'"),
-    "periodic box": (START.replace("boundary f f f", "boundary p p p") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'boundary f f f'"),
+    "conformal groove at run": (BOX + STYLE + INNER + OUTER + CREATE + GROUPS + "set type 1 diameter 13.2e-3\nrun 0\n", r"groove radius 0.006552 m must be larger than the ball radius 0.0066 m"),
+    "other units": (BOX.replace("units si", "units cgs") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'units si', not 'units cgs'"),
+    "newton on": (BOX.replace("newton off", "newton on") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'newton off'"),
+    "periodic box": (BOX.replace("boundary f f f", "boundary p p p") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'boundary f f f'"),
     "step of 1 s": (DRY + "timestep 1.0\nrun 1\n", r"timestep 1 s: the contact spring at 1 um overlap allows at most"),
-    "ring fix before pair_coeff": (START + STYLE + "group inner type 3\nfix r inner bearing/ring\n", r"missing ring, group inner is empty"),
-    "cage fix before pair_coeff": (START + STYLE + "fix c all bearing/cage 3\n", r"fix c bearing/cage: type 3 is no ring"),
-    "fix before pair style": (START + "group inner type 3\nfix r inner bearing/ring\n", r"fix bearing/ring needs pair_style bearing/hertz or bearing/ehd before it"),
+    "ring fix before pair_coeff": (BOX + STYLE + "group inner type 3\nfix r inner bearing/ring\n", r"missing ring, group inner is empty"),
+    "cage fix before pair_coeff": (BOX + STYLE + "fix c all bearing/cage 3\n", r"fix c bearing/cage: type 3 is no ring"),
+    "fix before pair style": (BOX + "group inner type 3\nfix r inner bearing/ring\n", r"fix bearing/ring needs pair_style bearing/hertz or bearing/ehd before it"),
     "ring fix on balls": (DRY + "fix r balls bearing/ring\n", r"fix r bearing/ring: atom \d of group balls is of type 1, which no pair_coeff names as a ring"),
     "ring fix on nothing": (DRY + "group none empty\nfix r none bearing/ring\n", r"missing ring, group none is empty|Could not find|Illegal"),
     "free ring without mass": (DRY + "fix r inner bearing/ring x free\n", r"fix r bearing/ring: x free needs 'mass M'"),
@@ -74,12 +64,12 @@ DECKS = {
     "unknown ring keyword": (DRY + "fix r inner bearing/ring wobble 1\n", r"'wobble'; known: x, y, z, rx, ry, spin"),
     "no such variable": (DRY + "fix r inner bearing/ring spin speed v_none\nrun 0\n", r"fix r bearing/ring: there is no equal-style variable 'none'"),
     "capacitance of a dry contact": (DRY + "fix c balls bearing/capacitance 10 permittivity 2.2\n", r"a dry contact has no capacitance"),
-    "permittivity below vacuum": (START + f"pair_style bearing/ehd {FILM}\n" + INNER + OUTER + CREATE + GROUPS + "fix c balls bearing/capacitance 10 permittivity 0.5\n", r"relative permittivity at ambient pressure is 0.5, must be from 1 to 10"),
+    "permittivity below vacuum": (BOX + f"pair_style bearing/ehd {FILM}\n" + INNER + OUTER + CREATE + GROUPS + "fix c balls bearing/capacitance 10 permittivity 0.5\n", r"relative permittivity at ambient pressure is 0.5, must be from 1 to 10"),
     "film column of a dry contact": (DRY + "compute c balls bearing/contact load h_min\n", r"attribute 'h_min' needs a lubricant"),
     "unknown column": (DRY + "compute c balls bearing/contact load weight\n", r"unknown attribute 'weight'; known: ball, ring"),
-    "capacitance column without its fix": (START + f"pair_style bearing/ehd {FILM}\n" + INNER + OUTER + CREATE + GROUPS + "compute c balls bearing/contact capacitance\nrun 0\n", r"compute c bearing/contact: attribute 'capacitance' needs a fix bearing/capacitance"),
+    "capacitance column without its fix": (BOX + f"pair_style bearing/ehd {FILM}\n" + INNER + OUTER + CREATE + GROUPS + "compute c balls bearing/contact capacitance\nrun 0\n", r"compute c bearing/contact: attribute 'capacitance' needs a fix bearing/capacitance"),
     "rails on no ring": (DRY + "fix c balls bearing/cage 2\n", r"fix c bearing/cage: type 2 is no ring"),
-    "bearing outside the box": (START + STYLE + INNER + OUTER + CREATE.replace("\n", " centre 0.03 0 0\n"), r"create_bearing: the bearing \(radius 0.0429 m\) does not fit into the box in direction x"),
+    "bearing outside the box": (BOX + STYLE + INNER + OUTER + CREATE.replace("\n", " centre 0.03 0 0\n"), r"create_bearing: the bearing \(radius 0.0429 m\) does not fit into the box in direction x"),
 }
 
 

@@ -3,22 +3,13 @@
 
 import numpy as np
 import pytest
-from host import succeed
+from host import BOX, succeed
 
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 
 # Balls wide apart from the rings (0.2 mm of radial play): nothing touches unless the clearance is changed.
-DECK = """
-units si
-include inputs/modules/host.liggghts
-atom_modify map array sort 0 0.0
-boundary f f f
-newton off
-region box block -0.06 0.06 -0.06 0.06 -0.06 0.06 units box
-create_box 4 box
-neighbor 2.0e-3 bin
-neigh_modify delay 0 every 20 check yes
+DECK = BOX + """
 variable play index 2.0e-4
 variable outer equal 36.6e-3+${play}
 pair_style bearing/hertz friction constant 0.1
