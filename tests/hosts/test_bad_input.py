@@ -112,3 +112,13 @@ def test_step_that_turns_out_too_large_is_refused(tmp_path):
     outcome = liggghts("inputs/in.6208", step=3.0e-6, out=tmp_path / "run")
     assert outcome.code != 0
     assert re.search(r"step 3e-06 s exceeds what .* allows, \S+ s, at step \d+|overlap", outcome.error)
+
+
+def test_not_a_number_is_named(tmp_path):
+    """A position that is not a number is no gap: the run stops at the contact."""
+    deck = tmp_path / "in.nan"
+    deck.write_text(DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"  # inf - inf
+                    "fix r inner bearing/ring mass 0.2 x free force v_nothing 0 0\ntimestep 1.0e-6\nrun 1000\n")
+    outcome = liggghts(deck)
+    assert outcome.code != 0
+    assert re.search(r"ball \d on inner ring 10 at step 1: overlap -?nan m", outcome.error), outcome.text[-1500:]

@@ -36,12 +36,17 @@ compute energy all pe
 compute virial all pressure thermo_temp virial
 variable virial equal c_virial
 variable volume equal vol
+fix more balls bearing/capacitance ${every} permittivity ${permittivity} background 30e-12
+variable more equal f_more[1]
+variable top equal f_more[2]
+variable active equal f_more[3]
+variable bare equal f_cap
 variable pe equal c_energy
 """
     measure = (ROOT / "inputs" / "modules" / "measure").read_text()
     head, tail = measure.split("variable now equal")
     marker = 'fix totals all print ${every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure} ${thin} ${lam} ' \
-        '${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe} ${virial} ${volume}" file ${out}/totals.txt screen no\n'
+        '${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe} ${virial} ${volume} ${more} ${top} ${active} ${bare}" file ${out}/totals.txt screen no\n'
     (folder / "measure").write_text(head + extra + marker + "variable now equal" + tail)
     deck.write_text(text.replace("${inputs}/modules/measure", f"{folder}/measure"))
     succeed(deck, out=folder / "run", passes=1, samples=SAMPLES)
@@ -76,6 +81,15 @@ def test_potential_energy_is_that_of_the_springs(run):
     rows = run.contacts[run.contacts["sample"] > 0]
     springs = (0.4 * rows["load"] * rows["overlap"]).groupby(rows["sample"]).sum().to_numpy()
     np.testing.assert_allclose(energy, springs, rtol=1e-3)
+
+
+def test_background_is_added_once(run):
+    """f_ID[1] is eq 12 plus the background; f_ID[2] the largest ball without it; f_ID[3] the balls in the sum."""
+    more, top, active, bare = run.totals[15:19]
+    np.testing.assert_allclose(more - bare, 30e-12, rtol=1e-9)  # 12 digits of 300 pF
+    pairs = run.pairs[run.pairs["sample"] > 0].groupby("sample")["capacitance"]
+    np.testing.assert_allclose(top, pairs.max(), rtol=1e-10)
+    np.testing.assert_array_equal(active, pairs.count())
 
 
 def test_virial_is_that_of_the_contact_forces(run):
