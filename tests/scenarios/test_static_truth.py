@@ -33,16 +33,17 @@ def test_ball_loads_at_every_azimuth(tmp_path):
 
 
 def test_ball_loads_with_clearance(tmp_path):
-    """Balls that enter the loaded zone of an open bearing slip and rub (mu = 0.1 of a light load), which the static
-    solver leaves out: 0.2 % of the largest load instead of 0.1 %."""
-    succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6)
+    """0.1 % of the largest load, at 30 rpm: a ball that enters the loaded zone sets the dry, hardly damped ring
+    swinging, by more the faster it comes (5e-4 of the largest load at 30 rpm, 2e-3 at 100, 5e-3 at 300), and statics
+    knows no swing."""
+    succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6, rpm=30)
     run = Run(tmp_path)
     contacts = run.contacts
-    for sample in range(0, 201, 5):
+    for sample in range(0, 201, 2):
         state = closed_forms.equilibrium(run, sample)
         rows = contacts[(contacts["sample"] == sample) & (contacts["raceway"] == INNER)]
         found = rows.set_index("ball")["load"].reindex(range(1, 10)).fillna(0).to_numpy()
-        np.testing.assert_allclose(found, state.inner.load, rtol=0, atol=2e-3 * state.inner.load.max())
+        np.testing.assert_allclose(found, state.inner.load, rtol=0, atol=1e-3 * state.inner.load.max())
 
 
 @pytest.mark.parametrize("groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3])  # table A.1 of the paper
