@@ -13,7 +13,7 @@ SHELL := /bin/bash
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
 # Bits must not depend on what the compiler fuses or on the building machine: no contraction, no -march=native.
-FLAGS := -std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g -Wall -Wextra -MMD -MP \
+FLAGS := -std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g -Wall -Wextra -Wno-psabi -MMD -MP \
          -DOMPI_SKIP_MPICXX -Isrc-package/compat -isystem /usr/include/liggghts
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 

@@ -59,38 +59,42 @@ struct RacewayPhysics {
   }
 };
 
-struct BallState {
-  Vec3 x, v, w;
+template <class T> struct BallStateT {
+  Vec3T<T> x, v, w;
 };
+using BallState = BallStateT<double>;
 
-struct RingState {
-  Vec3 x, v, w;
-  Vec3 e;    // unit axis
+template <class T> struct RingStateT {
+  Vec3T<T> x, v, w;
+  Vec3T<T> e;    // unit axis
 };
+using RingState = RingStateT<double>;
 
 // What a contact is at one instant. Speeds m/s, forces N, lengths m.
-struct ContactState : GroovePosition {    // u, t, r, z, s, nu, ne
-  double overlap = 0.0, root = 0.0;    // overlap and its square root
-  double cos_angle = 1.0;         // of the contact angle
-  double overlap_rate = 0.0;
-  double load = 0.0;              // Q, elastic
-  double stiffness = 0.0;         // dQ/d(overlap), N/m
-  double damping = 0.0;           // C, N s/m
-  double normal = 0.0;            // N = max(0, Q + C d(overlap)/dt)
-  double entrainment = 0.0;
-  double sliding_t = 0.0, sliding_w = 0.0;    // ball surface minus ring surface
-  double h_min = 0.0, lambda = 0.0;
-  double mu = 0.0;
-  double kt = 0.0, ct = 0.0;      // tangential spring and dashpot
-  double v_0 = 0.0;               // m/s, of the smoothed Coulomb law
-  double friction_t = 0.0, friction_w = 0.0;  // force of the ring on the ball is -friction
+template <class T> struct ContactStateT : GroovePositionT<T> {    // u, t, r, z, s, nu, ne
+  T overlap = T(), root = T();    // overlap and its square root
+  T cos_angle = T();              // of the contact angle
+  T overlap_rate = T();
+  T load = T();                   // Q, elastic
+  T stiffness = T();              // dQ/d(overlap), N/m
+  T damping = T();                // C, N s/m
+  T normal = T();                 // N = max(0, Q + C d(overlap)/dt)
+  T entrainment = T();
+  T sliding_t = T(), sliding_w = T();    // ball surface minus ring surface
+  T h_min = T(), lambda = T();
+  T mu = T();
+  T kt = T(), ct = T();           // tangential spring and dashpot
+  T v_0 = T();                    // m/s, of the smoothed Coulomb law
+  T friction_t = T(), friction_w = T();  // force of the ring on the ball is -friction
 };
+using ContactState = ContactStateT<double>;
 
-struct ContactForces {
-  Vec3 force;          // on the ball
-  Vec3 ball_torque;    // about the ball centre
-  Vec3 ring_torque;    // about the ring centre
+template <class T> struct ContactForcesT {
+  Vec3T<T> force;          // on the ball
+  Vec3T<T> ball_torque;    // about the ball centre
+  Vec3T<T> ring_torque;    // about the ring centre
 };
+using ContactForces = ContactForcesT<double>;
 
 // Geometry only. True where the surfaces overlap (or a position is not a number); only then the frame is set.
 inline bool touch(const RacewayPhysics &p, const Vec3 &d, const Vec3 &e, ContactState &c)
@@ -100,78 +104,84 @@ inline bool touch(const RacewayPhysics &p, const Vec3 &d, const Vec3 &e, Contact
   return !(c.overlap <= 0.0);
 }
 
-// Loads, film and friction of a contact for which touch() was true. dt advances the tangential spring
-// xi (2 values, m); dt = 0 leaves it as it is.
-template <bool with_film, Friction friction>
-__attribute__((always_inline)) inline ContactForces
-contact_forces(const RacewayPhysics &p, const BallState &ball, const RingState &ring, double dt, double *xi,
-               ContactState &c)
+// Friction by a spring with history xi (2 values, m), advanced over dt; dt = 0 leaves it as it is.
+struct FrictionSpring {
+  double dt, *xi;
+  void operator()(const RacewayPhysics &p, ContactState &c) const
+  {
+    c.kt = p.kt_ratio * c.stiffness;
+    c.ct = p.ct_factor * std::sqrt(c.kt);
+    xi[0] += dt * c.sliding_t;
+    xi[1] += dt * c.sliding_w;
+    tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, xi, c.friction_t, c.friction_w);
+  }
+};
+
+// Friction by Coulomb's law smoothed over a creep speed; needs p.creep > 0.
+struct FrictionSmoothed {
+  template <class T> RACEWAY_INLINE void operator()(const RacewayPhysics &p, ContactStateT<T> &c) const
+  {
+    const T u = p.creep * c.entrainment;
+    c.v_0 = square_root(u * u + p.creep_floor * p.creep_floor);
+    c.kt = T();
+    c.ct = smoothed_friction(T(c.mu * c.normal), c.sliding_t, c.sliding_w, c.v_0);
+    c.friction_t = c.ct * c.sliding_t;
+    c.friction_w = c.ct * c.sliding_w;
+  }
+};
+
+// Loads, film and friction of a contact whose overlap is set and positive; `tangential` is one of the two above.
+template <bool with_film, Friction friction, class T, class Tangential>
+RACEWAY_INLINE ContactForcesT<T> contact_forces(const RacewayPhysics &p, const BallStateT<T> &ball,
+                                                const RingStateT<T> &ring, const Tangential &tangential,
+                                                ContactStateT<T> &c)
 {
   const double Rb = p.groove.ball_radius;
-  c.root = std::sqrt(c.overlap);
-  c.cos_angle = std::fabs(c.nu);
-  RacewayConstants oblique;
-  const RacewayConstants *k = &p.law.radial();
-  if (1.0 - c.cos_angle >= 1e-12) {
-    oblique = p.law.at(c.cos_angle);
-    k = &oblique;
-  }
+  c.root = square_root(c.overlap);
+  c.cos_angle = magnitude(c.nu);
+  const RacewayConstantsT<T> k = p.law.at(c.cos_angle);
 
   // velocities in (u, t, e), relative to the ring centre
-  const Vec3 dv = ball.v - ring.v;
-  const double vu = dot(dv, c.u), vt = dot(dv, c.t), ve = dot(dv, ring.e);
-  const double wu = dot(ball.w, c.u), wt = dot(ball.w, c.t), we = dot(ball.w, ring.e);
-  const double Wu = dot(ring.w, c.u), Wt = dot(ring.w, c.t), We = dot(ring.w, ring.e);
-  const double rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;    // contact point in the ring
-  const double Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // ring surface, W x (rc u + zc e)
+  const Vec3T<T> dv = ball.v - ring.v;
+  const T vu = dot(dv, c.u), vt = dot(dv, c.t), ve = dot(dv, ring.e);
+  const T wu = dot(ball.w, c.u), wt = dot(ball.w, c.t), we = dot(ball.w, ring.e);
+  const T Wu = dot(ring.w, c.u), Wt = dot(ring.w, c.t), We = dot(ring.w, ring.e);
+  const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;    // contact point in the ring
+  const T Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // ring surface, W x (rc u + zc e)
 
   c.overlap_rate = (vu - Vu) * c.nu + (ve - Ve) * c.ne;
-  const double roll = Rb * (we * c.nu - wu * c.ne);    // ball surface along t, from its spin
+  const T roll = Rb * (we * c.nu - wu * c.ne);    // ball surface along t, from its spin
   c.sliding_t = vt + roll - Vt;
   c.sliding_w = (ve - Ve) * c.nu - (vu - Vu) * c.ne - Rb * wt;
-  const double turn = (vt + c.z * Wu) / c.r * rc - Wu * zc;    // contact point along t
-  c.entrainment = 0.5 * std::fabs((vt + roll - turn) + (Vt - turn));
+  const T turn = (vt + c.z * Wu) / c.r * rc - Wu * zc;    // contact point along t
+  c.entrainment = 0.5 * magnitude(T((vt + roll - turn) + (Vt - turn)));
 
-  c.load = k->K * c.overlap * c.root;
-  c.stiffness = 1.5 * k->K * c.root;
+  c.load = k.K * c.overlap * c.root;
+  c.stiffness = 1.5 * k.K * c.root;
   c.damping = hysteretic_damping(p.hysteresis, c.load);
   if (with_film) {
-    c.h_min = film_thickness(k->film.min, std::log(c.entrainment), std::log(c.load));
+    c.h_min = film_thickness(k.film.min, logarithm(c.entrainment), logarithm(c.load));
     c.lambda = c.h_min * p.inverse_roughness;
-    c.damping += film_damping(k->film_damper, k->a * c.root, c.h_min, p.floor);
+    c.damping += film_damping(k.film_damper, T(k.a * c.root), c.h_min, p.floor);
   }
-  const double N = c.load + c.damping * c.overlap_rate;
-  c.normal = N > 0.0 ? N : 0.0;
+  const T N = c.load + c.damping * c.overlap_rate;
+  c.normal = where(N > 0.0, N, 0.0);
 
-  double ft = 0.0, fw = 0.0;
+  c.friction_t = c.friction_w = T();
   if (friction != Friction::none) {
-    c.mu = friction == Friction::stribeck ? stribeck(p.curve, c.lambda) : p.mu;
-    if (p.creep > 0.0) {
-      const double u = p.creep * c.entrainment;
-      c.v_0 = std::sqrt(u * u + p.creep_floor * p.creep_floor);
-      c.kt = 0.0;
-      c.ct = smoothed_friction(c.mu * c.normal, c.sliding_t, c.sliding_w, c.v_0);
-      ft = c.ct * c.sliding_t;
-      fw = c.ct * c.sliding_w;
-    } else {
-      c.kt = p.kt_ratio * c.stiffness;
-      c.ct = p.ct_factor * std::sqrt(c.kt);
-      xi[0] += dt * c.sliding_t;
-      xi[1] += dt * c.sliding_w;
-      tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, xi, ft, fw);
-    }
+    c.mu = friction == Friction::stribeck ? stribeck(p.curve, c.lambda) : T() + p.mu;
+    tangential(p, c);
   }
-  c.friction_t = ft;
-  c.friction_w = fw;
 
   // w = n x t = nu e - ne u; lever of the ball Rb n, of the ring rc u + zc e
-  const double fu = -c.normal * c.nu + fw * c.ne, fe = -c.normal * c.ne - fw * c.nu;
-  ContactForces f;
-  f.force = c.u * fu + c.t * -ft + ring.e * fe;
+  const T ft = c.friction_t, fw = c.friction_w;
+  const T fu = -c.normal * c.nu + fw * c.ne, fe = -c.normal * c.ne - fw * c.nu;
+  ContactForcesT<T> f;
+  f.force = c.u * fu + c.t * T(-ft) + ring.e * fe;
   // n x t = w, n x w = -t
-  f.ball_torque = c.u * (Rb * ft * c.ne) + ring.e * (-Rb * ft * c.nu) + c.t * (Rb * fw);
+  f.ball_torque = c.u * T(Rb * ft * c.ne) + ring.e * T(-Rb * ft * c.nu) + c.t * T(Rb * fw);
   // -(rc u + zc e) x F with u x t = e, t x e = u, e x u = t
-  f.ring_torque = c.u * (-zc * ft) + c.t * (rc * fe - zc * fu) + ring.e * (rc * ft);
+  f.ring_torque = c.u * T(-zc * ft) + c.t * T(rc * fe - zc * fu) + ring.e * T(rc * ft);
   return f;
 }
 

@@ -4,12 +4,17 @@
 // f = -N n - f_t t - f_w w at the contact point (contact.h), N = max(0, Q + C rate), friction by the smoothed
 // Coulomb law f_t t + f_w w = mu N eps,  eps = s/sqrt(|s|^2 + v_0^2),  s = s_t t + s_w w. With V the velocity of
 // ball surface against ring surface at the contact point and X the place of the ball against the groove:
-//   D = -df/dV = C n n + mu C eps n + g (t t + w w - eps eps),          g = mu N/sqrt(|s|^2 + v_0^2)
-//   K = -df/dX = k n n + mu k eps n + N/s_g w w + N nu/r t t
+//   D = -df/dV = C (n + mu eps) n + g (t t + w w),                      g = mu N/sqrt(|s|^2 + v_0^2)
+//   K = -df/dX = k (n + mu eps) n + N/s_g w w + N nu/r t t
 // (products of two vectors are dyads; C and k count only while N > 0; s_g is the distance of the ball from the
 // circle of groove centres and r from the axis: the last two terms turn the normal as the ball moves across and
-// along the groove). Held fixed in both: C, mu and v_0 (hence film and entrainment), the constants' dependence
-// on the contact angle, and the turn of t and w. They change the rate of Newton's method, not its result.
+// along the groove). g is the secant of friction, f/s, where the tangent would add -g eps eps: the tangent of a
+// sliding contact is nearly flat, and one correction then throws a light ball across zero sliding.
+// Held fixed in both: C, mu and v_0 (hence film and entrainment), the constants' dependence on the contact angle, and
+// the turn of t and w. They change the rate of Newton's method, not its result.
+//
+// hd D + hk K = push (n + mu eps) n + along t t + across w w; the ball's spin enters through the lever R n, for which
+// n x t = w and n x w = -t.
 #ifndef RACEWAY_CONTACT_JACOBIAN_H
 #define RACEWAY_CONTACT_JACOBIAN_H
 
@@ -17,87 +22,50 @@
 
 namespace raceway {
 
-struct Mat3 {
-  double a[9] = {};    // rows
+template <class T> struct ContactJacobianT {
+  Vec3T<T> n, t, w;       // normal (ball -> raceway), circumferential, and across the groove
+  Vec3T<T> friction;      // mu eps
+  T push, along, across;  // of hd D + hk K
+  T damper, grip;         // of hd D: C and g
 
-  // += s p q^T
-  void add(double s, const Vec3 &p, const Vec3 &q)
+  // (hd D + hk K) q and q (hd D + hk K)
+  RACEWAY_INLINE Vec3T<T> times(const Vec3T<T> &q) const
   {
-    const double x = s * p.x, y = s * p.y, z = s * p.z;
-    a[0] += x * q.x; a[1] += x * q.y; a[2] += x * q.z;
-    a[3] += y * q.x; a[4] += y * q.y; a[5] += y * q.z;
-    a[6] += z * q.x; a[7] += z * q.y; a[8] += z * q.z;
+    return (n + friction) * T(push * dot(n, q)) + t * T(along * dot(t, q)) + w * T(across * dot(w, q));
   }
-  Vec3 operator*(const Vec3 &v) const
+  RACEWAY_INLINE Vec3T<T> before(const Vec3T<T> &q) const
   {
-    return {a[0] * v.x + a[1] * v.y + a[2] * v.z, a[3] * v.x + a[4] * v.y + a[5] * v.z,
-            a[6] * v.x + a[7] * v.y + a[8] * v.z};
+    return n * T(push * dot(n + friction, q)) + t * T(along * dot(t, q)) + w * T(across * dot(w, q));
+  }
+  // hd D q, and n x (q hd D)
+  RACEWAY_INLINE Vec3T<T> damped(const Vec3T<T> &q) const
+  {
+    return (n + friction) * T(damper * dot(n, q)) + t * T(grip * dot(t, q)) + w * T(grip * dot(w, q));
+  }
+  RACEWAY_INLINE Vec3T<T> turned(const Vec3T<T> &q) const
+  {
+    return w * T(grip * dot(t, q)) - t * T(grip * dot(w, q));
   }
 };
 
-// v^T M
-inline Vec3 operator*(const Vec3 &v, const Mat3 &m)
+// Jacobian of a contact whose forces are known, 0 where `live` says so; e is the axis of the ring.
+template <class T, class Test>
+RACEWAY_INLINE ContactJacobianT<T> contact_jacobian(const ContactStateT<T> &c, const Vec3T<T> &e, const Test &live,
+                                                    double hd, double hk)
 {
-  return {v.x * m.a[0] + v.y * m.a[3] + v.z * m.a[6], v.x * m.a[1] + v.y * m.a[4] + v.z * m.a[7],
-          v.x * m.a[2] + v.y * m.a[5] + v.z * m.a[8]};
-}
-
-// M [v]x: the column-wise cross product, (M [v]x) y = M (v x y)
-inline Mat3 times_cross(const Mat3 &m, const Vec3 &v)
-{
-  Mat3 r;
-  for (int i = 0; i < 9; i += 3) {
-    r.a[i] = m.a[i + 1] * v.z - m.a[i + 2] * v.y;
-    r.a[i + 1] = m.a[i + 2] * v.x - m.a[i] * v.z;
-    r.a[i + 2] = m.a[i] * v.y - m.a[i + 1] * v.x;
-  }
-  return r;
-}
-
-// [v]x M
-inline Mat3 cross_times(const Vec3 &v, const Mat3 &m)
-{
-  Mat3 r;
-  for (int j = 0; j < 3; ++j) {
-    r.a[j] = v.y * m.a[6 + j] - v.z * m.a[3 + j];
-    r.a[3 + j] = v.z * m.a[j] - v.x * m.a[6 + j];
-    r.a[6 + j] = v.x * m.a[3 + j] - v.y * m.a[j];
-  }
-  return r;
-}
-
-// hd D + hk K and hd D alone, for a live contact; e is the axis of the ring.
-struct ContactJacobian {
-  Vec3 normal;      // ball -> raceway
-  Mat3 both;        // hd D + hk K
-  Mat3 damping;     // hd D
-};
-
-inline ContactJacobian contact_jacobian(const ContactState &c, double slack, const Vec3 &e, double hd, double hk,
-                                        bool secant)
-{
-  ContactJacobian j;
-  j.normal = c.u * c.nu + e * c.ne;
-  const Vec3 w = e * c.nu - c.u * c.ne;    // n x t
-  if (c.normal > 0.0) {
-    const double g = c.mu > 0.0 ? c.ct : 0.0;
-    double at = 0.0, aw = 0.0;    // eps
-    if (g > 0.0) {
-      const double i = g / (c.mu * c.normal);
-      at = c.sliding_t * i;
-      aw = c.sliding_w * i;
-    }
-    const Vec3 eps = c.t * at + w * aw;
-    const Vec3 pull = j.normal + eps * c.mu;
-    j.damping.add(hd * c.damping, pull, j.normal);
-    j.damping.add(hd * g, c.t, c.t);
-    j.damping.add(hd * g, w, w);
-    if (!secant) j.damping.add(-hd * g, eps, eps);
-    j.both = j.damping;
-    j.both.add(hk * c.stiffness, pull, j.normal);
-    j.both.add(hk * c.normal / (c.overlap + slack), w, w);
-    j.both.add(hk * c.normal * c.nu / c.r, c.t, c.t);
-  }
+  ContactJacobianT<T> j;
+  const auto presses = live & (c.normal > 0.0);
+  const T normal = where(presses, c.normal, 0.0), g = where(presses, c.ct, 0.0);
+  j.n = c.u * c.nu + e * c.ne;
+  j.t = c.t;
+  j.w = e * c.nu - c.u * c.ne;
+  const T inverse = where(presses, T(1.0 / c.normal), 0.0);
+  j.friction = c.t * T(c.friction_t * inverse) + j.w * T(c.friction_w * inverse);
+  j.damper = where(presses, T(hd * c.damping), 0.0);
+  j.grip = hd * g;
+  j.push = j.damper + where(presses, T(hk * c.stiffness), 0.0);
+  j.along = j.grip + hk * normal * c.nu / c.r;
+  j.across = j.grip + hk * normal / c.s;
   return j;
 }
 

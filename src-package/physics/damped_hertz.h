@@ -3,26 +3,28 @@
 #ifndef RACEWAY_DAMPED_HERTZ_H
 #define RACEWAY_DAMPED_HERTZ_H
 
-#include <cmath>
+#include "lane.h"
 
 namespace raceway {
 
-struct DampedHertz {
-  double stiffness = 0.0;    // N/m, dF/d(overlap) of the spring
-  double damping = 0.0;      // N s/m
-  double force = 0.0;        // N, >= 0 (no adhesion)
+template <class T> struct DampedHertzT {
+  T stiffness = T();    // N/m, dF/d(overlap) of the spring
+  T damping = T();      // N s/m
+  T force = T();        // N, >= 0 (no adhesion)
 };
+using DampedHertz = DampedHertzT<double>;
 
 // K overlap^1.5 with the critical damping 2 sqrt(k m) of the reduced mass m at the present stiffness k.
 // Pre-conditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg); overlap_rate in m/s, > 0 when closing.
-inline DampedHertz damped_hertz(double K, double overlap, double overlap_rate, double m)
+template <class T>
+RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T &overlap_rate, const T &m)
 {
-  DampedHertz h;
-  const double root = std::sqrt(overlap);
+  DampedHertzT<T> h;
+  const T root = square_root(overlap);
   h.stiffness = 1.5 * K * root;
-  h.damping = 2.0 * std::sqrt(h.stiffness * m);
-  const double f = K * overlap * root + h.damping * overlap_rate;
-  h.force = f > 0.0 ? f : 0.0;
+  h.damping = 2.0 * square_root(T(h.stiffness * m));
+  const T f = K * overlap * root + h.damping * overlap_rate;
+  h.force = where(f > 0.0, f, 0.0);
   return h;
 }
 

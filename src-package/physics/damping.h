@@ -10,7 +10,7 @@
 #ifndef RACEWAY_DAMPING_H
 #define RACEWAY_DAMPING_H
 
-#include <cmath>
+#include "lane.h"
 
 namespace raceway {
 
@@ -21,13 +21,13 @@ inline double film_damping_prefactor(double viscosity, double radius, double len
   return 3.0 * pi * viscosity / std::sqrt(2.0) * length_factor * radius * std::sqrt(radius);
 }
 
-inline double film_damping(double prefactor, double a, double h, double floor)
+template <class T> RACEWAY_INLINE T film_damping(const T &prefactor, const T &a, const T &h, double floor)
 {
-  const double film = h > floor ? h : floor;
-  return prefactor * a / (film * std::sqrt(film));
+  const T film = where(h > floor, h, floor);
+  return prefactor * a / (film * square_root(film));
 }
 
-inline double hysteretic_damping(double alpha_e, double load) { return 1.5 * alpha_e * load; }
+template <class T> RACEWAY_INLINE T hysteretic_damping(double alpha_e, const T &load) { return 1.5 * alpha_e * load; }
 
 }    // namespace raceway
 

@@ -10,7 +10,7 @@
 #ifndef RACEWAY_FILM_H
 #define RACEWAY_FILM_H
 
-#include <cmath>
+#include "lane.h"
 
 namespace raceway {
 
@@ -21,15 +21,17 @@ struct Lubricant {
   double pressure_viscosity = 0.0;    // 1/Pa
 };
 
-struct FilmLaw {
-  double lnA = 0.0;    // ln of the prefactor, SI
-  double p = 0.0;      // exponent of the entrainment speed
-  double m = 0.0;      // exponent of the load (negative)
+template <class T> struct FilmLawT {
+  T lnA = T();    // ln of the prefactor, SI
+  T p = T();      // exponent of the entrainment speed
+  T m = T();      // exponent of the load (negative)
 };
+using FilmLaw = FilmLawT<double>;
 
-struct FilmPair {
-  FilmLaw min, central;
+template <class T> struct FilmPairT {
+  FilmLawT<T> min, central;
 };
+using FilmPair = FilmPairT<double>;
 
 namespace detail {
 inline FilmLaw film_law(double c, double p, double g, double m, double side_leakage,
@@ -63,9 +65,9 @@ inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, d
 }
 
 // h from the law; u = 0 gives h = 0 (no film at rest).
-inline double film_thickness(const FilmLaw &f, double ln_speed, double ln_load)
+template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const T &ln_speed, const T &ln_load)
 {
-  return std::exp(f.lnA + f.p * ln_speed + f.m * ln_load);
+  return exponential(f.lnA + f.p * ln_speed + f.m * ln_load);
 }
 
 // Composite roughness sqrt(s1^2 + s2^2), m; the film parameter is Lambda = h_min/composite (eq 7).

@@ -8,7 +8,7 @@
 #ifndef RACEWAY_FRICTION_H
 #define RACEWAY_FRICTION_H
 
-#include <cmath>
+#include "lane.h"
 
 namespace raceway {
 
@@ -17,12 +17,11 @@ struct StribeckCurve {
   double lambda_1 = 1.0, lambda_2 = 3.0;
 };
 
-inline double stribeck(const StribeckCurve &c, double lambda)
+template <class T> RACEWAY_INLINE T stribeck(const StribeckCurve &c, const T &lambda)
 {
-  if (lambda <= c.lambda_1) return c.mu_boundary;
-  if (lambda >= c.lambda_2) return c.mu_full;
-  const double s = (lambda - c.lambda_1) / (c.lambda_2 - c.lambda_1);
-  return c.mu_boundary + (c.mu_full - c.mu_boundary) * s * s * (3.0 - 2.0 * s);
+  const T s = (lambda - c.lambda_1) / (c.lambda_2 - c.lambda_1);
+  const T mixed = c.mu_boundary + (c.mu_full - c.mu_boundary) * s * s * (3.0 - 2.0 * s);
+  return where(lambda <= c.lambda_1, c.mu_boundary, where(lambda >= c.lambda_2, c.mu_full, mixed));
 }
 
 // 0 boundary, 1 mixed, 2 full film.
@@ -60,9 +59,10 @@ inline void tangential_force(const TangentialSpring &s, double cap, double vt, d
 // small s: a loaded contact creeps a little where the spring would stick. In a rolling contact that is
 // what a traction curve looks like: with v_0 = c u (u entrainment speed) f depends on the slide-roll
 // ratio s/u only and bends at s/u = c. Returns f/s, N s/m; cap = mu N.
-inline double smoothed_friction(double cap, double slip_t, double slip_w, double v_0)
+template <class T>
+RACEWAY_INLINE T smoothed_friction(const T &cap, const T &slip_t, const T &slip_w, const T &v_0)
 {
-  return cap / std::sqrt(slip_t * slip_t + slip_w * slip_w + v_0 * v_0);
+  return cap / square_root(slip_t * slip_t + slip_w * slip_w + v_0 * v_0);
 }
 
 }    // namespace raceway

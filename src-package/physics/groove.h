@@ -34,14 +34,28 @@ struct Groove {
   double slack() const { return groove_radius - ball_radius; }
 };
 
-struct GroovePosition {
-  Vec3 u, t;              // radial and circumferential unit vectors
-  double r = 0.0;         // m, distance of the ball centre from the ring axis
-  double z = 0.0;         // m, along the axis
-  double s = 0.0;         // m, distance from the circle of groove centres
-  double nu = 0.0;        // normal, radial component
-  double ne = 0.0;        // normal, axial component
+template <class T> struct GroovePositionT {
+  Vec3T<T> u, t;          // radial and circumferential unit vectors
+  T r = T();              // m, distance of the ball centre from the ring axis
+  T z = T();              // m, along the axis
+  T s = T();              // m, distance from the circle of groove centres
+  T nu = T();             // normal, radial component
+  T ne = T();             // normal, axial component
 };
+using GroovePosition = GroovePositionT<double>;
+
+// Frame of a ball once r, z, the radial vector and s are known.
+template <class T>
+RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double centre_circle, const T &s2,
+                              GroovePositionT<T> &p)
+{
+  p.u = radial * (1.0 / p.r);
+  p.t = cross(e, p.u);
+  p.s = square_root(s2);
+  const T inverse = 1.0 / p.s;
+  p.nu = (p.r - centre_circle) * inverse;
+  p.ne = p.z * inverse;
+}
 
 // Where a ball centre at d from the ring centre sits; e is the unit axis of the ring. False, and only r and z
 // set, if it is no farther than `slack` from the circle of groove centres (no contact); slack < 0 always locates.
@@ -52,20 +66,27 @@ inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, do
   const Vec3 radial = d - e * p.z;
   p.r = norm(radial);
   const double g = p.r - centre_circle, s2 = g * g + p.z * p.z;
-  if (slack >= 0.0 && s2 <= slack * slack) return false;
-  p.u = radial * (1.0 / p.r);
-  p.t = cross(e, p.u);
-  p.s = std::sqrt(s2);
-  const double inverse = 1.0 / p.s;
-  p.nu = g * inverse;
-  p.ne = p.z * inverse;
+  if (s2 <= slack * slack) return false;
+  set_frame(radial, e, centre_circle, s2, p);
   return true;
+}
+
+// The same for every position, without a branch.
+template <class T>
+RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle, GroovePositionT<T> &p)
+{
+  p.z = dot(d, e);
+  const Vec3T<T> radial = d - e * p.z;
+  p.r = norm(radial);
+  const T g = p.r - centre_circle;
+  const T s2 = g * g + p.z * p.z;
+  set_frame(radial, e, centre_circle, s2, p);
 }
 
 inline GroovePosition locate(const Vec3 &d, const Vec3 &e, double centre_circle)
 {
   GroovePosition p;
-  locate_beyond(d, e, centre_circle, -1.0, p);
+  locate(d, e, centre_circle, p);
   return p;
 }
 

@@ -18,13 +18,14 @@
 
 namespace raceway {
 
-struct RacewayConstants {
-  double K;                // N/m^1.5
-  double a, b;             // sqrt(m), semi-axes over sqrt(overlap)
-  double p;                // Pa/sqrt(m)
-  FilmPair film;           // h_min, h_c
-  double film_damper;      // N s/m^0.5, C_fluid = film_damper * a sqrt(overlap) * h^-1.5
+template <class T> struct RacewayConstantsT {
+  T K;                // N/m^1.5
+  T a, b;             // sqrt(m), semi-axes over sqrt(overlap)
+  T p;                // Pa/sqrt(m)
+  FilmPairT<T> film;  // h_min, h_c
+  T film_damper;      // N s/m^0.5, C_fluid = film_damper * a sqrt(overlap) * h^-1.5
 };
+using RacewayConstants = RacewayConstantsT<double>;
 
 struct RacewayMaterial {
   double ball_young = 210e9, ball_poisson = 0.3;
@@ -62,7 +63,7 @@ class RacewayLaw {
  public:
   RacewayLaw() = default;
   RacewayLaw(const Groove &g, double pitch_radius, const RacewayMaterial &mat, const RacewayModel &model) :
-      radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), grid_(cells + 3)
+      radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), packed_radial_(pack(radial_)), grid_(cells + 3)
   {
     // one node beyond each end so that every cell has its four points
     for (int i = 0; i < cells + 3; ++i)
@@ -72,9 +73,29 @@ class RacewayLaw {
   const RacewayConstants &radial() const { return radial_; }
 
   // Constants at cos(alpha); below 1e-12 from 1 the radial ones are exact to rounding.
-  RacewayConstants at(double cos_angle) const
+  RACEWAY_INLINE RacewayConstants at(double cos_angle) const
   {
-    if (1.0 - cos_angle < 1e-12) return radial_;
+    return 1.0 - cos_angle < 1e-12 ? radial_ : oblique(cos_angle);
+  }
+
+  RACEWAY_INLINE RacewayConstantsT<Lane> at(const Lane &cos_angle) const
+  {
+    const bool radial = !any(1.0 - cos_angle >= 1e-12);
+    Lane v[n_constants];
+    if (radial) {
+      for (int k = 0; k < n_constants; ++k) v[k] = all_lanes(packed_radial_[k]);
+    } else {
+      for (int i = 0; i < lanes; ++i) {
+        const Packed one = pack(at(cos_angle[i]));
+        for (int k = 0; k < n_constants; ++k) v[k][i] = one[k];
+      }
+    }
+    return {v[0], v[1], v[2], v[3], FilmPairT<Lane>{{v[4], v[5], v[6]}, {v[7], v[8], v[9]}}, v[10]};
+  }
+
+ private:
+  RacewayConstants oblique(double cos_angle) const
+  {
     const double x = cos_angle * cells;
     int i = static_cast<int>(x);
     if (i > cells - 1) i = cells - 1;
@@ -88,7 +109,6 @@ class RacewayLaw {
     return unpack(v);
   }
 
- private:
   static constexpr int cells = 64, n_constants = 11;
   using Packed = std::array<double, n_constants>;
 
@@ -103,6 +123,7 @@ class RacewayLaw {
   }
 
   RacewayConstants radial_{};
+  Packed packed_radial_{};    // for lanes
   std::vector<Packed> grid_;
 };
 

@@ -45,40 +45,23 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
 // One cage ball on one rail in the meridional plane of the ring: ball centre at radius r and height z, moving at
 // vr, ve against the ring. Without a branch, so that a loop over many balls becomes vector code; without contact
 // the force is 0.
-struct RailContact {
-  double nr, ne;    // rail -> ball
-  DampedHertz h;
+template <class T> struct RailContactT {
+  T nr, ne;         // rail -> ball
+  DampedHertzT<T> h;
 };
+using RailContact = RailContactT<double>;
 
-inline RailContact rail_contact(const Rail &rail, double K, double r, double z, double vr, double ve, double radius,
-                                double mass)
+template <class T>
+RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T &r, const T &z, const T &vr, const T &ve,
+                                            const T &radius, const T &mass)
 {
-  RailContact c;
-  const double dr = r - rail.circle, dz = z - rail.offset, s = std::sqrt(dr * dr + dz * dz);
-  const double inverse = 1.0 / s, gap = radius + rail.tube - s;
+  RailContactT<T> c;
+  const T dr = r - rail.circle, dz = z - rail.offset, s = square_root(T(dr * dr + dz * dz));
+  const T inverse = 1.0 / s, gap = radius + rail.tube - s;
   c.nr = dr * inverse;
   c.ne = dz * inverse;
-  c.h = damped_hertz(K, gap > 0.0 ? gap : 0.0, -(vr * c.nr + ve * c.ne), mass);
+  c.h = damped_hertz(K, T(where(gap > 0.0, gap, 0.0)), T(-(vr * c.nr + ve * c.ne)), mass);
   return c;
-}
-
-// The same with the normal as a vector, for an implicit step. Ball centre at d from the ring centre, moving at dv
-// against the ring there. False: no force.
-struct RailTouch {
-  Vec3 n;           // rail -> ball
-  DampedHertz h;
-};
-
-inline bool touch_rail(const Rail &rail, double K, const Vec3 &d, const Vec3 &e, double radius, double mass,
-                       const Vec3 &dv, RailTouch &t)
-{
-  const double z = dot(d, e);
-  const Vec3 radial = d - e * z;
-  const double r = norm(radial);
-  const RailContact c = rail_contact(rail, K, r, z, dot(dv, radial) / r, dot(dv, e), radius, mass);
-  t.n = radial * (c.nr / r) + e * c.ne;
-  t.h = c.h;
-  return t.h.force > 0.0;
 }
 
 }    // namespace raceway

@@ -98,9 +98,8 @@ template <bool film, Friction friction> bool ImplicitBearing::add_grooves()
     const RacewayPhysics &p = *g.physics;
     if (!touch(p, b.x_lab - r.now.x, r.now.e, g.state)) continue;
     if (!(g.state.overlap < p.largest_overlap)) return false;
-    double no_spring[2] = {0.0, 0.0};
     const BallState ball = {b.x_lab, b.v_lab, b.w_lab};
-    const ContactForces f = contact_forces<film, friction>(p, ball, r.now, 0.0, no_spring, g.state);
+    const ContactForces f = contact_forces<film, friction>(p, ball, r.now, FrictionSmoothed(), g.state);
     system_.add_rhs(g.body, f.force * h_);
     system_.add_rhs(g.body, f.ball_torque * h_, 3);
     r.force -= f.force;

@@ -59,7 +59,9 @@ template <bool film, Friction friction, bool tally> void PairBearingHertz::racew
     ring.v = Vec3::from(v[c.i_ring]);
     ring.w = Vec3::from(w[c.i_ring]);
     double xi[2] = {c.spring[0], c.spring[1]};
-    const ContactForces forces = contact_forces<film, friction>(p, ball, ring, dt, xi, c.state);
+    const ContactForces forces = p.creep > 0.0
+        ? contact_forces<film, friction>(p, ball, ring, FrictionSmoothed(), c.state)
+        : contact_forces<film, friction>(p, ball, ring, FrictionSpring{dt, xi}, c.state);
     if (friction != Friction::none && advance) {
       c.spring[0] = xi[0];
       c.spring[1] = xi[1];

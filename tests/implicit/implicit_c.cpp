@@ -26,9 +26,8 @@ static ContactState contact(const double *s, double spin, double mu, double *fro
   const BallState ball = {Vec3::from(s), Vec3::from(s + 3), Vec3::from(s + 6)};
   const RingState ring = {{0, 0, 0}, {0, 0, 0}, {0, 0, spin}, {0, 0, 1}};
   ContactState c;
-  double xi[2] = {0, 0};
   if (!touch(p, ball.x, ring.e, c)) return c;
-  contact_forces<true, Friction::constant>(p, ball, ring, 0.0, xi, c);
+  contact_forces<true, Friction::constant>(p, ball, ring, FrictionSmoothed(), c);
   if (frozen[0] < 0) {
     frozen[0] = c.damping;
     frozen[1] = c.mu;

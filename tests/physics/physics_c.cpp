@@ -65,15 +65,21 @@ static void put(const ContactState &c, double *out)
   for (double v : values) *out++ = v;
 }
 
+template <bool film, Friction friction>
+static ContactForces forces_of(const RacewayPhysics &p, const BallState &b, const RingState &r, double dt, double *xi,
+                               ContactState &c)
+{
+  return p.creep > 0.0 ? contact_forces<film, friction>(p, b, r, FrictionSmoothed(), c)
+                       : contact_forces<film, friction>(p, b, r, FrictionSpring{dt, xi}, c);
+}
+
 using ContactLaw = ContactForces (*)(const RacewayPhysics &, const BallState &, const RingState &, double, double *,
                                      ContactState &);
 static ContactLaw contact_law(bool with_film, Friction friction)
 {
   static const ContactLaw laws[2][3] = {
-      {contact_forces<false, Friction::none>, contact_forces<false, Friction::constant>,
-       contact_forces<false, Friction::stribeck>},
-      {contact_forces<true, Friction::none>, contact_forces<true, Friction::constant>,
-       contact_forces<true, Friction::stribeck>}};
+      {forces_of<false, Friction::none>, forces_of<false, Friction::constant>, forces_of<false, Friction::stribeck>},
+      {forces_of<true, Friction::none>, forces_of<true, Friction::constant>, forces_of<true, Friction::stribeck>}};
   return laws[with_film][int(friction)];
 }
 

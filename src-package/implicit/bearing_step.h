@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One implicit step of one bearing.
+//
+// A stage of length h looks for the velocities V at its end with
+//   M (V - V_base) = h F(q_base + h V, V)
+// (q and V in each body's turning frame, lane_frame.h) by Newton's method. Order 1 is one such stage over the whole
+// step: backward Euler. Order 2 makes two of length g h, g = 1 - sqrt(1/2): the first from the start of the step, the
+// second from start + (1 + sqrt 2) (first - start); its end is the end of the step. That is the L-stable diagonally
+// implicit Runge-Kutta method of Alexander (SIAM J. Numer. Anal. 14, 1977): nothing of an earlier step is needed.
+//
+// Estimated local error, m: how far a ball across the raceways or a ring would be off if only the first order
+// counted, g h |V_2 - V_1| (order 1: h |V - V_start|/2). It is an upper bound for order 2.
+//
+// Four balls are computed side by side; a linear solve costs a time proportional to the number of balls: each
+// body's own 6x6 (3x3) block is condensed, closed cage contacts are a chain of scalars (link_chain.h), and the free
+// degrees of freedom of the rings a small dense border.
+#ifndef RACEWAY_BEARING_STEP_H
+#define RACEWAY_BEARING_STEP_H
+
+#include "../physics/contact_jacobian.h"
+#include "bearing_model.h"
+#include "dense_lu.h"
+#include "lane_frame.h"
+#include "link_chain.h"
+
+namespace raceway {
+
+class BearingStep {
+ public:
+  struct Settings {
+    int order = 2;
+    double newton = 1e-7;     // m, what the last correction of a stage may move
+    int corrections = 8;      // most of a stage
+  };
+  struct Outcome {
+    bool solved = false;
+    int corrections = 0, factorisations = 0;
+    double error = HUGE_VAL;     // m, estimated
+    double last = HUGE_VAL;      // m, last correction
+  };
+  // N m/s summed over a step; the integrator's own loss is what is missing between them.
+  struct Energy {
+    double work = 0.0;           // J, put in by loads and drives
+    double dissipated = 0.0;     // J, in films, by hysteresis, by sliding and at the cage
+    double stored = 0.0;         // J, now: motion and contact springs
+  };
+
+  explicit BearingStep(const BearingModel &);
+
+  void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
+  void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
+  void set_program(int ring, const RingProgram &p) { rings_[ring].program = p; }
+
+  // From share s0 to share s1 of the host's step, h seconds. Nothing has moved until accept().
+  Outcome step(const Settings &, double h, double s0, double s1);
+  void accept();
+
+  void keep_energy(bool yes) { keep_energy_ = yes; }
+  const Energy &energy();                            // of all accepted steps so far
+  int overlinked() const { return overlinked_; }     // body with more than two closed cage contacts, or -1
+  int worst() const { return worst_; }               // body that the last correction moved most, or that has no number
+
+ private:
+  struct Group {                 // four bodies side by side
+    bool spins;
+    bool coupled = false;        // to the border
+    bool linked = false;
+    Lane mass, inertia, radius;
+    LaneMask used;
+    LaneFrame from, base, now;
+    Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
+    Lane turn = {};              // rad, base to now
+    Lane A[36], rhs[6], link[2][6];
+  };
+  struct Column { Lane a[6]; };
+  struct Track { int ring, first, end; const RacewayPhysics *physics; };    // groups of balls on one raceway
+  struct Touch { ContactStateT<Lane> state; LaneMask live; };
+  struct RailTrack { int ring, first, end; const std::vector<Rail> *rails; const std::vector<double> *stiffness; };
+  struct Ring {
+    RingProgram program;
+    RingPose from, base, now, first;
+    double gained[RingProgram::N_DOF] = {};
+    int unknown[RingProgram::N_DOF];          // of a free degree of freedom, else -1
+    bool loose = false;
+    Vec3 force, moment;                       // of the contacts
+    Vec3L force_lanes, moment_lanes;
+  };
+  struct Free { int ring, dof; };
+
+  void place_bodies();
+  void find_unknowns();
+  bool solve_stage(const Settings &, double h, double s, Outcome &);
+  void move(double h, double s);
+  void start_rhs(double h, bool fresh);
+  bool forces(double h, bool fresh);
+  template <bool film, Friction friction> bool grooves(double h, bool fresh);
+  template <bool film, Friction friction> bool choose_instructions(double h, bool fresh);
+  void seats(double h, bool fresh);
+  bool pockets(double h, bool fresh);
+  void border_rhs(double h, double s);
+  void factor_groups();
+  void factor();
+  void solve();
+  template <class ColumnOf> void condense_links(ColumnOf column, bool mark);
+  double apply(double h);
+  void second_base();
+  double error(double h, int order) const;
+  void add_energy(double weight, double s);
+  double stored_energy();
+
+  BearingModel model_;
+  std::vector<int> slot_, body_at_;    // of a body; of a slot (group 4 k + lane), -1: padding
+  std::vector<Group> groups_;
+  std::vector<Track> tracks_;
+  std::vector<RailTrack> rail_tracks_;
+  std::vector<Touch> touches_;         // track by track
+  std::vector<Ring> rings_;
+  std::vector<Free> free_;
+  std::vector<Column> B_, C_;          // group by group, unknown by unknown
+  DenseLU border_;
+  std::vector<double> y_, forces_;     // border, links
+  LinkChain chain_;
+  std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
+  struct Place { double x[3], v[3]; };
+  std::vector<Place> place_;           // lab, by slot; only bodies with pockets
+  std::vector<char> in_pocket_;        // groups
+  Vec3 centre_;                        // of the turning frames
+  bool keep_energy_ = false, unknowns_known_ = false;
+  double power_lost_ = 0.0;            // W, in contacts, at the last evaluation
+  double contact_energy_ = 0.0;        // J
+  Energy energy_, pending_;
+  int overlinked_ = -1, worst_ = -1;
+};
+
+}    // namespace raceway
+
+#endif

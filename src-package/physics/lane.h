@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Four numbers side by side, one per ball: the formulas of this folder take them in place of a double.
+//
+// A Lane is the compiler's own vector type, so + - * / and comparisons work as they stand; what is missing is
+// here, for double and Lane alike. Nothing is reordered, fused or approximated: lane k of a result has the bits
+// that a double would have, on every instruction set the compiler may choose.
+#ifndef RACEWAY_LANE_H
+#define RACEWAY_LANE_H
+
+#include <cmath>
+
+// A function that takes a Lane must be compiled for the instruction set of its caller, so it is never called.
+#define RACEWAY_INLINE __attribute__((always_inline)) inline
+
+namespace raceway {
+
+constexpr int lanes = 4;
+typedef double Lane __attribute__((vector_size(8 * lanes)));
+using LaneMask = decltype(Lane() < Lane());    // of a comparison: 0 or all bits
+
+RACEWAY_INLINE Lane all_lanes(double a) { return Lane{a, a, a, a}; }
+
+RACEWAY_INLINE double square_root(double a) { return std::sqrt(a); }
+RACEWAY_INLINE double logarithm(double a) { return std::log(a); }
+RACEWAY_INLINE double exponential(double a) { return std::exp(a); }
+RACEWAY_INLINE double magnitude(double a) { return std::fabs(a); }
+
+RACEWAY_INLINE Lane square_root(const Lane &a)
+{
+  return Lane{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+RACEWAY_INLINE Lane logarithm(const Lane &a)
+{
+  return Lane{std::log(a[0]), std::log(a[1]), std::log(a[2]), std::log(a[3])};
+}
+RACEWAY_INLINE Lane exponential(const Lane &a)
+{
+  return Lane{std::exp(a[0]), std::exp(a[1]), std::exp(a[2]), std::exp(a[3])};
+}
+RACEWAY_INLINE Lane magnitude(const Lane &a) { return a < 0.0 ? -a : a; }
+
+RACEWAY_INLINE double where(bool test, double yes, double no) { return test ? yes : no; }
+RACEWAY_INLINE Lane where(const LaneMask &test, const Lane &yes, const Lane &no) { return test ? yes : no; }
+RACEWAY_INLINE Lane where(const LaneMask &test, const Lane &yes, double no) { return test ? yes : all_lanes(no); }
+RACEWAY_INLINE Lane where(const LaneMask &test, double yes, const Lane &no) { return test ? all_lanes(yes) : no; }
+
+RACEWAY_INLINE Lane where(const LaneMask &test, double yes, double no)
+{
+  return test ? all_lanes(yes) : all_lanes(no);
+}
+
+RACEWAY_INLINE bool any(const LaneMask &m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
+RACEWAY_INLINE double sum(const Lane &a) { return ((a[0] + a[1]) + a[2]) + a[3]; }
+
+}    // namespace raceway
+
+#endif
