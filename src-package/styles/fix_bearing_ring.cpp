@@ -112,11 +112,13 @@ void FixBearingRing::init()
   for (Freedom &f : dof_) f.value.check(lmp, command);
   for (DrivenValue &f : force_) f.check(lmp, command);
   for (DrivenValue &m : moment_) m.check(lmp, command);
-  by_another_ = false;
+  int by_another = 0;
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
       for (int i = 0; i < atom->nlocal; ++i)
-        if ((atom->mask[i] & groupbit) && (atom->mask[i] & modify->fix[k]->groupbit)) by_another_ = true;
+        if ((atom->mask[i] & groupbit) && (atom->mask[i] & modify->fix[k]->groupbit)) by_another = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX, world);    // who owns no ring must know
+  by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   if (mass_ > 0.0)
     for (int i = 0; i < atom->nlocal; ++i)
