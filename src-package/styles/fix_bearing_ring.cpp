@@ -138,7 +138,9 @@ void FixBearingRing::setup(int vflag)
         if (dof_[k].mode == speed) atom->v[i][k] = target_[k];
       if (dof_[SPIN_DOF].mode == speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
-        (w + e * (target_[SPIN_DOF] - dot(w, e))).to(atom->omega[i]);
+        const double missing = target_[SPIN_DOF] - dot(w, e);
+        // rounding of a run that goes on is left alone: its bits are those of the unbroken run
+        if (std::fabs(missing) > 1e-14 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
     }
   post_force(vflag);
