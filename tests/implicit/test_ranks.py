@@ -99,15 +99,16 @@ def test_a_fix_for_each_bearing(both, ranks, tmp_path):
 
 @pytest.mark.parametrize("bearings", [1, 2])
 def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
-    """Written by two ranks in the middle of a run, while the load grows; resumed by one and by four."""
+    """Written by two ranks in the middle of a run, while the load grows and steps are refined; resumed by one and by
+    four."""
     case = TWO if bearings == 2 else {}
     unbroken = {1: whole, 2: both}[bearings]
-    succeed(DECK, ranks=2, out=tmp_path, keep=20, first=20, second=40, **case)
+    succeed(DECK, ranks=2, out=tmp_path, keep=22, first=22, second=38, **case)
     assert frames(tmp_path / "balls.dump") == frames(unbroken / "balls.dump")
     for ranks in (1, 4):
         out = tmp_path / str(ranks)
-        succeed(DECK, ranks=ranks, out=out, begin="resume", first=40, bearings=bearings,
-                **{"from": tmp_path / "restart.20"})
+        succeed(DECK, ranks=ranks, out=out, begin="resume", first=38, bearings=bearings,
+                **{"from": tmp_path / "restart.22"})
         assert last(out) == last(unbroken)
 
 
