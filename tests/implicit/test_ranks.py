@@ -37,7 +37,7 @@ def whole(tmp_path_factory):
     """One bearing on one rank."""
     folder = tmp_path_factory.mktemp("whole")
     outcome = succeed(DECK, out=folder)
-    assert int(re.search(r"Neighbor list builds = (\d+)", outcome.text).group(1)) >= 5
+    assert int(re.search(r"Neighbor list builds = (\d+)", outcome.text).group(1)) >= 15
     return folder
 
 
@@ -76,6 +76,13 @@ def test_ranks(whole, ranks, tmp_path):
 def test_cuts(whole, cuts, ranks, box, tmp_path):
     succeed(DECK, ranks=ranks, out=tmp_path, cuts_x=cuts[0], cuts_y=cuts[1], cuts_z=cuts[2], **box)
     assert state(tmp_path) == state(whole)
+
+
+def test_a_cage_ball_between_strangers(tmp_path):
+    """Without rails a cage ball is joined to its bearing by balls alone, here by balls of other ranks."""
+    succeed(DECK, out=tmp_path / "one", rails=0)
+    succeed(DECK, ranks=8, out=tmp_path / "eight", rails=0, cuts_x=8, cuts_y=1)
+    assert state(tmp_path / "eight") == state(tmp_path / "one")
 
 
 @pytest.mark.parametrize("ranks", [2, 4])
