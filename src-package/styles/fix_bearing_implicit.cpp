@@ -118,7 +118,7 @@ std::vector<FixBearingImplicit::Wish> FixBearingImplicit::wishes() const
   for (size_t p = 0; p < parts_.size(); ++p)
     mine.push_back({static_cast<double>(bearings_.model(static_cast<int>(p)).name()), parts_[p].step});
   std::vector<Wish> all = bearing::gather_all(mine, world);
-  std::sort(all.begin(), all.end(), [](const Wish &a, const Wish &b) { return a.ring < b.ring; });
+  std::sort(all.begin(), all.end(), by_ring);
   return all;
 }
 
@@ -132,10 +132,10 @@ void FixBearingImplicit::build()
   parts_.clear();
   for (int p = 0; p < bearings_.size(); ++p) {
     const bearing::PartModel &model = bearings_.model(p);
-    double step = largest_;
-    for (const Wish &w : kept_)
-      if (w.ring == static_cast<double>(model.name())) step = w.step;
-    parts_.push_back({ImplicitBearing(lmp, pair_, model), step});
+    const Wish of = {static_cast<double>(model.name()), largest_};
+    const auto kept = std::lower_bound(kept_.begin(), kept_.end(), of, by_ring);
+    const bool known = kept != kept_.end() && kept->ring == of.ring;
+    parts_.push_back({ImplicitBearing(lmp, pair_, model), known ? kept->step : of.step});
   }
   built_ = true;
 }

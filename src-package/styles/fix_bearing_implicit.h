@@ -46,6 +46,7 @@ class FixBearingImplicit : public Fix {
   // The control's wish for the next substep of a bearing, named by its ring of lowest tag. Numbers only: it is what
   // a restart file keeps.
   struct Wish { double ring, step; };
+  static bool by_ring(const Wish &a, const Wish &b) { return a.ring < b.ring; }
 
   void check_fixes();
   void find_rings();
