@@ -2,9 +2,8 @@
 #include "fix_bearing_implicit.h"
 
 #include "arguments.h"
-#include "fix_bearing_cage.h"
 #include "fix_bearing_ring.h"
-#include "fix_bearing_state.h"
+#include "gather.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -19,7 +18,8 @@ static constexpr double smallest_step = 1e-12;    // s
 
 // fix ID group bearing/implicit [tolerance T] [predictor M] [corrections N] [largest H] [creep C]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit"))
+    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
+    bearings_(lmp, std::string("fix ") + id + " bearing/implicit")
 {
   Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
   while (args.more()) {
@@ -33,9 +33,6 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   if (miss_ == 0.0) miss_ = 30.0 * tolerance_;
   if (miss_ < tolerance_)
     args.fail("predictor " + text(miss_) + " m must not be below the tolerance, " + text(tolerance_) + " m");
-  if (comm->nprocs > 1)    // sums over balls of other ranks are still to be written
-    args.fail("runs on one rank, not on " + std::to_string(comm->nprocs) + ": give each rank its own bearing with a "
-              "partition, or use the explicit integrator (fix nve/sphere)");
   time_integrate = 1;
   restart_global = 1;
   scalar_flag = vector_flag = 1;
@@ -50,22 +47,37 @@ void FixBearingImplicit::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/implicit");
   check_fixes();
-  rings_.clear();
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k])) {
-      bool mine = false, others = false;
-      for (int i = 0; i < atom->nlocal; ++i)
-        if (r->moves(i)) (atom->mask[i] & groupbit ? mine : others) = true;
-      if (mine && others)
-        BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has some rings of fix " + r->id +
-                " but not all of them");
-      if (mine) rings_.push_back(r);
-    }
+  find_rings();
   if (pair_->smooth_friction(creep_) && comm->me == 0) {
     const std::string say = std::string("fix ") + id + " bearing/implicit: friction smoothed over a creep of " +
         text(creep_) + " of the entrainment speed\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
+  }
+}
+
+// Fixes whose rings are in the group: the same list on all ranks, which own different rings or none.
+void FixBearingImplicit::find_rings()
+{
+  std::vector<FixBearingRing *> all;
+  std::vector<int> seen;    // two a fix: rings in the group, rings outside
+  for (int k = 0; k < modify->nfix; ++k)
+    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k])) {
+      int mine = 0, others = 0;
+      for (int i = 0; i < atom->nlocal; ++i)
+        if (r->moves(i)) (atom->mask[i] & groupbit ? mine : others) = 1;
+      all.push_back(r);
+      seen.push_back(mine);
+      seen.push_back(others);
+    }
+  MPI_Allreduce(MPI_IN_PLACE, seen.data(), static_cast<int>(seen.size()), MPI_INT, MPI_MAX, world);
+  rings_.clear();
+  for (size_t k = 0; k < all.size(); ++k) {
+    if (!seen[2 * k]) continue;
+    if (seen[2 * k + 1])
+      BRG_ALL(std::string("fix ") + id + " bearing/implicit: its group has some rings of fix " + all[k]->id +
+              " but not all of them");
+    rings_.push_back(all[k]);
   }
 }
 
@@ -98,63 +110,47 @@ void FixBearingImplicit::setup(int)
   smallest_ = HUGE_VAL;
 }
 
-// One part for everything that may touch: contacts of the table join what they have in common.
+// Wishes of all bearings, on all ranks.
+std::vector<FixBearingImplicit::Wish> FixBearingImplicit::wishes() const
+{
+  if (!built_) return kept_;
+  std::vector<Wish> mine;
+  for (size_t p = 0; p < parts_.size(); ++p)
+    mine.push_back({static_cast<double>(bearings_.model(static_cast<int>(p)).name()), parts_[p].step});
+  std::vector<Wish> all = bearing::gather_all(mine, world);
+  std::sort(all.begin(), all.end(), by_ring);
+  return all;
+}
+
+// A bearing may have moved to another home: its wish goes with it.
 void FixBearingImplicit::build()
 {
   if (build_ == pair_->table_build()) return;
   build_ = pair_->table_build();
-  for (const Part &p : parts_) wish_ = std::min(wish_, p.step);
+  kept_ = wishes();
+  bearings_.build(pair_, groupbit);
   parts_.clear();
-  const bearing::ContactTable &table = pair_->table();
-  const int n = atom->nlocal;
-  std::vector<int> root(n);
-  for (int i = 0; i < n; ++i) root[i] = i;
-  auto find = [&root](int i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  auto join = [&](int i, int j) { root[find(i)] = find(j); };
-  for (const bearing::RacewayContact &c : table.raceway) join(c.i_ball, c.i_ring);
-  for (const bearing::SphereContact &s : table.sphere) join(s.i, s.j);
-  std::vector<FixBearingRing *> mover(n, nullptr);
-  for (int k = 0; k < modify->nfix; ++k) {
-    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k]))
-      for (int i = 0; i < n; ++i)
-        if (r->moves(i)) mover[i] = r;
-    if (FixBearingCage *c = dynamic_cast<FixBearingCage *>(modify->fix[k]))
-      for (const FixBearingCage::Rider &rider : c->riders()) join(rider.i, rider.i_ring);
+  for (int p = 0; p < bearings_.size(); ++p) {
+    const bearing::PartModel &model = bearings_.model(p);
+    const Wish of = {static_cast<double>(model.name()), largest_};
+    const auto kept = std::lower_bound(kept_.begin(), kept_.end(), of, by_ring);
+    const bool known = kept != kept_.end() && kept->ring == of.ring;
+    parts_.push_back({ImplicitBearing(lmp, pair_, model), known ? kept->step : of.step});
   }
-  std::vector<int> part(n, -1);
-  auto of = [&](int i) -> ImplicitBearing & {
-    if (!(atom->mask[i] & groupbit))
-      BRG_ONE(std::string("fix ") + id + " bearing/implicit: atom " + std::to_string(atom->tag[i]) + " (type " +
-              std::to_string(atom->type[i]) + ") belongs to a bearing of which other atoms are in the fix's group; "
-              "put balls, cage balls and rings in the group");
-    int &p = part[find(i)];
-    if (p < 0) {
-      p = static_cast<int>(parts_.size());
-      parts_.push_back({ImplicitBearing(lmp, pair_), std::min(wish_, largest_)});
-    }
-    return parts_[p].bearing;
-  };
-  for (const bearing::RacewayContact &c : table.raceway) of(c.i_ball).add(c, mover[c.i_ring]);
-  for (const bearing::SphereContact &s : table.sphere) of(s.i).add(s);
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingCage *c = dynamic_cast<FixBearingCage *>(modify->fix[k]))
-      for (size_t r = 0; r < c->riders().size(); ++r)
-        of(c->riders()[r].i).add_rails(*c, r, mover[c->riders()[r].i_ring]);
-  for (Part &p : parts_) p.bearing.finish();
-  for (int i = 0; i < n; ++i)
-    if ((atom->mask[i] & groupbit) && (part[find(i)] < 0 || !parts_[part[find(i)]].bearing.has(i)))
-      BRG_ONE(std::string("fix ") + id + " bearing/implicit: atom " + std::to_string(atom->tag[i]) +
-              " of its group is no ball, cage ball or ring of a bearing");
+  built_ = true;
 }
 
 void FixBearingImplicit::initial_integrate(int)
 {
   build();
   for (FixBearingRing *r : rings_) r->begin_step();
-  for (Part &p : parts_) advance(p);
+  bearings_.gather();
+  for (int p = 0; p < bearings_.size(); ++p) {
+    parts_[p].bearing.load(bearings_.bodies(p), bearings_.rings(p));
+    advance(parts_[p]);
+    parts_[p].bearing.store(bearings_.bodies(p), bearings_.rings(p));
+  }
+  bearings_.scatter();
   time_ += update->dt;
 }
 
@@ -162,7 +158,6 @@ void FixBearingImplicit::initial_integrate(int)
 void FixBearingImplicit::advance(Part &p)
 {
   const double whole = update->dt;
-  p.bearing.load();
   double done = 0.0;
   while (done < whole) {
     const double left = whole - done;
@@ -187,7 +182,6 @@ void FixBearingImplicit::advance(Part &p)
       p.step = std::min(grow * h, whole);
     done = last ? whole : done + h;
   }
-  p.bearing.store();
 }
 
 // Newton's corrections until one is below the tolerance; a single one is the linearly implicit Euler step.
@@ -232,20 +226,30 @@ double FixBearingImplicit::compute_scalar() { return compute_vector(0); }
 // substeps, 6 largest first correction (m)
 double FixBearingImplicit::compute_vector(int k)
 {
-  const double n = std::max(substeps_, 1.0) / std::max<size_t>(parts_.size(), 1);
-  const double values[] = {time_ / n, substeps_ > 0.0 ? smallest_ : 0.0, substeps_,
-                           corrections_ / std::max(substeps_, 1.0), refused_, worst_};
+  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(parts_.size())}, most[] = {worst_, -smallest_};
+  MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, world);
+  const double n = std::max(sum[0], 1.0), bearings = std::max(sum[3], 1.0);
+  const double values[] = {time_ * bearings / n, sum[0] > 0.0 ? -most[1] : 0.0, sum[0], sum[1] / n, sum[2], most[0]};
   return values[k];
 }
 
+// A number for how many follow, then pairs.
 void FixBearingImplicit::write_restart(FILE *fp)
 {
+  const std::vector<Wish> all = wishes();
   if (comm->me != 0) return;
-  double wish = wish_;
-  for (const Part &p : parts_) wish = std::min(wish, p.step);
-  const int size = sizeof(double);
+  const double count = static_cast<double>(all.size());
+  const int size = static_cast<int>(sizeof(double) + all.size() * sizeof(Wish));
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&wish, sizeof(double), 1, fp);
+  fwrite(&count, sizeof(double), 1, fp);
+  fwrite(all.data(), sizeof(Wish), all.size(), fp);
 }
 
-void FixBearingImplicit::restart(char *buf) { memcpy(&wish_, buf, sizeof(double)); }
+void FixBearingImplicit::restart(char *buf)
+{
+  double count;
+  memcpy(&count, buf, sizeof count);
+  kept_.resize(static_cast<size_t>(count));
+  memcpy(kept_.data(), buf + sizeof count, kept_.size() * sizeof(Wish));
+}

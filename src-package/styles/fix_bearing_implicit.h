@@ -43,8 +43,15 @@ class FixBearingImplicit : public Fix {
     double miss = HUGE_VAL;    // m, of the predictor: the first correction
   };
 
+  // The control's wish for the next substep of a bearing, named by its ring of lowest tag. Numbers only: it is what
+  // a restart file keeps.
+  struct Wish { double ring, step; };
+  static bool by_ring(const Wish &a, const Wish &b) { return a.ring < b.ring; }
+
   void check_fixes();
+  void find_rings();
   void build();
+  std::vector<Wish> wishes() const;
   void advance(Part &);
   Outcome substep(Part &, double h, double s);
   [[noreturn]] void give_up(double h);
@@ -56,9 +63,12 @@ class FixBearingImplicit : public Fix {
   double largest_ = HUGE_VAL;     // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
-  std::vector<Part> parts_;
-  double wish_ = HUGE_VAL;        // s, from a restart or the last build
+  bearing::BearingParts bearings_;
+  std::vector<Part> parts_;       // those at home here
+  std::vector<Wish> kept_;        // of all bearings, by ring: from a restart or the last build
+  bool built_ = false;            // parts_ know better than kept_
   int build_ = -1;
+  // of the bearings at home here, since the start of the run
   double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL, last_ = 0.0;
   double worst_ = 0.0;
 };

@@ -112,11 +112,13 @@ void FixBearingRing::init()
   for (Freedom &f : dof_) f.value.check(lmp, command);
   for (DrivenValue &f : force_) f.check(lmp, command);
   for (DrivenValue &m : moment_) m.check(lmp, command);
-  by_another_ = false;
+  int by_another = 0;
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
       for (int i = 0; i < atom->nlocal; ++i)
-        if ((atom->mask[i] & groupbit) && (atom->mask[i] & modify->fix[k]->groupbit)) by_another_ = true;
+        if ((atom->mask[i] & groupbit) && (atom->mask[i] & modify->fix[k]->groupbit)) by_another = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX, world);    // who owns no ring must know
+  by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   if (mass_ > 0.0)
     for (int i = 0; i < atom->nlocal; ++i)
@@ -136,7 +138,9 @@ void FixBearingRing::setup(int vflag)
         if (dof_[k].mode == speed) atom->v[i][k] = target_[k];
       if (dof_[SPIN_DOF].mode == speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
-        (w + e * (target_[SPIN_DOF] - dot(w, e))).to(atom->omega[i]);
+        const double missing = target_[SPIN_DOF] - dot(w, e);
+        // rounding of a run that goes on is left alone: its bits are those of the unbroken run
+        if (std::fabs(missing) > 1e-14 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
     }
   post_force(vflag);

@@ -2,7 +2,6 @@
 // State and motion of one bearing under an implicit step; its forces are in implicit_forces.cpp.
 #include "implicit_bearing.h"
 
-#include "arguments.h"
 #include "fix_bearing_cage.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
@@ -13,107 +12,75 @@ using raceway::Vec3;
 
 namespace bearing {
 
-ImplicitBearing::ImplicitBearing(LAMMPS *lmp, PairBearingHertz *pair) :
-    Pointers(lmp), pair_(pair), axis_(pair->axis_index())
+ImplicitBearing::ImplicitBearing(LAMMPS *lmp, PairBearingHertz *pair, const PartModel &model) :
+    Pointers(lmp), pair_(pair), axis_(pair->axis_index()), pockets_(model.pockets), seats_(model.seats)
 {
-}
-
-int ImplicitBearing::body(int i)
-{
-  const auto found = body_of_.emplace(i, static_cast<int>(bodies_.size()));
-  if (found.second) {
+  for (const PartModel::Body &m : model.bodies) {
     Body b = Body();
-    b.i = i;
-    b.size = pair_->is_ball_type(atom->type[i]) ? 6 : 3;
-    b.mass = atom->rmass[i];
-    b.radius = atom->radius[i];
+    b.tag = m.tag;
+    b.size = m.spins ? 6 : 3;
+    b.mass = m.mass;
+    b.radius = m.radius;
     b.inertia = 0.4 * b.mass * b.radius * b.radius;
     bodies_.push_back(b);
   }
-  return found.first->second;
-}
-
-int ImplicitBearing::ring(int i, FixBearingRing *fix)
-{
-  const auto found = ring_of_.emplace(i, static_cast<int>(rings_.size()));
-  if (found.second) {
-    Ring r = Ring();
-    r.i = i;
-    r.fix = fix;
-    for (int k = 0; k < FixBearingRing::N_DOF; ++k) {
-      r.unknown[k] = -1;
-      if (!fix || fix->mode(k) != FixBearingRing::free) continue;
-      r.unknown[k] = static_cast<int>(free_.size());
-      r.loose = true;
-      const double inertia = k < 3                ? fix->mass()
-          : k == FixBearingRing::SPIN_DOF ? fix->inertia().axial
-                                          : fix->inertia().transverse;
-      free_.push_back({found.first->second, k, inertia, Vec3()});
-    }
-    rings_.push_back(r);
-  }
-  return found.first->second;
-}
-
-void ImplicitBearing::add(const RacewayContact &c, FixBearingRing *fix)
-{
-  const int b = body(c.i_ball), r = ring(c.i_ring, fix);
-  grooves_.push_back({b, r, c.raceway, raceway::ContactState()});
-}
-
-void ImplicitBearing::add(const SphereContact &s)
-{
-  const int a = body(s.i), b = body(s.j);
-  pockets_.push_back({a, b, s.K, s.reach, s.mass});
-}
-
-void ImplicitBearing::add_rails(const FixBearingCage &cage, size_t rider, FixBearingRing *fix)
-{
-  const FixBearingCage::Rider &who = cage.riders()[rider];
-  const int b = body(who.i), r = ring(who.i_ring, fix);
-  seats_.push_back({b, r, &cage});
-}
-
-void ImplicitBearing::finish()
-{
+  for (const PartModel::Ring &r : model.rings) add_ring(r.fix);
+  for (const PartModel::Groove &g : model.grooves)
+    grooves_.push_back({g.body, g.ring, g.physics, raceway::ContactState()});
   system_.resize(body_count(), static_cast<int>(free_.size()));
   for (int k = 0; k < body_count(); ++k) system_.block[k].size = bodies_[k].size;
   gained_.assign(free_.size(), 0.0);
 }
 
-void ImplicitBearing::load()
+void ImplicitBearing::add_ring(FixBearingRing *fix)
 {
-  FixBearingState &state = *pair_->state();
-  for (Ring &r : rings_) {
-    r.x_start = Vec3::from(atom->x[r.i]);
-    r.v_start = Vec3::from(atom->v[r.i]);
-    r.w_start = Vec3::from(atom->omega[r.i]);
-    r.motion_start = state.ring(r.i);
+  Ring r = Ring();
+  r.fix = fix;
+  for (int k = 0; k < FixBearingRing::N_DOF; ++k) {
+    r.unknown[k] = -1;
+    if (!fix || fix->mode(k) != FixBearingRing::free) continue;
+    r.unknown[k] = static_cast<int>(free_.size());
+    r.loose = true;
+    const double inertia = k < 3                ? fix->mass()
+        : k == FixBearingRing::SPIN_DOF ? fix->inertia().axial
+                                        : fix->inertia().transverse;
+    free_.push_back({static_cast<int>(rings_.size()), k, inertia, Vec3()});
+  }
+  rings_.push_back(r);
+}
+
+void ImplicitBearing::load(const std::vector<BodyState> &bodies, const std::vector<RingFullState> &rings)
+{
+  for (size_t k = 0; k < rings_.size(); ++k) {
+    Ring &r = rings_[k];
+    r.x_start = rings[k].x;
+    r.v_start = rings[k].v;
+    r.w_start = rings[k].w;
+    r.motion_start = rings[k].motion;
   }
   // balls circle the ring that is not free, the last one if there is a choice
   centre_ = in(rings_.front().x_start);
   for (const Ring &r : rings_)
     if (!r.fix || (r.unknown[0] < 0 && r.unknown[1] < 0 && r.unknown[2] < 0)) centre_ = in(r.x_start);
-  for (Body &b : bodies_) {
-    b.start = TurningFrame::at(in(Vec3::from(atom->x[b.i])) - centre_);
-    b.v_start = b.start.local(in(Vec3::from(atom->v[b.i])));
-    b.w_start = b.start.local(in(Vec3::from(atom->omega[b.i])));
+  for (size_t k = 0; k < bodies_.size(); ++k) {
+    Body &b = bodies_[k];
+    b.start = TurningFrame::at(in(bodies[k].x) - centre_);
+    b.v_start = b.start.local(in(bodies[k].v));
+    b.w_start = b.start.local(in(bodies[k].w));
   }
 }
 
-void ImplicitBearing::store()
+void ImplicitBearing::store(std::vector<BodyState> &bodies, std::vector<RingFullState> &rings) const
 {
-  FixBearingState &state = *pair_->state();
-  for (Ring &r : rings_) {
-    r.x_start.to(atom->x[r.i]);
-    r.v_start.to(atom->v[r.i]);
-    r.w_start.to(atom->omega[r.i]);
-    state.ring(r.i) = r.motion_start;
+  for (size_t k = 0; k < rings_.size(); ++k) {
+    const Ring &r = rings_[k];
+    rings[k] = {r.x_start, r.v_start, r.w_start, r.motion_start};
   }
-  for (Body &b : bodies_) {
-    out(b.start.place() + centre_).to(atom->x[b.i]);
-    out(b.start.lab(b.v_start)).to(atom->v[b.i]);
-    if (b.size == 6) out(b.start.lab(b.w_start)).to(atom->omega[b.i]);
+  for (size_t k = 0; k < bodies_.size(); ++k) {
+    const Body &b = bodies_[k];
+    bodies[k].x = out(b.start.place() + centre_);
+    bodies[k].v = out(b.start.lab(b.v_start));
+    if (b.size == 6) bodies[k].w = out(b.start.lab(b.w_start));
   }
 }
 

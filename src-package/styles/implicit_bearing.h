@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One bearing (everything that is connected through possible contacts) in the hands of an implicit integrator:
-// a copy of its state in turning frames, its forces and their derivatives, one Newton step, and the way back.
+// its state in turning frames, its forces and their derivatives, one Newton step, and the way back.
 //
 // A step of length h looks for velocities V at its end with  M (V - V_n) = h F(q_n + h V, V)  (backward Euler; q
 // and V in each body's turning frame, physics/turning_frame.h). Newton's method starts from V = V_n, so that the
@@ -12,15 +12,8 @@
 
 #include "../physics/arrow_system.h"
 #include "../physics/turning_frame.h"
-#include "contact_table.h"
+#include "bearing_parts.h"
 #include "fix_bearing_ring.h"
-
-#include <unordered_map>
-
-namespace LAMMPS_NS {
-class FixBearingCage;
-class PairBearingHertz;
-}
 
 namespace bearing {
 
@@ -32,18 +25,11 @@ class ImplicitBearing : protected LAMMPS_NS::Pointers {
     double size = HUGE_VAL;
   };
 
-  ImplicitBearing(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::PairBearingHertz *pair);
-
-  // Building: all contacts of one bearing, then finish().
-  void add(const RacewayContact &, LAMMPS_NS::FixBearingRing *);
-  void add(const SphereContact &);
-  void add_rails(const LAMMPS_NS::FixBearingCage &, size_t rider, LAMMPS_NS::FixBearingRing *);
-  void finish();
-  bool has(int i) const { return body_of_.count(i) || ring_of_.count(i); }
+  ImplicitBearing(LAMMPS_NS::LAMMPS *lmp, LAMMPS_NS::PairBearingHertz *pair, const PartModel &model);
   int body_count() const { return static_cast<int>(bodies_.size()); }
 
-  void load();     // from the atoms
-  void store();    // to the atoms
+  void load(const std::vector<BodyState> &, const std::vector<RingFullState> &);
+  void store(std::vector<BodyState> &, std::vector<RingFullState> &) const;
 
   // A step of length h whose end is at the share s (0 to 1) of the host's step.
   void predict(double h, double s);
@@ -53,14 +39,14 @@ class ImplicitBearing : protected LAMMPS_NS::Pointers {
  private:
   using Vec3 = raceway::Vec3;
   struct Body {
-    int i, size;
+    tag_t tag;
+    int size;
     double mass, inertia, radius;
     raceway::TurningFrame start, now;
     Vec3 v_start, w_start, v, w;      // in the frames
     Vec3 x_lab, v_lab, w_lab;         // of `now`
   };
   struct Ring {
-    int i;
     LAMMPS_NS::FixBearingRing *fix;                              // null: at rest
     int unknown[LAMMPS_NS::FixBearingRing::N_DOF];                // of a free degree of freedom, else -1
     bool loose;                                                  // some are free
@@ -72,11 +58,8 @@ class ImplicitBearing : protected LAMMPS_NS::Pointers {
   };
   struct Free { int ring, dof; double inertia; Vec3 unit; };     // a free degree of freedom
   struct Groove { int body, ring; const raceway::RacewayPhysics *physics; raceway::ContactState state; };
-  struct Pocket { int a, b; double K, reach, mass; };
-  struct Seat { int body, ring; const LAMMPS_NS::FixBearingCage *cage; };
 
-  int body(int i);
-  int ring(int i, LAMMPS_NS::FixBearingRing *);
+  void add_ring(LAMMPS_NS::FixBearingRing *);
   // lab names -> names of this class, and back
   Vec3 in(const Vec3 &v) const { return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.y, v.z, v.x} : Vec3{v.z, v.x, v.y}; }
   Vec3 out(const Vec3 &v) const { return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x}; }
@@ -98,9 +81,8 @@ class ImplicitBearing : protected LAMMPS_NS::Pointers {
   std::vector<Free> free_;
   std::vector<double> gained_;        // velocity of the free degrees of freedom gained in this step
   std::vector<Groove> grooves_;
-  std::vector<Pocket> pockets_;
-  std::vector<Seat> seats_;
-  std::unordered_map<int, int> body_of_, ring_of_;
+  std::vector<PartModel::Pocket> pockets_;
+  std::vector<PartModel::Seat> seats_;
   raceway::ArrowSystem system_;
   double h_ = 0.0, share_ = 1.0;
   Vec3 centre_;                       // of the turning frames

@@ -113,7 +113,7 @@ template <bool film, Friction friction> bool ImplicitBearing::add_grooves()
 // Cage contacts are links of the system: their force on the right, their stiffness along the normal.
 void ImplicitBearing::add_pockets()
 {
-  for (const Pocket &s : pockets_) {
+  for (const PartModel::Pocket &s : pockets_) {
     const Vec3 d = bodies_[s.a].x_lab - bodies_[s.b].x_lab;
     const double r2 = dot(d, d);
     if (r2 >= s.reach * s.reach) continue;
@@ -125,14 +125,14 @@ void ImplicitBearing::add_pockets()
     system_.add_rhs(s.a, push);
     system_.add_rhs(s.b, -push);
     if (!system_.link(s.a, s.b, n, h_ * c.damping + h_ * h_ * c.stiffness))
-      BRG_ONE("fix bearing/implicit: atom " + std::to_string(atom->tag[bodies_[s.a].i]) + " or " +
-              std::to_string(atom->tag[bodies_[s.b].i]) + " touches more than two balls or cage balls");
+      BRG_ONE("fix bearing/implicit: atom " + std::to_string(bodies_[s.a].tag) + " or " +
+              std::to_string(bodies_[s.b].tag) + " touches more than two balls or cage balls");
   }
 }
 
 void ImplicitBearing::add_seats()
 {
-  for (const Seat &s : seats_) {
+  for (const PartModel::Seat &s : seats_) {
     const Body &b = bodies_[s.body];
     Ring &r = rings_[s.ring];
     const Vec3 d = b.x_lab - r.now.x, dv = b.v_lab - r.now.v - cross(r.now.w, d);

@@ -28,3 +28,16 @@ def test_main_decks(tmp_path, deck):
 
 def test_axial_deck():
     succeed("inputs/in.axial", sanitized=True)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_implicit(tmp_path, ranks):
+    """Two bearings, the cut of two ranks through one: a transient with refused steps, a restart and the rest of it from there."""
+    deck, case = "tests/implicit/in.ranks", {"bearings": 2, "xlo": -0.15, "xhi": 0.18}
+    succeed(deck, sanitized=True, ranks=ranks, out=tmp_path, keep=20, **case)
+    succeed(deck, sanitized=True, ranks=ranks, out=tmp_path / "resumed", begin="resume", first=40, bearings=2,
+            **{"from": tmp_path / "restart.20"})
+    succeed(deck, out=tmp_path / "plain", **case)
+    plain = frames(tmp_path / "plain" / "balls.dump")
+    assert frames(tmp_path / "balls.dump") == plain
+    assert frames(tmp_path / "resumed" / "balls.dump")[60] == plain[60]

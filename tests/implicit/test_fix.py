@@ -124,8 +124,3 @@ def test_other_integrators_and_forces_are_refused(tmp_path):
         deck.write_text(text.replace("neigh_modify", line + "\nneigh_modify", 1))
         outcome = liggghts(deck, out=tmp_path / "out")
         assert outcome.code != 0 and message in outcome.error
-
-
-def test_several_ranks_are_refused(tmp_path):
-    outcome = liggghts(CASE, out=tmp_path, ranks=2)
-    assert outcome.code != 0 and "runs on one rank, not on 2" in outcome.text

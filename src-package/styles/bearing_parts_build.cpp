@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// After a neighbour build: which bearings there are, where their homes are, and what they are made of.
+#include "bearing_parts.h"
+
+#include "exchange.h"
+#include "fix_bearing_cage.h"
+#include "fix_bearing_ring.h"
+#include "gather.h"
+#include "pair_bearing_hertz.h"
+#include "union_find.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+
+namespace bearing {
+
+// What a rank tells all others about what hangs together: `tag` is in a piece of bearing with the atom `piece`.
+struct Node {
+  tag_t piece, tag;
+  int owner;     // rank, -1: another one's
+  int ring;      // 1: `tag` is a ring
+  int inside;    // 1: the piece has atoms of the group
+};
+
+struct BearingParts::Piece {
+  enum Kind { body, ring, groove, pocket, seat } kind;
+  tag_t name;                   // of the bearing
+  tag_t a, b;
+  int first, second;            // types of ball and ring, or the number of a fix in `first`
+  int inside;                   // the atom is of the group
+  double radius, mass, K;       // a pocket's reach is in `radius`
+};
+
+void BearingParts::build(PairBearingHertz *pair, int groupbit)
+{
+  pair_ = pair;
+  std::vector<Bearing> bearings;
+  const std::vector<int> bearing_of = find_bearings(groupbit, bearings);
+  assemble(exchange(cut(bearing_of, bearings, groupbit), world));
+}
+
+// Number of the bearing of each owned atom, -1: of none with atoms of the group. Every rank joins what its own balls
+// may touch; rings, and balls that touch across a cut, say which of these pieces belong together.
+std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> &bearings)
+{
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
+  const ContactTable &table = pair_->table();
+  UnionFind local(nall);
+  for (const RacewayContact &c : table.raceway) local.join(c.i_ball, c.i_ring);
+  for (const SphereContact &s : table.sphere) local.join(s.i, s.j);
+  for (int k = 0; k < modify->nfix; ++k)
+    if (FixBearingCage *c = dynamic_cast<FixBearingCage *>(modify->fix[k]))
+      for (const FixBearingCage::Rider &r : c->riders()) local.join(r.i, r.i_ring);
+
+  std::vector<tag_t> piece(nall, 0);    // lowest tag, at the root
+  std::vector<int> inside(nall, 0);
+  for (int i = 0; i < nall; ++i) {
+    const int root = local.find(i);
+    if (piece[root] == 0 || atom->tag[i] < piece[root]) piece[root] = atom->tag[i];
+    if (i < nlocal && (atom->mask[i] & groupbit)) inside[root] = 1;
+  }
+  std::vector<Node> nodes;
+  auto tell = [&](int i) {
+    const int root = local.find(i);
+    nodes.push_back({piece[root], atom->tag[i], i < nlocal ? comm->me : -1, pair_->is_ring_type(atom->type[i]),
+                     inside[root]});
+  };
+  for (int i = 0; i < nall; ++i)
+    if (pair_->is_ring_type(atom->type[i])) tell(i);
+  for (const SphereContact &s : table.sphere)
+    if (s.i >= nlocal || s.j >= nlocal) {
+      tell(s.i);
+      tell(s.j);
+    }
+  nodes = gather_all(nodes, world);
+
+  UnionFind all;
+  std::unordered_map<tag_t, int> number;
+  auto of = [&](tag_t tag) {
+    const auto found = number.emplace(tag, all.size());
+    if (found.second) all.add();
+    return found.first->second;
+  };
+  for (const Node &n : nodes) {
+    const int a = of(n.piece), b = of(n.tag);    // both are in before they are joined
+    all.join(a, b);
+  }
+  bearings.assign(all.size(), {0, -1, false});    // at the roots
+  for (const Node &n : nodes) {
+    Bearing &b = bearings[all.find(of(n.tag))];
+    b.inside = b.inside || n.inside;
+    if (n.ring && (b.name == 0 || n.tag <= b.name)) {
+      if (n.tag != b.name) b.home = -1;
+      b.name = n.tag;
+      if (n.owner >= 0) b.home = n.owner;
+    }
+  }
+
+  std::vector<int> bearing_of(nlocal, -1);
+  for (int i = 0; i < nlocal; ++i) {
+    const auto found = number.find(piece[local.find(i)]);
+    const int b = found == number.end() ? -1 : all.find(found->second);
+    if (b >= 0 && bearings[b].name != 0 && bearings[b].inside) bearing_of[i] = b;
+    if ((atom->mask[i] & groupbit) && bearing_of[i] < 0)
+      BRG_ONE(command_ + ": atom " + std::to_string(atom->tag[i]) +
+              " of its group is no ball, cage ball or ring of a bearing");
+  }
+  return bearing_of;
+}
+
+// Everything this rank owns of the bearings, by home; the lists of atoms whose state goes there follow that order.
+std::vector<std::vector<BearingParts::Piece>> BearingParts::cut(const std::vector<int> &bearing_of,
+                                                                const std::vector<Bearing> &bearings, int groupbit)
+{
+  std::vector<std::vector<Piece>> to(comm->nprocs);
+  std::vector<Letter> letter(comm->nprocs);
+  auto add = [&](int i, Piece::Kind kind, tag_t a, tag_t b) -> Piece & {
+    const Bearing &which = bearings[bearing_of[i]];
+    Piece p = Piece();
+    p.kind = kind;
+    p.name = which.name;
+    p.a = a;
+    p.b = b;
+    to[which.home].push_back(p);
+    return to[which.home].back();
+  };
+
+  std::vector<int> mover(atom->nlocal, -1);
+  for (int k = 0; k < modify->nfix; ++k)
+    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k]))
+      for (int i = 0; i < atom->nlocal; ++i)
+        if (r->moves(i)) mover[i] = k;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (bearing_of[i] < 0) continue;
+    const bool ring = pair_->is_ring_type(atom->type[i]);
+    Piece &p = add(i, ring ? Piece::ring : Piece::body, atom->tag[i], 0);
+    p.first = ring ? mover[i] : atom->type[i];
+    p.second = atom->type[i];
+    p.inside = (atom->mask[i] & groupbit) != 0;
+    p.radius = atom->radius[i];
+    p.mass = atom->rmass[i];
+    Letter &l = letter[bearings[bearing_of[i]].home];
+    (ring ? l.ring_atom : l.body_atom).push_back(i);
+  }
+  for (const RacewayContact &c : pair_->table().raceway) {
+    if (bearing_of[c.i_ball] < 0) continue;
+    Piece &p = add(c.i_ball, Piece::groove, c.ball, c.ring);
+    p.first = atom->type[c.i_ball];
+    p.second = atom->type[c.i_ring];
+  }
+  for (const SphereContact &s : pair_->table().sphere) {
+    if (s.i >= atom->nlocal || bearing_of[s.i] < 0) continue;    // two ranks know it: the owner of the first tells
+    Piece &p = add(s.i, Piece::pocket, s.tag_i, s.tag_j);
+    p.radius = s.reach;
+    p.mass = s.mass;
+    p.K = s.K;
+  }
+  for (int k = 0; k < modify->nfix; ++k)
+    if (FixBearingCage *c = dynamic_cast<FixBearingCage *>(modify->fix[k]))
+      for (const FixBearingCage::Rider &r : c->riders())
+        if (bearing_of[r.i] >= 0) add(r.i, Piece::seat, r.tag, r.ring).first = k;
+
+  own_bodies_.clear();
+  own_rings_.clear();
+  for (int i : letter[comm->me].body_atom) own_bodies_.push_back({i, Place()});
+  for (int i : letter[comm->me].ring_atom) own_rings_.push_back({i, Place()});
+  away_.clear();
+  for (int p = 0; p < comm->nprocs; ++p) {
+    if (p == comm->me || (letter[p].body_atom.empty() && letter[p].ring_atom.empty())) continue;
+    letter[p].rank = p;
+    letter[p].size_text();
+    away_.push_back(letter[p]);
+  }
+  return to;
+}
+
+// At home: models in the order of names, everything in them in the order of tags.
+void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
+{
+  std::vector<Piece> pieces;
+  for (const std::vector<Piece> &f : from) pieces.insert(pieces.end(), f.begin(), f.end());
+  std::vector<tag_t> names;
+  for (const Piece &p : pieces) names.push_back(p.name);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  std::unordered_map<tag_t, int> part_of;
+  for (size_t k = 0; k < names.size(); ++k) part_of[names[k]] = static_cast<int>(k);
+
+  parts_.assign(names.size(), Part());
+  const Piece *outsider = nullptr;
+  for (const Piece &p : pieces) {
+    PartModel &m = parts_[part_of[p.name]].model;
+    if (p.kind == Piece::body) m.bodies.push_back({p.a, p.mass, p.radius, pair_->is_ball_type(p.second)});
+    else if (p.kind == Piece::ring)
+      m.rings.push_back({p.a, p.first < 0 ? nullptr : dynamic_cast<FixBearingRing *>(modify->fix[p.first])});
+    else continue;
+    if (!p.inside && (!outsider || p.a < outsider->a)) outsider = &p;
+  }
+  if (outsider)
+    BRG_ONE(command_ + ": atom " + std::to_string(outsider->a) + " (type " + std::to_string(outsider->second) +
+            ") belongs to a bearing of which other atoms are in the fix's group; put balls, cage balls and rings in "
+            "the group");
+
+  std::vector<std::unordered_map<tag_t, int>> at(parts_.size());    // of bodies and rings
+  for (size_t k = 0; k < parts_.size(); ++k) {
+    PartModel &m = parts_[k].model;
+    std::sort(m.bodies.begin(), m.bodies.end(), [](const PartModel::Body &a, const PartModel::Body &b) {
+      return a.spins != b.spins ? a.spins : a.tag < b.tag;
+    });
+    std::sort(m.rings.begin(), m.rings.end(),
+              [](const PartModel::Ring &a, const PartModel::Ring &b) { return a.tag < b.tag; });
+    if (m.bodies.empty())
+      BRG_ONE(command_ + ": atom " + std::to_string(m.name()) + " of its group is no ball, cage ball or ring of a "
+              "bearing");
+    for (size_t b = 0; b < m.bodies.size(); ++b) at[k][m.bodies[b].tag] = static_cast<int>(b);
+    for (size_t r = 0; r < m.rings.size(); ++r) at[k][m.rings[r].tag] = static_cast<int>(r);
+    parts_[k].bodies.resize(m.bodies.size());
+    parts_[k].rings.resize(m.rings.size());
+  }
+  finish(pieces, part_of, at);
+
+  guests_.clear();
+  size_t own_body = 0, own_ring = 0;
+  for (int rank = 0; rank < comm->nprocs; ++rank) {
+    Letter l;
+    l.rank = rank;
+    for (const Piece &p : from[rank]) {
+      if (p.kind != Piece::body && p.kind != Piece::ring) continue;
+      const int part = part_of[p.name];
+      const Place place = {part, at[part][p.a]};
+      if (rank != comm->me) (p.kind == Piece::body ? l.body_place : l.ring_place).push_back(place);
+      else if (p.kind == Piece::body) own_bodies_[own_body++].place = place;
+      else own_rings_[own_ring++].place = place;
+    }
+    if (l.body_place.empty() && l.ring_place.empty()) continue;
+    l.size_text();
+    guests_.push_back(l);
+  }
+}
+
+// The contacts of the models.
+void BearingParts::finish(const std::vector<Piece> &pieces, const std::unordered_map<tag_t, int> &part_of,
+                          const std::vector<std::unordered_map<tag_t, int>> &at)
+{
+  struct CageSeat { int fix; PartModel::Seat seat; };
+  std::vector<std::vector<CageSeat>> seats(parts_.size());
+  for (const Piece &p : pieces) {
+    if (p.kind == Piece::body || p.kind == Piece::ring) continue;
+    const int k = part_of.at(p.name);
+    PartModel &m = parts_[k].model;
+    const int a = at[k].at(p.a), b = at[k].at(p.b);
+    if (p.kind == Piece::groove) m.grooves.push_back({a, b, pair_->raceway(p.first, p.second)});
+    if (p.kind == Piece::pocket) m.pockets.push_back({a, b, p.K, p.radius, p.mass});
+    if (p.kind == Piece::seat)
+      seats[k].push_back({p.first, {a, b, dynamic_cast<FixBearingCage *>(modify->fix[p.first])}});
+  }
+  for (size_t k = 0; k < parts_.size(); ++k) {
+    PartModel &m = parts_[k].model;
+    std::sort(m.grooves.begin(), m.grooves.end(), [](const PartModel::Groove &a, const PartModel::Groove &b) {
+      return a.body != b.body ? a.body < b.body : a.ring < b.ring;
+    });
+    auto tag = [&m](int body) { return m.bodies[body].tag; };
+    std::sort(m.pockets.begin(), m.pockets.end(), [&](const PartModel::Pocket &a, const PartModel::Pocket &b) {
+      return a.a != b.a ? tag(a.a) < tag(b.a) : tag(a.b) < tag(b.b);
+    });
+    std::sort(seats[k].begin(), seats[k].end(), [](const CageSeat &a, const CageSeat &b) {
+      return a.fix != b.fix ? a.fix < b.fix : a.seat.body < b.seat.body;
+    });
+    for (const CageSeat &s : seats[k]) m.seats.push_back(s.seat);
+  }
+}
+
+}    // namespace bearing

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/implicit: the same bits on any number of ranks, wherever they are cut, whoever else is in the box, and
+through a restart on another number of ranks.
+
+The scene (in.ranks) is a transient under a growing load, refused steps included. The inner ring starts on the cuts
+through the middle of the box and leaves them, so the bearing's home changes rank.
+"""
+
+import re
+
+import pytest
+from host import BOX, frames, liggghts, succeed
+
+DECK = "tests/implicit/in.ranks"
+TWO = {"bearings": 2, "xhi": 0.18}
+LAST = 60  # steps
+
+
+def state(folder):
+    """Every bit that was written, step by step."""
+    return [frames(folder / name) for name in ("balls.dump", "contacts.dump")] + [
+        (folder / name).read_text() for name in ("ring.txt", "control.txt")]
+
+
+def first_bearing(folder):
+    """Rows of its atoms, 1 to 20."""
+    return {step: [row for row in rows if int(row.split()[0]) <= 20]
+            for step, rows in frames(folder / "balls.dump").items()}
+
+
+def last(folder):
+    """The last sample: atoms, contacts and ring."""
+    return [frames(folder / name)[LAST] for name in ("balls.dump", "contacts.dump")] + [
+        (folder / "ring.txt").read_text().splitlines()[-1]]
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """One bearing on one rank."""
+    folder = tmp_path_factory.mktemp("whole")
+    outcome = succeed(DECK, out=folder)
+    assert int(re.search(r"Neighbor list builds = (\d+)", outcome.text).group(1)) >= 15
+    return folder
+
+
+@pytest.fixture(scope="module")
+def both(tmp_path_factory):
+    """Two bearings on one rank."""
+    folder = tmp_path_factory.mktemp("both")
+    succeed(DECK, out=folder, **TWO)
+    return folder
+
+
+def test_scene_is_worth_comparing(whole):
+    assert len(frames(whole / "balls.dump")[LAST]) == 20
+    rings = [list(map(float, row.split())) for row in (whole / "ring.txt").read_text().splitlines()[1:]]
+    assert all(r[2] < -1e-6 for r in rings)        # m, the ring has left the cut at y = 0
+    assert 1000 < rings[0][7] < 4500 < rings[-1][7]    # N, the load still grows at the first sample
+    assert abs(rings[0][8]) > 1e-4                 # rad, the outer ring wobbles
+    refused = float((whole / "control.txt").read_text().splitlines()[-1].split()[4])
+    assert refused > 0
+
+
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_ranks(whole, ranks, tmp_path):
+    succeed(DECK, ranks=ranks, out=tmp_path)
+    assert state(tmp_path) == state(whole)
+
+
+@pytest.mark.parametrize("cuts, ranks, box", [
+    ((2, 1, 1), 2, {}),
+    ((1, 2, 1), 2, {}),
+    ((1, 1, 2), 2, {}),
+    ((2, 1, 1), 2, {"xhi": 0.09}),                    # the cut misses the rings
+    ((1, 2, 2), 4, {"ylo": -0.1}),
+    ((3, 3, 1), 9, {"xhi": 0.06}),                    # the rank with the rings has no ball
+], ids=str)
+def test_cuts(whole, cuts, ranks, box, tmp_path):
+    succeed(DECK, ranks=ranks, out=tmp_path, cuts_x=cuts[0], cuts_y=cuts[1], cuts_z=cuts[2], **box)
+    assert state(tmp_path) == state(whole)
+
+
+def test_a_cage_ball_between_strangers(tmp_path):
+    """Without rails a cage ball is joined to its bearing by balls alone, here by balls of other ranks."""
+    succeed(DECK, out=tmp_path / "one", rails=0)
+    succeed(DECK, ranks=8, out=tmp_path / "eight", rails=0, cuts_x=8, cuts_y=1)
+    assert state(tmp_path / "eight") == state(tmp_path / "one")
+
+
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_two_bearings(both, ranks, tmp_path):
+    succeed(DECK, ranks=ranks, out=tmp_path, **TWO)
+    assert state(tmp_path) == state(both)
+
+
+def test_another_bearing_changes_no_bits(whole, both):
+    """Though the other one needs finer steps and other neighbour lists."""
+    assert first_bearing(both) == frames(whole / "balls.dump")
+    finest = [float((f / "control.txt").read_text().splitlines()[-1].split()[1]) for f in (whole, both)]
+    assert finest[1] < finest[0]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_fix_for_each_bearing(both, ranks, tmp_path):
+    succeed(DECK, ranks=ranks, out=tmp_path, moved="one", apart=1, **TWO)
+    assert frames(tmp_path / "balls.dump") == frames(both / "balls.dump")
+
+
+@pytest.mark.parametrize("bearings", [1, 2])
+def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
+    """Written by two ranks in the middle of a run, while the load grows and steps are refined; resumed by one and by
+    four."""
+    case = TWO if bearings == 2 else {}
+    unbroken = {1: whole, 2: both}[bearings]
+    succeed(DECK, ranks=2, out=tmp_path, keep=22, first=22, second=38, **case)
+    assert state(tmp_path)[:2] == state(unbroken)[:2]
+    for ranks in (1, 4):
+        out = tmp_path / str(ranks)
+        succeed(DECK, ranks=ranks, out=out, begin="resume", first=38, bearings=bearings,
+                **{"from": tmp_path / "restart.22"})
+        assert last(out) == last(unbroken)
+
+
+BEARINGS = BOX.replace("box 4 box", "box 5 box").replace("0.06 -0.06 0.06 -0.06", "0.18 -0.06 0.06 -0.06") + """
+bearing_input inputs/bearings 6208
+pair_style bearing/hertz young 2.07e11 2.07e11 poisson 0.29 0.29
+pair_coeff 1 3 inner ${inner_radius} ${inner_groove}
+pair_coeff 1 4 outer ${outer_radius} ${outer_groove}
+create_bearing 1 none 3 4 balls 9 diameter ${ball_diameter}
+create_bearing 1 none 3 4 balls 9 diameter ${ball_diameter} centre 0.12 0 0
+create_atoms 5 single 0.02 0.05 0.05 units box
+set type 5 density 7800 diameter 1.0e-3
+group one id 1:11
+group two id 12:22
+group both id 1:22
+group inner type 3
+group rings type 3 4
+timestep 1.0e-5
+"""
+
+
+@pytest.mark.parametrize("fixes, message", [
+    ("fix move all bearing/implicit\nfix r rings bearing/ring",
+     "atom 23 of its group is no ball, cage ball or ring of a bearing"),
+    ("group some id 1:10 12:22\nfix move some bearing/implicit\nfix r inner bearing/ring",
+     "atom 11 (type 4) belongs to a bearing of which other atoms are in the fix's group"),
+    ("group some id 9:22\nfix move some bearing/implicit\nfix r inner bearing/ring", "atom 1 (type 1) belongs to"),
+    ("fix move one bearing/implicit\nfix r inner bearing/ring", "some rings of fix r but not all of them"),
+    ("group some id 20:22\nfix a both bearing/implicit\nfix b some bearing/implicit", "both move atom"),
+    ("fix a both bearing/implicit\nfix b two nve/sphere", "moves them too"),
+])
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_mistakes_are_named(ranks, fixes, message, tmp_path):
+    deck = tmp_path / "in.mistake"
+    deck.write_text(BEARINGS + fixes + "\nrun 1\n")
+    outcome = liggghts(deck, ranks=ranks, timeout=60)
+    assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_impossible_load_stops_all_ranks(ranks, tmp_path):
+    deck = tmp_path / "in.stop"
+    deck.write_text(BEARINGS + "fix a both bearing/implicit\nfix r inner bearing/ring mass 0.2 x free force 1e9 0 0\n"
+                    "run 10\n")
+    outcome = liggghts(deck, ranks=ranks, timeout=60)
+    assert outcome.code != 0 and "no solution with substeps down to" in outcome.error, outcome.text[-2000:]
