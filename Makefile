@@ -17,7 +17,7 @@ FLAGS := -std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -fP
          -DOMPI_SKIP_MPICXX -Isrc-package/compat -isystem /usr/include/liggghts
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-STYLES := $(wildcard src-package/styles/*.cpp)
+STYLES := $(wildcard src-package/styles/*.cpp) $(wildcard src-package/implicit/*.cpp)
 SOURCES := $(STYLES) src-package/host/liggghts_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
 SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)

@@ -174,10 +174,9 @@ double BearingStep::apply(double h)
       for (int i = 0; i < lanes; ++i)
         if (bad[i]) worst_ = body_at_[lanes * k + i];
     }
-    if (!g.spins) continue;
-    g.w += Vec3L::from(g.rhs + 3);
+    if (g.spins) g.w += Vec3L::from(g.rhs + 3);
     const Lane worse = where(magnitude(dv.x) > magnitude(dv.z), magnitude(dv.x), magnitude(dv.z));
-    off = where(worse > off, worse, off);
+    off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
   for (size_t f = 0; f < free_.size(); ++f) {

@@ -230,10 +230,9 @@ double BearingStep::error(double h, int order) const
   const double share = order == 1 ? 0.5 : gamma_2;
   Lane off = {};
   for (const Group &g : groups_) {
-    if (!g.spins) continue;
     const Vec3L dv = g.v - (order == 1 ? g.v_from : g.v_first);
     const Lane worse = where(magnitude(dv.x) > magnitude(dv.z), magnitude(dv.x), magnitude(dv.z));
-    off = where(worse > off, worse, off);
+    off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
   for (const Free &f : free_) {

@@ -16,27 +16,26 @@ using bearing::text;
 
 static constexpr double smallest_step = 1e-12;    // s
 
-// fix ID group bearing/implicit [tolerance T] [predictor M] [corrections N] [largest H] [creep C]
+// fix ID group bearing/implicit [tolerance T] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     bearings_(lmp, std::string("fix ") + id + " bearing/implicit")
 {
   Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
   while (args.more()) {
-    if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-12, 1e-4);
-    else if (args.take("corrections")) most_ = args.integer("corrections in a step", 1, 100);
-    else if (args.take("predictor")) miss_ = args.within("allowed miss of the predictor (m)", 1e-12, 1.0);
+    if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-4);
+    else if (args.take("order")) settings_.order = args.integer("order", 1, 2);
+    else if (args.take("corrections")) settings_.corrections = args.integer("corrections in a stage", 1, 100);
     else if (args.take("largest")) largest_ = args.positive("largest step (s)");
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
-    else args.unknown("tolerance, corrections, predictor, largest, creep");
+    else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
+    else args.unknown("tolerance, order, corrections, largest, creep, energy");
   }
-  if (miss_ == 0.0) miss_ = 30.0 * tolerance_;
-  if (miss_ < tolerance_)
-    args.fail("predictor " + text(miss_) + " m must not be below the tolerance, " + text(tolerance_) + " m");
+  settings_.newton = tolerance_;
   time_integrate = 1;
   restart_global = 1;
   scalar_flag = vector_flag = 1;
-  size_vector = 6;
+  size_vector = 10;
   global_freq = 1;
   extscalar = extvector = 0;
 }
@@ -107,6 +106,8 @@ void FixBearingImplicit::setup(int)
 {
   build_ = -1;
   substeps_ = corrections_ = refused_ = time_ = worst_ = 0.0;
+  energy_ = raceway::BearingStep::Energy();
+  begun_ = false;
   smallest_ = HUGE_VAL;
 }
 
@@ -128,6 +129,10 @@ void FixBearingImplicit::build()
   if (build_ == pair_->table_build()) return;
   build_ = pair_->table_build();
   kept_ = wishes();
+  for (Part &p : parts_) {    // what the bearings of the last build have to say
+    energy_.work += p.bearing.step().energy().work;
+    energy_.dissipated += p.bearing.step().energy().dissipated;
+  }
   bearings_.build(pair_, groupbit);
   parts_.clear();
   for (int p = 0; p < bearings_.size(); ++p) {
@@ -135,9 +140,19 @@ void FixBearingImplicit::build()
     const Wish of = {static_cast<double>(model.name()), largest_};
     const auto kept = std::lower_bound(kept_.begin(), kept_.end(), of, by_ring);
     const bool known = kept != kept_.end() && kept->ring == of.ring;
-    parts_.push_back({ImplicitBearing(lmp, pair_, model), known ? kept->step : of.step});
+    parts_.push_back({ImplicitBearing(*pair_, model), known ? kept->step : of.step});
+    parts_.back().bearing.step().keep_energy(energy_wanted_);
   }
   built_ = true;
+}
+
+// What is stored before the first step of a run.
+void FixBearingImplicit::begin_energy()
+{
+  stored_before_ = 0.0;
+  for (Part &p : parts_) stored_before_ += p.bearing.step().energy().stored;
+  MPI_Allreduce(MPI_IN_PLACE, &stored_before_, 1, MPI_DOUBLE, MPI_SUM, world);
+  begun_ = true;
 }
 
 void FixBearingImplicit::initial_integrate(int)
@@ -145,8 +160,9 @@ void FixBearingImplicit::initial_integrate(int)
   build();
   for (FixBearingRing *r : rings_) r->begin_step();
   bearings_.gather();
+  for (int p = 0; p < bearings_.size(); ++p) parts_[p].bearing.load(bearings_.bodies(p), bearings_.rings(p));
+  if (energy_wanted_ && !begun_) begin_energy();
   for (int p = 0; p < bearings_.size(); ++p) {
-    parts_[p].bearing.load(bearings_.bodies(p), bearings_.rings(p));
     advance(parts_[p]);
     parts_[p].bearing.store(bearings_.bodies(p), bearings_.rings(p));
   }
@@ -158,64 +174,45 @@ void FixBearingImplicit::initial_integrate(int)
 void FixBearingImplicit::advance(Part &p)
 {
   const double whole = update->dt;
+  raceway::BearingStep &bearing = p.bearing.step();
   double done = 0.0;
   while (done < whole) {
     const double left = whole - done;
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
     const bool last = pieces <= 1.0;
     const double h = last ? left : left / pieces;
-    const Outcome o = substep(p, h, last ? 1.0 : (done + h) / whole);
-    // the miss of the predictor grows like h^2
-    const double fit = 0.9 * std::sqrt(miss_ / std::max(o.miss, 1e-6 * miss_));
-    if (!o.accepted) {
+    const raceway::BearingStep::Outcome o = bearing.step(settings_, h, done / whole, last ? 1.0 : (done + h) / whole);
+    corrections_ += o.corrections;
+    // the estimate grows like h^2
+    const double fit = 0.9 * std::sqrt(tolerance_ / std::max(o.error, 1e-6 * tolerance_));
+    if (!o.solved || o.error > tolerance_) {
       refused_ += 1.0;
       p.step = h * std::min(0.5, std::max(0.2, o.solved ? fit : 0.25));
-      if (p.step < smallest_step) give_up(h);
+      if (p.step < smallest_step) give_up(p, h, o);
       continue;
     }
+    bearing.accept();
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
-    worst_ = std::max(worst_, o.miss);
+    worst_ = std::max(worst_, o.error);
     // grow back where Newton had an easy time
     const double grow = std::min(2.0, std::max(0.5, fit));
-    if (o.corrections <= (most_ + 1) / 2 && (grow < 1.0 || !last || h > 0.99 * p.step))
+    if (o.corrections <= settings_.corrections && (grow < 1.0 || !last || h > 0.99 * p.step))
       p.step = std::min(grow * h, whole);
     done = last ? whole : done + h;
   }
 }
 
-// Newton's corrections until one is below the tolerance; a single one is the linearly implicit Euler step.
-FixBearingImplicit::Outcome FixBearingImplicit::substep(Part &p, double h, double s)
+void FixBearingImplicit::give_up(Part &p, double h, const raceway::BearingStep::Outcome &o)
 {
-  Outcome o;
-  p.bearing.predict(h, s);
-  while (o.corrections < most_) {
-    const ImplicitBearing::Correction c = p.bearing.correct();
-    ++o.corrections;
-    corrections_ += 1.0;
-    last_ = c.size;
-    if (!c.sane) return o;
-    if (o.corrections == 1) {
-      o.miss = c.size;
-      if (c.size > 4.0 * miss_) {    // no use to go on
-        o.solved = true;
-        return o;
-      }
-    }
-    if (c.size > tolerance_ && most_ > 1) continue;
-    o.solved = true;
-    o.accepted = o.miss <= miss_;
-    if (o.accepted) p.bearing.accept();
-    return o;
-  }
-  return o;
-}
-
-void FixBearingImplicit::give_up(double h)
-{
-  BRG_ONE(std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep) +
-          ": no solution with substeps down to " + text(h) + " s; last correction " + text(last_) + " m, tolerance " +
-          text(tolerance_) + " m. Load too high, rings apart, or the start overlaps");
+  const int body = p.bearing.step().worst(), links = p.bearing.step().overlinked();
+  const std::string where = std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
+  if (links >= 0)
+    BRG_ONE(where + ": atom " + std::to_string(p.bearing.tag(links)) + " touches more than two balls or cage balls");
+  BRG_ONE(where + ": no solution with substeps down to " + text(h) + " s; last correction " + text(o.last) +
+          " m, estimated error " + text(o.error) + " m, tolerance " + text(tolerance_) + " m" +
+          (body >= 0 ? "; worst is atom " + std::to_string(p.bearing.tag(body)) : std::string()) +
+          ". Load too high, rings apart, or the start overlaps");
   std::abort();
 }
 
@@ -223,14 +220,26 @@ void FixBearingImplicit::give_up(double h)
 double FixBearingImplicit::compute_scalar() { return compute_vector(0); }
 
 // Since the start of the run: 1 mean and 2 smallest substep (s), 3 substeps, 4 corrections a substep, 5 refused
-// substeps, 6 largest first correction (m)
+// substeps, 6 largest estimated error (m); with energy yes: 7 work put in, 8 dissipated, 9 growth of what is
+// stored, 10 lost by the integrator, 7 - 8 - 9 (J)
 double FixBearingImplicit::compute_vector(int k)
 {
-  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(parts_.size())}, most[] = {worst_, -smallest_};
-  MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPI_DOUBLE, MPI_SUM, world);
+  raceway::BearingStep::Energy e = energy_;
+  for (Part &p : parts_)
+    if (energy_wanted_) {
+      const raceway::BearingStep::Energy &now = p.bearing.step().energy();
+      e.work += now.work;
+      e.dissipated += now.dissipated;
+      e.stored += now.stored;
+    }
+  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(parts_.size()), e.work, e.dissipated, e.stored};
+  double most[] = {worst_, -smallest_};
+  MPI_Allreduce(MPI_IN_PLACE, sum, 7, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, world);
-  const double n = std::max(sum[0], 1.0), bearings = std::max(sum[3], 1.0);
-  const double values[] = {time_ * bearings / n, sum[0] > 0.0 ? -most[1] : 0.0, sum[0], sum[1] / n, sum[2], most[0]};
+  const double n = std::max(sum[0], 1.0), bearings = std::max(sum[3], 1.0), stored = sum[6] - stored_before_;
+  const double values[] = {time_ * bearings / n, sum[0] > 0.0 ? -most[1] : 0.0, sum[0], sum[1] / n, sum[2], most[0],
+                           sum[4], sum[5], energy_wanted_ ? stored : 0.0,
+                           energy_wanted_ ? sum[4] - sum[5] - stored : 0.0};
   return values[k];
 }
 

@@ -37,12 +37,6 @@ class FixBearingImplicit : public Fix {
     double step;         // s, the control's wish for the next substep
   };
 
-  struct Outcome {
-    bool solved = false, accepted = false;
-    int corrections = 0;
-    double miss = HUGE_VAL;    // m, of the predictor: the first correction
-  };
-
   // The control's wish for the next substep of a bearing, named by its ring of lowest tag. Numbers only: it is what
   // a restart file keeps.
   struct Wish { double ring, step; };
@@ -52,14 +46,14 @@ class FixBearingImplicit : public Fix {
   void find_rings();
   void build();
   std::vector<Wish> wishes() const;
+  void begin_energy();
   void advance(Part &);
-  Outcome substep(Part &, double h, double s);
-  [[noreturn]] void give_up(double h);
+  [[noreturn]] void give_up(Part &, double h, const raceway::BearingStep::Outcome &);
 
   PairBearingHertz *pair_;
-  double tolerance_ = 1e-7;       // m
-  double miss_ = 0.0;             // m, allowed of the predictor; 0: 30 tolerances
-  int most_ = 8;                  // corrections in a substep
+  double tolerance_ = 1e-8;       // m, estimated local error of a position in a substep
+  raceway::BearingStep::Settings settings_;
+  bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   double largest_ = HUGE_VAL;     // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
@@ -69,8 +63,9 @@ class FixBearingImplicit : public Fix {
   bool built_ = false;            // parts_ know better than kept_
   int build_ = -1;
   // of the bearings at home here, since the start of the run
-  double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL, last_ = 0.0;
-  double worst_ = 0.0;
+  double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL;
+  double worst_ = 0.0, stored_before_ = 0.0;
+  raceway::BearingStep::Energy energy_;
 };
 
 }    // namespace LAMMPS_NS

@@ -168,12 +168,28 @@ double FixBearingRing::ramp(double time) const
   return s * s * (3.0 - 2.0 * s);
 }
 
-Vec3 FixBearingRing::load_at(int first, double s) const
+raceway::RingProgram FixBearingRing::program() const
 {
-  const double share = ramp(time_ - (1.0 - s) * update->dt);
-  double v[3];
-  for (int k = 0; k < 3; ++k) v[k] = share * (load_before_[first + k] + s * (load_[first + k] - load_before_[first + k]));
-  return Vec3::from(v);
+  raceway::RingProgram p;
+  p.mass = mass_;
+  p.inertia = inertia_;
+  p.ramp = ramp_time_;
+  p.end = time_;
+  p.length = update->dt;
+  const double *target[2] = {before_, target_}, *load[2] = {load_before_, load_};
+  for (int k = 0; k < N_DOF; ++k) {
+    const int lab = k < 3 ? (along_ + 1 + k) % 3 : k;
+    p.mode[k] = static_cast<raceway::Freedom>(dof_[lab].mode);
+    for (int end = 0; end < 2; ++end) p.target[end][k] = target[end][lab];
+  }
+  auto third = [this](const double *v) {
+    return Vec3{v[(along_ + 1) % 3], v[(along_ + 2) % 3], v[along_]};
+  };
+  for (int end = 0; end < 2; ++end) {
+    p.force[end] = third(load[end]);
+    p.moment[end] = third(load[end] + 3);
+  }
+  return p;
 }
 
 void FixBearingRing::begin_step()
@@ -222,8 +238,10 @@ void FixBearingRing::tilt_of(const Vec3 &e, double *tilt) const
   for (int k = 0; k < 2; ++k) tilt[k] = factor * dot(s, unit(across_[k])) + 0.0;    // no minus zero
 }
 
-void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w, double dt, const double *target) const
+// Orientation over a step, and driven rotation speeds.
+void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w) const
 {
+  const double dt = update->dt, *target = target_;
   const bool free1 = dof_[3].mode == free, free2 = dof_[4].mode == free;
   const double spin = dof_[SPIN_DOF].mode == speed ? target[SPIN_DOF]
       : dof_[SPIN_DOF].mode == fixed               ? 0.0
@@ -238,7 +256,7 @@ void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w, double dt,
     Vec3 across;    // rotation velocity of the axis
     for (int k = 0; k < 2; ++k) {
       double rate = 0.0;
-      if (dof_[3 + k].mode == free) rate = dot(w, unit(across_[k]));
+      if (dof_[3 + k].mode == free) rate = dot(w - ring.axis * dot(w, ring.axis), unit(across_[k]));
       if (dof_[3 + k].mode == speed) rate = target[3 + k];
       if (dof_[3 + k].mode == position) rate = (target[3 + k] - ring.tilt[k]) / dt;
       ring.tilt[k] += rate * dt;
@@ -276,7 +294,7 @@ void FixBearingRing::initial_integrate(int)
       }
     }
     Vec3 w = Vec3::from(atom->omega[i]);
-    turn(state_->ring(i), w, dt, target_);
+    turn(state_->ring(i), w);
     w.to(atom->omega[i]);
   }
 }

@@ -6,7 +6,7 @@ FixStyle(bearing/ring,FixBearingRing)
 #ifndef LMP_FIX_BEARING_RING_H
 #define LMP_FIX_BEARING_RING_H
 
-#include "../physics/ring_body.h"
+#include "../implicit/ring_program.h"
 #include "bearing_compat.h"
 #include "driven_value.h"
 #include "fix_bearing_state.h"
@@ -29,20 +29,12 @@ class FixBearingRing : public Fix {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // For fix bearing/implicit, which moves the rings of its group itself: degrees of freedom and loads within a
-  // step, s from 0 (start) to 1 (end). Driven values are linear over the step; the ramp is exact.
-  enum Mode { fixed, free, speed, position };
+  // For fix bearing/implicit, which moves the rings of its group itself.
+  enum Mode { fixed, free, speed, position };    // as raceway::Freedom
   enum { SPIN_DOF = 5, N_DOF = 6 };    // x, y, z, tilt about the first and second axis across, spin about the axis
   bool moves(int i) const { return atom->mask[i] & groupbit; }
-  int mode(int dof) const { return dof_[dof].mode; }
-  double mass() const { return mass_; }
-  const raceway::RingInertia &inertia() const { return inertia_; }
   void begin_step();
-  double target(int dof, double s) const { return before_[dof] + s * (target_[dof] - before_[dof]); }
-  raceway::Vec3 load(double s) const { return load_at(0, s); }
-  raceway::Vec3 moment(double s) const { return load_at(3, s); }
-  // Orientation over the time h, and driven rotation speeds; target: the values at its end
-  void turn(FixBearingState::RingMotion &, raceway::Vec3 &w, double h, const double *target) const;
+  raceway::RingProgram program() const;    // of this step, in names with the bearing axis third
 
   enum Report {    // columns of f_ID[...], from 1
     DX, DY, DZ, VX, VY, VZ, TILT1, TILT2, SPIN, ANGLE, FX, FY, FZ, MX, MY, MZ, FRICTION_TORQUE, N_REPORT
@@ -58,7 +50,7 @@ class FixBearingRing : public Fix {
   void update_driven();
   double ramp(double time) const;
   void update_loads();
-  raceway::Vec3 load_at(int first, double s) const;
+  void turn(FixBearingState::RingMotion &, raceway::Vec3 &w) const;
   void kick();
   void tilt_of(const raceway::Vec3 &e, double *tilt) const;
   void gather_reports();
