@@ -8,7 +8,7 @@
 namespace raceway {
 
 // What is still missing of M (V_base - V) + h frame; masses into the blocks.
-void BearingStep::start_rhs(double h, bool fresh)
+RACEWAY_LANES void BearingStep::start_rhs(double h, bool fresh)
 {
   for (Group &g : groups_) {
     const Lane rate = g.v.y / g.now.r;
@@ -28,31 +28,6 @@ void BearingStep::start_rhs(double h, bool fresh)
   for (Column &c : B_) c = Column();
   for (Column &c : C_) c = Column();
   std::fill(border_.a.begin(), border_.a.end(), 0.0);
-}
-
-bool BearingStep::forces(double h, bool fresh)
-{
-  power_lost_ = contact_energy_ = 0.0;
-  for (Ring &r : rings_) {
-    r.force_lanes = r.moment_lanes = Vec3L();
-    r.force = r.moment = Vec3();
-  }
-  bool sane = false;
-  if (model_.lubricated) switch (model_.friction) {
-    case Friction::none: sane = choose_instructions<true, Friction::none>(h, fresh); break;
-    case Friction::constant: sane = choose_instructions<true, Friction::constant>(h, fresh); break;
-    case Friction::stribeck: sane = choose_instructions<true, Friction::stribeck>(h, fresh); break;
-  }
-  else if (model_.friction == Friction::none) sane = choose_instructions<false, Friction::none>(h, fresh);
-  else sane = choose_instructions<false, Friction::constant>(h, fresh);
-  if (!sane) return false;
-  seats(h, fresh);
-  if (!pockets(h, fresh)) return false;
-  for (Ring &r : rings_) {
-    r.force = {sum(r.force_lanes.x), sum(r.force_lanes.y), sum(r.force_lanes.z)};
-    r.moment = {sum(r.moment_lanes.x), sum(r.moment_lanes.y), sum(r.moment_lanes.z)};
-  }
-  return true;
 }
 
 // += s p q^T into rows and columns of a 6 x 6 block
@@ -78,7 +53,7 @@ static RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &
   }
 }
 
-template <bool film, Friction friction> bool BearingStep::grooves(double h, bool fresh)
+template <bool film, Friction friction> RACEWAY_INLINE bool BearingStep::grooves(double h, bool fresh)
 {
   Touch *touch = touches_.data();
   const int nf = static_cast<int>(free_.size());
@@ -163,13 +138,33 @@ template <bool film, Friction friction> bool BearingStep::grooves(double h, bool
   return true;
 }
 
-template <bool film, Friction friction> bool BearingStep::choose_instructions(double h, bool fresh)
+RACEWAY_LANES bool BearingStep::forces(double h, bool fresh)
 {
-  return grooves<film, friction>(h, fresh);
+  power_lost_ = contact_energy_ = 0.0;
+  for (Ring &r : rings_) {
+    r.force_lanes = r.moment_lanes = Vec3L();
+    r.force = r.moment = Vec3();
+  }
+  bool sane = false;
+  if (model_.lubricated) switch (model_.friction) {
+    case Friction::none: sane = grooves<true, Friction::none>(h, fresh); break;
+    case Friction::constant: sane = grooves<true, Friction::constant>(h, fresh); break;
+    case Friction::stribeck: sane = grooves<true, Friction::stribeck>(h, fresh); break;
+  }
+  else if (model_.friction == Friction::none) sane = grooves<false, Friction::none>(h, fresh);
+  else sane = grooves<false, Friction::constant>(h, fresh);
+  if (!sane) return false;
+  seats(h, fresh);
+  if (!pockets(h, fresh)) return false;
+  for (Ring &r : rings_) {
+    r.force = {sum(r.force_lanes.x), sum(r.force_lanes.y), sum(r.force_lanes.z)};
+    r.moment = {sum(r.moment_lanes.x), sum(r.moment_lanes.y), sum(r.moment_lanes.z)};
+  }
+  return true;
 }
 
 // Cage balls on the torus rails of a ring: elastic, frictionless, critically damped.
-void BearingStep::seats(double h, bool fresh)
+RACEWAY_LANES void BearingStep::seats(double h, bool fresh)
 {
   const int nf = static_cast<int>(free_.size());
   for (const RailTrack &track : rail_tracks_) {

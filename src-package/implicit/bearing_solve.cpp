@@ -42,7 +42,7 @@ void BearingStep::border_rhs(double h, double s)
   }
 }
 
-void BearingStep::factor_groups()
+RACEWAY_LANES void BearingStep::factor_groups()
 {
   const size_t nf = free_.size();
   for (size_t k = 0; k < groups_.size(); ++k) {
@@ -129,7 +129,7 @@ template <class ColumnOf> void BearingStep::condense_links(ColumnOf column, bool
     }
 }
 
-void BearingStep::solve()
+RACEWAY_LANES void BearingStep::solve()
 {
   const int nf = static_cast<int>(free_.size());
   for (Group &g : groups_) {
@@ -159,7 +159,7 @@ void BearingStep::solve()
 }
 
 // Adds the correction; returns its size, m: largest over balls across the raceways and over the rings.
-double BearingStep::apply(double h)
+RACEWAY_LANES double BearingStep::apply(double h)
 {
   Lane off = {};
   bool finite = true;

@@ -191,7 +191,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
 }
 
 // Everything to the end of the stage with the present velocities.
-void BearingStep::move(double h, double s)
+RACEWAY_LANES void BearingStep::move(double h, double s)
 {
   for (Group &g : groups_) {
     g.now.r = g.base.r + h * g.v.x;
@@ -202,7 +202,7 @@ void BearingStep::move(double h, double s)
   for (Ring &r : rings_) r.now = moved(r.program, r.base, r.gained, h, s);
 }
 
-void BearingStep::second_base()
+RACEWAY_LANES void BearingStep::second_base()
 {
   for (Group &g : groups_) {
     g.v_first = g.v;
@@ -225,7 +225,7 @@ void BearingStep::second_base()
   }
 }
 
-double BearingStep::error(double h, int order) const
+RACEWAY_LANES double BearingStep::error(double h, int order) const
 {
   const double share = order == 1 ? 0.5 : gamma_2;
   Lane off = {};

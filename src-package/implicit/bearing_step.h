@@ -61,29 +61,30 @@ class BearingStep {
   int worst() const { return worst_; }               // body that the last correction moved most, or that has no number
 
  private:
-  struct Group {                 // four bodies side by side
-    bool spins;
-    bool coupled = false;        // to the border
-    bool linked = false;
+  // What holds lanes is aligned for the widest instructions and has its lanes first.
+  struct alignas(32) Group {     // four bodies side by side
     Lane mass, inertia, radius;
     LaneMask used;
     LaneFrame from, base, now;
     Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
     Lane turn = {};              // rad, base to now
     Lane A[36], rhs[6], link[2][6];
+    bool spins;
+    bool coupled = false;        // to the border
+    bool linked = false;
   };
-  struct Column { Lane a[6]; };
+  struct alignas(32) Column { Lane a[6]; };
   struct Track { int ring, first, end; const RacewayPhysics *physics; };    // groups of balls on one raceway
-  struct Touch { ContactStateT<Lane> state; LaneMask live; };
+  struct alignas(32) Touch { ContactStateT<Lane> state; LaneMask live; };
   struct RailTrack { int ring, first, end; const std::vector<Rail> *rails; const std::vector<double> *stiffness; };
-  struct Ring {
+  struct alignas(32) Ring {
+    Vec3L force_lanes, moment_lanes;
     RingProgram program;
     RingPose from, base, now, first;
     double gained[RingProgram::N_DOF] = {};
     int unknown[RingProgram::N_DOF];          // of a free degree of freedom, else -1
     bool loose = false;
-    Vec3 force, moment;                       // of the contacts
-    Vec3L force_lanes, moment_lanes;
+    Vec3 force, moment;                       // of the contacts: sums of the lanes
   };
   struct Free { int ring, dof; };
 
@@ -93,8 +94,7 @@ class BearingStep {
   void move(double h, double s);
   void start_rhs(double h, bool fresh);
   bool forces(double h, bool fresh);
-  template <bool film, Friction friction> bool grooves(double h, bool fresh);
-  template <bool film, Friction friction> bool choose_instructions(double h, bool fresh);
+  template <bool film, Friction friction> RACEWAY_INLINE bool grooves(double h, bool fresh);
   void seats(double h, bool fresh);
   bool pockets(double h, bool fresh);
   void border_rhs(double h, double s);

@@ -12,6 +12,14 @@
 // A function that takes a Lane must be compiled for the instruction set of its caller, so it is never called.
 #define RACEWAY_INLINE __attribute__((always_inline)) inline
 
+// A function that calls such functions: compiled for each of these instruction sets, the best one is chosen at run
+// time. Without fused multiply-add, so all give the same bits. Sanitizers do not know the mechanism.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#define RACEWAY_LANES __attribute__((target_clones("avx2", "default")))
+#else
+#define RACEWAY_LANES
+#endif
+
 namespace raceway {
 
 constexpr int lanes = 4;
