@@ -3,7 +3,7 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   what a step costs, feature by feature; rewrites docs/performance/step_cost.rst
+#   make bench   what a step costs, and what other programs make of the same bearing; rewrites pages of docs/performance
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
@@ -22,6 +22,7 @@ SOURCES := $(STYLES) src-package/host/liggghts_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
 SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
 VENV_STAMP := .venv/.installed
+BENCH_STAMP := .venv/.installed-bench
 
 run: build
 	build/liggghts -in inputs/in.6208 -log none
@@ -38,7 +39,9 @@ test: build sanitized
 	.venv/bin/python -m pytest tests
 
 bench: build
+	@$(MAKE) --no-print-directory -s $(BENCH_STAMP)
 	.venv/bin/python tests/bench/step_cost.py
+	.venv/bin/python tests/bench/peers.py
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
@@ -68,6 +71,11 @@ $(VENV_STAMP): python/pyproject.toml
 	@echo "Installing the Python package into .venv"
 	python3 -m venv .venv
 	.venv/bin/pip install -q --disable-pip-version-check -e 'python[test,docs]'
+	@touch $@
+
+$(BENCH_STAMP): $(VENV_STAMP)
+	@echo "Installing the programs to compare with into .venv"
+	.venv/bin/pip install -q --disable-pip-version-check -e 'python[bench]'
 	@touch $@
 
 # ---- LIGGGHTS ---------------------------------------------------------------------------------------

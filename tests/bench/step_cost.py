@@ -5,13 +5,14 @@ All scenes take turns in every round, so that a drift of the machine hits them a
 formed within a round. Medians and the range of the rounds are reported.
 """
 
-import platform
 import re
 import statistics
 import subprocess
 import sys
 from datetime import date
 from pathlib import Path
+
+from machine import machine
 
 ROOT = Path(__file__).resolve().parents[2]
 ROUNDS = 7
@@ -37,16 +38,6 @@ def nanoseconds(deck, variables):
     if done.returncode or not loops:
         sys.exit(f"{deck} failed:\n{done.stdout[-2000:]}")
     return float(loops[-1]) / STEPS * 1e9
-
-
-def machine():
-    """Processor, compiler and host versions, in one line each."""
-    cpu = re.search(r"model name\s*:\s*(.+)", Path("/proc/cpuinfo").read_text()).group(1)
-    gcc = subprocess.run(["g++", "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
-    package = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "liggghts"], capture_output=True, text=True,
-                             check=True).stdout
-    return [f"processor: {cpu}, one core used, machine shared with other work", f"compiler: {gcc}",
-            f"host: LIGGGHTS {package} (Debian)", f"system: {platform.platform(terse=True)}"]
 
 
 def main():
