@@ -14,7 +14,7 @@ from raceway.bearing import Bearing
 DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208
 _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
-CASES, BOUNDS = _data["cases"], _data["bounds"]
+CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
 # What the references "fine" and every comparison of the fix with itself use, whatever the defaults are.
 FINE = "tolerance 1e-10"
 LOST = "atoms got lost and nothing was said"  # what `Course.error` says of a run that ended well without them
@@ -83,9 +83,9 @@ def _blocks(path):
 # ---- references ---------------------------------------------------------------------------------------------
 
 def reference(kind, folder, case, refine=1):
-    """The `Course` of a reference that is a run: verlet, history or fine, `refine` times finer than its words."""
+    """The `Course` of a reference that is a run (verlet, history, fine), `refine` times finer than its words say."""
     sample = float(case["variables"].get("sample", 1e-4))
-    substeps = refine * max(1, round(sample / float(case["references"][kind]["step"])))
+    substeps = max(1, round(refine * sample / float(case["references"][kind]["step"])))
     words = {"verlet": {"integrator": "verlet"}, "history": {"integrator": "verlet", "film": "history"},
              "fine": {"control": FINE}}[kind]
     return run(folder, case, substeps=substeps, **words)
@@ -130,30 +130,78 @@ def compare(found, truth, after=0, every=1):
                    miss.max() if both.any() else np.nan)
 
 
-def against_statics(found, case):
-    """Largest difference from static loads over the largest of them."""
-    picked, loads = statics(found, case)
-    return np.abs(found.load[picked] - loads).max() / loads.max()
-
-
 class Average(NamedTuple):
-    """A mean over time and its statistical error, from the spread of ten blocks."""
+    """A mean over time and its statistical error, from the spread of ten blocks about their trend."""
 
     mean: float
     error: float
 
 
 def averages(course, after=0, every=1):
-    """Means over time of what a chaotic case is judged by, {name: `Average`}."""
+    """Means over time by which a chaotic case is judged, {name: `Average`}."""
     first = -(-after // every)
     load, orbit = course.load[first:], course.orbit[first:]
     inner, outer = load[:, 0] > 0, load[:, 1] > 0
-    series = {"inner ring, sum of loads (N)": load[:, 0].sum(1), "outer load of a ball (N)": load[:, 1].mean(1),
-              "orbital speed (rad/s)": orbit.mean(1), "share of balls on the inner ring": inner.mean(1),
+    series = {"sum of inner loads": load[:, 0].sum(1), "outer load": load[:, 1].mean(1),
+              "orbital speed": orbit.mean(1), "share of balls on the inner ring": inner.mean(1),
               "share of balls on no ring": (~inner & ~outer).mean(1)}
     result = {}
     for name, values in series.items():
         blocks = np.array([block.mean() for block in np.array_split(values, 10)])
-        blocks = blocks - np.polyval(np.polyfit(range(10), blocks, 1), range(10)) * 1.0 + values.mean()  # a drift is no noise
-        result[name] = Average(values.mean(), blocks.std(ddof=2) / np.sqrt(10))
+        trend = np.polyval(np.polyfit(range(10), blocks, 1), range(10))
+        result[name] = Average(values.mean(), (blocks - trend).std(ddof=2) / np.sqrt(10))
     return result
+
+
+class Verdict(NamedTuple):
+    """A figure with its bound, and what else is known."""
+
+    figure: float
+    bound: float
+    remark: str = ""
+    orbit: float = np.nan
+    film: float = np.nan
+
+    @property
+    def good(self):
+        return self.figure <= self.bound
+
+
+def judge(found, truth, case, words, every=1):
+    """`Verdict` of one course against another under the words (`bound`, `after`) of a reference or of `large`."""
+    bound, after = BOUNDS[words["bound"]]["value"], words.get("after", 0)
+    if case.get("chaotic"):
+        return _judge_averages(averages(found, after, every), averages(truth, after), bound)
+    figures = compare(found, truth, after, every)
+    return Verdict(figures.load, bound, "", figures.orbit, figures.film)
+
+
+def _judge_averages(found, truth, bound):
+    """The worst of the averages: loads and speeds relative, shares as they are."""
+    verdicts = []
+    for name, (mean, error) in truth.items():
+        scale = 1 if name.startswith("share") else mean
+        statistical = np.hypot(error, found[name].error) / scale
+        verdicts.append(Verdict(abs(found[name].mean - mean) / scale, bound + 3 * statistical,
+                                f"{name} {found[name].mean:.4g}, should be {mean:.4g} within {bound:g} and 3 x {statistical:.2g}"))
+    return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound)
+
+
+def judge_statics(found, case):
+    """`Verdict` of the largest difference from static loads over the largest of them."""
+    picked, loads = statics(found, case)
+    return Verdict(np.abs(found.load[picked] - loads).max() / loads.max(),
+                   BOUNDS[case["references"]["statics"]["bound"]]["value"])
+
+
+def coarse(folder, case):
+    """The case with the host step that is too large on purpose."""
+    factor = case["large"]["factor"]
+    return run(folder, case, sample=float(case["variables"]["sample"]) * factor,
+               samples=case["variables"]["samples"] // factor)
+
+
+def first_samples(course, count):
+    """The first `count` samples after the start of a course."""
+    return course._replace(**{name: getattr(course, name)[:count + 1]
+                              for name in ("load", "film", "capacitance", "orbit", "ball", "ring")})
