@@ -164,7 +164,10 @@ class Verdict(NamedTuple):
 
     @property
     def good(self):
-        return self.figure <= self.bound
+        return bool(self.figure <= self.bound)
+
+    def __str__(self):
+        return f"{self.figure:.2e}, bound {self.bound:.2e}{', ' if self.remark else ''}{self.remark}"
 
 
 def judge(found, truth, case, words, every=1):
