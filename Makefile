@@ -3,7 +3,7 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   what a step costs, feature by feature; rewrites docs/performance/step_cost.rst
+#   make bench   what a step costs, feature by feature, and the hard cases; rewrites two pages of docs/performance
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
@@ -39,6 +39,7 @@ test: build sanitized
 
 bench: build
 	.venv/bin/python tests/bench/step_cost.py
+	.venv/bin/python tests/hard/table.py
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)

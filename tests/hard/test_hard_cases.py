@@ -103,7 +103,7 @@ def test_energy_of_thirty_seconds(thirty_seconds):
 
 
 @pytest.mark.xfail(strict=True, raises=AssertionError, reason="after 16.6 s: atom 9 or 18 touches more than two balls "
-                   "or cage balls. Cage balls, which the control does not watch, creep 0.9 mm through their rails")
+                   "or cage balls. Cage balls, which the control does not watch, swing 0.9 mm inward before")
 def test_thirty_seconds_with_one_step_a_sample(tmp_path):
     """Twelve host steps a ball pass, 2.9 ms each: refined by the control."""
     course = longrun.long_run(tmp_path, 30, substeps=1)
