@@ -3,7 +3,7 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   what a step costs, and what other programs make of the same bearing; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, other programs, hard cases; rewrites pages of docs/performance
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
@@ -41,7 +41,9 @@ test: build sanitized
 bench: build
 	@$(MAKE) --no-print-directory -s $(BENCH_STAMP)
 	.venv/bin/python tests/bench/step_cost.py
+	.venv/bin/python tests/bench/work_precision.py
 	.venv/bin/python tests/bench/peers.py
+	.venv/bin/python tests/hard/table.py
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)

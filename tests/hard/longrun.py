@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A 6208 at 5 kN and 477.5 rpm for many simulated seconds, sampled coarsely: drift and energy."""
+
+import re
+from typing import NamedTuple
+
+import numpy as np
+
+from hard.harness import BALLS, Course, run
+
+PER_PASS = 12  # samples
+PASS = 2 * np.pi / (BALLS * 0.5 * 50 * (1 - 6.3 / 30.3))  # s, kinematic
+SAMPLE = PASS / PER_PASS
+SETTLED = 10  # ball passes before the first second that counts
+
+
+class Drift(NamedTuple):
+    """A mean over the first and over the last second and the statistical error of their difference."""
+
+    first: float
+    last: float
+    error: float
+
+    @property
+    def figure(self):
+        """Relative difference."""
+        return abs(self.last / self.first - 1)
+
+
+def long_run(folder, seconds, control="", substeps=4) -> Course:
+    """The run, every sample kept; `substeps` host steps a sample."""
+    case = {"variables": {"inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3", "sample": SAMPLE,
+                          "samples": round(seconds / PASS) * PER_PASS, "control": control,
+                          "substeps": substeps}}
+    return run(folder, case)
+
+
+def drifts(course):
+    """{quantity: `Drift`}; each ball pass gives one value, so that their spread tells how sure the means are."""
+    size = round(1 / PASS)
+    found = {}
+    for name, series in {"ring along the load (m)": course.ring[:, 1], "orbital speed (rad/s)": course.orbit.mean(1),
+                         "capacitance (F)": course.capacitance, "largest load (N)": course.load.max((1, 2))}.items():
+        passes = series[SETTLED * PER_PASS:][:(len(series) - 1 - SETTLED * PER_PASS) // PER_PASS * PER_PASS]
+        passes = passes.reshape(-1, PER_PASS).mean(1)
+        first, last = passes[:size], passes[-size:]
+        found[name] = Drift(first.mean(), last.mean(), np.hypot(first.std(ddof=1), last.std(ddof=1)) / np.sqrt(size))
+    return found
+
+
+def energy(course):
+    """(work put in, the integrator's own loss) in J from the line ENERGY that report.implicit prints; None without it.
+
+    The only place that knows of the energy columns of fix bearing/implicit: f_ID[7] and so on.
+    """
+    line = re.search(r"^ENERGY work (\S+) own (\S+)", course.text, re.MULTILINE)
+    return tuple(map(float, line.groups())) if line else None
