@@ -29,6 +29,12 @@ static void keep_smaller(StepLimit &limit, double k, double c, double m, int cau
   limit = StepLimit{step, cause, ball, k, c};
 }
 
+// N s/m. Smoothed friction is steepest where nothing slides; at the present sliding an instability would hide itself.
+static double steepest_friction(const raceway::ContactState &c)
+{
+  return c.v_0 > 0.0 ? c.mu * c.normal / c.v_0 : c.ct;
+}
+
 StepLimit step_limit(LAMMPS *lmp, const PairBearingHertz &pair)
 {
   StepLimit limit;
@@ -45,7 +51,7 @@ StepLimit step_limit(LAMMPS *lmp, const PairBearingHertz &pair)
       k += rows[i].state.stiffness;
       c += rows[i].state.damping;
       kt += rows[i].state.kt;
-      ct += rows[i].state.ct;
+      ct += steepest_friction(rows[i].state);
     }
     keep_smaller(limit, k, c, m, StepLimit::spring, first.ball);
     keep_smaller(limit, kt, ct, 2.0 / 7.0 * m, StepLimit::tangential, first.ball);

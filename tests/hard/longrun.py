@@ -27,7 +27,7 @@ class Drift(NamedTuple):
         return abs(self.last / self.first - 1)
 
 
-def long_run(folder, seconds, control="", substeps=4) -> Course:
+def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
     """The run, every sample kept; `substeps` host steps a sample."""
     case = {"variables": {"inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3", "sample": SAMPLE,
                           "samples": round(seconds / PASS) * PER_PASS, "control": control,

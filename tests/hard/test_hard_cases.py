@@ -96,14 +96,11 @@ def test_no_drift_in_thirty_seconds(thirty_seconds):
 def test_energy_of_thirty_seconds(thirty_seconds):
     """What the integrator itself loses is at most 1e-3 of the work put in."""
     found = longrun.energy(thirty_seconds)
-    if found is None:
-        pytest.skip("report.implicit prints no energy yet")
     work, own = found
+    print(f"work {work} J, lost by the integrator {own} J")
     assert abs(own) <= 1e-3 * abs(work)
 
 
-@pytest.mark.xfail(strict=True, raises=AssertionError, reason="after 16.6 s: atom 9 or 18 touches more than two balls "
-                   "or cage balls. Cage balls, which the control does not watch, swing 0.9 mm inward before")
 def test_thirty_seconds_with_one_step_a_sample(tmp_path):
     """Twelve host steps a ball pass, 2.9 ms each: refined by the control."""
     course = longrun.long_run(tmp_path, 30, substeps=1)

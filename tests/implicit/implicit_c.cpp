@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The mathematics of the implicit step behind a C interface, for test_mathematics.py.
-#include "../../src-package/physics/arrow_system.h"
-#include "../../src-package/physics/turning_frame.h"
+#include "../../src-package/implicit/bearing_step.h"
+#include "../../src-package/implicit/lane_blocks.h"
+
+#include <algorithm>
 
 using namespace raceway;
 
@@ -18,8 +20,9 @@ static RacewayPhysics outer_6208(double mu)
   return p;
 }
 
-// State of a ball (x, v, w: 9 numbers) on a 6208 outer ring that turns at `spin`: damping, mu and v_0 come from
-// `frozen` (3 numbers) if its first is not negative, and are written there otherwise. Force on the ball.
+// State of a ball (x, v, w: 9 numbers) on a 6208 outer ring that turns at `spin`: damping, mu and the friction's
+// denominator sqrt(s^2 + v_0^2) come from `frozen` (3 numbers) if its first is not negative, and are written there
+// otherwise. Force on the ball.
 static ContactState contact(const double *s, double spin, double mu, double *frozen, double *force)
 {
   const RacewayPhysics p = outer_6208(mu);
@@ -31,14 +34,15 @@ static ContactState contact(const double *s, double spin, double mu, double *fro
   if (frozen[0] < 0) {
     frozen[0] = c.damping;
     frozen[1] = c.mu;
-    frozen[2] = c.v_0;
+    frozen[2] = std::sqrt(c.sliding_t * c.sliding_t + c.sliding_w * c.sliding_w + c.v_0 * c.v_0);
   }
-  const double N = std::fmax(0.0, c.load + frozen[0] * c.overlap_rate);
-  const double g = smoothed_friction(frozen[1] * N, c.sliding_t, c.sliding_w, frozen[2]);
+  const double N = std::fmax(0.0, c.load + frozen[0] * c.overlap_rate), g = frozen[1] * N / frozen[2];
   const Vec3 n = c.u * c.nu + ring.e * c.ne, w = ring.e * c.nu - c.u * c.ne;
   (n * -N - c.t * (g * c.sliding_t) - w * (g * c.sliding_w)).to(force);
   return c;
 }
+
+static Lane read(const double *p, int stride) { return Lane{p[0], p[stride], p[2 * stride], p[3 * stride]}; }
 
 extern "C" {
 
@@ -47,61 +51,133 @@ void contact_force(const double *state, double spin, double mu, double *frozen, 
   contact(state, spin, mu, frozen, force);
 }
 
-// D and K of contact_jacobian.h, 9 numbers each, and the normal
-void contact_derivatives(const double *state, double spin, double mu, int secant, double *D, double *K, double *n)
+// D and K of contact_jacobian.h, rows of 3 by times() and columns by before(), and the normal
+void contact_derivatives(const double *state, double spin, double mu, double *D, double *K, double *D_before, double *n)
 {
   double frozen[3] = {-1, 0, 0}, force[3];
   const ContactState c = contact(state, spin, mu, frozen, force);
-  const double slack = 6.552e-3 - 6.3e-3;
-  const ContactJacobian d = contact_jacobian(c, slack, {0, 0, 1}, 1.0, 0.0, secant);
-  const ContactJacobian k = contact_jacobian(c, slack, {0, 0, 1}, 0.0, 1.0, secant);
-  for (int i = 0; i < 9; ++i) {
-    D[i] = d.both.a[i];
-    K[i] = k.both.a[i];
+  const auto d = contact_jacobian(c, Vec3{0, 0, 1}, true, 1.0, 0.0);
+  const auto k = contact_jacobian(c, Vec3{0, 0, 1}, true, 0.0, 1.0);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 unit = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
+    double column[3], row[3];
+    d.times(unit).to(column);
+    d.before(unit).to(row);
+    for (int m = 0; m < 3; ++m) {
+      D[3 * m + i] = column[m];
+      D_before[3 * i + m] = row[m];
+    }
+    k.times(unit).to(column);
+    for (int m = 0; m < 3; ++m) K[3 * m + i] = column[m];
   }
-  d.normal.to(n);
+  d.n.to(n);
 }
 
-// Solves a block arrow system; arrays hold 6 rows (columns) a body. Returns 0 if the links form no chain.
-int arrow_solve(int bodies, const int *size, const double *A, int border, const double *B, const double *C,
-                const double *D, const double *r, const double *ry, int links, const int *pairs, const double *normals,
-                const double *a, double *x, double *y)
+// Four systems of size 6 or 3; A[4][36] with rows 6 apart, r[4][6] becomes the solution.
+void blocks(int n, const double *A, double *r)
 {
-  ArrowSystem s;
-  s.resize(bodies, border);
-  for (int round = 0; round < 2; ++round) {    // the second time with used memory: same answer
-    s.clear();
-    for (int k = 0; k < bodies; ++k) {
-      s.block[k].size = size[k];
-      s.block[k].coupled = border > 0;
-      std::copy(A + 36 * k, A + 36 * (k + 1), s.block[k].A);
-      for (int m = 0; m < 6; ++m) s.x(k, m)[0] = r[6 * k + m];
-      for (int j = 0; j < border; ++j)
-        for (int m = 0; m < 6; ++m) {
-          s.x(k, m)[1 + j] = B[6 * (k * border + j) + m];
-          s.row(k, j)[m] = C[6 * (k * border + j) + m];
-        }
-    }
-    std::copy(D, D + border * border, s.D.begin());
-    std::copy(ry, ry + border, s.y.begin());
-    for (int i = 0; i < links; ++i)
-      if (!s.link(pairs[2 * i], pairs[2 * i + 1], Vec3::from(normals + 3 * i), a[i])) return 0;
-    s.solve();
+  Lane a[36], x[6];
+  for (int k = 0; k < 36; ++k) a[k] = read(A + k, 36);
+  for (int k = 0; k < 6; ++k) x[k] = read(r + k, 6);
+  if (n == 6) {
+    factor<6>(a);
+    substitute<6>(a, x);
+  } else {
+    factor<3>(a);
+    substitute<3>(a, x);
   }
-  for (int k = 0; k < bodies; ++k)
-    for (int m = 0; m < 6; ++m) x[6 * k + m] = s.x(k, m)[0];
-  std::copy(s.y.begin(), s.y.end(), y);
+  for (int k = 0; k < 6; ++k)
+    for (int i = 0; i < lanes; ++i) r[6 * i + k] = x[k][i];
+}
+
+void dense(int n, const double *A, double *y)
+{
+  DenseLU lu;
+  lu.resize(n);
+  std::copy(A, A + n * n, lu.a.begin());
+  lu.factor();
+  lu.solve(y);
+}
+
+// Links between bodies whose inverse blocks are given (9 numbers each); x: right-hand sides, then forces.
+int chain(int bodies, const double *inverse, int links, const int *pairs, const double *normals, const double *a, double *x)
+{
+  LinkChain c;
+  c.resize(bodies);
+  for (int round = 0; round < 2; ++round) {    // the second time with used memory: same answer
+    c.clear();
+    for (int i = 0; i < links; ++i) {
+      const Vec3 n = Vec3::from(normals + 3 * i);
+      if (!c.add(pairs[2 * i], pairs[2 * i + 1], n, n, a[i])) return 0;
+    }
+    for (LinkChain::Link &l : c.links)
+      for (LinkChain::End &e : l.end) {
+        const double *m = inverse + 9 * e.body;
+        e.answer = {dot(Vec3::from(m), e.n), dot(Vec3::from(m + 3), e.n), dot(Vec3::from(m + 6), e.n)};
+      }
+    c.factor();
+  }
+  c.solve(x);
   return 1;
 }
 
 // Place and velocity (lab) after a drift of the time h.
 void drift(const double *x, const double *v, double h, double *x_new, double *v_new)
 {
-  const TurningFrame f = TurningFrame::at(Vec3::from(x));
-  const Vec3 u = f.local(Vec3::from(v));
-  const TurningFrame g = f.drifted(u, h);
-  g.place().to(x_new);
-  g.lab(u).to(v_new);
+  LaneFrame f;
+  for (int i = 0; i < lanes; ++i) f.set(i, Vec3::from(x));
+  const Vec3L u = f.local(Vec3::from(v));
+  Lane turn;
+  const LaneFrame g = f.drifted(u, h, turn);
+  const Vec3L place = g.place(), speed = g.lab(u);
+  for (int k = 0; k < 3; ++k) {
+    x_new[k] = (k == 0 ? place.x : k == 1 ? place.y : place.z)[0];
+    v_new[k] = (k == 0 ? speed.x : k == 1 ? speed.y : speed.z)[0];
+  }
+}
+
+void turn(double angle, double *c, double *s)
+{
+  Lane cosine, sine;
+  small_turn(all_lanes(angle), cosine, sine);
+  *c = cosine[0];
+  *s = sine[0];
+}
+
+// A ring alone, free but for its driven spin, under a constant force and moment: e (3), rate (2), x (3), v (3) after n steps.
+void lone_ring(int order, int n, double h, double spin, const double *inertia, const double *moment, double *out)
+{
+  BearingModel m;
+  m.bodies.push_back({1.0, 5e-3, true});
+  m.rings = 1;
+  BearingStep step(m);
+  RingProgram p;
+  for (Freedom &f : p.mode) f = Freedom::free;
+  p.mode[RingProgram::SPIN] = Freedom::speed;
+  p.mass = 0.5;
+  p.inertia = {inertia[0], inertia[1]};
+  p.target[0][RingProgram::SPIN] = p.target[1][RingProgram::SPIN] = spin;
+  p.moment[0] = p.moment[1] = Vec3::from(moment);
+  p.force[0] = p.force[1] = {1.0, 2.0, 3.0};
+  step.set_program(0, p);
+  std::vector<BodyPose> bodies = {{{30e-3, 0, 0}, Vec3(), Vec3()}};
+  std::vector<RingPose> rings(1);
+  rings[0].spin = spin;
+  step.load(bodies, rings);
+  BearingStep::Settings set;
+  set.order = order;
+  set.newton = 1e-15;
+  set.corrections = 30;
+  for (int k = 0; k < n; ++k) {
+    step.step(set, h, 0.0, 1.0);
+    step.accept();
+  }
+  step.store(bodies, rings);
+  rings[0].e.to(out);
+  out[3] = rings[0].rate[0];
+  out[4] = rings[0].rate[1];
+  rings[0].x.to(out + 5);
+  rings[0].v.to(out + 8);
 }
 
 }
