@@ -137,7 +137,7 @@ fix limit all print 1 "${limit}" file ${out}/limit.txt screen no
 fix step all bearing/timestep 1
 run 1
 """)
-    succeed(deck, out=tmp_path)
+    succeed(deck, out=tmp_path, integrator="verlet")
     rows = np.array([line.split() for line in (tmp_path / "stiffness.dump").read_text().split("c_contact[3]")[-1]
                     .strip().splitlines()], float)
     limit = np.loadtxt(tmp_path / "limit.txt")
