@@ -132,7 +132,7 @@ void BearingStep::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &ri
 BearingStep::Outcome BearingStep::step(const Settings &set, double h, double s0, double s1)
 {
   Outcome o;
-  overlinked_ = -1;
+  overlinked_ = worst_ = -1;
   pending_ = Energy();
   for (Group &g : groups_) {
     g.base = g.from;
@@ -163,7 +163,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
 {
   double before = HUGE_VAL;
   bool fresh = true;
-  move(h, s);
+  if (!move(h, s)) return false;
   for (int n = 1; n <= set.corrections; ++n) {
     start_rhs(h, fresh);
     if (!forces(h, fresh)) {
@@ -173,15 +173,12 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
       if (!forces(h, fresh)) return false;
     }
     border_rhs(h, s);
-    if (fresh) {
-      factor();
-      ++o.factorisations;
-    }
+    if (fresh) factor();
     solve();
     ++o.corrections;
     o.last = apply(h);
     if (!(o.last < HUGE_VAL)) return false;
-    move(h, s);
+    if (!move(h, s)) return false;
     if (o.last <= set.newton) return true;
     // derivatives of the last correction will do as long as each is a tenth of the one before
     fresh = !(o.last < 0.1 * before);
@@ -190,16 +187,16 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
   return set.corrections == 1;
 }
 
-// Everything to the end of the stage with the present velocities.
-RACEWAY_LANES void BearingStep::move(double h, double s)
+// Everything to the end of the stage with the present velocities. False: a body turns too far for one stage.
+RACEWAY_LANES bool BearingStep::move(double h, double s)
 {
+  LaneMask far = {};
   for (Group &g : groups_) {
-    g.now.r = g.base.r + h * g.v.x;
-    g.now.z = g.base.z + h * g.v.z;
-    g.turn = h * g.v.y / g.now.r;
-    g.now.turn_from(g.base, g.turn);
+    g.now = g.base.drifted(g.v, h, g.turn);
+    far |= ~(magnitude(g.turn) * beyond_2 < largest_turn);    // the base of a second stage goes that far
   }
   for (Ring &r : rings_) r.now = moved(r.program, r.base, r.gained, h, s);
+  return !any(far);
 }
 
 RACEWAY_LANES void BearingStep::second_base()

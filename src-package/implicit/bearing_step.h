@@ -34,7 +34,7 @@ class BearingStep {
   };
   struct Outcome {
     bool solved = false;
-    int corrections = 0, factorisations = 0;
+    int corrections = 0;
     double error = HUGE_VAL;     // m, estimated
     double last = HUGE_VAL;      // m, last correction
   };
@@ -58,7 +58,7 @@ class BearingStep {
   void keep_energy(bool yes) { keep_energy_ = yes; }
   const Energy &energy();                            // of all accepted steps so far
   int overlinked() const { return overlinked_; }     // body with more than two closed cage contacts, or -1
-  int worst() const { return worst_; }               // body that the last correction moved most, or that has no number
+  int worst() const { return worst_; }               // body far outside its groove or without a number in the last step, or -1
 
  private:
   // What holds lanes is aligned for the widest instructions and has its lanes first.
@@ -91,7 +91,7 @@ class BearingStep {
   void place_bodies();
   void find_unknowns();
   bool solve_stage(const Settings &, double h, double s, Outcome &);
-  void move(double h, double s);
+  bool move(double h, double s);
   void start_rhs(double h, bool fresh);
   bool forces(double h, bool fresh);
   template <bool film, Friction friction> RACEWAY_INLINE bool grooves(double h, bool fresh);

@@ -2,7 +2,7 @@
 // Bodies that circle an axis, four side by side, each in the frame that turns with it: radius r, azimuth, height, and
 // velocities along the radial, circumferential and axial direction of that frame.
 //
-// Over a step h a body drifts as r += h v_r, azimuth += h v_c/r0, z += h v_z and keeps its components: on a
+// Over a step h a body drifts as r += h v_r, azimuth += h v_c/r (the new r), z += h v_z and keeps its components: on a
 // circular path the drift is exact, while a straight line leaves the path by h^2 v^2/(2r). Keeping components in
 // a turning frame needs the frame's own acceleration: with w = v_c/r it is -w z x v for a vector v, that is
 // +w v_c along the radius and -w v_r along the circle; the spin needs the same.
@@ -51,7 +51,7 @@ struct LaneFrame {
     LaneFrame f;
     f.r = r + h * v.x;
     f.z = z + h * v.z;
-    turn = h * v.y / r;
+    turn = h * v.y / f.r;
     f.turn_from(*this, turn);
     return f;
   }

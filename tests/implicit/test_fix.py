@@ -142,3 +142,16 @@ def test_other_integrators_and_forces_are_refused(tmp_path):
         deck.write_text(text.replace("neigh_modify", line + "\nneigh_modify", 1))
         outcome = liggghts(deck, out=tmp_path / "out")
         assert outcome.code != 0 and message in outcome.error
+
+
+def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
+    """Host steps of 40 ms, 0.8 rad of orbit each, under preload, where nothing else would shorten them: the frames
+    turn by series that hold to 0.6 rad, so the control must. Every ball keeps its place on the pitch circle."""
+    case = dict(inner=ring("spin speed 50 force 0 -50 0"), clearance=-88.2e-6, samples=10, sample=4e-2)
+    text = succeed(CASE, out=tmp_path, control="tolerance 1e-5", **case).text
+    mean = float(re.search(r"CONTROL mean (\S+)", text).group(1))
+    orbit = 0.5 * 50 * (1 - 6.3 / 30.3)
+    assert (1 - 0.5**0.5) * mean * orbit * (1 + 2**0.5) < 0.6
+    for rows in frames(tmp_path / "balls.dump").values():
+        places = np.array([row.split()[2:4] for row in rows[:9]], float)
+        np.testing.assert_allclose(np.hypot(*places.T), 30.3e-3, rtol=0, atol=1e-4)
