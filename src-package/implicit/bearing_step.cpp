@@ -134,8 +134,10 @@ BearingStep::Outcome BearingStep::step(const Settings &set, double h, double s0,
   Outcome o;
   overlinked_ = worst_ = -1;
   pending_ = Energy();
+  present_ = {h, s0, s1};
   for (Group &g : groups_) {
     g.base = g.from;
+    g.turned = Lane{};
     g.v = g.v_base = g.v_from;
     g.w = g.w_base = g.w_from;
   }
@@ -205,7 +207,8 @@ RACEWAY_LANES void BearingStep::second_base()
     g.v_first = g.v;
     g.base.r = g.from.r + beyond_2 * (g.now.r - g.from.r);
     g.base.z = g.from.z + beyond_2 * (g.now.z - g.from.z);
-    g.base.turn_from(g.from, beyond_2 * g.turn);
+    g.turned = beyond_2 * g.turn;
+    g.base.turn_from(g.from, g.turned);
     g.v_base = g.v_from + (g.v - g.v_from) * beyond_2;
     g.w_base = g.w_from + (g.w - g.w_from) * beyond_2;
   }
@@ -249,6 +252,7 @@ RACEWAY_LANES double BearingStep::error(double h, int order) const
 
 void BearingStep::accept()
 {
+  if (instants_.number > 1) look_at_instants();
   for (Group &g : groups_) {
     g.from = g.now;
     g.v_from = g.v;

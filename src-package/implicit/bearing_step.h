@@ -45,6 +45,12 @@ class BearingStep {
     double stored = 0.0;         // J, now: motion and contact springs
   };
 
+  // A raceway contact between two steps.
+  struct Contact { double load, h_c, capacitance; };    // N, m, F; all 0 where there is none
+  // What of it is wanted: at shares k/number of the host's step, k = 1 to number - 1, for a lubricant of relative
+  // permittivity eps and films of at least `shortest` (m). number 0: nothing.
+  struct Instants { int number = 0; double eps = 1.0, shortest = 0.0; };
+
   explicit BearingStep(const BearingModel &);
 
   void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
@@ -54,6 +60,9 @@ class BearingStep {
   // From share s0 to share s1 of the host's step, h seconds. Nothing has moved until accept().
   Outcome step(const Settings &, double h, double s0, double s1);
   void accept();
+
+  void want(const Instants &);
+  Contact at_instant(int k, int groove) const;      // k from 1; groove as in the model; of the last host step
 
   void keep_energy(bool yes) { keep_energy_ = yes; }
   const Energy &energy();                            // of all accepted steps so far
@@ -68,6 +77,7 @@ class BearingStep {
     LaneFrame from, base, now;
     Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
     Lane turn = {};              // rad, base to now
+    Lane turned = {};            // rad, from to base
     Lane A[36], rhs[6], link[2][6];
     bool spins;
     bool coupled = false;        // to the border
@@ -76,6 +86,7 @@ class BearingStep {
   struct alignas(32) Column { Lane a[6]; };
   struct Track { int ring, first, end; const RacewayPhysics *physics; };    // groups of balls on one raceway
   struct alignas(32) Touch { ContactStateT<Lane> state; LaneMask live; };
+  struct alignas(32) Look { Lane load, h_c, capacitance; };
   struct RailTrack { int ring, first, end; const std::vector<Rail> *rails; const std::vector<double> *stiffness; };
   struct alignas(32) Ring {
     Vec3L force_lanes, moment_lanes;
@@ -107,6 +118,8 @@ class BearingStep {
   double error(double h, int order) const;
   void add_energy(double weight, double s);
   double stored_energy();
+  void look_at_instants();
+  void look_at(double s, Look *) const;
 
   BearingModel model_;
   std::vector<int> slot_, body_at_;    // of a body; of a slot (group 4 k + lane), -1: padding
@@ -130,6 +143,11 @@ class BearingStep {
   double contact_energy_ = 0.0;        // J
   Energy energy_, pending_;
   int overlinked_ = -1, worst_ = -1;
+  struct { double h, s0, s1; } present_ = {};          // the step not yet accepted
+  Instants instants_;
+  int next_instant_ = 1;
+  std::vector<Look> looks_;                            // instant by instant, then as touches_
+  std::vector<int> look_of_;                           // of a groove of the model: lanes * touch + lane
 };
 
 }    // namespace raceway

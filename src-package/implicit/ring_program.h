@@ -9,6 +9,7 @@
 #define RACEWAY_RING_PROGRAM_H
 
 #include "../physics/ring_body.h"
+#include "cubic.h"
 
 namespace raceway {
 
@@ -130,6 +131,23 @@ inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
   }
   r.spin = from.spin + b * (to.spin - from.spin);
   r.angle = from.angle + b * (to.angle - from.angle);
+  return r;
+}
+
+// Share s of a step of h seconds on its way from one pose to the next: places by the cubic that has the velocities of
+// both ends too, velocities linear between them.
+inline RingPose between(const RingPose &from, const RingPose &to, double h, double s)
+{
+  const Cubic at(s, h);
+  RingPose r = to;
+  r.x = at(from.x, from.v, to.x, to.v);
+  r.v = from.v + (to.v - from.v) * s;
+  if (from.e.x != to.e.x || from.e.y != to.e.y) {
+    r.e = at(from.e, cross(from.across(), from.e), to.e, cross(to.across(), to.e));
+    r.e = r.e * (1.0 / norm(r.e));
+  }
+  for (int k = 0; k < 2; ++k) r.rate[k] = from.rate[k] + s * (to.rate[k] - from.rate[k]);
+  r.spin = from.spin + s * (to.spin - from.spin);
   return r;
 }
 

@@ -160,7 +160,7 @@ RACEWAY_INLINE ContactForcesT<T> contact_forces(const RacewayPhysics &p, const B
   c.stiffness = 1.5 * k.K * c.root;
   c.damping = hysteretic_damping(p.hysteresis, c.load);
   if (with_film) {
-    c.h_min = film_thickness(k.film.min, logarithm(c.entrainment), logarithm(c.load));
+    c.h_min = film_thickness(k.film.min, film_point(c.entrainment, c.load));
     c.lambda = c.h_min * p.inverse_roughness;
     c.damping += film_damping(k.film_damper, T(k.a * c.root), c.h_min, p.floor);
   }

@@ -10,7 +10,7 @@
 #ifndef RACEWAY_FILM_H
 #define RACEWAY_FILM_H
 
-#include "lane.h"
+#include "exp_log.h"
 
 namespace raceway {
 
@@ -64,10 +64,22 @@ inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, d
   return f;
 }
 
-// h from the law; u = 0 gives h = 0 (no film at rest).
-template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const T &ln_speed, const T &ln_load)
+// What both thicknesses of a contact are made of.
+template <class T> struct FilmPointT {
+  T ln_speed, ln_load;
+};
+
+RACEWAY_INLINE FilmPointT<Lane> film_point(const Lane &speed, const Lane &load) { return {logarithm(speed), logarithm(load)}; }
+RACEWAY_INLINE FilmPointT<double> film_point(double speed, double load)
 {
-  return exponential(f.lnA + f.p * ln_speed + f.m * ln_load);
+  const Lane both = logarithm(Lane{speed, load, 1.0, 1.0});    // half the time of one after the other, the same bits
+  return {both[0], both[1]};
+}
+
+// h from the law, m; a speed of 0 gives 0 (no film at rest).
+template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
+{
+  return exponential(f.lnA + f.p * at.ln_speed + f.m * at.ln_load);
 }
 
 // Composite roughness sqrt(s1^2 + s2^2), m; the film parameter is Lambda = h_min/composite (eq 7).

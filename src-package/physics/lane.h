@@ -29,21 +29,11 @@ using LaneMask = decltype(Lane() < Lane());    // of a comparison: 0 or all bits
 RACEWAY_INLINE Lane all_lanes(double a) { return Lane{a, a, a, a}; }
 
 RACEWAY_INLINE double square_root(double a) { return std::sqrt(a); }
-RACEWAY_INLINE double logarithm(double a) { return std::log(a); }
-RACEWAY_INLINE double exponential(double a) { return std::exp(a); }
 RACEWAY_INLINE double magnitude(double a) { return std::fabs(a); }
 
 RACEWAY_INLINE Lane square_root(const Lane &a)
 {
   return Lane{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
-}
-RACEWAY_INLINE Lane logarithm(const Lane &a)
-{
-  return Lane{std::log(a[0]), std::log(a[1]), std::log(a[2]), std::log(a[3])};
-}
-RACEWAY_INLINE Lane exponential(const Lane &a)
-{
-  return Lane{std::exp(a[0]), std::exp(a[1]), std::exp(a[2]), std::exp(a[3])};
 }
 RACEWAY_INLINE Lane magnitude(const Lane &a) { return a < 0.0 ? -a : a; }
 

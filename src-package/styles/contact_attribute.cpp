@@ -48,14 +48,14 @@ static const ContactAttribute attributes[] = {
     {"entrainment", [](Row c, Context) { return c.state.entrainment; }, false, false},
     {"sliding", [](Row c, Context) { return std::hypot(c.state.sliding_t, c.state.sliding_w); }, false, false},
     {"h_min", [](Row c, Context) { return c.state.h_min; }, true, false},
-    {"h_c", [](Row c, Context x) { return x.capacitance->central_film(c); }, true, true},
+    {"h_c", [](Row c, Context x) { return x.capacitance->capacitor(c).h_c; }, true, true},
     {"lambda", [](Row c, Context) { return c.state.lambda; }, true, false},
     {"regime", [](Row c, Context) { return double(regime(c.raceway->curve, c.state.lambda)); }, true, false},
     {"mu", [](Row c, Context) { return c.state.mu; }, false, false},
     {"friction", [](Row c, Context) { return std::hypot(c.state.friction_t, c.state.friction_w); }, false, false},
     {"friction_t", [](Row c, Context) { return c.state.friction_t; }, false, false},
     {"friction_w", [](Row c, Context) { return c.state.friction_w; }, false, false},
-    {"capacitance", [](Row c, Context x) { return x.capacitance->contact(c); }, true, true},
+    {"capacitance", [](Row c, Context x) { return x.capacitance->capacitor(c).capacitance; }, true, true},
 };
 
 const ContactAttribute *find_attribute(const std::string &name)

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_capacitance.h"
 
-#include "../physics/capacitance.h"
 #include "arguments.h"
 #include "gather.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
+#include <tuple>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using namespace raceway;
 using bearing::Arguments;
 using bearing::RacewayContact;
+using bearing::tag_t;
 
-// fix ID group bearing/capacitance N permittivity EPS [background C] [film_floor H]
+// fix ID group bearing/capacitance N permittivity EPS [background C] [film_floor H] [within M] [file F] [contacts F]
 FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/capacitance"))
 {
   Arguments args(lmp, std::string("fix ") + id + " bearing/capacitance", narg, arg, 3);
+  std::string totals, contacts;
   nevery = args.integer("steps between samples", 1, 1000000000);
   while (args.more()) {
     if (args.take("permittivity")) {
@@ -27,14 +29,23 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
       background_ = args.non_negative("background capacitance (F)");
     } else if (args.take("film_floor")) {
       shortest_film_ = args.positive("thinnest film of a capacitor (m)");
+    } else if (args.take("within")) {
+      within_ = args.integer("instants a step", 1, 100000);
+    } else if (args.take("file")) {
+      totals = args.word("name of the file");
+    } else if (args.take("contacts")) {
+      contacts = args.word("name of the file for contacts");
     } else {
-      args.unknown("permittivity, background, film_floor");
+      args.unknown("permittivity, background, film_floor, within, file, contacts");
     }
   }
+  if (within_ > 1 && nevery != 1) args.fail("'within' takes samples evenly within every step: N must be 1, not " + std::to_string(nevery));
+  if (!totals.empty()) totals_.open(args, totals, "step time capacitance largest_ball active_balls", world);
+  if (!contacts.empty()) contacts_.open(args, contacts, "step time ball raceway load h_c capacitance", world);
   if (permittivity_ == 0.0) args.fail("'permittivity EPS' is missing");
   if (!pair_->lubricated()) args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
   scalar_flag = vector_flag = 1;
-  size_vector = 3;
+  size_vector = 6;
   extscalar = extvector = 0;
   global_freq = nevery;
   peratom_flag = 1;
@@ -56,49 +67,117 @@ int FixBearingCapacitance::setmask() { return END_OF_STEP; }
 
 void FixBearingCapacitance::init() { pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance"); }
 
-void FixBearingCapacitance::setup(int) { sample(); }
-void FixBearingCapacitance::end_of_step() { sample(); }
-
-double FixBearingCapacitance::central_film(const RacewayContact &c) const
+void FixBearingCapacitance::setup(int)
 {
-  const RacewayConstants k = c.raceway->law.at(c.state.cos_angle);
-  const double h = film_thickness(k.film.central, std::log(c.state.entrainment), std::log(c.state.load));
-  return h > shortest_film_ ? h : shortest_film_;
+  if (within_ > 1) find_integrators();
+  sample(false);
 }
 
-double FixBearingCapacitance::contact(const RacewayContact &c) const
+void FixBearingCapacitance::end_of_step() { sample(true); }
+
+// Those whose steps the instants lie within, and which of their balls count.
+void FixBearingCapacitance::find_integrators()
 {
-  const RacewayConstants k = c.raceway->law.at(c.state.cos_angle);
-  const double eps = permittivity_at(permittivity_, k.p * c.state.root);
-  return contact_capacitance(eps, k.a * c.state.root, k.b * c.state.root, central_film(c));
+  integrators_.clear();
+  for (int k = 0; k < modify->nfix; ++k)
+    if (FixBearingImplicit *f = dynamic_cast<FixBearingImplicit *>(modify->fix[k])) integrators_.push_back(f);
+  if (integrators_.empty())
+    BRG_ALL(std::string("fix ") + id + " bearing/capacitance: 'within " + std::to_string(within_) +
+            "' needs fix bearing/implicit, which knows what happens within a step; with other integrators sample every step");
+  for (FixBearingImplicit *f : integrators_) f->want_instants({within_, permittivity_, shortest_film_});
+  std::vector<tag_t> mine;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) mine.push_back(atom->tag[i]);
+  members_ = bearing::gather_all(mine, world);
+  std::sort(members_.begin(), members_.end());
 }
 
-void FixBearingCapacitance::sample()
+FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c) const
 {
+  return film_capacitor(*c.raceway, c.state, permittivity_, shortest_film_);
+}
+
+// Instant by instant, and by ball tag within one: the same bits on any number of ranks.
+void FixBearingCapacitance::sample(bool between)
+{
+  std::vector<Row> mine;
+  if (between)
+    for (FixBearingImplicit *f : integrators_) f->add_instants(mine);
+  if (!integrators_.empty())
+    mine.erase(std::remove_if(mine.begin(), mine.end(), [this](const Row &r) {
+      return !std::binary_search(members_.begin(), members_.end(), r.ball);
+    }), mine.end());
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
   for (const RacewayContact &c : pair_->table().raceway)
-    if (c.live && (atom->mask[c.i_ball] & groupbit)) per_ball_[c.i_ball][c.side() == Side::inner ? 0 : 1] = contact(c);
-  struct Ball { bearing::tag_t tag; double series; };
-  std::vector<Ball> mine;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
-    if (per_ball_[i][2] > 0.0) mine.push_back({atom->tag[i], per_ball_[i][2]});
+    if (c.live && (atom->mask[c.i_ball] & groupbit)) {
+      const FilmCapacitorT<double> q = capacitor(c);
+      per_ball_[c.i_ball][c.side() == Side::inner ? 0 : 1] = q.capacitance;
+      mine.push_back({within_, c.ball, c.side(), {c.state.load, q.h_c, q.capacitance}});
+    }
+  for (int i = 0; i < atom->nlocal; ++i) per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
+
+  std::vector<Row> all = bearing::gather_all(mine, world);
+  const auto before = [](const Row &a, const Row &b) {
+    return std::make_tuple(a.instant, a.ball, a.side) < std::make_tuple(b.instant, b.ball, b.side);
+  };
+  if (!std::is_sorted(all.begin(), all.end(), before)) std::sort(all.begin(), all.end(), before);
+  const int first_instant = between ? 1 : within_;
+  double sum = 0.0;
+  const Row *row = all.data(), *last = row + all.size();
+  for (int k = first_instant; k <= within_; ++k) {
+    const Row *end = row;
+    while (end != last && end->instant == k) ++end;
+    total_ = add_up(row, end);
+    sum += total_.sum;
+    least_ = k == first_instant ? total_.sum : std::min(least_, total_.sum);
+    most_ = k == first_instant ? total_.sum : std::max(most_, total_.sum);
+    if (between || written_ != update->ntimestep) write(row, end, k);
+    row = end;
   }
-  std::vector<Ball> all = bearing::gather_all(mine, world);    // summed by tag: the same bits on any number of ranks
-  std::sort(all.begin(), all.end(), [](const Ball &a, const Ball &b) { return a.tag < b.tag; });
-  total_ = largest_ = 0.0;
-  active_ = static_cast<double>(all.size());
-  for (const Ball &b : all) {
-    total_ += b.series;
-    largest_ = std::max(largest_, b.series);
-  }
-  total_ += background_;
+  mean_ = sum / (within_ - first_instant + 1);
 }
 
-double FixBearingCapacitance::compute_scalar() { return total_; }
+// A ball's two contacts stand side by side; one alone adds nothing.
+FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end) const
+{
+  Total t = {};
+  for (; row + 1 < end; ++row) {
+    if (row[0].ball != row[1].ball) continue;
+    const double both = series_capacitance(row[0].contact.capacitance, row[1].contact.capacitance);
+    t.sum += both;
+    t.largest = std::max(t.largest, both);
+    t.active += 1.0;
+    ++row;
+  }
+  t.sum += background_;
+  return t;
+}
 
-// 1: bearing total with background, 2: largest single ball, 3: number of active balls
-double FixBearingCapacitance::compute_vector(int k) { return k == 0 ? total_ : k == 1 ? largest_ : active_; }
+void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
+{
+  written_ = update->ntimestep;
+  const double back = double(within_ - instant) / within_;    // steps before the end of this one
+  const double time = update->atime + (update->ntimestep - update->atimestep - back) * update->dt;
+  const double step = update->ntimestep - back;
+  if (FILE *f = totals_.file()) fprintf(f, "%.9g %.12g %.12g %.12g %.0f\n", step, time, total_.sum, total_.largest, total_.active);
+  if (FILE *f = contacts_.file())
+    for (; row != end; ++row)
+      fprintf(f, "%.9g %.12g %d %d %.12g %.12g %.12g\n", step, time, static_cast<int>(row->ball), static_cast<int>(row->side),
+              row->contact.load, row->contact.h_c, row->contact.capacitance);
+  if (update->ntimestep == update->laststep)
+    for (FILE *f : {totals_.file(), contacts_.file()})
+      if (f) fflush(f);
+}
+
+double FixBearingCapacitance::compute_scalar() { return total_.sum; }
+
+// At the end of the step 1: bearing total with background, 2: largest single ball, 3: number of active balls; of the
+// total over the instants of the step 4: mean, 5: least, 6: most
+double FixBearingCapacitance::compute_vector(int k)
+{
+  const double values[] = {total_.sum, total_.largest, total_.active, mean_, least_, most_};
+  return values[k];
+}
 
 void FixBearingCapacitance::grow_arrays(int n)
 {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (series) and of
-// the bearing (sum), sampled every N steps; nothing is computed in between.
+// the bearing (sum), sampled every N steps, or at several instants within every step of fix bearing/implicit; nothing
+// is computed in between.
 #ifdef FIX_CLASS
 FixStyle(bearing/capacitance,FixBearingCapacitance)
 #else
 #ifndef LMP_FIX_BEARING_CAPACITANCE_H
 #define LMP_FIX_BEARING_CAPACITANCE_H
 
+#include "../physics/capacitance.h"
 #include "contact_table.h"
+#include "fix_bearing_implicit.h"
+#include "text_file.h"
 
 namespace LAMMPS_NS {
 
@@ -28,17 +32,29 @@ class FixBearingCapacitance : public Fix {
   void set_arrays(int) override;
   double memory_usage() override;
 
-  double central_film(const bearing::RacewayContact &) const;    // m, h_c of eq 9, at least the shortest film
-  double contact(const bearing::RacewayContact &) const;         // F, eq 8
+  raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &) const;
 
  private:
-  void sample();
+  // Of all balls of the group at one instant of a step.
+  struct Total { double sum, largest, active; };
+  using Row = FixBearingImplicit::InstantContact;
+
+  void find_integrators();
+  void sample(bool between);
+  Total add_up(const Row *first, const Row *end) const;
+  void write(const Row *first, const Row *end, int instant);
 
   PairBearingHertz *pair_ = nullptr;
   double permittivity_ = 0.0, background_ = 0.0;
   double shortest_film_ = 1e-9;    // m; below it a capacitor of this model would be a short circuit
   double **per_ball_ = nullptr;    // inner, outer, series
-  double total_ = 0.0, largest_ = 0.0, active_ = 0.0;
+  int within_ = 1;                 // instants a step, the last one its end
+  std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
+  std::vector<bearing::tag_t> members_;              // balls of the group, sorted; known where integrators_ are
+  bearing::TextFile totals_, contacts_;
+  Total total_ = {};                                 // at the end of the step
+  bigint written_ = -1;                              // step of the last row in the files
+  double mean_ = 0.0, least_ = 0.0, most_ = 0.0;     // of the sum, over the instants of the step
 };
 
 }    // namespace LAMMPS_NS

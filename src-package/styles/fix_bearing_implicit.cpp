@@ -47,6 +47,7 @@ void FixBearingImplicit::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/implicit");
   check_fixes();
   find_rings();
+  instants_ = Instants();
   if (pair_->smooth_friction(creep_) && comm->me == 0) {
     const std::string say = std::string("fix ") + id + " bearing/implicit: friction smoothed over a creep of " +
         text(creep_) + " of the entrainment speed\n";
@@ -142,6 +143,7 @@ void FixBearingImplicit::build()
     const bool known = kept != kept_.end() && kept->ring == of.ring;
     parts_.push_back({ImplicitBearing(*pair_, model), known ? kept->step : of.step});
     parts_.back().bearing.step().keep_energy(energy_wanted_);
+    parts_.back().bearing.step().want(instants_);
   }
   built_ = true;
 }
@@ -200,6 +202,26 @@ void FixBearingImplicit::advance(Part &p)
     if (o.corrections <= settings_.corrections && (grow < 1.0 || !last || h > 0.99 * p.step))
       p.step = std::min(grow * h, whole);
     done = last ? whole : done + h;
+  }
+}
+
+void FixBearingImplicit::want_instants(const Instants &i)
+{
+  if (instants_.number > 1 && (i.number != instants_.number || i.eps != instants_.eps || i.shortest != instants_.shortest))
+    BRG_ALL(std::string("fix ") + id + " bearing/implicit: two fixes want different things between its steps; give them the same "
+            "'within', permittivity and film_floor");
+  instants_ = i;
+}
+
+void FixBearingImplicit::add_instants(std::vector<InstantContact> &add) const
+{
+  for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
+    const bearing::PartModel &m = bearings_.model(p);
+    for (int k = 1; k < instants_.number; ++k)
+      for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
+        const raceway::BearingStep::Contact c = parts_[p].bearing.step().at_instant(k, g);
+        if (c.load > 0.0) add.push_back({k, m.bodies[m.grooves[g].body].tag, m.grooves[g].physics->groove.side, c});
+      }
   }
 }
 

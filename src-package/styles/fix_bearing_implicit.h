@@ -31,6 +31,17 @@ class FixBearingImplicit : public Fix {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
+  // Contacts between host steps: asked for in another fix's setup(), there after every step.
+  using Instants = raceway::BearingStep::Instants;
+  struct InstantContact {
+    int instant;           // k of number, 1 to number - 1
+    bearing::tag_t ball;
+    raceway::Side side;
+    raceway::BearingStep::Contact contact;
+  };
+  void want_instants(const Instants &);                     // one set of wishes a fix
+  void add_instants(std::vector<InstantContact> &) const;   // of live contacts, bearings at home here
+
  private:
   struct Part {
     bearing::ImplicitBearing bearing;
@@ -54,6 +65,7 @@ class FixBearingImplicit : public Fix {
   double tolerance_ = 1e-9;       // m, estimated local error of a position in a substep
   raceway::BearingStep::Settings settings_;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
+  Instants instants_;
   double largest_ = HUGE_VAL;     // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes

@@ -16,6 +16,7 @@ class ImplicitBearing {
   void load(const std::vector<BodyState> &, const std::vector<RingFullState> &);
   void store(std::vector<BodyState> &, std::vector<RingFullState> &) const;
   raceway::BearingStep &step() { return step_; }
+  const raceway::BearingStep &step() const { return step_; }
   tag_t tag(int body) const { return tags_[body]; }
 
  private:

@@ -55,20 +55,22 @@ def blocks(name):
 
 
 def recorded(**variables):
-    """Loads and films (samples, 2, 9) and orbital speeds (samples, 9); None where the run was refused."""
+    """Loads and films (instants, 2, 9) and orbital speeds (samples, 9); None where the run was refused."""
     if run(record="yes", passes=1, **variables) is None:
         return None
-    frames = list(blocks("contacts.dump"))
-    load, film = np.zeros((len(frames), 2, 9)), np.ones((len(frames), 2, 9))
-    for k, rows in enumerate(frames):
-        ball, side = rows[:, 0].astype(int) - 1, rows[:, 1].astype(int)
-        load[k, side, ball], film[k, side, ball] = rows[:, 2], rows[:, 3]
-    return load, film, np.array([rows[:, 1] for rows in blocks("balls.dump")])
+    rows = np.loadtxt(ROOT / FOLDER / "contacts.txt")
+    orbit = np.array([rows[:, 1] for rows in blocks("balls.dump")])
+    count = (len(orbit) - 1) * int(variables.get("within", 1)) + 1
+    instant = np.rint((rows[:, 0] - rows[0, 0]) * (count - 1) / (rows[-1, 0] - rows[0, 0])).astype(int)
+    place = instant, rows[:, 3].astype(int), rows[:, 2].astype(int) - 1
+    load, film = np.zeros((count, 2, 9)), np.ones((count, 2, 9))
+    load[place], film[place] = rows[:, 4], rows[:, 5]
+    return load, film, orbit
 
 
 def error(found, truth):
     """The figure of the module's first lines; `found` may have fewer samples, evenly."""
-    truth = [table[::(len(truth[0]) - 1) // (len(found[0]) - 1)] for table in truth]
+    truth = [there[::(len(there) - 1) // (len(here) - 1)] for here, there in zip(found, truth)]
     peak = truth[0].max()
     loaded = (truth[0] > 0.01 * peak) & (found[0] > 0)
     return max(np.abs(found[0] - truth[0]).max() / peak, np.abs(found[2] - truth[2]).max() / truth[2].mean(),

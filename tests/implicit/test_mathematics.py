@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 def lib():
     source, target = ROOT / "tests/implicit/implicit_c.cpp", ROOT / "build/test/libimplicit.so"
     target.parent.mkdir(parents=True, exist_ok=True)
-    step = [str(ROOT / f"src-package/implicit/bearing_{name}.cpp") for name in ("step", "forces", "solve")]
+    step = [str(ROOT / f"src-package/implicit/bearing_{name}.cpp") for name in ("step", "forces", "instants", "solve")]
     subprocess.run(["g++", "-std=c++17", "-O1", "-ffp-contract=off", "-Wall", "-Wextra", "-Wno-psabi", "-fPIC", "-shared",
                     str(source), *step, "-o", str(target)], check=True)
     return ctypes.CDLL(str(target))

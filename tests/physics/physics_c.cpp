@@ -85,6 +85,19 @@ static ContactLaw contact_law(bool with_film, Friction friction)
 
 extern "C" {
 
+// logarithm or exponential of n numbers, one by one and four side by side
+void elementary(double exponential_wanted, double n, const double *x, double *one, double *four)
+{
+  const int count = int(n);
+  for (int i = 0; i < count; ++i) one[i] = exponential_wanted != 0.0 ? exponential(x[i]) : logarithm(x[i]);
+  for (int i = 0; i < count; i += lanes) {
+    Lane v = all_lanes(1.0);
+    for (int k = 0; k < lanes && i + k < count; ++k) v[k] = x[i + k];
+    v = exponential_wanted != 0.0 ? exponential(v) : logarithm(v);
+    for (int k = 0; k < lanes && i + k < count; ++k) four[i + k] = v[k];
+  }
+}
+
 // ---- vec3.h -----------------------------------------------------------------------------------------
 void vec3_cross(const double *a, const double *b, double *out) { cross(Vec3::from(a), Vec3::from(b)).to(out); }
 double vec3_dot(const double *a, const double *b) { return dot(Vec3::from(a), Vec3::from(b)); }
@@ -144,7 +157,7 @@ void film(double model, double kappa, double viscosity, double xi, double Eprime
 }
 double thickness(double lnA, double p, double m, double speed, double load)
 {
-  return film_thickness({lnA, p, m}, std::log(speed), std::log(load));
+  return film_thickness({lnA, p, m}, film_point(speed, load));
 }
 double roughness(double s1, double s2) { return composite_roughness(s1, s2); }
 

@@ -62,6 +62,12 @@ class Physics:
         fields = fields.split() if isinstance(fields, str) else fields
         return SimpleNamespace(**dict(zip(fields, map(float, self.array(name, len(fields), *arguments)))))
 
+    def elementary(self, name, x):
+        """`exponential` or `logarithm` of an array: (one by one, four side by side)."""
+        one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
+        self._library.elementary(*map(_argument, (name == "exponential", len(x), np.array(x, float), one, four)))
+        return one, four
+
     def rotate(self, a, w):
         return self.array("vec3_rotate", 3, a, w)
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Exponential and logarithm by series, for a double or four side by side: within 2 units in the last place.
+//
+// Why not the C library's: it chooses its variant by processor, so its bits are a machine's, and it takes one number at
+// a time. Only + - * / and shifts here: every processor and every lane gives the same bits.
+//   exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below 5e-18).
+//     0 below -708 (the results that would have no full precision), infinite above 709.
+//   logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1), |f| < 0.1716, by its series
+//     to f^21 (remainder below 2e-18). Minus infinity below the smallest normal number; no meaning for x < 0 or infinity.
+// Not a number gives not a number.
+#ifndef RACEWAY_EXP_LOG_H
+#define RACEWAY_EXP_LOG_H
+
+#include "lane.h"
+
+#include <cstring>
+
+namespace raceway {
+
+namespace detail {
+typedef unsigned long long Bits;
+typedef Bits LaneBits __attribute__((vector_size(8 * lanes)));
+
+RACEWAY_INLINE Bits bits(double x)
+{
+  Bits i;
+  std::memcpy(&i, &x, sizeof i);
+  return i;
+}
+RACEWAY_INLINE double number(Bits i)
+{
+  double x;
+  std::memcpy(&x, &i, sizeof x);
+  return x;
+}
+RACEWAY_INLINE LaneBits bits(const Lane &x) { return (LaneBits)x; }
+RACEWAY_INLINE Lane number(const LaneBits &i) { return (Lane)i; }
+
+constexpr double ln2_high = 0x1.62e42fefap-1, ln2_low = 0x1.cf79abc9e3b398p-40;    // the high part times k < 2^14 is exact
+constexpr double whole = 0x1.8p52;    // adding it leaves whole numbers in the last bits
+}    // namespace detail
+
+template <class T> RACEWAY_INLINE T exponential(const T &x)
+{
+  using namespace detail;
+  const T shifted = x * 1.4426950408889634 + whole, k = shifted - whole;
+  const T r = (x - k * ln2_high) - k * ln2_low, r2 = r * r, r4 = r2 * r2;
+  // grouped by four, so that sums need not wait for one another
+  const T low = (1.0 / 6 + r * (1.0 / 24)) + r2 * (1.0 / 120 + r * (1.0 / 720));
+  const T middle = (1.0 / 5040 + r * (1.0 / 40320)) + r2 * (1.0 / 362880 + r * (1.0 / 3628800));
+  const T high = 1.0 / 39916800 + r * (1.0 / 479001600) + r2 * (1.0 / 6227020800);
+  const T rest = low + r4 * (middle + r4 * high);
+  const T y = 1.0 + (r + r2 * (0.5 + r * rest));
+  const T scaled = number(bits(y) + (bits(shifted) << 52));
+  return where(x < -708.0, 0.0, where(x > 709.0, HUGE_VAL, where(x == x, scaled, x)));
+}
+
+template <class T> RACEWAY_INLINE T logarithm(const T &x)
+{
+  using namespace detail;
+  // exponent of x/sqrt(1/2), rounded down; made a number by the trick of `whole`, whose last bits take it with an offset
+  const auto above = bits(x) - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
+  const auto exponent = above >> 52;
+  const T k = number(exponent | 0x4330000000000000ULL) - (0x1p52 + 2048.0);
+  const T m = number(bits(x) - ((exponent - 2048ULL) << 52));
+  const T f = (m - 1.0) / (m + 1.0), f2 = f * f, f4 = f2 * f2, f8 = f4 * f4;
+  const T low = (2.0 / 3 + f2 * (2.0 / 5)) + f4 * (2.0 / 7 + f2 * (2.0 / 9));
+  const T high = (2.0 / 11 + f2 * (2.0 / 13)) + f4 * (2.0 / 15 + f2 * (2.0 / 17));
+  const T series = f2 * (low + f8 * (high + f8 * (2.0 / 19 + f2 * (2.0 / 21))));
+  const T y = k * ln2_high + (2.0 * f + (f * series + k * ln2_low));
+  return where(x < 0x1p-1022, -HUGE_VAL, where(x == x, y, x));
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A table that a fix writes: opened by rank 0, with an error on all ranks if that fails; nothing without a name.
+#ifndef BEARING_TEXT_FILE_H
+#define BEARING_TEXT_FILE_H
+
+#include "arguments.h"
+
+#include <cerrno>
+#include <cstdio>
+
+namespace bearing {
+
+class TextFile {
+ public:
+  ~TextFile() { if (file_) fclose(file_); }
+  TextFile() = default;
+  TextFile(const TextFile &) = delete;
+  TextFile &operator=(const TextFile &) = delete;
+
+  bool wanted() const { return wanted_; }       // on every rank
+  FILE *file() const { return file_; }          // of rank 0, else null
+  void open(const Arguments &args, const std::string &name, const char *head, MPI_Comm world)
+  {
+    int rank, trouble = 0;
+    MPI_Comm_rank(world, &rank);
+    wanted_ = true;
+    if (rank == 0) {
+      file_ = fopen(name.c_str(), "w");
+      if (file_) fprintf(file_, "# %s\n", head);
+      else trouble = errno;
+    }
+    MPI_Bcast(&trouble, 1, MPI_INT, 0, world);
+    if (trouble) args.fail("cannot write '" + name + "': " + strerror(trouble));
+  }
+
+ private:
+  bool wanted_ = false;
+  FILE *file_ = nullptr;
+};
+
+}    // namespace bearing
+
+#endif
