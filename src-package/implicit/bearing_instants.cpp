@@ -11,6 +11,7 @@ void BearingStep::want(const Instants &i)
 {
   instants_ = i;
   if (i.number < 2) return;
+  passed_.resize(groups_.size());
   looks_.assign((i.number - 1) * touches_.size(), Look());
   look_of_.clear();
   for (const BearingModel::Groove &g : model_.grooves) {
@@ -42,33 +43,39 @@ void BearingStep::look_at_instants()
   }
 }
 
-RACEWAY_LANES void BearingStep::look_at(double s, Look *look) const
+RACEWAY_LANES void BearingStep::look_at(double s, Look *look)
 {
   const Cubic at(s, present_.h);
+  for (size_t k = 0; k < groups_.size(); ++k) {
+    const Group &g = groups_[k];
+    if (!g.spins) continue;    // cage balls
+    Passed &p = passed_[k];
+    p.frame.r = at(g.from.r, g.v_from.x, g.now.r, g.v.x);
+    p.frame.z = at(g.from.z, g.v_from.z, g.now.z, g.v.z);
+    p.frame.turn_from(g.from, at(Lane{}, Lane(g.v_from.y / g.from.r), Lane(g.turned + g.turn), Lane(g.v.y / g.now.r)));
+    p.v = g.v_from + (g.v - g.v_from) * s;
+    p.w = g.w_from + (g.w - g.w_from) * s;
+  }
   for (const Track &track : tracks_) {
     const Ring &ring = rings_[track.ring];
     const RacewayPhysics &p = *track.physics;
     const RingPose pose = between(ring.from, ring.now, present_.h, s);
     const Vec3 centre = pose.x - centre_, spin = pose.angular_velocity();
     for (int k = track.first; k < track.end; ++k, ++look) {
-      const Group &g = groups_[k];
-      LaneFrame f;
-      f.r = at(g.from.r, g.v_from.x, g.now.r, g.v.x);
-      f.z = at(g.from.z, g.v_from.z, g.now.z, g.v.z);
-      f.turn_from(g.from, at(Lane{}, Lane(g.v_from.y / g.from.r), Lane(g.turned + g.turn), Lane(g.v.y / g.now.r)));
+      const LaneFrame &f = passed_[k].frame;
       const Vec3L there = f.local(centre), d = {f.r - there.x, -there.y, f.z - there.z};
       RingStateT<Lane> r;
       r.e = f.local(pose.e);
       ContactStateT<Lane> c;
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
-      const LaneMask live = g.used & (c.overlap > 0.0);
+      const LaneMask live = groups_[k].used & (c.overlap > 0.0);
       *look = Look();
       if (!any(live)) continue;
       c.overlap = where(live, c.overlap, 1e-9);
       r.v = f.local(pose.v);
       r.w = f.local(spin);
-      const BallStateT<Lane> ball = {d, g.v_from + (g.v - g.v_from) * s, g.w_from + (g.w - g.w_from) * s};
+      const BallStateT<Lane> ball = {d, passed_[k].v, passed_[k].w};
       contact_forces<false, Friction::none>(p, ball, r, FrictionSmoothed(), c);
       look->load = where(live, c.load, 0.0);
       if (!model_.lubricated) continue;

@@ -65,7 +65,8 @@ class BearingStep {
   Contact at_instant(int k, int groove) const;      // k from 1; groove as in the model; of the last host step
 
   void keep_energy(bool yes) { keep_energy_ = yes; }
-  const Energy &energy();                            // of all accepted steps so far
+  const Energy &spent() const { return energy_; }    // of all accepted steps so far, what is stored now left out
+  const Energy &energy();                            // with it
   int overlinked() const { return overlinked_; }     // body with more than two closed cage contacts, or -1
   int worst() const { return worst_; }               // body far outside its groove or without a number in the last step, or -1
 
@@ -86,6 +87,7 @@ class BearingStep {
   struct alignas(32) Column { Lane a[6]; };
   struct Track { int ring, first, end; const RacewayPhysics *physics; };    // groups of balls on one raceway
   struct alignas(32) Touch { ContactStateT<Lane> state; LaneMask live; };
+  struct alignas(32) Passed { LaneFrame frame; Vec3L v, w; };    // a group between two steps
   struct alignas(32) Look { Lane load, h_c, capacitance; };
   struct RailTrack { int ring, first, end; const std::vector<Rail> *rails; const std::vector<double> *stiffness; };
   struct alignas(32) Ring {
@@ -119,7 +121,7 @@ class BearingStep {
   void add_energy(double weight, double s);
   double stored_energy();
   void look_at_instants();
-  void look_at(double s, Look *) const;
+  void look_at(double s, Look *);
 
   BearingModel model_;
   std::vector<int> slot_, body_at_;    // of a body; of a slot (group 4 k + lane), -1: padding
@@ -146,6 +148,7 @@ class BearingStep {
   struct { double h, s0, s1; } present_ = {};          // the step not yet accepted
   Instants instants_;
   int next_instant_ = 1;
+  std::vector<Passed> passed_;                         // groups
   std::vector<Look> looks_;                            // instant by instant, then as touches_
   std::vector<int> look_of_;                           // of a groove of the model: lanes * touch + lane
 };

@@ -100,30 +100,31 @@ FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c)
 // Instant by instant, and by ball tag within one: the same bits on any number of ranks.
 void FixBearingCapacitance::sample(bool between)
 {
-  std::vector<Row> mine;
+  mine_.clear();
   if (between)
-    for (FixBearingImplicit *f : integrators_) f->add_instants(mine);
-  if (!integrators_.empty())
-    mine.erase(std::remove_if(mine.begin(), mine.end(), [this](const Row &r) {
-      return !std::binary_search(members_.begin(), members_.end(), r.ball);
-    }), mine.end());
+    for (FixBearingImplicit *f : integrators_) f->add_instants(members_, mine_);
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
   for (const RacewayContact &c : pair_->table().raceway)
     if (c.live && (atom->mask[c.i_ball] & groupbit)) {
       const FilmCapacitorT<double> q = capacitor(c);
       per_ball_[c.i_ball][c.side() == Side::inner ? 0 : 1] = q.capacitance;
-      mine.push_back({within_, c.ball, c.side(), {c.state.load, q.h_c, q.capacitance}});
+      mine_.push_back({within_, c.ball, c.side(), {c.state.load, q.h_c, q.capacitance}});
     }
   for (int i = 0; i < atom->nlocal; ++i) per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
 
-  std::vector<Row> all = bearing::gather_all(mine, world);
+  std::vector<Row> space;
+  const std::vector<Row> *all = &bearing::gather_all(mine_, space, world);
   const auto before = [](const Row &a, const Row &b) {
     return std::make_tuple(a.instant, a.ball, a.side) < std::make_tuple(b.instant, b.ball, b.side);
   };
-  if (!std::is_sorted(all.begin(), all.end(), before)) std::sort(all.begin(), all.end(), before);
+  if (!std::is_sorted(all->begin(), all->end(), before)) {
+    if (all == &mine_) space = mine_;
+    std::sort(space.begin(), space.end(), before);
+    all = &space;
+  }
   const int first_instant = between ? 1 : within_;
   double sum = 0.0;
-  const Row *row = all.data(), *last = row + all.size();
+  const Row *row = all->data(), *last = row + all->size();
   for (int k = first_instant; k <= within_; ++k) {
     const Row *end = row;
     while (end != last && end->instant == k) ++end;

@@ -51,6 +51,7 @@ class FixBearingCapacitance : public Fix {
   int within_ = 1;                 // instants a step, the last one its end
   std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
   std::vector<bearing::tag_t> members_;              // balls of the group, sorted; known where integrators_ are
+  std::vector<Row> mine_;                            // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;
   Total total_ = {};                                 // at the end of the step
   bigint written_ = -1;                              // step of the last row in the files

@@ -12,6 +12,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::Arguments;
 using bearing::ImplicitBearing;
+using bearing::tag_t;
 using bearing::text;
 
 static constexpr double smallest_step = 1e-12;    // s
@@ -131,8 +132,8 @@ void FixBearingImplicit::build()
   build_ = pair_->table_build();
   kept_ = wishes();
   for (Part &p : parts_) {    // what the bearings of the last build have to say
-    energy_.work += p.bearing.step().energy().work;
-    energy_.dissipated += p.bearing.step().energy().dissipated;
+    energy_.work += p.bearing.step().spent().work;
+    energy_.dissipated += p.bearing.step().spent().dissipated;
   }
   bearings_.build(pair_, groupbit);
   parts_.clear();
@@ -213,12 +214,16 @@ void FixBearingImplicit::want_instants(const Instants &i)
   instants_ = i;
 }
 
-void FixBearingImplicit::add_instants(std::vector<InstantContact> &add) const
+void FixBearingImplicit::add_instants(const std::vector<tag_t> &of, std::vector<InstantContact> &add) const
 {
+  std::vector<int> wanted;    // grooves
   for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
     const bearing::PartModel &m = bearings_.model(p);
+    wanted.clear();
+    for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g)
+      if (std::binary_search(of.begin(), of.end(), m.bodies[m.grooves[g].body].tag)) wanted.push_back(g);
     for (int k = 1; k < instants_.number; ++k)
-      for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
+      for (int g : wanted) {
         const raceway::BearingStep::Contact c = parts_[p].bearing.step().at_instant(k, g);
         if (c.load > 0.0) add.push_back({k, m.bodies[m.grooves[g].body].tag, m.grooves[g].physics->groove.side, c});
       }

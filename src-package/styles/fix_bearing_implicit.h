@@ -40,7 +40,8 @@ class FixBearingImplicit : public Fix {
     raceway::BearingStep::Contact contact;
   };
   void want_instants(const Instants &);                     // one set of wishes a fix
-  void add_instants(std::vector<InstantContact> &) const;   // of live contacts, bearings at home here
+  // Those of the balls `of` (sorted) in bearings at home here.
+  void add_instants(const std::vector<bearing::tag_t> &of, std::vector<InstantContact> &) const;
 
  private:
   struct Part {

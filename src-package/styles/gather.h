@@ -29,6 +29,16 @@ template <class T> std::vector<T> gather_all(const std::vector<T> &mine, MPI_Com
   return all;
 }
 
+// The same without a copy where there is one rank; `space` is used otherwise.
+template <class T> const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &space, MPI_Comm world)
+{
+  int np;
+  MPI_Comm_size(world, &np);
+  if (np == 1) return mine;
+  space = gather_all(mine, world);
+  return space;
+}
+
 }    // namespace bearing
 
 #endif
