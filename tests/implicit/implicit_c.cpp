@@ -136,6 +136,24 @@ void drift(const double *x, const double *v, double h, double *x_new, double *v_
   }
 }
 
+double cubic(double s, double h, double x_from, double v_from, double x_to, double v_to)
+{
+  return Cubic(s, h)(x_from, v_from, x_to, v_to);
+}
+
+// The axis of a ring half-way between two instants h apart, which turns about `w` at a constant rate.
+void axis_between(const double *w, double h, double *e)
+{
+  const Vec3 W = Vec3::from(w);
+  RingPose from, to;
+  from.e = rotate({0.0, 0.0, 1.0}, {0.1, -0.05, 0.0});
+  from.set_angular_velocity(W);
+  to.e = rotate(from.e, W * h);
+  to.set_angular_velocity(W);
+  const Vec3 found = between(from, to, h, 0.5).e, truth = rotate(from.e, W * (0.5 * h));
+  (found - truth).to(e);
+}
+
 void turn(double angle, double *c, double *s)
 {
   Lane cosine, sine;

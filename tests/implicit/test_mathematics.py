@@ -229,3 +229,24 @@ def test_turning_frame_keeps_a_circle(lib):
     assert np.hypot(*x[:2]) == pytest.approx(30e-3, rel=1e-13)
     assert np.arctan2(x[1], x[0]) % (2 * np.pi) == pytest.approx(20.0 % (2 * np.pi), rel=1e-10)
     assert v @ x == pytest.approx(0, abs=1e-15) and np.linalg.norm(v) == pytest.approx(0.6, rel=1e-13)
+
+
+def test_between_steps_a_cubic_is_exact(lib):
+    lib.cubic.restype = ctypes.c_double
+    place = np.polynomial.Polynomial([0.3, -2.0, 1.5, 4.0])
+    t, h = 0.7, 0.4
+    for s in (0.0, 0.25, 0.6, 1.0):
+        ends = [p(x) for x in (t, t + h) for p in (place, place.deriv())]
+        found = lib.cubic(*map(ctypes.c_double, (s, h, *ends)))
+        assert found == pytest.approx(place(t + s * h), rel=1e-14)
+
+
+def test_between_steps_an_axis_turns_to_fourth_order(lib):
+    """A ring that precesses: half-way the axis misses the truth by a multiple of h^4."""
+    errors = []
+    for h in (2e-3, 1e-3, 5e-4):
+        miss = np.zeros(3)
+        lib.axis_between(pointer(np.array([40.0, -60.0, 30.0])), ctypes.c_double(h), pointer(miss))
+        errors.append(np.linalg.norm(miss))
+    for coarse, fine in zip(errors, errors[1:]):
+        assert 15 < coarse / fine < 17

@@ -19,7 +19,7 @@ LAST = 60  # steps
 def state(folder):
     """Every bit that was written, step by step."""
     return [frames(folder / name) for name in ("balls.dump", "contacts.dump")] + [
-        (folder / name).read_text() for name in ("ring.txt", "control.txt")]
+        (folder / name).read_text() for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt")]
 
 
 def first_bearing(folder):
