@@ -41,6 +41,7 @@ test: build sanitized
 bench: build
 	@$(MAKE) --no-print-directory -s $(BENCH_STAMP)
 	.venv/bin/python tests/bench/step_cost.py
+	.venv/bin/python tests/bench/implicit_cost.py
 	.venv/bin/python tests/bench/work_precision.py
 	.venv/bin/python tests/bench/peers.py
 	.venv/bin/python tests/hard/table.py
