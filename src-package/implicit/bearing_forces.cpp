@@ -23,8 +23,10 @@ RACEWAY_LANES void BearingStep::start_rhs(double h, bool fresh)
     for (int m = 0; m < 3; ++m) g.A[7 * m] = g.mass;
     for (int m = 3; m < 6; ++m) g.A[7 * m] = g.inertia;
     g.coupled = g.linked = false;
+    g.spring = g.damper = Lane{};
   }
   if (!fresh) return;
+  for (Ring &r : rings_) r.spring = 0.0;
   for (Column &c : B_) c = Column();
   for (Column &c : C_) c = Column();
   std::fill(border_.a.begin(), border_.a.end(), 0.0);
@@ -57,6 +59,7 @@ template <bool film, Friction friction> RACEWAY_INLINE bool BearingStep::grooves
 {
   Touch *touch = touches_.data();
   const int nf = static_cast<int>(free_.size());
+  const double springs = dampers_only_ ? 0.0 : h * h;
   for (const Track &track : tracks_) {
     Ring &ring = rings_[track.ring];
     const RacewayPhysics &p = *track.physics;
@@ -101,7 +104,13 @@ template <bool film, Friction friction> RACEWAY_INLINE bool BearingStep::grooves
         g.rhs[m + 3] += h * *torque;
       }
       if (!fresh) continue;
-      const ContactJacobianT<Lane> j = contact_jacobian(c, r.e, live, h, h * h);
+      const ContactJacobianT<Lane> j = contact_jacobian(c, r.e, live, h, springs);
+      if (dampers_only_) {
+        const Lane spring = where(live, c.stiffness, 0.0);
+        g.spring += spring;
+        g.damper += where(live, c.damping, 0.0);
+        ring.spring += sum(spring);
+      }
       const Vec3L pull = j.n + j.friction;
       add_dyad(g.A, j.push, pull, j.n);
       add_dyad(g.A, j.along, j.t, j.t);
@@ -167,6 +176,7 @@ RACEWAY_LANES bool BearingStep::forces(double h, bool fresh)
 RACEWAY_LANES void BearingStep::seats(double h, bool fresh)
 {
   const int nf = static_cast<int>(free_.size());
+  const double springs = dampers_only_ ? 0.0 : h * h;
   for (const RailTrack &track : rail_tracks_) {
     Ring &ring = rings_[track.ring];
     const Vec3 centre = ring.now.x - centre_, spin = ring.now.angular_velocity();
@@ -200,7 +210,11 @@ RACEWAY_LANES void BearingStep::seats(double h, bool fresh)
         g.rhs[1] += h * force.y;
         g.rhs[2] += h * force.z;
         if (!fresh) continue;
-        const Lane a = where(live, h * c.h.damping + h * h * c.h.stiffness, 0.0);
+        const Lane a = where(live, h * c.h.damping + springs * c.h.stiffness, 0.0);
+        if (dampers_only_) {
+          g.spring += where(live, c.h.stiffness, 0.0);
+          g.damper += where(live, c.h.damping, 0.0);
+        }
         const Lane a_spin = where(live, h * c.h.damping, 0.0);
         add_dyad(g.A, a, n, n);
         if (!ring.loose) continue;
@@ -263,9 +277,13 @@ bool BearingStep::pockets(double h, bool fresh)
       g.rhs[0][lane] += push * local[k].x;
       g.rhs[1][lane] += push * local[k].y;
       g.rhs[2][lane] += push * local[k].z;
-      if (fresh) g.linked = true;
+      if (fresh) {
+        g.linked = true;
+        g.spring[lane] += c.stiffness;
+        g.damper[lane] += c.damping;
+      }
     }
-    if (fresh && !chain_.add(a, b, local[0], local[1], h * c.damping + h * h * c.stiffness)) {
+    if (fresh && !chain_.add(a, b, local[0], local[1], h * c.damping + (dampers_only_ ? 0.0 : h * h) * c.stiffness)) {
       overlinked_ = p.a;
       return false;
     }

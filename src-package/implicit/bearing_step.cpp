@@ -145,7 +145,14 @@ BearingStep::Outcome BearingStep::step(const Settings &set, double h, double s0,
     r.base = r.from;
     std::fill(r.gained, r.gained + RingProgram::N_DOF, 0.0);
   }
-  if (set.order == 1) {
+  dampers_only_ = set.dampers_only;
+  if (dampers_only_) {
+    const double middle = 0.5 * (s0 + s1);
+    if (!coast(0.5 * h, middle, false) || !solve_stage(set, h, middle, o)) return o;
+    o.stability = stability(h);
+    if (keep_energy_) add_energy(h, middle);
+    if (!coast(0.5 * h, s1, true)) return o;
+  } else if (set.order == 1) {
     if (!solve_stage(set, h, s1, o)) return o;
     if (keep_energy_) add_energy(h, s1);
   } else {
@@ -156,7 +163,7 @@ BearingStep::Outcome BearingStep::step(const Settings &set, double h, double s0,
     if (!solve_stage(set, stage, s1, o)) return o;
     if (keep_energy_) add_energy(stage, s1);
   }
-  o.error = error(h, set.order);
+  o.error = error(h, set);
   o.solved = true;
   return o;
 }
@@ -192,6 +199,10 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
 // Everything to the end of the stage with the present velocities. False: a body turns too far for one stage.
 RACEWAY_LANES bool BearingStep::move(double h, double s)
 {
+  if (dampers_only_) {
+    for (Ring &r : rings_) r.now = kicked(r.program, r.base, r.gained);
+    return true;
+  }
   LaneMask far = {};
   for (Group &g : groups_) {
     g.now = g.base.drifted(g.v, h, g.turn);
@@ -199,6 +210,33 @@ RACEWAY_LANES bool BearingStep::move(double h, double s)
   }
   for (Ring &r : rings_) r.now = moved(r.program, r.base, r.gained, h, s);
   return !any(far);
+}
+
+// Everything on its way for h seconds, to the middle of a step or from there to its end. False: a body turns too far.
+RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
+{
+  LaneMask far = {};
+  for (Group &g : groups_) {
+    if (to_end) g.turned += g.turn;
+    const LaneFrame start = to_end ? g.now : g.from;
+    g.now = start.drifted(g.v, h, g.turn);
+    far |= ~(magnitude(g.turn) < largest_turn);
+  }
+  for (Ring &r : rings_) r.base = r.now = coasted(r.program, to_end ? r.now : r.from, h, s);
+  return !any(far);
+}
+
+RACEWAY_LANES double BearingStep::stability(double h) const
+{
+  Lane most = {};
+  for (const Group &g : groups_) {
+    const Lane share = h * h * g.spring / (3.0 * g.mass + 1.5 * h * g.damper);
+    most = where(g.used & (share > most), share, most);
+  }
+  double largest = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+  for (const Ring &r : rings_)
+    if (r.loose && r.program.mass > 0.0) largest = std::max(largest, h * h * r.spring / (3.0 * r.program.mass));
+  return largest;
 }
 
 RACEWAY_LANES void BearingStep::second_base()
@@ -225,12 +263,13 @@ RACEWAY_LANES void BearingStep::second_base()
   }
 }
 
-RACEWAY_LANES double BearingStep::error(double h, int order) const
+RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
 {
-  const double share = order == 1 ? 0.5 : gamma_2;
+  const bool drift = set.dampers_only, one = set.order == 1;
+  const double share = drift ? 1.0 : one ? 0.5 : gamma_2;
   Lane off = {};
   for (const Group &g : groups_) {
-    const Vec3L dv = g.v - (order == 1 ? g.v_from : g.v_first);
+    const Vec3L dv = drift ? g.v : g.v - (one ? g.v_from : g.v_first);
     const Lane worse = where(magnitude(dv.x) > magnitude(dv.z), magnitude(dv.x), magnitude(dv.z));
     off = where(g.used & (worse > off), worse, off);
   }
@@ -238,7 +277,7 @@ RACEWAY_LANES double BearingStep::error(double h, int order) const
   for (const Free &f : free_) {
     if (f.dof == RingProgram::SPIN) continue;
     const Ring &r = rings_[f.ring];
-    const RingPose &before = order == 1 ? r.from : r.first;
+    const RingPose before = drift ? RingPose() : one ? r.from : r.first;
     double now[3], then[3];
     r.now.v.to(now);
     before.v.to(then);

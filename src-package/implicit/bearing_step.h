@@ -8,8 +8,15 @@
 // second from start + (1 + sqrt 2) (first - start); its end is the end of the step. That is the L-stable diagonally
 // implicit Runge-Kutta method of Alexander (SIAM J. Numer. Anal. 14, 1977): nothing of an earlier step is needed.
 //
+// With dampers_only what depends on velocities is implicit and springs are as in velocity Verlet: half a step of drift,
+//   M (V - V_start) = h F(q_middle, V)
+// by the same Newton's method without the springs' derivatives, and the other half of the drift. It keeps vibrations that
+// the stages above damp away and has a stability limit, that of the springs: h^2 k = 4 (m + h c/2) for one body on
+// springs k and dampers c, of which half is allowed.
+//
 // Estimated local error, m: how far a ball across the raceways or a ring would be off if only the first order
-// counted, g h |V_2 - V_1| (order 1: h |V - V_start|/2). It is an upper bound for order 2.
+// counted, g h |V_2 - V_1| (order 1: h |V - V_start|/2). It is an upper bound for order 2. With dampers_only: how far it
+// moved across the raceways in the step, which is what a ball may be late in meeting a groove.
 //
 // Four balls are computed side by side; a linear solve costs a time proportional to the number of balls: each
 // body's own 6x6 (3x3) block is condensed, closed cage contacts are a chain of scalars (link_chain.h), and the free
@@ -29,6 +36,7 @@ class BearingStep {
  public:
   struct Settings {
     int order = 2;
+    bool dampers_only = false;
     double newton = 1e-7;     // m, what the last correction of a stage may move
     int corrections = 8;      // most of a stage
   };
@@ -36,6 +44,7 @@ class BearingStep {
     bool solved = false;
     int corrections = 0;
     double error = HUGE_VAL;     // m, estimated
+    double stability = 0.0;      // h^2 over the largest that is allowed; grows like h^2
     double last = HUGE_VAL;      // m, last correction
   };
   // N m/s summed over a step; the integrator's own loss is what is missing between them.
@@ -80,6 +89,7 @@ class BearingStep {
     Lane turn = {};              // rad, base to now
     Lane turned = {};            // rad, from to base
     Lane A[36], rhs[6], link[2][6];
+    Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; with dampers_only
     bool spins;
     bool coupled = false;        // to the border
     bool linked = false;
@@ -97,12 +107,15 @@ class BearingStep {
     double gained[RingProgram::N_DOF] = {};
     int unknown[RingProgram::N_DOF];          // of a free degree of freedom, else -1
     bool loose = false;
+    double spring = 0.0;                      // N/m, sum over contacts; with dampers_only
     Vec3 force, moment;                       // of the contacts: sums of the lanes
   };
   struct Free { int ring, dof; };
 
   void place_bodies();
   void find_unknowns();
+  bool coast(double h, double s, bool to_end);
+  double stability(double h) const;
   bool solve_stage(const Settings &, double h, double s, Outcome &);
   bool move(double h, double s);
   void start_rhs(double h, bool fresh);
@@ -117,7 +130,7 @@ class BearingStep {
   template <class ColumnOf> void condense_links(ColumnOf column, bool mark);
   double apply(double h);
   void second_base();
-  double error(double h, int order) const;
+  double error(double h, const Settings &) const;
   void add_energy(double weight, double s);
   double stored_energy();
   void look_at_instants();
@@ -140,6 +153,7 @@ class BearingStep {
   std::vector<Place> place_;           // lab, by slot; only bodies with pockets
   std::vector<char> in_pocket_;        // groups
   Vec3 centre_;                        // of the turning frames
+  bool dampers_only_ = false;
   bool keep_energy_ = false, unknowns_known_ = false;
   double power_lost_ = 0.0;            // W, in contacts, at the last evaluation
   double contact_energy_ = 0.0;        // J

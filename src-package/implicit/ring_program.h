@@ -116,6 +116,33 @@ inline RingPose moved(const RingProgram &p, const RingPose &base, const double *
   return r;
 }
 
+// On its way for h seconds with the velocities that it has (driven ones: of the share s), to the share s of the host's step.
+inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, double s)
+{
+  const double nothing[RingProgram::N_DOF] = {};
+  RingPose r = moved(p, base, nothing, h, s);
+  if (p.free(RingProgram::TILT) && p.free(RingProgram::TILT + 1)) {
+    r.e = rotate(base.e, base.across() * h);
+    tilt_of(r.e, r.tilt);
+  }
+  return r;
+}
+
+// With the velocities of the base plus `gained` where free; nothing moves.
+inline RingPose kicked(const RingProgram &p, const RingPose &base, const double *gained)
+{
+  RingPose r = base;
+  double v[3];
+  base.v.to(v);
+  for (int k = 0; k < 3; ++k)
+    if (p.free(k)) v[k] += gained[k];
+  r.v = Vec3::from(v);
+  for (int k = 0; k < 2; ++k)
+    if (p.free(RingProgram::TILT + k)) r.rate[k] += gained[RingProgram::TILT + k];
+  if (p.free(RingProgram::SPIN)) r.spin += gained[RingProgram::SPIN];
+  return r;
+}
+
 // from + b (to - from) in every coordinate: the base of a second stage.
 inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
 {

@@ -17,7 +17,7 @@ using bearing::text;
 
 static constexpr double smallest_step = 1e-12;    // s
 
-// fix ID group bearing/implicit [tolerance T] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
+// fix ID group bearing/implicit [solve all|damping] [tolerance T] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     bearings_(lmp, std::string("fix ") + id + " bearing/implicit")
@@ -25,13 +25,15 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
   while (args.more()) {
     if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-4);
+    else if (args.take("solve")) settings_.dampers_only = args.choice("solve", {"all", "damping"});
     else if (args.take("order")) settings_.order = args.integer("order", 1, 2);
     else if (args.take("corrections")) settings_.corrections = args.integer("corrections in a stage", 1, 100);
     else if (args.take("largest")) largest_ = args.positive("largest step (s)");
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
     else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
-    else args.unknown("tolerance, order, corrections, largest, creep, energy");
+    else args.unknown("solve, tolerance, order, corrections, largest, creep, energy");
   }
+  if (tolerance_ == 0.0) tolerance_ = settings_.dampers_only ? 1e-7 : 1e-9;
   settings_.newton = tolerance_;
   time_integrate = 1;
   restart_global = 1;
@@ -186,9 +188,10 @@ void FixBearingImplicit::advance(Part &p)
     const double h = last ? left : left / pieces;
     const raceway::BearingStep::Outcome o = bearing.step(settings_, h, done / whole, last ? 1.0 : (done + h) / whole);
     corrections_ += o.corrections;
-    // the estimate grows like h^2
-    const double fit = 0.9 * std::sqrt(tolerance_ / std::max(o.error, 1e-6 * tolerance_));
-    if (!o.solved || o.error > tolerance_) {
+    // over what is allowed; grows like h^2
+    const double excess = std::max(o.error / tolerance_, o.stability);
+    const double fit = 0.9 / std::sqrt(std::max(excess, 1e-6));
+    if (!o.solved || !(excess <= 1.0)) {
       refused_ += 1.0;
       p.step = h * std::min(0.5, std::max(0.2, o.solved ? fit : 0.25));
       if (p.step < smallest_step) give_up(p, h, o);

@@ -63,7 +63,7 @@ class FixBearingImplicit : public Fix {
   [[noreturn]] void give_up(Part &, double h, const raceway::BearingStep::Outcome &);
 
   PairBearingHertz *pair_;
-  double tolerance_ = 1e-9;       // m, estimated local error of a position in a substep
+  double tolerance_ = 0.0;        // m, estimated local error of a position in a substep
   raceway::BearingStep::Settings settings_;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   Instants instants_;

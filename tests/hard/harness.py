@@ -130,6 +130,15 @@ def compare(found, truth, after=0, every=1):
                    miss.max() if both.any() else np.nan)
 
 
+def before_whirl(course, limit):
+    """The course up to 20 ms before the inner ring starts to whirl: the sum of the inner loads is above `limit` (N) for 10 ms."""
+    a_sample = course.simulated / (len(course.load) - 1)
+    window = round(10e-3 / a_sample)
+    total = np.convolve(course.load[:, 0].sum(1), np.ones(window) / window, "valid")
+    onset = np.flatnonzero(total > limit)
+    return first_samples(course, max(onset[0] - 2 * window, 0)) if onset.size else course
+
+
 class Average(NamedTuple):
     """A mean over time and its statistical error, from the spread of ten blocks about their trend."""
 
@@ -174,7 +183,13 @@ def judge(found, truth, case, words, every=1):
     """`Verdict` of one course against another under the words (`bound`, `after`) of a reference or of `large`."""
     bound, after = BOUNDS[words["bound"]]["value"], words.get("after", 0)
     if case.get("chaotic"):
-        return _judge_averages(averages(found, after, every), averages(truth, after), bound)
+        full = len(found.load)
+        found, truth = (before_whirl(course, case["whirl"]) for course in (found, truth))
+        if min(len(found.load) * every, len(truth.load)) < 3 * after:
+            return Verdict(np.inf, bound, "the ring whirls too early to judge the time before")
+        verdict = _judge_averages(averages(found, after, every), averages(truth, after), bound)
+        whirls = f"; the ring whirls from sample {len(found.load)} of {full}" if len(found.load) < full else ""
+        return verdict._replace(remark=verdict.remark + whirls)
     figures = compare(found, truth, after, every)
     return Verdict(figures.load, bound, "", figures.orbit, figures.film)
 

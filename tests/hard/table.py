@@ -121,7 +121,7 @@ def main():
             f"Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.", "",
             "Figure: largest difference over balls, raceways and samples of the contact load over the peak load, from the sample on that the case",
             "names; *whole course* is the same from the first sample. Quasi-static cases are held against statics, transients on their whole course with the peak,",
-            "a chaotic case by averages over time with their statistical error. Wall time includes the output of every sample, on a shared virtual core.", "",
+            "a chaotic case by averages over time with their statistical error, up to a whirl of the ring (:ref:`known-limits`). Wall time includes the output of every sample, on a shared virtual core.", "",
             *list_table(HEAD, rows), "Bounds:", ""]
     text += [f"* {name}, {number(bound['value'])}: {bound['why']}." for name, bound in BOUNDS.items()]
     text += ["", "Steps too large on purpose", "--------------------------", "",

@@ -163,6 +163,7 @@ void turn(double angle, double *c, double *s)
 }
 
 // A ring alone, free but for its driven spin, under a constant force and moment: e (3), rate (2), x (3), v (3) after n steps.
+// order 0: dampers only.
 void lone_ring(int order, int n, double h, double spin, const double *inertia, const double *moment, double *out)
 {
   BearingModel m;
@@ -184,6 +185,7 @@ void lone_ring(int order, int n, double h, double spin, const double *inertia, c
   step.load(bodies, rings);
   BearingStep::Settings set;
   set.order = order;
+  set.dampers_only = order == 0;
   set.newton = 1e-15;
   set.corrections = 30;
   for (int k = 0; k < n; ++k) {

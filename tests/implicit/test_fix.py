@@ -155,3 +155,34 @@ def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
     for rows in frames(tmp_path / "balls.dump").values():
         places = np.array([row.split()[2:4] for row in rows[:9]], float)
         np.testing.assert_allclose(np.hypot(*places.T), 30.3e-3, rtol=0, atol=1e-4)
+
+
+@pytest.mark.parametrize("speed, bound", [(50, 1e-4), (1000, 1e-3)])
+def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
+    """`solve damping` at the step that its stability allows. At 50 rad/s nothing vibrates; at 1000 rad/s balls ring when they are
+    loaded, 1e-3 of the largest load, with a period wrong by (h omega)^2/24, up to a tenth."""
+    case = dict(start=speed, inner=ring(f"spin speed {speed} force 0 -5000 0"), clearance=44.1e-6, samples=100)
+    assert error(tmp_path, control="solve damping", after=75, **case) < bound
+
+
+def test_only_dampers_implicit_keeps_its_step_stable(tmp_path):
+    """Host steps fifty times what the springs allow are cut to what they allow, h^2 k = 3 m + 1.5 h c, for the heaviest ball: k is the
+    stiffness of its two contacts (4.2e8 N/m under 5 kN), c adds little at this speed. While the load comes on, steps are shorter (drift)."""
+    case = dict(inner=ring("spin speed 1000 force 0 -5000 0"), start=1000, sample=4e-4, samples=40)
+    text = succeed(CASE, out=tmp_path, control="solve damping", **case).text
+    ball_mass = 7800 * 4 / 3 * np.pi * 6.3e-3**3
+    limit = (3 * ball_mass / 4.2e8) ** 0.5
+    assert 0.8 * limit < float(re.search(r"CONTROL mean (\S+)", text).group(1)) < 1.3 * limit
+    # 2436 N at rest with a ball on the load line; less between two; the centrifugal load of a ball is 38 N
+    assert 2200 < loads(tmp_path)[-20:].max() < 2600
+
+
+def test_only_dampers_implicit_keeps_a_swing(tmp_path):
+    """A dry ring under a sudden 5 kN swings on its balls, which dampers of the contacts take down slowly: in the last 3 of 15 ms its
+    swing is that of order 2 with steps of 0.25 us, another method. The springs' period is wrong by (h omega)^2/24 for balls, nothing for the ring."""
+    case = dict(lubricant="dry", inner="x free y free spin speed 50 force 0 -5000 0", sample=5e-5, samples=300)
+    swing = []
+    for control in ("tolerance 1e-6 largest 2.5e-7", "solve damping"):
+        succeed(CASE, out=tmp_path, control=control, **case)
+        swing.append(np.ptp(loads(tmp_path)[-60:, 0].max(1)))
+    assert swing[0] > 20 and swing[1] == pytest.approx(swing[0], rel=0.05)
