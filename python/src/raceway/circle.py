@@ -25,7 +25,7 @@ class Reach(NamedTuple):
 
 def straight(ball, place, azimuth, radius):
     """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of the ring's
-    displacement and tilt in the ball's plane (Harris 7.15, 7.16), as if the circle were straight over the shift."""
+    displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were straight over the shift."""
     c, s, zero, one = np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth), np.ones_like(azimuth)
     moves = -np.array([[c, s, zero, zero, zero], [zero, zero, one, radius * s, -radius * c]]).transpose(2, 0, 1)
     way = ball + moves @ place - [radius, 0.0]

@@ -10,7 +10,7 @@ an elastic spring in a convex distance, so the balls and then the ring minimise 
 with a line search needs no luck in its start. Contact stiffness depends weakly on the contact angle and is renewed
 outside that minimisation.
 
-The theory moves each inner groove by the components of shift and tilt in the ball's plane (Harris 7.15, 7.16), as if
+The theory moves each inner groove by the components of shift and tilt in the ball's plane (Harris, ch. 7), as if
 its circle were straight over the shift. With `finite_shift` the circle stays a circle, shifted and tilted, as in a
 simulation: at 5 kN that takes 0.4 % off the load of a 6208's ball 80 degrees from the load line and adds 0.07 % on it.
 A ring resting on one ball is then unstable and rolls sideways.
