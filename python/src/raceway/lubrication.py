@@ -42,7 +42,7 @@ def lubricate(bearing, state, oil, spin, clearance=0.0):
     >>> oil = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)
     >>> films = lubricate(b, equilibrium(b, 5000.0), oil, 50.0)
     >>> (1e9 * films.inner.h_min).round(1).tolist()[:3], round(1e12 * float(films.total), 1)  # nm, pF
-    ([102.0, 107.8, 131.5], 2016.8)
+    ([140.7, 144.4, 166.7], 303.5)
     """
     sides = [_film(bearing, side, contact, oil, spin, clearance) for side, contact in ((INNER, state.inner), (OUTER, state.outer))]
     ball = capacitance.ball(sides[INNER].capacitance, sides[OUTER].capacitance)

@@ -67,8 +67,8 @@ TOPICS = {
     ),
 }
 COLUMNS = (  # of the table of balls: key, heading, SI unit
-    ("azimuth_rad", "azimuth", "deg"), ("q_inner_N", "Q inner", "N"), ("q_outer_N", "Q outer", "N"),
-    ("angle_inner_rad", "a. inner", "deg"), ("angle_outer_rad", "a. outer", "deg"), ("p_inner_Pa", "p inner", "Pa"),
+    ("azimuth_rad", "azimuth, °", "deg"), ("q_inner_N", "Q inner", "N"), ("q_outer_N", "Q outer", "N"),
+    ("angle_inner_rad", "angle in., °", "deg"), ("angle_outer_rad", "angle out., °", "deg"), ("p_inner_Pa", "p inner", "Pa"),
     ("p_outer_Pa", "p outer", "Pa"), ("h_min_inner_m", "h_min in.", "m"), ("lambda_inner", "lambda in.", ""),
     ("h_min_outer_m", "h_min out.", "m"), ("lambda_outer", "lambda out.", ""), ("capacitance_F", "C", "F"))
 
@@ -133,8 +133,8 @@ def _oil(lubricant, folder):
 def _ring(state, load, axial, moment, held, play, reach):
     result = dict(zip(("shift_x_m", "shift_y_m", "shift_z_m"), _rounded(state.shift)))
     result.update(zip(("tilt_x_rad", "tilt_y_rad"), _rounded(state.tilt)))
-    shift = float(np.hypot(*state.shift[:2]))
-    result["load_parameter"] = clearance.load_parameter(play, shift) if shift > 0 and load else None
+    radial = load and not axial and not (result["tilt_x_rad"] or result["tilt_y_rad"])
+    result["load_parameter"] = clearance.load_parameter(play, state.shift[0]) if radial else None
     given, carried = np.array([load, 0.0, axial, *moment]), np.array([*state.force, *state.moment[:2]])
     support = -(given + carried)
     for part, scale in ((slice(3), state.inner.load.sum()), (slice(3, 5), state.inner.load.sum() * reach)):
