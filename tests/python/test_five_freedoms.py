@@ -227,3 +227,18 @@ def test_no_equilibrium(bearing, arguments, said):
 def test_wrong_hold(bearing, held, said):
     with pytest.raises(ValueError, match=said):
         static.equilibrium(bearing, 100.0, held=held)
+
+
+@pytest.mark.parametrize("case", [
+    dict(radial_load=1.0, clearance=5e-5, phase=0.6993181176267562, load_azimuth=1.572880777139937),
+    dict(radial_load=1.0, axial_load=1.0, phase=0.44263309053734035, load_azimuth=2.2868251944242615, orbital_speed=20.0),
+    dict(axial_load=1.0, clearance=1e-5, phase=0.2686148344495519, finite_shift=True),
+    dict(radial_load=1.0, clearance=1e-5, phase=0.1456511270822216, load_azimuth=2.8692457983051347, finite_shift=True),
+    dict(radial_load=1.0, moment=(0.0, 0.01), clearance=5e-5, phase=0.137, load_azimuth=5.977, finite_shift=True)])
+def test_light_loads(bearing, case):
+    """Under 1 N the last digits of distances are worth 1e-10 N: that ends the search, not the tolerance of the force."""
+    state = static.equilibrium(bearing, **case)
+    assert state.residual < 1e-8
+    load = np.array([case.get("radial_load", 0) * np.cos(case.get("load_azimuth", 0)),
+                     case.get("radial_load", 0) * np.sin(case.get("load_azimuth", 0)), case.get("axial_load", 0)])
+    assert state.force == pytest.approx(-load, abs=1e-8)

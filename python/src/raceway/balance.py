@@ -27,6 +27,7 @@ class Balance:
         self.reach = circle.exact if finite_shift else circle.straight
         self.gap = np.array([bearing.groove_gap(side) for side in (INNER, OUTER)])
         self.outer = np.tile([bearing.groove_circle(OUTER, clearance), 0.0], (len(azimuth), 1))
+        self.digits = 8 * np.spacing(bearing.pitch_radius)  # m: distances are known to some last digits of the radius
         self.cap = 0.25 * self.gap.sum()  # longest Newton step, m: small against the groove
         self.stiffness = self._stiffness(np.zeros((2, len(azimuth))))
 
@@ -53,7 +54,7 @@ class Balance:
             if settled and np.all(np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)):
                 return place
             # tilts can be so soft that what is left to rounding keeps the stiffness from repeating to the last digits
-            if np.all(np.abs(place - was) <= 4 * np.spacing(self.bearing.pitch_radius)):
+            if np.all(np.abs(place - was) <= self.digits):
                 return place
         raise NoEquilibrium("contact angles and contact stiffness do not settle")
 
@@ -67,7 +68,8 @@ class Balance:
             gradient, hessian = gradient[free], hessian[np.ix_(free, free)]
             size, scale = np.linalg.norm(gradient), np.abs(self.loads[free]).max() + load.max()
             value, vector = np.linalg.eigh(hessian)
-            if size <= 1e-11 * scale:
+            # what is left may be the last digits of the distances, times the stiffness
+            if size <= 1e-11 * scale + self.digits * np.abs(value).max():
                 if value[0] >= -1e-9 * value[-1] or nudged == 5:
                     return place
                 # a ring balanced on one ball: let it roll to one side
@@ -76,12 +78,12 @@ class Balance:
             floor = max(1e-6 * np.abs(value).max(), size / (100 * self.cap))
             step = -vector @ ((vector.T @ gradient) / np.maximum(np.abs(value), floor))
             step *= min(1, self.cap / np.linalg.norm(step))
-            part = self._part(place, step, gradient, size)
-            if part == 0:
+            moved = place + self._whole(self._part(place, step, gradient, size) * step)
+            if np.array_equal(moved, place):
                 if size <= 1e-8 * scale:
                     return place  # rounding: the energy cannot tell any more
                 break
-            place = place + self._whole(part * step)
+            place = moved
             if not np.linalg.norm(place[free]) < self.bearing.ball_radius:
                 break
         said = " and moment ({:g}, {:g}) N m".format(*self.moment) if free[3:].any() else ""
