@@ -69,32 +69,30 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
     for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
         k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle, pd)), modulus) for angle in contact.angle]
         assert contact.load == pytest.approx(k * contact.overlap**1.5, rel=1e-7, abs=1e-9)
-    out, into = direction(state.outer.angle, 1), direction(state.inner.angle, -1)
-    scale = max(radial, abs(axial), thrown)
-    balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
-    live = state.outer.load > 0
-    assert balance[live] == pytest.approx(np.zeros((live.sum(), 3)), abs=1e-7 * scale)
-
-    both = state.inner.load > 0
+    out = direction(state.outer.angle, 1)
+    live, both = state.outer.load > 0, state.inner.load > 0
     ball = bearing.groove_circle(OUTER, pd) * u + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
     d = ball - state.shift
-    if finite_shift:  # the distance to the shifted circle itself
+    if finite_shift:  # the distance to the shifted circle itself, along the ring's own radius
         distance = np.hypot(np.hypot(d[:, 0], d[:, 1]) - bearing.groove_circle(INNER), d[:, 2])
         u_ring = d * [1, 1, 0] / np.hypot(d[:, 0], d[:, 1])[:, None]
-        # the solver cuts the circle with the ball's plane, an angle shift/r off the nearest point
-        tolerance = distance.max() * (np.hypot(*state.shift[:2]) / bearing.pitch_radius) ** 2 / 2 + 1e-14
     else:
         centre = (bearing.groove_circle(INNER) + u @ state.shift)[:, None] * u + state.shift[2] * e
-        distance, u_ring, tolerance = np.linalg.norm(ball - centre, axis=1), u, 1e-14
+        distance, u_ring = np.linalg.norm(ball - centre, axis=1), u
     overlap = distance - bearing.groove_gap(INNER)
-    assert overlap[both] == pytest.approx(state.inner.overlap[both], abs=tolerance)
-    assert np.all(overlap[~both & live] <= tolerance)
+    assert overlap[both] == pytest.approx(state.inner.overlap[both], abs=1e-14)
+    assert np.all(overlap[~both & live] <= 1e-14)
 
-    # on the ring, along its own radius
-    force = -(state.inner.load * np.cos(state.inner.angle))[:, None] * u_ring \
-        + (state.inner.load * (into @ e))[:, None] * e
+    into = -np.cos(state.inner.angle)[:, None] * u_ring - np.sin(state.inner.angle)[:, None] * e
+    scale = max(radial, abs(axial), thrown)
+    balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
+    in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[live]  # the cage takes what is across
+    assert in_plane == pytest.approx(np.zeros_like(in_plane), abs=1e-7 * scale)
+
+    force = (state.inner.load[:, None] * into).sum(0)
     load = np.array([radial * np.cos(2.0), radial * np.sin(2.0), axial])
-    assert force.sum(0) + load == pytest.approx(np.zeros(3), abs=(1e-5 if finite_shift else 1e-7) * scale)
+    assert force + load == pytest.approx(np.zeros(3), abs=1e-7 * scale)
+    assert state.force == pytest.approx(force, abs=1e-7 * scale)
     assert state.residual < 1e-7 * scale
 
 
@@ -120,11 +118,11 @@ def test_preload_without_load_is_centred(bearing):
 
 
 def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
-    """A groove circle cut x_t off its diameter is x_t^2/(2 rho) nearer: that takes load off the ball at 80 degrees."""
+    """A ball x_t off the ring's diameter is x_t^2/(2 r) further from its axis: that takes load off the ball at 80 degrees."""
     straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
     sideways = circle.shift[0] * np.sin(np.radians(80))
     squeeze = (circle.inner.overlap + circle.outer.overlap)[2]
-    expected = circle.shift[0] * np.cos(np.radians(80)) - sideways**2 / (2 * bearing.groove_circle(INNER))
+    expected = circle.shift[0] * np.cos(np.radians(80)) - sideways**2 / (2 * bearing.pitch_radius)
     assert squeeze == pytest.approx(expected, rel=1e-5)
     assert circle.inner.load[2] / straight.inner.load[2] == pytest.approx(0.996, abs=5e-4)
 

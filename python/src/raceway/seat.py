@@ -5,11 +5,12 @@ Coordinates are (radial, axial) in m; raceways are counted `INNER`, `OUTER`; Z b
 spring Q = K overlap^1.5 whose energy is convex in the ball's place, and so is their sum with the centrifugal load.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
-from raceway import hertz
+from raceway import circle, hertz
 from raceway.bearing import INNER, OUTER
 from raceway.errors import NoEquilibrium
 
@@ -17,7 +18,8 @@ from raceway.errors import NoEquilibrium
 class Grooves(NamedTuple):
     """What surrounds the balls."""
 
-    centres: np.ndarray  # (2, Z, 2), m: centres of curvature
+    inner: Callable  # balls (Z, 2) -> `circle.Reach` of the inner groove's centres
+    outer: np.ndarray  # (Z, 2), m: centres of curvature of the outer groove
     gap: np.ndarray  # (2,), m: r_c - R_b
     stiffness: np.ndarray  # (2, Z), N/m^1.5
     centrifugal: float  # N, outwards on every ball
@@ -29,70 +31,87 @@ class Touch(NamedTuple):
     distance: np.ndarray  # (2, Z), m, ball to centre of curvature
     direction: np.ndarray  # (2, Z, 2), from ball to raceway
     load: np.ndarray  # (2, Z), N
+    reach: circle.Reach  # of the inner groove
 
 
 def touch(grooves, ball):
     """`Touch` of balls (Z, 2)."""
-    arm = ball - grooves.centres
-    distance = np.linalg.norm(arm, axis=-1)
-    direction = arm / np.maximum(distance, 1e-300)[..., None]
-    return Touch(distance, direction, hertz.load(grooves.stiffness, distance - grooves.gap[:, None]))
+    reach, arm = grooves.inner(ball), ball - grooves.outer
+    length = np.linalg.norm(arm, axis=-1)
+    distance = np.stack([reach.distance, length])
+    direction = np.stack([reach.slope[:, :2], arm / np.maximum(length, 1e-300)[:, None]])
+    return Touch(distance, direction, hertz.load(grooves.stiffness, distance - grooves.gap[:, None]), reach)
+
+
+def along(grooves, touch):
+    """Stiffness (2, Z) of each contact along its line, N/m: 1.5 K overlap^0.5."""
+    return 1.5 * grooves.stiffness * np.sqrt(np.maximum(touch.distance - grooves.gap[:, None], 0))
 
 
 def energy(grooves, ball):
     """Energy (Z,) in J: 2/5 Q overlap of each spring, less the centrifugal load's work."""
-    distance, _, load = touch(grooves, ball)
-    squeeze = np.maximum(distance - grooves.gap[:, None], 0)
-    return 0.4 * (load * squeeze).sum(0) - grooves.centrifugal * (ball[:, 0] - grooves.centres[OUTER, :, 0])
+    now = touch(grooves, ball)
+    squeeze = np.maximum(now.distance - grooves.gap[:, None], 0)
+    return 0.4 * (now.load * squeeze).sum(0) - grooves.centrifugal * (ball[:, 0] - grooves.outer[:, 0])
 
 
-def gradient(grooves, ball):
+def gradient(grooves, touch):
     """Derivative (Z, 2) of the energy, N: minus the force on each ball."""
-    _, direction, load = touch(grooves, ball)
-    result = (load[..., None] * direction).sum(0)
+    result = (touch.load[..., None] * touch.direction).sum(0)
     result[:, 0] -= grooves.centrifugal
     return result
 
 
-def hessian(grooves, touch):
-    """Second derivative (2, Z, 2, 2) of each contact's energy, N/m: the spring along its line of action, Q/s across."""
-    squeeze = np.maximum(touch.distance - grooves.gap[:, None], 0)
-    along = 1.5 * grooves.stiffness * np.sqrt(squeeze)
-    across = touch.load / np.maximum(touch.distance, 1e-300)
-    line = touch.direction[..., :, None] * touch.direction[..., None, :]
-    return along[..., None, None] * line + across[..., None, None] * (np.eye(2) - line)
+def inner_hessian(grooves, touch):
+    """Second derivative (Z, 7, 7) of the inner contacts' energy, N/m, in ball and ring: see `circle`."""
+    slope, curve = touch.reach.slope, touch.reach.curve
+    line = slope[:, :, None] * slope[:, None, :]
+    return along(grooves, touch)[INNER, :, None, None] * line + touch.load[INNER, :, None, None] * curve
+
+
+def outer_hessian(grooves, touch):
+    """Second derivative (Z, 2, 2) of the outer contacts' energy, N/m: the spring along its line of action, Q/s across."""
+    direction = touch.direction[OUTER]
+    line = direction[:, :, None] * direction[:, None, :]
+    across = touch.load[OUTER] / np.maximum(touch.distance[OUTER], 1e-300)
+    return along(grooves, touch)[OUTER, :, None, None] * line + across[:, None, None] * (np.eye(2) - line)
 
 
 def settle(grooves):
     """Places (Z, 2) where every ball is in balance. Raises `NoEquilibrium` should Newton's method not find one."""
-    centres, gap, stiffness, centrifugal = grooves
-    line = centres[INNER] - centres[OUTER]
-    length = np.linalg.norm(line, axis=-1)
-    squeeze = np.maximum(length - gap.sum(), 0)
-    share = squeeze / (1 + (stiffness[INNER] / stiffness[OUTER]) ** (2 / 3))  # of the inner contact
-    between = centres[INNER] - line / np.maximum(length, 1e-300)[:, None] * (gap[INNER] + share)[:, None]
-    if centrifugal == 0:
-        return between  # equal and opposite forces on one line: exact
-    thrown = centres[OUTER].copy()
+    outer, gap, stiffness, centrifugal = grooves.outer, grooves.gap, grooves.stiffness, grooves.centrifugal
+    seen = grooves.inner(outer)
+    line = -seen.distance[:, None] * seen.slope[:, :2]  # to the inner centre, exact where the circle lies in the plane
+    squeeze, play = np.maximum(seen.distance - gap.sum(), 0), np.minimum(seen.distance - gap.sum(), 0)
+    # equal and opposite loads on one line; a ball with play in the middle of it
+    share = squeeze / (1 + (stiffness[INNER] / stiffness[OUTER]) ** (2 / 3)) + play / 2  # of the inner contact
+    between = outer + line * (1 - (gap[INNER] + share) / seen.distance)[:, None]
+    thrown = outer.copy()
     thrown[:, 0] += gap[OUTER] + (centrifugal / stiffness[OUTER]) ** (2 / 3)
-    ball = np.where((squeeze > 0)[:, None], between, thrown)
+    ball = np.where((squeeze > 0)[:, None] | (centrifugal == 0), between, thrown)
     scale = centrifugal + hertz.load(stiffness[OUTER], squeeze)
     longest = 0.25 * gap.sum()  # of a step: small against the groove
-    floor = 1e-9 * centrifugal / longest * np.eye(2)  # keeps a ball that has lost both grooves movable
+    # keeps a ball that has lost a groove, or both, movable
+    floor = (1e-9 * scale.max() + 1e-30) / longest * np.eye(2)
+    digits = 8 * np.spacing(outer[:, 0])
     for _ in range(200):
-        slope = gradient(grooves, ball)
+        now = touch(grooves, ball)
+        slope = gradient(grooves, now)
         size = np.linalg.norm(slope, axis=-1)
-        if np.all(size <= 1e-12 * scale):
+        # distances are known to some last digits of the circle's radius; also where a contact has just closed
+        rounding = 1.5 * (stiffness * np.sqrt(np.maximum(now.distance - gap[:, None], 0) + digits)).sum(0) * digits
+        if np.all(size <= 1e-12 * scale + rounding):
             break
-        curvature = hessian(grooves, touch(grooves, ball)).sum(0)
+        curvature = inner_hessian(grooves, now)[:, :2, :2] + outer_hessian(grooves, now)
         step = -np.linalg.solve(curvature + floor, slope[..., None])[..., 0]
         step *= np.minimum(1, longest / np.maximum(np.linalg.norm(step, axis=-1), 1e-300))[:, None]
         moved = ball + _part(grooves, ball, step, slope)[:, None] * step
         if np.array_equal(moved, ball):
             break
         ball = moved
-    if np.any(size > 1e-7 * scale):
-        raise NoEquilibrium(f"ball {int(np.argmax(size / scale))} finds no balance between its raceways")
+    excess = size - 1e-7 * np.maximum(scale, 1e-6 * scale.max()) - rounding
+    if np.any(excess > 0):
+        raise NoEquilibrium(f"ball {int(np.argmax(excess))} finds no balance between its raceways")
     return ball
 
 
@@ -103,7 +122,7 @@ def _part(grooves, ball, step, slope):
     for _ in range(40):
         trial = ball + part[:, None] * step
         better = energy(grooves, trial) <= here + 1e-4 * part * descent
-        better |= np.linalg.norm(gradient(grooves, trial), axis=-1) < 0.5 * size
+        better |= np.linalg.norm(gradient(grooves, touch(grooves, trial)), axis=-1) < 0.5 * size
         if np.all(better):
             break
         part = np.where(better, part, part / 2)

@@ -152,12 +152,17 @@ def _plain(value):
 
 def table(figures):
     """The mapping of `summary` as text, a topic a block; figures the run has none of are left out."""
-    lines = []
-    for topic, rows in TOPICS.items():
+    return "\n".join(lines(figures, TOPICS))
+
+
+def lines(figures, topics):
+    """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out."""
+    result = []
+    for topic, rows in topics.items():
         block = [_line(row, figures[row.key]) for row in rows if figures[row.key] is not None]
         if block:
-            lines += ["", topic, *block]
-    return "\n".join(lines[1:])
+            result += ["", topic, *block]
+    return result[1:]
 
 
 def _line(row, value):

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Finds data files by name: bearings and lubricants of the `inputs` folder, or a file of the user's own."""
+
+from pathlib import Path
+
+from raceway.inputs import InputError
+
+KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
+
+
+def folder(given=None):
+    """The inputs folder: `given`; else `inputs` here or in a folder above; else that of the source tree this package
+    is installed from. Raises `InputError` when there is none."""
+    if given is not None:
+        if not Path(given).is_dir():
+            raise InputError(f"there is no folder {given}")
+        return Path(given)
+    here = Path.cwd()
+    tree = Path(__file__).resolve().parents[3]
+    for place in (here, *here.parents, tree):
+        if all((place / "inputs" / kind).is_dir() for kind in KINDS):
+            return place / "inputs"
+    raise InputError(f"no folder inputs with bearings and lubricants in {here} or above: give --inputs DIR")
+
+
+def find(kind, name, inputs=None):
+    """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is a path itself.
+
+    `inputs` is a folder or None, see `folder`. Raises `InputError` with what is there.
+    """
+    if "/" in name:
+        path = Path(name)
+        if not path.is_file():
+            raise InputError(f"there is no file {name}")
+        return path
+    shelf = folder(inputs) / kind
+    path = shelf / name
+    if not path.is_file():
+        there = ", ".join(sorted(entry.name for entry in shelf.iterdir() if entry.is_file())) if shelf.is_dir() else "nothing"
+        raise InputError(f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {there}")
+    return path

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Film and capacitance of a bearing at rest in its loads and rolling without slip: statics, kinematics and film together.
+
+Each contact has the entrainment speed of pure rolling at its own contact angle (`kinematics.entrainment`), the film
+of its elastic load after Masjedi and Khonsari (eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway import capacitance, film, hertz, kinematics
+from raceway.bearing import INNER, OUTER
+from raceway.static import equilibrium
+
+
+class Film(NamedTuple):
+    """One raceway's films, arrays (Z,) of one value a ball; zero where there is no contact."""
+
+    entrainment: np.ndarray  # m/s
+    h_min: np.ndarray  # m
+    h_c: np.ndarray  # m
+    ratio: np.ndarray  # Lambda
+    capacitance: np.ndarray  # F
+
+
+class Lubrication(NamedTuple):
+    """Films of both raceways and what a bridge measures."""
+
+    inner: Film
+    outer: Film
+    ball: np.ndarray  # (Z,), F: inner and outer in series (eq 12)
+    total: float  # F: all balls in parallel (eq 12), no background
+
+
+def lubricate(bearing, state, oil, spin, clearance=0.0):
+    """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s; `clearance` as there, m.
+
+    >>> from raceway.bearing import Bearing
+    >>> from raceway.inputs import Oil
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> oil = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)
+    >>> films = lubricate(b, equilibrium(b, 5000.0), oil, 50.0)
+    >>> (1e9 * films.inner.h_min).round(1).tolist()[:3], round(1e12 * float(films.total), 1)  # nm, pF
+    ([140.7, 144.4, 166.7], 303.5)
+    """
+    sides = [_film(bearing, side, contact, oil, spin, clearance) for side, contact in ((INNER, state.inner), (OUTER, state.outer))]
+    ball = capacitance.ball(sides[INNER].capacitance, sides[OUTER].capacitance)
+    return Lubrication(*sides, ball, float(np.sum(ball)))
+
+
+def _film(bearing, side, contact, oil, spin, clearance):
+    live = contact.load > 0
+    values = np.zeros((5, len(live)))
+    angle = contact.angle[live]
+    r_x, r_y = bearing.effective_radii(side, angle, clearance)
+    speed = kinematics.entrainment(bearing, spin, angle)
+    group = film.group(oil.viscosity, oil.pressure_viscosity, bearing.effective_modulus, r_x, hertz.exact(r_x, r_y).kappa,
+                       speed, contact.load[live])
+    h_min, h_c = film.h_min(r_x, group), film.h_c(r_x, group)
+    electric = capacitance.contact(oil.permittivity, contact.pressure[live], contact.a[live], contact.b[live], h_c)
+    values[:, live] = speed, h_min, h_c, film.ratio(h_min, oil.roughness), electric
+    return Film(*values)
+
+
+def orbit(bearing, state, spin):
+    """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean contact angle, weighted
+    with the loads of both raceways, since one cage carries all balls (Harris, ch. 10)."""
+    load = np.concatenate([state.inner.load, state.outer.load])
+    cosine = np.cos(np.concatenate([state.inner.angle, state.outer.angle]))
+    return spin * kinematics.frequencies(bearing, np.arccos(np.average(cosine, weights=load))).cage
+
+
+def turning(bearing, spin, *loads, **options):
+    """(`Equilibrium`, orbital speed in rad/s) with the centrifugal load of balls that roll at `spin` rad/s of the inner
+    ring; loads and options as `static.equilibrium`'s. The contact angles decide the speed and the speed the angles."""
+    speed = spin * kinematics.frequencies(bearing).cage
+    for _ in range(30):
+        state = equilibrium(bearing, *loads, orbital_speed=speed, **options)
+        before, speed = speed, orbit(bearing, state, spin)
+        if abs(speed - before) <= 1e-9 * abs(spin):
+            break
+    return state, before
