@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures 8a and 9: capacitance of one ball around the ring."""
+
+import numpy as np
+import pandas as pd
+from matplotlib import colormaps
+
+from raceway.paper import panel
+from raceway.paper.reading import GRID, gridded
+from raceway.style import PALETTE
+
+
+def by_load(book):
+    """Fig 8a: radial loads of 1 to 7 kN."""
+    runs = book.readings.all("loads")
+    figure, (axes,) = panel.page("Capacitance of one ball around the ring",
+                                 "6208, mineral oil, $U_r$ = 0.41 m/s, no clearance; without the 30 pF the paper adds")
+    table, shades = pd.DataFrame({"psi_deg": GRID}), colormaps["viridis_r"](np.linspace(0.08, 1, len(runs)))
+    for run, shade in zip(runs, shades):
+        value = gridded(*run.ball_capacitance())
+        table[f"{run.given['load']}_N_F"] = value
+        axes.plot(GRID, value * 1e12, color=shade, lw=2.2, label=f"{run.given['load'] / 1000:g} kN")
+    _finish(axes, table, "radial load")
+    return figure, table
+
+
+def by_clearance(book):
+    """Fig 9: three kinds of clearance."""
+    runs = book.readings.all("clearances")
+    figure, (axes,) = panel.page("Capacitance of one ball around the ring",
+                                 "6208, mineral oil, 5 kN, $U_r$ = 0.41 m/s; without the 30 pF the paper adds")
+    table = pd.DataFrame({"psi_deg": GRID})
+    for run, colour in zip(runs, PALETTE):
+        ratio, value = run.given["clearance_ratio"], gridded(*run.ball_capacitance())
+        table[f"ratio_{ratio:+g}_F"] = value
+        label = f"{ratio:+g}" if ratio else "0"
+        axes.plot(GRID, value * 1e12, color=colour, lw=2.2, label=f"{label}, ε = {run.figures['load_parameter']:.2f}".replace("-", "−"))
+    _finish(axes, table, "$P_d/D$, load parameter")
+    return figure, table
+
+
+def _finish(axes, table, title):
+    panel.ring_axis(axes)
+    axes.set(ylabel="capacitance of one ball (pF)", ylim=(0, panel.scale(table.iloc[:, 1:]) * 1.15e12))
+    panel.legend(axes, "upper left", title=title, fontsize=9.5, title_fontsize=9.5, labelspacing=0.35)
