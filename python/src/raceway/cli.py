@@ -9,6 +9,7 @@ import warnings
 from pathlib import Path
 
 from raceway import __version__
+from raceway.commands import paper
 from raceway.errors import RacewayError, RunWarning
 from raceway.run import Run
 from raceway.summary import summary, table
@@ -46,6 +47,8 @@ def _parser():
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
     one.add_argument("--out", metavar="PNG", help="where to put it (default: DIR/overview.png)")
     one.set_defaults(command=_plot)
+    for module in (paper,):
+        module.add(commands)
     return parser
 
 

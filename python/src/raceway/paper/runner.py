@@ -43,16 +43,22 @@ class Outcome:
 
 
 class Runner:
-    """Runs the cases of one source tree; results stay in `store`, a folder for each."""
+    """Runs the cases of one source tree; results stay in `store`, a folder for each state of program and inputs."""
 
     def __init__(self, tree, store):
-        self.tree, self.store = tree, Path(store).resolve()
-        self.state = _digest(tree)
+        self.tree, self.state = tree, _digest(tree)[:16]
+        self.store = Path(store).resolve() / self.state
 
     def folder(self, case):
         """Where a case's results are; there once it has run to its end."""
-        key = hashlib.sha256(repr((self.state, case.deck, case.settings)).encode()).hexdigest()[:16]
+        key = hashlib.sha256(repr((case.deck, case.settings)).encode()).hexdigest()[:16]
         return self.store / f"{Path(case.deck).name[3:]}-{key}"
+
+    def forget(self):
+        """Remove the results of other states of program and inputs."""
+        for old in self.store.parent.glob("[0-9a-f]" * 16):
+            if old != self.store:
+                shutil.rmtree(old, ignore_errors=True)
 
     def run(self, case):
         """Run one case unless its results are there; return its folder. Raises `CaseError`."""

@@ -5,7 +5,7 @@ import numpy as np
 
 from raceway.bearing import INNER
 from raceway.capacitance import VACUUM
-from raceway.paper import theory
+from raceway.paper import sensitivity, theory
 from raceway.paper.quantity import Quantity
 from raceway.paper.reading import GRID, gridded
 
@@ -71,7 +71,10 @@ def _same(book, curve):
     pair = [runs.one("speeds", lubricant=oil, load=5000, entrainment=0.41) for oil in ("pao48", "mineral")]
     oils = {run.given["lubricant"]: theory.contact(b, book.oils[run.given["lubricant"]], INNER, run.top(INNER, "load"), 0.41)
             for run in pair}
+    low, high = sensitivity.oils_ratio(book, "pao48", "mineral")
     return {
+        "pao_low": Quantity(low, "", "over the plausible ranges of both oils at 5 kN, 0.41 m/s: from"),
+        "pao_high": Quantity(high, "", "to"),
         "plates": Quantity(np.abs(plates - 1).max(), "%", "$C h_c/(ε_0 ε_r π a b)$ off one, at most"),
         "mirror": Quantity(mirrored, "%", "one ball's curve against its mirror image from other balls"),
         "loaded_zone": Quantity(np.abs(psi[value > 0]).max(), "°", "largest |ψ| with capacitance, no clearance"),

@@ -54,6 +54,7 @@ def _same(book, run):
                                   "largest load, Verlet against implicit"),
         "explicit_capacitance": Quantity(explicit.figures["capacitance_F"] / run.figures["capacitance_F"] - 1, "%",
                                          "capacitance, Verlet against implicit"),
+        "p_outer_unloaded": Quantity(np.interp(180.0, *run.around(OUTER, "pressure")), "Pa", "outer pressure opposite the load"),
         "implicit_step": Quantity(run.figures["step_s"], "s", "implicit step"),
         "explicit_step": Quantity(explicit.figures["step_s"], "s", "Verlet step"),
         "angle_error": Quantity((free["angle_deg"] / free["angle_A3_deg"] - 1).abs().max(), "%",
