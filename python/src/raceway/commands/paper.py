@@ -24,9 +24,9 @@ def add(commands):
     """Put the subcommand under `commands`."""
     one = commands.add_parser("paper", help="figures, tables and statements of the paper", description=DESCRIPTION,
                               epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
-    one.add_argument("--out", metavar="DIR", type=Path, default=Path("build/paper"),
+    one.add_argument("--out", metavar="DIR", type=Path,
                      help="where figures and tables go (default: build/paper)")
-    one.add_argument("--runs", metavar="DIR", type=Path, default=Path("build/paper/runs"),
+    one.add_argument("--runs", metavar="DIR", type=Path,
                      help="where runs are kept (default: build/paper/runs)")
     one.add_argument("--jobs", metavar="N", type=_jobs, default=len(os.sched_getaffinity(0)),
                      help="runs at a time (default: one a core, %(default)s)")
@@ -50,10 +50,10 @@ def run(arguments):
         raise RacewayError(f"no figure or table {', '.join(unknown)}; there are {', '.join(plan.products)}")
     products = arguments.products or list(plan.products)
     wanted = plan.needed(products)
-    runs = runner.Runner(tree, tree / arguments.runs)
+    runs = runner.Runner(tree, arguments.runs or tree / "build/paper/runs")
     runs.forget()
     outcome = runs.run_all(wanted, arguments.jobs, _progress(len(wanted)))
-    missing = _make(products, plan, tree, outcome, tree / arguments.out)
+    missing = _make(products, plan, tree, outcome, arguments.out or tree / "build/paper")
     if outcome.failures or missing:
         raise RacewayError(f"{len(outcome.failures)} of {len(wanted)} cases failed"
                            + (f"; not made: {', '.join(missing)}" if missing else ""))
@@ -72,7 +72,7 @@ def _make(products, plan, tree, outcome, out):
             continue
         try:
             for path in press.make(name, book, out):
-                print(path)
+                print(os.path.relpath(path))
         except RacewayError as error:
             print(f"raceway: {name}: {error}", file=sys.stderr)
             missing.append(name)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makes the products and writes them: PNG and CSV of a figure, CSV of a table, CSV and reStructuredText of the statements.
+"""Makes the products and writes them: PNG and CSV of a figure, CSV and reStructuredText of a table, CSV and reStructuredText of the statements.
 
 A file appears whole or not at all.
 """
 
 import os
-import re
+from collections import Counter
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -15,6 +15,7 @@ from raceway import style
 from raceway.errors import RacewayError
 from raceway.paper import quantities, statements
 from raceway.paper.figures import FIGURES
+from raceway.paper.shown import list_table, markup, plain, table as shown_table
 from raceway.paper.tables import TABLES
 
 STATEMENTS = "statements"
@@ -36,43 +37,41 @@ def make(product, book, out):
             picture = _whole(out / f"fig_{product}.png", lambda path: style.save(figure, path))
         return [picture, _csv(out / f"fig_{product}.csv", table)]
     if product in TABLES:
-        return [_csv(out / f"{product.replace('-', '_')}.csv", TABLES[product](book))]
+        data, stem = TABLES[product](book), product.replace("-", "_")
+        return [_csv(out / f"{stem}.csv", data), _text(out / f"{stem}.inc", shown_table(data))]
     return _statements(book, out)
 
 
 def _statements(book, out):
     corrected, printed = quantities.measure(book), quantities.measure(book, printed=True)
     judged = [statements.judge(one, corrected, printed) for one in statements.read()]
-    numbers = pd.DataFrame([(form, name, one.value, one.unit, _plain(one.label))
+    numbers = pd.DataFrame([(form, name, one.value, one.unit, plain(one.label))
                             for form, some in (("corrected", corrected), ("printed", printed)) for name, one in some.items()],
                            columns=["formulas", "quantity", "value", "unit", "label"])
-    table = pd.DataFrame(judged).map(_plain)
+    table = pd.DataFrame(judged).map(plain)
     return [_csv(out / "statements.csv", table), _csv(out / "quantities.csv", numbers),
-            _text(out / "statements.rst", rst(judged))]
+            _text(out / "statements.inc", rst(judged))]
 
 
 def rst(judged):
     """The statements as a list-table."""
-    lines = [".. written by `raceway paper`; do not edit", "", ".. list-table::", "   :header-rows: 1",
-             f"   :widths: {' '.join(str(width) for _, width in HEAD)}", ""]
     rows = [[name for name, _ in HEAD]]
     for one in judged:
-        corrected = ": ".join(part for part in (f"**{one.corrected}**", _markup(one.corrected_numbers)) if part)
-        printed = ": ".join(part for part in (f"**{one.printed}**" if one.printed != statements.SAME else one.printed,
-                                              _markup(one.printed_numbers)) if part)
-        rows.append([_markup(one.where), _markup(one.says), corrected, printed, _markup(one.why)])
-    for row in rows:
-        lines += [("   * - " if at == 0 else "     - ") + cell for at, cell in enumerate(row)]
-    return "\n".join(lines) + "\n"
+        verdicts = [" – ".join(part for part in (name if name == statements.SAME else f"**{name}**", markup(numbers)) if part)
+                    for name, numbers in ((one.corrected, one.corrected_numbers), (one.printed, one.printed_numbers))]
+        rows.append([markup(one.where), markup(one.says), *verdicts, markup(one.why)])
+    return f"{_count(judged)}\n\n" + list_table(rows, [width for _, width in HEAD])
 
 
-def _markup(text):
-    text = re.sub(r"([*|`])", r"\\\1", text)
-    return re.sub(r"\$([^$]+)\$", r":math:`\1`", text)
+def _count(judged):
+    totals = Counter(one.corrected for one in judged)
+    printed = Counter(one.corrected if one.printed == statements.SAME else one.printed for one in judged)
+    return (f"{len(judged)} statements. From the corrected formulas " + _listing(totals)
+            + "; from the formulas as printed " + _listing(printed) + ".")
 
 
-def _plain(text):
-    return re.sub(r"[${}]", "", text)
+def _listing(totals):
+    return ", ".join(f"{totals[name]} {name}" for name in (statements.AGREE, statements.DIFFER, statements.UNKNOWN))
 
 
 def _csv(path, table):

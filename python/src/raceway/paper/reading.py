@@ -79,6 +79,11 @@ class Reading:
         touching = np.count_nonzero(gap < 0, axis=(1, 2))
         return float(touching.mean() / (2 * count))
 
+    def coulomb_use(self):
+        """Largest friction force over mu times normal force of all contacts."""
+        contacts = self.run.contacts[self.run.contacts["normal"] > 0]
+        return float((contacts["friction"].abs() / (contacts["mu"] * contacts["normal"])).max())
+
     def spin(self):
         """Mean spin in rad/s of a ball about the bearing's axis, against the inner ring's sense."""
         balls = self.run.balls

@@ -16,6 +16,9 @@ from raceway.paper import passage, theory
 from raceway.paper.book import OILS
 
 LOAD, SPEED = 5000.0, 0.41
+# the properties of `Oil` as columns of a table
+COLUMN = {"viscosity": "viscosity_Pa_s", "pressure_viscosity": "pressure_viscosity_per_Pa", "permittivity": "permittivity",
+          "roughness": "roughness_m"}
 FILE = "inputs/paper/ranges.yaml"
 
 
@@ -24,7 +27,7 @@ def ranges(book):
     path = book.root / FILE
     try:
         data = yaml.safe_load(path.read_text())
-        return {oil: {name: tuple(float(end) for end in data[oil][name]) for name in Oil._fields} for oil in OILS}
+        return {oil: {name: tuple(float(end) for end in data[oil][name]) for name in COLUMN} for oil in OILS}
     except OSError as error:
         raise InputError(f"cannot read {path}: {error.strerror or error}") from None
     except (yaml.YAMLError, KeyError, TypeError, ValueError) as error:
@@ -36,11 +39,11 @@ def outcome(book, oil):
     bearing = book.bearing
     inner = theory.contact(bearing, oil, INNER, theory.largest_load(bearing, LOAD), SPEED)
     return {
-        "h_min_m": float(inner.h_min), "lambda": float(inner.h_min / oil.roughness),
-        "ball_F": float(theory.ball(bearing, oil, theory.largest_load(bearing, LOAD), SPEED)),
-        "bearing_F": theory.bearing_capacitance(bearing, oil, LOAD, SPEED),
-        "passage_m_s": passage.speed(bearing, oil, LOAD, oil.roughness),
-        "passage_F": passage.capacitance(bearing, oil, LOAD, oil.roughness),
+        "inner_film_m": float(inner.h_min), "film_parameter": float(inner.h_min / oil.roughness),
+        "ball_capacitance_F": float(theory.ball(bearing, oil, theory.largest_load(bearing, LOAD), SPEED)),
+        "bearing_capacitance_F": theory.bearing_capacitance(bearing, oil, LOAD, SPEED),
+        "speed_at_lambda_1_m_s": passage.speed(bearing, oil, LOAD, oil.roughness),
+        "capacitance_at_lambda_1_F": passage.capacitance(bearing, oil, LOAD, oil.roughness),
     }
 
 
@@ -48,17 +51,26 @@ def table(book):
     """DataFrame: oil, property, value, by (theory or simulation), and the columns of `outcome`."""
     rows = []
     for name, oil in book.oils.items():
-        rows.append({"oil": name, "property": "as used", "value": "", "by": "theory"} | outcome(book, oil))
+        rows.append({"oil": name, "property": "as used", "value": np.nan, "by": "theory"} | outcome(book, oil))
         for what, ends in ranges(book)[name].items():
-            rows += [{"oil": name, "property": what, "value": f"{end:.4g}", "by": "theory"}
+            rows += [{"oil": name, "property": COLUMN[what], "value": end, "by": "theory"}
                      | outcome(book, oil._replace(**{what: end})) for end in ends]
     for run in book.readings.all("sensitivity"):
         figures = run.figures
-        rows.append({"oil": run.given["lubricant"], "property": "pressure_viscosity",
-                     "value": f"{run.given['pressure_viscosity']:.4g}", "by": "simulation", "h_min_m": run.top(INNER, "h_min"),
-                     "lambda": run.top(INNER, "lambda"), "ball_F": run.top_capacitance(), "bearing_F": figures["capacitance_F"],
-                     "passage_m_s": np.nan, "passage_F": np.nan})
+        rows.append({"oil": run.given["lubricant"], "property": COLUMN["pressure_viscosity"],
+                     "value": run.given["pressure_viscosity"], "by": "simulation", "inner_film_m": run.top(INNER, "h_min"),
+                     "film_parameter": run.top(INNER, "lambda"), "ball_capacitance_F": run.top_capacitance(),
+                     "bearing_capacitance_F": figures["capacitance_F"]})
     return pd.DataFrame(rows)
+
+
+def power(book, what):
+    """How a ball's capacitance goes with one property of the mineral oil: d log C/d log property."""
+    oil, step = book.oils["mineral"], 1.01
+    q = theory.largest_load(book.bearing, LOAD)
+    more, less = (theory.ball(book.bearing, oil._replace(**{what: getattr(oil, what) * factor}), q, SPEED)
+                  for factor in (step, 1 / step))
+    return float(np.log(more / less) / (2 * np.log(step)))
 
 
 def oils_ratio(book, first, second):

@@ -82,7 +82,7 @@ def _verdict(statement, quantities):
         verdict = AGREE if all(holds(rule, numbers) for rule in statement.rules) else DIFFER
     else:
         verdict = UNKNOWN
-    return verdict, "; ".join(f"{quantities[name].label} {quantities[name].text}" for name in statement.show)
+    return verdict, "; ".join(f"{quantities[name].label}: {quantities[name].text}" for name in statement.show)
 
 
 def _number(text, numbers):

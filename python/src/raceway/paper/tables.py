@@ -14,10 +14,11 @@ GROOVES = {0.08: 6.804e-3, 0.10: 6.93e-3, 0.12: 7.056e-3, 0.14: 7.182e-3}  # tab
 
 def oils(book):
     """Oils in place of the lost table 2: value used and plausible range."""
-    ends = sensitivity.ranges(book)
-    return pd.DataFrame([(OILS[name], what, getattr(oil, what), *ends[name][what])
-                         for name, oil in book.oils.items() for what in oil._fields],
-                        columns=["oil", "property", "used", "low", "high"])
+    rows = []
+    for name, oil in book.oils.items():
+        low, high = zip(*sensitivity.ranges(book)[name].values())
+        rows += [(OILS[name], "as used", *oil), (OILS[name], "low end of the plausible", *low), (OILS[name], "high end", *high)]
+    return pd.DataFrame(rows, columns=["oil", "values", *sensitivity.COLUMN.values()])
 
 
 def load_parameters(book):

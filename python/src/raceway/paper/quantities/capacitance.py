@@ -74,6 +74,8 @@ def _same(book, curve):
     low, high = sensitivity.oils_ratio(book, "pao48", "mineral")
     return {
         "pao_low": Quantity(low, "", "over the plausible ranges of both oils at 5 kN, 0.41 m/s: from"),
+        "viscosity_power": Quantity(sensitivity.power(book, "viscosity"), "", "power of the viscosity in C"),
+        "permittivity_power": Quantity(sensitivity.power(book, "permittivity"), "", "of the permittivity"),
         "pao_high": Quantity(high, "", "to"),
         "plates": Quantity(np.abs(plates - 1).max(), "%", "$C h_c/(ε_0 ε_r π a b)$ off one, at most"),
         "mirror": Quantity(mirrored, "%", "one ball's curve against its mirror image from other balls"),

@@ -23,5 +23,6 @@ def measure(book, printed):
         "bsf": Quantity(spin / orders.spin - 1, "%", f"BSF against {orders.spin:.4f}"),
         "cage_contact": Quantity(run.cage_contact_share(b.ball_radius, CAGE_BALL), "%",
                                  "neighbouring balls and cage balls in touch"),
+        "coulomb": Quantity(run.coulomb_use(), "", "largest friction over μ $F_n$"),
         "entrainment_run": Quantity(run.figures["entrainment_speed_m_s"], "m/s", "$U_r$ of the run at 477.5 rpm"),
     }

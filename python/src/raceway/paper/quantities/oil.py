@@ -8,6 +8,8 @@ from raceway.paper import passage
 from raceway.paper.figures.regime import PASSAGE, curves
 from raceway.paper.quantity import Quantity
 
+SHORT = {"mineral": "mineral", "pao48": "PAO"}
+
 
 def measure(book, printed):
     """See `quantities`."""
@@ -21,15 +23,15 @@ def measure(book, printed):
         "h_outer": Quantity(fast.top(OUTER, "h_min"), "m", "outer $h_{min}$")}
     bound = curves(book, printed)
     for name, rows in bound.items():
-        result[f"lambda_least_{name}"] = Quantity(rows["lambda"].min(), "", f"least $Λ_f$, {name}")
-        result[f"lambda_most_{name}"] = Quantity(rows["lambda"].max(), "", f"largest $Λ_f$, {name}")
+        result[f"lambda_least_{name}"] = Quantity(rows["lambda"].min(), "", f"least $Λ_f$, {SHORT[name]}")
+        result[f"lambda_most_{name}"] = Quantity(rows["lambda"].max(), "", f"largest $Λ_f$, {SHORT[name]}")
         result[f"passage_speed_{name}"] = Quantity(
-            np.exp(np.interp(0.0, np.log(rows["lambda"]), np.log(rows["entrainment_m_s"]))), "m/s", f"$U_r$ at Λ = 1, {name}")
+            np.exp(np.interp(0.0, np.log(rows["lambda"]), np.log(rows["entrainment_m_s"]))), "m/s", f"$U_r$ at Λ = 1, {SHORT[name]}")
         result[f"passage_capacitance_{name}"] = Quantity(
-            np.exp(np.interp(0.0, np.log(rows["lambda"]), np.log(rows["capacitance_F"]))), "F", f"bearing at Λ = 1, {name}")
+            np.exp(np.interp(0.0, np.log(rows["lambda"]), np.log(rows["capacitance_F"]))), "F", f"bearing at Λ = 1, {SHORT[name]}")
         for whole, word in ((True, "bearing"), (False, "ball")):
             needed = passage.roughness(b, oils[name], 5000.0, PASSAGE, whole, printed)
-            result[f"roughness_{word}_{name}"] = Quantity(needed, "m", f"roughness for it, {name}")
+            result[f"roughness_{word}_{name}"] = Quantity(needed, "m", f"roughness for it, {SHORT[name]}")
     result["passage_oils"] = Quantity(result["passage_capacitance_pao48"].value
                                       / result["passage_capacitance_mineral"].value, "", "PAO over mineral at Λ = 1")
     result["lambda_oils"] = Quantity((bound["mineral"]["lambda"] / bound["pao48"]["lambda"]).min(), "",
@@ -39,7 +41,9 @@ def measure(book, printed):
     if not printed:
         slow = [runs.some("speeds", lubricant="pao48", load=load)[0] for load in (5000, 1000)]
         quick = runs.some("speeds", lubricant="pao48", load=1000)[-1]
+        soft, stiff = (runs.one("sensitivity", pressure_viscosity=xi).top(INNER, "h_min") for xi in (20e-9, 25e-9))
         result |= {
+            "piezo_film": Quantity(stiff / soft, "", "$h_{min}$ at ξ = 25 over that at 20 /GPa"),
             "lambda_heavy_slow": Quantity(slow[0].top(INNER, "lambda"), "", "$Λ_f$ at 5 kN, 0.02 m/s"),
             "lambda_light_slow": Quantity(slow[1].top(INNER, "lambda"), "", "at 1 kN, 0.02 m/s"),
             "lambda_light_fast": Quantity(quick.top(INNER, "lambda"), "", "at 1 kN, 1.2 m/s"),
