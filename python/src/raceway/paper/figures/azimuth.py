@@ -5,9 +5,9 @@ import numpy as np
 import pandas as pd
 from matplotlib import colormaps
 
-from raceway.paper import panel
+from raceway.paper import panel, theory
 from raceway.paper.reading import GRID, gridded
-from raceway.style import PALETTE
+from raceway.style import INK, PALETTE
 
 
 def by_load(book):
@@ -19,7 +19,8 @@ def by_load(book):
     for run, shade in zip(runs, shades):
         value = gridded(*run.ball_capacitance())
         table[f"{run.given['load']}_N_F"] = value
-        axes.plot(GRID, value * 1e12, color=shade, lw=2.2, label=f"{run.given['load'] / 1000:g} kN")
+        axes.plot(GRID, value * 1e12, color=shade, lw=2.8, label=f"{run.given['load'] / 1000:g} kN")
+        table[f"{run.given['load']}_N_static_F"] = _static(axes, book, run)
     _finish(axes, table, "radial load")
     return figure, table
 
@@ -34,12 +35,24 @@ def by_clearance(book):
         ratio, value = run.given["clearance_ratio"], gridded(*run.ball_capacitance())
         table[f"ratio_{ratio:+g}_F"] = value
         label = f"{ratio:+g}" if ratio else "0"
-        axes.plot(GRID, value * 1e12, color=colour, lw=2.2, label=f"{label}, ε = {run.figures['load_parameter']:.2f}".replace("-", "−"))
+        axes.plot(GRID, value * 1e12, color=colour, lw=2.8, label=f"{label}, ε = {run.figures['load_parameter']:.2f}".replace("-", "−"))
+        table[f"ratio_{ratio:+g}_static_F"] = _static(axes, book, run)
     _finish(axes, table, "$P_d/D$, load parameter")
     return figure, table
+
+
+def _static(axes, book, run):
+    """Draw what static theory says of a run's oil, load and clearance; return it on `GRID`, F."""
+    gap = run.given.get("clearance_ratio", 0) * book.bearing.ball_diameter
+    psi, load, _ = theory.loads(book.bearing, float(run.given["load"]), gap)
+    order = np.argsort(psi, axis=None)
+    value = theory.ball(book.bearing, book.oils[run.given["lubricant"]], load.flat[order], run.given["entrainment"], gap)
+    axes.plot(psi.flat[order], value * 1e12, color=INK, lw=0.9, ls=(0, (4, 3)), zorder=3)
+    return np.interp(GRID, psi.flat[order], value, period=360)
 
 
 def _finish(axes, table, title):
     panel.ring_axis(axes)
     axes.set(ylabel="capacitance of one ball (pF)", ylim=(0, panel.scale(table.iloc[:, 1:]) * 1.15e12))
+    axes.plot([], [], color=INK, lw=0.9, ls=(0, (4, 3)), label="static theory")
     panel.legend(axes, "upper left", title=title, fontsize=9.5, title_fontsize=9.5, labelspacing=0.35)

@@ -46,7 +46,7 @@ def around(book):
         rest = np.nan_to_num(theory.contact(bearing, book.oils["pao48"], side, load, 1.0).pressure)
         table[f"{SIDE[side]}_Pa"] = value
         table[f"{SIDE[side]}_static_Pa"] = np.interp(GRID, psi.flat[order], rest.flat[order], period=360)
-        axes.plot(GRID, value * 1e-9, color=COLOUR[side], lw=3.2, label=NAME[side])
+        axes.plot(GRID, value * 1e-9, color=COLOUR[side], lw=4.5, label=NAME[side])
         panel.theory(axes, psi.flat[order], rest.flat[order] * 1e-9, "static theory" if side == OUTER else None)
         most = max(most, value.max())
     panel.ring_axis(axes)
