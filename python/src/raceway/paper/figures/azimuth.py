@@ -15,7 +15,7 @@ def by_load(book):
     runs = book.readings.all("loads")
     figure, (axes,) = panel.page("Capacitance of one ball around the ring",
                                  "6208, mineral oil, $U_r$ = 0.41 m/s, no clearance; without the 30 pF the paper adds")
-    table, shades = pd.DataFrame({"psi_deg": GRID}), colormaps["viridis_r"](np.linspace(0.08, 1, len(runs)))
+    table, shades = pd.DataFrame({"psi_deg": GRID}), colormaps["viridis_r"](np.linspace(0.08, 0.8, len(runs)))
     for run, shade in zip(runs, shades):
         value = gridded(*run.ball_capacitance())
         table[f"{run.given['load']}_N_F"] = value
