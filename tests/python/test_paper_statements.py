@@ -93,7 +93,7 @@ def test_gridded():
 
 
 @pytest.mark.parametrize(("value", "unit", "text"), [
-    (-0.0004, "%", "−0.04 %"), (4.41e-5, "m", "44.1 µm"), (2.571e9, "Pa", "2.57 GPa"), (270.05, "rpm", "270.1 rpm"),
+    (-0.0004, "%", "−0.04 %"), (4.41e-5, "m", "44.1 µm"), (2.5713e9, "Pa", "2.571 GPa"), (270.05, "rpm", "270.1 rpm"),
     (12.006, "°", "12.01°"), (0.31904, "", "0.319")])
 def test_quantity_text(value, unit, text):
     assert Quantity(value, unit, "").text == text

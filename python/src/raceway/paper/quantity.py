@@ -15,9 +15,9 @@ class Quantity(NamedTuple):
 
     @property
     def text(self):
-        """For people, three digits and an SI prefix."""
+        """For people, four digits and an SI prefix; shares three."""
         if self.unit == "%":
             return f"{100 * self.value:.3g} %".replace("-", "−")
         plain = not self.unit or self.unit in ("°", "rpm", "rad/s")
-        shown = f"{self.value:.4g} {self.unit}".strip() if plain else prefixed(self.value, self.unit, 3)
+        shown = f"{self.value:.4g} {self.unit}".strip() if plain else prefixed(self.value, self.unit)
         return shown.replace("-", "−").replace(" °", "°")

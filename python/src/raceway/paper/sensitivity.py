@@ -48,7 +48,10 @@ def outcome(book, oil):
 
 
 def table(book):
-    """DataFrame: oil, property, value, by (theory or simulation), and the columns of `outcome`."""
+    """Sensitivity to what is lost: oils and roughness.
+
+    DataFrame: oil, property, value, by (theory or simulation), and the columns of `outcome`.
+    """
     rows = []
     for name, oil in book.oils.items():
         rows.append({"oil": name, "property": "as used", "value": np.nan, "by": "theory"} | outcome(book, oil))

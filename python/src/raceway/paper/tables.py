@@ -13,7 +13,7 @@ GROOVES = {0.08: 6.804e-3, 0.10: 6.93e-3, 0.12: 7.056e-3, 0.14: 7.182e-3}  # tab
 
 
 def oils(book):
-    """Oils in place of the lost table 2: value used and plausible range."""
+    """Table 2 is lost: the oils used instead, and their plausible range."""
     rows = []
     for name, oil in book.oils.items():
         low, high = zip(*sensitivity.ranges(book)[name].values())
@@ -22,7 +22,7 @@ def oils(book):
 
 
 def load_parameters(book):
-    """Table 3: load parameter by clearance, of the paper, of the simulation, of theory, and with the printed formulas."""
+    """Table 3: clearance and load parameter: paper, simulation, theory, printed formulas."""
     rows = []
     for run, printed in zip(book.readings.all("clearances"), book.readings.all("clearances_printed")):
         ratio = run.given["clearance_ratio"]
@@ -33,7 +33,7 @@ def load_parameters(book):
 
 
 def grooves(book):
-    """Table A.1: grooves by total curvature, with free contact angle and endplay at P_d/D = 0.0035."""
+    """Table A.1: grooves by total curvature, with free contact angle and endplay."""
     free, diameter = measured(book), book.bearing.ball_diameter
     free = free[(free["clearance_m"] / diameter - 0.0035).abs() < 1e-9].copy()
     radius = [cases.groove(book.bearing, curvature) for curvature in free["total_curvature"]]

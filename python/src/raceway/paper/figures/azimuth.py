@@ -11,7 +11,7 @@ from raceway.style import INK, PALETTE
 
 
 def by_load(book):
-    """Fig 8a: radial loads of 1 to 7 kN."""
+    """Fig 8a: capacitance of one ball around the ring, radial loads of 1 to 7 kN."""
     runs = book.readings.all("loads")
     figure, (axes,) = panel.page("Capacitance of one ball around the ring",
                                  "6208, mineral oil, $U_r$ = 0.41 m/s, no clearance; without the 30 pF the paper adds")
@@ -26,7 +26,7 @@ def by_load(book):
 
 
 def by_clearance(book):
-    """Fig 9: three kinds of clearance."""
+    """Fig 9: capacitance of one ball around the ring, three kinds of clearance."""
     runs = book.readings.all("clearances")
     figure, (axes,) = panel.page("Capacitance of one ball around the ring",
                                  "6208, mineral oil, 5 kN, $U_r$ = 0.41 m/s; without the 30 pF the paper adds")

@@ -13,7 +13,7 @@ BACKGROUND = 30e-12  # F, as the paper adds (section 4.1)
 
 
 def by_load(book):
-    """Fig 8b: a ball on the load line against the radial load."""
+    """Fig 8b: capacitance of a ball on the load line against the radial load."""
     bearing, oil = book.bearing, book.oils["mineral"]
     figure, (axes,) = panel.page("Capacitance on the load line against the load",
                                  "6208, mineral oil, $U_r$ = 0.41 m/s, no clearance, one ball at ψ = 0")
@@ -37,12 +37,12 @@ def by_load(book):
 
 
 def mineral(book):
-    """Fig 10a."""
+    """Fig 10a: capacitance on the load line against entrainment speed, mineral oil."""
     return _by_speed(book, "mineral")
 
 
 def pao(book):
-    """Fig 10b."""
+    """Fig 10b: the same, PAO VG48."""
     return _by_speed(book, "pao48")
 
 
@@ -72,7 +72,7 @@ def _by_speed(book, oil):
 
 
 def by_film(book):
-    """Fig 11: the bearing's capacitance over the oil's permittivity against the film under the most loaded ball."""
+    """Fig 11: capacitance of the bearing over permittivity against film thickness."""
     figure, (axes,) = panel.page("Capacitance over permittivity against film thickness",
                                  "6208, 5 kN, no clearance: mean of the bearing; film of the inner raceway at ψ = 0")
     tables = []

@@ -30,7 +30,7 @@ def measured(book):
 
 
 def play(book):
-    """Fig A.4: both against P_d/D."""
+    """Fig A.4: free contact angle and endplay against clearance."""
     figure, (left, right) = panel.page("Free contact angle and free endplay", "6208 with other grooves, dry; B = 2 $r_c$/D − 1; "
                                        "the clearances are ours, the paper's are on a lost axis", columns=2)
     table, diameter = measured(book), book.bearing.ball_diameter

@@ -29,7 +29,7 @@ def distribution_curves(book):
 
 
 def distribution_page(book):
-    """Fig A.2: Q over the radial load."""
+    """Fig A.2: load of a ball over the radial load around the ring."""
     figure, (axes,) = panel.page("Load of a ball around the ring", "6208, dry, 5 kN, 1 rad/s, inner raceway")
     table = pd.DataFrame({"psi_deg": GRID})
     for (ratio, seen, load, rest, _), colour, marker in zip(distribution_curves(book), PALETTE[:2] + PALETTE[5:], "osD"):

@@ -14,7 +14,7 @@ SIDE = {INNER: "inner", OUTER: "outer"}
 
 
 def permittivity(book):
-    """Fig 6a: relative permittivity against Hertz pressure, contacts of both raceways (eqs 10, 11)."""
+    """Fig 6a: relative permittivity against Hertz pressure."""
     run, oil = book.readings.one("pressure"), book.oils["pao48"]
     figure, (axes,) = panel.page("Permittivity against Hertz pressure", "6208, PAO VG48, 5 kN, 477.5 rpm: contacts of one ball pass")
     tables, most = [], 0

@@ -25,7 +25,7 @@ def curves(book, printed=False):
 
 
 def by_speed(book):
-    """Fig 12a."""
+    """Fig 12a: film parameter against entrainment speed."""
     figure, (axes,) = panel.page("Film parameter against speed", _note(book))
     top = _top(book)
     panel.regimes(axes, top, 0.985)
@@ -39,7 +39,7 @@ def by_speed(book):
 
 
 def by_capacitance(book):
-    """Fig 12b."""
+    """Fig 12b: film parameter against the capacitance of the bearing."""
     figure, (axes,) = panel.page("Film parameter against the bearing's capacitance", _note(book))
     top = _top(book)
     panel.regimes(axes, top, 0.985)
