@@ -42,6 +42,13 @@ def test_verdicts(made):
         assert list(new[column]) == list(old[column])
 
 
+def test_static_theory(made):
+    numbers = pd.read_csv(made / "quantities.csv").set_index(["formulas", "quantity"])["value"]
+    # 0.1 %: C goes as U^-0.7, and the speed of the runs differs by 0.1 % from that of undeformed radii
+    assert numbers["corrected", "theory_ball"] < 1e-3
+    assert numbers["corrected", "theory_bearing"] < 1e-3
+
+
 def test_numbers(made):
     new, old = (pd.read_csv(folder / "quantities.csv", keep_default_na=False).set_index(["formulas", "quantity"])
                 for folder in (made, RECORD))

@@ -11,19 +11,17 @@ from raceway.bearing import INNER
 from raceway.paper import theory
 
 
-def speed(bearing, oil, radial_load, h_min):
+def speed(bearing, oil, radial_load, h_min, printed=False):
     """Entrainment speed in m/s at which the smallest film is `h_min` in m; `h_min` grows as a power of the speed."""
     q = theory.largest_load(bearing, radial_load)
-    first, second = (theory.contact(bearing, oil, INNER, q, one).h_min for one in (0.5, 1.0))
+    first, second = (theory.contact(bearing, oil, INNER, q, one, printed=printed).h_min for one in (0.5, 1.0))
     power = np.log(second / first) / np.log(2.0)
     return float((h_min / second) ** (1 / power))
 
 
 def capacitance(bearing, oil, radial_load, h_min, whole=True, printed=False):
-    """Capacitance in F where the smallest film is `h_min` in m: of the bearing (`whole`) or of the ball on the load line.
-
-    `printed` also takes the printed ellipticity for the film, as the runs with printed formulas do."""
-    at = speed(bearing, oil, radial_load, h_min)
+    """Capacitance in F where the smallest film is `h_min` in m: of the bearing (`whole`) or of the ball on the load line."""
+    at = speed(bearing, oil, radial_load, h_min, printed)
     if whole:
         return theory.bearing_capacitance(bearing, oil, radial_load, at, printed=printed)
     return float(theory.ball(bearing, oil, theory.largest_load(bearing, radial_load), at, printed=printed))

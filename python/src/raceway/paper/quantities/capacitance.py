@@ -72,7 +72,14 @@ def _same(book, curve):
     oils = {run.given["lubricant"]: theory.contact(b, book.oils[run.given["lubricant"]], INNER, run.top(INNER, "load"), 0.41)
             for run in pair}
     low, high = sensitivity.oils_ratio(book, "pao48", "mineral")
+    swept = [(run, book.oils[run.given["lubricant"]], float(run.given["load"]), run.given["entrainment"])
+             for run in runs.all("speeds")]
+    tops = [run.top_capacitance() / float(theory.ball(b, oil, theory.largest_load(b, load), speed)) - 1
+            for run, oil, load, speed in swept]
+    means = [run.figures["capacitance_F"] / theory.bearing_capacitance(b, oil, load, speed) - 1 for run, oil, load, speed in swept]
     return {
+        "theory_ball": Quantity(np.abs(tops).max(), "%", "one ball at ψ = 0, simulation against static theory, at most"),
+        "theory_bearing": Quantity(np.abs(means).max(), "%", "bearing, simulation against static theory, at most"),
         "pao_low": Quantity(low, "", "over the plausible ranges of both oils at 5 kN, 0.41 m/s: from"),
         "viscosity_power": Quantity(sensitivity.power(book, "viscosity"), "", "power of the viscosity in C"),
         "permittivity_power": Quantity(sensitivity.power(book, "permittivity"), "", "of the permittivity"),

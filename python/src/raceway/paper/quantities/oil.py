@@ -4,7 +4,7 @@
 import numpy as np
 
 from raceway.bearing import INNER, OUTER
-from raceway.paper import passage
+from raceway.paper import passage, sensitivity
 from raceway.paper.figures.regime import PASSAGE, curves
 from raceway.paper.quantity import Quantity
 
@@ -32,6 +32,9 @@ def measure(book, printed):
         for whole, word in ((True, "bearing"), (False, "ball")):
             needed = passage.roughness(b, oils[name], 5000.0, PASSAGE, whole, printed)
             result[f"roughness_{word}_{name}"] = Quantity(needed, "m", f"roughness for it, {SHORT[name]}")
+        rough = sensitivity.ranges(book)[name]["roughness"][1]
+        result[f"passage_rough_{name}"] = Quantity(passage.capacitance(b, oils[name], 5000.0, rough, printed=printed), "F",
+                                                   f"bearing at Λ = 1 on the roughest plausible raceway, {SHORT[name]}")
     result["passage_oils"] = Quantity(result["passage_capacitance_pao48"].value
                                       / result["passage_capacitance_mineral"].value, "", "PAO over mineral at Λ = 1")
     result["lambda_oils"] = Quantity((bound["mineral"]["lambda"] / bound["pao48"]["lambda"]).min(), "",
