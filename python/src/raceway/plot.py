@@ -5,32 +5,18 @@ Every ball is drawn as it passes the sampled places, so a curve around the ring 
 width of the band shows how much it matters where the other balls happen to be.
 """
 
-import matplotlib
-
-matplotlib.use("Agg")
-
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from raceway import style
 from raceway.bearing import INNER, OUTER
-from raceway.errors import RunError
+from raceway.style import BALL, COLOUR, FAINT, INK, NAME, REGIMES, SOFT
 from raceway.summary import ring_displacement, summary
 from raceway.units import axis, prefixed
 
-# Okabe and Ito's palette, told apart by colour-blind readers; the two raceways differ in lightness as well
-COLOUR = {INNER: "#0072B2", OUTER: "#E69F00"}
-NAME = {INNER: "inner raceway", OUTER: "outer raceway"}
-INK, SOFT, FAINT, BALL = "#222222", "#555555", "#bbbbbb", "#009E73"
-STYLE = {
-    "font.family": "DejaVu Sans", "font.size": 11, "axes.titlesize": 13, "axes.titleweight": "bold",
-    "axes.titlelocation": "left", "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": FAINT,
-    "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK, "grid.color": "#dddddd",
-    "grid.linewidth": 0.8, "axes.axisbelow": True, "legend.frameon": False, "lines.solid_capstyle": "round",
-}
-REGIMES = ((0, 1, "boundary", "#f9e3da"), (1, 3, "mixed", "#fdf6e0"), (3, np.inf, "full film", "#e8f4ee"))
 LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, and tells nothing
 LEFT, RIGHT = 0.075, 0.965  # of the figure's width
 
@@ -42,13 +28,11 @@ def overview(run, path):
     """
     figures = summary(run)
     film = run.lubricated and {"h_min", "h_c"} <= set(run.contacts)
-    with plt.rc_context(STYLE):
+    with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 12) if film else (12, 7.9), dpi=130)
         try:
             _compose(figure, run, figures, film)
-            figure.savefig(path, format="png", facecolor="white")
-        except OSError as error:
-            raise RunError(f"cannot write {path}: {error.strerror or error}") from None
+            style.save(figure, path)
         finally:
             plt.close(figure)
 

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway paper`: every figure, table and checkable statement of the paper the model is from."""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from raceway.errors import RacewayError
+
+DESCRIPTION = """\
+Run the cases of S. O. Farah, M. Guessasma, E. Bellenger 2020 (inputs/paper/cases.yaml), draw its figures,
+write its tables, and judge its statements. Results of runs are kept and taken again as long as the program, the
+decks and the settings are the same."""
+EXAMPLES = """\
+examples:
+  raceway paper                          everything, into build/paper
+  raceway paper --figure 8a --figure 9   two figures and no run that they do not need
+  raceway paper --list                   what there is
+exit code 1 when a case failed: it is named, and what does not need it is made all the same."""
+
+
+def add(commands):
+    """Put the subcommand under `commands`."""
+    one = commands.add_parser("paper", help="figures, tables and statements of the paper", description=DESCRIPTION,
+                              epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    one.add_argument("--out", metavar="DIR", type=Path,
+                     help="where figures and tables go (default: build/paper)")
+    one.add_argument("--runs", metavar="DIR", type=Path,
+                     help="where runs are kept (default: build/paper/runs)")
+    one.add_argument("--jobs", metavar="N", type=_jobs, default=len(os.sched_getaffinity(0)),
+                     help="runs at a time (default: one a core, %(default)s)")
+    one.add_argument("--figure", metavar="NAME", action="append", dest="products", default=[],
+                     help="only this one, as in --list; may be given again")
+    one.add_argument("--list", action="store_true", help="name the figures and tables, run nothing")
+    one.set_defaults(command=run)
+
+
+def run(arguments):
+    """Make the products asked for. Raises `RacewayError` for a wrong name, a failed case or a product not made."""
+    from raceway.paper import cases, press, runner  # matplotlib and scipy take longer to load than `--help` should
+
+    tree = runner.root()
+    plan = cases.plan(tree)
+    if arguments.list:
+        for name in plan.products:
+            print(f"{name:12} {press.title(name)} ({len(plan.needed([name]))} runs)")
+        return
+    if unknown := [name for name in arguments.products if name not in plan.products]:
+        raise RacewayError(f"no figure or table {', '.join(unknown)}; there are {', '.join(plan.products)}")
+    products = arguments.products or list(plan.products)
+    wanted = plan.needed(products)
+    runs = runner.Runner(tree, arguments.runs or tree / "build/paper/runs")
+    runs.forget()
+    outcome = runs.run_all(wanted, arguments.jobs, _progress(len(wanted)))
+    missing = _make(products, plan, tree, outcome, arguments.out or tree / "build/paper")
+    if outcome.failures or missing:
+        raise RacewayError(f"{len(outcome.failures)} of {len(wanted)} cases failed"
+                           + (f"; not made: {', '.join(missing)}" if missing else ""))
+
+
+def _make(products, plan, tree, outcome, out):
+    """Write what can be written; return the names of what cannot."""
+    from raceway.paper import press
+    from raceway.paper.book import Book
+    from raceway.paper.reading import Readings
+
+    book, missing = Book(tree, Readings(plan, outcome.folders)), []
+    for name in products:
+        if not book.readings.has(name):
+            missing.append(name)
+            continue
+        try:
+            for path in press.make(name, book, out):
+                print(os.path.relpath(path))
+        except RacewayError as error:
+            print(f"raceway: {name}: {error}", file=sys.stderr)
+            missing.append(name)
+    return missing
+
+
+def _progress(total):
+    """Tell of every case on a terminal, of every tenth elsewhere, and of every failure."""
+    live = sys.stderr.isatty()
+    again = "\r\033[K" if live else ""  # over the line that is there
+
+    def tell(done, case, error):
+        if error:
+            print(f"{again}raceway: {case.label}: {error}", file=sys.stderr)
+        if live:
+            print(f"{again}{done}/{total} {case.label[:70]}", end="\n" if done == total else "", file=sys.stderr, flush=True)
+        elif done % 10 == 0 or done == total:
+            print(f"{done}/{total} cases", file=sys.stderr, flush=True)
+
+    return tell
+
+
+def _jobs(text):
+    try:
+        number = int(text)
+    except ValueError:
+        number = 0
+    if not 1 <= number <= 64:
+        raise argparse.ArgumentTypeError(f"{text} is not a number of runs from 1 to 64")
+    return number

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the products are made from: readings, the bearing and its oils."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from raceway import inputs, kinematics
+from raceway.paper.reading import Readings
+
+OILS = {"mineral": "mineral oil", "pao48": "PAO VG48"}
+
+
+@dataclass
+class Book:
+    """Readings of the finished cases, and the data of inputs/ that belong to them."""
+
+    root: Path
+    readings: Readings
+
+    @cached_property
+    def bearing(self):
+        """The 6208."""
+        return inputs.bearing(self.root / "inputs/bearings/6208")
+
+    @cached_property
+    def oils(self):
+        """{name: `Oil`}."""
+        return {name: inputs.oil(self.root / "inputs/lubricants" / name) for name in OILS}
+
+    def entrainment(self, rpm):
+        """U_r in m/s of the 6208 at an inner ring speed in rpm."""
+        return float(kinematics.entrainment(self.bearing, rpm * 0.10471975511965977))

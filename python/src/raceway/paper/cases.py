@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What `raceway paper` runs: inputs/paper/cases.yaml, its lists multiplied out and its names turned into the decks'."""
+
+import itertools
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import yaml
+
+from raceway import inputs, kinematics
+from raceway.inputs import InputError
+
+FILE = Path("inputs/paper/cases.yaml")
+
+
+@dataclass(frozen=True)
+class Case:
+    """One run: a deck and its `-var` settings. Cases with the same settings are the same run."""
+
+    deck: str
+    settings: tuple  # of (name, text), sorted
+    given: dict = field(compare=False)  # as in the file, for looking up
+
+    @property
+    def label(self):
+        """What the case is, for people."""
+        given = {key: value for key, value in self.given.items() if key != "passes"}
+        return f"{Path(self.deck).name} " + " ".join(f"{key}={value}" for key, value in given.items())
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Cases by set, and the sets each product needs."""
+
+    cases: dict  # set name -> [Case]
+    products: dict  # product name -> [set name]
+
+    def needed(self, products):
+        """The cases of these products, each once."""
+        sets = dict.fromkeys(name for product in products for name in self.products[product])
+        return list(dict.fromkeys(case for name in sets for case in self.cases[name]))
+
+
+def plan(root):
+    """`Plan` of the source tree `root`. Raises `InputError` for a file that is not one."""
+    path = root / FILE
+    try:
+        data = yaml.safe_load(path.read_text())
+        sets = {name: [_case(root, entry["deck"], one) for one in _combinations(entry["with"])]
+                for name, entry in data["cases"].items()}
+        products = {str(name): list(needs) for name, needs in data["products"].items()}
+    except OSError as error:
+        raise InputError(f"cannot read {path}: {error.strerror or error}") from None
+    except yaml.YAMLError as error:
+        raise InputError(f"{path}: {error}") from None
+    except (KeyError, TypeError, AttributeError) as error:
+        raise InputError(f"{path}: {error!r} where cases (deck, with) and products were expected") from None
+    if unknown := sorted({need for needs in products.values() for need in needs} - set(sets)):
+        raise InputError(f"{path}: products ask for unknown cases: {', '.join(unknown)}")
+    return Plan(sets, products)
+
+
+def _combinations(settings):
+    lists = [value if isinstance(value, list) else [value] for value in settings.values()]
+    return [dict(zip(settings, chosen)) for chosen in itertools.product(*lists)]
+
+
+def _case(root, deck, given):
+    """Turn entrainment, clearance_ratio and total_curvature into what the decks take."""
+    own = dict(given)
+    ours = {name: own.pop(name) for name in ("entrainment", "clearance_ratio", "total_curvature") if name in own}
+    bearing = inputs.bearing(root / "inputs/bearings" / str(own.get("bearing", 6208)))
+    if "entrainment" in ours:
+        own["rpm"] = rpm(bearing, ours["entrainment"])
+    if ours.get("clearance_ratio"):  # none is the decks' default: the same run as a case that does not name it
+        own["clearance"] = ours["clearance_ratio"] * bearing.ball_diameter
+    if "total_curvature" in ours:
+        own["inner_groove"] = own["outer_groove"] = groove(bearing, ours["total_curvature"])
+    settings = tuple(sorted((name, f"{value:.12g}" if isinstance(value, float) else str(value))
+                            for name, value in own.items()))
+    return Case(deck, settings, given)
+
+
+def rpm(bearing, entrainment):
+    """Inner ring speed in rpm at which balls that roll entrain at `entrainment` in m/s."""
+    return entrainment / kinematics.entrainment(bearing, 1.0) * 30 / np.pi
+
+
+def groove(bearing, total_curvature):
+    """r_c in m of both grooves for B = 2 r_c/D - 1 (eq A.2)."""
+    return bearing.ball_diameter * (total_curvature + 1) / 2

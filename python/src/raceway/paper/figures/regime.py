@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Figures 12a and 12b: film parameter against speed and against the bearing's capacitance."""
+
+import numpy as np
+import pandas as pd
+
+from raceway import film
+from raceway.bearing import INNER
+from raceway.paper import panel, theory
+from raceway.paper.book import OILS
+from raceway.style import INK, PALETTE, SOFT
+
+PASSAGE = 60e-12  # F, boundary to mixed, as the paper says (section 4.2)
+
+
+def curves(book, printed=False):
+    """{oil: DataFrame} of the runs at 5 kN: entrainment_m_s, lambda at psi = 0 (inner), capacitance_F (bearing)."""
+    result = {}
+    for name in OILS:
+        runs = book.readings.some("speeds_printed" if printed else "speeds", lubricant=name, load=5000)
+        result[name] = pd.DataFrame({"entrainment_m_s": [run.given["entrainment"] for run in runs],
+                                     "lambda": [run.top(INNER, "lambda") for run in runs],
+                                     "capacitance_F": [run.figures["capacitance_F"] for run in runs]})
+    return result
+
+
+def by_speed(book):
+    """Fig 12a: film parameter against entrainment speed."""
+    figure, (axes,) = panel.page("Film parameter against speed", _note(book))
+    top = _top(book)
+    panel.regimes(axes, top, 0.985)
+    for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
+        speed = np.geomspace(0.005, 1.25, 120)
+        panel.marks(axes, rows["entrainment_m_s"], rows["lambda"], colour, f"simulation, {OILS[name]}", marker)
+        panel.theory(axes, speed, _ratio(book, name, speed), f"static theory, {OILS[name]}", colour)
+    axes.set(xlabel="entrainment speed $U_r$ (m/s)", ylabel="film parameter $Λ_f$", xlim=(0, 1.25), ylim=(0, top))
+    axes.legend(loc="upper left", handlelength=1.7)
+    return figure, _table(book)
+
+
+def by_capacitance(book):
+    """Fig 12b: film parameter against the capacitance of the bearing."""
+    figure, (axes,) = panel.page("Film parameter against the bearing's capacitance", _note(book))
+    top = _top(book)
+    panel.regimes(axes, top, 0.985)
+    for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
+        speed = np.geomspace(0.018, 1.25, 30)
+        value = [theory.bearing_capacitance(book.bearing, book.oils[name], 5000.0, one) for one in speed]
+        panel.marks(axes, rows["capacitance_F"] * 1e12, rows["lambda"], colour, f"simulation, {OILS[name]}", marker)
+        panel.theory(axes, np.array(value) * 1e12, _ratio(book, name, speed), f"static theory, {OILS[name]}", colour)
+    for (name, rows), marker in zip(curves(book, printed=True).items(), "os"):
+        axes.plot(rows["capacitance_F"] * 1e12, rows["lambda"], marker + "--", ms=4, color=SOFT, lw=1,
+                  label=f"as printed, {OILS[name]}", zorder=2)
+    axes.axvline(PASSAGE * 1e12, color=INK, lw=1.2, ls=":")
+    axes.text(PASSAGE * 1e12 + 12, 0.08 * top, "60 pF", fontsize=10)
+    axes.set(xlabel="capacitance of the bearing (pF)", ylabel="film parameter $Λ_f$", xlim=(0, 1500), ylim=(0, top))
+    axes.legend(loc="upper right", bbox_to_anchor=(0.83, 1.0), handlelength=1.7)
+    return figure, _table(book)
+
+
+def _note(book):
+    roughness = book.oils["mineral"].roughness
+    return f"6208, 5 kN, no clearance; inner raceway, ψ = 0; roughness {roughness * 1e6:g} µm is assumed"
+
+
+def _top(book):
+    return 1.15 * max(rows["lambda"].max() for rows in curves(book).values())
+
+
+def _ratio(book, name, speed):
+    oil = book.oils[name]
+    q = theory.largest_load(book.bearing, 5000.0)
+    return film.ratio(theory.contact(book.bearing, oil, INNER, q, speed).h_min, oil.roughness)
+
+
+def _table(book):
+    both = [rows.assign(oil=name, formulas=form) for form, printed in (("corrected", False), ("printed", True))
+            for name, rows in curves(book, printed).items()]
+    return pd.concat(both)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Parts that the paper's figures share."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from raceway import style
+from raceway.style import FAINT, INK, REGIMES, SOFT
+
+SIZE, DPI = (6.6, 4.6), 110
+AZIMUTH = "azimuth ψ from the load line (°)"
+
+
+def page(title, note, columns=1):
+    """(figure, axes) with a title and a line on what was run."""
+    figure, axes = plt.subplots(1, columns, figsize=(SIZE[0] * (1.55 if columns > 1 else 1), SIZE[1]), dpi=DPI,
+                                squeeze=False)
+    figure.subplots_adjust(left=0.13 if columns == 1 else 0.085, right=0.965, top=0.83, bottom=0.13, wspace=0.24)
+    left = figure.subplotpars.left
+    figure.text(left, 0.945, title, fontsize=13, fontweight="bold", va="center")
+    figure.text(left, 0.88, note, fontsize=9.5, color=SOFT, va="center")
+    for one in axes[0]:
+        one.grid(True)
+    return figure, axes[0]
+
+
+def write(figure, path):
+    """Save to `path`."""
+    style.save(figure, path)
+
+
+def ring_axis(axes):
+    """Azimuth from -180 to 180 degrees."""
+    axes.set(xlabel=AZIMUTH, xlim=(-180, 180), xticks=range(-180, 181, 45))
+
+
+def legend(axes, where, **options):
+    """A legend on white, so that the grid does not cross it."""
+    return axes.legend(loc=where, frameon=True, facecolor="white", edgecolor="none", framealpha=1, borderaxespad=0.3,
+                       handlelength=1.7, **options)
+
+
+def regimes(axes, top, at):
+    """Bands of the film parameter up the y axis; their names at `at` of the width."""
+    for low, high, name, colour in REGIMES:
+        if low < top:
+            axes.axhspan(low, min(high, top), color=colour, lw=0, zorder=0.1)
+            axes.text(at, min(high, top) - 0.03 * top, name, transform=axes.get_yaxis_transform(), ha="right", va="top",
+                      fontsize=10, color=SOFT)
+            if low:
+                axes.axhline(low, color=FAINT, lw=1, zorder=0.2)
+
+
+def marks(axes, x, y, colour, label, marker="o"):
+    """The simulation: open symbols."""
+    axes.plot(x, y, marker, ms=6.5, mfc="white", mec=colour, mew=1.7, label=label, zorder=4)
+
+
+def theory(axes, x, y, label=None, colour=INK, **options):
+    """A theory: a thin line."""
+    axes.plot(x, y, color=colour, lw=1.3, label=label, zorder=3, **options)
+
+
+def scale(values):
+    """Top of an axis that starts at zero."""
+    return 1.08 * float(np.nanmax(values))

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Numbers out of finished runs: the one place where the paper's products look into a run's tables.
+
+Azimuths are degrees from the load line, -180 to 180. In one ball pass the nine balls of a 6208 sweep the whole ring, so
+a quantity of one ball around the ring is that of all balls side by side.
+"""
+
+import re
+from functools import cached_property
+
+import numpy as np
+
+from raceway.bearing import INNER, OUTER
+from raceway.capacitance import VACUUM
+from raceway.errors import RunError
+from raceway.paper.runner import LOG
+from raceway.run import BALL, Run
+from raceway.summary import summary
+
+CAGE_BALL = 2  # atom type
+GRID = np.arange(-180.0, 181.0)
+
+
+class Reading:
+    """One run of a radially loaded, turning bearing."""
+
+    def __init__(self, case, folder):
+        self.case, self.given, self.run = case, case.given, Run(folder)
+
+    @cached_property
+    def figures(self):
+        """The run's `summary`."""
+        return summary(self.run)
+
+    @cached_property
+    def _azimuths(self):
+        contacts = self.run.contacts
+        return contacts[["sample", "ball", "raceway"]].assign(
+            psi=np.degrees(self.run.from_load_line(contacts["azimuth"].to_numpy())))
+
+    def around(self, raceway, column):
+        """(psi in degrees, values), sorted: a column of the contacts of one raceway, where there is contact."""
+        rows = self.run.contacts["raceway"].to_numpy() == raceway
+        return _sorted(self._azimuths["psi"].to_numpy()[rows], self.run.contacts[column].to_numpy()[rows])
+
+    def ball_capacitance(self):
+        """(psi in degrees, F), sorted: inner and outer in series of each ball loaded on both raceways."""
+        place = self._azimuths[self._azimuths["raceway"] == INNER]
+        rows = self.run.pairs.merge(place, on=["sample", "ball"])
+        return _sorted(rows["psi"].to_numpy(), rows["capacitance"].to_numpy())
+
+    def top(self, raceway, column):
+        """A column of the contacts of one raceway on the load line, psi = 0."""
+        return float(np.interp(0.0, *self.around(raceway, column)))
+
+    def top_capacitance(self):
+        """Capacitance in F of a ball on the load line."""
+        return float(np.interp(0.0, *self.ball_capacitance()))
+
+    def permittivity(self, raceway):
+        """(psi, relative permittivity) of contacts, from their capacitance, film and area (eq 8)."""
+        psi, value = self.around(raceway, "capacitance")
+        area = np.pi * self.around(raceway, "a")[1] * self.around(raceway, "b")[1]
+        return psi, value * self.around(raceway, "h_c")[1] / (VACUUM * area)
+
+    def loaded_balls(self):
+        """How many balls are loaded on both raceways, one value a sample."""
+        pairs = self.run.pairs.groupby("sample").size()
+        return pairs.reindex(range(self.run.contacts.attrs["samples"]), fill_value=0).to_numpy()
+
+    def cage_contact_share(self, ball_radius, cage_radius):
+        """Share of all neighbouring pairs of ball and cage ball, over all samples, that touch."""
+        balls = self.run.balls
+        places = {kind: balls[balls["type"] == kind].sort_values(["sample", "id"])[["x", "y", "z"]].to_numpy()
+                  for kind in (BALL, CAGE_BALL)}
+        count = int(self.run.settings["balls"])
+        ball, cage = (places[kind].reshape(-1, count, 1, 3) for kind in (BALL, CAGE_BALL))
+        gap = np.linalg.norm(ball - np.swapaxes(cage, 1, 2), axis=-1) - ball_radius - cage_radius
+        touching = np.count_nonzero(gap < 0, axis=(1, 2))
+        return float(touching.mean() / (2 * count))
+
+    def coulomb_use(self):
+        """Largest friction force over mu times normal force of all contacts."""
+        contacts = self.run.contacts[self.run.contacts["normal"] > 0]
+        return float((contacts["friction"].abs() / (contacts["mu"] * contacts["normal"])).max())
+
+    def spin(self):
+        """Mean spin in rad/s of a ball about the bearing's axis, against the inner ring's sense."""
+        balls = self.run.balls
+        return -float(balls.loc[balls["type"] == BALL, "omegaz"].mean())
+
+
+def gridded(psi, values):
+    """Values on whole degrees; zero where no sample is near, as beyond the loaded zone."""
+    result = np.interp(GRID, psi, values, period=360)
+    gap = np.min(np.abs((GRID[:, None] - psi[None, :] + 180) % 360 - 180), axis=1)
+    return np.where(gap < 0.5, result, 0.0)
+
+
+def _sorted(psi, values):
+    order = np.argsort(psi, kind="stable")
+    return psi[order], values[order]
+
+
+ENDPLAY = {"angle": re.compile(r"^free contact angle (\S+) degrees", re.M),
+           "endplay": re.compile(r"^free endplay (\S+) m", re.M)}
+
+
+def endplay(folder):
+    """(free contact angle in degrees, free endplay in m) that inputs/in.axial printed. Raises `RunError`."""
+    path = folder / LOG
+    text = path.read_text(errors="replace")
+    found = [pattern.search(text) for pattern in ENDPLAY.values()]
+    if not all(found):
+        raise RunError(f"{path} has no free contact angle and endplay")
+    return tuple(float(match[1]) for match in found)
+
+
+class Readings:
+    """The finished cases of a plan, by set."""
+
+    def __init__(self, plan, folders):
+        self.plan, self.folders, self._kept = plan, folders, {}
+
+    def has(self, product):
+        """Whether all cases of a product have run."""
+        return all(case in self.folders for case in self.plan.needed([product]))
+
+    def all(self, name):
+        """The `Reading`s of a set, in the order of the file."""
+        return [self._reading(case) for case in self.plan.cases[name]]
+
+    def some(self, name, **given):
+        """The `Reading`s of a set whose settings are as given."""
+        return [one for one in self.all(name) if all(one.given[key] == value for key, value in given.items())]
+
+    def one(self, name, **given):
+        """The only `Reading` of a set with these settings."""
+        (found,) = self.some(name, **given)
+        return found
+
+    def endplays(self):
+        """[(given, contact angle in degrees, endplay in m)] of the axial cases."""
+        return [(case.given, *endplay(self.folders[case])) for case in self.plan.cases["endplay"]]
+
+    def _reading(self, case):
+        key = (case, tuple(case.given.items()))
+        if key not in self._kept:
+            self._kept[key] = Reading(case, self.folders[case])
+        return self._kept[key]

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs cases side by side and keeps what they wrote, by program, input files and settings."""
+
+import hashlib
+import os
+import shutil
+import subprocess
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from raceway.errors import RacewayError
+
+PROGRAM = Path("build/liggghts")
+LIBRARY = Path("build/libraceway_liggghts.so")
+LOG = "screen.txt"
+TIMEOUT = 600  # s; a case takes about half a second
+
+
+class CaseError(RacewayError):
+    """A case did not run to its end."""
+
+
+def root():
+    """The source tree around the present folder. Raises `RacewayError` when there is none or it is not built."""
+    here = Path.cwd()
+    for folder in (here, *here.parents):
+        if (folder / "inputs/paper/cases.yaml").is_file():
+            for part in (PROGRAM, LIBRARY):
+                if not (folder / part).is_file():
+                    raise RacewayError(f"{folder / part} is missing: run `make build` there")
+            return folder
+    raise RacewayError(f"no inputs/paper/cases.yaml in {here} or above: run this in Raceway's source tree")
+
+
+@dataclass
+class Outcome:
+    """What became of the cases: folders of those that ran, messages of those that did not."""
+
+    folders: dict  # Case -> Path
+    failures: dict  # Case -> str
+
+
+class Runner:
+    """Runs the cases of one source tree; results stay in `store`, a folder for each state of program and inputs."""
+
+    def __init__(self, tree, store):
+        self.tree, self.state = tree, _digest(tree)[:16]
+        self.store = Path(store).resolve() / self.state
+
+    def folder(self, case):
+        """Where a case's results are; there once it has run to its end."""
+        key = hashlib.sha256(repr((case.deck, case.settings)).encode()).hexdigest()[:16]
+        return self.store / f"{Path(case.deck).name[3:]}-{key}"
+
+    def forget(self):
+        """Remove the results of other states of program and inputs."""
+        for old in self.store.parent.glob("[0-9a-f]" * 16):
+            if old != self.store:
+                shutil.rmtree(old, ignore_errors=True)
+
+    def run(self, case):
+        """Run one case unless its results are there; return its folder. Raises `CaseError`."""
+        final = self.folder(case)
+        if final.is_dir():
+            return final
+        part = final.with_name(f".{final.name}.{os.getpid()}.{threading.get_ident()}")
+        shutil.rmtree(part, ignore_errors=True)
+        part.mkdir(parents=True)
+        try:
+            self._execute(case, part)
+            try:
+                part.rename(final)
+            except OSError:  # another command was faster with the same case
+                if not final.is_dir():
+                    raise
+        finally:
+            shutil.rmtree(part, ignore_errors=True)
+        return final
+
+    def run_all(self, cases, jobs, progress):
+        """Run `cases`, `jobs` at a time; `progress(done, case, error)` after each. Returns an `Outcome`."""
+        outcome, lock = Outcome({}, {}), threading.Lock()
+
+        def one(case):
+            error = None
+            try:
+                folder = self.run(case)
+            except CaseError as failure:
+                error = str(failure)
+            with lock:
+                if error is None:
+                    outcome.folders[case] = folder
+                else:
+                    outcome.failures[case] = error
+                progress(len(outcome.folders) + len(outcome.failures), case, error)
+
+        with ThreadPoolExecutor(jobs) as pool:
+            try:
+                list(pool.map(one, cases))
+            except BaseException:
+                pool.shutdown(cancel_futures=True)
+                raise
+        return outcome
+
+    def _execute(self, case, folder):
+        command = [str(self.tree / PROGRAM), "-in", case.deck, "-log", "none", "-var", "out", str(folder)]
+        for name, value in case.settings:
+            command += ["-var", name, value]
+        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        log = folder / LOG
+        try:
+            with log.open("w") as screen:
+                code = subprocess.run(command, cwd=self.tree, env=environment, stdin=subprocess.DEVNULL, stdout=screen,
+                                      stderr=subprocess.STDOUT, timeout=TIMEOUT, check=False).returncode
+        except subprocess.TimeoutExpired:
+            raise CaseError(f"stopped after {TIMEOUT} s") from None
+        except OSError as error:
+            raise CaseError(f"cannot start {command[0]}: {error.strerror or error}") from None
+        if code:
+            lines = log.read_text(errors="replace").splitlines()
+            message = next((line for line in lines if "ERROR" in line), lines[-1] if lines else "no message")
+            raise CaseError(f"exit code {code}: {message}")
+
+
+def _digest(tree):
+    """Changes when the program, a deck or a data file does: old results are not taken for new."""
+    state = hashlib.sha256()
+    decks = (path for path in sorted((tree / "inputs").rglob("*")) if path.is_file() and path.name != "cases.yaml")
+    for path in (tree / PROGRAM, tree / LIBRARY, *decks):
+        state.update(str(path.relative_to(tree)).encode() + b"\0" + path.read_bytes())
+    return state.hexdigest()

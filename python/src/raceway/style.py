@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How every picture looks: colours, type, saving."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from raceway.bearing import INNER, OUTER
+from raceway.errors import RunError
+
+# Okabe and Ito's palette, told apart by colour-blind readers; the two raceways differ in lightness as well
+PALETTE = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
+COLOUR = {INNER: PALETTE[0], OUTER: PALETTE[1]}
+NAME = {INNER: "inner raceway", OUTER: "outer raceway"}
+INK, SOFT, FAINT, BALL = "#222222", "#555555", "#bbbbbb", "#009E73"
+STYLE = {
+    "font.family": "DejaVu Sans", "font.size": 11, "axes.titlesize": 13, "axes.titleweight": "bold",
+    "axes.titlelocation": "left", "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": FAINT,
+    "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK, "grid.color": "#dddddd",
+    "grid.linewidth": 0.8, "axes.axisbelow": True, "legend.frameon": False, "lines.solid_capstyle": "round",
+}
+REGIMES = ((0, 1, "boundary", "#f9e3da"), (1, 3, "mixed", "#fdf6e0"), (3, np.inf, "full film", "#e8f4ee"))
+
+
+def save(figure, path):
+    """Write `figure` to the PNG `path` and forget it. Raises `RunError` when that cannot be done."""
+    try:
+        figure.savefig(path, format="png", facecolor="white")
+    except OSError as error:
+        raise RunError(f"cannot write {path}: {error.strerror or error}") from None
+    finally:
+        plt.close(figure)

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Data files of the decks."""
+
+from pathlib import Path
+
+import pytest
+
+from raceway import inputs
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_values(tmp_path):
+    path = tmp_path / "data"
+    path.write_text("# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\nvariable b equal 2\n")
+    assert inputs.values(path) == {"film": "film", "a": "1.0e-7"}
+
+
+def test_bearing(bearing):
+    assert inputs.bearing(ROOT / "inputs/bearings/6208") == bearing
+
+
+def test_composite_roughness(tmp_path):
+    path = tmp_path / "oil"
+    text = (ROOT / "inputs/lubricants/mineral").read_text().replace("ball_roughness     index 0", "ball_roughness index 7.5e-8")
+    path.write_text(text)
+    assert inputs.oil(path) == pytest.approx((0.040, 22e-9, 2.25, 1.25e-7), rel=1e-15)  # 100 and 75 nm: 3, 4, 5
+
+
+@pytest.mark.parametrize(("text", "message"), [
+    (None, "cannot read"), ("variable viscosity index 1\n", "has no variable pressure_viscosity, permittivity"),
+    ("".join(f"variable {name} index x\n" for name in ("viscosity", "pressure_viscosity", "permittivity", "roughness",
+                                                       "ball_roughness")), "could not convert")])
+def test_bad_file(tmp_path, text, message):
+    path = tmp_path / "oil"
+    if text is not None:
+        path.write_text(text)
+    with pytest.raises(inputs.InputError, match=message):
+        inputs.oil(path)
+
+
+def test_bad_bearing(tmp_path):
+    path = tmp_path / "bearing"
+    path.write_text((ROOT / "inputs/bearings/6208").read_text().replace("6.552e-3", "6.2e-3"))
+    with pytest.raises(inputs.InputError, match="conformal"):
+        inputs.bearing(path)
