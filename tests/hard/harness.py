@@ -100,7 +100,7 @@ def statics(found, case):
     loads = []
     for k in picked:
         azimuth = -np.pi / 2 + float(words.get("turning", 0)) * k * float(v["sample"])
-        state = static.equilibrium(bearing, float(words["radial"]), float(words.get("axial", 0)),
+        state = static.equilibrium(bearing, float(words["radial"]), float(words.get("axial", 0)), held=words.get("held"),
                                    clearance=float(v.get("clearance", 0)), load_azimuth=azimuth, finite_shift=True,
                                    orbital_speed=np.abs(found.orbit[k]).mean(),
                                    phase=np.arctan2(found.ball[k, :, 1], found.ball[k, :, 0]))
