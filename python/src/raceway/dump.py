@@ -119,24 +119,24 @@ def blocks(path, columns, start=0, stop=None, index=None):
     """Yield the frames `start` to `stop` of the dump at `path` as `Block`s of about `BLOCK` bytes.
 
     The rows hold `columns` (names) in that order. An `Index` of the file is needed to begin anywhere but at frame
-    0; without one it is made. Yields nothing where there are no frames.
+    0; without one it is made. Raises `RunError` where there are no frames.
     """
-    if start and index is None:
-        index = Index(path)
-    if start and start >= len(index):
-        return
+    if start and start >= len(index := Index(path) if index is None else index):
+        raise RunError(f"{path} holds {len(index)} complete frames, none from number {start} on")
     with _open(path) as file:
         lines = index.seek(file, start) if start else _Lines(path, file)
         number = start
         while stop is None or number < stop:
             block, cut = _gather(lines, columns, number, stop)
+            if cut is not None:
+                _warn_cut(path, cut)
             if block.counts:
                 yield block
             number += len(block.counts)
-            if cut is not None:
-                _warn_cut(path, cut)
             if cut is not None or not file.peek(1):
-                return
+                break
+    if number == start:
+        raise RunError(f"{path} holds no complete frame")
 
 
 def _gather(lines, columns, first, stop):
@@ -172,8 +172,6 @@ def read_dump(path, columns, start=0, stop=None, index=None):
     Raises `RunError` where there are none.
     """
     parts = list(blocks(path, columns, start, stop, index))
-    if not parts:
-        raise RunError(f"{path} holds no complete frame" + (f" from number {start} on" if start else ""))
     return Block(parts[0].first, [], sum((part.counts for part in parts), []),
                  np.concatenate([part.values for part in parts])).table(columns)
 
