@@ -9,6 +9,7 @@ import warnings
 from pathlib import Path
 
 from raceway import __version__
+from raceway.commands import spectrum
 from raceway.errors import RacewayError, RunWarning
 from raceway.run import Run
 from raceway.summary import summary, table
@@ -35,7 +36,7 @@ def main(argv=None):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="raceway", description="Figures and a picture of a bearing run.")
+    parser = argparse.ArgumentParser(prog="raceway", description="Figures, spectra and pictures of a bearing run.")
     parser.add_argument("--version", action="version", version=f"raceway {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     one = commands.add_parser("summary", help="the figures of a run, with units and equations")
@@ -46,6 +47,8 @@ def _parser():
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
     one.add_argument("--out", metavar="PNG", help="where to put it (default: DIR/overview.png)")
     one.set_defaults(command=_plot)
+    for module in (spectrum,):
+        module.add(commands)
     return parser
 
 
