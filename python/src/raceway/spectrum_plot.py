@@ -9,6 +9,7 @@ from raceway.plot import FAINT, INK, SOFT, STYLE
 from raceway.units import axis
 
 COLOUR = {"FTF": "#009E73", "BSF": "#CC79A7", "BPFO": "#E69F00", "BPFI": "#0072B2"}  # Okabe and Ito
+PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # shown below the strongest line
 
 
@@ -31,12 +32,13 @@ def picture(run, spectrum, found, path):
             axes.axvline(line.expected, color=FAINT if line.note else COLOUR[line.name], lw=1, zorder=0.5,
                          ls=(0, (1, 2)) if line.note else "-")
             label = line.name if line.harmonic == 1 else f"{line.harmonic}·{line.name}"
-            if not line.note:
-                label += f"\n{line.difference:+.3%}".replace("-", "−")
+            if line.note:
+                axes.annotate(label, (line.expected, 1.5 * top / 10**DECADES), ha="center", va="bottom", fontsize=8.5,
+                              color=SOFT, rotation=90, bbox=PAPER)
+            else:
                 axes.plot(line.found, line.amplitude * factor, "o", ms=6, mfc="none", mec=COLOUR[line.name], mew=2)
-            axes.annotate(label, (line.expected, 9 * top), ha="center", va="top", fontsize=8.5,
-                          color=SOFT if line.note else COLOUR[line.name], fontweight=None if line.note else "bold",
-                          rotation=0 if not line.note else 90, annotation_clip=True)
+                axes.annotate(f"{label}\n{line.difference:+.3%}".replace("-", "−"), (line.expected, 9 * top),
+                              ha="center", va="top", fontsize=9, color=INK, fontweight="bold", bbox=PAPER)
         settings = run.settings
         axes.set_title(f"{settings['bearing']}, {settings['load_N']:g} N, {settings['rpm']:g} rpm: "
                        f"{spectrum.attrs['long_name']}", pad=10)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run for MDAnalysis (optional: `pip install raceway[mdanalysis]`).
 
-MDAnalysis keeps positions and velocities in single precision. Of a 6208 that leaves 2 nm, a tenth of a light
-contact's overlap and one per cent of a film, so nothing should be worked out from them but pictures and neighbours.
+MDAnalysis keeps positions and velocities in single precision. Of a 6208 that leaves 2 nm, the overlap of an unloaded
+ball and one per cent of a film, so nothing should be worked out from them but pictures and neighbours.
 What needs more digits comes in double precision with every frame, in `trajectory.ts.data`:
 
 - `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
@@ -15,6 +15,7 @@ dump (MDAnalysis's own reader of such dumps moves them by the corner of the box)
 """
 
 import numpy as np
+import pandas as pd
 
 from raceway.columns import CONTACT
 from raceway.dump import blocks
@@ -29,7 +30,7 @@ except ImportError:
     raise RunError("MDAnalysis is not installed: pip install 'raceway[mdanalysis]'") from None
 
 NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
-AT_ONCE = 256  # frames read together: neighbours in time are what an analysis asks for next
+ROWS = 5000  # atoms of consecutive frames read together: neighbours in time are what an analysis asks for next
 
 
 class RunReader(ReaderBase):
@@ -51,9 +52,10 @@ class RunReader(ReaderBase):
         if self.n_frames < 1:
             raise RunError(f"{self._run.folder}: no sample from number {first} on that both dumps have complete")
         self._loaded = None
-        atoms = self._table("balls", 0, 1)[0]
+        atoms, _ = self._table("balls", 0, 1)
         self.ids, self.types = atoms["id"].to_numpy(int), atoms["type"].to_numpy(int)
         self.n_atoms = len(atoms)
+        self._together = max(1, ROWS // self.n_atoms)
         self._reopen()
         self._read_next_timestep()
 
@@ -72,10 +74,10 @@ class RunReader(ReaderBase):
         frame = self.ts.frame + 1
         if not 0 <= frame < self.n_frames:
             raise OSError(f"no frame {frame} of {self.n_frames}")  # MDAnalysis ends an iteration on this
-        part, data = frame // AT_ONCE, self.ts.data
+        part, data = frame // self._together, self.ts.data
         if self._loaded != part:
             self._load(part)
-        here = frame - part * AT_ONCE
+        here = frame - part * self._together
         self.ts.frame = frame
         for name, values in self._atoms.items():
             data[name] = values[here]
@@ -89,11 +91,11 @@ class RunReader(ReaderBase):
         columns, first = self._columns[name], self._run.first
         parts = list(blocks(self._run.folder / DUMPS[name][0], columns, first + start, first + stop,
                             self._run.index(name)))
-        assert len(parts) == 1, "AT_ONCE frames fit into a block"
-        return parts[0].table(columns).sort_values(["sample", "id" if name == "balls" else "ball"]), parts[0].steps
+        table = pd.concat([part.table(columns) for part in parts])
+        return table.sort_values(["sample", "id" if name == "balls" else "ball"]), sum((part.steps for part in parts), [])
 
     def _load(self, part):
-        start, stop = part * AT_ONCE, min((part + 1) * AT_ONCE, self.n_frames)
+        start, stop = part * self._together, min((part + 1) * self._together, self.n_frames)
         table, self._steps = self._table("balls", start, stop)
         if len(table) != (stop - start) * self.n_atoms or not np.array_equal(
                 table["id"].to_numpy(int), np.tile(self.ids, stop - start)):
