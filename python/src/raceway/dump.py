@@ -6,7 +6,7 @@ frame with a warning: a run may still be writing. Anything else out of place rai
 """
 
 import warnings
-from itertools import islice
+from itertools import chain, islice
 from typing import NamedTuple
 
 import numpy as np
@@ -141,21 +141,27 @@ def blocks(path, columns, start=0, stop=None, index=None):
 
 def _gather(lines, columns, first, stop):
     """(the next `Block`, the line of the frame that the file ends inside, or None)."""
-    steps, counts, rows, begins, size, cut = [], [], [], [], 0, None
-    while size < BLOCK and (stop is None or first + len(counts) < stop) and lines.file.peek(1):
+    steps, parts, begins, size, cut = [], [], [], 0, None
+    while size < BLOCK and (stop is None or first + len(parts) < stop) and lines.file.peek(1):
         start = lines.number + 1
         try:
-            step, more = _frame(lines)
+            step, rows = _frame(lines)
         except _Cut:
             cut = start
             break
-        begins.append(lines.number - len(more) + 1)
+        except RunError:  # the frame before may have had too few rows, and taken this one's head for its own
+            if parts:
+                _look_for_head(lines, parts[-1], begins[-1], len(parts[-1]))
+            raise
+        begins.append(lines.number - len(rows) + 1)
         steps.append(step)
-        counts.append(len(more))
-        rows += more
-        size += sum(map(len, more)) + 100  # a head has about that, and an empty frame must count
-    numbers = (number for begin, count in zip(begins, counts) for number in range(begin, begin + count))
-    return Block(first, steps, counts, _numbers(lines, rows, columns, numbers)), cut
+        parts.append(rows)
+        size += sum(map(len, rows)) + 100  # a head has about that, and an empty frame must count
+    values = _numbers(list(chain.from_iterable(parts)), columns)
+    if values is None:
+        for begin, rows in zip(begins, parts):
+            _blame(lines, rows, columns, begin)
+    return Block(first, steps, list(map(len, parts)), values), cut
 
 
 def frames(path, columns):
@@ -193,7 +199,9 @@ def read_table(path):
                 warnings.warn(f"{path}, line {first + len(rows) - 1}: the file ends inside this last line, which is "
                               "left out", RunWarning, stacklevel=2)
                 rows.pop()
-            parts.append(_numbers(lines, rows, columns, range(first, first + len(rows))))
+            parts.append(_numbers(rows, columns))
+            if parts[-1] is None:
+                _blame(lines, rows, columns, first)
             first += len(rows)
             if cut:
                 break
@@ -234,27 +242,36 @@ def _frame(lines):
             lines.fail(f"expected the head of a frame, found '{_show(item)}'")
     if step is None or count is None:
         lines.fail("rows without TIMESTEP and NUMBER OF before them")
-    first, rows = lines.number + 1, list(islice(lines.file, count))
+    rows = list(islice(lines.file, count))
     lines.number += len(rows)
-    for offset, row in enumerate(rows):
-        if row.startswith(b"ITEM:"):
-            lines.fail(f"only {offset} of {count} rows before the next frame", first + offset)
     if len(rows) < count or (rows and not rows[-1].endswith(b"\n")):
+        _look_for_head(lines, rows, lines.number - len(rows) + 1, count)
         raise _Cut
     return step, rows
 
 
-def _numbers(lines, rows, columns, numbers):
-    """Rows as an array (rows, columns); the line at fault, one of `numbers`, is looked for only when there is one."""
+def _numbers(rows, columns):
+    """Rows as an array (rows, columns), or None where that is not what they are."""
     if not rows:
         return np.zeros((0, len(columns)))
     try:
         values = np.loadtxt(rows, ndmin=2, comments=None)
-        if values.shape == (len(rows), len(columns)) and not np.isnan(values).any():
-            return values
     except ValueError:
-        pass
-    for number, row in zip(numbers, rows):
+        return None
+    return values if values.shape == (len(rows), len(columns)) and not np.isnan(values).any() else None
+
+
+def _look_for_head(lines, rows, first, count):
+    """Fail when the next frame begins among the rows of this one."""
+    for offset, row in enumerate(rows):
+        if row.startswith(b"ITEM:"):
+            lines.fail(f"only {offset} of {count} rows before the next frame", first + offset)
+
+
+def _blame(lines, rows, columns, first):
+    """Fail with the row that is not a row of numbers, if one of these, from line `first` on, is not."""
+    _look_for_head(lines, rows, first, len(rows))
+    for number, row in enumerate(rows, first):
         words = row.split()
         if len(words) != len(columns):
             lines.fail(f"{len(words)} columns where {len(columns)} are named ({' '.join(columns)})", number)
@@ -265,7 +282,6 @@ def _numbers(lines, rows, columns, numbers):
                 bad = True
             if bad:
                 lines.fail(f"{name} is not a number: '{_show(word)}'", number)
-    raise RunError(f"{lines.path}, line {lines.number}: rows that do not form a table")
 
 
 def _show(text):

@@ -7,13 +7,11 @@ The mapping's keys are a promise to scripts outside this package; add, never ren
 import math
 from typing import NamedTuple
 
-import pandas as pd
-
 from raceway import clearance, kinematics
 from raceway.bearing import INNER, OUTER
 from raceway.errors import RunError
 from raceway.run import BALL, LUBRICANT
-from raceway.totals import pairs, totals
+from raceway.totals import pairs
 from raceway.units import prefixed
 
 NAME = {INNER: "inner", OUTER: "outer"}
@@ -87,7 +85,7 @@ def summary(run):
     result = {key: settings.get(key) for key in
               ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearance_m", "step_s", "passes")}
     result.update({key: settings[key] if run.lubricated else None for key in LUBRICANT})
-    contacts = _contacts(run)
+    contacts = _Contacts(run)
     result.update(_mechanics(run, contacts))
     result["cage_speed_rad_s"] = _cage_speed(run)
     result.update(_film(run, contacts))
@@ -102,29 +100,30 @@ def ring_displacement(run):
     return (run.rings["x"] * math.cos(azimuth) + run.rings["y"] * math.sin(azimuth)).to_numpy()
 
 
-class _Contacts(NamedTuple):
+class _Contacts:
     """What the figures need of the contacts."""
 
-    top: dict  # raceway: row of the contact with the largest load
-    totals: pd.DataFrame  # a row a sample
-    best: float | None  # largest capacitance of one ball, F; None without the column
+    def __init__(self, run):
+        self.top = {}  # raceway: row of the contact with the largest load
+        self.samples = self.pairs = 0
+        self.total = self.best = None  # capacitance of all pairs and of the best, F; None without the column
+        for block in run.blocks("contacts"):
+            self._add(block)
+        for side, name in NAME.items():
+            if side not in self.top:
+                raise RunError(f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any sample")
 
-
-def _contacts(run):
-    top, parts, best = {}, [], None
-    for block in run.blocks("contacts"):
+    def _add(self, block):
         for side in NAME:
             loads = block.loc[block["raceway"] == side, "load"]
-            if len(loads) and (side not in top or loads.max() > top[side]["load"]):
-                top[side] = block.loc[loads.idxmax()]
+            if len(loads) and (side not in self.top or loads.max() > self.top[side]["load"]):
+                self.top[side] = block.loc[loads.idxmax()]
         both = pairs(block)
+        self.samples += block.attrs["samples"]
+        self.pairs += len(both)
         if "capacitance" in block:
-            best = max(best or 0.0, both["capacitance"].max() if len(both) else 0.0)
-        parts.append(totals(block, both))
-    for side, name in NAME.items():
-        if side not in top:
-            raise RunError(f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any sample")
-    return _Contacts(top, pd.concat(parts), best)
+            self.total = (self.total or 0.0) + both["capacitance"].sum()
+            self.best = max(self.best or 0.0, both["capacitance"].max() if len(both) else 0.0)
 
 
 def _mechanics(run, contacts):
@@ -137,7 +136,7 @@ def _mechanics(run, contacts):
         result[f"q_{name}_max_N"] = contacts.top[side]["load"]
     for side, name in NAME.items():
         result[f"p_max_{name}_Pa"] = contacts.top[side]["pressure"]
-    result["loaded_balls_mean"] = contacts.totals["loaded_balls"].mean()
+    result["loaded_balls_mean"] = contacts.pairs / contacts.samples
     return result
 
 
@@ -164,7 +163,7 @@ def _film(run, contacts):
     for key, column in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
         result[key] = top.get(column)
     if contacts.best is not None:
-        result["capacitance_F"] = contacts.totals["capacitance"].mean()
+        result["capacitance_F"] = contacts.total / contacts.samples
         result["capacitance_top_F"] = contacts.best
     return result
 

@@ -22,16 +22,15 @@ def pairs(contacts):
     return table
 
 
-def totals(contacts, both=None):
-    """A row per sample (the index), from a table of contacts with `attrs` as `dump.read_dump` sets them; `both` is its
-    `pairs` where they are known.
+def totals(contacts):
+    """A row per sample (the index), from a table of contacts with `attrs` as `dump.read_dump` sets them.
 
     Columns as `columns.BEARING` has them, as far as the contacts have what they need: largest loads, pressure and sums are
     0 in a sample without contacts, the thinnest film is NaN.
     """
     first, samples = contacts.attrs["first"], contacts.attrs["samples"]
     table = pd.DataFrame(index=pd.RangeIndex(first, first + samples, name="sample"))
-    both = (pairs(contacts) if both is None else both).groupby("sample")
+    both = pairs(contacts).groupby("sample")
     each = contacts.groupby("sample")
     table["contacts"] = each.size()
     table["loaded_balls"] = both.size()
