@@ -82,6 +82,8 @@ class Run:
         self._need(table, ("time", "x", "y"), "rings.dat")
         # counted from the start of the window, like the dumps; the first row may be a later sample
         table["sample"] = np.rint(table["time"] / self.settings["sample_s"]).astype(int)
+        if (self.first, self.stop) == (0, None):
+            return table
         kept = (table["sample"] >= self.first) & (table["sample"] < (np.inf if self.stop is None else self.stop))
         return table[kept].reset_index(drop=True)
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from scipy import signal
+from scipy import fft, signal
 
 from raceway import kinematics
 from raceway.columns import RING
@@ -20,7 +20,7 @@ from raceway.errors import RunError
 # the logarithm is a parabola to 1e-3 of a bin. In exchange a line is 8 bins wide from foot to foot (Harris, Proc. IEEE
 # 66 (1978) 51).
 WINDOW, HALF_WIDTH = "blackmanharris", 4
-PAD = 8  # values per bin of 1/duration
+PAD = 8  # values per bin of 1/duration, at least
 RESOLVED = HALF_WIDTH + 1.5  # periods in the record from which on a line is apart from the mean
 STANDS_OUT = 10.0  # times the median around it
 FAINT = 1e-4  # of the strongest: the window's own side lobes are at 2.5e-5
@@ -53,9 +53,9 @@ def spectrum(values, sample_s):
     if values.ndim != 1 or len(values) < 32 or not np.isfinite(values).all():
         raise ValueError(f"a spectrum needs a row of at least 32 finite values, not {values.shape}")
     window = signal.get_window(WINDOW, len(values))
-    size = PAD * len(values)
-    amplitude = np.abs(np.fft.rfft(signal.detrend(values) * window, size)) * 2 / window.sum()
-    frequency = np.fft.rfftfreq(size, sample_s)
+    size = fft.next_fast_len(PAD * len(values), real=True)
+    amplitude = np.abs(fft.rfft(signal.detrend(values) * window, size)) * 2 / window.sum()
+    frequency = fft.rfftfreq(size, sample_s)
     result = xr.DataArray(amplitude, {"frequency": ("frequency", frequency, {"units": "Hz"})}, name="amplitude")
     result.attrs["resolution"] = 1 / (len(values) * sample_s)
     return result
@@ -96,7 +96,8 @@ def lines(run, found_in, harmonics=3, angle=0.0, within=0.005):
     places = expected(run.tables.geometry, run.settings["rpm"] / 60, angle, harmonics)
     result = []
     for (name, n), (order, hertz) in places.items():
-        line = Line(name, n, order, hertz, *find(found_in, hertz, within))
+        *numbers, note = find(found_in, hertz, within)
+        line = Line(name, n, *map(float, (order, hertz, *numbers)), note)
         if not line.note:
             other = min(places, key=lambda key: abs(places[key][1] - line.found))
             if other != (name, n):
@@ -119,13 +120,14 @@ def find(found_in, hertz, within=0.005):
     low, high = int(np.ceil((hertz - reach) / step)), int(np.floor((hertz + reach) / step))
     top = low + int(np.argmax(amplitude[low:high + 1]))
     # the floor: to both sides of the peak's foot, as far again as three times its width
-    foot, far = HALF_WIDTH * PAD, 4 * HALF_WIDTH * PAD
+    foot = int(round(HALF_WIDTH * resolution / step))
+    far = 4 * foot
     floor = np.median(np.concatenate([amplitude[max(top - far, foot):max(top - foot, foot)],
                                       amplitude[top + foot:top + far]]))
     prominence = amplitude[top] / floor if floor > 0 else math.inf
     if amplitude[top] == 0 or not amplitude[top - 1] <= amplitude[top] >= amplitude[top + 1]:
         return *nothing, here, prominence, "no peak"
-    if prominence < STANDS_OUT or amplitude[top] < FAINT * amplitude[int(RESOLVED * PAD):].max():
+    if prominence < STANDS_OUT or amplitude[top] < FAINT * amplitude[int(RESOLVED * resolution / step):].max():
         return *nothing, here, prominence, "does not stand out"
     left, middle, right = np.log(amplitude[top - 1:top + 2])
     offset = 0.5 * (left - right) / (left - 2 * middle + right)
