@@ -48,6 +48,12 @@ def spectrum(values, sample_s):
     frequencies are finer than the record resolves (`attrs["resolution"]`, Hz) by zeros added behind it.
 
     Raises `ValueError` for fewer than 32 values or any that is not finite.
+
+    >>> time = np.arange(2000) * 1e-3
+    >>> one = spectrum(3.0 + 2.0 * np.sin(2 * np.pi * 123.4 * time), 1e-3)
+    >>> hertz, difference, amplitude, *_ = find(one, 123.0)
+    >>> print(f"{hertz:.3f} Hz, {difference:+.2%}, {amplitude:.3f}")
+    123.400 Hz, +0.33%, 2.000
     """
     values = np.asarray(values, dtype=float)
     if values.ndim != 1 or len(values) < 32 or not np.isfinite(values).all():
