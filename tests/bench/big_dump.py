@@ -8,7 +8,6 @@ FOLDER (default build/run/large) needs half as much again; a run that is there a
 made here is left for that. Exit code 1 when anything needs 1 GB of memory or fails.
 """
 
-import json
 import subprocess
 import sys
 import time
@@ -58,13 +57,13 @@ def measure(folder, task, middle):
     """(seconds, largest resident memory in MB) of a task."""
     code = ("import sys, warnings; warnings.simplefilter('ignore'); import raceway; run = raceway.open(sys.argv[1])\n"
             + task.replace("MIDDLE", str(middle))
-            + "\nimport resource, json; print(json.dumps(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024))")
+            + "\nprint(next(line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')))")
     start = time.perf_counter()
     done = subprocess.run([sys.executable, "-c", code, folder], capture_output=True, text=True, check=False)
     seconds = time.perf_counter() - start
     if done.returncode:
         sys.exit(f"{task} failed:\n{done.stderr[-2000:]}")
-    return seconds, json.loads(done.stdout.splitlines()[-1])
+    return seconds, float(done.stdout.splitlines()[-1]) / 1024
 
 
 def main():
