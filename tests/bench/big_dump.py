@@ -43,7 +43,7 @@ def simulate(folder, size):
     if not (dump.exists() and dump.stat().st_size >= size):
         bytes_per_pass = None
         for passes in (4, None):
-            passes = passes or int(size / bytes_per_pass) + 1
+            passes = passes or int(1.01 * size / bytes_per_pass) + 1
             print(f"simulating {passes} ball passes", flush=True)
             done = subprocess.run([ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none", "-var", "passes",
                                    str(passes), "-var", "out", folder], cwd=ROOT, capture_output=True, text=True,
