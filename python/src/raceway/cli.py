@@ -8,7 +8,7 @@ import sys
 import warnings
 from pathlib import Path
 
-from raceway import __version__
+from raceway import __version__, progress
 from raceway.commands import spectrum
 from raceway.errors import RacewayError, RunWarning
 from raceway.run import Run
@@ -22,6 +22,7 @@ def main(argv=None):
         with warnings.catch_warnings():
             warnings.simplefilter("always", RunWarning)
             warnings.showwarning = lambda message, *_, **__: print(f"raceway: warning: {message}", file=sys.stderr)
+            progress.on = True
             arguments.command(arguments)
         sys.stdout.flush()
     except RacewayError as error:

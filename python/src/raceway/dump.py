@@ -32,6 +32,7 @@ class Block(NamedTuple):
     steps: list  # of each frame
     counts: list  # rows of each frame
     values: np.ndarray  # (rows of all, columns)
+    end: int  # bytes of the file up to here
 
     def table(self, columns):
         """As a `DataFrame` with `columns` and `sample`, the frame's number; `attrs` as `read_dump` sets them."""
@@ -161,7 +162,7 @@ def _gather(lines, columns, first, stop):
     if values is None:
         for begin, rows in zip(begins, parts):
             _blame(lines, rows, columns, begin)
-    return Block(first, steps, list(map(len, parts)), values), cut
+    return Block(first, steps, list(map(len, parts)), values, lines.file.tell()), cut
 
 
 def frames(path, columns):
@@ -179,7 +180,7 @@ def read_dump(path, columns, start=0, stop=None, index=None):
     """
     parts = list(blocks(path, columns, start, stop, index))
     return Block(parts[0].first, [], sum((part.counts for part in parts), []),
-                 np.concatenate([part.values for part in parts])).table(columns)
+                 np.concatenate([part.values for part in parts]), parts[-1].end).table(columns)
 
 
 def read_table(path):

@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 import yaml
 
+from raceway import progress
 from raceway.bearing import Bearing
 from raceway.dump import Index, blocks, read_dump, read_table
 from raceway.errors import RunError
@@ -111,7 +112,8 @@ class Run:
             yield self.__dict__[name]
             return
         file, columns = self._columns(name)
-        for block in blocks(self.folder / file, columns, self.first, self.stop, self._index(name)):
+        path = self.folder / file
+        for block in progress.reading(path, blocks(path, columns, self.first, self.stop, self._index(name))):
             yield _whole(block.table(columns))
 
     def passes(self, sample):
