@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run what the pages show: the decks in docs/decks, and every block under a heading "Examples".
+"""Run what the pages show: the decks in docs/decks, every block under a heading "Examples", and every Python or console
+block, in the order of its page.
 
     .venv/bin/python docs/try_examples.py [build/liggghts]
 
-A block stands in for the lines of decks/in.ehd that give the same command; the rest of that deck stays.
+A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the rest of that deck stays.
+Python and console blocks run in the root of the repository, where they may use the runs of `make run`.
 Exit code 1 when a run fails; its last lines are shown.
 """
 
@@ -37,6 +39,23 @@ def blocks(page):
             block = []
     if block:
         yield "\n".join(block)
+
+
+def session(page):
+    """The Python and console blocks of a page, as (kind, text) in their order: fenced in Markdown, indented in rST."""
+    text = page.read_text()
+    pattern = (r"^```(python|console)\n((?:(?!```).*\n)*)```$" if page.suffix == ".md" else
+               r"^\.\. code-block:: (python|console)\n\n((?:(?:   .*)?\n)+)")
+    for kind, block in re.findall(pattern, text, flags=re.MULTILINE):
+        yield kind, "\n".join(line.removeprefix("   ") if page.suffix == ".rst" else line for line in block.splitlines())
+
+
+def run_session(page):
+    """Run the blocks of a page; what each said when it failed, or nothing."""
+    for number, (kind, block) in enumerate(session(page), 1):
+        command = [sys.executable, "-W", "error", "-c", block] if kind == "python" else ["bash", "-ec", block]
+        done = subprocess.run(command, cwd=DOCS.parent, capture_output=True, text=True)
+        yield f"{page.name} {kind} block {number}", done.returncode and f"{block}\n{done.stdout[-400:]}\n{done.stderr[-800:]}"
 
 
 def key(line):
@@ -85,6 +104,11 @@ def main():
     done = subprocess.run([sys.executable, script], cwd=DOCS.parent, capture_output=True, text=True)
     print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
     failed += done.returncode != 0
+    subprocess.run([program, "-in", "inputs/in.6208", "-log", "none"], cwd=DOCS.parent, capture_output=True, check=True)
+    for page in [DOCS.parent / "README.md", *sorted(DOCS.glob("*.rst"))]:
+        for name, trouble in run_session(page):
+            print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
+            failed += bool(trouble)
     with tempfile.TemporaryDirectory() as folder:
         for name, lines in jobs:
             path = Path(folder) / "in.deck"

@@ -53,8 +53,8 @@ void ComputeBearingTotal::compute_vector()
         most[4] = std::max(most[4], -s.lambda);
       }
       count[0] += 1.0;
-      ball.friction += s.friction_t * s.sliding_t + s.friction_w * s.sliding_w;
-      ball.damping += (s.normal - s.load) * s.overlap_rate;
+      ball.friction += bearing::friction_power(s);
+      ball.damping += bearing::damping_power(s);
     }
     count[1] += sides == 3;
     count[2] += 1.0;

@@ -55,6 +55,8 @@ static const ContactAttribute attributes[] = {
     {"friction", [](Row c, Context) { return std::hypot(c.state.friction_t, c.state.friction_w); }, false, false},
     {"friction_t", [](Row c, Context) { return c.state.friction_t; }, false, false},
     {"friction_w", [](Row c, Context) { return c.state.friction_w; }, false, false},
+    {"friction_power", [](Row c, Context) { return bearing::friction_power(c.state); }, false, false},
+    {"damping_power", [](Row c, Context) { return bearing::damping_power(c.state); }, false, false},
     {"capacitance", [](Row c, Context x) { return x.capacitance->capacitor(c).capacitance; }, true, true},
 };
 

@@ -43,6 +43,13 @@ double orbit(const LAMMPS_NS::Atom &, const LAMMPS_NS::PairBearingHertz &, const
 // Azimuth of a direction about the bearing axis, rad in (-pi, pi], from the next lab axis (x for axis z).
 double azimuth(const raceway::Vec3 &u, int axis);
 
+// Power lost in a contact, W: what its springs store on the way counts as lost until they give it back.
+inline double friction_power(const raceway::ContactState &s)
+{
+  return s.friction_t * s.sliding_t + s.friction_w * s.sliding_w;
+}
+inline double damping_power(const raceway::ContactState &s) { return (s.normal - s.load) * s.overlap_rate; }
+
 }    // namespace bearing
 
 #endif

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""capacitance.h against equations 8 and 10-12, their limits, CODATA and the Python package."""
+"""capacitance.h against equations 8 and 10-12, their limits and CODATA."""
 
 import numpy as np
 import pytest
 from scipy.constants import epsilon_0
-
-from raceway import capacitance as package
 
 PRESSURES = [0.0, 0.4e9, 2.571e9, 1e15]
 
@@ -41,14 +39,3 @@ def test_series(physics):
 @pytest.mark.parametrize("inner, outer", [(0.0, 4e-11), (4e-11, 0.0), (0.0, 0.0)])
 def test_a_ball_that_lost_a_raceway_adds_nothing(physics, inner, outer):
     assert physics.scalar("ball_capacitance", inner, outer) == 0
-
-
-@pytest.mark.parametrize("ambient", [1.0, 2.15, 4.0])
-@pytest.mark.parametrize("pressure", PRESSURES)
-def test_the_python_package_agrees(physics, ambient, pressure):
-    eps = physics.scalar("permittivity", ambient, pressure)
-    assert physics.scalar("oil_density", pressure) == pytest.approx(package.density_ratio(pressure), rel=1e-12)
-    assert eps == pytest.approx(package.permittivity(ambient, pressure), rel=1e-12)
-    inner, outer = (physics.scalar("plate_capacitance", eps, 2e-3, 2.2e-4, h) for h in (2e-7, 3e-7))
-    assert inner == pytest.approx(package.contact(ambient, pressure, 2e-3, 2.2e-4, 2e-7), rel=1e-12)
-    assert physics.scalar("ball_capacitance", inner, outer) == pytest.approx(package.ball(inner, outer), rel=1e-12)

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""film.h against equations 6 and 9 as they stand in the paper, their limits, the Python package and the errata."""
+"""film.h against equations 6 and 9 as they stand in the paper, their limits and the errata."""
 
 import itertools
 
 import numpy as np
 import pytest
 from physics_c import HAMROCK_DOWSON, INNER, MASJEDI, MASJEDI_PRINTED, OUTER
-
-from raceway import film as package
 
 STEEL = 210e9 / (1 - 0.09)
 OIL = (0.04, 15e-9)
@@ -56,16 +54,6 @@ def test_dimensions_do_not_matter(physics, model):
     assert np.array(other) / length == pytest.approx(one, rel=ROUNDING)
 
 
-@pytest.mark.parametrize("kappa, speed, load", CASES)
-@pytest.mark.parametrize("model", [MASJEDI, MASJEDI_PRINTED, HAMROCK_DOWSON])
-def test_the_python_package_agrees(physics, kappa, speed, load, model):
-    group = package.group(*OIL, STEEL, 4e-3, kappa, speed, load)
-    expected = ((package.hamrock_dowson_min(4e-3, group), package.hamrock_dowson_c(4e-3, group))
-                if model == HAMROCK_DOWSON else
-                (package.h_min(4e-3, group), package.h_c(4e-3, group, printed=model == MASJEDI_PRINTED)))
-    assert physics.film(model, kappa, *OIL, STEEL, 4e-3, speed, load) == pytest.approx(expected, rel=1e-12)
-
-
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
     r_x, r_y = physics.radii(side)
@@ -83,4 +71,3 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
 def test_composite_roughness(physics):
     assert physics.scalar("roughness", 3e-8, 4e-8) == pytest.approx(5e-8, rel=1e-15)
     assert physics.scalar("roughness", 3e-8, 0.0) == 3e-8
-    assert 2e-7 / physics.scalar("roughness", 3e-8, 5e-8) == pytest.approx(package.ratio(2e-7, 3e-8, 5e-8), rel=1e-12)

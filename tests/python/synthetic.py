@@ -9,10 +9,11 @@ from raceway.bearing import INNER, OUTER, Bearing
 DEEP_GROOVE = Bearing(balls=9, ball_diameter=12.6e-3, inner_radius=24e-3, outer_radius=36.6e-3,
                       inner_groove=6.552e-3, outer_groove=6.552e-3)  # the paper's 6208
 MECHANICAL = ("ball ring raceway azimuth angle overlap load normal damping a b pressure "
-              "entrainment sliding mu friction").split()
-LUBRICATED = MECHANICAL[:-2] + "h_min h_c lambda regime mu friction capacitance".split()
+              "entrainment sliding mu friction friction_power damping_power").split()
+LUBRICATED = MECHANICAL[:-4] + "h_min h_c lambda regime mu friction friction_power damping_power capacitance".split()
 BALL_COLUMNS = "id type x y z vx vy vz omegax omegay omegaz".split()
 RING_COLUMNS = "step time x y z vx vy vz spin fx fy fz mx my mz".split()
+LOSS = (1e-6, 2e-6)  # W of friction and damping per N of load, made up
 OIL = {"viscosity_Pa_s": 0.04, "pressure_viscosity_per_Pa": 22e-9, "permittivity": 2.2, "roughness_m": 1.5e-7}
 
 
@@ -23,13 +24,14 @@ def run(load=5000.0, rpm=477.5, clearance=0.0, oil=OIL, load_azimuth=-np.pi / 2,
     cage = spin * kinematics.frequencies(bearing).cage
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
     z, inner_ring, outer_ring = bearing.balls, 2 * bearing.balls + 1, 2 * bearing.balls + 2
-    contacts, balls, rings = [], [], []
+    contacts, balls, rings = [], [], []  # mz: the shaft puts in what the contacts lose
     for sample in range(passes * samples_per_pass):
         state = static.equilibrium(bearing, load, clearance=clearance, load_azimuth=load_azimuth,
                                    phase=0.1 + cage * sample_s * sample)
         contacts.append([row for side in (INNER, OUTER) for row in _rows(bearing, state, side, spin, oil, z)])
         balls.append(_atoms(bearing, state, cage, z, inner_ring, outer_ring))
-        rings.append([sample * 100, sample * sample_s, *state.shift, 0, 0, 0, spin] + [0.0] * 6)
+        lost = sum(sum(LOSS) * row[6] for row in contacts[-1])
+        rings.append([sample * 100, sample * sample_s, *state.shift, 0, 0, 0, spin] + [0.0] * 5 + [-lost / spin])
     settings = {"bearing": "6208", "lubricant": "mineral" if oil else "dry", "host": "liggghts",
                 "integrator": "implicit", "load_N": load, "rpm": rpm, "clearance_m": clearance, "step_s": 1e-06,
                 "passes": passes, "wall_s": 2.5, "simulated_s": sample_s * len(rings), "balls": z,
@@ -49,16 +51,17 @@ def _rows(bearing, state, side, spin, oil, z):
         azimuth = np.mod(state.azimuth[i] + np.pi, 2 * np.pi) - np.pi
         row = [i + 1, 2 * z + 1 + side, side, azimuth, part.angle[i], part.overlap[i], part.load[i], part.load[i],
                100.0, part.a[i], part.b[i], part.pressure[i], speed, 0.0]
+        losses = [part.load[i] * loss for loss in LOSS]
         if oil:
             r_x, r_y = bearing.effective_radii(side)
             group = film.group(oil["viscosity_Pa_s"], oil["pressure_viscosity_per_Pa"], bearing.effective_modulus,
                                r_x, hertz.exact(r_x, r_y).kappa, speed, part.load[i])
             h_min, h_c = film.h_min(r_x, group), film.h_c(r_x, group)
             ratio = film.ratio(h_min, oil["roughness_m"])
-            row += [h_min, h_c, ratio, film.regime(ratio), 0.05, 0.0,
+            row += [h_min, h_c, ratio, film.regime(ratio), 0.05, 0.0, *losses,
                     capacitance.contact(oil["permittivity"], part.pressure[i], part.a[i], part.b[i], h_c)]
         else:
-            row += [0.1, 0.0]
+            row += [0.1, 0.0, *losses]
         yield row
 
 

@@ -4,7 +4,8 @@
 import numpy as np
 import pytest
 
-from raceway.dump import frames, read_dump, read_table
+from raceway import dump as module
+from raceway.dump import Index, blocks, frames, read_dump, read_table
 from raceway.errors import RunError, RunWarning
 
 HEAD = ("ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ENTRIES\n{n}\n"
@@ -81,3 +82,43 @@ def test_table_cut_in_its_last_line(tmp_path):
 def test_broken_table_names_its_line(tmp_path, text, said):
     with pytest.raises(RunError, match=said):
         read_table(dump(tmp_path, text))
+
+
+@pytest.mark.parametrize("size", [1, 7, 15, 16, 17, 40, 113, 10**6])
+@pytest.mark.parametrize("newer", [False, True])
+def test_index_whatever_the_pieces_read(tmp_path, monkeypatch, size, newer):
+    text = FIRST + EMPTY + LAST
+    if newer:
+        text = "ITEM: UNITS\nsi\n" + text.replace("ITEM: TIMESTEP", "ITEM: TIME\n0.1\nITEM: TIMESTEP")
+    path = dump(tmp_path, text)
+    monkeypatch.setattr(module, "BLOCK", size)
+    index = Index(path)
+    places = [at for at in range(len(text)) if text.startswith("ITEM: TIMESTEP\n", at)]
+    assert index.offsets.tolist() == places and len(index) == 3
+    assert index.lines.tolist() == [text[:at].count("\n") for at in places]
+
+
+@pytest.mark.parametrize("size", [1, 10**6])
+def test_any_frames(tmp_path, monkeypatch, size):
+    path = dump(tmp_path, FIRST + EMPTY + LAST)
+    monkeypatch.setattr(module, "BLOCK", size)
+    for start, stop in ((0, 1), (0, None), (1, 2), (1, None), (2, 9)):
+        steps = [step for block in blocks(path, COLUMNS, start, stop) for step in block.steps]
+        assert steps == [10, 20, 30][start:stop]
+    assert read_dump(path, COLUMNS, 2).to_numpy().tolist() == [[3, -np.inf, 2]]
+    with pytest.raises(RunError, match="holds 3 complete frames, none from number 3 on"):
+        read_dump(path, COLUMNS, 3)
+
+
+def test_index_of_a_cut_file(tmp_path):
+    with pytest.warns(RunWarning, match="line 21: the file ends inside"):
+        assert len(Index(dump(tmp_path, (FIRST + EMPTY + LAST)[:-2]))) == 2
+
+
+def test_broken_line_is_named_after_a_jump_too(tmp_path, monkeypatch):
+    path = dump(tmp_path, FIRST + EMPTY + LAST.replace("-inf", "low"))
+    monkeypatch.setattr(module, "BLOCK", 1)
+    with pytest.raises(RunError, match="line 30: load is not a number: 'low'"):
+        read_dump(path, COLUMNS)
+    with pytest.raises(RunError, match="line 30: load is not a number: 'low'"):
+        read_dump(path, COLUMNS, start=1)

@@ -7,7 +7,7 @@ import pytest
 import synthetic
 
 from raceway import plot
-from raceway.errors import RunError
+from raceway.errors import RunError, RunWarning
 from raceway.run import Run
 
 
@@ -71,6 +71,14 @@ def test_ball_that_goes_round_more_than_once(tmp_path, axes):
     pressure = axes()["Hertz pressure"]
     for line in pressure.lines:
         assert not np.any(np.abs(np.diff(line.get_xdata())) > 90)  # no line across the panel
+
+
+def test_large_run_is_drawn_in_part(folder, tmp_path, axes, monkeypatch):
+    monkeypatch.setattr(plot, "LARGE", 1000)
+    monkeypatch.setattr(plot, "PASSES", 1)
+    with pytest.warns(RunWarning, match="shows its first 1 ball passes; the figures are of all"):
+        plot.overview(Run(folder), tmp_path / "part.png")
+    assert drawn(axes()["Capacitance"], plot.INK)[:, 0] == pytest.approx(np.arange(24) / 24)
 
 
 def test_cannot_write(folder, tmp_path):

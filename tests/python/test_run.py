@@ -4,11 +4,13 @@
 import re
 
 import numpy as np
+import pandas as pd
 import pytest
 import synthetic
 
-from raceway.errors import RunError
+from raceway.errors import RunError, RunWarning
 from raceway.run import Run
+from raceway.summary import summary
 
 
 def spoil(folder, pattern, replacement, name="run.yaml"):
@@ -32,8 +34,6 @@ def test_dry_needs_no_lubricant(dry_folder, name):
 
 
 @pytest.mark.parametrize("pattern, replacement, said", [
-    ("^wall_s:.*\n", "", "run has not finished: .*run.yaml has no wall_s$"),
-    ("^wall_s:.*\n(simulated_s:.*\n)", "", "no wall_s and no simulated_s"),
     ("^rpm:.*\n", "", "has no rpm"),
     ("^viscosity_Pa_s:.*\n", "", "has no viscosity_Pa_s"),
     ("^rpm:.*", "rpm: fast", "rpm is not a number: 'fast'"),
@@ -46,6 +46,66 @@ def test_spoilt_settings(folder, pattern, replacement, said):
     spoil(folder, pattern, replacement)
     with pytest.raises(RunError, match=said):
         Run(folder)
+
+
+@pytest.mark.parametrize("pattern, said", [("^wall_s:.*\n", "no wall_s$"),
+                                           ("^wall_s:.*\nsimulated_s:.*\n", "no simulated_s and no wall_s$")])
+def test_unfinished_run_gives_its_tables_and_no_figures(folder, pattern, said):
+    whole = Run(folder)
+    spoil(folder, pattern, "")
+    run = Run(folder)
+    assert whole.finished and not run.finished
+    for name in ("contacts", "balls", "rings"):
+        assert getattr(run, name).equals(getattr(whole, name))
+    for refused in (run.need_finished, lambda: summary(run)):
+        with pytest.raises(RunError, match="^run has not finished: .*run.yaml has " + said):
+            refused()
+
+
+def test_growing_run(folder):
+    """Every file may end anywhere; a later look sees more."""
+    for name in ("contacts.dump", "balls.dump", "rings.dat"):
+        path = folder / name
+        path.write_bytes(path.read_bytes()[:path.stat().st_size * 2 // 3])
+    with pytest.warns(RunWarning):
+        tables = [getattr(Run(folder), name) for name in ("contacts", "balls", "rings")]
+    assert all(0 < table["sample"].max() < 47 for table in tables)  # of 48
+
+
+def test_blocks_are_the_whole(folder, monkeypatch):
+    for name in ("contacts", "balls"):
+        whole = getattr(Run(folder), name)
+        monkeypatch.setattr("raceway.dump.BLOCK", 10_000)
+        blocks = list(Run(folder).blocks(name))
+        assert len(blocks) > 3
+        assert pd.concat(blocks).reset_index(drop=True).equals(whole)
+        ends = [block.attrs["first"] + block.attrs["samples"] for block in blocks]
+        assert [block.attrs["first"] for block in blocks] == [0, *ends[:-1]] and ends[-1] == 48
+        monkeypatch.undo()
+
+
+@pytest.mark.parametrize("window", [slice(0, 5), slice(7, 20), slice(40, None)])
+def test_window_of_samples(folder, window):
+    some, whole = Run(folder, window), Run(folder)
+    for name in ("contacts", "balls", "rings"):
+        table = getattr(whole, name)
+        last = 48 if window.stop is None else window.stop
+        kept = table[(table["sample"] >= window.start) & (table["sample"] < last)].reset_index(drop=True)
+        assert getattr(some, name).equals(kept)
+    assert some.contacts.attrs == {"first": window.start, "samples": last - window.start}
+    assert some.totals.equals(whole.totals.loc[window.start:last - 1])
+
+
+def test_window_outside_the_run(folder):
+    with pytest.raises(RunError, match="holds 48 complete frames, none from number 48 on"):
+        Run(folder, slice(48, None)).contacts
+    for wrong in (slice(3, 3), slice(-1, 4), slice(0, 9, 2)):
+        with pytest.raises(ValueError, match="must be slice"):
+            Run(folder, wrong)
+
+
+def test_geometry(folder):
+    assert Run(folder).geometry == synthetic.DEEP_GROOVE
 
 
 def test_no_folder(tmp_path):

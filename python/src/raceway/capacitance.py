@@ -16,6 +16,9 @@ def permittivity(ambient, pressure):
 
     Clausius-Mossotti: (e - 1)/(e + 2) grows as the density. Raises `ValueError` for `ambient` below one, or so
     large that no finite permittivity follows.
+
+    >>> print(f"{permittivity(2.2, 0.0):.3f} at rest, {permittivity(2.2, 2.5e9):.3f} at 2.5 GPa")
+    2.200 at rest, 2.719 at 2.5 GPa
     """
     if np.any(np.asarray(ambient) < 1):
         raise ValueError(f"permittivity = {ambient} must be one or more")
@@ -31,7 +34,11 @@ def contact(ambient, pressure, a, b, h_c):
 
 
 def ball(inner, outer):
-    """Inner and outer contact in series, F; zero where either is (eq 12). Arrays of one shape."""
+    """Inner and outer contact in series, F; zero where either is (eq 12). Arrays of one shape.
+
+    >>> ball([3e-10, 3e-10], [6e-10, 0.0]).tolist()
+    [2e-10, 0.0]
+    """
     inner, outer = np.asarray(inner, dtype=float), np.asarray(outer, dtype=float)
     both = (inner > 0) & (outer > 0)
     total = np.where(both, inner + outer, 1.0)

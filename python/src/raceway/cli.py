@@ -8,8 +8,8 @@ import sys
 import warnings
 from pathlib import Path
 
-from raceway import __version__
-from raceway.commands import paper, static
+from raceway import __version__, progress
+from raceway.commands import paper, spectrum, static
 from raceway.errors import RacewayError, RunWarning
 from raceway.run import Run
 from raceway.summary import summary, table
@@ -22,6 +22,7 @@ def main(argv=None):
         with warnings.catch_warnings():
             warnings.simplefilter("always", RunWarning)
             warnings.showwarning = lambda message, *_, **__: print(f"raceway: warning: {message}", file=sys.stderr)
+            progress.on = True
             arguments.command(arguments)
         sys.stdout.flush()
     except RacewayError as error:
@@ -36,7 +37,7 @@ def main(argv=None):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="raceway", description="Ball bearings: figures and pictures of runs, and theory.")
+    parser = argparse.ArgumentParser(prog="raceway", description="Ball bearings: figures, spectra and pictures of runs, and theory.")
     parser.add_argument("--version", action="version", version=f"raceway {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     one = commands.add_parser("summary", help="the figures of a run, with units and equations")
@@ -47,7 +48,7 @@ def _parser():
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
     one.add_argument("--out", metavar="PNG", help="where to put it (default: DIR/overview.png)")
     one.set_defaults(command=_plot)
-    for module in (static, paper):
+    for module in (spectrum, static, paper):
         module.add(commands)
     return parser
 

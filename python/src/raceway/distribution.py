@@ -37,7 +37,11 @@ def radial_integral(parameter):
 
 
 def largest_load(balls, radial_load, parameter):
-    """Q_max = F_r/(Z J_r) in N (Stribeck)."""
+    """Q_max = F_r/(Z J_r) in N (Stribeck).
+
+    >>> print(f"{largest_load(9, 5000.0, 0.5):.1f}")  # no clearance
+    2427.8
+    """
     return radial_load / (balls * radial_integral(parameter))
 
 

@@ -63,6 +63,10 @@ def ratio(h_min, roughness, ball_roughness=0.0):
 
 
 def regime(ratio, boundary=1.0, full=3.0):
-    """0 boundary below `boundary`, 2 full film above `full`, 1 mixed between (Lambda = `ratio`)."""
+    """0 boundary below `boundary`, 2 full film above `full`, 1 mixed between (Lambda = `ratio`).
+
+    >>> regime([0.5, 1.4, 3.2]).tolist()
+    [0, 1, 2]
+    """
     ratio = np.asarray(ratio)
     return np.where(ratio < boundary, 0, np.where(ratio > full, 2, 1))[()]

@@ -5,6 +5,8 @@ Every ball is drawn as it passes the sampled places, so a curve around the ring 
 width of the band shows how much it matters where the other balls happen to be.
 """
 
+import warnings
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
@@ -13,11 +15,14 @@ from matplotlib.ticker import MaxNLocator
 
 from raceway import style
 from raceway.bearing import INNER, OUTER
+from raceway.errors import RunError, RunWarning
+from raceway.run import Run
 from raceway.style import BALL, COLOUR, FAINT, INK, NAME, REGIMES, SOFT
 from raceway.summary import ring_displacement, summary
 from raceway.units import axis, prefixed
 
 LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, and tells nothing
+LARGE, PASSES = 200 << 20, 20  # bytes of contacts.dump from which on only so many ball passes are drawn
 LEFT, RIGHT = 0.075, 0.965  # of the figure's width
 
 
@@ -26,7 +31,8 @@ def overview(run, path):
 
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
-    figures = summary(run)
+    run, whole = _shown(run), run
+    figures = summary(whole)
     film = run.lubricated and {"h_min", "h_c"} <= set(run.contacts)
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 12) if film else (12, 7.9), dpi=130)
@@ -35,6 +41,16 @@ def overview(run, path):
             style.save(figure, path)
         finally:
             plt.close(figure)
+
+
+def _shown(run):
+    """The part of `run` that is drawn: all, unless that would be more curves than memory or paper hold."""
+    path = run.folder / "contacts.dump"
+    if run.stop is not None or not path.exists() or path.stat().st_size < LARGE:
+        return run
+    warnings.warn(f"{path} is large: the picture shows its first {PASSES} ball passes; the figures are of all", RunWarning,
+                  stacklevel=3)
+    return Run(run.folder, slice(run.first, run.first + int(PASSES * run.settings["samples_per_pass"])))
 
 
 def _compose(figure, run, figures, film):

@@ -5,80 +5,116 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import yaml
 
-from raceway import capacitance
-from raceway.bearing import INNER, OUTER
-from raceway.dump import read_dump, read_table
+from raceway import progress
+from raceway.bearing import Bearing
+from raceway.dump import Index, blocks, read_dump, read_table
 from raceway.errors import RunError
+from raceway.totals import pairs, totals
 
 WORDS = ("bearing", "lubricant", "host", "integrator", "contact_columns", "ball_columns")
-NUMBERS = ("load_N", "rpm", "clearance_m", "step_s", "passes", "balls", "ball_diameter_m", "inner_radius_m",
+NUMBERS = ("load_N", "rpm", "clearance_m", "passes", "balls", "ball_diameter_m", "inner_radius_m",
            "outer_radius_m", "inner_groove_m", "outer_groove_m", "load_azimuth_rad", "sample_s", "samples_per_pass",
            "inner_ring", "outer_ring")
-AT_THE_END = ("wall_s", "simulated_s")  # written last: without them the run has not finished
+AT_THE_END = ("step_s", "simulated_s", "wall_s")  # written last: without them the run has not finished
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
-BALL = 1  # atom type
+STEEL = ("ball_young_Pa", "ball_poisson")
+BALL, CAGE = 1, 2  # atom types
 NO_LUBRICANT = ("dry", "none")
+DUMPS = {"contacts": ("contacts.dump", "contact_columns", ("ball", "raceway", "azimuth", "load", "pressure")),
+         "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy"))}
+WHOLE = ("ball", "raceway", "id", "type")
 
 
 class Run:
     """What a run says of itself (`settings`) and, read when first asked for, what it wrote.
 
     Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured window from 0.
-    Raises `RunError` when the folder is not a finished run; so do the tables when their file is broken.
+    `samples`, a slice without step, keeps to some of them: the way to look into a run larger than memory. The other
+    is `blocks`. A run that is still going, or was stopped, can be read as far as it is; `finished` tells.
+
+    Raises `RunError` when the folder has no `run.yaml` or a broken one; so do the tables when their file is broken.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder, samples=slice(None)):
         self.folder = Path(folder)
         self.settings = _settings(self.folder)
+        self.first, self.stop = _window(samples)
 
     @property
     def lubricated(self):
         """Whether the run had a lubricant."""
         return self.settings["lubricant"] not in NO_LUBRICANT
 
+    @property
+    def finished(self):
+        """Whether the run came to its end; until then `settings` has no `step_s`, `simulated_s` and `wall_s`."""
+        return all(key in self.settings for key in AT_THE_END)
+
+    def need_finished(self):
+        """Raise `RunError` for a run that has not come to its end."""
+        if missing := [key for key in AT_THE_END if key not in self.settings]:
+            raise RunError(f"run has not finished: {self.folder / 'run.yaml'} has no {' and no '.join(missing)}")
+
+    @property
+    def geometry(self):
+        """The `Bearing` that was simulated; steel where the run does not say."""
+        names = {"balls": "balls", "ball_diameter_m": "ball_diameter", "inner_radius_m": "inner_radius",
+                 "outer_radius_m": "outer_radius", "inner_groove_m": "inner_groove",
+                 "outer_groove_m": "outer_groove", "ball_young_Pa": "young", "ball_poisson": "poisson"}
+        return Bearing.from_mapping({name: self.settings[key] for key, name in names.items() if key in self.settings})
+
     @cached_property
     def contacts(self):
         """A row per live contact of a ball with a raceway and sample."""
-        table = self._dump("contacts.dump", "contact_columns", ("ball", "raceway", "azimuth", "load", "pressure"))
-        whole = {"ball": int, "raceway": int}
-        samples, table = table.attrs["samples"], table.astype(whole)
-        table.attrs["samples"] = samples
-        return table
+        return self._dump("contacts")
 
     @cached_property
     def balls(self):
         """A row per atom and sample."""
-        return self._dump("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy"))
+        return self._dump("balls")
 
     @cached_property
     def rings(self):
         """A row per sample: where the inner ring is and how it moves."""
         table = read_table(self.folder / "rings.dat")
-        self._need(table, ("x", "y"), "rings.dat")
+        self._need(table, ("time", "x", "y"), "rings.dat")
         # counted from the start of the window, like the dumps; the first row may be a later sample
         table["sample"] = np.rint(table["time"] / self.settings["sample_s"]).astype(int)
-        return table
+        if (self.first, self.stop) == (0, None):
+            return table
+        kept = (table["sample"] >= self.first) & (table["sample"] < (np.inf if self.stop is None else self.stop))
+        return table[kept].reset_index(drop=True)
 
     @cached_property
     def pairs(self):
-        """A row per sample and ball loaded on both raceways: `load_inner`, `load_outer` and, if the run has them,
-        `capacitance_inner`, `capacitance_outer` and `capacitance`, both in series."""
-        contacts = self.contacts
-        names = ["sample", "ball"] + [name for name in ("load", "capacitance") if name in contacts]
-        live = contacts.loc[contacts["load"] > 0, names + ["raceway"]]
-        sides = [live.loc[live["raceway"] == side, names] for side in (INNER, OUTER)]
-        pairs = sides[0].merge(sides[1], on=["sample", "ball"], suffixes=("_inner", "_outer"))
-        if "capacitance_inner" in pairs:
-            pairs["capacitance"] = capacitance.ball(pairs["capacitance_inner"], pairs["capacitance_outer"])
-        return pairs
+        """`totals.pairs` of the contacts: a row per sample and ball loaded on both raceways."""
+        return pairs(self.contacts)
 
     @cached_property
+    def totals(self):
+        """`totals.totals` of the contacts: a row per sample. Read in blocks."""
+        return pd.concat([totals(block) for block in self.blocks("contacts")])
+
+    @property
     def bearing_capacitance(self):
         """Capacitance of the bearing in F, one value a sample (eq 12)."""
-        total = self.pairs.groupby("sample")["capacitance"].sum()
-        return total.reindex(range(self.contacts.attrs["samples"]), fill_value=0.0).to_numpy()
+        return self.totals["capacitance"].to_numpy()
+
+    def blocks(self, name):
+        """Yield the table `name`, "contacts" or "balls", in pieces of whole samples and a few MB.
+
+        Their `attrs` say which: `first` and how many `samples`. Raises `RunError` where there are none.
+        """
+        if name in self.__dict__:  # read already
+            yield self.__dict__[name]
+            return
+        file, columns = self._columns(name)
+        path = self.folder / file
+        for block in progress.reading(path, blocks(path, columns, self.first, self.stop, self._index(name))):
+            yield _whole(block.table(columns))
 
     def passes(self, sample):
         """Time of a sample (number or array) in ball passes since the start of the measured window."""
@@ -88,17 +124,49 @@ class Run:
         """Azimuths in rad (array) counted from the centre of the loaded zone, within -pi..pi."""
         return np.mod(azimuth - self.settings["load_azimuth_rad"] + np.pi, 2 * np.pi) - np.pi
 
-    def _dump(self, name, key, needed):
+    def _dump(self, name):
+        file, columns = self._columns(name)
+        return _whole(read_dump(self.folder / file, columns, self.first, self.stop, self._index(name)))
+
+    def _index(self, name):
+        return self.index(name) if self.first else None
+
+    def index(self, name):
+        """`dump.Index` of the file behind the table `name`."""
+        if name not in self._indices:
+            self._indices[name] = Index(self.folder / DUMPS[name][0])
+        return self._indices[name]
+
+    @cached_property
+    def _indices(self):
+        return {}
+
+    def _columns(self, name):
+        """(file, names of its columns)"""
+        file, key, needed = DUMPS[name]
         columns = self.settings[key].split()
         if twice := sorted({column for column in columns if columns.count(column) > 1}):
             raise RunError(f"{self.folder / 'run.yaml'}: {key} names {' '.join(twice)} twice")
-        table = read_dump(self.folder / name, columns)
-        self._need(table, needed, name)
-        return table
+        self._need(columns, needed, file)
+        return file, columns
 
     def _need(self, table, needed, name):
         if missing := [column for column in needed if column not in table]:
             raise RunError(f"{self.folder / name} has no column {' '.join(missing)}")
+
+
+def _whole(table):
+    attrs, table = table.attrs, table.astype({name: int for name in WHOLE if name in table})
+    table.attrs = attrs
+    return table
+
+
+def _window(samples):
+    """(first, stop) of a slice of samples."""
+    first, stop = samples.start or 0, samples.stop
+    if samples.step not in (None, 1) or first < 0 or (stop is not None and stop <= first):
+        raise ValueError(f"samples = {samples} must be slice(first, stop) with 0 <= first < stop and no step")
+    return first, stop
 
 
 def _settings(folder):
@@ -114,15 +182,13 @@ def _settings(folder):
         raise RunError(f"{path}{where}: {getattr(error, 'problem', None) or error}") from None
     if not isinstance(data, dict):
         raise RunError(f"{path} is not a list of 'name: value'")
-    missing = [key for key in AT_THE_END if key not in data]
-    if missing:
-        raise RunError(f"run has not finished: {path} has no {' and no '.join(missing)}")
     lubricant = LUBRICANT if data.get("lubricant") not in (*NO_LUBRICANT, None) else ()
-    needed = (*WORDS, *NUMBERS, *AT_THE_END, *lubricant)
+    needed = (*WORDS, *NUMBERS, *lubricant)
     if missing := [key for key in needed if key not in data]:
-        raise RunError(f"{path} has no {', '.join(missing)}")
+        begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
+        raise RunError(f"{begun}{path} has no {', '.join(missing)}")
     settings = dict(data)
-    for key in (*NUMBERS, *AT_THE_END, *lubricant):
+    for key in (*needed[len(WORDS):], *(key for key in (*STEEL, *AT_THE_END) if key in data)):
         try:
             settings[key] = float(data[key])
             if not np.isfinite(settings[key]):
@@ -132,6 +198,6 @@ def _settings(folder):
     for key in ("balls", "inner_ring", "outer_ring"):
         settings[key] = int(settings[key])
     for key in ("sample_s", "samples_per_pass", "wall_s"):
-        if not settings[key] > 0:
+        if key in settings and not settings[key] > 0:
             raise RunError(f"{path}: {key} = {data[key]} must be positive")
     return settings

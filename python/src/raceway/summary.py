@@ -11,8 +11,10 @@ from raceway import clearance, kinematics
 from raceway.bearing import INNER, OUTER
 from raceway.errors import RunError
 from raceway.run import BALL, LUBRICANT
+from raceway.totals import pairs
 from raceway.units import prefixed
 
+NAME = {INNER: "inner", OUTER: "outer"}
 FILM = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
 
 
@@ -75,15 +77,18 @@ TOPICS = {
 def summary(run):
     """The figures of `run` (a `Run`) by name, SI units, text or numbers; None where the run has none.
 
-    Raises `RunError` when a file is broken or no ball ever touched a raceway.
+    Reads the files once, in blocks: memory does not grow with the run. Raises `RunError` when the run has not
+    finished, a file is broken or no ball ever touched a raceway.
     """
+    run.need_finished()
     settings = run.settings
     result = {key: settings.get(key) for key in
               ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearance_m", "step_s", "passes")}
     result.update({key: settings[key] if run.lubricated else None for key in LUBRICANT})
-    result.update(_mechanics(run))
+    contacts = _Contacts(run)
+    result.update(_mechanics(run, contacts))
     result["cage_speed_rad_s"] = _cage_speed(run)
-    result.update(_film(run))
+    result.update(_film(run, contacts))
     result.update(wall_s=settings["wall_s"], simulated_s=settings["simulated_s"],
                   real_time_factor=settings["simulated_s"] / settings["wall_s"])
     return {key: _plain(value) for key, value in result.items()}
@@ -95,51 +100,71 @@ def ring_displacement(run):
     return (run.rings["x"] * math.cos(azimuth) + run.rings["y"] * math.sin(azimuth)).to_numpy()
 
 
-def _mechanics(run):
-    contacts, result = run.contacts, {}
+class _Contacts:
+    """What the figures need of the contacts."""
+
+    def __init__(self, run):
+        self.top = {}  # raceway: row of the contact with the largest load
+        self.samples = self.pairs = 0
+        self.total = self.best = None  # capacitance of all pairs and of the best, F; None without the column
+        for block in run.blocks("contacts"):
+            self._add(block)
+        for side, name in NAME.items():
+            if side not in self.top:
+                raise RunError(f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any sample")
+
+    def _add(self, block):
+        for side in NAME:
+            loads = block.loc[block["raceway"] == side, "load"]
+            if len(loads) and (side not in self.top or loads.max() > self.top[side]["load"]):
+                self.top[side] = block.loc[loads.idxmax()]
+        both = pairs(block)
+        self.samples += block.attrs["samples"]
+        self.pairs += len(both)
+        if "capacitance" in block:
+            self.total = (self.total or 0.0) + both["capacitance"].sum()
+            self.best = max(self.best or 0.0, both["capacitance"].max() if len(both) else 0.0)
+
+
+def _mechanics(run, contacts):
+    result = {}
     shift = result["ring_shift_m"] = ring_displacement(run).mean()
-    pd = run.settings["clearance_m"]
-    result["load_parameter"] = clearance.load_parameter(pd, shift) if shift else None
-    tops = {"inner": _top(run, INNER), "outer": _top(run, OUTER)}
-    result["q_max_N"] = max(top["load"] for top in tops.values())
-    for side, top in tops.items():
-        result[f"q_{side}_max_N"] = top["load"]
-    for side, top in tops.items():
-        result[f"p_max_{side}_Pa"] = top["pressure"]
-    result["loaded_balls_mean"] = len(run.pairs) / contacts.attrs["samples"]
+    play = run.settings["clearance_m"]
+    result["load_parameter"] = clearance.load_parameter(play, shift) if shift else None
+    result["q_max_N"] = max(top["load"] for top in contacts.top.values())
+    for side, name in NAME.items():
+        result[f"q_{name}_max_N"] = contacts.top[side]["load"]
+    for side, name in NAME.items():
+        result[f"p_max_{name}_Pa"] = contacts.top[side]["pressure"]
+    result["loaded_balls_mean"] = contacts.pairs / contacts.samples
     return result
 
 
-def _top(run, raceway):
-    """The row of the contact with the largest load on one raceway."""
-    rows = run.contacts[run.contacts["raceway"] == raceway]
-    if rows.empty:
-        name = {INNER: "inner", OUTER: "outer"}[raceway]
-        raise RunError(f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any sample")
-    return rows.loc[rows["load"].idxmax()]
-
-
 def _cage_speed(run):
-    balls, ring = run.balls, run.settings["outer_ring"]
-    rings = balls.loc[balls["id"] == ring].set_index("sample")
-    rolling = balls[balls["type"] == BALL]
-    if rings.empty or rolling.empty:
-        raise RunError(f"{run.folder / 'balls.dump'} has no {'atom ' + str(ring) if rings.empty else 'ball (type 1)'}")
-    axis = rings.loc[rolling["sample"], ["x", "y", "vx", "vy"]].to_numpy()
-    relative = rolling[["x", "y", "vx", "vy"]].to_numpy() - axis
-    return kinematics.orbital_speed(*relative.T).mean()
+    ring, total, count = run.settings["outer_ring"], 0.0, 0
+    for balls in run.blocks("balls"):
+        rings = balls.loc[balls["id"] == ring].set_index("sample")
+        rolling = balls[balls["type"] == BALL]
+        if rings.empty or rolling.empty:
+            raise RunError(f"{run.folder / 'balls.dump'} has no "
+                           f"{'atom ' + str(ring) if rings.empty else 'ball (type 1)'}")
+        axis = rings.loc[rolling["sample"], ["x", "y", "vx", "vy"]].to_numpy()
+        relative = rolling[["x", "y", "vx", "vy"]].to_numpy() - axis
+        total += kinematics.orbital_speed(*relative.T).sum()
+        count += len(rolling)
+    return total / count
 
 
-def _film(run):
-    top, result = _top(run, INNER), dict.fromkeys(("entrainment_speed_m_s", *FILM))
+def _film(run, contacts):
+    top, result = contacts.top[INNER], dict.fromkeys(("entrainment_speed_m_s", *FILM))
     result["entrainment_speed_m_s"] = top.get("entrainment")
     if not run.lubricated:
         return result
     for key, column in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
         result[key] = top.get(column)
-    if "capacitance" in run.contacts:
-        result["capacitance_F"] = run.bearing_capacitance.mean()
-        result["capacitance_top_F"] = run.pairs["capacitance"].max() if len(run.pairs) else 0.0
+    if contacts.best is not None:
+        result["capacitance_F"] = contacts.total / contacts.samples
+        result["capacitance_top_F"] = contacts.best
     return result
 
 

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A line on the terminal while a long file is read. Off in the library; the `raceway` command turns it on."""
+
+import sys
+import time
+
+AFTER = 1.0  # s: what takes less needs no word
+on = False
+
+
+def reading(path, blocks):
+    """Yield `blocks` (`dump.Block`s of the file at `path`), with the share read on standard error if that is a terminal."""
+    if not (on and sys.stderr.isatty()):
+        yield from blocks
+        return
+    size, last, shown = path.stat().st_size, time.monotonic() + AFTER, False
+    try:
+        for block in blocks:
+            yield block
+            if time.monotonic() > last:
+                print(f"\rreading {path.name}: {min(block.end / size, 1):4.0%}", end="", file=sys.stderr, flush=True)
+                last, shown = time.monotonic() + 0.2, True
+    finally:
+        if shown:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)  # the line goes away

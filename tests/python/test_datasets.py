@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""raceway.open: every number of the files where its labels say, with its unit."""
+
+import numpy as np
+import pytest
+import synthetic
+import xarray as xr
+from test_run import spoil
+
+import raceway
+from raceway import columns
+from raceway.errors import RunError, RunWarning
+from raceway.summary import summary
+
+SIDE = {"inner": 0, "outer": 1}
+
+
+def test_contacts(folder, lubricated):
+    data = raceway.open(folder).contacts
+    assert data.sizes == {"time": 48, "raceway": 2, "ball": 9}
+    seen = np.zeros((48, 2, 9), dtype=bool)
+    place = {name: i for i, name in enumerate(synthetic.LUBRICATED)}
+    for sample, frame in enumerate(lubricated["contacts"]):
+        for row in frame:
+            one = data.sel(raceway=("inner", "outer")[row[2]], ball=row[0]).isel(time=sample)
+            assert [float(one[name]) for name in place if name not in ("ball", "raceway")] == [
+                row[i] for name, i in place.items() if name not in ("ball", "raceway")]
+            seen[sample, row[2], row[0] - 1] = True
+    assert not seen.all()  # the rest of a loaded zone: nothing there
+    for name in data.data_vars:
+        empty = data[name].to_numpy()[~seen]
+        assert np.isnan(empty).all() if np.isnan(columns.CONTACT[name].apart) else (empty == 0).all()
+
+
+def test_coordinates(folder, lubricated):
+    run, settings = raceway.open(folder), lubricated["settings"]
+    time = np.arange(48) * settings["sample_s"]
+    for data in (run.contacts, run.balls, run.cage, run.bearing):
+        assert np.array_equal(data["time"], time)
+        assert np.array_equal(data["passes"], np.arange(48) / 24)
+    assert set(run.rings["time"].to_numpy()) <= set(time)  # so that datasets can be put together
+    assert run.contacts["raceway"].to_numpy().tolist() == ["inner", "outer"]
+    assert run.balls["ball"].to_numpy().tolist() == list(range(1, 10))
+    assert run.cage["ball"].to_numpy().tolist() == list(range(10, 19))
+    # the load points to -y: a ball there is at azimuth -90 degrees and 0 from the load line
+    turned = np.mod(run.balls["azimuth"] + np.pi / 2 + np.pi, 2 * np.pi) - np.pi
+    np.testing.assert_allclose(run.balls["from_load_line"], turned, atol=1e-12)
+
+
+def test_balls(folder, lubricated):
+    run = raceway.open(folder)
+    for sample in (0, 17, 47):
+        for row in lubricated["balls"][sample]:
+            atoms = {1: run.balls, 2: run.cage}.get(row[1])
+            if atoms is not None:
+                one = atoms.sel(ball=row[0]).isel(time=sample)
+                assert [float(one[name]) for name in synthetic.BALL_COLUMNS[2:]] == row[2:]
+                assert float(one["azimuth"]) == pytest.approx(np.arctan2(row[3], row[2]), abs=1e-12)
+
+
+def test_contact_and_ball_azimuths_agree(folder):
+    run = raceway.open(folder)
+    contact, ball = xr.broadcast(run.contacts["azimuth"], run.balls["azimuth"])
+    live = np.isfinite(contact.to_numpy())
+    # the synthetic balls sit on the pitch circle, 35 um from where the theory puts them
+    np.testing.assert_allclose(contact.to_numpy()[live], ball.to_numpy()[live], atol=2e-3)
+
+
+def test_rings(folder, lubricated):
+    rings = raceway.open(folder).rings
+    table = np.array(lubricated["rings"])
+    for name, values in zip(synthetic.RING_COLUMNS, table.T):
+        if name != "time":
+            assert np.array_equal(rings[name], values)
+    assert np.array_equal(rings["shift"], -table[:, 3]) or np.allclose(rings["shift"], -table[:, 3], rtol=1e-14)
+
+
+def test_bearing(folder, lubricated):
+    run = raceway.open(folder)
+    bearing, column = run.bearing, {name: i for i, name in enumerate(synthetic.LUBRICATED)}
+    for sample, frame in enumerate(lubricated["contacts"]):
+        one = bearing.isel(time=sample)
+        loads = [[row[column["load"]] for row in frame if row[2] == side] for side in (0, 1)]
+        assert int(one["contacts"]) == len(frame)
+        assert (float(one["load_inner"]), float(one["load_outer"])) == (max(loads[0]), max(loads[1]))
+        for name, extreme in (("pressure", max), ("h_min", min), ("lambda", min)):
+            assert float(one[name]) == extreme(row[column[name]] for row in frame)
+        for name in ("friction_power", "damping_power"):
+            assert float(one[name]) == pytest.approx(sum(row[column[name]] for row in frame), rel=1e-13)
+        sides = [{row[0]: row[-1] for row in frame if row[2] == side} for side in (0, 1)]
+        both = sides[0].keys() & sides[1].keys()
+        assert int(one["loaded_balls"]) == len(both)
+        assert float(one["capacitance"]) == pytest.approx(
+            sum(1 / (1 / sides[0][ball] + 1 / sides[1][ball]) for ball in both), rel=1e-13)
+
+
+def test_a_sample_without_contacts(tmp_path, lubricated):
+    data = dict(lubricated, contacts=[[], *lubricated["contacts"][1:]])
+    run = raceway.open(synthetic.write(tmp_path / "run", data))
+    first = run.bearing.isel(time=0)
+    assert [float(first[name]) for name in ("contacts", "load_inner", "capacitance", "friction_power")] == [0] * 4
+    assert np.isnan(first["h_min"])
+    assert float(run.contacts["load"].isel(time=0).sum()) == 0
+    assert run.bearing.sizes["time"] == 48
+
+
+def test_units(folder):
+    run = raceway.open(folder)
+    for data, names in ((run.contacts, columns.CONTACT), (run.balls, columns.ATOM), (run.rings, columns.RING),
+                        (run.bearing, columns.BEARING)):
+        for name in data.data_vars:
+            assert data[name].attrs["units"] == (names[name].unit or "1") and data[name].attrs["long_name"]
+        for name in ("time", "passes"):
+            assert data[name].attrs["units"]
+    assert run.contacts["azimuth"].attrs["units"] == "rad"
+    assert run.contacts.attrs["load_N"] == 5000
+
+
+def test_dry(dry_folder):
+    run = raceway.open(dry_folder)
+    assert "h_min" not in run.contacts and "capacitance" not in run.bearing
+    assert float(run.bearing["friction_power"].min()) > 0
+
+
+def test_blocks_and_windows(folder, monkeypatch):
+    whole = raceway.open(folder)
+    monkeypatch.setattr("raceway.dump.BLOCK", 10_000)
+    for name in ("contacts", "balls", "cage"):
+        blocks = list(raceway.open(folder).blocks(name))
+        assert len(blocks) > 3
+        xr.testing.assert_identical(xr.concat(blocks, "time"), getattr(whole, name))
+    with pytest.raises(ValueError, match="no dataset 'rings' comes in blocks"):
+        next(whole.blocks("rings"))
+    some = raceway.open(folder, samples=slice(10, 20))
+    xr.testing.assert_identical(some.contacts, whole.contacts.isel(time=slice(10, 20)))
+    xr.testing.assert_identical(some.bearing, whole.bearing.isel(time=slice(10, 20)))
+    xr.testing.assert_identical(some.rings, whole.rings.isel(time=slice(10, 20)))
+
+
+def test_nothing_is_read_before_it_is_asked_for(folder):
+    for name in ("contacts.dump", "balls.dump", "rings.dat"):
+        (folder / name).unlink()
+    run = raceway.open(folder)
+    assert "6208" in repr(run) and run.settings["load_N"] == 5000
+    for name in ("contacts", "balls", "cage", "rings", "bearing"):
+        with pytest.raises(RunError, match="cannot read .*No such file"):
+            getattr(run, name)
+
+
+def test_summary(folder):
+    run = raceway.open(folder)
+    assert run.summary() == summary(run.tables)
+
+
+def test_growing_run(folder):
+    spoil(folder, "^wall_s:.*\n", "")
+    path = folder / "contacts.dump"
+    path.write_bytes(path.read_bytes()[:-20])
+    run = raceway.open(folder)
+    assert "not finished" in repr(run)
+    with pytest.warns(RunWarning, match="the file ends inside"):
+        assert run.contacts.sizes["time"] == 47
+
+
+def test_lammps_and_liggghts_look_alike(folder, tmp_path, lubricated):
+    """LAMMPS may begin a dump with its units and every frame with its time."""
+    other = synthetic.write(tmp_path / "other", lubricated)
+    spoil(other, "^host:.*", "host: LAMMPS 2026.3.4")
+    for name in ("contacts.dump", "balls.dump"):
+        text = (other / name).read_text().replace("ITEM: TIMESTEP", "ITEM: TIME\n0.25\nITEM: TIMESTEP")
+        (other / name).write_text("ITEM: UNITS\nsi\n" + text)
+    one, two = raceway.open(folder), raceway.open(other)
+    for name in ("contacts", "balls", "cage", "rings", "bearing"):
+        xr.testing.assert_equal(getattr(one, name), getattr(two, name))
+    xr.testing.assert_equal(raceway.open(other, slice(5, 9)).contacts, one.contacts.isel(time=slice(5, 9)))
+
+
+def test_one_contact_twice(tmp_path, lubricated):
+    data = dict(lubricated, contacts=[[*lubricated["contacts"][0], lubricated["contacts"][0][0]],
+                                      *lubricated["contacts"][1:]])
+    with pytest.raises(RunError, match="touches one raceway twice"):
+        raceway.open(synthetic.write(tmp_path / "run", data)).contacts
+
+
+def test_an_atom_lost(tmp_path, lubricated):
+    data = dict(lubricated, balls=[lubricated["balls"][0][:-1], *lubricated["balls"][1:]])
+    with pytest.raises(RunError, match="not every sample has the same atoms"):
+        raceway.open(synthetic.write(tmp_path / "run", data)).balls

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Memory does not grow with the run: every way of reading that says so, on a run and on one nine times as long.
+
+tests/bench/big_dump.py does the same with 2 GB.
+"""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import synthetic
+
+import raceway
+
+SHORT, LONG = 20, 180  # times the 48 samples of the synthetic run
+BLOCK = 1 << 18  # bytes read at once, as much smaller than usual as the runs are: the short one has several
+TASKS = """
+from raceway import electrical, losses, regimes, spectrum
+raceway.open(folder).summary()
+regimes.shares(raceway.open(folder))
+electrical.by_raceway(raceway.open(folder))
+losses.losses_around(raceway.open(folder))
+losses.losses(raceway.open(folder))
+run = raceway.open(folder)
+spectrum.lines(run, spectrum.of_run(run))
+[block["load"].max() for block in run.blocks("contacts")]
+[block["x"].max() for block in run.blocks("balls")]
+part = raceway.open(folder, slice(900, 920))
+part.contacts, part.balls, part.cage, part.rings
+u = run.universe()
+[u.trajectory[i] for i in range(0, len(u.trajectory), 50)]
+"""
+WHOLE = "raceway.open(folder).contacts"  # not one of them
+
+
+@pytest.fixture(scope="module")
+def folders(tmp_path_factory, lubricated):
+    """The run written out, its frames over and over."""
+    made = {}
+    for times in (SHORT, LONG):
+        folder = synthetic.write(tmp_path_factory.mktemp("long") / str(times), lubricated)
+        for name in ("contacts.dump", "balls.dump"):
+            text = (folder / name).read_bytes()
+            with open(folder / name, "wb") as file:
+                for _ in range(times):
+                    file.write(text)
+        rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))
+        rings[:, 1] = np.arange(len(rings)) * lubricated["settings"]["sample_s"]
+        np.savetxt(folder / "rings.dat", rings, header=" ".join(synthetic.RING_COLUMNS))
+        made[times] = folder
+    return made
+
+
+def peak(folder, task):
+    """Largest resident memory in MB of a process that does `task`."""
+    # VmHWM and not ru_maxrss, which a process inherits from the one that started it
+    code = (f"import sys, raceway, raceway.dump; raceway.dump.BLOCK = {BLOCK}; folder = sys.argv[1]\n{task}\n"
+            "print(next(line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')))")
+    environment = {"PYTHONPATH": str(Path(raceway.__file__).parents[1]), "PYTHONDONTWRITEBYTECODE": "1",
+                   "OPENBLAS_NUM_THREADS": "1"}
+    done = subprocess.run([sys.executable, "-c", code, str(folder)], env=environment, text=True, timeout=300,
+                          capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return float(done.stdout.splitlines()[-1]) / 1024
+
+
+def growth(folders, task):
+    """MB that the long run needs more than the short one, over the MB that its contacts.dump is longer."""
+    sizes = [(folders[times] / "contacts.dump").stat().st_size / 2**20 for times in (SHORT, LONG)]
+    return (peak(folders[LONG], task) - peak(folders[SHORT], task)) / (sizes[1] - sizes[0])
+
+
+def test_bounded(folders):
+    """A row a sample of totals, ring and spectrum stays: up to 1 KB for 2.9 KB of text in contacts.dump here, less where
+    there are more contacts."""
+    assert growth(folders, TASKS) < 0.3
+
+
+def test_whole_run_is_not(folders):
+    """The measure can tell: a row is 23 numbers of 8 bytes for about as many words of 19 characters, and the parts are put
+    together."""
+    assert growth(folders, WHOLE) > 0.5
