@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/implicit: backward Euler for balls, cage balls and rings, by one or a few Newton corrections.
+// fix bearing/implicit: implicit steps for balls, cage balls and rings (implicit/bearing_step.h).
 //
 // Where it sits in the host's step: initial_integrate makes the whole step, in as many substeps as the control
 // asks for, with its own copy of the state and its own calls of the contact functions; the host's force
@@ -63,7 +63,7 @@ class FixBearingImplicit : public Fix {
   [[noreturn]] void give_up(Part &, double h, const raceway::BearingStep::Outcome &);
 
   PairBearingHertz *pair_;
-  double tolerance_ = 0.0;        // m, estimated local error of a position in a substep
+  double tolerance_ = 0.0;        // m, estimated local error of a position in a substep; 0 until known
   raceway::BearingStep::Settings settings_;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   Instants instants_;

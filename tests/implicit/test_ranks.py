@@ -121,6 +121,16 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
         assert last(out) == last(unbroken)
 
 
+def test_only_dampers_implicit(tmp_path):
+    """`solve damping` on two ranks, written in the middle and resumed by four: the bits of one rank."""
+    words = dict(control="solve damping")
+    succeed(DECK, out=tmp_path / "one", **words)
+    succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)
+    assert state(tmp_path / "two")[:2] == state(tmp_path / "one")[:2]
+    succeed(DECK, ranks=4, out=tmp_path / "resumed", begin="resume", first=38, **words, **{"from": tmp_path / "two/restart.22"})
+    assert last(tmp_path / "resumed") == last(tmp_path / "one")
+
+
 BEARINGS = BOX.replace("box 4 box", "box 5 box").replace("0.06 -0.06 0.06 -0.06", "0.18 -0.06 0.06 -0.06") + """
 bearing_input inputs/bearings 6208
 pair_style bearing/hertz young 2.07e11 2.07e11 poisson 0.29 0.29
