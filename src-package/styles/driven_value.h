@@ -32,7 +32,7 @@ class DrivenValue {
     if (!is_variable()) return;
     index_ = lmp->input->variable->find(const_cast<char *>(name_.c_str()));
     if (index_ < 0 || !lmp->input->variable->equalstyle(index_))
-      lmp->error->all(FLERR, (command + ": there is no equal-style variable '" + name_ + "'").c_str());
+      BRG_ALL_OF(lmp, command + ": there is no equal-style variable '" + name_ + "'");
   }
 
   double now(LAMMPS_NS::LAMMPS *lmp) const

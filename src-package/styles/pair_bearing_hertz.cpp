@@ -36,7 +36,7 @@ PairBearingHertz *PairBearingHertz::find(LAMMPS *lmp, const std::string &asked_b
 {
   PairBearingHertz *p = dynamic_cast<PairBearingHertz *>(lmp->force->pair);
   if (!p)
-    lmp->error->all(FLERR, (asked_by + " needs pair_style bearing/hertz or bearing/ehd before it").c_str());
+    BRG_ALL_OF(lmp, asked_by + " needs pair_style bearing/hertz or bearing/ehd before it");
   return p;
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// LAMMPS 29Sep2021 and later.
+#ifndef BEARING_COMPAT_LAMMPS_H
+#define BEARING_COMPAT_LAMMPS_H
+
+#include "command.h"
+
+namespace bearing {
+typedef LAMMPS_NS::tagint tag_t;
+typedef LAMMPS_NS::Command CommandBase;
+}    // namespace bearing
+
+#define BRG_TEXT(msg) std::string(msg)    // a literal would pick a fmt template
+#define BRG_EV_INIT(e, v) ev_init(e, v)
+#define BRG_PACK_FORWARD pack_forward_comm
+#define BRG_UNPACK_FORWARD unpack_forward_comm
+#define BRG_READ_RESTART_SIG (FILE *fp)
+#define BRG_UNUSED_RESTART_ARGS do { } while (0)
+// the total; LIGGGHTS wants values per atom
+#define BRG_COMM_RETURN(total, peratom) ((void) (peratom), (total))
+#define BRG_ARRAYS_ARE_SET() do { } while (0)
+#if BEARING_HOST == BEARING_LAMMPS_2022
+#define BRG_FORWARD_FIX(fix) comm->forward_comm(fix)
+#define BRG_REQUEST_HALF() neighbor->add_request(this)
+#else
+#define BRG_FORWARD_FIX(fix) comm->forward_comm_fix(fix)
+#define BRG_REQUEST_HALF() neighbor->request(this, instance_me)
+#endif
+#define BRG_SET_MAXEXCHANGE(n) maxexchange = (n)
+#define BRG_COMPUTE_ARGS LAMMPS *lmp, int narg, char **arg
+#define BRG_COMPUTE_BASE Compute(lmp, narg, arg)
+#define BRG_COMPUTE_FIRST 3
+
+#endif

