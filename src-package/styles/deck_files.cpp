@@ -86,3 +86,20 @@ void BearingRange::command(int narg, char **arg)
     args.fail(name + " is " + text(v) + ", must be " + (whole ? "a whole number " : "") + "from " + text(lo) + " to " +
               text(hi) + advice);
 }
+
+// A string variable, unless a variable of that name is there already
+static void suggest(Variable *variable, std::string name, std::string value)
+{
+  std::string style = "string";
+  char *words[] = {&name[0], &style[0], &value[0]};
+  if (variable->find(words[0]) < 0) variable->set(3, words);
+}
+
+void BearingHost::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_host", narg, arg, 0);
+  const std::string kind = args.word("variable for the kind of host"), name = args.word("variable for its name");
+  if (args.more()) args.unknown("none, the command ends here");
+  suggest(input->variable, kind, BRG_HOST_KIND);
+  suggest(input->variable, name, BRG_HOST_NAME);
+}

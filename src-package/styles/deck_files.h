@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range: a deck's data files, result folder and numbers, with errors
-// that help before anything runs.
+// bearing_input, bearing_output, bearing_range, bearing_host: a deck's data files, result folder, numbers and host, with
+// errors that help before anything runs.
 #ifdef COMMAND_CLASS
 CommandStyle(bearing_input,BearingInput)
 CommandStyle(bearing_output,BearingOutput)
 CommandStyle(bearing_range,BearingRange)
+CommandStyle(bearing_host,BearingHost)
 #else
 #ifndef LMP_DECK_FILES_H
 #define LMP_DECK_FILES_H
@@ -32,6 +33,14 @@ class BearingOutput : public bearing::CommandBase {
 class BearingRange : public bearing::CommandBase {
  public:
   explicit BearingRange(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_host KIND NAME: set the string variables KIND to liggghts or lammps and NAME to the host's name and version,
+// unless they are there already (-var).
+class BearingHost : public bearing::CommandBase {
+ public:
+  explicit BearingHost(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
