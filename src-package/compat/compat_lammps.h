@@ -12,6 +12,7 @@ typedef LAMMPS_NS::Command CommandBase;
 
 #define BRG_HOST_KIND "lammps"
 #define BRG_HOST_NAME (std::string("LAMMPS ") + lmp->version)
+#define BRG_GHOST_COMMAND "comm_modify"
 #define BRG_TEXT(msg) std::string(msg)    // a literal would pick a fmt template
 #define BRG_EV_INIT(e, v) ev_init(e, v)
 #define BRG_PACK_FORWARD pack_forward_comm

@@ -10,6 +10,7 @@ typedef LAMMPS_NS::Pointers CommandBase;
 
 #define BRG_HOST_KIND "liggghts"
 #define BRG_HOST_NAME std::string("LIGGGHTS 3.8.0")
+#define BRG_GHOST_COMMAND "communicate single"
 #define BRG_TEXT(msg) std::string(msg).c_str()
 #define BRG_EV_INIT(e, v) do { if (e || v) ev_setup(e, v); else evflag = vflag_fdotr = 0; } while (0)
 #define BRG_PACK_FORWARD pack_comm

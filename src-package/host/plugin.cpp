@@ -17,10 +17,11 @@ template <class Function> Function host_function(const char *name)
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
 }
 
+// What the MPI of the host calls itself, empty if there is none
 std::string host_mpi()
 {
   const auto library_version = host_function<int (*)(char *, int *)>("MPI_Get_library_version");
-  if (!library_version) return "no MPI";
+  if (!library_version) return "";
   char text[8192] = "";    // MPI_MAX_LIBRARY_VERSION_STRING of MPICH
   int length = 0;
   library_version(text, &length);
@@ -43,7 +44,7 @@ std::string complaint(void *lmp)
                               "') and start that one's lmp";
   const std::string mpi = host_mpi();
   if (!like_mpich(mpi))
-    return "built with MPICH, but this LAMMPS runs on " + mpi + ": " + install +
+    return "built with MPICH, but this LAMMPS " + (mpi.empty() ? "has no MPI" : "runs on " + mpi) + ": " + install +
         ", or use build/lammps for Debian's LAMMPS with Open MPI";
   const auto version = host_function<int (*)(void *)>("lammps_version");
   if (!version) return "this LAMMPS does not show its C library interface to plugins: " + install;
@@ -70,6 +71,13 @@ void say(void *lmp, const std::string &why)
   fprintf(stderr, "ERROR: raceway_plugin.so adds no styles: %s\n", why.c_str());
 }
 
+// `plugin load` after the search path has found this object, or the other way round
+bool already_there(void *lmp)
+{
+  const auto has = host_function<int (*)(void *, const char *, const char *)>("lammps_has_style");
+  return has && has(lmp, "pair", "bearing/hertz");
+}
+
 }    // namespace
 
 // Without the styles the deck's first bearing command ends the run; a LAMMPS that only found this plugin on its path
@@ -78,6 +86,7 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
 {
   const std::string why = complaint(lmp);
   if (!why.empty()) return say(lmp, why);
+  if (already_there(lmp)) return;
   void *styles = dlopen(beside("libraceway_lammps.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!styles) return say(lmp, std::string(dlerror()) + ": run make build");
   using Register = void (*)(void *, void *, void *);

