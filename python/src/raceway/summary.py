@@ -128,7 +128,8 @@ class _Contacts:
 
 def _mechanics(run, contacts):
     result = {}
-    shift = result["ring_shift_m"] = ring_displacement(run).mean()
+    # LAMMPS prints the start of the window as well, LIGGGHTS does not
+    shift = result["ring_shift_m"] = ring_displacement(run)[run.rings["sample"] > 0].mean()
     play = run.settings["clearance_m"]
     result["load_parameter"] = clearance.load_parameter(play, shift) if shift else None
     result["q_max_N"] = max(top["load"] for top in contacts.top.values())
