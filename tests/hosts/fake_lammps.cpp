@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A LAMMPS of any version on any MPI, as far as raceway_plugin.so looks at it before it loads the styles:
+//   fake_lammps PLUGIN VERSION MPI_NAME
+// Ends with 0 if the plugin registered nothing and returned.
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+static int version, registered;
+static const char *mpi;
+
+extern "C" {
+int lammps_version(void *) { return version; }
+int lammps_extract_setting(void *, const char *) { return 0; }
+int MPI_Get_library_version(char *text, int *length)
+{
+  strcpy(text, mpi);
+  *length = static_cast<int>(strlen(mpi));
+  return 0;
+}
+}
+
+static void count(void *, void *) { ++registered; }
+
+int main(int, char **argv)
+{
+  version = atoi(argv[2]);
+  mpi = argv[3];
+  void *plugin = dlopen(argv[1], RTLD_NOW | RTLD_GLOBAL);
+  if (!plugin) return fprintf(stderr, "%s\n", dlerror()), 2;
+  using Init = void (*)(void *, void *, void *);
+  const Init init = reinterpret_cast<Init>(dlsym(plugin, "lammpsplugin_init"));
+  if (!init) return fprintf(stderr, "%s\n", dlerror()), 2;
+  init(nullptr, plugin, reinterpret_cast<void *>(&count));
+  return registered;
+}

