@@ -2,11 +2,11 @@
 """The styles are there in every way LIGGGHTS is started: after `clear`, by preload, in partitions, from Python."""
 
 import os
-import shutil
 import subprocess
 import sys
 import textwrap
 
+import pytest
 from host import ROOT, frames, succeed
 
 
@@ -31,10 +31,12 @@ def test_partition(tmp_path):
                 frames(tmp_path / "alone" / oil / "contacts.dump"))
 
 
-def test_preload_into_the_stock_program(tmp_path):
-    done = subprocess.run([shutil.which("liggghts"), "-in", "tests/hosts/in.bits", "-log", "none", "-var", "out",
+@pytest.mark.parametrize("program, styles", [("liggghts", "libraceway_liggghts.so"), ("lmp", "libraceway_lammps_2021.so")])
+def test_preload_into_the_stock_program(program, styles, tmp_path):
+    """Of Debian."""
+    done = subprocess.run([f"/usr/bin/{program}", "-in", "tests/hosts/in.bits", "-log", "none", "-var", "out",
                            str(tmp_path)], cwd=ROOT, text=True, capture_output=True, check=False,
-                          env=dict(os.environ, LD_PRELOAD=str(ROOT / "build" / "libraceway_liggghts.so")))
+                          env=dict(os.environ, LD_PRELOAD=str(ROOT / "build" / styles)))
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr
     succeed("tests/hosts/in.bits", out=tmp_path / "ours")
     assert frames(tmp_path / "balls.dump") == frames(tmp_path / "ours" / "balls.dump")
