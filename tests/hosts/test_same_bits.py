@@ -17,6 +17,7 @@ SCENES = {name: {"scene": scene["deck"], **scene.get("variables", {})} for name,
     "preload": {"scene": "inputs/in.preload"},
     "no cage": {"scene": "inputs/in.nocage"},
     "axial": {"scene": "inputs/in.axial", "quiet": "slow_ring"},
+    "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
     "velocity Verlet": {"scene": "inputs/in.6208", "integrator": "verlet", "rpm": 5000, "passes": 1},
 }
 TRANSIENT = {"tests/hosts/in.bits": {"tilt": "free"}, "tests/implicit/in.ranks": {"bearings": 2, "xhi": 0.18}}
