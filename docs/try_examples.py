@@ -9,6 +9,7 @@ Python and console blocks run in the root of the repository, where they may use 
 Exit code 1 when a run fails; its last lines are shown.
 """
 
+import os
 import re
 import subprocess
 import sys
@@ -51,11 +52,22 @@ def session(page):
 
 
 def run_session(page):
-    """Run the blocks of a page; what each said when it failed, or nothing."""
+    """Run the blocks of a page; what each said when it failed, or nothing.
+
+    Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print, in that order."""
+    paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     for number, (kind, block) in enumerate(session(page), 1):
-        command = [sys.executable, "-W", "error", "-c", block] if kind == "python" else ["bash", "-ec", block]
-        done = subprocess.run(command, cwd=DOCS.parent, capture_output=True, text=True)
-        yield f"{page.name} {kind} block {number}", done.returncode and f"{block}\n{done.stdout[-400:]}\n{done.stderr[-800:]}"
+        transcript = block.startswith("$ ")
+        commands = "\n".join(line[2:] for line in block.splitlines() if line.startswith("$ ")) if transcript else block
+        command = [sys.executable, "-W", "error", "-c", block] if kind == "python" else ["bash", "-ec", commands]
+        done = subprocess.run(command, cwd=DOCS.parent, env=paths, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if transcript:
+            printed = iter(done.stdout.splitlines())
+            failed = not all(line.rstrip() in (other.rstrip() for other in printed) for line in block.splitlines()
+                             if line.strip() not in ("", "...") and not line.startswith("$ "))
+        else:
+            failed = done.returncode != 0
+        yield f"{page.name} {kind} block {number}", failed and f"{block}\n{done.stdout[-1200:]}"
 
 
 def key(line):

@@ -15,7 +15,7 @@ from matplotlib.ticker import MaxNLocator
 
 from raceway import style
 from raceway.bearing import INNER, OUTER
-from raceway.errors import RunError, RunWarning
+from raceway.errors import RunWarning
 from raceway.run import Run
 from raceway.style import BALL, COLOUR, FAINT, INK, NAME, REGIMES, SOFT
 from raceway.summary import ring_displacement, summary

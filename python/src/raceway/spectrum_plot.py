@@ -4,11 +4,10 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from raceway.errors import RunError
-from raceway.style import FAINT, INK, SOFT, STYLE
+from raceway.style import FAINT, INK, PALETTE, SOFT, STYLE, save
 from raceway.units import axis
 
-COLOUR = {"FTF": "#009E73", "BSF": "#CC79A7", "BPFO": "#E69F00", "BPFI": "#0072B2"}  # Okabe and Ito
+COLOUR = dict(zip(("BPFI", "BPFO", "FTF", "BSF"), PALETTE))
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # shown below the strongest line
 
@@ -42,9 +41,4 @@ def picture(run, spectrum, found, path):
         settings = run.settings
         axes.set_title(f"{settings['bearing']}, {settings['load_N']:g} N, {settings['rpm']:g} rpm: "
                        f"{spectrum.attrs['long_name']}", pad=10)
-        try:
-            figure.savefig(path, format="png", facecolor="white")
-        except OSError as error:
-            raise RunError(f"cannot write {path}: {error.strerror or error}") from None
-        finally:
-            plt.close(figure)
+        save(figure, path)
