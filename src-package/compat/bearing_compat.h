@@ -45,8 +45,11 @@
 #include "universe.h"
 #include "update.h"
 #include "variable.h"
-#if !BEARING_IS_LIGGGHTS
+#if BEARING_IS_LIGGGHTS
+#include "signal_handling.h"
+#else
 #include "command.h"
+#include "timer.h"
 #include "utils.h"
 #endif
 
@@ -62,6 +65,18 @@ typedef LAMMPS_NS::Pointers CommandBase;
 typedef LAMMPS_NS::tagint tag_t;
 typedef LAMMPS_NS::Command CommandBase;
 #endif
+
+// Ends the run after the step that is being made, with its output. All ranks must call it in the same step.
+inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp)
+{
+#if BEARING_IS_LIGGGHTS
+  (void) lmp;
+  LAMMPS_NS::SignalHandler::request_write_restart = false;
+  LAMMPS_NS::SignalHandler::request_quit = true;
+#else
+  lmp->timer->force_timeout();
+#endif
+}
 }    // namespace bearing
 
 #ifndef FLERR

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range: a deck's data files, result folder and numbers, with errors
-// that help before anything runs.
+// bearing_input, bearing_output, bearing_range, bearing_resume: a deck's data files, result folder, numbers and
+// restart file, with errors that help before anything runs.
 #ifdef COMMAND_CLASS
 CommandStyle(bearing_input,BearingInput)
 CommandStyle(bearing_output,BearingOutput)
 CommandStyle(bearing_range,BearingRange)
+CommandStyle(bearing_resume,BearingResume)
 #else
 #ifndef LMP_DECK_FILES_H
 #define LMP_DECK_FILES_H
@@ -32,6 +33,13 @@ class BearingOutput : public bearing::CommandBase {
 class BearingRange : public bearing::CommandBase {
  public:
   explicit BearingRange(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_resume NAME yes|no FILE: set the index variable NAME to yes if asked to and FILE is there, else to no.
+class BearingResume : public bearing::CommandBase {
+ public:
+  explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
