@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl_base_warn_component_unused="0",
+                   ASAN_OPTIONS="detect_leaks=0", UBSAN_OPTIONS="print_stacktrace=1")
 # A box for one 6208 around the origin, four atom types, nothing in it.
 BOX = """
 units si
@@ -48,10 +51,7 @@ def liggghts(deck, *, ranks=1, sanitized=False, extra=(), timeout=300, cwd=ROOT,
     if ranks > 1:
         command = ["mpirun.openmpi", "--oversubscribe", "-np", str(ranks), *command]
     # errors="replace": one in five LIGGGHTS errors ends with a "tip of the day" read from freed memory
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                       OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl_base_warn_component_unused="0",
-                       ASAN_OPTIONS="detect_leaks=0", UBSAN_OPTIONS="print_stacktrace=1")
-    done = subprocess.run(command, cwd=cwd, env=environment, text=True, errors="replace", timeout=timeout, stdin=subprocess.DEVNULL,
+    done = subprocess.run(command, cwd=cwd, env=ENVIRONMENT, text=True, errors="replace", timeout=timeout, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return Outcome(done.returncode, done.stdout)
 
