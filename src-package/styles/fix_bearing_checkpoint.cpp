@@ -225,6 +225,7 @@ void FixBearingCheckpoint::watch_files()
 double FixBearingCheckpoint::compute_vector(int k)
 {
   if (k == 0) return samples_ > 0.0 ? sum_ / samples_ : 0.0;
+  counters_[k - 1].check(lmp, command_);    // asked for between runs, where a redefined variable has moved
   return before_[k - 1] + counters_[k - 1].now(lmp);
 }
 

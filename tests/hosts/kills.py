@@ -10,6 +10,7 @@ A run that is killed is resumed, killed again with some chance, on 1, 2 or 4 ran
 import argparse
 import os
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -84,8 +85,9 @@ def session(leader):
 
 def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
     """Run `scene` with signals `which` at random moments of its `length` (s) until it is done; compare with `reference`."""
-    story = Story()
-    for attempt in range(100):
+    story, attempt = Story(), -1
+    while attempt < 100:
+        attempt += 1
         process = start(scene, out, ranks=ranks[attempt % len(ranks)])
         # the first start always has a signal sent to it, the later ones every other time
         if attempt == 0 or dice.random() < 0.5:
@@ -101,8 +103,11 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
                 story.kills += 1
         code = process.wait()
         story.codes += (code,)
-        if code == 0:
+        if code == 0 and story.kills:
             break
+        if code == 0:  # too late: nothing was disturbed
+            shutil.rmtree(out)
+            attempt = -1
     story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Going on from")
     story.different = tuple(name for name in FILES if not same(out / name, reference / name))
     if settings(out) != settings(reference):
