@@ -58,8 +58,12 @@ std::string no_room(const std::string &file)
   const std::string probe = file + ".probe", content(65536, 'x');
   std::string why;
   const int fd = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (fd < 0 || write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) || fsync(fd) != 0)
-    why = strerror(errno ? errno : ENOSPC);
+  if (fd < 0) {
+    why = strerror(errno);
+  } else {
+    errno = ENOSPC;    // a short write is no error to the system
+    if (write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) || fsync(fd) != 0) why = strerror(errno);
+  }
   if (fd >= 0) close(fd);
   unlink(probe.c_str());
   return why;
@@ -182,12 +186,25 @@ void FixBearingCheckpoint::publish()
   written_ = false;
   if (comm->me != 0) return;
   for (const std::string &f : files_) settle_on_disk(f);
-  if (!settle_on_disk(part_) || !no_room(file_).empty() || rename(part_.c_str(), file_.c_str()) != 0) {
-    const int code = errno;
-    const std::string room = no_room(file_);
-    unlink(part_.c_str());
-    BRG_ONE(command_ + ": cannot write restart file " + file_ + " at step " + std::to_string(update->ntimestep) + ": " +
-            (room.empty() ? strerror(code) : room.c_str()) + "; the one before it, if any, is still good");
+  // the host does not look whether its writing succeeded: where there is room for more, it did
+  std::string why = no_room(file_);
+  if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);
+  if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
+  if (why.empty()) return;
+  unlink(part_.c_str());
+  BRG_ONE(command_ + ": cannot write restart file " + file_ + " at step " + std::to_string(update->ntimestep) + ": " + why +
+          ". The one before it, if any, is still good: make room and go on from it");
+}
+
+// Output may be longer than it was when the restart file was written, but not shorter.
+void FixBearingCheckpoint::check_files()
+{
+  if (comm->me != 0) return;
+  for (size_t k = 0; k < files_.size(); ++k) {
+    const double now = bytes(files_[k]);
+    if (now < length_[k])
+      BRG_ONE(command_ + ": " + files_[k] + (now < 0.0 ? " is gone" : " has " + whole(now) + " bytes") +
+              ", it had " + whole(length_[k]) + " when " + file_ + " was written: start the run anew");
   }
 }
 
@@ -196,10 +213,6 @@ void FixBearingCheckpoint::cut_files()
   cut_ = true;
   if (comm->me != 0) return;
   for (size_t k = 0; k < files_.size(); ++k) {
-    const double now = bytes(files_[k]);
-    if (now < length_[k])
-      BRG_ONE(command_ + ": " + files_[k] + (now < 0.0 ? " is gone" : " has " + whole(now) + " bytes") +
-              ", it had " + whole(length_[k]) + " when " + file_ + " was written: start the run anew");
     if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
       BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
     seen_[k] = -1.0;    // the next sample of a dump comes after the next look at it
@@ -264,4 +277,5 @@ void FixBearingCheckpoint::restart(char *buf)
   sum_ = head[2];
   samples_ = head[3];
   resumed_ = true;
+  check_files();
 }

@@ -31,6 +31,7 @@ class FixBearingCheckpoint : public Fix {
 
  private:
   void publish();
+  void check_files();
   void cut_files();
   void watch_files();
   [[noreturn]] void stop();
