@@ -45,6 +45,7 @@ bench: build
 	.venv/bin/python tests/bench/work_precision.py
 	.venv/bin/python tests/bench/peers.py
 	.venv/bin/python tests/hard/table.py
+	.venv/bin/python tests/bench/sweep.py
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)

@@ -4,6 +4,7 @@
 import os
 import select
 import signal
+import sys
 import threading
 import time
 from collections import Counter
@@ -43,7 +44,7 @@ def sweep(points, folder, command, *, jobs=1, retry=False):
                 counts[status] += 1
                 bar.update()
                 if status == FAILED:
-                    bar.write(f"{futures[future].name}: {message}")
+                    bar.write(f"{futures[future].name}: {message}", file=sys.stderr)
     except BrokenProcessPool:
         raise RacewayError("a worker of the sweep was killed (out of memory?); start the sweep again to go on") from None
     finally:
