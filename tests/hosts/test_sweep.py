@@ -234,3 +234,10 @@ def test_partition_deck(tmp_path):
         succeed("inputs/in.6208", out=tmp_path / "alone", load=load, rpm=rpm, lubricant=oil, passes=1, samples=50)
         for name in ("contacts.dump", "balls.dump", "rings.dat"):
             assert (tmp_path / "together" / str(number) / name).read_bytes() == (tmp_path / "alone" / name).read_bytes()
+
+
+def test_table_of_the_docs(tmp_path):
+    """docs/sweep.rst shows this command, and the name of a folder."""
+    done = sweep("docs/decks/sweep.csv", "--out", tmp_path)
+    assert (done.returncode, done.stdout) == (0, f"4 finished: {tmp_path / 'results.csv'}\n")
+    assert (tmp_path / "load=1000_rpm=477.5_lubricant=mineral_passes=1" / "summary.json").exists()
