@@ -3,7 +3,7 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, other programs, hard cases; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, other programs, hard cases, sweeps; rewrites pages of docs/performance
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
