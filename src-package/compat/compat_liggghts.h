@@ -3,9 +3,18 @@
 #ifndef BEARING_COMPAT_LIGGGHTS_H
 #define BEARING_COMPAT_LIGGGHTS_H
 
+#include "signal_handling.h"
+
 namespace bearing {
 typedef int tag_t;
 typedef LAMMPS_NS::Pointers CommandBase;
+
+// Ends the run after the step that is being made, with its output. All ranks must call it in the same step.
+inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
+{
+  LAMMPS_NS::SignalHandler::request_write_restart = false;
+  LAMMPS_NS::SignalHandler::request_quit = true;
+}
 }    // namespace bearing
 
 #define BRG_HOST_KIND "liggghts"

@@ -10,6 +10,7 @@
 #include "../styles/deck_files.h"
 #include "../styles/fix_bearing_cage.h"
 #include "../styles/fix_bearing_capacitance.h"
+#include "../styles/fix_bearing_checkpoint.h"
 #include "../styles/fix_bearing_implicit.h"
 #include "../styles/fix_bearing_ring.h"
 #include "../styles/fix_bearing_state.h"
@@ -28,6 +29,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingCage>("bearing/cage");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");
   add.template fix<FixBearingTimestep>("bearing/timestep");
+  add.template fix<FixBearingCheckpoint>("bearing/checkpoint");
   add.template compute<ComputeBearingContact>("bearing/contact");
   add.template compute<ComputeBearingBall>("bearing/ball");
   add.template compute<ComputeBearingTotal>("bearing/total");
@@ -36,6 +38,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingOutput>("bearing_output");
   add.template command<BearingRange>("bearing_range");
   add.template command<BearingHost>("bearing_host");
+  add.template command<BearingResume>("bearing_resume");
 }
 
 #endif

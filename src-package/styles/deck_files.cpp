@@ -103,3 +103,22 @@ void BearingHost::command(int narg, char **arg)
   suggest(input->variable, kind, BRG_HOST_KIND);
   suggest(input->variable, name, BRG_HOST_NAME);
 }
+
+void BearingResume::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_resume", narg, arg, 0);
+  const std::string name = args.word("name of a variable");
+  const bool asked = args.choice("resume", {"no", "yes"}) == 1;
+  const std::string file = args.word("restart file");
+  if (args.more()) args.unknown("none, the command ends here");
+  std::error_code ec;
+  int there = comm->me == 0 && fs::is_regular_file(file, ec) ? 1 : 0;
+  MPI_Bcast(&there, 1, MPI_INT, 0, world);
+  if (asked && comm->me == 0) {
+    const std::string say = there ? "Going on from " + file + "\n" : "No " + file + " to go on from: starting anew\n";
+    if (screen) fputs(say.c_str(), screen);
+    if (logfile) fputs(say.c_str(), logfile);
+  }
+  input->one(("variable " + name + " delete").c_str());
+  input->one(("variable " + name + " index " + (asked && there ? "yes" : "no")).c_str());
+}

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range, bearing_host: a deck's data files, result folder, numbers and host, with
-// errors that help before anything runs.
+// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume: a deck's data files, result folder, numbers, host
+// and restart file, with errors that help before anything runs.
 #ifdef COMMAND_CLASS
 CommandStyle(bearing_input,BearingInput)
 CommandStyle(bearing_output,BearingOutput)
 CommandStyle(bearing_range,BearingRange)
 CommandStyle(bearing_host,BearingHost)
+CommandStyle(bearing_resume,BearingResume)
 #else
 #ifndef LMP_DECK_FILES_H
 #define LMP_DECK_FILES_H
@@ -41,6 +42,13 @@ class BearingRange : public bearing::CommandBase {
 class BearingHost : public bearing::CommandBase {
  public:
   explicit BearingHost(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_resume NAME yes|no FILE: set the index variable NAME to yes if asked to and FILE is there, else to no.
+class BearingResume : public bearing::CommandBase {
+ public:
+  explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

@@ -9,7 +9,7 @@ import warnings
 from pathlib import Path
 
 from raceway import __version__, progress
-from raceway.commands import paper, spectrum, static
+from raceway.commands import gather, paper, spectrum, static, sweep
 from raceway.errors import RacewayError, RunWarning
 from raceway.run import Run
 from raceway.summary import summary, table
@@ -48,7 +48,7 @@ def _parser():
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
     one.add_argument("--out", metavar="PNG", help="where to put it (default: DIR/overview.png)")
     one.set_defaults(command=_plot)
-    for module in (spectrum, static, paper):
+    for module in (spectrum, static, sweep, gather, paper):
         module.add(commands)
     return parser
 

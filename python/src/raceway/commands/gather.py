@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway gather`: what a sweep has so far, as one table."""
+
+from raceway.gather import write_results
+
+HELP = "results of a sweep as one CSV table"
+
+
+def add(commands):
+    parser = commands.add_parser("gather", help=HELP, description="Write DIR/results.csv: a row per point, with the variables that were set, "
+                                 "all figures of `raceway summary`, and the message of points that failed.")
+    parser.add_argument("folder", metavar="DIR", help="folder of the sweep")
+    parser.set_defaults(command=run)
+
+
+def run(arguments):
+    path, table = write_results(arguments.folder)
+    counts = table["status"].value_counts()
+    print(f"{path}: " + ", ".join(f"{counts[status]} {status}" for status in ("finished", "failed", "pending") if status in counts))

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway sweep`: run the rows of a table, or write them out as a job array."""
+
+import argparse
+import os
+import re
+import shlex
+import shutil
+import signal
+import sys
+from pathlib import Path
+
+from raceway.errors import RacewayError
+from raceway.points import deck_variables, read_points
+
+HELP = "run a deck for every row of a table"
+DESCRIPTION = """\
+Each row of the CSV file TABLE is a point, each column a variable of the deck: load, rpm, clearance, lubricant, ...
+Every point gets a folder in DIR named after its values. Finished points are not run again, so a sweep that was
+stopped (Ctrl-C, kill, a time limit) goes on when the same command is given again; two sweeps started on one DIR
+share the work. A point that fails keeps its message and does not stop the others. At the end DIR/results.csv has
+a row per point. Exit code 1 if a point failed.
+"""
+SLURM = """\
+#!/bin/bash
+# A sweep as a Slurm job array, written by `raceway sweep`. Submit it from the folder it was written from:
+#   sbatch {script}
+# Submit it again to go on with what is missing; `raceway gather {folder}` shows what is there.
+#SBATCH --job-name=raceway-sweep
+#SBATCH --array=1-{tasks}
+#SBATCH --ntasks=1
+#SBATCH --cpus-per-task=1
+#SBATCH --time=01:00:00
+#SBATCH --signal=TERM@60
+#SBATCH --output={folder}/slurm-%A_%a.txt
+exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_ID:?}}/{tasks}"
+"""
+
+
+def add(commands):
+    parser = commands.add_parser("sweep", help=HELP, description=DESCRIPTION, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("table", metavar="TABLE", help="CSV file: variables of the deck in the first line, a point in each other line")
+    parser.add_argument("--out", metavar="DIR", help="folder of the sweep (default: build/sweep/NAME for NAME.csv)")
+    parser.add_argument("--jobs", metavar="N", type=_positive, default=len(os.sched_getaffinity(0)),
+                        help="points at a time (default: the cores, %(default)s)")
+    parser.add_argument("--deck", metavar="FILE", default="inputs/in.6208", help="deck to run (default: %(default)s)")
+    parser.add_argument("--program", metavar="COMMAND", default="build/liggghts",
+                        help="program that runs it, with its own words if any: 'mpirun -np 2 build/liggghts' (default: %(default)s)")
+    parser.add_argument("--retry", action="store_true", help="run failed points again")
+    parser.add_argument("--part", metavar="I/N", type=_part, default=(1, 1), help="only the points I, I+N, I+2N, ... of the table")
+    parser.add_argument("--check", action="store_true", help="check the table, run nothing")
+    parser.add_argument("--slurm", metavar="SCRIPT", help="run nothing, write a Slurm job array to SCRIPT")
+    parser.add_argument("--tasks", metavar="N", type=_positive, help="with --slurm: tasks in the array (default: a point each, 1000 at most)")
+    parser.set_defaults(command=run)
+
+
+def run(arguments):
+    points = read_points(arguments.table, deck_variables(arguments.deck))
+    program = shlex.split(arguments.program)
+    if not program or shutil.which(program[0]) is None:
+        raise RacewayError(f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start from the repository's root")
+    out = Path(arguments.out or Path("build/sweep") / Path(arguments.table).stem)
+    if arguments.check:
+        print(f"{arguments.table}: {len(points)} points")
+    elif arguments.slurm:
+        _write_array(arguments, out, len(points))
+    else:
+        from raceway.sweep import sweep  # pandas takes a while
+
+        first, step = arguments.part
+        signal.signal(signal.SIGTERM, _terminated)
+        signal.signal(signal.SIGHUP, _terminated)
+        counts, before, path = sweep(points[first - 1::step], out, [*program, "-in", arguments.deck], jobs=arguments.jobs, retry=arguments.retry)
+        print(", ".join(f"{number} {what}" + (f" ({before} before)" if what == "finished" and before else "") for what, number in counts.items()) +
+              f": {path}")
+        if counts.get("failed"):
+            raise RacewayError(f"{counts['failed']} points failed: their messages are in {path}; --retry runs them again")
+
+
+def _terminated(number, _):
+    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
+    sys.exit(128 + number)
+
+
+def _write_array(arguments, out, points):
+    tasks = min(arguments.tasks or 1000, points)
+    words = [sys.executable, "-m", "raceway", "sweep", arguments.table, "--out", str(out), "--deck", arguments.deck, "--program", arguments.program]
+    text = SLURM.format(script=shlex.quote(arguments.slurm), folder=shlex.quote(str(out)), tasks=tasks,
+                        command=shlex.join(words + ["--retry"] * arguments.retry))
+    try:
+        out.mkdir(parents=True, exist_ok=True)  # Slurm does not make the folder of its output
+        Path(arguments.slurm).write_text(text)
+    except OSError as error:
+        raise RacewayError(f"cannot write {error.filename}: {error.strerror}") from None
+    print(f"{arguments.slurm}: {points} points in {tasks} tasks")
+
+
+def _positive(text):
+    if not re.fullmatch(r"[1-9][0-9]*", text):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1")
+    return int(text)
+
+
+def _part(text):
+    match = re.fullmatch(r"([1-9][0-9]*)/([1-9][0-9]*)", text)
+    if not match or int(match[1]) > int(match[2]):
+        raise argparse.ArgumentTypeError(f"'{text}' is not I/N with 1 <= I <= N")
+    return int(match[1]), int(match[2])

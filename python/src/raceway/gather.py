@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The points of a sweep folder as one tidy table."""
+
+import json
+import os
+from pathlib import Path
+
+import pandas as pd
+import yaml
+
+from raceway.errors import RacewayError
+from raceway.point_run import FINISHED, state
+
+KEYS = ("point", "status", "message")
+
+
+def gather(folder):
+    """A `DataFrame`, a row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending), `message`, the variables
+    that were set, and every key of `raceway.summary.summary` (SI units). Sorted by the variables. Raises `RacewayError` for no point."""
+    rows, variables = [], {}
+    for path in sorted(Path(folder).glob("*/point.yaml")):
+        try:
+            asked = yaml.safe_load(path.read_text())
+        except (OSError, yaml.YAMLError) as error:
+            raise RacewayError(f"cannot read {path}: {error}") from None
+        variables.update(asked)
+        status, message = state(path.parent, asked)
+        figures = json.loads((path.parent / "summary.json").read_text()) if status == FINISHED else {}
+        rows.append({"point": path.parent.name, "status": status, "message": message, **asked, **figures})
+    if not rows:
+        raise RacewayError(f"{folder} holds no point of a sweep (no */point.yaml)")
+    table = pd.DataFrame(rows)
+    for name in variables:  # numbers where all are numbers, so that 5e3 stands behind 600
+        try:
+            table[name] = pd.to_numeric(table[name])
+        except (ValueError, TypeError):
+            pass
+    rest = [name for name in table if name not in KEYS and name not in variables]
+    return table.sort_values(list(variables), kind="stable", ignore_index=True)[[*KEYS, *variables, *rest]]
+
+
+def write_results(folder):
+    """Write `gather(folder)` to `results.csv` in it; return its path and the table."""
+    table, path = gather(folder), Path(folder) / "results.csv"
+    part = path.with_name(f".results.{os.getpid()}.part")  # two sweeps may gather at once
+    table.to_csv(part, index=False)
+    os.replace(part, path)
+    return path, table

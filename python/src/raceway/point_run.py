@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""One point of a sweep: its folder, its lock, its run, and what became of it.
+
+A folder holds what the deck writes, `log.txt`, and
+
+    point.yaml     the variables, written before the run
+    summary.json   the figures, written last: the point is finished
+    failed.json    the message of a run that ended with an error
+
+Each is written under another name first and then renamed, so it is whole or not there.
+"""
+
+import fcntl
+import json
+import os
+import select
+import signal
+import subprocess
+from contextlib import contextmanager
+from pathlib import Path
+
+import yaml
+
+from raceway.errors import RacewayError
+from raceway.run import Run
+from raceway.summary import summary
+
+FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "busy", "stopped"
+STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
+PATIENCE = 20.0  # s that a stopped run has for its restart file
+# variables of the deck and what `run.yaml` calls them
+RECORDED = {"load": "load_N", "rpm": "rpm", "clearance": "clearance_m", "passes": "passes", "samples": "samples_per_pass",
+            "bearing": "bearing", "lubricant": "lubricant", "integrator": "integrator"}
+
+
+def state(folder, variables):
+    """(status, message) of the point in `folder`: finished only if its figures are of these `variables`."""
+    folder = Path(folder)
+    if _read(folder / "point.yaml", yaml.safe_load) != dict(variables):
+        return PENDING, ""
+    if _read(folder / "summary.json", json.loads):
+        return FINISHED, ""
+    failed = _read(folder / "failed.json", json.loads)
+    return (FAILED, failed["message"]) if failed else (PENDING, "")
+
+
+def run_point(folder, variables, command, *, retry=False, stop=None):
+    """Run one point unless it is finished (or failed, without `retry`); return (status, message).
+
+    `command` is the program, its own options and the deck, a list; `stop` a file descriptor that ends the run when it becomes readable.
+    `BUSY` when another process has the point, also one whose sweep was killed and left it running."""
+    folder = Path(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with _locked(folder) as lock:
+            if lock is None:
+                return BUSY, "another process runs it"
+            status, message = state(folder, variables)
+            if status == FINISHED or status == FAILED and not retry:
+                return status, message
+            known = _read(folder / "point.yaml", yaml.safe_load)
+            if known != dict(variables):
+                for old in ("summary.json", "failed.json", "run.yaml", "restart"):
+                    (folder / old).unlink(missing_ok=True)
+                _write(folder / "point.yaml", yaml.safe_dump(dict(variables), sort_keys=False))
+            (folder / "failed.json").unlink(missing_ok=True)
+            if not _whole(folder, variables):
+                code = _execute(folder, variables, command, lock, stop)
+                if code is None or -code in STOP_SIGNALS or code - 128 in STOP_SIGNALS:
+                    return STOPPED, "stopped; goes on when the sweep is started again"
+                if code:
+                    return _fail(folder, _complaint(folder / "log.txt", code))
+            try:
+                figures = summary(Run(folder))
+            except RacewayError as error:
+                return _fail(folder, str(error))
+            if wrong := _differs(figures, variables):
+                return _fail(folder, f"the run is not what was asked for: {wrong}")
+            _write(folder / "summary.json", json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False))
+            return FINISHED, ""
+    except OSError as error:
+        return FAILED, f"{error.filename or folder}: {error.strerror}"
+
+
+@contextmanager
+def _locked(folder):
+    """A descriptor that holds the folder's lock, or None. The run inherits it: the lock lasts as long as anyone writes there."""
+    lock = os.open(folder / ".lock", os.O_RDWR | os.O_CREAT, 0o666)
+    try:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            yield None
+        else:
+            yield lock
+    finally:
+        os.close(lock)
+
+
+def _execute(folder, variables, command, lock, stop):
+    """Exit code of the run; None if it was ended because `stop` became readable."""
+    words = list(command) + ["-log", "none", "-var", "out", str(folder), "-var", "resume", "yes"]
+    for name, value in variables.items():
+        words += ["-var", name, value]
+    with open(folder / "log.txt", "wb") as log:
+        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT, pass_fds=(lock,),
+                                   start_new_session=True)  # Ctrl-C is ours to hand on
+    done = os.pidfd_open(process.pid)
+    try:
+        ready = select.select([done] + ([stop] if stop is not None else []), [], [])[0]
+        if done in ready:
+            return process.wait()
+        process.terminate()
+        if not select.select([done], [], [], PATIENCE)[0]:
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        return None
+    finally:
+        os.close(done)
+
+
+def _whole(folder, variables):
+    """Whether an earlier run of these variables finished, and only its figures are missing."""
+    try:
+        settings = Run(folder).settings
+    except RacewayError:
+        return False
+    return not _differs(settings, variables)
+
+
+def _differs(figures, variables):
+    for name, key in RECORDED.items():
+        if name in variables and key in figures and not _same(variables[name], figures[key]):
+            return f"{key} is {figures[key]}, {name} was {variables[name]}"
+    return ""
+
+
+def _same(asked, found):
+    try:
+        return float(asked) == float(found)
+    except ValueError:
+        return asked == found
+
+
+def _fail(folder, message):
+    _write(folder / "failed.json", json.dumps({"message": message}, ensure_ascii=False))
+    return FAILED, message
+
+
+def _complaint(log, code):
+    """What the host said: its error line, without the place in its source; else how it ended."""
+    lines = log.read_text(errors="replace").splitlines()
+    for line in lines:
+        if line.startswith("ERROR"):
+            return line.partition(": ")[2].rsplit(" (", 1)[0].strip() or line
+    last = next((line.strip() for line in reversed(lines) if line.strip()), "nothing printed")
+    how = f"killed by signal {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
+    return f"{how}; last line: {last[:200]}"
+
+
+def _read(path, parse):
+    """What a file holds; None if it is not there or not whole."""
+    try:
+        return parse(path.read_text())
+    except (OSError, ValueError, yaml.YAMLError):
+        return None
+
+
+def _write(path, text):
+    part = path.with_name(path.name + ".part")
+    with open(part, "w") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(part, path)

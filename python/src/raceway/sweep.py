@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Run the points of a sweep on the cores of one machine."""
+
+import os
+import select
+import signal
+import sys
+import threading
+import time
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context
+from pathlib import Path
+
+from tqdm import tqdm
+
+from raceway.errors import RacewayError
+from raceway.gather import write_results
+from raceway.point_run import FAILED, FINISHED, run_point, state
+
+
+def sweep(points, folder, command, *, jobs=1, retry=False):
+    """Run `points` (of `raceway.points`) into `folder`, `jobs` at a time; return (number by status, points that were finished before,
+    path of the table).
+
+    `command` is a list: program, options, deck. A bar shows progress where there is a terminal. On KeyboardInterrupt or SystemExit runs are
+    stopped (they leave a restart file), the table is written and the exception goes on. Raises `RacewayError` when a worker is killed."""
+    folder, counts, todo = Path(folder), Counter(), []
+    for point in points:
+        status, _ = state(folder / point.name, point.variables)
+        if status == FINISHED or status == FAILED and not retry:
+            counts[status] += 1
+        else:
+            todo.append(point)
+    before = counts[FINISHED]
+    reading, writing = os.pipe()  # only this process holds `writing`: however it ends, the workers see it
+    pool = ProcessPoolExecutor(min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing))
+    try:
+        futures = {pool.submit(_Worker.work, folder / point.name, point.variables, command, retry): point for point in todo}
+        with tqdm(total=len(points), initial=len(points) - len(todo), unit="point", disable=None, smoothing=0.0) as bar:
+            for future in as_completed(futures):
+                status, message = future.result()
+                counts[status] += 1
+                bar.update()
+                if status == FAILED:
+                    bar.write(f"{futures[future].name}: {message}", file=sys.stderr)
+    except BrokenProcessPool:
+        raise RacewayError("a worker of the sweep was killed (out of memory?); start the sweep again to go on") from None
+    finally:
+        os.close(writing)
+        pool.shutdown(cancel_futures=True)
+        os.close(reading)
+        if any(folder.glob("*/point.yaml")):
+            write_results(folder)
+    return {status: number for status, number in counts.items() if number}, before, folder / "results.csv"
+
+
+class _Worker:
+    """A process of the pool."""
+
+    stop = None  # readable when the sweep ends early, also when it was killed
+    parent = None
+    busy = threading.Lock()
+
+    @classmethod
+    def begin(cls, reading, writing):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # reach the whole group; the sweep decides
+            signal.signal(number, lambda *_: None)  # not SIG_IGN, which the runs would inherit
+        os.close(writing)
+        cls.stop, cls.parent = reading, os.getppid()
+        threading.Thread(target=cls.leave_with_parent, daemon=True).start()
+
+    @classmethod
+    def leave_with_parent(cls):
+        """A worker whose sweep was killed would wait for work for ever."""
+        select.select([cls.stop], [], [])
+        while os.getppid() == cls.parent:
+            time.sleep(0.2)
+        with cls.busy:
+            os._exit(1)
+
+    @classmethod
+    def work(cls, folder, variables, command, retry):
+        with cls.busy:
+            return run_point(folder, variables, command, retry=retry, stop=cls.stop)

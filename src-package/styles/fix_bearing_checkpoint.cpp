@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_checkpoint.h"
+
+#include "arguments.h"
+#include "output.h"
+
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <limits>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using bearing::Arguments;
+using bearing::DrivenValue;
+
+namespace {
+
+constexpr int caught_signals[] = {SIGTERM, SIGINT, SIGUSR1};
+constexpr int n_signals = sizeof caught_signals / sizeof caught_signals[0];
+volatile std::sig_atomic_t caught = 0;
+struct sigaction before[n_signals], before_xfsz;
+int users = 0;    // fixes of this style alive
+
+extern "C" void bearing_note_signal(int which) { caught = which; }
+
+void catch_signals()
+{
+  if (users++) return;
+  caught = 0;
+  struct sigaction note = {};
+  note.sa_handler = bearing_note_signal;
+  note.sa_flags = SA_RESTART;
+  for (int k = 0; k < n_signals; ++k) sigaction(caught_signals[k], &note, &before[k]);
+  struct sigaction ignore = {};    // a file beyond the limit is an error with a message, not a signal
+  ignore.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &ignore, &before_xfsz);
+}
+
+void release_signals()
+{
+  if (--users) return;
+  for (int k = 0; k < n_signals; ++k) sigaction(caught_signals[k], &before[k], nullptr);
+  sigaction(SIGXFSZ, &before_xfsz, nullptr);
+}
+
+double bytes(const std::string &file)
+{
+  struct stat s;
+  return stat(file.c_str(), &s) == 0 ? static_cast<double>(s.st_size) : -1.0;
+}
+
+// Why the disk takes no more: empty if it takes 64 kB beside `file`.
+std::string no_room(const std::string &file)
+{
+  const std::string probe = file + ".probe", content(65536, 'x');
+  std::string why;
+  const int fd = open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (fd < 0) {
+    why = strerror(errno);
+  } else {
+    errno = ENOSPC;    // a short write is no error to the system
+    if (write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) || fsync(fd) != 0) why = strerror(errno);
+  }
+  if (fd >= 0) close(fd);
+  unlink(probe.c_str());
+  return why;
+}
+
+// True when `file` is on the disk.
+bool settle_on_disk(const std::string &file)
+{
+  const int fd = open(file.c_str(), O_RDONLY);
+  const bool good = fd >= 0 && fsync(fd) == 0;
+  if (fd >= 0) close(fd);
+  return good;
+}
+
+std::string whole(double n) { return std::to_string(static_cast<long long>(n)); }
+
+}    // namespace
+
+// fix ID group bearing/checkpoint N FILE [restart M] [resume yes|no] [settings TEXT] [mean V] [count K V1 ... VK]
+//     [files F1 F2 ...]
+FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
+    Fix(lmp, narg, arg), command_(std::string("fix ") + id + " bearing/checkpoint")
+{
+  Arguments args(lmp, command_, narg, arg, 3);
+  nevery = args.integer("steps between samples", 1, 1000000000);
+  file_ = args.word("restart file");
+  part_ = file_ + ".part";
+  while (args.more()) {
+    if (args.take("restart")) every_restart_ = args.integer("steps between restart files", 0, 2000000000);
+    else if (args.take("resume")) resume_ = args.choice("resume", {"no", "yes"}) == 1;
+    else if (args.take("settings")) settings_ = args.word("settings");
+    else if (args.take("mean")) sampled_ = DrivenValue::read(args, "mean");
+    else if (args.take("count"))
+      for (int n = args.integer("number of counters", 1, 100); n > 0; --n)
+        counters_.push_back(DrivenValue::read(args, "count"));
+    else if (args.take("files"))
+      while (args.more()) files_.push_back(args.word("file"));
+    else args.unknown("restart, resume, settings, mean, count, files");
+  }
+  before_.assign(counters_.size(), 0.0);
+  length_.assign(files_.size(), 0.0);
+  seen_.assign(files_.size(), -1.0);
+  restart_global = 1;
+  vector_flag = 1;
+  size_vector = 1 + static_cast<int>(counters_.size());
+  extvector = 0;
+  global_freq = 1;
+  // the host writes under a name of its own; publish() gives the whole file its name
+  const std::string n = std::to_string(every_restart_ ? every_restart_ : std::numeric_limits<int>::max());
+  std::string words[] = {n, part_, part_};
+  char *list[] = {&words[0][0], &words[1][0], &words[2][0]};
+  output->create_restart(3, list);
+  catch_signals();
+}
+
+FixBearingCheckpoint::~FixBearingCheckpoint() { release_signals(); }
+
+int FixBearingCheckpoint::setmask() { return INITIAL_INTEGRATE | END_OF_STEP | POST_RUN; }
+
+void FixBearingCheckpoint::init()
+{
+  sampled_.check(lmp, command_);
+  for (DrivenValue &c : counters_) c.check(lmp, command_);
+  if (resume_ && !resumed_)
+    BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id + " of this style");
+  if (!resumed_ && comm->me == 0 && !written_) unlink(file_.c_str());    // of a run that this one replaces
+}
+
+// Before the first step: what the set-up of a continued run wrote is in the files already. Later: a restart file
+// of the step before is whole now.
+void FixBearingCheckpoint::initial_integrate(int)
+{
+  if (resumed_ && !cut_) cut_files();
+  if (written_) publish();
+}
+
+void FixBearingCheckpoint::end_of_step()
+{
+  sum_ += sampled_.now(lmp);
+  samples_ += 1.0;
+  if (comm->me == 0) watch_files();
+  int signal = caught;
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // all stop at one step
+  if (!signal) return;
+  caught = signal;
+  bearing::end_run_after_this_step(lmp);
+}
+
+void FixBearingCheckpoint::post_run()
+{
+  int signal = caught;    // may differ over ranks after the last sample: only what all agreed on counts
+  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
+  caught = signal;
+  if (resumed_ && !cut_) cut_files();    // a run of no step
+  if (signal) stop();
+  if (written_) publish();
+  if (comm->me == 0 && !files_.empty()) {    // of the last sample there is no next one to tell
+    const std::string room = no_room(file_);
+    if (!room.empty()) BRG_ONE(command_ + ": the last output may be lost: " + room);
+  }
+}
+
+// The run has ended after a whole step, its output is written: keep its state and leave.
+void FixBearingCheckpoint::stop()
+{
+  output->write_restart(update->ntimestep);
+  publish();
+  if (comm->me == 0) {
+    const std::string say = std::string("Stopped by signal ") + strsignal(caught) + " after step " +
+        std::to_string(update->ntimestep) + "; the run goes on from " + file_ + "\n";
+    if (screen) fputs(say.c_str(), screen);
+    if (logfile) fputs(say.c_str(), logfile);
+  }
+  MPI_Finalize();
+  exit(128 + caught);    // as a shell reports a signal
+}
+
+void FixBearingCheckpoint::publish()
+{
+  written_ = false;
+  if (comm->me != 0) return;
+  for (const std::string &f : files_) settle_on_disk(f);
+  // the host does not look whether its writing succeeded: where there is room for more, it did
+  std::string why = no_room(file_);
+  if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);
+  if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
+  if (why.empty()) return;
+  unlink(part_.c_str());
+  BRG_ONE(command_ + ": cannot write restart file " + file_ + " at step " + std::to_string(update->ntimestep) + ": " + why +
+          ". The one before it, if any, is still good: make room and go on from it");
+}
+
+// Output may be longer than it was when the restart file was written, but not shorter.
+void FixBearingCheckpoint::check_files()
+{
+  if (comm->me != 0) return;
+  for (size_t k = 0; k < files_.size(); ++k) {
+    const double now = bytes(files_[k]);
+    if (now < length_[k])
+      BRG_ONE(command_ + ": " + files_[k] + (now < 0.0 ? " is gone" : " has " + whole(now) + " bytes") +
+              ", it had " + whole(length_[k]) + " when " + file_ + " was written: start the run anew");
+  }
+}
+
+void FixBearingCheckpoint::cut_files()
+{
+  cut_ = true;
+  if (comm->me != 0) return;
+  for (size_t k = 0; k < files_.size(); ++k) {
+    if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
+      BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
+    seen_[k] = -1.0;    // the next sample of a dump comes after the next look at it
+  }
+}
+
+// A full disk shows as a file that has stopped growing: the host does not look.
+void FixBearingCheckpoint::watch_files()
+{
+  for (size_t k = 0; k < files_.size(); ++k) {
+    const double now = bytes(files_[k]);
+    if (now <= seen_[k]) {
+      const std::string room = no_room(file_);
+      BRG_ONE(command_ + ": " + files_[k] + " has stopped growing at step " + std::to_string(update->ntimestep) + ": " +
+              (room.empty() ? "the disk was full or the file at its limit for a while" : room) +
+              ". Make room and go on from the last restart file, or start anew");
+    }
+    seen_[k] = now;
+  }
+}
+
+// 1: mean over the samples, 2 ...: counters, both over all parts of a run that was stopped and continued
+double FixBearingCheckpoint::compute_vector(int k)
+{
+  if (k == 0) return samples_ > 0.0 ? sum_ / samples_ : 0.0;
+  counters_[k - 1].check(lmp, command_);    // asked for between runs, where a redefined variable has moved
+  return before_[k - 1] + counters_[k - 1].now(lmp);
+}
+
+void FixBearingCheckpoint::write_restart(FILE *fp)
+{
+  std::vector<double> data = {update->atime, static_cast<double>(update->atimestep), sum_, samples_,
+                              static_cast<double>(counters_.size()), static_cast<double>(files_.size())};
+  for (size_t k = 0; k < counters_.size(); ++k) data.push_back(compute_vector(1 + static_cast<int>(k)));
+  written_ = true;
+  if (comm->me != 0) return;
+  for (const std::string &f : files_) data.push_back(bytes(f));
+  const int numbers = static_cast<int>(data.size() * sizeof(double));
+  const int size = numbers + static_cast<int>(settings_.size()) + 1;
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(data.data(), 1, numbers, fp);
+  fwrite(settings_.c_str(), 1, settings_.size() + 1, fp);
+}
+
+void FixBearingCheckpoint::restart(char *buf)
+{
+  double head[6];
+  memcpy(head, buf, sizeof head);
+  if (head[4] != counters_.size() || head[5] != files_.size())
+    BRG_ALL(command_ + ": the restart file was written with " + whole(head[4]) + " counters and " + whole(head[5]) +
+            " files, not " + std::to_string(counters_.size()) + " and " + std::to_string(files_.size()));
+  const char *rest = buf + sizeof head;
+  memcpy(before_.data(), rest, before_.size() * sizeof(double));
+  rest += before_.size() * sizeof(double);
+  memcpy(length_.data(), rest, length_.size() * sizeof(double));
+  rest += length_.size() * sizeof(double);
+  if (settings_ != rest)
+    BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" + settings_ +
+            "'. Remove it, or resume with its settings");
+  update->atime = head[0];    // the thermo keyword time goes on with the same bits
+  update->atimestep = static_cast<bigint>(head[1]);
+  sum_ = head[2];
+  samples_ = head[3];
+  resumed_ = true;
+  check_files();
+}

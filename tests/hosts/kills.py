@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Kill runs at random moments, resume them, and compare every output file with that of a run nobody disturbed.
+
+    .venv/bin/python tests/hosts/kills.py [N] [--seed S]     N of kill -TERM and N of kill -9 (default 50)
+
+A run that is killed is resumed, killed again with some chance, on 1, 2 or 4 ranks in turn, until it is done. Only the wall time in
+`run.yaml` may differ. Exit code 1 when a file does.
+"""
+
+import argparse
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from host import ENVIRONMENT, ROOT, frames  # noqa: E402
+
+FILES = ("contacts.dump", "balls.dump", "rings.dat")
+DECK = ROOT / "inputs" / "in.6208"
+SCENES = ({"lubricant": "mineral", "integrator": "implicit", "passes": 10, "keep": 25},
+          {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25})
+
+
+@dataclass
+class Story:
+    """What happened to one run."""
+
+    kills: int = 0
+    resumed: int = 0       # starts that found a restart file
+    codes: tuple = ()
+    different: tuple = ()  # files whose bytes differ
+
+
+def start(scene, out, *, ranks=1):
+    """A run of `scene` into `out`, in a session of its own, its output in out.log; go on if there is something to go on from."""
+    command = [str(ROOT / "build" / "liggghts"), "-in", str(DECK), "-log", "none", "-var", "out", str(out), "-var", "resume", "yes"]
+    for name, value in scene.items():
+        command += ["-var", name, str(value)]
+    if ranks > 1:
+        command = ["mpirun.openmpi", "--oversubscribe", "-np", str(ranks), *command]
+    with open(f"{out}.log", "ab") as log:
+        return subprocess.Popen(command, cwd=ROOT, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
+                                start_new_session=True)
+
+
+def run(scene, out):
+    """A run that nobody disturbs; return its wall time in s."""
+    begun = time.monotonic()
+    code = start(scene, out).wait()
+    assert code == 0, Path(f"{out}.log").read_text(errors="replace")[-2000:]
+    return time.monotonic() - begun
+
+
+def settings(folder):
+    """`run.yaml` without its wall time, which is no result of the model."""
+    return [line for line in (folder / "run.yaml").read_text().splitlines() if not line.startswith("wall_s")]
+
+
+def same(one, other):
+    """Whether two files are equal, byte for byte but for the order of rows in a frame, which depends on ranks."""
+    if one.read_bytes() == other.read_bytes():
+        return True
+    return one.suffix == ".dump" and one.stat().st_size == other.stat().st_size and frames(one) == frames(other)
+
+
+def session(leader):
+    """The processes of a session, the leader last."""
+    found = []
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = stat.read_text().rpartition(")")[2].split()
+        except (OSError, UnicodeDecodeError):
+            continue  # gone meanwhile
+        if int(fields[3]) == leader and fields[0] != "Z":
+            found.append(int(stat.parent.name))
+    return sorted(found, reverse=True)
+
+
+def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
+    """Run `scene` with signals `which` at random moments of its `length` (s) until it is done; compare with `reference`."""
+    story, attempt = Story(), -1
+    while attempt < 100:
+        attempt += 1
+        process = start(scene, out, ranks=ranks[attempt % len(ranks)])
+        # the first start always has a signal sent to it, the later ones every other time
+        if attempt == 0 or dice.random() < 0.5:
+            try:
+                process.wait(dice.uniform(0.0, length))
+            except subprocess.TimeoutExpired:
+                # kill -9 takes all ranks, which else write on until they miss mpirun; mpirun hands a USR1 on as it is
+                if which == signal.SIGKILL:
+                    for pid in session(process.pid):
+                        os.kill(pid, which)
+                else:
+                    process.send_signal(signal.SIGUSR1 if ranks[attempt % len(ranks)] > 1 else which)
+                story.kills += 1
+        code = process.wait()
+        story.codes += (code,)
+        if code == 0 and story.kills:
+            break
+        if code == 0:  # too late: nothing was disturbed
+            shutil.rmtree(out)
+            attempt = -1
+    story.resumed = Path(f"{out}.log").read_text(errors="replace").count("Going on from")
+    story.different = tuple(name for name in FILES if not same(out / name, reference / name))
+    if settings(out) != settings(reference):
+        story.different += ("run.yaml",)
+    if (out / "restart").exists() or (out / "restart.part").exists():
+        story.different += ("restart left behind",)
+    return story
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("number", nargs="?", type=int, default=50)
+    parser.add_argument("--seed", type=int, default=6208)
+    arguments = parser.parse_args()
+    dice, bad = random.Random(arguments.seed), 0
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        lengths = [run(scene, folder / f"reference{k}") for k, scene in enumerate(SCENES)]
+        for which in (signal.SIGTERM, signal.SIGKILL):
+            stories = []
+            for number in range(arguments.number):
+                k = number % len(SCENES)
+                ranks = ((1,), (1,), (1, 2), (2, 1))[number // 2 % 4]
+                story = disturb(SCENES[k], folder / f"{which.name}{number}", which, folder / f"reference{k}", lengths[k], dice, ranks=ranks)
+                stories.append(story)
+                if story.different or story.codes[-1] != 0:
+                    print(f"{which.name} {number}: {story}", flush=True)
+            bad += sum(bool(s.different) or s.codes[-1] != 0 for s in stories)
+            print(f"{which.name}: {len(stories)} runs, {sum(s.kills for s in stories)} signals, {sum(s.resumed for s in stories)} "
+                  f"resumed from a restart file, {sum(not s.different for s in stories)} equal to the undisturbed run", flush=True)
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

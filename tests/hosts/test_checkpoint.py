@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/checkpoint: stop on a signal, go on, refuse what does not fit, and say when the disk is full."""
+
+import os
+import resource
+import signal
+import subprocess
+import time
+import warnings
+
+import pytest
+from host import ENVIRONMENT, ROOT, frames, liggghts, succeed
+from hosts.kills import start
+from raceway.dump import read_dump, read_table
+from raceway.errors import RunError
+from raceway.run import Run
+
+SCENE = {"passes": 40, "samples": 100, "keep": 50}
+
+
+def wait_for(path, size=1, patience=60.0):
+    """Until `path` holds `size` bytes."""
+    end = time.monotonic() + patience
+    while not (path.exists() and path.stat().st_size >= size):
+        assert time.monotonic() < end, f"{path} did not come"
+        time.sleep(0.005)
+
+
+@pytest.fixture
+def stopped(tmp_path):
+    """The folder of a run that got SIGTERM in its measurement."""
+    out = tmp_path / "run"
+    process = start(SCENE, out)
+    wait_for(out / "restart")
+    process.terminate()
+    assert process.wait() == 128 + signal.SIGTERM
+    return out
+
+
+def test_stopped_run(stopped):
+    text = (stopped.with_name("run.log")).read_text(errors="replace")
+    assert f"the run goes on from {stopped}/restart" in text
+    assert not (stopped / "restart.part").exists()
+    with pytest.raises(RunError, match="has not finished"):
+        Run(stopped)
+
+
+@pytest.mark.parametrize("name", [signal.SIGINT, signal.SIGUSR1], ids=lambda which: which.name)
+def test_other_signals(tmp_path, name):
+    process = start(SCENE, tmp_path / "run")
+    wait_for(tmp_path / "run" / "restart")
+    process.send_signal(name)
+    assert process.wait() == 128 + name
+
+
+def test_other_settings_are_refused(stopped):
+    failed = liggghts("inputs/in.6208", out=stopped, resume="yes", **{**SCENE, "load": 4000})
+    assert failed.code != 0
+    assert "belongs to another run" in failed.error and "load=5000" in failed.error and "load=4000" in failed.error
+
+
+def test_shortened_file_is_refused(stopped):
+    with open(stopped / "contacts.dump", "r+b") as file:
+        file.truncate(1000)
+    failed = liggghts("inputs/in.6208", out=stopped, resume="yes", **SCENE)
+    assert failed.code != 0
+    assert "contacts.dump has 1000 bytes, it had" in failed.error and "start the run anew" in failed.error
+
+
+def test_new_run_replaces_an_old_restart_file(stopped):
+    """Without resume the run starts anew, and nothing of the old one is left."""
+    small = {"passes": 1, "samples": 50}
+    succeed("inputs/in.6208", out=stopped, **small)
+    assert sorted(path.name for path in stopped.iterdir()) == ["balls.dump", "contacts.dump", "rings.dat", "run.yaml"]
+    assert len(frames(stopped / "balls.dump")) == 51
+
+
+def test_restart_files_change_no_bit(tmp_path):
+    """Writing them is not seen by the run."""
+    for name, keep in (("without", 0), ("with", 7)):
+        succeed("inputs/in.6208", out=tmp_path / name, passes=1, samples=50, keep=keep)
+    for name in ("contacts.dump", "balls.dump", "rings.dat"):
+        assert (tmp_path / "with" / name).read_bytes() == (tmp_path / "without" / name).read_bytes()
+
+
+def test_killed_run_opens(tmp_path):
+    """Its good part can be read: a last frame that is cut off is left out, with a warning."""
+    out = tmp_path / "run"
+    process = start(SCENE, out)
+    wait_for(out / "rings.dat", 5000)
+    process.kill()
+    process.wait()
+    settings = dict(line.split(": ", 1) for line in (out / "run.yaml").read_text().splitlines())
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        samples = {key: read_dump(out / f"{key}.dump", settings[f"{columns}_columns"].split()).attrs["samples"]
+                   for key, columns in (("contacts", "contact"), ("balls", "ball"))}
+        rows = len(read_table(out / "rings.dat"))
+    assert rows >= 20
+    assert abs(samples["contacts"] - rows) <= 2 and abs(samples["balls"] - rows) <= 2
+
+
+def limited(out, bytes_of_a_file):
+    return subprocess.run([ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none", "-var", "out", out, "-var", "passes", "40"],
+                          cwd=ROOT, env=ENVIRONMENT, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (bytes_of_a_file,) * 2))
+
+
+def test_file_size_limit(tmp_path):
+    done = limited(tmp_path / "run", 12_000_000)  # MPI has files of 4 MB
+    assert done.returncode != 0
+    assert "contacts.dump has stopped growing at step" in done.stdout and "Make room" in done.stdout
+
+
+def test_full_disk(tmp_path):
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    if os.geteuid() != 0 or subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", disk], check=False).returncode != 0:
+        pytest.skip("mounting a small disk needs root")
+    try:
+        failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20)
+        assert failed.code != 0
+        assert "No space left on device" in failed.error
+        # with room again the run goes on to the end, and to the same bits
+        subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
+        succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, resume="yes")
+        succeed("inputs/in.6208", out=tmp_path / "reference", passes=4)
+        for name in ("contacts.dump", "balls.dump", "rings.dat"):
+            assert (disk / "run" / name).read_bytes() == (tmp_path / "reference" / name).read_bytes()
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
+@pytest.mark.parametrize("words, complaint", [
+    ("0 x", "steps between samples is 0, must be"), ("10", "restart file"), ("10 x wrong", "restart, resume, settings, mean, count, files"),
+    ("10 x resume maybe", "no, yes"), ("10 x mean y", "must be a number or an equal-style variable v_NAME"),
+    ("10 x mean v_nobody", "there is no equal-style variable 'nobody'"), ("10 x resume yes", "nothing to resume"),
+])
+def test_bad_commands(tmp_path, words, complaint):
+    deck = tmp_path / "in.bad"
+    deck.write_text((ROOT / "docs/decks/in.smallest").read_text().rsplit("\nrun", 1)[0] + f"\nfix keep all bearing/checkpoint {words}\nrun 10\n")
+    failed = liggghts(deck, cwd=tmp_path)
+    assert failed.code != 0
+    assert "bearing/checkpoint" in failed.error and complaint in failed.error

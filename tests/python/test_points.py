@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The table of a sweep: what is accepted, and that every mistake is named before anything runs."""
+
+from pathlib import Path
+
+import pytest
+
+from raceway.points import LONGEST, TableError, deck_variables, folder_name, read_points
+
+DECK = Path(__file__).resolve().parents[2] / "inputs" / "in.6208"
+VARIABLES = deck_variables(DECK)
+
+
+def points(tmp_path, text):
+    path = tmp_path / "table.csv"
+    path.write_text(text)
+    return read_points(path, VARIABLES)
+
+
+def test_deck_variables():
+    assert VARIABLES["load"] == "5000" and VARIABLES["lubricant"] == "mineral"
+    assert VARIABLES["ramp"] == "3.0e-3" and VARIABLES["tolerance"] == "1e-9"  # of the modules
+
+
+def test_points(tmp_path):
+    found = points(tmp_path, "# a comment\nrpm,load,lubricant\n\n477.5,5e3,dry\n 100 , 20 ,pao48\n")
+    assert [point.name for point in found] == ["load=5e3_rpm=477.5_lubricant=dry", "load=20_rpm=100_lubricant=pao48"]
+    assert found[0].variables == {"load": "5e3", "rpm": "477.5", "lubricant": "dry"}  # as written, in the deck's order
+
+
+def test_name_is_stable(tmp_path):
+    """The order of columns and rows does not matter."""
+    one = points(tmp_path, "load,rpm\n1,2\n3,4\n")
+    other = points(tmp_path, "rpm,load\n4,3\n2,1\n")
+    assert {point.name for point in one} == {point.name for point in other}
+
+
+def test_long_names():
+    names = {folder_name({"bearing": "b" * 200, "load": str(load)}) for load in range(50)}
+    assert len(names) == 50 and max(map(len, names)) <= LONGEST
+
+
+def test_mark_of_spreadsheets(tmp_path):
+    (tmp_path / "table.csv").write_bytes(b"\xef\xbb\xbfload,rpm\r\n1,2\r\n")
+    assert read_points(tmp_path / "table.csv", VARIABLES)[0].variables == {"load": "1", "rpm": "2"}
+
+
+@pytest.mark.parametrize("text, complaint", [
+    ("", "is empty"), ("load,rpm\n", "no row below its columns"), ("load,rpn\n1,2\n", "column 'rpn' is no variable of the deck; there is: load, rpm"),
+    ("load,load\n1,2\n", "column 'load' is there 2 times"), ("load,out\n1,x\n", "column 'out' cannot be swept"),
+    ("load,\n1,2\n", "column '' is no variable"),
+    ("load,rpm\n1,\n", "line 2: rpm is empty"), ("load,rpm\n1,2\n1.0,2e0\n", "line 3: the same point as line 2"),
+    ("load,rpm\n1\n", "line 2: 1 cells, 2 columns"), ("load,rpm\n1,2,3\n", "line 2: 3 cells, 2 columns"),
+    ("bearing\nmy bearing\n", "line 2: bearing is 'my bearing', must be one word"), ("bearing\n../x\n", "line 2: bearing is '../x'"),
+    ("bearing\n${x}\n", "line 2: bearing is '${x}'"),
+])
+def test_mistakes(tmp_path, text, complaint):
+    with pytest.raises(TableError) as error:
+        points(tmp_path, text)
+    assert complaint in str(error.value) and "table.csv" in str(error.value)
+
+
+def test_all_mistakes_at_once_but_not_a_thousand(tmp_path):
+    with pytest.raises(TableError) as error:
+        points(tmp_path, "load,rpm\n" + "1,\n" * 1000)
+    assert str(error.value).count("is empty") == 20 and "and 980 more" in str(error.value)
+
+
+def test_missing_files(tmp_path):
+    with pytest.raises(TableError, match="cannot read .*nowhere"):
+        read_points(tmp_path / "nowhere.csv", VARIABLES)
+    with pytest.raises(TableError, match="cannot read deck"):
+        deck_variables(tmp_path / "in.nothing")
