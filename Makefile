@@ -4,11 +4,12 @@
 #   make build   install what is missing and build
 #   make test    everything CI checks
 #   make bench   cost of a step, speed against error, other programs, hard cases, a run of 2 GB; rewrites pages of docs/performance
+#   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench docs clean setup sanitized
+.PHONY: run build test bench docs clean setup sanitized tree install-tree uninstall-tree
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
@@ -33,7 +34,7 @@ run: build
 build: setup
 	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/libraceway_physics.so $(VENV_STAMP)
 
-test: build sanitized
+test: build sanitized tree
 	@$(MAKE) --no-print-directory docs
 	.venv/bin/python docs/try_examples.py
 	.venv/bin/python -m pytest tests
@@ -110,6 +111,15 @@ build/obj-sanitized/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $< (sanitized)"
 	@$(CXX_MPI) $(FLAGS) -O1 $(SANITIZE) -Wno-non-template-friend -c $< -o $@
+
+# ---- a LIGGGHTS source tree ------------------------------------------------------------------------------
+install-tree uninstall-tree:
+	@python3 src-package/host/liggghts_tree.py $(@:-tree=) "$(LIGGGHTS)"
+
+# Debian's tarball of the upstream sources with the styles in it, for the tests: build/tree/lmp_raceway.
+tree: setup
+	@echo "  TREE build/tree (about 4 minutes the first time)"
+	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
 build/libraceway_physics.so: tests/physics/physics_c.cpp

@@ -34,13 +34,13 @@ class Outcome:
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
-def liggghts(deck, *, ranks=1, sanitized=False, extra=(), timeout=300, cwd=ROOT, **variables):
+def liggghts(deck, *, ranks=1, sanitized=False, program=None, extra=(), timeout=300, cwd=ROOT, **variables):
     """Run `deck` (path from the root) with `-var` for every keyword; return its `Outcome`.
 
     With `sanitized` the build with AddressSanitizer and UndefinedBehaviorSanitizer runs it; leaks are not looked
-    for, since host and MPI keep memory until the end on purpose.
+    for, since host and MPI keep memory until the end on purpose. `program` is another executable with the styles.
     """
-    program = ROOT / "build" / ("sanitized/liggghts" if sanitized else "liggghts")
+    program = program or ROOT / "build" / ("sanitized/liggghts" if sanitized else "liggghts")
     assert program.exists(), f"{program.relative_to(ROOT)} is missing: run `make test`, which builds it"
     command = [str(program), "-in", str(deck), "-log", "none", *extra]
     for name, value in variables.items():
