@@ -88,7 +88,6 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   RingFullState read_ring(int i) const;
   void write_body(int i, const BodyState &) const;
   void write_ring(int i, const RingFullState &) const;
-  void send(std::vector<Letter> &from, std::vector<Letter> &to);
 
   std::string command_;
   LAMMPS_NS::PairBearingHertz *pair_ = nullptr;

@@ -108,7 +108,10 @@ void FixBearingCage::pre_force(int)
   const size_t n = riders_.size();
   for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &radius_, &fr_, &fe_}) a->resize(n);
   for (size_t i = 0; i < n; ++i) {
-    const Rider &rider = riders_[i];
+    Rider &rider = riders_[i];
+    if (rider.claim < 0)
+      rider.claim = pair_->ring_sum().claim(rider.ring, pair_->state()->owner(rider.i_ring), bearing::RingSum::rail,
+                                            rider.tag);
     const Vec3 e = pair_->state()->axis(rider.i_ring);
     const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
     // velocity of the ball against the ring, radial and axial: all that a frictionless torus feels
@@ -143,13 +146,12 @@ void FixBearingCage::pre_force(int)
   force_max_ = most;
   for (size_t i = 0; i < n; ++i) {
     if (fr_[i] == 0.0 && fe_[i] == 0.0) continue;
-    Rider &rider = riders_[i];
+    const Rider &rider = riders_[i];
     const Vec3 e = pair_->state()->axis(rider.i_ring);
     const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
     const Vec3 force = (d - e * z_[i]) * (fr_[i] / r_[i]) + e * fe_[i];
     force.add_to(f[rider.i]);
-    if (rider.slot < 0) rider.slot = pair_->ring_sum().slot(rider.i_ring, rider.ring);
-    pair_->ring_sum().add(rider.slot, bearing::RingSum::rail, rider.tag, -force, -cross(d, force));
+    pair_->ring_sum().add(rider.claim, -force, -cross(d, force));
   }
 }
 

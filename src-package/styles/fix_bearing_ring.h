@@ -33,6 +33,7 @@ class FixBearingRing : public Fix {
   enum Mode { fixed, free, speed, position };    // as raceway::Freedom
   enum { SPIN_DOF = 5, N_DOF = 6 };    // x, y, z, tilt about the first and second axis across, spin about the axis
   bool moves(int i) const { return atom->mask[i] & groupbit; }
+  bool tilts() const { return dof_[3].mode != fixed || dof_[4].mode != fixed; }
   void begin_step();
   raceway::RingProgram program() const;    // of this step, in names with the bearing axis third
 
