@@ -16,7 +16,7 @@ static constexpr int letters = 6208;    // message tag of this file alone
 // States travel as numbers, as they lie in memory.
 static constexpr size_t body_numbers = sizeof(BodyState) / sizeof(double);
 static constexpr size_t ring_numbers = sizeof(RingFullState) / sizeof(double);
-static_assert(body_numbers == 9 && ring_numbers == 18, "states are made of doubles");
+static_assert(body_numbers == 9 && ring_numbers == 19, "states are made of doubles");
 static_assert(std::is_trivially_copyable<BodyState>::value && std::is_trivially_copyable<RingFullState>::value,
               "sent as they are");
 

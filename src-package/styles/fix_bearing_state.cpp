@@ -152,6 +152,7 @@ int FixBearingState::pack_exchange(int i, double *buf)
   buf[m++] = p.ring.angle;
   buf[m++] = p.ring.tilt[0];
   buf[m++] = p.ring.tilt[1];
+  buf[m++] = p.ring.step;
   buf[m++] = p.saved;
   buf[m++] = p.saved_step;
   for (int k = 0; k < 3; ++k) buf[m++] = p.force[k];
@@ -175,6 +176,7 @@ int FixBearingState::unpack_exchange(int i, double *buf)
   p.ring.angle = buf[m++];
   p.ring.tilt[0] = buf[m++];
   p.ring.tilt[1] = buf[m++];
+  p.ring.step = buf[m++];
   p.saved = buf[m++] != 0.0;
   p.saved_step = buf[m++];
   for (int k = 0; k < 3; ++k) p.force[k] = buf[m++];

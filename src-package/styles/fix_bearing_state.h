@@ -31,6 +31,7 @@ class FixBearingState : public Fix {
     raceway::Vec3 origin;         // m, where the ring was at the start
     double angle = 0.0;           // rad, turned about its axis
     double tilt[2] = {0.0, 0.0};  // rad, imposed, about the two axes across
+    double step = 0.0;            // s, next internal step that fix bearing/implicit wishes, at its first ring; 0: none yet
   };
 
   FixBearingState(class LAMMPS *, int, char **);
@@ -79,7 +80,7 @@ class FixBearingState : public Fix {
   };
 
  private:
-  static constexpr int packed_size = 2 + 3 * max_rings + 9 + 8;
+  static constexpr int packed_size = 2 + 3 * max_rings + 10 + 8;
 
   void save_forces();
   void check_step();
