@@ -32,6 +32,7 @@ class FixBearingCapacitance : public Fix {
   void set_arrays(int) override;
   double memory_usage() override;
 
+  bool covers(int i) const { return atom->mask[i] & groupbit; }
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &) const;
 
  private:

@@ -22,7 +22,7 @@ void RingSum::reset()
   ways_known_ = false;
 }
 
-void RingSum::own(int i_ring, tag_t ring) { rings_.push_back({i_ring, ring, true, {}, Vec3(), Vec3()}); }
+void RingSum::own(int i_ring, tag_t ring) { rings_.push_back({i_ring, ring, true, {}, Vec3(), Vec3(), {}}); }
 
 int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
 {
@@ -104,6 +104,8 @@ void RingSum::flush()
       }
     r.force.add_to(atom->f[r.i]);
     r.torque.add_to(atom->torque[r.i]);
+    r.summed[0] = r.force;
+    r.summed[1] = r.torque;
     r.force = r.torque = Vec3();
     if (first && r.local)
       for (const Term &t : r.terms) parts_[t.at].direct = static_cast<int>(n);
@@ -120,9 +122,9 @@ void RingSum::collect(int width, const std::vector<double> &said,
                       const std::function<void(int, Source, const double *)> &heard)
 {
   send(width, [&](int k) { return &said[static_cast<size_t>(k) * width]; });
-  for (const Ring &r : rings_)
-    for (const Term &t : r.terms)
-      heard(r.i, static_cast<Source>(t.source),
+  for (int n = 0; n < rings(); ++n)
+    for (const Term &t : rings_[n].terms)
+      heard(n, static_cast<Source>(t.source),
             (t.letter < 0 ? said.data() : in_[t.letter].text.data()) + static_cast<size_t>(t.at) * width);
 }
 

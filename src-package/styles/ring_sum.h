@@ -40,10 +40,14 @@ class RingSum : protected LAMMPS_NS::Pointers {
   }
   void flush();    // into atom->f and atom->torque of owned rings; all ranks
 
-  // Other numbers by the same ways: `said` has `width` of them a claim; heard(ring, source, numbers) is called for every
-  // claim on the owned rings, ring by ring in the order of the sums. All ranks; after a flush().
-  void collect(int width, const std::vector<double> &said,
-               const std::function<void(int i_ring, Source, const double *)> &heard);
+  // Owned rings by tag: local index, force and torque of the last flush().
+  int rings() const { return static_cast<int>(rings_.size()); }
+  int ring(int n) const { return rings_[n].i; }
+  const raceway::Vec3 &force(int n) const { return rings_[n].summed[0]; }
+  const raceway::Vec3 &torque(int n) const { return rings_[n].summed[1]; }
+  // Other numbers by the same ways: `said` has `width` of them a claim; heard(n, source, numbers) is called for every
+  // claim on the n-th owned ring, ring by ring in the order of the sums. All ranks; after a flush().
+  void collect(int width, const std::vector<double> &said, const std::function<void(int n, Source, const double *)> &heard);
   int claims() const { return static_cast<int>(parts_.size()); }
 
  private:
@@ -56,7 +60,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
     tag_t tag;
     bool local;
     std::vector<Term> terms;    // in the order of the sum
-    raceway::Vec3 force, torque;
+    raceway::Vec3 force, torque, summed[2];
   };
   struct Letter {
     int rank;
