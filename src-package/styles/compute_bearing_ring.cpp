@@ -16,7 +16,7 @@ using bearing::RingSum;
 namespace {
 
 // What a contact says about its ring.
-enum Said { LIVE, LOADED, LOAD, PRESSURE, H_MIN, LAMBDA, ORBIT, FRICTION, DAMPING, CAPACITANCE, N_SAID };
+enum Said { LIVE, LOADED, LOAD, PRESSURE, H_MIN, LAMBDA, FRICTION, DAMPING, CAPACITANCE, ORBIT, ALONG, N_SAID = ALONG + 3 };
 
 enum Value {
   RING, X, Y, Z, VX, VY, VZ, SPIN, ANGLE, FX, FY, FZ, MX, MY, MZ, TORQUE,
@@ -80,7 +80,11 @@ void ComputeBearingRing::tell()
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
       double *said = &said_[static_cast<size_t>(c.claim) * N_SAID];
-      said[ORBIT] = bearing::orbit(*atom, *pair_, c);
+      // the ring's own velocity is its owner's business: that of a ghost is half a step old
+      const GroovePosition g = locate(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
+                                      pair_->state()->axis(c.i_ring), c.raceway->centre_circle);
+      said[ORBIT] = dot(Vec3::from(atom->v[c.i_ball]), g.t) / g.r;
+      (g.t * (1.0 / g.r)).to(said + ALONG);
       said[LOADED] = loaded == 3;
       said[CAPACITANCE] = series_capacitance(side[0], side[1]);
       if (!c.live) continue;
@@ -124,7 +128,7 @@ void ComputeBearingRing::compute_local()
     if (source != RingSum::ball) return;
     double *v = &of[static_cast<size_t>(n) * N_VALUE];
     balls[n] += 1.0;
-    v[MEAN_ORBIT] += said[ORBIT];
+    v[MEAN_ORBIT] += said[ORBIT] - dot(Vec3::from(atom->v[rings.ring(n)]), Vec3::from(said + ALONG));
     v[BALLS] += said[LOADED];
     v[SUM_CAPACITANCE] += said[CAPACITANCE];
     if (said[LIVE] == 0.0) return;

@@ -46,9 +46,12 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
   std::sort(tags_.begin(), tags_.end());
   if (tags_.empty()) BRG_ALL(std::string("fix ") + id + " bearing/ring: missing ring, group " + arg[1] + " is empty");
   size_array_rows = static_cast<int>(tags_.size());
-  // values of their own travel with the rings
-  if (std::any_of(value_, value_ + N_VALUE, [](const DrivenValue &v) { return v.is_variable(); }))
+  // a variable may be atom-style: values of their own travel with the rings
+  called_back_ = std::any_of(value_, value_ + N_VALUE, [](const DrivenValue &v) { return v.is_variable(); });
+  if (called_back_) {
     BRG_SET_MAXEXCHANGE(N_VALUE);
+    atom->add_callback(0);
+  }
 }
 
 FixBearingRing::~FixBearingRing()
@@ -120,10 +123,6 @@ void FixBearingRing::init()
   for (int k = 0; k < N_VALUE; ++k) {
     value_[k].check(lmp, command);
     if (value_[k].by_atom()) own_.push_back(k);
-  }
-  if (!own_.empty() && !called_back_) {
-    atom->add_callback(0);
-    called_back_ = true;
   }
   int by_another = 0;
   for (int k = 0; k < modify->nfix; ++k)
