@@ -124,6 +124,7 @@ void FixBearingRing::init()
     value_[k].check(lmp, command);
     if (value_[k].by_atom()) own_.push_back(k);
   }
+  grow_arrays(atom->nmax);    // atoms are sorted and exchanged before the values are known
   int by_another = 0;
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
@@ -167,8 +168,6 @@ void FixBearingRing::evaluate(int first, int last)
 // Atom-style variables hold for a run: evaluating them for every atom in every step would cost more than the bearings.
 void FixBearingRing::find_own_values()
 {
-  if (own_.empty()) return;
-  grow_arrays(atom->nmax);
   for (int k : own_) {
     const std::vector<double> all = value_[k].of_atoms(lmp, igroup);
     for (int i = 0; i < atom->nlocal; ++i) {

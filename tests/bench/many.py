@@ -153,10 +153,10 @@ def page(results, equal, set_ups, rounds):
               "(their memory is in the table), against which a single one bears the fixed cost of a host step alone.",
               "", f"The last state of {MANY} bearings that differ in load, speed, azimuth and lubricant, on 1, 2 and 4 ranks (4 on two cores), every bit:",
               "; ".join(f"{name}: {'equal' if same else '**different**'}" for name, same in equal.items()) + ".",
-              "", "Set-up, one rank: " + "; ".join(f"{n} bearings {seconds:.2g} s" for n, seconds in set_ups) +
+              "", "Set-up, one rank: " + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups) +
               ". Every ``create_bearing`` looks at all atoms of its rank and sets up the",
               "host's map of atoms anew, so set-up grows with the square of the number of bearings; below some ten thousand it does not matter.", "",
-              "Clusters: a model", "----------------", "",
+              "Clusters: a model", "-----------------", "",
               "Nothing in a step is done by all ranks together but what the host does itself (a check for new neighbour lists) and what output asks for. A",
               "rank computes its bearings and talks to its neighbours, four in a plane grid. With :math:`n = N/P` bearings on a rank,",
               "", ".. math::", "",
@@ -180,6 +180,7 @@ def page(results, equal, set_ups, rounds):
     lines += ["What the model leaves out", "-------------------------", "",
               "- Ranks get equal volumes: where bearings differ in cost (the implicit step refines some more than others), the slowest rank sets the pace,",
               "  and a grid that ranks do not divide evenly costs as much.",
+              "- Messages inside a rank are free and every bearing costs the same; a network shared with others is slower.",
               "- After every new neighbour list (with the implicit step every few host steps, with Verlet every few thousand) each rank tells every other",
               "  how much it will send, a few bytes for each; with the implicit step all ranks learn which rings hang together, about 24 bytes a ring and",
               "  rank that sees it, so that above some 10\\ :sup:`5` bearings these lists, not the bearings, set the pace there.",

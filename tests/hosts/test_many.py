@@ -8,7 +8,7 @@ rows of bearings; three through two rows, four through the middle column, so thr
 import re
 
 import pytest
-from host import frames, liggghts, succeed
+from host import BOX, frames, liggghts, succeed
 
 DECK = "tests/hosts/in.many_bits"
 ATOMS = 20  # of a bearing
@@ -134,12 +134,55 @@ def test_the_table_is_one_file_that_a_person_can_read(scene):
     assert rings == sorted(rings)
 
 
+ONE_RING = BOX + """
+pair_style bearing/hertz friction constant 0.1
+pair_coeff 1 3 inner 24.0e-3 6.552e-3
+pair_coeff 1 4 outer 36.6e-3 6.552e-3
+create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed 50 0
+group balls type 1
+group inner type 3
+fix move {move}
+variable force atom {force}
+variable spin atom 50
+variable tilt atom 1.0e-4
+fix inner inner bearing/ring mass 0.2 inertia 1.2e-4 6.5e-5 x free y free spin speed {spin} rx position {tilt} moment 0 0 {moment} force 0 {load} 0 ramp 1e-4
+timestep {step}
+run 100
+write_dump all custom {out} id x y z vx vy vz omegax omegay omegaz modify format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id
+"""
+
+
+@pytest.mark.parametrize("move, step", [("all bearing/implicit", 5e-6), ("balls nve/sphere", 5e-7)], ids=["implicit", "verlet"])
+def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
+    """Loads, speeds and positions by atom-style variables give the bits of the numbers."""
+    by = {"number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
+          "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"}}
+    for name, words in by.items():
+        deck = tmp_path / f"in.{name}"
+        deck.write_text(ONE_RING.format(move=move, step=step, force="-2000.0", out=tmp_path / name, **words))
+        succeed(deck)
+    assert frames(tmp_path / "variable") == frames(tmp_path / "number")
+
+
+@pytest.mark.parametrize("force, message", [
+    ("exp(1000*id)", "fix inner bearing/ring: variable 'force' is inf for ring atom 10"),
+    ("-2000/(id-10)", "Divide by 0 in variable formula"),
+])
+def test_a_value_that_is_no_number(force, message, tmp_path):
+    deck = tmp_path / "in.bad"
+    deck.write_text(ONE_RING.format(move="balls nve/sphere", step=5e-7, force=force, out=tmp_path / "dump", spin=50, tilt=0, load="v_force",
+                                    moment=0))
+    outcome = liggghts(deck)
+    assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]
+
+
 @pytest.mark.parametrize("words, message", [
     ({"bearings": 0}, r"bearing_range: bearings is 0, must be a whole number from 1"),
     ({"only": 13}, r"bearing_range: only is 13, must be a whole number from 0 to 12"),
     ({"fleet": "none"}, r"there is no 'none' in folder inputs/fleets; there is: alike, spread"),
     ({"lubricant": "oil"}, r"there is no 'oil' in folder inputs/lubricants"),
     ({"lubricant": "dry"}, r"in.many needs lubricants: dry is not one"),
+    ({"bearings": 1}, r"bearing_range: kinds is 2, must be a whole number from 1 to 1 \(each lubricant needs a bearing\)"),
     ({"sample": 1e-4}, r"bearing_range: sample is 0.0001, must be from 0.00025"),
 ])
 def test_mistakes(words, message, tmp_path):
