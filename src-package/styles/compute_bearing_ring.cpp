@@ -94,8 +94,8 @@ void ComputeBearingRing::tell()
       said[PRESSURE] = c.raceway->law.at(s.cos_angle).p * s.root;
       said[H_MIN] = s.h_min;
       said[LAMBDA] = s.lambda;
-      said[FRICTION] = s.friction_t * s.sliding_t + s.friction_w * s.sliding_w;
-      said[DAMPING] = (s.normal - s.load) * s.overlap_rate;
+      said[FRICTION] = bearing::friction_power(s);
+      said[DAMPING] = bearing::damping_power(s);
     }
   }
 }

@@ -16,7 +16,7 @@ namespace bearing {
 
 // What an attribute may need besides the contact.
 struct AttributeContext {
-  int axis = 2;                                                    // of the bearing: 0 x, 1 y, 2 z
+  int axis = 2;                                                         // of the bearing: 0 x, 1 y, 2 z
   std::vector<const LAMMPS_NS::FixBearingCapacitance *> capacitance;    // empty: not asked for
   raceway::FilmCapacitorT<double> capacitor(const RacewayContact &) const;    // by the fix with its ball in the group, else 0
 };
