@@ -3,12 +3,13 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, other programs, hard cases, a run of 2 GB; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, a run of 2 GB; rewrites pages of docs/performance
+#   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench docs clean setup sanitized
+.PHONY: run build test bench docs clean setup sanitized tree install-tree uninstall-tree
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
@@ -45,7 +46,7 @@ build: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/lammps build/raceway_plugin.so build/libraceway_physics.so
 
-test: build sanitized
+test: build sanitized tree
 	@$(MAKE) --no-print-directory docs
 	.venv/bin/python docs/try_examples.py
 	.venv/bin/python -m pytest tests
@@ -55,6 +56,7 @@ bench: build
 	.venv/bin/python tests/bench/step_cost.py
 	.venv/bin/python tests/bench/implicit_cost.py
 	.venv/bin/python tests/bench/work_precision.py
+	.venv/bin/python tests/bench/many.py
 	.venv/bin/python tests/bench/peers.py
 	.venv/bin/python tests/hard/table.py
 	.venv/bin/python tests/bench/big_dump.py
@@ -153,6 +155,15 @@ build/obj-sanitized/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $< (sanitized)"
 	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) -O1 $(SANITIZE) -c $< -o $@
+
+# ---- a LIGGGHTS source tree ------------------------------------------------------------------------------
+install-tree uninstall-tree:
+	@python3 src-package/host/liggghts_tree.py $(@:-tree=) "$(LIGGGHTS)"
+
+# Debian's tarball of the upstream sources with the styles in it, for the tests: build/tree/lmp_raceway.
+tree: setup
+	@echo "  TREE build/tree (about 4 minutes the first time)"
+	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
 build/libraceway_physics.so: tests/physics/physics_c.cpp

@@ -44,13 +44,14 @@ class Outcome:
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
-def run(deck, *, host="liggghts", ranks=1, extra=(), timeout=300, cwd=ROOT, **variables):
+def run(deck, *, host="liggghts", program=None, ranks=1, extra=(), timeout=300, cwd=ROOT, **variables):
     """Run `deck` (path from the root) in one of `HOSTS` with `-var` for every keyword; return its `Outcome`.
 
     "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer; leaks are not looked for, since host and
-    MPI keep memory until the end on purpose.
+    MPI keep memory until the end on purpose. `program` is another executable than the host's own.
     """
-    program, start = HOSTS[host]
+    own, start = HOSTS[host]
+    program = program or own
     assert program.exists(), f"{program.relative_to(ROOT)} is missing: run `make test`, which builds it"
     command = [program, "-in", deck, "-log", "none", *extra]
     for name, value in variables.items():

@@ -5,6 +5,7 @@
 
 #include "../styles/compute_bearing_ball.h"
 #include "../styles/compute_bearing_contact.h"
+#include "../styles/compute_bearing_ring.h"
 #include "../styles/compute_bearing_total.h"
 #include "../styles/create_bearing.h"
 #include "../styles/deck_files.h"
@@ -32,6 +33,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingCheckpoint>("bearing/checkpoint");
   add.template compute<ComputeBearingContact>("bearing/contact");
   add.template compute<ComputeBearingBall>("bearing/ball");
+  add.template compute<ComputeBearingRing>("bearing/ring");
   add.template compute<ComputeBearingTotal>("bearing/total");
   add.template command<CreateBearing>("create_bearing");
   add.template command<BearingInput>("bearing_input");

@@ -3,6 +3,7 @@
 // in bearing_parts_build.cpp.
 #include "bearing_parts.h"
 
+#include "letters.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
@@ -15,7 +16,7 @@ static constexpr int letters = 6208;    // message tag of this file alone
 // States travel as numbers, as they lie in memory.
 static constexpr size_t body_numbers = sizeof(BodyState) / sizeof(double);
 static constexpr size_t ring_numbers = sizeof(RingFullState) / sizeof(double);
-static_assert(body_numbers == 9 && ring_numbers == 18, "states are made of doubles");
+static_assert(body_numbers == 9 && ring_numbers == 19, "states are made of doubles");
 static_assert(std::is_trivially_copyable<BodyState>::value && std::is_trivially_copyable<RingFullState>::value,
               "sent as they are");
 
@@ -64,22 +65,6 @@ void BearingParts::write_ring(int i, const RingFullState &r) const
   pair_->state()->ring(i) = r.motion;
 }
 
-// Every rank with something to say or to hear takes part; nobody else waits.
-void BearingParts::send(std::vector<Letter> &from, std::vector<Letter> &to)
-{
-  if (from.empty() && to.empty()) return;
-  std::vector<MPI_Request> under_way;
-  for (Letter &l : to) {
-    under_way.emplace_back();
-    MPI_Irecv(l.text.data(), static_cast<int>(l.text.size()), MPI_DOUBLE, l.rank, letters, world, &under_way.back());
-  }
-  for (Letter &l : from) {
-    under_way.emplace_back();
-    MPI_Isend(l.text.data(), static_cast<int>(l.text.size()), MPI_DOUBLE, l.rank, letters, world, &under_way.back());
-  }
-  MPI_Waitall(static_cast<int>(under_way.size()), under_way.data(), MPI_STATUSES_IGNORE);
-}
-
 void BearingParts::gather()
 {
   for (const Local &l : own_bodies_) parts_[l.place.part].bodies[l.place.at] = read_body(l.i);
@@ -89,7 +74,7 @@ void BearingParts::gather()
     for (int i : l.body_atom) put(at, read_body(i));
     for (int i : l.ring_atom) put(at, read_ring(i));
   }
-  send(away_, guests_);
+  deliver(away_, guests_, letters, world);
   for (const Letter &l : guests_) {
     const double *at = l.text.data();
     for (const Place &p : l.body_place) parts_[p.part].bodies[p.at] = take<BodyState>(at);
@@ -106,7 +91,7 @@ void BearingParts::scatter()
     for (const Place &p : l.body_place) put(at, parts_[p.part].bodies[p.at]);
     for (const Place &p : l.ring_place) put(at, parts_[p.part].rings[p.at]);
   }
-  send(guests_, away_);
+  deliver(guests_, away_, letters, world);
   for (const Letter &l : away_) {
     const double *at = l.text.data();
     for (int i : l.body_atom) write_body(i, take<BodyState>(at));

@@ -11,14 +11,13 @@
 #define BEARING_BEARING_PARTS_H
 
 #include "bearing_compat.h"
-#include "fix_bearing_state.h"
+#include "fix_bearing_ring.h"
 
 #include <unordered_map>
 #include <vector>
 
 namespace LAMMPS_NS {
 class FixBearingCage;
-class FixBearingRing;
 class PairBearingHertz;
 }
 namespace raceway { struct RacewayPhysics; }
@@ -28,7 +27,11 @@ namespace bearing {
 // One bearing, on its home rank; indices point into bodies and rings.
 struct PartModel {
   struct Body { tag_t tag; double mass, radius; bool spins; };
-  struct Ring { tag_t tag; LAMMPS_NS::FixBearingRing *fix; };                    // fix null: at rest
+  struct Ring {
+    tag_t tag;
+    LAMMPS_NS::FixBearingRing *fix;    // null: at rest
+    std::vector<LAMMPS_NS::FixBearingRing::OwnValue> own;
+  };
   struct Groove { int body, ring; const raceway::RacewayPhysics *physics; };
   struct Pocket { int a, b; double K, reach, mass; };                            // contact of two spheres
   struct Seat { int body, ring; const LAMMPS_NS::FixBearingCage *cage; };        // a cage ball on its rails
@@ -88,7 +91,6 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   RingFullState read_ring(int i) const;
   void write_body(int i, const BodyState &) const;
   void write_ring(int i, const RingFullState &) const;
-  void send(std::vector<Letter> &from, std::vector<Letter> &to);
 
   std::string command_;
   LAMMPS_NS::PairBearingHertz *pair_ = nullptr;

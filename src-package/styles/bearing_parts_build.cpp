@@ -24,12 +24,12 @@ struct Node {
 };
 
 struct BearingParts::Piece {
-  enum Kind { body, ring, groove, pocket, seat } kind;
+  enum Kind { body, ring, value, groove, pocket, seat } kind;
   tag_t name;                   // of the bearing
   tag_t a, b;
-  int first, second;            // types of ball and ring, or the number of a fix in `first`
+  int first, second;            // types of ball and ring; or the number of a fix, or of a ring's own value, in `first`
   int inside;                   // the atom is of the group
-  double radius, mass, K;       // a pocket's reach is in `radius`
+  double radius, mass, K;       // a pocket's reach is in `radius`, a ring's own value in K
 };
 
 void BearingParts::build(PairBearingHertz *pair, int groupbit)
@@ -142,6 +142,12 @@ std::vector<std::vector<BearingParts::Piece>> BearingParts::cut(const std::vecto
     p.mass = atom->rmass[i];
     Letter &l = letter[bearings[bearing_of[i]].home];
     (ring ? l.ring_atom : l.body_atom).push_back(i);
+    if (ring && mover[i] >= 0)
+      for (const FixBearingRing::OwnValue &v : dynamic_cast<FixBearingRing *>(modify->fix[mover[i]])->own_values(i)) {
+        Piece &own = add(i, Piece::value, atom->tag[i], 0);
+        own.first = v.which;
+        own.K = v.value;
+      }
   }
   for (const RacewayContact &c : pair_->table().raceway) {
     if (bearing_of[c.i_ball] < 0) continue;
@@ -193,7 +199,7 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
     PartModel &m = parts_[part_of[p.name]].model;
     if (p.kind == Piece::body) m.bodies.push_back({p.a, p.mass, p.radius, pair_->is_ball_type(p.second)});
     else if (p.kind == Piece::ring)
-      m.rings.push_back({p.a, p.first < 0 ? nullptr : dynamic_cast<FixBearingRing *>(modify->fix[p.first])});
+      m.rings.push_back({p.a, p.first < 0 ? nullptr : dynamic_cast<FixBearingRing *>(modify->fix[p.first]), {}});
     else continue;
     if (!p.inside && (!outsider || p.a < outsider->a)) outsider = &p;
   }
@@ -249,6 +255,10 @@ void BearingParts::finish(const std::vector<Piece> &pieces, const std::unordered
     if (p.kind == Piece::body || p.kind == Piece::ring) continue;
     const int k = part_of.at(p.name);
     PartModel &m = parts_[k].model;
+    if (p.kind == Piece::value) {
+      m.rings[at[k].at(p.a)].own.push_back({p.first, p.K});
+      continue;
+    }
     const int a = at[k].at(p.a), b = at[k].at(p.b);
     if (p.kind == Piece::groove) m.grooves.push_back({a, b, pair_->raceway(p.first, p.second)});
     if (p.kind == Piece::pocket) m.pockets.push_back({a, b, p.K, p.radius, p.mass});

@@ -48,7 +48,7 @@ static const ContactAttribute attributes[] = {
     {"entrainment", [](Row c, Context) { return c.state.entrainment; }, false, false},
     {"sliding", [](Row c, Context) { return std::hypot(c.state.sliding_t, c.state.sliding_w); }, false, false},
     {"h_min", [](Row c, Context) { return c.state.h_min; }, true, false},
-    {"h_c", [](Row c, Context x) { return x.capacitance->capacitor(c).h_c; }, true, true},
+    {"h_c", [](Row c, Context x) { return x.capacitor(c).h_c; }, true, true},
     {"lambda", [](Row c, Context) { return c.state.lambda; }, true, false},
     {"regime", [](Row c, Context) { return double(regime(c.raceway->curve, c.state.lambda)); }, true, false},
     {"mu", [](Row c, Context) { return c.state.mu; }, false, false},
@@ -57,8 +57,23 @@ static const ContactAttribute attributes[] = {
     {"friction_w", [](Row c, Context) { return c.state.friction_w; }, false, false},
     {"friction_power", [](Row c, Context) { return bearing::friction_power(c.state); }, false, false},
     {"damping_power", [](Row c, Context) { return bearing::damping_power(c.state); }, false, false},
-    {"capacitance", [](Row c, Context x) { return x.capacitance->capacitor(c).capacitance; }, true, true},
+    {"capacitance", [](Row c, Context x) { return x.capacitor(c).capacitance; }, true, true},
 };
+
+raceway::FilmCapacitorT<double> AttributeContext::capacitor(const RacewayContact &c) const
+{
+  for (const FixBearingCapacitance *f : capacitance)
+    if (f->covers(c.i_ball)) return f->capacitor(c);
+  return {};
+}
+
+std::vector<const FixBearingCapacitance *> capacitance_fixes(LAMMPS *lmp)
+{
+  std::vector<const FixBearingCapacitance *> list;
+  for (int m = 0; m < lmp->modify->nfix; ++m)
+    if (auto *f = dynamic_cast<FixBearingCapacitance *>(lmp->modify->fix[m])) list.push_back(f);
+  return list;
+}
 
 const ContactAttribute *find_attribute(const std::string &name)
 {
@@ -93,10 +108,9 @@ AttributeContext attribute_context(LAMMPS *lmp, const PairBearingHertz &pair,
 {
   AttributeContext context;
   context.axis = pair.axis_index();
-  for (int m = 0; m < lmp->modify->nfix && !context.capacitance; ++m)
-    context.capacitance = dynamic_cast<FixBearingCapacitance *>(lmp->modify->fix[m]);
+  context.capacitance = capacitance_fixes(lmp);
   for (const ContactAttribute *a : list)
-    if (a->capacitance && !context.capacitance)
+    if (a->capacitance && context.capacitance.empty())
       BRG_ALL_OF(lmp, asked_by + ": attribute '" + a->name + "' needs a fix bearing/capacitance");
   return context;
 }

@@ -3,6 +3,7 @@
 #ifndef BEARING_CONTACT_ATTRIBUTE_H
 #define BEARING_CONTACT_ATTRIBUTE_H
 
+#include "../physics/capacitance.h"
 #include "arguments.h"
 #include "contact_table.h"
 
@@ -15,9 +16,13 @@ namespace bearing {
 
 // What an attribute may need besides the contact.
 struct AttributeContext {
-  int axis = 2;                                                    // of the bearing: 0 x, 1 y, 2 z
-  const LAMMPS_NS::FixBearingCapacitance *capacitance = nullptr;   // null: not asked for
+  int axis = 2;                                                         // of the bearing: 0 x, 1 y, 2 z
+  std::vector<const LAMMPS_NS::FixBearingCapacitance *> capacitance;    // empty: not asked for
+  raceway::FilmCapacitorT<double> capacitor(const RacewayContact &) const;    // by the fix with its ball in the group, else 0
 };
+
+// Every fix bearing/capacitance; each has a permittivity for the balls of its group.
+std::vector<const LAMMPS_NS::FixBearingCapacitance *> capacitance_fixes(LAMMPS_NS::LAMMPS *);
 
 struct ContactAttribute {
   const char *name;

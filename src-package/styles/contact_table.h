@@ -14,7 +14,7 @@ namespace bearing {
 struct RacewayContact {
   tag_t ball = 0, ring = 0;
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
-  int ring_slot = -1;              // in RingSum
+  int claim = -1;                  // in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
   double *spring = nullptr;        // tangential history of this ball on this ring, 2 values (m)
   bool live = false;               // surfaces overlap

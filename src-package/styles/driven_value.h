@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A number, or an equal-style variable v_NAME evaluated once a step.
+// A number, an equal-style variable v_NAME evaluated once a step, or an atom-style one with a value for every ring.
 #ifndef BEARING_DRIVEN_VALUE_H
 #define BEARING_DRIVEN_VALUE_H
 
@@ -19,7 +19,7 @@ class DrivenValue {
     }
     const std::string w = args.word(what);
     if (w.compare(0, 2, "v_") != 0 || w.size() < 3)
-      args.fail(what + " must be a number or an equal-style variable v_NAME, not '" + w + "'");
+      args.fail(what + " must be a number or an equal- or atom-style variable v_NAME, not '" + w + "'");
     d.name_ = w.substr(2);
     return d;
   }
@@ -31,19 +31,33 @@ class DrivenValue {
   {
     if (!is_variable()) return;
     index_ = lmp->input->variable->find(const_cast<char *>(name_.c_str()));
-    if (index_ < 0 || !lmp->input->variable->equalstyle(index_))
-      BRG_ALL_OF(lmp, command + ": there is no equal-style variable '" + name_ + "'");
+    if (index_ < 0 || !(lmp->input->variable->equalstyle(index_) || lmp->input->variable->atomstyle(index_)))
+      BRG_ALL_OF(lmp, command + ": there is no equal- or atom-style variable '" + name_ + "'");
+    by_atom_ = lmp->input->variable->atomstyle(index_);
   }
+
+  bool by_atom() const { return by_atom_; }    // after check()
 
   double now(LAMMPS_NS::LAMMPS *lmp) const
   {
-    return is_variable() ? lmp->input->variable->compute_equal(index_) : value_;
+    return !is_variable() ? value_ : by_atom_ ? 0.0 : lmp->input->variable->compute_equal(index_);
   }
+
+  // of every owned atom of a group, 0 for others
+  std::vector<double> of_atoms(LAMMPS_NS::LAMMPS *lmp, int igroup) const
+  {
+    std::vector<double> values(lmp->atom->nlocal + 1, 0.0);
+    lmp->input->variable->compute_atom(index_, igroup, values.data(), 1, 0);
+    return values;
+  }
+
+  const std::string &name() const { return name_; }
 
  private:
   double value_ = 0.0;
   std::string name_;
   int index_ = -1;
+  bool by_atom_ = false;
 };
 
 }    // namespace bearing

@@ -70,23 +70,39 @@ void FixBearingCage::init()
 void FixBearingCage::setup_pre_neighbor() { find_riders(); }
 void FixBearingCage::pre_neighbor() { find_riders(); }
 
-// The ring whose centre is nearest carries the cage ball: local indices hold until the next build.
+// The ring whose centre is nearest, within two pitch radii, carries the cage ball: local indices hold until the next build.
+// Only rings in a slab about the ball are looked at, across the direction in which they are spread out most.
 void FixBearingCage::find_riders()
 {
   riders_.clear();
-  const int nall = atom->nlocal + atom->nghost;
+  double **x = atom->x;
   std::vector<int> rings;
-  for (int i = 0; i < nall; ++i)
-    if (atom->type[i] == ring_type_) rings.push_back(i);
+  double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
+    if (atom->type[i] != ring_type_) continue;
+    rings.push_back(i);
+    for (int k = 0; k < 3; ++k) {
+      lo[k] = std::min(lo[k], x[i][k]);
+      hi[k] = std::max(hi[k], x[i][k]);
+    }
+  }
+  int along = 0;
+  for (int k = 1; k < 3; ++k)
+    if (hi[k] - lo[k] > hi[along] - lo[along]) along = k;
+  std::sort(rings.begin(), rings.end(), [&](int a, int b) { return x[a][along] < x[b][along]; });
+  const double reach = 2.0 * pitch_;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     int nearest = -1;
-    double best = 4.0 * pitch_ * pitch_;
-    for (int j : rings) {
-      const Vec3 d = Vec3::from(atom->x[i]) - Vec3::from(atom->x[j]);
-      if (dot(d, d) < best) {
-        best = dot(d, d);
-        nearest = j;
+    double best = reach * reach;
+    auto j = std::lower_bound(rings.begin(), rings.end(), x[i][along] - reach,
+                              [&](int ring, double value) { return x[ring][along] < value; });
+    for (; j != rings.end() && x[*j][along] < x[i][along] + reach; ++j) {
+      const Vec3 d = Vec3::from(x[i]) - Vec3::from(x[*j]);
+      const double r2 = dot(d, d);
+      if (r2 < best || (r2 == best && nearest >= 0 && atom->tag[*j] < atom->tag[nearest])) {
+        best = r2;
+        nearest = *j;
       }
     }
     if (nearest < 0)
@@ -108,7 +124,10 @@ void FixBearingCage::pre_force(int)
   const size_t n = riders_.size();
   for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &radius_, &fr_, &fe_}) a->resize(n);
   for (size_t i = 0; i < n; ++i) {
-    const Rider &rider = riders_[i];
+    Rider &rider = riders_[i];
+    if (rider.claim < 0)
+      rider.claim = pair_->ring_sum().claim(rider.ring, pair_->state()->owner(rider.i_ring), bearing::RingSum::rail,
+                                            rider.tag);
     const Vec3 e = pair_->state()->axis(rider.i_ring);
     const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
     // velocity of the ball against the ring, radial and axial: all that a frictionless torus feels
@@ -143,13 +162,12 @@ void FixBearingCage::pre_force(int)
   force_max_ = most;
   for (size_t i = 0; i < n; ++i) {
     if (fr_[i] == 0.0 && fe_[i] == 0.0) continue;
-    Rider &rider = riders_[i];
+    const Rider &rider = riders_[i];
     const Vec3 e = pair_->state()->axis(rider.i_ring);
     const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
     const Vec3 force = (d - e * z_[i]) * (fr_[i] / r_[i]) + e * fe_[i];
     force.add_to(f[rider.i]);
-    if (rider.slot < 0) rider.slot = pair_->ring_sum().slot(rider.i_ring, rider.ring);
-    pair_->ring_sum().add(rider.slot, bearing::RingSum::rail, rider.tag, -force, -cross(d, force));
+    pair_->ring_sum().add(rider.claim, -force, -cross(d, force));
   }
 }
 

@@ -29,7 +29,7 @@ class FixBearingCage : public Fix {
   double compute_vector(int) override;
 
   // For fix bearing/implicit: who sits on which rails.
-  struct Rider { int i, i_ring; bearing::tag_t tag, ring; int slot; };    // a cage ball on the rails of its ring
+  struct Rider { int i, i_ring; bearing::tag_t tag, ring; int claim; };    // a cage ball on the rails of its ring
   const std::vector<Rider> &riders() const { return riders_; }
   const std::vector<raceway::Rail> &rails() const { return rails_; }
   const std::vector<double> &stiffness() const { return stiffness_; }

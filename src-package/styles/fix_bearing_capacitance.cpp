@@ -97,7 +97,7 @@ FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c)
   return film_capacitor(*c.raceway, c.state, permittivity_, shortest_film_);
 }
 
-// Instant by instant, and by ball tag within one: the same bits on any number of ranks.
+// What the owners of the balls know. Sums over all ranks wait until somebody asks: a table by ring does not.
 void FixBearingCapacitance::sample(bool between)
 {
   mine_.clear();
@@ -111,7 +111,16 @@ void FixBearingCapacitance::sample(bool between)
       mine_.push_back({within_, c.ball, c.side(), {c.state.load, q.h_c, q.capacitance}});
     }
   for (int i = 0; i < atom->nlocal; ++i) per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
+  between_ = between;
+  summed_ = false;
+  if (totals_.wanted() || contacts_.wanted()) sum_up();
+}
 
+// Instant by instant, and by ball tag within one: the same bits on any number of ranks.
+void FixBearingCapacitance::sum_up()
+{
+  if (summed_) return;
+  summed_ = true;
   std::vector<Row> space;
   const std::vector<Row> *all = &bearing::gather_all(mine_, space, world);
   const auto before = [](const Row &a, const Row &b) {
@@ -122,7 +131,7 @@ void FixBearingCapacitance::sample(bool between)
     std::sort(space.begin(), space.end(), before);
     all = &space;
   }
-  const int first_instant = between ? 1 : within_;
+  const int first_instant = between_ ? 1 : within_;
   double sum = 0.0;
   const Row *row = all->data(), *last = row + all->size();
   for (int k = first_instant; k <= within_; ++k) {
@@ -132,7 +141,7 @@ void FixBearingCapacitance::sample(bool between)
     sum += total_.sum;
     least_ = k == first_instant ? total_.sum : std::min(least_, total_.sum);
     most_ = k == first_instant ? total_.sum : std::max(most_, total_.sum);
-    if (between || written_ != update->ntimestep) write(row, end, k);
+    if (between_ || written_ != update->ntimestep) write(row, end, k);
     row = end;
   }
   mean_ = sum / (within_ - first_instant + 1);
@@ -170,12 +179,13 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
       if (f) fflush(f);
 }
 
-double FixBearingCapacitance::compute_scalar() { return total_.sum; }
+double FixBearingCapacitance::compute_scalar() { return compute_vector(0); }
 
 // At the end of the step 1: bearing total with background, 2: largest single ball, 3: number of active balls; of the
 // total over the instants of the step 4: mean, 5: least, 6: most
 double FixBearingCapacitance::compute_vector(int k)
 {
+  sum_up();
   const double values[] = {total_.sum, total_.largest, total_.active, mean_, least_, most_};
   return values[k];
 }

@@ -32,6 +32,7 @@ class FixBearingCapacitance : public Fix {
   void set_arrays(int) override;
   double memory_usage() override;
 
+  bool covers(int i) const { return atom->mask[i] & groupbit; }
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &) const;
 
  private:
@@ -41,6 +42,7 @@ class FixBearingCapacitance : public Fix {
 
   void find_integrators();
   void sample(bool between);
+  void sum_up();
   Total add_up(const Row *first, const Row *end) const;
   void write(const Row *first, const Row *end, int instant);
 
@@ -53,6 +55,7 @@ class FixBearingCapacitance : public Fix {
   std::vector<bearing::tag_t> members_;              // balls of the group, sorted; known where integrators_ are
   std::vector<Row> mine_;                            // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;
+  bool between_ = false, summed_ = true;             // what mine_ holds; the numbers below are of it
   Total total_ = {};                                 // at the end of the step
   bigint written_ = -1;                              // step of the last row in the files
   double mean_ = 0.0, least_ = 0.0, most_ = 0.0;     // of the sum, over the instants of the step

@@ -3,7 +3,6 @@
 
 #include "arguments.h"
 #include "fix_bearing_ring.h"
-#include "gather.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -36,7 +35,6 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   if (tolerance_ == 0.0) tolerance_ = settings_.dampers_only ? 1e-7 : 1e-9;
   settings_.newton = tolerance_;
   time_integrate = 1;
-  restart_global = 1;
   scalar_flag = vector_flag = 1;
   size_vector = 10;
   global_freq = 1;
@@ -115,24 +113,10 @@ void FixBearingImplicit::setup(int)
   smallest_ = HUGE_VAL;
 }
 
-// Wishes of all bearings, on all ranks.
-std::vector<FixBearingImplicit::Wish> FixBearingImplicit::wishes() const
-{
-  if (!built_) return kept_;
-  std::vector<Wish> mine;
-  for (size_t p = 0; p < parts_.size(); ++p)
-    mine.push_back({static_cast<double>(bearings_.model(static_cast<int>(p)).name()), parts_[p].step});
-  std::vector<Wish> all = bearing::gather_all(mine, world);
-  std::sort(all.begin(), all.end(), by_ring);
-  return all;
-}
-
-// A bearing may have moved to another home: its wish goes with it.
 void FixBearingImplicit::build()
 {
   if (build_ == pair_->table_build()) return;
   build_ = pair_->table_build();
-  kept_ = wishes();
   for (Part &p : parts_) {    // what the bearings of the last build have to say
     energy_.work += p.bearing.step().spent().work;
     energy_.dissipated += p.bearing.step().spent().dissipated;
@@ -140,15 +124,10 @@ void FixBearingImplicit::build()
   bearings_.build(pair_, groupbit);
   parts_.clear();
   for (int p = 0; p < bearings_.size(); ++p) {
-    const bearing::PartModel &model = bearings_.model(p);
-    const Wish of = {static_cast<double>(model.name()), largest_};
-    const auto kept = std::lower_bound(kept_.begin(), kept_.end(), of, by_ring);
-    const bool known = kept != kept_.end() && kept->ring == of.ring;
-    parts_.push_back({ImplicitBearing(*pair_, model), known ? kept->step : of.step});
+    parts_.push_back({ImplicitBearing(*pair_, bearings_.model(p)), 0.0});
     parts_.back().bearing.step().keep_energy(energy_wanted_);
     parts_.back().bearing.step().want(instants_);
   }
-  built_ = true;
 }
 
 // What is stored before the first step of a run.
@@ -168,7 +147,11 @@ void FixBearingImplicit::initial_integrate(int)
   for (int p = 0; p < bearings_.size(); ++p) parts_[p].bearing.load(bearings_.bodies(p), bearings_.rings(p));
   if (energy_wanted_ && !begun_) begin_energy();
   for (int p = 0; p < bearings_.size(); ++p) {
+    // the control's wish is kept with the ring, so that it goes with the bearing to another home or into a restart file
+    double &wish = bearings_.rings(p).front().motion.step;
+    parts_[p].step = wish > 0.0 ? wish : largest_;
     advance(parts_[p]);
+    wish = parts_[p].step;
     parts_[p].bearing.store(bearings_.bodies(p), bearings_.rings(p));
   }
   bearings_.scatter();
@@ -271,24 +254,4 @@ double FixBearingImplicit::compute_vector(int k)
                            sum[4], sum[5], energy_wanted_ ? stored : 0.0,
                            energy_wanted_ ? sum[4] - sum[5] - stored : 0.0};
   return values[k];
-}
-
-// A number for how many follow, then pairs.
-void FixBearingImplicit::write_restart(FILE *fp)
-{
-  const std::vector<Wish> all = wishes();
-  if (comm->me != 0) return;
-  const double count = static_cast<double>(all.size());
-  const int size = static_cast<int>(sizeof(double) + all.size() * sizeof(Wish));
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&count, sizeof(double), 1, fp);
-  fwrite(all.data(), sizeof(Wish), all.size(), fp);
-}
-
-void FixBearingImplicit::restart(char *buf)
-{
-  double count;
-  memcpy(&count, buf, sizeof count);
-  kept_.resize(static_cast<size_t>(count));
-  memcpy(kept_.data(), buf + sizeof count, kept_.size() * sizeof(Wish));
 }

@@ -28,8 +28,6 @@ class FixBearingImplicit : public Fix {
   void initial_integrate(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
-  void write_restart(FILE *) override;
-  void restart(char *) override;
 
   // Contacts between host steps: asked for in another fix's setup(), there after every step.
   using Instants = raceway::BearingStep::Instants;
@@ -49,15 +47,9 @@ class FixBearingImplicit : public Fix {
     double step;         // s, the control's wish for the next substep
   };
 
-  // The control's wish for the next substep of a bearing, named by its ring of lowest tag. Numbers only: it is what
-  // a restart file keeps.
-  struct Wish { double ring, step; };
-  static bool by_ring(const Wish &a, const Wish &b) { return a.ring < b.ring; }
-
   void check_fixes();
   void find_rings();
   void build();
-  std::vector<Wish> wishes() const;
   void begin_energy();
   void advance(Part &);
   [[noreturn]] void give_up(Part &, double h, const raceway::BearingStep::Outcome &);
@@ -72,8 +64,6 @@ class FixBearingImplicit : public Fix {
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
   bearing::BearingParts bearings_;
   std::vector<Part> parts_;       // those at home here
-  std::vector<Wish> kept_;        // of all bearings, by ring: from a restart or the last build
-  bool built_ = false;            // parts_ know better than kept_
   int build_ = -1;
   // of the bearings at home here, since the start of the run
   double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL;

@@ -46,13 +46,23 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
   std::sort(tags_.begin(), tags_.end());
   if (tags_.empty()) BRG_ALL(std::string("fix ") + id + " bearing/ring: missing ring, group " + arg[1] + " is empty");
   size_array_rows = static_cast<int>(tags_.size());
-  report_.assign(tags_.size() * N_REPORT, 0.0);
+  // a variable may be atom-style: values of their own travel with the rings
+  called_back_ = std::any_of(value_, value_ + N_VALUE, [](const DrivenValue &v) { return v.is_variable(); });
+  if (called_back_) {
+    BRG_SET_MAXEXCHANGE(N_VALUE);
+    atom->add_callback(0);
+  }
 }
 
-void FixBearingRing::read_freedom(Arguments &args, const std::string &name, Freedom &f)
+FixBearingRing::~FixBearingRing()
 {
-  f.mode = args.choice(name, {"fixed", "free", "speed", "position"});
-  if (f.mode >= speed) f.value = DrivenValue::read(args, name);
+  if (called_back_) atom->delete_callback(id, 0);
+}
+
+void FixBearingRing::read_freedom(Arguments &args, const std::string &name, int dof)
+{
+  mode_[dof] = args.choice(name, {"fixed", "free", "speed", "position"});
+  if (mode_[dof] >= speed) value_[dof] = DrivenValue::read(args, name);
 }
 
 void FixBearingRing::parse(int narg, char **arg)
@@ -63,18 +73,18 @@ void FixBearingRing::parse(int narg, char **arg)
     bool known = false;
     for (int k = 0; k < 3 && !known; ++k)
       if (args.take(lab[k])) {
-        read_freedom(args, lab[k], dof_[k]);
+        read_freedom(args, lab[k], k);
         known = true;
       }
     for (int k = 0; k < 2 && !known; ++k)
       if (args.take(turn[across_[k]])) {
-        read_freedom(args, turn[across_[k]], dof_[3 + k]);
+        read_freedom(args, turn[across_[k]], 3 + k);
         known = true;
       }
     if (known) continue;
     if (args.take("spin")) {
-      read_freedom(args, "spin", dof_[SPIN_DOF]);
-      if (dof_[SPIN_DOF].mode == position) args.fail("spin takes fixed, free or speed, not position");
+      read_freedom(args, "spin", SPIN_DOF);
+      if (mode_[SPIN_DOF] == position) args.fail("spin takes fixed, free or speed, not position");
     } else if (args.take("mass")) {
       mass_ = args.positive("mass (kg)");
     } else if (args.take("inertia")) {
@@ -84,9 +94,9 @@ void FixBearingRing::parse(int narg, char **arg)
         args.fail("inertia " + bearing::text(inertia_.axial) + " " + bearing::text(inertia_.transverse) +
                   ": no body has more than twice as much about its axis as across it");
     } else if (args.take("force")) {
-      for (DrivenValue &f : force_) f = DrivenValue::read(args, "force (N)");
+      for (int k = 0; k < 3; ++k) value_[FORCE + k] = DrivenValue::read(args, "force (N)");
     } else if (args.take("moment")) {
-      for (DrivenValue &m : moment_) m = DrivenValue::read(args, "moment (N m)");
+      for (int k = 0; k < 3; ++k) value_[MOMENT + k] = DrivenValue::read(args, "moment (N m)");
     } else if (args.take("ramp")) {
       ramp_time_ = args.non_negative("ramp time (s)");
     } else {
@@ -95,10 +105,10 @@ void FixBearingRing::parse(int narg, char **arg)
     }
   }
   for (int k = 0; k < 3; ++k)
-    if (dof_[k].mode == free && mass_ == 0.0)
+    if (mode_[k] == free && mass_ == 0.0)
       args.fail(std::string(lab[k]) + " free needs 'mass M'");
   for (int k = 3; k < N_DOF; ++k)
-    if (dof_[k].mode == free && inertia_.axial == 0.0)
+    if (mode_[k] == free && inertia_.axial == 0.0)
       args.fail("a free tilt or spin needs 'inertia AXIAL TRANSVERSE'");
 }
 
@@ -109,9 +119,12 @@ void FixBearingRing::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/ring");
   state_ = pair_->state();
   const std::string command = std::string("fix ") + id + " bearing/ring";
-  for (Freedom &f : dof_) f.value.check(lmp, command);
-  for (DrivenValue &f : force_) f.check(lmp, command);
-  for (DrivenValue &m : moment_) m.check(lmp, command);
+  own_.clear();
+  for (int k = 0; k < N_VALUE; ++k) {
+    value_[k].check(lmp, command);
+    if (value_[k].by_atom()) own_.push_back(k);
+  }
+  grow_arrays(atom->nmax);    // atoms are sorted and exchanged before the values are known
   int by_another = 0;
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
@@ -128,17 +141,17 @@ void FixBearingRing::init()
 // Driven speeds hold from the first instant; forces of the set-up get the load like any others.
 void FixBearingRing::setup(int vflag)
 {
-  update_driven();
-  update_loads();
-  std::copy(target_, target_ + N_DOF, before_);
-  std::copy(load_, load_ + N_DOF, load_before_);
+  find_own_values();
+  evaluate(0, N_VALUE);
+  before_ = now_;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) {
+      const Values target = values(i);
       for (int k = 0; k < 3; ++k)
-        if (dof_[k].mode == speed) atom->v[i][k] = target_[k];
-      if (dof_[SPIN_DOF].mode == speed) {
+        if (mode_[k] == speed) atom->v[i][k] = target.of[k];
+      if (mode_[SPIN_DOF] == speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
-        const double missing = target_[SPIN_DOF] - dot(w, e);
+        const double missing = target.of[SPIN_DOF] - dot(w, e);
         // rounding of a run that goes on is left alone: its bits are those of the unbroken run
         if (std::fabs(missing) > 1e-14 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
@@ -146,18 +159,68 @@ void FixBearingRing::setup(int vflag)
   post_force(vflag);
 }
 
-void FixBearingRing::update_driven()
+// Numbers and equal-style variables.
+void FixBearingRing::evaluate(int first, int last)
 {
-  for (int k = 0; k < N_DOF; ++k)
-    if (dof_[k].mode >= speed) target_[k] = dof_[k].value.now(lmp);
+  for (int k = first; k < last; ++k) now_.of[k] = value_[k].now(lmp);
 }
 
-void FixBearingRing::update_loads()
+// Atom-style variables hold for a run: evaluating them for every atom in every step would cost more than the bearings.
+void FixBearingRing::find_own_values()
 {
-  for (int k = 0; k < 3; ++k) {
-    load_[k] = force_[k].now(lmp);
-    load_[3 + k] = moment_[k].now(lmp);
+  for (int k : own_) {
+    const std::vector<double> all = value_[k].of_atoms(lmp, igroup);
+    for (int i = 0; i < atom->nlocal; ++i) {
+      if (!(atom->mask[i] & groupbit)) continue;
+      if (!std::isfinite(all[i]))
+        BRG_ONE(std::string("fix ") + id + " bearing/ring: variable '" + value_[k].name() + "' is " + bearing::text(all[i]) +
+                " for ring atom " + std::to_string(atom->tag[i]));
+      per_ring_[i].of[k] = all[i];
+    }
   }
+}
+
+FixBearingRing::Values FixBearingRing::values(int i) const
+{
+  Values v = now_;
+  for (int k : own_) v.of[k] = per_ring_[i].of[k];
+  return v;
+}
+
+std::vector<FixBearingRing::OwnValue> FixBearingRing::own_values(int i) const
+{
+  std::vector<OwnValue> list;
+  for (int k : own_) list.push_back({k, per_ring_[i].of[k]});
+  return list;
+}
+
+void FixBearingRing::grow_arrays(int n)
+{
+  if (!own_.empty()) per_ring_.resize(n);
+}
+
+void FixBearingRing::copy_arrays(int i, int j, int)
+{
+  if (!own_.empty()) per_ring_[j] = per_ring_[i];
+}
+
+int FixBearingRing::pack_exchange(int i, double *buf)
+{
+  int m = 0;
+  for (int k : own_) buf[m++] = per_ring_[i].of[k];
+  return m;
+}
+
+int FixBearingRing::unpack_exchange(int i, double *buf)
+{
+  int m = 0;
+  for (int k : own_) per_ring_[i].of[k] = buf[m++];
+  return m;
+}
+
+double FixBearingRing::memory_usage()
+{
+  return per_ring_.capacity() * sizeof(Values) + tags_.capacity() * sizeof(int) + report_.capacity() * sizeof(double);
 }
 
 // Smooth growth of force and moment from 0 to full over the ramp time (3s^2 - 2s^3).
@@ -168,26 +231,27 @@ double FixBearingRing::ramp(double time) const
   return s * s * (3.0 - 2.0 * s);
 }
 
-raceway::RingProgram FixBearingRing::program() const
+raceway::RingProgram FixBearingRing::program(const std::vector<OwnValue> &own) const
 {
+  Values of[2] = {before_, now_};
+  for (const OwnValue &v : own) of[0].of[v.which] = of[1].of[v.which] = v.value;
   raceway::RingProgram p;
   p.mass = mass_;
   p.inertia = inertia_;
   p.ramp = ramp_time_;
   p.end = time_;
   p.length = update->dt;
-  const double *target[2] = {before_, target_}, *load[2] = {load_before_, load_};
   for (int k = 0; k < N_DOF; ++k) {
     const int lab = k < 3 ? (along_ + 1 + k) % 3 : k;
-    p.mode[k] = static_cast<raceway::Freedom>(dof_[lab].mode);
-    for (int end = 0; end < 2; ++end) p.target[end][k] = target[end][lab];
+    p.mode[k] = static_cast<raceway::Freedom>(mode_[lab]);
+    for (int end = 0; end < 2; ++end) p.target[end][k] = of[end].of[lab];
   }
   auto third = [this](const double *v) {
     return Vec3{v[(along_ + 1) % 3], v[(along_ + 2) % 3], v[along_]};
   };
   for (int end = 0; end < 2; ++end) {
-    p.force[end] = third(load[end]);
-    p.moment[end] = third(load[end] + 3);
+    p.force[end] = third(of[end].of + FORCE);
+    p.moment[end] = third(of[end].of + MOMENT);
   }
   return p;
 }
@@ -196,35 +260,33 @@ void FixBearingRing::begin_step()
 {
   time_ += update->dt;
   reported_ = -1;
-  std::copy(target_, target_ + N_DOF, before_);
-  std::copy(load_, load_ + N_DOF, load_before_);
-  update_driven();
-  update_loads();
+  before_ = now_;
+  evaluate(0, N_VALUE);
 }
 
 // Half a step of velocity from the forces; degrees of freedom that are not free ignore them.
 void FixBearingRing::kick()
 {
   const double half = 0.5 * update->dt * force->ftm2v;
-  const bool tilts_free = dof_[3].mode == free && dof_[4].mode == free;
+  const bool tilts_free = mode_[3] == free && mode_[4] == free;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     for (int k = 0; k < 3; ++k)
-      if (dof_[k].mode == free) atom->v[i][k] += half / mass_ * atom->f[i][k];
+      if (mode_[k] == free) atom->v[i][k] += half / mass_ * atom->f[i][k];
     const Vec3 e = state_->axis(i), M = Vec3::from(atom->torque[i]);
     Vec3 w = Vec3::from(atom->omega[i]);
     if (tilts_free) {
       // all of the gyroscopic coupling is in the momentum; an imposed spin takes its reaction
       const double spin = dot(w, e);
       w = raceway::angular_velocity(inertia_, raceway::angular_momentum(inertia_, w, e) + M * half, e);
-      if (dof_[SPIN_DOF].mode != free) w += e * (spin - dot(w, e));
+      if (mode_[SPIN_DOF] != free) w += e * (spin - dot(w, e));
     } else {
       for (int k = 0; k < 2; ++k)
-        if (dof_[3 + k].mode == free) {
+        if (mode_[3 + k] == free) {
           const Vec3 a = unit(across_[k]);
           w += a * (half / inertia_.transverse * dot(M, a));
         }
-      if (dof_[SPIN_DOF].mode == free) w += e * (half / inertia_.axial * dot(M, e));
+      if (mode_[SPIN_DOF] == free) w += e * (half / inertia_.axial * dot(M, e));
     }
     w.to(atom->omega[i]);
   }
@@ -239,12 +301,12 @@ void FixBearingRing::tilt_of(const Vec3 &e, double *tilt) const
 }
 
 // Orientation over a step, and driven rotation speeds.
-void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w) const
+void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w, const double *target) const
 {
-  const double dt = update->dt, *target = target_;
-  const bool free1 = dof_[3].mode == free, free2 = dof_[4].mode == free;
-  const double spin = dof_[SPIN_DOF].mode == speed ? target[SPIN_DOF]
-      : dof_[SPIN_DOF].mode == fixed               ? 0.0
+  const double dt = update->dt;
+  const bool free1 = mode_[3] == free, free2 = mode_[4] == free;
+  const double spin = mode_[SPIN_DOF] == speed ? target[SPIN_DOF]
+      : mode_[SPIN_DOF] == fixed               ? 0.0
                                                             : dot(w, ring.axis);
   if (free1 && free2) {
     const Vec3 L = raceway::angular_momentum(inertia_, w, ring.axis);
@@ -252,20 +314,20 @@ void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w) const
     w = raceway::angular_velocity(inertia_, L, ring.axis);
     w += ring.axis * (spin - dot(w, ring.axis));
     tilt_of(ring.axis, ring.tilt);
-  } else if (dof_[3].mode != fixed || dof_[4].mode != fixed) {
+  } else if (mode_[3] != fixed || mode_[4] != fixed) {
     Vec3 across;    // rotation velocity of the axis
     for (int k = 0; k < 2; ++k) {
       double rate = 0.0;
-      if (dof_[3 + k].mode == free) rate = dot(w - ring.axis * dot(w, ring.axis), unit(across_[k]));
-      if (dof_[3 + k].mode == speed) rate = target[3 + k];
-      if (dof_[3 + k].mode == position) rate = (target[3 + k] - ring.tilt[k]) / dt;
+      if (mode_[3 + k] == free) rate = dot(w - ring.axis * dot(w, ring.axis), unit(across_[k]));
+      if (mode_[3 + k] == speed) rate = target[3 + k];
+      if (mode_[3 + k] == position) rate = (target[3 + k] - ring.tilt[k]) / dt;
       ring.tilt[k] += rate * dt;
       across += unit(across_[k]) * rate;
     }
     // two driven tilts define the axis outright: no drift from adding up small rotations
     ring.axis = rotate(unit(along_), unit(across_[0]) * ring.tilt[0] + unit(across_[1]) * ring.tilt[1]);
     w = across + ring.axis * spin;
-  } else if (dof_[SPIN_DOF].mode != free) {
+  } else if (mode_[SPIN_DOF] != free) {
     w = ring.axis * spin;
   }
   ring.angle += spin * dt;
@@ -278,30 +340,31 @@ void FixBearingRing::initial_integrate(int)
   time_ += dt;
   reported_ = -1;
   kick();
-  update_driven();
+  evaluate(0, N_DOF);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
+    const Values target = values(i);
     double *x = atom->x[i], *v = atom->v[i], origin[3];
     state_->ring(i).origin.to(origin);
     for (int k = 0; k < 3; ++k) {
-      if (dof_[k].mode == fixed) v[k] = 0.0;
-      if (dof_[k].mode == speed) v[k] = target_[k];
-      if (dof_[k].mode == position) {
-        v[k] = (origin[k] + target_[k] - x[k]) / dt;
-        x[k] = origin[k] + target_[k];
+      if (mode_[k] == fixed) v[k] = 0.0;
+      if (mode_[k] == speed) v[k] = target.of[k];
+      if (mode_[k] == position) {
+        v[k] = (origin[k] + target.of[k] - x[k]) / dt;
+        x[k] = origin[k] + target.of[k];
       } else {
         x[k] += dt * v[k];
       }
     }
     Vec3 w = Vec3::from(atom->omega[i]);
-    turn(state_->ring(i), w);
+    turn(state_->ring(i), w, target.of);
     w.to(atom->omega[i]);
   }
 }
 
 void FixBearingRing::post_force(int)
 {
-  update_loads();
+  evaluate(FORCE, N_VALUE);
   const double share = ramp(time_);
   contact_force_.clear();
   contact_moment_.clear();
@@ -309,9 +372,10 @@ void FixBearingRing::post_force(int)
     if (atom->mask[i] & groupbit) {
       contact_force_.push_back(Vec3::from(atom->f[i]));
       contact_moment_.push_back(Vec3::from(atom->torque[i]));
+      const Values load = values(i);
       for (int k = 0; k < 3; ++k) {
-        atom->f[i][k] += share * load_[k];
-        atom->torque[i][k] += share * load_[3 + k];
+        atom->f[i][k] += share * load.of[FORCE + k];
+        atom->torque[i][k] += share * load.of[MOMENT + k];
       }
     }
 }
@@ -327,7 +391,7 @@ void FixBearingRing::gather_reports()
 {
   if (reported_ == update->ntimestep) return;
   reported_ = update->ntimestep;
-  std::fill(report_.begin(), report_.end(), 0.0);
+  report_.assign(tags_.size() * N_REPORT, 0.0);
   size_t m = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;

@@ -2,6 +2,7 @@
 #include "fix_bearing_state.h"
 
 #include "arguments.h"
+#include "fix_bearing_ring.h"
 #include "pair_bearing_hertz.h"
 #include "step_check.h"
 
@@ -15,7 +16,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
 {
   restart_peratom = 1;
   create_attribute = 1;
-  comm_forward = 3;
+  comm_forward = 4;
   nevery = 1000;    // how often the step is checked against the contacts
   BRG_SET_MAXEXCHANGE(packed_size);
   grow_arrays(atom->nmax);
@@ -33,14 +34,20 @@ FixBearingState::~FixBearingState()
 
 int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 
-// Local indices change: rails (pre_force) and contacts (pair) claim their ring slots anew.
-// The owner of a ring listens for it even if it owns none of its balls.
+// Local indices change: rails (pre_force) and contacts (pair) claim their places in the rings' sums anew.
 void FixBearingState::pre_neighbor()
 {
-  pair_->ring_sum().reset_rings();
+  pair_->ring_sum().reset();
   for (int i = 0; i < atom->nlocal; ++i)
-    if (pair_->is_ring_type(atom->type[i])) pair_->ring_sum().slot(i, atom->tag[i]);
+    if (pair_->is_ring_type(atom->type[i])) pair_->ring_sum().own(i, atom->tag[i]);
   axes_sent_ = -1;    // ghosts are other atoms now
+}
+
+void FixBearingState::init()
+{
+  axes_turn_ = false;
+  for (int k = 0; k < modify->nfix; ++k)
+    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k])) axes_turn_ = axes_turn_ || r->tilts();
 }
 
 // Last of the fixes: put back the forces of the step before, if this run continues it.
@@ -109,10 +116,11 @@ double *FixBearingState::spring(int i, bearing::tag_t ring)
   return p.spring[p.n_springs++];
 }
 
-// Rails ask before the pair style does; the second in a step finds them sent.
+// Rails ask before the pair style does; the second in a step finds them sent. Axes that no fix turns are sent to new ghosts
+// only.
 void FixBearingState::forward_axes()
 {
-  if (comm->nprocs == 1 || axes_sent_ == update->ntimestep) return;
+  if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_)) return;
   axes_sent_ = update->ntimestep;
   BRG_FORWARD_FIX(this);
 }
@@ -144,6 +152,7 @@ int FixBearingState::pack_exchange(int i, double *buf)
   buf[m++] = p.ring.angle;
   buf[m++] = p.ring.tilt[0];
   buf[m++] = p.ring.tilt[1];
+  buf[m++] = p.ring.step;
   buf[m++] = p.saved;
   buf[m++] = p.saved_step;
   for (int k = 0; k < 3; ++k) buf[m++] = p.force[k];
@@ -167,6 +176,7 @@ int FixBearingState::unpack_exchange(int i, double *buf)
   p.ring.angle = buf[m++];
   p.ring.tilt[0] = buf[m++];
   p.ring.tilt[1] = buf[m++];
+  p.ring.step = buf[m++];
   p.saved = buf[m++] != 0.0;
   p.saved_step = buf[m++];
   for (int k = 0; k < 3; ++k) p.force[k] = buf[m++];
@@ -196,13 +206,19 @@ int FixBearingState::maxsize_restart() { return packed_size; }
 
 int FixBearingState::BRG_PACK_FORWARD(int n, int *list, double *buf, int, int *)
 {
-  for (int k = 0; k < n; ++k) per_atom_[list[k]].ring.axis.to(buf + 3 * k);
-  return BRG_COMM_RETURN(3 * n, 3);
+  for (int k = 0; k < n; ++k) {
+    per_atom_[list[k]].ring.axis.to(buf + 4 * k);
+    buf[4 * k + 3] = owner(list[k]);
+  }
+  return BRG_COMM_RETURN(4 * n, 4);
 }
 
 void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 {
-  for (int k = 0; k < n; ++k) per_atom_[first + k].ring.axis = Vec3::from(buf + 3 * k);
+  for (int k = 0; k < n; ++k) {
+    per_atom_[first + k].ring.axis = Vec3::from(buf + 4 * k);
+    per_atom_[first + k].owner = static_cast<int>(buf[4 * k + 3]);
+  }
 }
 
 #if BEARING_IS_LIGGGHTS

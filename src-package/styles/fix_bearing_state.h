@@ -31,11 +31,13 @@ class FixBearingState : public Fix {
     raceway::Vec3 origin;         // m, where the ring was at the start
     double angle = 0.0;           // rad, turned about its axis
     double tilt[2] = {0.0, 0.0};  // rad, imposed, about the two axes across
+    double step = 0.0;            // s, next internal step that fix bearing/implicit wishes, at its first ring; 0: none yet
   };
 
   FixBearingState(class LAMMPS *, int, char **);
   ~FixBearingState() override;
   int setmask() override;
+  void init() override;
   void setup_pre_neighbor() override { pre_neighbor(); }
   void pre_neighbor() override;
   void setup(int) override;
@@ -45,7 +47,8 @@ class FixBearingState : public Fix {
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
   RingMotion &ring(int i) { return per_atom_[i].ring; }
   double *spring(int i_ball, bearing::tag_t ring);    // 2 values, a new slot starts at 0
-  void forward_axes();    // of rings to ghosts, once a step
+  void forward_axes();    // and owners, of rings to ghosts, once a step
+  int owner(int i) const { return i < atom->nlocal ? comm->me : per_atom_[i].owner; }    // rank; of ghosts since then
   std::vector<PerAtom> &per_atom() { return per_atom_; }
   void ghost_reach(double cut) { if (cut > reach_) reach_ = cut; }
 
@@ -73,10 +76,11 @@ class FixBearingState : public Fix {
     bool saved = false;           // force and torque below belong to saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
+    int owner = 0;                // of a ghost
   };
 
  private:
-  static constexpr int packed_size = 2 + 3 * max_rings + 9 + 8;
+  static constexpr int packed_size = 2 + 3 * max_rings + 10 + 8;
 
   void save_forces();
   void check_step();
@@ -85,6 +89,7 @@ class FixBearingState : public Fix {
   PairBearingHertz *pair_;
   double reach_ = 0.0;
   bigint axes_sent_ = -1;    // step
+  bool axes_turn_ = true;    // some ring may tilt in this run
   bool warned_ = false, explicit_step_ = true;
 };
 

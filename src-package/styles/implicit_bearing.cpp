@@ -30,7 +30,10 @@ ImplicitBearing::ImplicitBearing(const PairBearingHertz &pair, const PartModel &
     axis_(pair.axis_index()), step_(model_of(pair, part)), bodies_(part.bodies.size()), rings_(part.rings.size())
 {
   for (const PartModel::Body &b : part.bodies) tags_.push_back(b.tag);
-  for (const PartModel::Ring &r : part.rings) fixes_.push_back(r.fix);
+  for (const PartModel::Ring &r : part.rings) {
+    fixes_.push_back(r.fix);
+    own_.push_back(r.own);
+  }
 }
 
 void ImplicitBearing::load(const std::vector<BodyState> &bodies, const std::vector<RingFullState> &rings)
@@ -46,7 +49,7 @@ void ImplicitBearing::load(const std::vector<BodyState> &bodies, const std::vect
     p.angle = r.motion.angle;
     for (int i = 0; i < 2; ++i) p.tilt[i] = r.motion.tilt[i];
     p.set_angular_velocity(in(r.w));
-    if (fixes_[k]) step_.set_program(static_cast<int>(k), fixes_[k]->program());
+    if (fixes_[k]) step_.set_program(static_cast<int>(k), fixes_[k]->program(own_[k]));
   }
   step_.load(bodies_, rings_);
 }

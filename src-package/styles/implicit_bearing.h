@@ -27,6 +27,7 @@ class ImplicitBearing {
   int axis_;
   std::vector<tag_t> tags_;
   std::vector<const LAMMPS_NS::FixBearingRing *> fixes_;
+  std::vector<std::vector<LAMMPS_NS::FixBearingRing::OwnValue>> own_;    // by ring
   raceway::BearingStep step_;
   mutable std::vector<raceway::BodyPose> bodies_;
   mutable std::vector<raceway::RingPose> rings_;

@@ -9,7 +9,6 @@
 using namespace LAMMPS_NS;
 using namespace raceway;
 using bearing::RacewayContact;
-using bearing::RingSum;
 using bearing::SphereContact;
 using bearing::text;
 
@@ -69,7 +68,7 @@ template <bool film, Friction friction, bool tally> void PairBearingHertz::racew
     if (!std::isfinite(c.state.normal)) lost(c);
     forces.force.add_to(f[c.i_ball]);
     forces.ball_torque.add_to(torque[c.i_ball]);
-    ring_sum_.add(c.ring_slot, RingSum::ball, c.ball, -forces.force, forces.ring_torque);
+    ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
     if (tally) {
       const Vec3 d = ball.x - ring.x;
       // int Q d(overlap) = 2/5 Q overlap. Only this rank sees the pair: count it whole (newton = 1)

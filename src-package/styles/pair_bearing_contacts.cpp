@@ -67,12 +67,12 @@ void PairBearingHertz::rebuild_contacts()
   ++builds_;
 }
 
-// Slots and springs; every ball must sit in one groove of every side its type has a raceway on.
+// Claims and springs; every ball must sit in one groove of every side its type has a raceway on.
 void PairBearingHertz::add_raceway_contacts()
 {
   std::vector<int> sides(atom->nlocal, 0);
   for (RacewayContact &c : table_.raceway) {
-    c.ring_slot = ring_sum_.slot(c.i_ring, c.ring);
+    c.claim = ring_sum_.claim(c.ring, state_->owner(c.i_ring), bearing::RingSum::ball, c.ball);
     c.spring = state_->spring(c.i_ball, c.ring);
     const int bit = c.side() == Side::inner ? 1 : 2;
     if (sides[c.i_ball] & bit)

@@ -275,11 +275,15 @@ void PairBearingHertz::check_ghosts()
 
 double PairBearingHertz::init_one(int i, int j)
 {
-  // a ball sits within half a groove of its raceway; spheres touch at the sum of their radii
+  // A ball that touches its groove, or is as far outside as the overlap limit and half a radius, is a neighbour: ghosts come
+  // from no farther than that. Spheres touch at the sum of their radii.
   double cut = 0.0;
   for (const TypePair &key : {TypePair(i, j), TypePair(j, i)}) {
     auto it = raceways_.find(key);
-    if (it != raceways_.end()) cut = it->second.groove.raceway_radius + it->second.groove.groove_radius;
+    if (it == raceways_.end()) continue;
+    const RacewayPhysics &p = it->second;
+    const double R = p.groove.ball_radius;
+    cut = p.centre_circle + p.groove.groove_radius - R + std::max(0.5, overlap_limit_) * R;
   }
   if (spheres_.count({std::min(i, j), std::max(i, j)})) cut = type_radius_[i] + type_radius_[j];
   // balls of one type are listed as neighbours so that overlapping ones can be refused at the start

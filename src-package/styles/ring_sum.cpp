@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "ring_sum.h"
 
-#include "gather.h"
+#include "exchange.h"
+#include "letters.h"
 
 #include <algorithm>
 
@@ -10,54 +11,121 @@ using raceway::Vec3;
 
 namespace bearing {
 
-void RingSum::reset_rings()
+static constexpr int letters = 6209;    // message tag of this file alone
+
+void RingSum::reset()
 {
+  claims_.clear();
+  owner_.clear();
+  parts_.clear();
   rings_.clear();
-  slot_.clear();
+  ways_known_ = false;
 }
 
-int RingSum::slot(int i_ring, tag_t tag)
+void RingSum::own(int i_ring, tag_t ring) { rings_.push_back({i_ring, ring, true, {}, Vec3(), Vec3(), {}}); }
+
+int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
 {
-  const auto found = slot_.emplace(tag, static_cast<int>(rings_.size()));
-  if (found.second) rings_.push_back({i_ring, tag, Vec3(), Vec3()});
-  return found.first->second;
+  claims_.push_back({ring, partner, source});
+  owner_.push_back(owner);
+  parts_.push_back({{}, -1});
+  return claims() - 1;
 }
 
-void RingSum::keep(int slot, Source source, tag_t partner, const Vec3 &force, const Vec3 &torque)
+// Who sends what to whom, and what every ring adds in which order.
+void RingSum::find_ways()
 {
-  Part p;
-  p.ring = rings_[slot].tag;
-  p.partner = partner;
-  p.source = source;
-  force.to(p.force);
-  torque.to(p.torque);
-  parts_.push_back(p);
+  const int np = comm->nprocs, me = comm->me;
+  std::sort(rings_.begin(), rings_.end(), [](const Ring &a, const Ring &b) { return a.tag < b.tag; });
+  auto ring_of = [this](tag_t tag) {
+    const auto r = std::lower_bound(rings_.begin(), rings_.end(), tag, [](const Ring &a, tag_t t) { return a.tag < t; });
+    if (r == rings_.end() || r->tag != tag)
+      BRG_ONE("ring " + std::to_string(tag) + " is not on the rank it should be on: please report this");
+    return static_cast<int>(r - rings_.begin());
+  };
+  std::vector<std::vector<Claim>> to(np);
+  std::vector<std::vector<int>> numbers(np);
+  for (int k = 0; k < claims(); ++k) {
+    if (owner_[k] == me) {
+      rings_[ring_of(claims_[k].ring)].terms.push_back({claims_[k].partner, claims_[k].source, -1, k});
+    } else {
+      to[owner_[k]].push_back(claims_[k]);
+      numbers[owner_[k]].push_back(k);
+    }
+  }
+  const std::vector<std::vector<Claim>> from = exchange(to, world);
+  out_.clear();
+  in_.clear();
+  for (int p = 0; p < np; ++p) {
+    if (p == me) continue;
+    if (!numbers[p].empty()) out_.push_back({p, numbers[p], static_cast<int>(numbers[p].size()), {}});
+    if (from[p].empty()) continue;
+    for (size_t at = 0; at < from[p].size(); ++at) {
+      Ring &r = rings_[ring_of(from[p][at].ring)];
+      r.terms.push_back({from[p][at].partner, from[p][at].source, static_cast<int>(in_.size()), static_cast<int>(at)});
+      r.local = false;
+    }
+    in_.push_back({p, {}, static_cast<int>(from[p].size()), {}});
+  }
+  for (Ring &r : rings_)
+    std::stable_sort(r.terms.begin(), r.terms.end(), [](const Term &a, const Term &b) {
+      return a.source != b.source ? a.source < b.source : a.partner < b.partner;
+    });
+  ways_known_ = true;
+}
+
+// `width` numbers a claim, said(claim), to the owners of the rings.
+template <class Said> void RingSum::send(int width, Said said)
+{
+  for (Letter &l : out_) {
+    l.text.resize(static_cast<size_t>(l.terms) * width);
+    double *at = l.text.data();
+    for (int k : l.claims) {
+      std::copy(said(k), said(k) + width, at);
+      at += width;
+    }
+  }
+  for (Letter &l : in_) l.text.resize(static_cast<size_t>(l.terms) * width);
+  deliver(out_, in_, letters, world);
 }
 
 void RingSum::flush()
 {
-  if (!serial_) {
-    std::vector<Part> all = gather_all(parts_, world);
-    parts_.clear();
-    std::sort(all.begin(), all.end());
-    for (Ring &r : rings_) {
-      if (r.i >= atom->nlocal) continue;
-      Part first = Part();
-      first.ring = r.tag;
-      first.source = rail;
-      for (auto p = std::lower_bound(all.begin(), all.end(), first); p != all.end() && p->ring == r.tag; ++p) {
-        r.force += Vec3::from(p->force);
-        r.torque += Vec3::from(p->torque);
+  const bool first = !ways_known_;    // nothing has been added to a ring directly yet
+  if (first) find_ways();
+  send(force_and_torque, [this](int k) { return parts_[k].said; });
+  for (size_t n = 0; n < rings_.size(); ++n) {
+    Ring &r = rings_[n];
+    if (first || !r.local)
+      for (const Term &t : r.terms) {
+        const double *said = t.letter < 0 ? parts_[t.at].said : &in_[t.letter].text[t.at * force_and_torque];
+        r.force += Vec3::from(said);
+        r.torque += Vec3::from(said + 3);
       }
-    }
-  }
-  for (Ring &r : rings_) {
-    if (r.i < atom->nlocal) {
-      r.force.add_to(atom->f[r.i]);
-      r.torque.add_to(atom->torque[r.i]);
-    }
+    r.force.add_to(atom->f[r.i]);
+    r.torque.add_to(atom->torque[r.i]);
+    r.summed[0] = r.force;
+    r.summed[1] = r.torque;
     r.force = r.torque = Vec3();
+    if (first && r.local)
+      for (const Term &t : r.terms) parts_[t.at].direct = static_cast<int>(n);
   }
+  for (const Letter &l : out_)
+    for (int k : l.claims) std::fill(parts_[k].said, parts_[k].said + force_and_torque, 0.0);
+  for (const Ring &r : rings_)
+    if (!r.local)
+      for (const Term &t : r.terms)
+        if (t.letter < 0) std::fill(parts_[t.at].said, parts_[t.at].said + force_and_torque, 0.0);
+}
+
+void RingSum::collect(int width, const std::vector<double> &said,
+                      const std::function<void(int, Source, const double *)> &heard)
+{
+  send(width, [&](int k) { return &said[static_cast<size_t>(k) * width]; });
+  for (int n = 0; n < rings(); ++n)
+    for (const Term &t : rings_[n].terms)
+      heard(n, static_cast<Source>(t.source),
+            (t.letter < 0 ? said.data() : in_[t.letter].text.data()) + static_cast<size_t>(t.at) * width);
 }
 
 }    // namespace bearing

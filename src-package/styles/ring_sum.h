@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Adds what balls and cage exert on a ring, in an order that does not depend on the number of ranks.
 //
-// Only the owner of a ball computes its contacts, so a ring on another rank must be told. One rank adds
-// in the order of the calls (sources in order, partner tags rising); several ranks gather all
-// contributions, sort them into that same order and let the ring's owner add them: same bits.
+// Only the owner of a ball computes its contacts, so a ring on another rank must be told. After a neighbour build every
+// contact claims its place in the sum of its ring. Ranks that have claims on the rings of another one tell it once, and
+// from then on send it six numbers a claim each step; the ring's owner adds by source, then by rising tag of the partner.
+// A ring with all of its claims on its own rank is added to at once, in the order of the calls, which is the same order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 
@@ -11,7 +12,7 @@
 #include "bearing_compat.h"
 #include "lammps.h"
 
-#include <unordered_map>
+#include <functional>
 #include <vector>
 
 namespace bearing {
@@ -19,40 +20,64 @@ namespace bearing {
 class RingSum : protected LAMMPS_NS::Pointers {
  public:
   enum Source { rail = 0, ball = 1 };    // in the order in which they are added
-  explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp), serial_(lmp->comm->nprocs == 1) {}
+  explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp) {}
 
-  void reset_rings();                                // after a neighbour build: forget all slots
-  int slot(int i_ring, tag_t tag);                   // of a ring, owned or ghost
-  void add(int slot, Source source, tag_t partner, const raceway::Vec3 &force, const raceway::Vec3 &torque)
+  void reset();    // after a neighbour build, on all ranks: forget all claims
+  void own(int i_ring, tag_t ring);
+  // A place in the sum of a ring of the rank `owner`; valid until reset(). All claims come before the first flush().
+  int claim(tag_t ring, int owner, Source source, tag_t partner);
+
+  void add(int claim, const raceway::Vec3 &force, const raceway::Vec3 &torque)
   {
-    if (serial_) {
-      rings_[slot].force += force;
-      rings_[slot].torque += torque;
+    Part &p = parts_[claim];
+    if (p.direct >= 0) {
+      rings_[p.direct].force += force;
+      rings_[p.direct].torque += torque;
     } else {
-      keep(slot, source, partner, force, torque);
+      force.to(p.said);
+      torque.to(p.said + 3);
     }
   }
-  void flush();                                      // into atom->f and atom->torque of owned rings
+  void flush();    // into atom->f and atom->torque of owned rings; all ranks
+
+  // Owned rings by tag: local index, force and torque of the last flush().
+  int rings() const { return static_cast<int>(rings_.size()); }
+  int ring(int n) const { return rings_[n].i; }
+  const raceway::Vec3 &force(int n) const { return rings_[n].summed[0]; }
+  const raceway::Vec3 &torque(int n) const { return rings_[n].summed[1]; }
+  // Other numbers by the same ways: `said` has `width` of them a claim; heard(n, source, numbers) is called for every
+  // claim on the n-th owned ring, ring by ring in the order of the sums. All ranks; after a flush().
+  void collect(int width, const std::vector<double> &said, const std::function<void(int n, Source, const double *)> &heard);
+  int claims() const { return static_cast<int>(parts_.size()); }
 
  private:
-  void keep(int slot, Source source, tag_t partner, const raceway::Vec3 &force, const raceway::Vec3 &torque);
-
-  bool serial_;
-  struct Ring { int i; tag_t tag; raceway::Vec3 force, torque; };
-  struct Part {
-    tag_t ring, partner;
-    int source;
-    double force[3], torque[3];
-    bool operator<(const Part &o) const
-    {
-      if (ring != o.ring) return ring < o.ring;
-      if (source != o.source) return source < o.source;
-      return partner < o.partner;
-    }
+  static constexpr int force_and_torque = 6;
+  struct Claim { tag_t ring, partner; int source; };
+  struct Part { double said[force_and_torque]; int direct; };    // direct: index of a ring with local claims only, or -1
+  struct Term { tag_t partner; int source, letter, at; };    // letter -1: a claim of this rank
+  struct Ring {
+    int i;
+    tag_t tag;
+    bool local;
+    std::vector<Term> terms;    // in the order of the sum
+    raceway::Vec3 force, torque, summed[2];
   };
-  std::vector<Ring> rings_;
-  std::unordered_map<tag_t, int> slot_;
-  std::vector<Part> parts_;    // more than one rank only
+  struct Letter {
+    int rank;
+    std::vector<int> claims;    // of this rank, in a letter that goes out
+    int terms;
+    std::vector<double> text;
+  };
+
+  void find_ways();
+  template <class Said> void send(int width, Said said);
+
+  bool ways_known_ = false;
+  std::vector<Claim> claims_;
+  std::vector<int> owner_;      // of the ring of a claim
+  std::vector<Part> parts_;
+  std::vector<Ring> rings_;     // owned, by tag
+  std::vector<Letter> out_, in_;
 };
 
 }    // namespace bearing

@@ -62,7 +62,7 @@ DECKS = {
     "free ring without mass": (DRY + "fix r inner bearing/ring x free\n", r"fix r bearing/ring: x free needs 'mass M'"),
     "impossible inertia": (DRY + "fix r inner bearing/ring inertia 3e-4 1e-4\n", r"no body has more than twice as much about its axis"),
     "unknown ring keyword": (DRY + "fix r inner bearing/ring wobble 1\n", r"'wobble'; known: x, y, z, rx, ry, spin"),
-    "no such variable": (DRY + "fix r inner bearing/ring spin speed v_none\nrun 0\n", r"fix r bearing/ring: there is no equal-style variable 'none'"),
+    "no such variable": (DRY + "fix r inner bearing/ring spin speed v_none\nrun 0\n", r"fix r bearing/ring: there is no equal- or atom-style variable 'none'"),
     "capacitance of a dry contact": (DRY + "fix c balls bearing/capacitance 10 permittivity 2.2\n", r"a dry contact has no capacitance"),
     "permittivity below vacuum": (BOX + f"pair_style bearing/ehd {FILM}\n" + INNER + OUTER + CREATE + GROUPS + "fix c balls bearing/capacitance 10 permittivity 0.5\n", r"relative permittivity at ambient pressure is 0.5, must be from 1 to 10"),
     "film column of a dry contact": (DRY + "compute c balls bearing/contact load h_min\n", r"attribute 'h_min' needs a lubricant"),

@@ -41,3 +41,12 @@ def test_implicit(tmp_path, ranks):
     plain = frames(tmp_path / "plain" / "balls.dump")
     assert frames(tmp_path / "balls.dump") == plain
     assert frames(tmp_path / "resumed" / "balls.dump")[60] == plain[60]
+
+
+@pytest.mark.parametrize("integrator, step", [("implicit", 2.5e-4), ("verlet", 4e-7)])
+def test_many(tmp_path, integrator, step):
+    """Values and tables of several rings, the cut of two ranks through two bearings of six."""
+    case = {"bearings": 6, "columns": 3, "integrator": integrator, "step": step, "sample": 4 * step, "time": 12 * step, "ramp": step}
+    succeed("inputs/in.many", sanitized=True, ranks=2, out=tmp_path / "checked", **case)
+    succeed("inputs/in.many", out=tmp_path / "plain", **case)
+    assert frames(tmp_path / "checked" / "bearings.dump") == frames(tmp_path / "plain" / "bearings.dump")

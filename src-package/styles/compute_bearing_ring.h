@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// compute bearing/ring: a row per ring of a group: its motion, the sum of what acts on it, sums and extremes of its contacts.
+// With a group of inner rings that is a row per bearing, whatever the number of bearings.
+#ifdef COMPUTE_CLASS
+ComputeStyle(bearing/ring,ComputeBearingRing)
+#else
+#ifndef LMP_COMPUTE_BEARING_RING_H
+#define LMP_COMPUTE_BEARING_RING_H
+
+#include "contact_attribute.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class ComputeBearingRing : public Compute {
+ public:
+  ComputeBearingRing(BRG_COMPUTE_ARGS);
+  void init() override;
+  void compute_local() override;
+  double memory_usage() override;
+
+ private:
+  void tell();
+  void ring_values(int n, double *of) const;
+
+  PairBearingHertz *pair_;
+  bearing::AttributeContext context_;    // who knows capacitances
+  std::vector<int> columns_;
+  std::vector<double> said_;      // by the contacts of this rank
+  std::vector<double> values_;
+  std::vector<double *> rows_;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

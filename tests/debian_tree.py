@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""An upstream LIGGGHTS source tree from Debian's tarball, with Raceway installed and built: build/tree/lmp_raceway.
+
+    python3 tests/debian_tree.py
+
+apt runs with a private configuration under build/source: sources of its own, derived from those of the machine, and its own
+folders; nothing of the user's is touched. What is there already is neither fetched nor built again (first build: 4 minutes
+on two cores, most of it the host).
+"""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+SOURCE, TREE = ROOT / "build" / "source", ROOT / "build" / "tree"
+INSTALLER = ROOT / "src-package" / "host" / "liggghts_tree.py"
+sys.path.insert(0, str(INSTALLER.parent))
+import liggghts_tree  # noqa: E402
+
+
+def run(*command, quiet=True, **kwargs):
+    done = subprocess.run([str(word) for word in command], text=True, check=False, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE if quiet else None, stderr=subprocess.STDOUT if quiet else None, **kwargs)
+    if done.returncode:
+        sys.exit(f"{' '.join(map(str, command))[:300]} failed:\n{(done.stdout or '')[-1500:]}")
+
+
+def release():
+    """The codename of this Debian, and the suites that mean it."""
+    names = dict(re.findall(r'^(\w+)="?([^"\n]*)"?$', Path("/etc/os-release").read_text(), flags=re.M))
+    return {names.get("VERSION_CODENAME", "bookworm"), "stable", "oldstable"}
+
+
+def source_entries(folder, suites):
+    """The entries of apt's `folder` for the main part of `suites`, as deb-src stanzas."""
+    stanzas = []
+    for path in [folder / "sources.list", *sorted((folder / "sources.list.d").glob("*"))]:
+        if not path.is_file():
+            continue
+        text = re.sub(r"^#.*\n?", "", path.read_text(), flags=re.M)
+        if path.suffix == ".list":
+            for options, uri, suite, parts in re.findall(r"^deb(?:\s+\[(.*?)\])?\s+(\S+)\s+(\S+)\s+(.+)$", text, flags=re.M):
+                if suite in suites and "main" in parts.split():
+                    signed = re.search(r"signed-by=(\S+)", options or "")
+                    stanzas.append(f"Types: deb-src\nURIs: {uri}\nSuites: {suite}\nComponents: main\n" +
+                                   (f"Signed-By: {signed.group(1)}\n" if signed else ""))
+        elif path.suffix == ".sources":
+            for stanza in re.split(r"\n\s*\n", text):
+                field = {key.lower(): value.split() for key, value in re.findall(r"^([\w-]+):\s*(.*(?:\n\s+.*)*)", stanza, flags=re.M)}
+                suite = [name for name in field.get("suites", []) if name in suites]
+                if "deb" not in field.get("types", []) or not suite or "main" not in field.get("components", []):
+                    continue
+                if field.get("enabled") == ["no"]:
+                    continue
+                kept = re.sub(r"^(Types|Suites|Components|Architectures):.*(?:\n\s+.*)*\n?", "", stanza + "\n", flags=re.M | re.I)
+                stanzas.append(f"Types: deb-src\nSuites: {' '.join(suite)}\nComponents: main\n{kept.strip()}\n")
+    return stanzas
+
+
+def fetch():
+    """Debian's tarball of the upstream sources; the path to it."""
+    there = sorted(SOURCE.glob("liggghts_*.orig.tar.*"))
+    if there:
+        return there[-1]
+    stanzas = source_entries(Path("/etc/apt"), release())
+    if not stanzas:
+        sys.exit("no entry of this machine's apt sources has the main part of its Debian: cannot fetch the sources of LIGGGHTS")
+    apt = SOURCE / "apt"
+    for folder in ("lists/partial", "cache/archives/partial"):
+        (apt / folder).mkdir(parents=True, exist_ok=True)
+    (apt / "debian.sources").write_text("\n".join(stanzas))
+    options = [f"Dir::Etc::sourcelist={apt}/debian.sources", "Dir::Etc::sourceparts=-", f"Dir::State::lists={apt}/lists",
+               f"Dir::Cache={apt}/cache", "APT::Sandbox::User=root"]
+    apt_get = ["apt-get", "-q", *(word for option in options for word in ("-o", option))]
+    run(*apt_get, "update")
+    run(*apt_get, "source", "--tar-only", "liggghts", cwd=SOURCE)
+    there = sorted(SOURCE.glob("liggghts_*.orig.tar.*"))
+    if not there:
+        sys.exit("apt-get source --tar-only liggghts left no tarball")
+    return there[-1]
+
+
+def unpacked(folder):
+    """The upstream tree in `folder`, unpacked if it is not there."""
+    if not (folder / "src" / "Make.sh").is_file():
+        folder.mkdir(parents=True, exist_ok=True)
+        run("tar", "-xf", fetch(), "-C", folder, "--strip-components=1")
+    return folder
+
+
+def main():
+    tree = unpacked(TREE / "liggghts")
+    manifest = tree / "src" / liggghts_tree.MANIFEST
+    wanted = {name: liggghts_tree.digest(text) for name, text in liggghts_tree.added_files().items()}
+    if manifest.exists() and json.loads(manifest.read_text())["added"] != wanted:
+        run(sys.executable, INSTALLER, "uninstall", tree)
+    if not manifest.exists():
+        run(sys.executable, INSTALLER, "install", tree)
+    run("make", "-j2", "raceway", "CC=mpicxx.openmpi", cwd=tree / "src")
+    program = TREE / "lmp_raceway"
+    program.unlink(missing_ok=True)
+    program.symlink_to("liggghts/src/lmp_raceway")
+
+
+if __name__ == "__main__":
+    main()

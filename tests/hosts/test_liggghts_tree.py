@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Raceway in an upstream LIGGGHTS source tree: same bits as in Debian's library; refused where it does not belong; reversible."""
+
+import os
+import shutil
+import subprocess
+
+import pytest
+from debian_tree import TREE, source_entries, unpacked
+from host import ROOT, frames, succeed
+
+SCRIPT = ROOT / "src-package" / "host" / "liggghts_tree.py"
+PROGRAM = TREE / "lmp_raceway"
+PATCHED = ("finish.cpp", "utils.h", "dump_mesh_vtk.h", "dump_mesh_vtk.cpp")
+
+
+def make(what, tree):
+    """`make install-tree` or `uninstall-tree`: (exit code, what it said)."""
+    done = subprocess.run(["make", "-s", f"{what}-tree", f"LIGGGHTS={tree}"], cwd=ROOT, text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return done.returncode, done.stdout
+
+
+def contents(tree):
+    """Every file of a tree."""
+    return {str(path.relative_to(tree)): path.read_bytes() for path in sorted(tree.rglob("*")) if path.is_file()}
+
+
+@pytest.fixture(scope="module")
+def upstream(tmp_path_factory):
+    """What of the upstream sources matters here: all of src but its packages, untouched."""
+    whole = unpacked(tmp_path_factory.mktemp("upstream") / "liggghts")
+    tree = tmp_path_factory.mktemp("small")
+    (tree / "src" / "MAKE").mkdir(parents=True)
+    for path in (whole / "src").iterdir():
+        if path.is_file():
+            shutil.copy2(path, tree / "src")
+    return tree
+
+
+@pytest.fixture
+def tree(upstream, tmp_path):
+    return shutil.copytree(upstream, tmp_path / "liggghts")
+
+
+def refused(tree, says, what="install"):
+    """It is refused with a message and nothing is changed."""
+    before = contents(tree)
+    code, text = make(what, tree)
+    assert code != 0 and "Refused: " in text and says in text, text
+    assert "Traceback" not in text
+    assert contents(tree) == before
+
+
+def test_in_and_out(tree):
+    before = contents(tree)
+    code, text = make("install", tree)
+    assert code == 0, text
+    after = contents(tree)
+    assert {name for name in before if after[name] != before[name]} == {f"src/{name}" for name in PATCHED}
+    assert {"src/fix_bearing_ring.h", "src/vec3.h", "src/bearing_step.cpp", "src/MAKE/Makefile.raceway"} <= after.keys()
+    assert not any(b'"../' in text for name, text in after.items() if name not in before)
+    refused(tree, "has Raceway in it already")
+    code, text = make("uninstall", tree)
+    assert code == 0, text
+    assert contents(tree) == before
+
+
+def test_a_tree_without_it(tree):
+    refused(tree, "has no Raceway", what="uninstall")
+
+
+def test_no_tree(tmp_path):
+    refused(tmp_path, "is no LIGGGHTS source tree")
+
+
+def test_nothing_named():
+    code, text = make("install", "")
+    assert code != 0 and "make install-tree LIGGGHTS=" in text
+
+
+def test_another_version(tree):
+    (tree / "src" / "version_liggghts.txt").write_text("3.7.0\n")
+    refused(tree, "is LIGGGHTS 3.7.0; known is 3.8.0 only")
+
+
+def test_patched_by_hand(tree):
+    path = tree / "src" / "finish.cpp"
+    path.write_text(path.read_text().replace("numneigh > 0) {", "numneigh != NULL) {"))
+    refused(tree, "finish.cpp is patched already")
+
+
+def test_changed_where_it_must_be_patched(tree):
+    path = tree / "src" / "utils.h"
+    path.write_text(path.read_text().replace("std::dec << a", "a"))
+    refused(tree, "utils.h is not that of LIGGGHTS 3.8.0")
+
+
+def test_a_file_in_the_way(tree):
+    (tree / "src" / "film.h").write_text("// another film\n")
+    refused(tree, "film.h is there already")
+
+
+def test_a_file_changed_since(tree):
+    assert make("install", tree)[0] == 0
+    (tree / "src" / "vec3.h").write_text("// mine\n")
+    refused(tree, "changed since the installation: vec3.h", what="uninstall")
+
+
+def test_another_change_of_a_patched_file_is_kept(tree):
+    assert make("install", tree)[0] == 0
+    path = tree / "src" / "finish.cpp"
+    path.write_text("// mine\n" + path.read_text())
+    assert make("uninstall", tree)[0] == 0
+    assert path.read_text().startswith("// mine\n") and "numneigh > 0) {" in path.read_text()
+
+
+def test_an_interrupted_installation_is_taken_out(tree):
+    """Killed half-way: the manifest is written first, so that what is there can be taken out."""
+    before = contents(tree)
+    assert make("install", tree)[0] == 0
+    for name in ("film.h", "create_bearing.cpp"):
+        (tree / "src" / name).unlink()
+    (tree / "src" / "utils.h").write_bytes(before["src/utils.h"])
+    assert make("uninstall", tree)[0] == 0
+    assert contents(tree) == before
+
+
+def test_a_failure_half_way_leaves_nothing(tree):
+    """One of the last names to be written cannot be: a folder of that name with something in it."""
+    (tree / "src" / "finish.cpp.raceway-new").mkdir()
+    (tree / "src" / "finish.cpp.raceway-new" / "x").write_text("x")
+    refused(tree, "taken out again")
+
+
+def times(tree):
+    return {name: (tree / "src" / name).stat().st_mtime_ns for name in PATCHED}
+
+
+def test_patches_keep_the_times_of_files(tree):
+    """They change nothing in a compiled program, so objects of the host need not be built again."""
+    before = times(tree)
+    assert make("install", tree)[0] == 0
+    assert times(tree) == before
+
+
+@pytest.mark.parametrize("integrator", ["implicit", "verlet"])
+def test_main_deck_has_the_same_bits(tmp_path, integrator):
+    """Short and fast passes of the main deck: every column of every sample."""
+    case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20}
+    succeed("inputs/in.6208", out=tmp_path / "debian", **case)
+    succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
+    for name in ("contacts.dump", "balls.dump"):
+        assert frames(tmp_path / "tree" / name) == frames(tmp_path / "debian" / name)
+    assert (tmp_path / "tree" / "rings.dat").read_text() == (tmp_path / "debian" / "rings.dat").read_text()
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_transient_has_the_same_bits(tmp_path, ranks):
+    """All digits, free tilts, on one rank and on two."""
+    succeed("tests/hosts/in.bits", out=tmp_path / "debian", tilt="free")
+    succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
+    for name in ("contacts.dump", "balls.dump"):
+        assert frames(tmp_path / "tree" / name) == frames(tmp_path / "debian" / name)
+    assert (tmp_path / "tree" / "ring.txt").read_text() == (tmp_path / "debian" / "ring.txt").read_text()
+
+
+def test_it_is_the_tree_that_ran(tmp_path):
+    """The program is the host itself: no library of Debian's LIGGGHTS in it."""
+    libraries = subprocess.run(["ldd", PROGRAM], text=True, capture_output=True, check=True).stdout
+    assert "liggghts" not in libraries
+    assert os.path.islink(PROGRAM)
+
+
+def test_sources_of_apt_in_one_line(tmp_path):
+    """Private sources are derived from the machine's own, in either format; other suites and repositories are left out."""
+    (tmp_path / "sources.list").write_text("# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
+                                           "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n")
+    (tmp_path / "sources.list.d").mkdir()
+    (tmp_path / "sources.list.d" / "d.sources").write_text(
+        "Types: deb\n# a comment\nURIs: http://d/debian\nSuites: bookworm bookworm-updates\nComponents: main\nSigned-By: /d.gpg\n\n"
+        "Types: deb\nURIs: http://e/debian\nSuites: bookworm-security\nComponents: main\n")
+    one, two = source_entries(tmp_path, {"bookworm"})
+    assert one == "Types: deb-src\nURIs: http://m/debian\nSuites: bookworm\nComponents: main\nSigned-By: /k.gpg\n"
+    assert two == "Types: deb-src\nSuites: bookworm\nComponents: main\nURIs: http://d/debian\nSigned-By: /d.gpg\n"

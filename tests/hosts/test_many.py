@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Many bearings in one box: each has the bits that it has alone, on any number of ranks, wherever these are cut.
+
+Twelve bearings in three columns, all different in load, speed and first azimuth, two lubricants in turn. Two ranks are cut between
+rows of bearings; three through two rows, four through the middle column, so through rings, balls and cages.
+"""
+
+import re
+
+import pytest
+from host import BOX, frames, liggghts, succeed
+
+DECK = "tests/hosts/in.many_bits"
+ATOMS = 20  # of a bearing
+SCENES = {"implicit": {"integrator": "implicit", "time": 4e-3, "sample": 1e-3, "step": 2.5e-4},
+          "verlet": {"integrator": "verlet", "time": 4e-4, "sample": 1e-4, "step": 2e-7, "ramp": 2e-4}}
+BEARINGS = {"bearings": 12, "columns": 3}
+
+
+def fleet(folder):
+    """{bearing: its inner ring, load, rpm, lubricant}."""
+    rows = [line.split() for line in (folder / "fleet.txt").read_text().splitlines()[1:]]
+    return {int(row[0]): (int(row[1]), float(row[4]), float(row[5]), row[6]) for row in rows}
+
+
+def table(folder, ring):
+    """{step: the rest of the row of an inner ring}."""
+    found = {}
+    for step, rows in frames(folder / "bearings.dump").items():
+        mine = [row.split()[1:] for row in rows if int(row.split()[0]) == ring]
+        assert len(mine) == 1
+        found[step] = mine[0]
+    return found
+
+
+def atoms(folder, ring):
+    """The last state of the atoms of the bearing with that inner ring, in their order."""
+    last = (ring + 1 - ATOMS, ring + 1)
+    (rows,) = frames(folder / "last.dump").values()
+    mine = sorted((int(row.split()[0]), row.split()[1:]) for row in rows if last[0] < int(row.split()[0]) <= last[1])
+    assert len(mine) == ATOMS
+    return [values for _, values in mine]
+
+
+@pytest.fixture(scope="module", params=SCENES)
+def scene(request, tmp_path_factory):
+    """Variables of a scene, and the folder of its run on one rank."""
+    folder = tmp_path_factory.mktemp("many")
+    variables = {**BEARINGS, **SCENES[request.param]}
+    succeed(DECK, out=folder, **variables)
+    return variables, folder
+
+
+def test_scene_is_worth_comparing(scene):
+    _, folder = scene
+    them = fleet(folder)
+    assert len(them) == 12 and len({(load, rpm) for _, load, rpm, _ in them.values()}) == 12
+    assert {oil for *_, oil in them.values()} == {"mineral", "pao48"}
+    for ring, load, rpm, _ in them.values():
+        row = [float(word) for word in table(folder, ring)[max(table(folder, ring))]]
+        assert row[2] == pytest.approx(rpm * 3.14159265358979 / 30, rel=1e-5)    # spin, rad/s
+        assert 0.5 * load < row[4] < 1.5 * load                                   # N, the contacts carry it by now
+        assert row[14] > 1e-11                                                    # F
+
+
+@pytest.mark.parametrize("ranks", [2, 3, 4])
+def test_ranks(scene, ranks, tmp_path):
+    variables, folder = scene
+    succeed(DECK, ranks=ranks, out=tmp_path, **variables)
+    for name in ("bearings.dump", "last.dump"):
+        assert frames(tmp_path / name) == frames(folder / name)
+
+
+@pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
+def test_alone(scene, number, ranks, tmp_path):
+    """The middle column's 5 and 8 are those that four ranks cut; alone they are in their place of the same box."""
+    variables, folder = scene
+    succeed(DECK, ranks=ranks, out=tmp_path, only=number, **variables)
+    (alone,) = fleet(tmp_path).values()
+    ring, *case = fleet(folder)[number]
+    assert list(alone[1:]) == case
+    assert table(tmp_path, alone[0]) == table(folder, ring)
+    assert atoms(tmp_path, alone[0]) == atoms(folder, ring)
+
+
+def test_table_against_the_contacts(tmp_path):
+    """Sums and extremes of a row are those of the contact table of its ring; force and torque those of fix bearing/ring."""
+    deck = tmp_path / "in.check"
+    deck.write_text(f"""
+variable out index {tmp_path}
+include inputs/in.many
+compute contact balls bearing/contact ring raceway load pressure h_min lambda friction capacitance
+dump contacts balls local 1 {tmp_path}/contacts.dump c_contact[1] c_contact[2] c_contact[3] c_contact[4] c_contact[5] c_contact[6] c_contact[7] c_contact[8]
+dump_modify contacts format "%.0f %.0f %.12g %.12g %.12g %.12g %.12g %.12g"
+variable fx1 equal f_inner[1][11]
+variable fy4 equal f_inner[4][12]
+variable x4 equal f_inner[4][1]
+variable torque4 equal f_inner[4][17]
+fix say all print 1 "said ${{fx1}} ${{fy4}} ${{x4}} ${{torque4}}"
+undump table
+dump table inner local 1 {tmp_path}/now.dump c_of[1] c_of[2] c_of[5] c_of[6] c_of[7] c_of[8] c_of[10] c_of[11] c_of[12] c_of[13] c_of[16]
+dump_modify table format "%.0f %.12g %.12g %.12g %.12g %.0f %.12g %.12g %.12g %.12g %.12g"
+run 1
+""")
+    outcome = succeed(deck, bearings=4, columns=2, time=4e-3)
+    said = [float(word) for word in re.findall(r"^said (.*)$", outcome.text, flags=re.M)[-1].split()]
+    rows = [[float(word) for word in row.split()] for row in frames(tmp_path / "now.dump")[17]]
+    contacts = [[float(word) for word in row.split()] for row in frames(tmp_path / "contacts.dump")[17]]
+    rows.sort()
+    assert len(rows) == 4
+    for ring, *_, live, load, pressure, h_min, film, _ in rows:
+        mine = [c for c in contacts if c[0] == ring]
+        assert {c[1] for c in mine} == {0.0} and len(mine) == live > 2
+        assert load == max(c[2] for c in mine) and pressure == max(c[3] for c in mine)
+        assert h_min == min(c[4] for c in mine) and film == min(c[5] for c in mine)
+    # a ball's two capacitors in series, summed: the outer ring (the next tag) has the other one of every ball in order
+    for row in rows:
+        inner = [c[7] for c in contacts if c[0] == row[0]]
+        outer = [c[7] for c in contacts if c[0] == row[0] + 1]
+        assert max(inner) / 2 < row[10] < sum(inner) and row[10] < sum(outer)
+    digits = pytest.approx
+    assert rows[0][2] == digits(said[0], rel=1e-9, abs=1e-9)     # 12 digits of one, the host's %g-like print of the other
+    assert rows[3][3] == digits(said[1], rel=1e-9)
+    assert rows[3][1] == digits(said[2], rel=1e-9)
+    assert rows[3][4] == digits(said[3], rel=1e-9)
+
+
+def test_the_table_is_one_file_that_a_person_can_read(scene):
+    _, folder = scene
+    steps = frames(folder / "bearings.dump")
+    assert len(steps) == 5 and all(len(rows) == 12 for rows in steps.values())
+    lines = (folder / "bearings.dump").read_text().splitlines()
+    rings = [int(line.split()[0]) for line in lines[9:21]]
+    assert rings == sorted(rings)
+
+
+ONE_RING = BOX + """
+pair_style bearing/hertz friction constant 0.1
+pair_coeff 1 3 inner 24.0e-3 6.552e-3
+pair_coeff 1 4 outer 36.6e-3 6.552e-3
+create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed 50 0
+group balls type 1
+group inner type 3
+fix move {move}
+variable force atom {force}
+variable spin atom 50
+variable tilt atom 1.0e-4
+fix inner inner bearing/ring mass 0.2 inertia 1.2e-4 6.5e-5 x free y free spin speed {spin} rx position {tilt} moment 0 0 {moment} force 0 {load} 0 ramp 1e-4
+timestep {step}
+run 100
+write_dump all custom {out} id x y z vx vy vz omegax omegay omegaz modify format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id
+"""
+
+
+@pytest.mark.parametrize("move, step", [("all bearing/implicit", 5e-6), ("balls nve/sphere", 5e-7)], ids=["implicit", "verlet"])
+def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
+    """Loads, speeds and positions by atom-style variables give the bits of the numbers."""
+    by = {"number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
+          "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"}}
+    for name, words in by.items():
+        deck = tmp_path / f"in.{name}"
+        deck.write_text(ONE_RING.format(move=move, step=step, force="-2000.0", out=tmp_path / name, **words))
+        succeed(deck)
+    assert frames(tmp_path / "variable") == frames(tmp_path / "number")
+
+
+@pytest.mark.parametrize("force, message", [
+    ("exp(1000*id)", "fix inner bearing/ring: variable 'force' is inf for ring atom 10"),
+    ("-2000/(id-10)", "Divide by 0 in variable formula"),
+])
+def test_a_value_that_is_no_number(force, message, tmp_path):
+    deck = tmp_path / "in.bad"
+    deck.write_text(ONE_RING.format(move="balls nve/sphere", step=5e-7, force=force, out=tmp_path / "dump", spin=50, tilt=0, load="v_force",
+                                    moment=0))
+    outcome = liggghts(deck)
+    assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]
+
+
+@pytest.mark.parametrize("words, message", [
+    ({"bearings": 0}, r"bearing_range: bearings is 0, must be a whole number from 1"),
+    ({"only": 13}, r"bearing_range: only is 13, must be a whole number from 0 to 12"),
+    ({"fleet": "none"}, r"there is no 'none' in folder inputs/fleets; there is: alike, spread"),
+    ({"lubricant": "oil"}, r"there is no 'oil' in folder inputs/lubricants"),
+    ({"lubricant": "dry"}, r"in.many needs lubricants: dry is not one"),
+    ({"bearings": 1}, r"bearing_range: kinds is 2, must be a whole number from 1 to 1 \(each lubricant needs a bearing\)"),
+    ({"sample": 1e-4}, r"bearing_range: sample is 0.0001, must be from 0.00025"),
+])
+def test_mistakes(words, message, tmp_path):
+    outcome = liggghts("inputs/in.many", out=tmp_path, **{**BEARINGS, **words})
+    assert outcome.code != 0 and re.search(message, outcome.error), outcome.text[-2000:]
