@@ -3,7 +3,7 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, a run of 2 GB; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, a run of 2 GB, sweeps; rewrites pages of docs/performance
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
@@ -60,6 +60,7 @@ bench: build
 	.venv/bin/python tests/bench/peers.py
 	.venv/bin/python tests/hard/table.py
 	.venv/bin/python tests/bench/big_dump.py
+	.venv/bin/python tests/bench/sweep.py
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
