@@ -149,7 +149,7 @@ def page(results, equal, set_ups, rounds):
                      f"{middle(got, 'memory'):.0f} kB", f"{middle(got, 'ghosts'):.1f}"])
     lines += table(["integrator", "bearing-step, one bearing", f"bearing-step, {MANY} bearings", "ratio (at most 1.3)",
                     "efficiency (at least 0.8)", "memory a bearing", "ghost atoms a bearing along a cut"], rows)
-    lines += ["What a ratio above 1 is made of: a single bearing lives in the first-level cache; many are fetched from farther away once a step",
+    lines += ["What a ratio above 1 is made of: a single bearing lives in the caches of its core; many are fetched from farther away once a host step",
               "(their memory is in the table), against which a single one bears the fixed cost of a host step alone.",
               "", f"The last state of {MANY} bearings that differ in load, speed, azimuth and lubricant, on 1, 2 and 4 ranks (4 on two cores), every bit:",
               "; ".join(f"{name}: {'equal' if same else '**different**'}" for name, same in equal.items()) + ".",

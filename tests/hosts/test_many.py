@@ -141,15 +141,23 @@ pair_coeff 1 4 outer 36.6e-3 6.552e-3
 create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed 50 0
 group balls type 1
 group inner type 3
-fix move {move}
-variable force atom {force}
+fix move MOVE
+variable force atom FORCE
 variable spin atom 50
 variable tilt atom 1.0e-4
-fix inner inner bearing/ring mass 0.2 inertia 1.2e-4 6.5e-5 x free y free spin speed {spin} rx position {tilt} moment 0 0 {moment} force 0 {load} 0 ramp 1e-4
-timestep {step}
+fix inner inner bearing/ring mass 0.2 inertia 1.2e-4 6.5e-5 x free y free spin speed SPIN rx position TILT moment 0 0 MOMENT force 0 LOAD 0 ramp 1e-4
+timestep STEP
 run 100
-write_dump all custom {out} id x y z vx vy vz omegax omegay omegaz modify format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id
+write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id
 """
+
+
+def one_ring(**words):
+    """The deck with these words in the places of their names in capitals."""
+    text = ONE_RING
+    for name, word in words.items():
+        text = text.replace(name.upper(), str(word))
+    return text
 
 
 @pytest.mark.parametrize("move, step", [("all bearing/implicit", 5e-6), ("balls nve/sphere", 5e-7)], ids=["implicit", "verlet"])
@@ -159,7 +167,7 @@ def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
           "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"}}
     for name, words in by.items():
         deck = tmp_path / f"in.{name}"
-        deck.write_text(ONE_RING.format(move=move, step=step, force="-2000.0", out=tmp_path / name, **words))
+        deck.write_text(one_ring(move=move, step=step, force="-2000.0", out=tmp_path / name, **words))
         succeed(deck)
     assert frames(tmp_path / "variable") == frames(tmp_path / "number")
 
@@ -170,7 +178,7 @@ def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
 ])
 def test_a_value_that_is_no_number(force, message, tmp_path):
     deck = tmp_path / "in.bad"
-    deck.write_text(ONE_RING.format(move="balls nve/sphere", step=5e-7, force=force, out=tmp_path / "dump", spin=50, tilt=0, load="v_force",
+    deck.write_text(one_ring(move="balls nve/sphere", step=5e-7, force=force, out=tmp_path / "dump", spin=50, tilt=0, load="v_force",
                                     moment=0))
     outcome = liggghts(deck)
     assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]
