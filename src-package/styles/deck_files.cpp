@@ -111,8 +111,6 @@ void BearingResume::command(int narg, char **arg)
   const bool asked = args.choice("resume", {"no", "yes"}) == 1;
   const std::string file = args.word("restart file");
   if (args.more()) args.unknown("none, the command ends here");
-  if (asked && std::string(BRG_HOST_KIND) != "liggghts")
-    args.fail("a run of these decks goes on in LIGGGHTS only; in " + std::string(BRG_HOST_NAME) + " use read_restart in a deck of your own");
   std::error_code ec;
   int there = comm->me == 0 && fs::is_regular_file(file, ec) ? 1 : 0;
   MPI_Bcast(&there, 1, MPI_INT, 0, world);

