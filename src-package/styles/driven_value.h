@@ -9,17 +9,18 @@ namespace bearing {
 
 class DrivenValue {
  public:
-  // The next word of a command: a number or v_NAME.
-  static DrivenValue read(Arguments &args, const std::string &what)
+  // The next word of a command: a number or v_NAME; with `each_ring` that may be an atom-style variable.
+  static DrivenValue read(Arguments &args, const std::string &what, bool each_ring = false)
   {
     DrivenValue d;
+    d.each_ring_ = each_ring;
     if (args.next_is_number()) {
       d.value_ = args.number(what);
       return d;
     }
     const std::string w = args.word(what);
     if (w.compare(0, 2, "v_") != 0 || w.size() < 3)
-      args.fail(what + " must be a number or an equal- or atom-style variable v_NAME, not '" + w + "'");
+      args.fail(what + " must be a number or an " + d.style() + " variable v_NAME, not '" + w + "'");
     d.name_ = w.substr(2);
     return d;
   }
@@ -31,9 +32,9 @@ class DrivenValue {
   {
     if (!is_variable()) return;
     index_ = lmp->input->variable->find(const_cast<char *>(name_.c_str()));
-    if (index_ < 0 || !(lmp->input->variable->equalstyle(index_) || lmp->input->variable->atomstyle(index_)))
-      BRG_ALL_OF(lmp, command + ": there is no equal- or atom-style variable '" + name_ + "'");
-    by_atom_ = lmp->input->variable->atomstyle(index_);
+    by_atom_ = each_ring_ && index_ >= 0 && lmp->input->variable->atomstyle(index_);
+    if (index_ < 0 || !(by_atom_ || lmp->input->variable->equalstyle(index_)))
+      BRG_ALL_OF(lmp, command + ": there is no " + style() + " variable '" + name_ + "'");
   }
 
   bool by_atom() const { return by_atom_; }    // after check()
@@ -54,10 +55,12 @@ class DrivenValue {
   const std::string &name() const { return name_; }
 
  private:
+  const char *style() const { return each_ring_ ? "equal- or atom-style" : "equal-style"; }
+
   double value_ = 0.0;
   std::string name_;
   int index_ = -1;
-  bool by_atom_ = false;
+  bool each_ring_ = false, by_atom_ = false;
 };
 
 }    // namespace bearing

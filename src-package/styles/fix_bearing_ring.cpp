@@ -62,7 +62,7 @@ FixBearingRing::~FixBearingRing()
 void FixBearingRing::read_freedom(Arguments &args, const std::string &name, int dof)
 {
   mode_[dof] = args.choice(name, {"fixed", "free", "speed", "position"});
-  if (mode_[dof] >= speed) value_[dof] = DrivenValue::read(args, name);
+  if (mode_[dof] >= speed) value_[dof] = DrivenValue::read(args, name, true);
 }
 
 void FixBearingRing::parse(int narg, char **arg)
@@ -94,9 +94,9 @@ void FixBearingRing::parse(int narg, char **arg)
         args.fail("inertia " + bearing::text(inertia_.axial) + " " + bearing::text(inertia_.transverse) +
                   ": no body has more than twice as much about its axis as across it");
     } else if (args.take("force")) {
-      for (int k = 0; k < 3; ++k) value_[FORCE + k] = DrivenValue::read(args, "force (N)");
+      for (int k = 0; k < 3; ++k) value_[FORCE + k] = DrivenValue::read(args, "force (N)", true);
     } else if (args.take("moment")) {
-      for (int k = 0; k < 3; ++k) value_[MOMENT + k] = DrivenValue::read(args, "moment (N m)");
+      for (int k = 0; k < 3; ++k) value_[MOMENT + k] = DrivenValue::read(args, "moment (N m)", true);
     } else if (args.take("ramp")) {
       ramp_time_ = args.non_negative("ramp time (s)");
     } else {

@@ -42,7 +42,7 @@ def test_stopped_run(stopped):
     assert f"the run goes on from {stopped}/restart" in text
     assert not (stopped / "restart.part").exists()
     with pytest.raises(RunError, match="has not finished"):
-        Run(stopped)
+        Run(stopped).need_finished()
 
 
 @pytest.mark.parametrize("name", [signal.SIGINT, signal.SIGUSR1], ids=lambda which: which.name)
