@@ -7,16 +7,17 @@ from itertools import chain
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import to_rgba_array
 from PIL import Image
 
 from raceway import files, progress, style
 from raceway.errors import RunError
-from raceway.pictures.bearing import Sheet
+from raceway.pictures.bearing import CAGE, IDLE, STEEL, Sheet
 from raceway.pictures.scene import scene
 from raceway.run import Run
 
 INCHES = 9.6  # width of a sheet
-PALETTE = 64  # colours of a GIF
+COLOURS, GREYS = 32, 24  # of a GIF
 
 
 def animation(run, path, colour="load", passes=None, frames=80, rate=20, factor=None, width=800):
@@ -61,13 +62,19 @@ def _pictures(sheet, count):
 
 
 def _gif(part, pictures, rate):
-    first, *rest = (Image.fromarray(picture) for picture in pictures)
-    both = Image.new("RGB", (first.width, 2 * first.height))  # colours common to the start and the middle of the loop
-    both.paste(first, (0, 0))
-    both.paste(rest[len(rest) // 2] if rest else first, (0, first.height))
-    palette = both.quantize(PALETTE)
-    first, *rest = (picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in (first, *rest))
+    palette = _palette()
+    first, *rest = (Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures)
     first.save(part, format="GIF", save_all=True, append_images=rest, duration=round(1000 / rate), loop=0, optimize=True)
+
+
+def _palette():
+    """One for all pictures: what is unchanged from one to the next then costs nothing. Pictures are in few colours."""
+    scale = plt.get_cmap(style.MAP)(np.linspace(0, 1, COLOURS))[:, :3]
+    grey = np.repeat(np.linspace(0, 1, GREYS)[:, None], 3, axis=1)
+    flat = to_rgba_array([STEEL, CAGE, IDLE, style.INK, style.SOFT, style.FAINT])[:, :3]
+    image = Image.new("P", (1, 1))
+    image.putpalette(np.rint(255 * np.concatenate([scale, grey, flat])).astype(np.uint8).tobytes())
+    return image
 
 
 def _mp4(part, pictures, rate):

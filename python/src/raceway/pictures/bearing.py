@@ -11,7 +11,7 @@ from matplotlib.patches import Circle, Polygon
 
 from raceway import style
 from raceway.bearing import INNER, OUTER
-from raceway.pictures.page import title
+from raceway.pictures.page import fit, title
 from raceway.pictures.part import shown, tracks
 from raceway.pictures.scene import COLOURS, scene
 from raceway.style import FAINT, INK, MAP, SOFT
@@ -56,9 +56,7 @@ class Sheet:
         self._around(self.figure.add_axes((0.755, 0.115, 0.21, 0.25)))
 
     def _head(self):
-        line = self.figure.text(0.03, 0.955, title(self.run), fontsize=12.5, fontweight="bold", va="center")
-        room = 0.94 * self.figure.bbox.width / line.get_window_extent(self.figure.canvas.get_renderer()).width
-        line.set_fontsize(12.5 * min(1, room))
+        fit(self.figure.text(0.03, 0.955, title(self.run), fontsize=12.5, fontweight="bold", va="center"), 0.94)
         self.figure.text(0.03, 0.91, f"motions, clearance and overlaps drawn × {self.scene.factor:g}", fontsize=9.5, color=SOFT,
                          va="center")
         self.clock = self.figure.text(0.03, 0.03, "", fontsize=9.5, color=SOFT, va="bottom")

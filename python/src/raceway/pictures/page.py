@@ -21,12 +21,15 @@ def title(run):
 
 def head(figure, run, below, size=17):
     """Write the title of `run` and, under it, the text `below` at the top of `figure`."""
-    height = figure.get_figheight()
-    line = figure.text(LEFT, 1 - 0.45 * size / 17 / height, title(run), fontsize=size, fontweight="bold", va="center")
-    room = (RIGHT - LEFT) * figure.bbox.width / line.get_window_extent(figure.canvas.get_renderer()).width
-    line.set_fontsize(size * min(1, room))  # a long name shrinks, it does not run off the page
-    figure.text(LEFT, 1 - 0.82 * size / 17 / height, below, fontsize=11 * size / 17 if size < 14 else 11, color=SOFT,
-                va="center")
+    height, scale = figure.get_figheight(), size / 17
+    fit(figure.text(LEFT, 1 - 0.45 * scale / height, title(run), fontsize=size, fontweight="bold", va="center"), RIGHT - LEFT)
+    fit(figure.text(LEFT, 1 - 0.82 * scale / height, below, fontsize=11, color=SOFT, va="center"), RIGHT - LEFT)
+
+
+def fit(text, share):
+    """Let a long `text` shrink to that `share` of its figure's width: it does not run off the page."""
+    width = text.get_window_extent(text.figure.canvas.get_renderer()).width
+    text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
 
 
 def key(label, **style):
