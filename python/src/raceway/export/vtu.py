@@ -44,5 +44,5 @@ def _array(values, name):
         values = values.astype("i4")
     raw = values.tobytes()
     text = base64.b64encode(np.uint32(len(raw)).tobytes() + raw).decode()
-    return (f'<DataArray type="{TYPES[values.dtype.str[1:]]}" Name="{name}" NumberOfComponents="{values.shape[1] if values.ndim > 1 else 1}" '
-            f'format="binary">{text}</DataArray>')
+    width = f' NumberOfComponents="{values.shape[1]}"' if values.ndim > 1 else ""
+    return f'<DataArray type="{TYPES[values.dtype.str[1:]]}" Name="{name}"{width} format="binary">{text}</DataArray>'

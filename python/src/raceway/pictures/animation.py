@@ -3,6 +3,7 @@
 
 import shutil
 import subprocess
+import tempfile
 from itertools import chain
 
 import matplotlib.pyplot as plt
@@ -82,15 +83,17 @@ def _mp4(part, pictures, rate):
     height, width = (size - size % 2 for size in first.shape[:2])  # the usual colour format needs even sizes
     command = ["ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{rate:g}",
                "-i", "-", "-pix_fmt", "yuv420p", "-f", "mp4", str(part)]
-    try:
-        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as program:
-            for picture in chain([first], pictures):
-                program.stdin.write(np.ascontiguousarray(picture[:height, :width]).tobytes())
-            said = program.communicate()[1]
-    except BrokenPipeError:
-        said = program.stderr.read() if not program.stderr.closed else b""
-    if program.returncode:
-        raise RunError(f"ffmpeg could not write the animation: {said.decode(errors='replace').strip()[-300:]}")
+    with tempfile.TemporaryFile() as said:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said) as program:
+            try:
+                for picture in chain([first], pictures):
+                    program.stdin.write(np.ascontiguousarray(picture[:height, :width]).tobytes())
+                program.stdin.close()
+            except BrokenPipeError:
+                pass  # it has stopped, and said why
+        if program.returncode:
+            said.seek(0)
+            raise RunError(f"ffmpeg could not write the animation: {said.read().decode(errors='replace').strip()[-300:]}")
 
 
 WRITERS = {"gif": _gif, "mp4": _mp4}
