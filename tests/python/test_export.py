@@ -7,7 +7,6 @@ import xml.etree.ElementTree as ElementTree
 import meshio
 import numpy as np
 import pytest
-import synthetic
 
 from raceway import capacitance
 from raceway.bearing import INNER, OUTER
@@ -119,9 +118,12 @@ def test_ovito(folder, lubricated, tmp_path):
         assert surface.cells[0].type == "quad" and surface.cells[0].data.max() == len(surface.points) - 1
 
 
-def test_at_most_200_samples_by_default(tmp_path):
-    data = synthetic.run(passes=9, samples_per_pass=50)
-    assert sum(1 for _ in particles.frames(Run(synthetic.write(tmp_path / "run", data)))) == 150  # every third of 450
+def test_so_many_samples_by_default(folder, monkeypatch):
+    monkeypatch.setattr(particles, "FRAMES", 20)
+    frames = list(particles.frames(Run(folder)))
+    assert [frame.sample for frame in frames] == list(range(0, 48, 3))  # 16, the most below 20 that are evenly spaced
+    part = list(particles.frames(Run(folder, slice(6, 12)), 2))
+    assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0
 
 
 def test_dry_run_has_no_film_columns(dry_folder, tmp_path):

@@ -24,7 +24,7 @@ class Frame(NamedTuple):
     position: np.ndarray  # (n, 3)
     data: dict  # name: (n,) or (n, 3)
     ring: np.ndarray  # (3,), where the inner ring is
-    ring_turned: float  # rad, about its axis since the first sample of the run
+    ring_turned: float  # rad, about its axis since the first sample
 
 
 def frames(run, every=None):
@@ -36,7 +36,9 @@ def frames(run, every=None):
     contact: 0 for what vanishes with it, NaN for what it does not have.
     Raises `RunError` when a file is broken.
     """
-    every = every or -(-len(run.index("balls")) // FRAMES)
+    if every is None:
+        last = len(run.index("balls")) if run.stop is None else min(run.stop, len(run.index("balls")))
+        every = max(1, -(-(last - run.first) // FRAMES))
     turned = before = 0.0
     for (sample, atoms), (_, contacts) in zip(_samples(run, "balls"), _samples(run, "contacts")):
         inner = atoms[atoms["id"] == run.settings["inner_ring"]]
