@@ -5,8 +5,8 @@ block, in the order of its page.
     .venv/bin/python docs/try_examples.py [build/liggghts]
 
 A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the rest of that deck stays.
-Python and console blocks run in the root of the repository, where they may use the runs of `make run`; those of the tutorial and the
-gallery, which make files of their own, in a copy (workspace.py).
+Python and console blocks run in the root of the repository, where they may use the runs of `make run`; those of tutorial,
+sweep and gallery, which make files of their own and must find none of an earlier time, in a copy (workspace.py).
 Exit code 1 when a run fails; its last lines are shown.
 """
 
@@ -21,7 +21,7 @@ from workspace import workspace
 
 DOCS = Path(__file__).resolve().parent
 FILM_ONLY = ("fix cap ", "compute contact ", "dump ", "dump_modify ", "variable out ", "bearing_output ")
-APART = ("tutorial.rst", "gallery.rst")
+APART = ("tutorial.rst", "sweep.rst", "gallery.rst")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
@@ -125,10 +125,11 @@ def main():
         for name, trouble in run_session(page):
             print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
             failed += bool(trouble)
-    with workspace(program) as folder:
-        for name, trouble in run_session(DOCS / "tutorial.rst", folder):
-            print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
-            failed += bool(trouble)
+    for page in ("tutorial.rst", "sweep.rst"):
+        with workspace(program) as folder:
+            for name, trouble in run_session(DOCS / page, folder):
+                print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
+                failed += bool(trouble)
     failed += subprocess.run([sys.executable, DOCS / "gallery.py", "--check"]).returncode != 0
     with tempfile.TemporaryDirectory() as folder:
         for name, lines in jobs:
