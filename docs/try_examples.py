@@ -5,7 +5,8 @@ block, in the order of its page.
     .venv/bin/python docs/try_examples.py [build/liggghts]
 
 A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the rest of that deck stays.
-Python and console blocks run in the root of the repository, where they may use the runs of `make run`.
+Python and console blocks run in the root of the repository, where they may use the runs of `make run`; those of tutorial,
+sweep and gallery, which make files of their own and must find none of an earlier time, in a copy (workspace.py).
 Exit code 1 when a run fails; its last lines are shown.
 """
 
@@ -16,8 +17,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from workspace import workspace
+
 DOCS = Path(__file__).resolve().parent
 FILM_ONLY = ("fix cap ", "compute contact ", "dump ", "dump_modify ", "variable out ", "bearing_output ")
+APART = ("tutorial.rst", "sweep.rst", "gallery.rst")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
@@ -51,8 +55,8 @@ def session(page):
         yield kind, "\n".join(line.removeprefix("   ") if page.suffix == ".rst" else line for line in block.splitlines())
 
 
-def run_session(page):
-    """Run the blocks of a page; what each said when it failed, or nothing.
+def run_session(page, folder=DOCS.parent):
+    """Run the blocks of a page in `folder`; what each said when it failed, or nothing.
 
     Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print, in that order."""
     paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
@@ -60,7 +64,7 @@ def run_session(page):
         transcript = block.startswith("$ ")
         commands = "\n".join(line[2:] for line in block.splitlines() if line.startswith("$ ")) if transcript else block
         command = [sys.executable, "-W", "error", "-c", block] if kind == "python" else ["bash", "-ec", commands]
-        done = subprocess.run(command, cwd=DOCS.parent, env=paths, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        done = subprocess.run(command, cwd=folder, env=paths, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if transcript:
             printed = iter(done.stdout.splitlines())
             failed = not all(line.rstrip() in (other.rstrip() for other in printed) for line in block.splitlines()
@@ -117,10 +121,16 @@ def main():
         print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
         failed += done.returncode != 0
     subprocess.run([program, "-in", "inputs/in.6208", "-log", "none"], cwd=DOCS.parent, capture_output=True, check=True)
-    for page in [DOCS.parent / "README.md", *sorted(DOCS.glob("*.rst"))]:
+    for page in [DOCS.parent / "README.md", *(page for page in sorted(DOCS.glob("*.rst")) if page.name not in APART)]:
         for name, trouble in run_session(page):
             print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
             failed += bool(trouble)
+    for page in ("tutorial.rst", "sweep.rst"):
+        with workspace(program) as folder:
+            for name, trouble in run_session(DOCS / page, folder):
+                print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
+                failed += bool(trouble)
+    failed += subprocess.run([sys.executable, DOCS / "gallery.py", "--check"]).returncode != 0
     with tempfile.TemporaryDirectory() as folder:
         for name, lines in jobs:
             path = Path(folder) / "in.deck"

@@ -33,7 +33,7 @@ TASKS = {  # name: what is done to `run`, in a process of its own
         "raceway.open(sys.argv[1], slice(MIDDLE, MIDDLE + 200)).contacts['load'].max()",
     "MDAnalysis: 1000 frames spread over the run": "u = run.universe(); [u.trajectory[i] for i in range(0, len(u.trajectory), "
                                                    "max(1, len(u.trajectory) // 1000))]",
-    "picture (`raceway plot`)": "from raceway.plot import overview; overview(run.tables, sys.argv[1] + '/overview.png')",
+    "picture (`raceway plot`)": "from raceway.pictures.overview import overview; overview(run.tables, sys.argv[1] + '/overview.png')",
 }
 
 

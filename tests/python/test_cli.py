@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The command: what it prints, where, and its exit codes."""
 
+import argparse
 import json
 import os
+import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import raceway
-from raceway.cli import main
+from raceway.cli import _parser, main
 from raceway.run import Run
 from raceway.summary import summary, table
 
@@ -59,6 +62,26 @@ def test_wrong_command_line(arguments, capsys):
         main(arguments)
     assert stop.value.code == 2
     assert "usage: raceway" in capsys.readouterr().err
+
+
+def subcommands():
+    """{name: parser} of the subcommands."""
+    return next(action.choices for action in _parser()._actions if isinstance(action, argparse._SubParsersAction))
+
+
+@pytest.mark.parametrize("name", subcommands())
+def test_help_teaches(name):
+    """Every subcommand has examples that its parser takes, and tells its exit codes."""
+    text = subcommands()[name].format_help()
+    examples = [re.split(r"  +|\|", line.strip())[0] for line in text.splitlines() if line.startswith(f"  raceway {name}")]
+    assert examples and "Exit codes: 0 " in text
+    for example in examples:
+        _parser().parse_args(shlex.split(example)[1:])
+
+
+def test_help_names_every_command():
+    text = _parser().format_help()
+    assert all(f"\n    {name} " in text for name in subcommands()) and "Exit codes: 0 done; 1 " in text
 
 
 def run_module(*arguments, **options):

@@ -2,17 +2,25 @@
 """The `raceway` command. Exit codes: 0 done, 1 a message says why not, 2 wrong command line."""
 
 import argparse
-import json
 import os
 import sys
 import warnings
-from pathlib import Path
 
 from raceway import __version__, progress
-from raceway.commands import gather, paper, spectrum, static, sweep
+from raceway.commands import animate, export, gather, paper, plot, spectrum, static, summary, sweep
 from raceway.errors import RacewayError, RunWarning
-from raceway.run import Run
-from raceway.summary import summary, table
+
+EXAMPLES = """\
+examples:
+  build/liggghts -in inputs/in.6208 -var load 2000       run a bearing; results go to build/run/6208
+  raceway summary build/run/6208                         its figures
+  raceway plot build/run/6208 --kind polar               a picture
+  raceway animate build/run/6208                         a film of it
+  raceway static --load 2000 --clearance 10e-6           theory, without a run
+  raceway sweep points.csv                               many runs, one a row
+
+`raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the deck.
+Exit codes: 0 done; 1 not done, a message says why; 2 wrong command line; 130 interrupted."""
 
 
 def main(argv=None):
@@ -37,30 +45,10 @@ def main(argv=None):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="raceway", description="Ball bearings: figures, spectra and pictures of runs, and theory.")
+    parser = argparse.ArgumentParser(prog="raceway", description="Ball bearings: figures, spectra and pictures of runs, and theory.",
+                                     epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--version", action="version", version=f"raceway {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    one = commands.add_parser("summary", help="the figures of a run, with units and equations")
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument("--json", action="store_true", help="one JSON object instead of a table")
-    one.set_defaults(command=_summary)
-    one = commands.add_parser("plot", help="one picture of a run")
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument("--out", metavar="PNG", help="where to put it (default: DIR/overview.png)")
-    one.set_defaults(command=_plot)
-    for module in (spectrum, static, sweep, gather, paper):
+    for module in (summary, plot, animate, export, spectrum, static, sweep, gather, paper):
         module.add(commands)
     return parser
-
-
-def _summary(arguments):
-    figures = summary(Run(arguments.folder))
-    print(json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False) if arguments.json else table(figures))
-
-
-def _plot(arguments):
-    from raceway.plot import overview  # matplotlib takes longer to load than a summary to compute
-
-    out = Path(arguments.out or Path(arguments.folder) / "overview.png")
-    overview(Run(arguments.folder), out)
-    print(out)

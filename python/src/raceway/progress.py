@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A line on the terminal while a long file is read. Off in the library; the `raceway` command turns it on."""
+"""A line on the terminal while something takes long. Off in the library; the `raceway` command turns it on."""
 
 import sys
 import time
@@ -23,3 +23,9 @@ def reading(path, blocks):
     finally:
         if shown:
             print("\r\033[K", end="", file=sys.stderr, flush=True)  # the line goes away
+
+
+def line(text, last):
+    """Show `text` on the terminal in place of the line before it; after the `last`, the line goes away."""
+    if on and sys.stderr.isatty():
+        print("\r\033[K" + ("" if last else text), end="", file=sys.stderr, flush=True)

@@ -20,7 +20,7 @@ NUMBERS = ("load_N", "rpm", "clearance_m", "passes", "balls", "ball_diameter_m",
            "inner_ring", "outer_ring")
 AT_THE_END = ("step_s", "simulated_s", "wall_s")  # written last: without them the run has not finished
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
-STEEL = ("ball_young_Pa", "ball_poisson")
+EXTRA = ("ball_young_Pa", "ball_poisson", "cage_ball_diameter_m")  # some runs do not have them
 BALL, CAGE = 1, 2  # atom types
 NO_LUBRICANT = ("dry", "none")
 DUMPS = {"contacts": ("contacts.dump", "contact_columns", ("ball", "raceway", "azimuth", "load", "pressure")),
@@ -65,6 +65,14 @@ class Run:
                  "outer_radius_m": "outer_radius", "inner_groove_m": "inner_groove",
                  "outer_groove_m": "outer_groove", "ball_young_Pa": "young", "ball_poisson": "poisson"}
         return Bearing.from_mapping({name: self.settings[key] for key, name in names.items() if key in self.settings})
+
+    @property
+    def cage_ball_radius(self):
+        """m; of a run that does not say, that of cage balls without pocket gap. A run without cage has one, too."""
+        if "cage_ball_diameter_m" in self.settings:
+            return self.settings["cage_ball_diameter_m"] / 2
+        bearing = self.geometry
+        return 2 * bearing.pitch_radius * np.sin(np.pi / (2 * bearing.balls)) - bearing.ball_radius
 
     @cached_property
     def contacts(self):
@@ -188,7 +196,7 @@ def _settings(folder):
         begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
         raise RunError(f"{begun}{path} has no {', '.join(missing)}")
     settings = dict(data)
-    for key in (*needed[len(WORDS):], *(key for key in (*STEEL, *AT_THE_END) if key in data)):
+    for key in (*needed[len(WORDS):], *(key for key in (*EXTRA, *AT_THE_END) if key in data)):
         try:
             settings[key] = float(data[key])
             if not np.isfinite(settings[key]):

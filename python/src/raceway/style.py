@@ -8,13 +8,15 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from raceway import files
 from raceway.bearing import INNER, OUTER
-from raceway.errors import RunError
 
 # Okabe and Ito's palette, told apart by colour-blind readers; the two raceways differ in lightness as well
 PALETTE = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 COLOUR = {INNER: PALETTE[0], OUTER: PALETTE[1]}
 NAME = {INNER: "inner raceway", OUTER: "outer raceway"}
+SIDES = (INNER, OUTER)
+MAP = "cividis"  # of a scale: made for colour-blind readers, even in lightness
 INK, SOFT, FAINT, BALL = "#222222", "#555555", "#bbbbbb", "#009E73"
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 11, "axes.titlesize": 13, "axes.titleweight": "bold",
@@ -28,8 +30,6 @@ REGIMES = ((0, 1, "boundary", "#f9e3da"), (1, 3, "mixed", "#fdf6e0"), (3, np.inf
 def save(figure, path):
     """Write `figure` to the PNG `path` and forget it. Raises `RunError` when that cannot be done."""
     try:
-        figure.savefig(path, format="png", facecolor="white")
-    except OSError as error:
-        raise RunError(f"cannot write {path}: {error.strerror or error}") from None
+        files.whole(path, lambda part: figure.savefig(part, format="png", facecolor="white"))
     finally:
         plt.close(figure)

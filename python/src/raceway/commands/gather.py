@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`raceway gather`: what a sweep has so far, as one table."""
 
+import argparse
+
 from raceway.gather import write_results
 
 HELP = "results of a sweep as one CSV table"
+EXAMPLES = """\
+examples:
+  raceway gather build/sweep/points
+
+Exit codes: 0 done, also while points are missing or failed, 1 there is no sweep in DIR, 2 wrong command line."""
 
 
 def add(commands):
     parser = commands.add_parser("gather", help=HELP, description="Write DIR/results.csv: a row per point, with the variables that were set, "
-                                 "all figures of `raceway summary`, and the message of points that failed.")
+                                 "all figures of `raceway summary`, and the message of points that failed.",
+                                 epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", metavar="DIR", help="folder of the sweep")
     parser.set_defaults(command=run)
 

@@ -17,7 +17,8 @@ examples:
   raceway paper                          everything, into build/paper
   raceway paper --figure 8a --figure 9   two figures and no run that they do not need
   raceway paper --list                   what there is
-exit code 1 when a case failed: it is named, and what does not need it is made all the same."""
+
+Exit codes: 0 done, 1 a case failed (it is named, and what does not need it is made all the same), 2 wrong command line."""
 
 
 def add(commands):

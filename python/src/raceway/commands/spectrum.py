@@ -1,18 +1,29 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`raceway spectrum DIR`: the kinematic lines in what the inner ring does."""
 
+import argparse
 import json
 import math
 
 from raceway.units import prefixed
+
+DESCRIPTION = """\
+Spectrum of a column of rings.dat, and where the kinematic lines are in it. Measure enough ball passes: -var passes 40 separates all
+lines but FTF; the record must hold more than five periods of a line."""
+EXAMPLES = """\
+examples:
+  build/liggghts -in inputs/in.6208 -var passes 40 -var out build/run/long
+  raceway spectrum build/run/long --signal x --out spectrum.png
+  raceway spectrum build/run/long --signal capacitance --harmonics 5 --json
+
+Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command line."""
 
 
 def add(commands):
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "spectrum", help="kinematic lines (FTF, BSF, BPFO, BPFI) in the motion and force of the inner ring",
-        description="Spectrum of a column of rings.dat, and where the kinematic lines are in it. Measure enough ball passes: "
-                    "-var passes 40 separates all lines but FTF; the record must hold more than five periods of a line.")
+        description=DESCRIPTION, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
     one.add_argument("--signal", default="shift", metavar="NAME",
                      help="shift (displacement along the load, the default), x, y, fx, fy, mz, capacitance ...")

@@ -19,8 +19,16 @@ Each row of the CSV file TABLE is a point, each column a variable of the deck: l
 Every point gets a folder in DIR named after its values. Finished points are not run again, so a sweep that was
 stopped (Ctrl-C, kill, a time limit) goes on when the same command is given again; two sweeps started on one DIR
 share the work. A point that fails keeps its message and does not stop the others. At the end DIR/results.csv has
-a row per point. Exit code 1 if a point failed.
+a row per point.
 """
+EXAMPLES = """\
+examples:
+  raceway sweep points.csv                          into build/sweep/points
+  raceway sweep points.csv --out here --jobs 2
+  raceway sweep points.csv --slurm job.sh           then: sbatch job.sh
+
+A table of four points is four lines like 5000,477.5,mineral under a first line load,rpm,lubricant.
+Exit codes: 0 all points finished, 1 a point failed or the table cannot be used, 2 wrong command line, 130 and 143 stopped."""
 SLURM = """\
 #!/bin/bash
 # A sweep as a Slurm job array, written by `raceway sweep`. Submit it from the folder it was written from:
@@ -38,7 +46,8 @@ exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_
 
 
 def add(commands):
-    parser = commands.add_parser("sweep", help=HELP, description=DESCRIPTION, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = commands.add_parser("sweep", help=HELP, description=DESCRIPTION, epilog=EXAMPLES,
+                                 formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("table", metavar="TABLE", help="CSV file: variables of the deck in the first line, a point in each other line")
     parser.add_argument("--out", metavar="DIR", help="folder of the sweep (default: build/sweep/NAME for NAME.csv)")
     parser.add_argument("--jobs", metavar="N", type=_positive, default=len(os.sched_getaffinity(0)),

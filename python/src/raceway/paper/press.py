@@ -4,15 +4,13 @@
 A file appears whole or not at all.
 """
 
-import os
 from collections import Counter
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from raceway import style
-from raceway.errors import RacewayError
+from raceway import files, style
 from raceway.paper import quantities, statements
 from raceway.paper.figures import FIGURES
 from raceway.paper.shown import list_table, markup, plain, table as shown_table
@@ -83,13 +81,5 @@ def _text(path, text):
 
 
 def _whole(path, write):
-    part = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write(part)
-        part.replace(path)
-    except OSError as error:
-        raise RacewayError(f"cannot write {path}: {error.strerror or error}") from None
-    finally:
-        part.unlink(missing_ok=True)
-    return path
+    files.folder(path.parent)
+    return files.whole(path, write)

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The picture: drawn for every kind of run, and drawn from the right numbers."""
+"""The overview: drawn for every kind of run, and drawn from the right numbers."""
 
 import matplotlib.image
 import numpy as np
 import pytest
 import synthetic
 
-from raceway import plot
 from raceway.errors import RunError, RunWarning
+from raceway.pictures import overview as plot
+from raceway.pictures import part
 from raceway.run import Run
 
 
@@ -74,8 +75,8 @@ def test_ball_that_goes_round_more_than_once(tmp_path, axes):
 
 
 def test_large_run_is_drawn_in_part(folder, tmp_path, axes, monkeypatch):
-    monkeypatch.setattr(plot, "LARGE", 1000)
-    monkeypatch.setattr(plot, "PASSES", 1)
+    monkeypatch.setattr(part, "LARGE", 1000)
+    monkeypatch.setattr(part, "PASSES", 1)
     with pytest.warns(RunWarning, match="shows its first 1 ball passes; the figures are of all"):
         plot.overview(Run(folder), tmp_path / "part.png")
     assert drawn(axes()["Capacitance"], plot.INK)[:, 0] == pytest.approx(np.arange(24) / 24)

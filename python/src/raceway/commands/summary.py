@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway summary DIR`: the figures of a run."""
+
+import argparse
+import json
+
+EXAMPLES = """\
+examples:
+  raceway summary build/run/6208
+  raceway summary build/run/6208 --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["q_max_N"])'
+
+Exit codes: 0 done, 1 the folder holds no finished run or a broken one, 2 wrong command line."""
+
+
+def add(commands):
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser("summary", help="the figures of a run, with units and equations",
+                              description="Loads, pressures, film, capacitance and speed of a finished run, each with its unit and equation.",
+                              epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    one.add_argument("--json", action="store_true", help="one JSON object in SI units instead of a table")
+    one.set_defaults(command=run)
+
+
+def run(arguments):
+    """Print the figures."""
+    from raceway.run import Run
+    from raceway.summary import summary, table
+
+    figures = summary(Run(arguments.folder))
+    print(json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False) if arguments.json else table(figures))

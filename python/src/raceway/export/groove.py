@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The raceway tori as meshes: the strip of the groove between shoulders as high as a fifth of a ball."""
+
+import numpy as np
+
+from raceway.bearing import INNER
+
+SHOULDER = 0.2  # of a ball's diameter
+AROUND, ACROSS = 96, 9  # cells, points
+
+
+def mesh(bearing, raceway, clearance=0.0):
+    """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, axis z; normals towards the balls.
+
+    Points are `AROUND` rows of `ACROSS`, so a point's azimuth is that of its row.
+    """
+    groove, sign = bearing.groove(raceway), 1 if raceway == INNER else -1
+    bottom = bearing.inner_radius if raceway == INNER else bearing.outer_radius + clearance / 2
+    half = np.arccos(max(1 - SHOULDER * bearing.ball_diameter / groove, 0.0))
+    angle, azimuth = np.linspace(-half, half, ACROSS), np.arange(AROUND) * 2 * np.pi / AROUND
+    radius, z = bottom + sign * groove * (1 - np.cos(angle)), groove * np.sin(angle)
+    points = np.stack([np.outer(np.cos(azimuth), radius), np.outer(np.sin(azimuth), radius), np.tile(z, (AROUND, 1))], axis=-1)
+    row, column = np.meshgrid(np.arange(AROUND), np.arange(ACROSS - 1), indexing="ij")
+    here, there = row * ACROSS + column, (row + 1) % AROUND * ACROSS + column
+    quads = np.stack([here, there, there + 1, here + 1], axis=-1).reshape(-1, 4)
+    return points.reshape(-1, 3), quads if raceway == INNER else quads[:, ::-1]

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run for OVITO: a folder with `bearing.xyz`, an extended XYZ file of all samples, and the raceways as `.obj` surfaces.
+
+Columns have the names that OVITO knows (species, id, pos, radius, velo); the others become properties of their own. Where a
+ball has no film, -1 is written: not every reader of text takes a NaN.
+"""
+
+import numpy as np
+
+from raceway import files
+from raceway.bearing import INNER, OUTER
+from raceway.export import groove
+from raceway.export.particles import frames
+
+NAMES = {1: "ball", 2: "cage"}
+KNOWN = {"velocity": "velo", "spin": "angular_velocity"}
+FIRST = ("id", "type", "radius")
+
+
+def write(run, out, every=None):
+    """Write `run` (a `Run`) into the folder `out`; return the path of `bearing.xyz`.
+
+    A frame's comment line has the cell, `Time` (s), `sample`, `ring_x`, `ring_y`, `ring_z` (m, where the inner ring is). The raceways are
+    drawn at rest, the outer one with its clearance.
+    Raises `RunError` when the run's files are broken or `out` cannot be written.
+    """
+    out = files.folder(out)
+    for side, name in ((INNER, "inner"), (OUTER, "outer")):
+        text = _surface(*groove.mesh(run.geometry, side, run.settings["clearance_m"]))
+        files.whole(out / f"{name}_raceway.obj", lambda part: part.write_text(text))
+    half = 1.1 * (run.geometry.outer_radius + run.geometry.ball_radius)
+
+    def make(part):
+        with part.open("w") as file:
+            for frame in frames(run, every):
+                file.write(_frame(frame, half))
+
+    return files.whole(out / "bearing.xyz", make)
+
+
+def _frame(frame, half):
+    data = {name: values for name, values in frame.data.items() if name not in FIRST}
+    table = np.column_stack([frame.position, frame.data["radius"], *data.values()])
+    table[np.isnan(table)] = -1
+    columns = "species:S:1:id:I:1:pos:R:3:radius:R:1" + "".join(
+        f":{KNOWN.get(name, name)}:R:{1 if values.ndim == 1 else values.shape[1]}" for name, values in data.items())
+    cell = f"{2 * half:.6g} 0 0 0 {2 * half:.6g} 0 0 0 {2 * half:.6g}"
+    ring = " ".join(f"ring_{x}={value:.12g}" for x, value in zip("xyz", frame.ring))
+    head = (f'Lattice="{cell}" Origin="{-half:.6g} {-half:.6g} {-half:.6g}" pbc="F F F" Properties={columns} '
+            f"Time={frame.time:.12g} sample={frame.sample} {ring}")
+    rows = (f"{NAMES[int(kind)]} {int(number)} " + " ".join(f"{value:.12g}" for value in row)
+            for kind, number, row in zip(frame.data["type"], frame.data["id"], table))
+    return f"{len(table)}\n{head}\n" + "\n".join(rows) + "\n"
+
+
+def _surface(points, quads):
+    return "".join(f"v {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in points) + "".join(
+        "f " + " ".join(str(number + 1) for number in quad) + "\n" for quad in quads)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Balls and cage balls of a run, sample by sample, with what their contacts carry."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway import capacitance
+from raceway.bearing import INNER, OUTER
+from raceway.columns import CONTACT
+from raceway.errors import RunError
+from raceway.run import BALL, CAGE
+
+SIDES = {INNER: "inner", OUTER: "outer"}
+CARRIED = ("load", "pressure", "h_min", "h_c", "lambda", "friction", "sliding", "capacitance")
+FRAMES = 200  # what a run is thinned out to unless told otherwise
+
+
+class Frame(NamedTuple):
+    """One sample: n balls and cage balls, SI units."""
+
+    sample: int
+    time: float  # s
+    position: np.ndarray  # (n, 3)
+    data: dict  # name: (n,) or (n, 3)
+    ring: np.ndarray  # (3,), where the inner ring is
+    ring_turned: float  # rad, about its axis since the first sample
+
+
+def frames(run, every=None):
+    """Yield every `every`th sample of `run` (a `Run`) as a `Frame`, in bounded memory; None: so many that at most
+    `FRAMES` are left.
+
+    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's two), for each column of
+    `CARRIED` that the run has its value on either raceway (`load_inner` ...), and capacitance (both in series). Where there is no
+    contact: 0 for what vanishes with it, NaN for what it does not have.
+    Raises `RunError` when a file is broken.
+    """
+    if every is None:
+        last = len(run.index("balls")) if run.stop is None else min(run.stop, len(run.index("balls")))
+        every = max(1, -(-(last - run.first) // FRAMES))
+    turned = before = 0.0
+    for (sample, atoms), (_, contacts) in zip(_samples(run, "balls"), _samples(run, "contacts")):
+        inner = atoms[atoms["id"] == run.settings["inner_ring"]]
+        if len(inner) != 1:
+            raise RunError(f"{run.folder / 'balls.dump'}: sample {sample} has no atom {run.settings['inner_ring']}, the inner ring")
+        spin = float(inner["omegaz"].iloc[0]) if "omegaz" in inner else run.settings["rpm"] * np.pi / 30
+        if sample > run.first:
+            turned += (before + spin) / 2 * run.settings["sample_s"]
+        before = spin
+        if (sample - run.first) % every == 0:
+            yield _frame(run, sample, atoms[atoms["type"].isin((BALL, CAGE))].sort_values("id"), contacts,
+                         _vectors(inner, "")[0], turned)
+
+
+def _frame(run, sample, atoms, contacts, ring, turned):
+    ids = atoms["id"].to_numpy()
+    data = {"id": ids, "type": atoms["type"].to_numpy(),
+            "radius": np.where(atoms["type"] == BALL, run.geometry.ball_radius, run.cage_ball_radius)}
+    for name, prefix in (("velocity", "v"), ("spin", "omega")):
+        if f"{prefix}x" in atoms:
+            data[name] = _vectors(atoms, prefix)
+    for name in CARRIED:
+        for side, word in SIDES.items() if name in contacts else ():
+            rows = contacts[contacts["raceway"] == side]
+            values = np.full(len(ids), CONTACT[name].apart)
+            values[np.searchsorted(ids, rows["ball"])] = rows[name]
+            data[f"{name}_{word}"] = values
+    data["load"] = np.maximum(data["load_inner"], data["load_outer"])
+    if "capacitance_inner" in data:
+        data["capacitance"] = capacitance.ball(data["capacitance_inner"], data["capacitance_outer"])
+    return Frame(sample, sample * run.settings["sample_s"], _vectors(atoms, ""), data, ring, turned)
+
+
+def _samples(run, name):
+    for table in run.blocks(name):
+        first = table.attrs["first"]
+        ends = np.searchsorted(table["sample"], first + np.arange(table.attrs["samples"] + 1))
+        for k in range(table.attrs["samples"]):
+            yield first + k, table.iloc[ends[k]:ends[k + 1]]
+
+
+def _vectors(table, prefix):
+    return table[[f"{prefix}{x}" for x in "xyz"]].to_numpy(float)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pictures of runs, one a module: each has a function that draws a `Run` to a file."""

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What pictures share on the page: what was run as a title, legends, axes."""
+
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
+
+from raceway.style import SOFT
+from raceway.units import prefixed
+
+LEFT, RIGHT = 0.075, 0.965  # of the figure's width
+
+
+def title(run):
+    """What `run` was, in a line."""
+    settings = run.settings
+    oil = f"{settings['lubricant']} lubricant" if run.lubricated else "dry"
+    clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")
+    return "  ·  ".join((f"{settings['bearing']} ball bearing", f"{prefixed(settings['load_N'], 'N')} radial",
+                         f"{settings['rpm']:g} rpm", oil, f"clearance {clearance}"))
+
+
+def head(figure, run, below, size=17):
+    """Write the title of `run` and, under it, the text `below` at the top of `figure`."""
+    height, scale = figure.get_figheight(), size / 17
+    fit(figure.text(LEFT, 1 - 0.45 * scale / height, title(run), fontsize=size, fontweight="bold", va="center"), RIGHT - LEFT)
+    fit(figure.text(LEFT, 1 - 0.82 * scale / height, below, fontsize=11, color=SOFT, va="center"), RIGHT - LEFT)
+
+
+def fit(text, share):
+    """Let a long `text` shrink to that `share` of its figure's width: it does not run off the page."""
+    width = text.get_window_extent(text.figure.canvas.get_renderer()).width
+    text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
+
+
+def key(label, **style):
+    """A line of a legend."""
+    return Line2D([], [], label=label, **style)
+
+
+def against_time(axes, run, samples):
+    """The x axis of `samples` samples: time in ball passes."""
+    axes.set(xlabel="time (ball passes)", xlim=(0, run.passes(max(samples - 1, 1))))
+    axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
+
+
+def finish(axes, title, top, handles):
+    """Title, grid, legend and, unless None, the top of a y axis from zero."""
+    axes.set_title(title, pad=10)
+    axes.grid(True)
+    if top is not None:
+        axes.set_ylim(0, top or 1)
+    if handles:
+        axes.legend(handles=handles, loc="upper left", ncols=len(handles), handlelength=1.6, borderaxespad=0.2,
+                    frameon=True, facecolor="white", edgecolor="none", framealpha=1)

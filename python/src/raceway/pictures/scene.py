@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Where everything of a bearing is at chosen samples, with its small motions exaggerated so that they can be seen.
+
+The rule: what the bearing would have without clearance and load, at rest and concentric, stays as it is. Every departure
+from that (displacement of the inner ring, balls off the pitch circle, half the clearance) is multiplied by one factor. An
+overlap or a gap between two drawn bodies is the real one times the factor.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raceway.errors import RunError
+from raceway.pictures.part import LIGHT, need
+from raceway.run import BALL, CAGE
+
+COLOURS = {"load": ("load", "larger contact load of a ball", "N"), "pressure": ("pressure", "larger Hertz pressure of a ball", "Pa"),
+           "film": ("h_min", "thinner film of a ball", "m"), "capacitance": ("capacitance", "capacitance of a ball", "F")}
+VISIBLE = 0.12  # of a ball's radius: what the largest motion is drawn as, at most
+
+
+@dataclass(frozen=True)
+class Scene:
+    """n samples of a bearing with Z balls; lengths in m, angles in rad, x and y across the axis."""
+
+    samples: np.ndarray  # (n,)
+    factor: float  # exaggeration
+    balls: np.ndarray  # (n, Z, 3)
+    cage: np.ndarray  # (n, C, 3)
+    ring: np.ndarray  # (n, 3), displacement of the inner ring
+    half_clearance: float
+    turned: np.ndarray  # (n, Z), of the balls about z since the first sample
+    ring_turned: np.ndarray  # (n,), of the inner ring
+    values: np.ndarray  # (n, Z), what balls are coloured by, NaN where a ball has none
+    load: np.ndarray  # (n, Z), N, the larger contact load
+
+
+def scene(run, samples, colour="load", factor=None):
+    """`Scene` of `run` (a `Run`) at `samples`, an array of numbers of its samples in ascending order; balls have the values
+    of `colour`, a key of `COLOURS`. `factor` None: `nice` of the largest motion.
+
+    Raises `RunError` when the run's files are broken or have not what `colour` needs.
+    """
+    need(run, COLOURS[colour][0], f"colour {colour}")
+    table = run.balls[run.balls["sample"] <= samples[-1]].sort_values(["sample", "id"], kind="stable")
+    count = table["sample"].nunique()
+    axis = _places(table[table["id"] == run.settings["outer_ring"]], count)[:, 0]
+    if not np.isin(samples, np.unique(table["sample"])).all():
+        raise RunError(f"{run.folder / 'balls.dump'}: no sample {samples[-1]}, the last is {table['sample'].max()}")
+    first = int(table["sample"].min())
+    kept = samples - first
+    pitch, ring = run.geometry.pitch_radius, table[table["id"] == run.settings["inner_ring"]]
+    balls, cage = table[table["type"] == BALL], table[table["type"] == CAGE]
+    shift = _places(ring, count)[:, 0] - axis
+    way, cage_way = _places(balls, count) - axis[:, None], _places(cage, count) - axis[:, None]
+    if factor is None:
+        off = np.abs(np.hypot(way[..., 0], way[..., 1]) - pitch).max()
+        factor = nice(VISIBLE * run.geometry.ball_radius, max(off, np.abs(shift).max(), abs(run.settings["clearance_m"]) / 2,
+                                                             np.abs(way[..., 2]).max()))
+    values, load = _values(run, colour, samples, np.unique(balls["id"]))
+    step = run.settings["sample_s"]
+    return Scene(samples, factor, _exaggerated(way[kept], pitch, factor), _exaggerated(cage_way[kept], pitch, factor),
+                 factor * shift[kept], factor * run.settings["clearance_m"] / 2, _turned(balls, step)[kept],
+                 _turned(ring, step)[kept, 0], values, load)
+
+
+def nice(seen, largest):
+    """The largest of 1, 2, 5, 10, 20 ... that makes `largest` no larger than `seen`, at least 1.
+
+    >>> nice(0.75e-3, 34.8e-6), nice(0.75e-3, 2e-3), nice(0.75e-3, 0.0)
+    (20.0, 1.0, 1.0)
+    """
+    if not largest > 0 or seen <= largest:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(seen / largest))
+    return float(max(m * power for m in (1, 2, 5) if m * power <= seen / largest * (1 + 1e-12)))
+
+
+def _exaggerated(way, pitch, factor):
+    radius = np.hypot(way[..., 0], way[..., 1])
+    stretch = (pitch + factor * (radius - pitch)) / radius
+    return way * np.stack([stretch, stretch, np.full_like(stretch, factor)], axis=-1)
+
+
+def _places(table, samples):
+    return table[["x", "y", "z"]].to_numpy().reshape(samples, len(table) // samples, 3)
+
+
+def _turned(table, step):
+    spin = table["omegaz"].to_numpy().reshape(table["sample"].nunique(), -1)
+    return step * np.concatenate([np.zeros((1, spin.shape[1])), np.cumsum((spin[1:] + spin[:-1]) / 2, axis=0)])
+
+
+def _values(run, colour, samples, ids):
+    """((n, Z) of `colour`, (n, Z) of load)."""
+    contacts = run.contacts[run.contacts["sample"].isin(samples)]
+
+    def grid(table, column, how):
+        by = table.groupby(["sample", "ball"])[column].agg(how).unstack()
+        return by.reindex(index=samples, columns=ids).to_numpy()
+
+    load = np.nan_to_num(grid(contacts, "load", "max"))
+    if colour == "load":
+        return np.where(load > 0, load, np.nan), load
+    if colour == "capacitance":
+        return grid(run.pairs[run.pairs["sample"].isin(samples)], "capacitance", "max"), load
+    if colour == "film":
+        return grid(contacts[contacts["load"] > LIGHT * run.contacts["load"].max()], "h_min", "min"), load
+    return grid(contacts, "pressure", "max"), load
