@@ -53,6 +53,19 @@ def test_dry(dry_folder, kind):
     assert main(["plot", str(dry_folder), "--kind", kind]) == 0
 
 
+@pytest.mark.parametrize("file", ["contacts.dump", "balls.dump"])
+@pytest.mark.filterwarnings("ignore:.*ends inside this last frame")
+def test_run_that_is_still_going(folder, capsys, file):
+    """Ahead in either file, and without the lines that come last."""
+    text = (folder / file).read_text()
+    (folder / file).write_text(text[:2 * len(text) // 3])
+    settings = (folder / "run.yaml").read_text().splitlines(keepends=True)
+    (folder / "run.yaml").write_text("".join(line for line in settings if not line.startswith(("step_s", "simulated_s", "wall_s"))))
+    for command in (["plot", "--kind", "polar"], ["plot", "--kind", "waterfall"], ["plot", "--kind", "bearing"],
+                    ["animate", "--frames", "2", "--width", "300"], ["export", "--format", "xyz"], ["export", "--format", "vtk"]):
+        assert main([command[0], str(folder), *command[1:]]) == 0, capsys.readouterr().err
+
+
 def test_what_a_dry_run_lacks(dry_folder, capsys):
     for command in (["plot", str(dry_folder), "--kind", "waterfall"], ["animate", str(dry_folder), "--colour", "film"]):
         assert main(command) == 1

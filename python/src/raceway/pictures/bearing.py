@@ -29,7 +29,8 @@ def bearing(run, path, colour="load", factor=None):
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
     run = shown(run)
-    sample = int(run.contacts.loc[run.contacts["load"].idxmax(), "sample"])
+    contacts = run.contacts[run.contacts["sample"] <= run.balls["sample"].max()]  # a run that is still going may be ahead in one file
+    sample = int(contacts.loc[contacts["load"].idxmax(), "sample"])
     with plt.rc_context(style.STYLE):
         sheet = Sheet(run, scene(run, np.array([sample]), colour, factor), colour)
         sheet.show(0)

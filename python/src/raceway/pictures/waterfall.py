@@ -8,6 +8,7 @@ from matplotlib.patches import Patch
 from raceway import style
 from raceway.pictures.page import head
 from raceway.pictures.part import need, shown
+from raceway.run import BALL as BALL_TYPE
 from raceway.style import BALL, FAINT, INK, MAP
 from raceway.units import axis
 
@@ -60,9 +61,10 @@ def waterfall(run, path):
 def bands(run):
     """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of `run`: azimuth from the load line in rad, unwrapped; F,
     NaN for a ball that is not loaded on both raceways. At most about `ROWS` samples, evenly spaced."""
-    table = run.balls[run.balls["type"] == 1].sort_values(["sample", "id"])
+    there = run.balls[run.balls["sample"].isin(run.totals.index)]  # a run that is still going may be ahead in one file
+    table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])
     ids, samples = np.unique(table["id"]), np.unique(table["sample"])
-    centre = run.balls[run.balls["id"] == run.settings["outer_ring"]].sort_values("sample")[["x", "y"]].to_numpy()
+    centre = there[there["id"] == run.settings["outer_ring"]].sort_values("sample")[["x", "y"]].to_numpy()
     x, y = (table[name].to_numpy().reshape(len(samples), len(ids)) - centre[:, [k]] for k, name in enumerate("xy"))
     each = run.pairs.pivot(index="sample", columns="ball", values="capacitance").reindex(index=samples, columns=ids)
     kept = slice(None, None, -(-len(samples) // ROWS))
