@@ -69,11 +69,9 @@ template <class T> struct FilmPointT {
   T ln_speed, ln_load;
 };
 
-RACEWAY_INLINE FilmPointT<Lane> film_point(const Lane &speed, const Lane &load) { return {logarithm(speed), logarithm(load)}; }
-RACEWAY_INLINE FilmPointT<double> film_point(double speed, double load)
+template <class T> RACEWAY_INLINE FilmPointT<T> film_point(const T &speed, const T &load)
 {
-  const Lane both = logarithm(Lane{speed, load, 1.0, 1.0});    // half the time of one after the other, the same bits
-  return {both[0], both[1]};
+  return {logarithm(speed), logarithm(load)};
 }
 
 // h from the law, m; a speed of 0 gives 0 (no film at rest).
