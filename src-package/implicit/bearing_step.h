@@ -12,7 +12,7 @@
 //   M (V - V_start) = h F(q_middle, V)
 // by the same Newton's method without the springs' derivatives, and the other half of the drift. It keeps vibrations that
 // the stages above damp away and has a stability limit, that of the springs: h^2 k = 4 (m + h c/2) for one body on
-// springs k and dampers c, of which half is allowed.
+// springs k and dampers c, of which three quarters are allowed.
 //
 // Estimated local error, m: how far a ball across the raceways or a ring would be off if only the first order
 // counted, g h |V_2 - V_1| (order 1: h |V - V_start|/2). It is an upper bound for order 2. With dampers_only: how far it

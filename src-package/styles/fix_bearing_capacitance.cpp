@@ -40,10 +40,10 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
     }
   }
   if (within_ > 1 && nevery != 1) args.fail("'within' takes samples evenly within every step: N must be 1, not " + std::to_string(nevery));
-  if (!totals.empty()) totals_.open(args, totals, "step time capacitance largest_ball active_balls", world);
-  if (!contacts.empty()) contacts_.open(args, contacts, "step time ball raceway load h_c capacitance", world);
   if (permittivity_ == 0.0) args.fail("'permittivity EPS' is missing");
   if (!pair_->lubricated()) args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
+  if (!totals.empty()) totals_.open(args, totals, "step time capacitance largest_ball active_balls", world);
+  if (!contacts.empty()) contacts_.open(args, contacts, "step time ball raceway load h_c capacitance", world);
   scalar_flag = vector_flag = 1;
   size_vector = 6;
   extscalar = extvector = 0;
