@@ -169,10 +169,10 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
   const double back = double(within_ - instant) / within_;    // steps before the end of this one
   const double time = update->atime + (update->ntimestep - update->atimestep - back) * update->dt;
   const double step = update->ntimestep - back;
-  if (FILE *f = totals_.file()) fprintf(f, "%.9g %.12g %.12g %.12g %.0f\n", step, time, total_.sum, total_.largest, total_.active);
+  if (FILE *f = totals_.file()) fprintf(f, "%.15g %.12g %.12g %.12g %.0f\n", step, time, total_.sum, total_.largest, total_.active);
   if (FILE *f = contacts_.file())
     for (; row != end; ++row)
-      fprintf(f, "%.9g %.12g %d %d %.12g %.12g %.12g\n", step, time, static_cast<int>(row->ball), static_cast<int>(row->side),
+      fprintf(f, "%.15g %.12g %d %d %.12g %.12g %.12g\n", step, time, static_cast<int>(row->ball), static_cast<int>(row->side),
               row->contact.load, row->contact.h_c, row->contact.capacitance);
   if (update->ntimestep == update->laststep)
     for (FILE *f : {totals_.file(), contacts_.file()})
