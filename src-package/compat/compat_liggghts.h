@@ -9,7 +9,8 @@ namespace bearing {
 typedef int tag_t;
 typedef LAMMPS_NS::Pointers CommandBase;
 
-// Ends the run after the step that is being made, with its output. All ranks must call it in the same step.
+// Ends the run after the step that is being made, with its output. All ranks must call it in the
+// same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 {
   LAMMPS_NS::SignalHandler::request_write_restart = false;
@@ -21,18 +22,27 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 #define BRG_HOST_NAME std::string("LIGGGHTS 3.8.0")
 #define BRG_GHOST_COMMAND "communicate single"
 #define BRG_TEXT(msg) std::string(msg).c_str()
-#define BRG_EV_INIT(e, v) do { if (e || v) ev_setup(e, v); else evflag = vflag_fdotr = 0; } while (0)
+#define BRG_EV_INIT(e, v)          \
+  do {                             \
+    if (e || v) ev_setup(e, v);    \
+    else evflag = vflag_fdotr = 0; \
+  } while (0)
 #define BRG_PACK_FORWARD pack_comm
 #define BRG_UNPACK_FORWARD unpack_comm
-#define BRG_READ_RESTART_SIG (FILE *fp, const int major, const int minor)
-#define BRG_UNUSED_RESTART_ARGS do { (void) major; (void) minor; } while (0)
+#define BRG_READ_RESTART_SIG (FILE * fp, const int major, const int minor)
+#define BRG_UNUSED_RESTART_ARGS \
+  do {                          \
+    (void)major;                \
+    (void)minor;                \
+  } while (0)
 // values per atom; LAMMPS wants the total
-#define BRG_COMM_RETURN(total, peratom) ((void) (total), (peratom))
-// LIGGGHTS calls set_arrays() for all atoms in the first setup, after forces and restart data are there
+#define BRG_COMM_RETURN(total, peratom) ((void)(total), (peratom))
+// LIGGGHTS calls set_arrays() for all atoms in the first setup, after forces and restart data are
+// there
 #define BRG_ARRAYS_ARE_SET() just_created = 0
 #define BRG_FORWARD_FIX(fix) comm->forward_comm_fix(fix)
 #define BRG_SET_MAXEXCHANGE(n) \
-  comm->maxexchange_fix = comm->maxexchange_fix > (int) (n) ? comm->maxexchange_fix : (int) (n)
+  comm->maxexchange_fix = comm->maxexchange_fix > (int)(n) ? comm->maxexchange_fix : (int)(n)
 #define BRG_REQUEST_HALF() neighbor->request(this)
 #define BRG_COMPUTE_ARGS LAMMPS *lmp, int &iarg, int narg, char **arg
 #define BRG_COMPUTE_BASE Compute(lmp, iarg, narg, arg)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Spheres for the host: each is made by the rank in whose part of the box it lies. All ranks give the same list.
+// Spheres for the host: each is made by the rank in whose part of the box it lies. All ranks give
+// the same list.
 #ifndef BEARING_NEW_ATOMS_H
 #define BEARING_NEW_ATOMS_H
 
@@ -45,14 +46,16 @@ inline void make_atoms(LAMMPS_NS::LAMMPS *lmp, const std::vector<NewAtom> &list)
     type.push_back(a.type);
     x.insert(x.end(), a.x, a.x + 3);
   }
-  lammps_create_atoms(lmp, static_cast<int>(list.size()), tag.data(), type.data(), x.data(), nullptr, nullptr, 0);
+  lammps_create_atoms(lmp, static_cast<int>(list.size()), tag.data(), type.data(), x.data(),
+                      nullptr, nullptr, 0);
 #endif
   for (int i = first; i < atom->nlocal; ++i) {
     const NewAtom &a = list[atom->tag[i] - list.front().tag];
     atom->radius[i] = a.radius;
     atom->rmass[i] = a.mass;
 #if BEARING_IS_LIGGGHTS
-    atom->density[i] = a.mass / (4.0 / 3.0 * 3.14159265358979323846 * a.radius * a.radius * a.radius);
+    atom->density[i] =
+        a.mass / (4.0 / 3.0 * 3.14159265358979323846 * a.radius * a.radius * a.radius);
 #endif
     for (int k = 0; k < 3; ++k) {
       atom->v[i][k] = a.v[k];

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Puts the styles into an unmodified LIGGGHTS, or a LAMMPS without plugins: this shared object comes before the
-// host's library in the search order and so answers for LAMMPS::post_create(), which the host calls when it starts
-// and after every `clear`. Link it (build/liggghts, build/lammps), preload it, or load it from Python with RTLD_GLOBAL.
+// Puts the styles into an unmodified LIGGGHTS, or a LAMMPS without plugins: this shared object
+// comes before the host's library in the search order and so answers for LAMMPS::post_create(),
+// which the host calls when it starts and after every `clear`. Link it (build/liggghts,
+// build/lammps), preload it, or load it from Python with RTLD_GLOBAL.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -24,9 +25,11 @@ extern "C" __attribute__((visibility("default"))) void raceway_register(void *lm
 __attribute__((visibility("default"))) void LAMMPS::post_create()
 {
   using Function = void (*)(LAMMPS *);
-  static const Function next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv"));
+  static const Function next =
+      reinterpret_cast<Function>(dlsym(RTLD_NEXT, "_ZN9LAMMPS_NS6LAMMPS11post_createEv"));
   if (!next) {
-    fprintf(stderr, "raceway: this is not the host it was built for: LAMMPS::post_create() not found\n");
+    fprintf(stderr,
+            "raceway: this is not the host it was built for: LAMMPS::post_create() not found\n");
     abort();
   }
   // the host ends a failed rank with MPI_Abort, which drops a buffered message: keep whole lines

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Put the styles into an upstream LIGGGHTS 3.8.0 source tree, with the patches a modern compiler needs, or take them out.
+"""Put the styles into an upstream LIGGGHTS 3.8.0 source tree, with the patches a modern compiler
+needs, or take them out.
 
     python3 src-package/host/liggghts_tree.py install TREE
     python3 src-package/host/liggghts_tree.py uninstall TREE
 
-The styles register themselves there as all of the host's do: its Make.sh collects the headers that name a style. Sources are
-copied flat into TREE/src, since the host compiles what lies there; a machine file MAKE/Makefile.raceway is added. Everything is
-checked before anything is written; TREE/src/raceway.manifest lists what was done, and uninstall undoes just that.
+The styles register themselves there as all of the host's do: its Make.sh collects the headers that
+name a style. Sources are copied flat into TREE/src, since the host compiles what lies there; a
+machine file MAKE/Makefile.raceway is added. Everything is checked before anything is written;
+TREE/src/raceway.manifest lists what was done, and uninstall undoes just that.
 """
 
 import hashlib
@@ -18,7 +20,7 @@ import sys
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
-ROOMS = ("physics", "implicit", "styles", "compat")
+ROOMS = ("physics", "implicit", "deck", "ranks", "contacts", "styles", "compat")
 MANIFEST = "raceway.manifest"
 KNOWN = "3.8.0"
 
@@ -62,28 +64,41 @@ class Wrap:
         return self.first + text + self.last
 
     def undo(self, text):
-        return text[len(self.first):-len(self.last)]
+        return text[len(self.first) : -len(self.last)]
 
 
-WITH_VTK = Wrap("#ifdef LAMMPS_VTK    // raceway: VTK is optional", "#endif    // raceway: LAMMPS_VTK")
+WITH_VTK = Wrap(
+    "#ifdef LAMMPS_VTK    // raceway: VTK is optional", "#endif    // raceway: LAMMPS_VTK"
+)
 PATCHES = {  # none changes what a compiled program does
-    "finish.cpp": Replace("if (neighbor->lists[m]->numneigh > 0) {", "if (neighbor->lists[m]->numneigh != NULL) {"),
-    "utils.h": Replace("return static_cast< std::ostringstream & >(( std::ostringstream() << std::dec << a ) ).str();",
-                       "return std::to_string(a);"),
+    "finish.cpp": Replace(
+        "if (neighbor->lists[m]->numneigh > 0) {", "if (neighbor->lists[m]->numneigh != NULL) {"
+    ),
+    "utils.h": Replace(
+        "return static_cast< std::ostringstream & >(( std::ostringstream() << std::dec << a )"
+        " ).str();",
+        "return std::to_string(a);",
+    ),
     "dump_mesh_vtk.h": WITH_VTK,
     "dump_mesh_vtk.cpp": WITH_VTK,
 }
 
 
 def added_files():
-    """What goes into TREE/src: {name: text}, folders between the rooms taken out of the includes."""
+    """What goes into TREE/src: {name: text}, folders between the rooms taken out of the
+    includes."""
     found = {}
     for room in ROOMS:
         for source in sorted((PACKAGE / room).glob("*")):
             if source.suffix not in (".h", ".cpp"):
                 continue
             assert source.name not in found, f"two files of the package are called {source.name}"
-            found[source.name] = re.sub(rf'^#include "\.\./(?:{"|".join(ROOMS)})/', '#include "', source.read_text(), flags=re.M)
+            found[source.name] = re.sub(
+                rf'^#include "\.\./(?:{"|".join(ROOMS)})/',
+                '#include "',
+                source.read_text(),
+                flags=re.M,
+            )
     found["MAKE/Makefile.raceway"] = (PACKAGE / "host" / "Makefile.raceway").read_text()
     return found
 
@@ -119,7 +134,10 @@ def source_folder(tree):
     src = Path(tree) / "src"
     version = src / "version_liggghts.txt"
     if not version.is_file() or not (src / "Make.sh").is_file():
-        raise Refused(f"{tree} is no LIGGGHTS source tree: there is no src/version_liggghts.txt with a src/Make.sh")
+        raise Refused(
+            f"{tree} is no LIGGGHTS source tree: there is no src/version_liggghts.txt with a"
+            " src/Make.sh"
+        )
     found = read(version).strip()
     if found != KNOWN:
         raise Refused(f"{tree} is LIGGGHTS {found or 'of no version'}; known is {KNOWN} only")
@@ -129,40 +147,57 @@ def source_folder(tree):
 def install(tree):
     src = source_folder(tree)
     if (src / MANIFEST).exists():
-        raise Refused(f"{tree} has Raceway in it already: make uninstall-tree LIGGGHTS={tree} takes it out")
+        raise Refused(
+            f"{tree} has Raceway in it already: make uninstall-tree LIGGGHTS={tree} takes it out"
+        )
     for name, patch in PATCHES.items():
         path = src / name
         if not path.is_file():
             raise Refused(f"{path} is missing: not the sources of LIGGGHTS {KNOWN}")
         text = read(path)
         if patch.is_in(text):
-            raise Refused(f"{path} is patched already, but not by this script: install into an unpatched tree")
+            raise Refused(
+                f"{path} is patched already, but not by this script: install into an unpatched tree"
+            )
         if not patch.applies(text):
-            raise Refused(f"{path} is not that of LIGGGHTS {KNOWN}: it has been changed where it must be patched")
+            raise Refused(
+                f"{path} is not that of LIGGGHTS {KNOWN}: it has been changed where it must be"
+                " patched"
+            )
     new = added_files()
     for name in new:
         if (src / name).exists():
-            raise Refused(f"{src / name} is there already and not of this script; nothing was changed")
+            raise Refused(
+                f"{src / name} is there already and not of this script; nothing was changed"
+            )
     if not os.access(src, os.W_OK) or not os.access(src / "MAKE", os.W_OK):
         raise Refused(f"{src} or its MAKE folder is not writable")
 
-    manifest = {"added": {name: digest(text) for name, text in new.items()}, "patched": sorted(PATCHES)}
+    manifest = {
+        "added": {name: digest(text) for name, text in new.items()},
+        "patched": sorted(PATCHES),
+    }
     try:
         write(src / MANIFEST, json.dumps(manifest, indent=1) + "\n")
         for name, text in new.items():
             write(src / name, text)
-        for name, patch in PATCHES.items():    # their objects stay as good as they were: no need to compile the host again
+        # their objects stay as good as they were: no need to compile the host again
+        for name, patch in PATCHES.items():
             write(src / name, patch.apply(read(src / name)), (src / name).stat())
     except BaseException as error:
         take_out(src, manifest)
         if isinstance(error, OSError):
             raise Refused(f"{error}; all that had been written is taken out again") from None
         raise
-    print(f"Raceway is in {tree}. Build it:  make -C {src} raceway    (the program is {src}/lmp_raceway)")
+    print(
+        f"Raceway is in {tree}. Build it:  make -C {src} raceway    (the program is"
+        f" {src}/lmp_raceway)"
+    )
 
 
 def take_out(src, manifest):
-    """Undo what was done of `manifest`; what an interrupted installation had not come to is left."""
+    """Undo what was done of `manifest`; what an interrupted installation had not come to is
+    left."""
     for name in manifest["patched"]:
         path, patch = src / name, PATCHES[name]
         if path.is_file() and patch.is_in(read(path)):
@@ -182,16 +217,30 @@ def uninstall(tree):
         assert set(patched) <= set(PATCHES)
     except (ValueError, KeyError, TypeError, AssertionError):
         raise Refused(f"{src / MANIFEST} is not what this script writes") from None
-    changed = [name for name, was in added.items() if (src / name).is_file() and digest(read(src / name)) != was]
-    changed += [name for name in patched if not (PATCHES[name].is_in(read(src / name)) or PATCHES[name].applies(read(src / name)))]
+    changed = [
+        name
+        for name, was in added.items()
+        if (src / name).is_file() and digest(read(src / name)) != was
+    ]
+    changed += [
+        name
+        for name in patched
+        if not (PATCHES[name].is_in(read(src / name)) or PATCHES[name].applies(read(src / name)))
+    ]
     if changed:
-        raise Refused(f"changed since the installation: {', '.join(sorted(changed))} in {src}; nothing was taken out. "
-                      "Save what you need of an added file elsewhere and delete it; undo changes to a patched one")
+        raise Refused(
+            f"changed since the installation: {', '.join(sorted(changed))} in {src}; nothing was"
+            " taken out. Save what you need of an added file elsewhere and delete it; undo changes"
+            " to a patched one"
+        )
     try:
         take_out(src, manifest)
     except OSError as error:
         raise Refused(f"{error}; make uninstall-tree again goes on where this stopped") from None
-    print(f"Raceway is out of {tree}. Objects and programs that were built are left (make -C {src} clean-raceway).")
+    print(
+        f"Raceway is out of {tree}. Objects and programs that were built are left (make -C {src}"
+        " clean-raceway)."
+    )
 
 
 def main(words):

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Takes what the stock executable takes; the styles come in through the shared object it is linked to.
+// Takes what the stock executable takes; the styles come in through the shared object it is linked
+// to.
 #include <mpi.h>
 
-#include "lammps.h"
 #include "input.h"
+#include "lammps.h"
 
 #include <cstdio>
 #include <cstdlib>
 
-// The mpirun of MPICH (an activated .venv has one) starts this program of Open MPI as many times over, each alone.
+// The mpirun of MPICH (an activated .venv has one) starts this program of Open MPI as many times
+// over, each alone.
 static bool started_by_mpich()
 {
   int size;
@@ -21,8 +23,11 @@ int main(int argc, char **argv)
 {
   MPI_Init(&argc, &argv);
   if (started_by_mpich()) {
-    fprintf(stderr, "ERROR: %s uses Open MPI, but was started by the mpirun of MPICH: each of the %s processes would run the whole deck. "
-            "Start it with mpirun.openmpi\n", argv[0], getenv("PMI_SIZE"));
+    fprintf(stderr,
+            "ERROR: %s uses Open MPI, but was started by the mpirun of MPICH: each of the %s "
+            "processes would run the whole deck. "
+            "Start it with mpirun.openmpi\n",
+            argv[0], getenv("PMI_SIZE"));
     MPI_Finalize();
     return 1;
   }

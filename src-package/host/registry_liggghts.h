@@ -12,11 +12,12 @@ namespace {
 
 using namespace LAMMPS_NS;
 
-using FixCreator = Fix *(*) (LAMMPS *, int, char **);
-using ComputeCreator = Compute *(*) (LAMMPS *, int, int, char **);
+using FixCreator = Fix *(*)(LAMMPS *, int, char **);
+using ComputeCreator = Compute *(*)(LAMMPS *, int, int, char **);
 using CommandCreator = void (*)(LAMMPS *, int, char **);
 
-// These maps are not public in LIGGGHTS 3.8; naming a member in an explicit instantiation is allowed.
+// These maps are not public in LIGGGHTS 3.8; naming a member in an explicit instantiation is
+// allowed.
 template <class Tag, typename Tag::type Member> struct Reach {
   friend typename Tag::type member(Tag) { return Member; }
 };
@@ -37,7 +38,10 @@ template struct Reach<ComputeMap, &Modify::compute_map>;
 template struct Reach<CommandMap, &Input::command_map>;
 
 template <class T> Pair *make_pair_style(LAMMPS *lmp) { return new T(lmp); }
-template <class T> Fix *make_fix(LAMMPS *lmp, int narg, char **arg) { return new T(lmp, narg, arg); }
+template <class T> Fix *make_fix(LAMMPS *lmp, int narg, char **arg)
+{
+  return new T(lmp, narg, arg);
+}
 template <class T> Compute *make_compute(LAMMPS *lmp, int iarg, int narg, char **arg)
 {
   return new T(lmp, iarg, narg, arg);
@@ -50,8 +54,14 @@ template <class T> void run_command(LAMMPS *lmp, int narg, char **arg)
 
 struct Registry {
   LAMMPS *lmp;
-  template <class T> void pair(const char *name) { (*lmp->force->pair_map)[name] = &make_pair_style<T>; }
-  template <class T> void fix(const char *name) { (*(lmp->modify->*member(FixMap())))[name] = &make_fix<T>; }
+  template <class T> void pair(const char *name)
+  {
+    (*lmp->force->pair_map)[name] = &make_pair_style<T>;
+  }
+  template <class T> void fix(const char *name)
+  {
+    (*(lmp->modify->*member(FixMap())))[name] = &make_fix<T>;
+  }
   template <class T> void compute(const char *name)
   {
     (*(lmp->modify->*member(ComputeMap())))[name] = &make_compute<T>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forces of one bearing and their derivatives, four balls side by side, in each ball's own turning frame.
-// A call with h = 0 evaluates only: loads of the rings, power lost in contacts and energy of their springs.
+// Forces of one bearing and their derivatives, four balls side by side, in each ball's own turning
+// frame. A call with h = 0 evaluates only: loads of the rings, power lost in contacts and energy of
+// their springs.
 #include "bearing_step.h"
 
 #include <algorithm>
@@ -36,13 +37,21 @@ RACEWAY_LANES void BearingStep::start_rhs(double h, bool fresh)
 static RACEWAY_INLINE void add_dyad(Lane *a, const Lane &s, const Vec3L &p, const Vec3L &q)
 {
   const Lane x = s * p.x, y = s * p.y, z = s * p.z;
-  a[0] += x * q.x; a[1] += x * q.y; a[2] += x * q.z;
-  a[6] += y * q.x; a[7] += y * q.y; a[8] += y * q.z;
-  a[12] += z * q.x; a[13] += z * q.y; a[14] += z * q.z;
+  a[0] += x * q.x;
+  a[1] += x * q.y;
+  a[2] += x * q.z;
+  a[6] += y * q.x;
+  a[7] += y * q.y;
+  a[8] += y * q.z;
+  a[12] += z * q.x;
+  a[13] += z * q.y;
+  a[14] += z * q.z;
 }
 
-// Velocity of a ring's point at `lever` from its centre for a unit of a degree of freedom; e is the ring's axis.
-static RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &e, const Vec3L &lever)
+// Velocity of a ring's point at `lever` from its centre for a unit of a degree of freedom; e is the
+// ring's axis.
+static RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &e,
+                                      const Vec3L &lever)
 {
   const Lane one = all_lanes(1.0), none = {};
   switch (dof) {
@@ -55,7 +64,8 @@ static RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &
   }
 }
 
-template <bool film, Friction friction> RACEWAY_INLINE bool BearingStep::grooves(double h, bool fresh)
+template <bool film, Friction friction>
+RACEWAY_INLINE bool BearingStep::grooves(double h, bool fresh)
 {
   Touch *touch = touches_.data();
   const int nf = static_cast<int>(free_.size());
@@ -75,7 +85,8 @@ template <bool film, Friction friction> RACEWAY_INLINE bool BearingStep::grooves
       r.e = f.local(ring.now.e);
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
-      const LaneMask live = touch->live = g.used & ~(c.overlap <= 0.0);    // what is not a number must not pass for a gap
+      const LaneMask live = touch->live =
+          g.used & ~(c.overlap <= 0.0);    // what is not a number must not pass for a gap
       if (!any(live)) continue;
       if (any(live & ~(c.overlap < p.largest_overlap))) {
         for (int i = 0; i < lanes; ++i)
@@ -92,14 +103,17 @@ template <bool film, Friction friction> RACEWAY_INLINE bool BearingStep::grooves
       ring.force_lanes -= f.lab(q.force);
       ring.moment_lanes += f.lab(q.ring_torque);
       if (h == 0.0) {
-        const Lane lost = (c.normal - c.load) * c.overlap_rate + c.friction_t * c.sliding_t + c.friction_w * c.sliding_w;
+        const Lane lost = (c.normal - c.load) * c.overlap_rate + c.friction_t * c.sliding_t +
+                          c.friction_w * c.sliding_w;
         power_lost_ += sum(where(live, lost, 0.0));
         contact_energy_ += sum(where(live, 0.4 * c.load * c.overlap, 0.0));
         continue;
       }
       for (int m = 0; m < 3; ++m) {
         const Lane *force = m == 0 ? &q.force.x : m == 1 ? &q.force.y : &q.force.z;
-        const Lane *torque = m == 0 ? &q.ball_torque.x : m == 1 ? &q.ball_torque.y : &q.ball_torque.z;
+        const Lane *torque = m == 0   ? &q.ball_torque.x
+                             : m == 1 ? &q.ball_torque.y
+                                      : &q.ball_torque.z;
         g.rhs[m] += h * *force;
         g.rhs[m + 3] += h * *torque;
       }
@@ -131,13 +145,22 @@ template <bool film, Friction friction> RACEWAY_INLINE bool BearingStep::grooves
         const int u = ring.unknown[dof];
         if (u < 0) continue;
         const Vec3L m = motion_of(dof, f, r.e, lever);
-        const Vec3L push = dof == RingProgram::SPIN ? j.damped(m) : j.times(m);    // force on the ball
+        const Vec3L push =
+            dof == RingProgram::SPIN ? j.damped(m) : j.times(m);    // force on the ball
         const Vec3L torque = cross(j.n, push) * R, back = j.before(m), turn = j.turned(m) * R;
         Lane *B = B_[k * nf + u].a, *C = C_[k * nf + u].a;
-        B[0] -= push.x; B[1] -= push.y; B[2] -= push.z;
-        B[3] -= torque.x; B[4] -= torque.y; B[5] -= torque.z;
-        C[0] -= back.x; C[1] -= back.y; C[2] -= back.z;
-        C[3] -= turn.x; C[4] -= turn.y; C[5] -= turn.z;
+        B[0] -= push.x;
+        B[1] -= push.y;
+        B[2] -= push.z;
+        B[3] -= torque.x;
+        B[4] -= torque.y;
+        B[5] -= torque.z;
+        C[0] -= back.x;
+        C[1] -= back.y;
+        C[2] -= back.z;
+        C[3] -= turn.x;
+        C[4] -= turn.y;
+        C[5] -= turn.z;
         for (int o = 0; o < RingProgram::N_DOF; ++o)
           if (ring.unknown[o] >= 0)
             border_.a[ring.unknown[o] * nf + u] += sum(dot(motion_of(o, f, r.e, lever), push));
@@ -156,10 +179,10 @@ RACEWAY_LANES bool BearingStep::forces(double h, bool fresh)
   }
   bool sane = false;
   if (model_.lubricated) switch (model_.friction) {
-    case Friction::none: sane = grooves<true, Friction::none>(h, fresh); break;
-    case Friction::constant: sane = grooves<true, Friction::constant>(h, fresh); break;
-    case Friction::stribeck: sane = grooves<true, Friction::stribeck>(h, fresh); break;
-  }
+      case Friction::none: sane = grooves<true, Friction::none>(h, fresh); break;
+      case Friction::constant: sane = grooves<true, Friction::constant>(h, fresh); break;
+      case Friction::stribeck: sane = grooves<true, Friction::stribeck>(h, fresh); break;
+    }
   else if (model_.friction == Friction::none) sane = grooves<false, Friction::none>(h, fresh);
   else sane = grooves<false, Friction::constant>(h, fresh);
   if (!sane) return false;
@@ -225,8 +248,12 @@ RACEWAY_LANES void BearingStep::seats(double h, bool fresh)
           const Lane m = dot(motion_of(dof, f, e, d), n);
           const Vec3L push = n * ((dof == RingProgram::SPIN ? a_spin : a) * m), back = n * (a * m);
           Lane *B = B_[k * nf + j].a, *C = C_[k * nf + j].a;
-          B[0] -= push.x; B[1] -= push.y; B[2] -= push.z;
-          C[0] -= back.x; C[1] -= back.y; C[2] -= back.z;
+          B[0] -= push.x;
+          B[1] -= push.y;
+          B[2] -= push.z;
+          C[0] -= back.x;
+          C[1] -= back.y;
+          C[2] -= back.z;
           for (int o = 0; o < RingProgram::N_DOF; ++o)
             if (ring.unknown[o] >= 0)
               border_.a[ring.unknown[o] * nf + j] += sum(dot(motion_of(o, f, e, d), push));
@@ -236,7 +263,8 @@ RACEWAY_LANES void BearingStep::seats(double h, bool fresh)
   }
 }
 
-// Balls and cage balls: each closed contact is a link. False if another set is closed than at the last factorisation.
+// Balls and cage balls: each closed contact is a link. False if another set is closed than at the
+// last factorisation.
 bool BearingStep::pockets(double h, bool fresh)
 {
   if (model_.pockets.empty()) return true;
@@ -283,7 +311,8 @@ bool BearingStep::pockets(double h, bool fresh)
         g.damper[lane] += c.damping;
       }
     }
-    if (fresh && !chain_.add(a, b, local[0], local[1], h * c.damping + (dampers_only_ ? 0.0 : h * h) * c.stiffness)) {
+    if (fresh && !chain_.add(a, b, local[0], local[1],
+                             h * c.damping + (dampers_only_ ? 0.0 : h * h) * c.stiffness)) {
       overlinked_ = p.a;
       return false;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Loads, films and capacitances between two steps, for those who sample faster than the motion changes: places by the
-// cubic through both ends of the internal step (cubic.h), velocities linear, and the contact formulas as anywhere else.
+// Loads, films and capacitances between two steps, for those who sample faster than the motion
+// changes: places by the cubic through both ends of the internal step (cubic.h), velocities linear,
+// and the contact formulas as anywhere else.
 #include "../physics/capacitance.h"
 #include "bearing_step.h"
 #include "cubic.h"
@@ -18,7 +19,8 @@ void BearingStep::want(const Instants &i)
     const int slot = slot_[g.body];
     int touch = 0;
     for (const Track &t : tracks_) {
-      if (t.ring == g.ring && t.physics == g.physics && slot / lanes >= t.first && slot / lanes < t.end)
+      if (t.ring == g.ring && t.physics == g.physics && slot / lanes >= t.first &&
+          slot / lanes < t.end)
         look_of_.push_back(lanes * (touch + slot / lanes - t.first) + slot % lanes);
       touch += t.end - t.first;
     }
@@ -37,7 +39,8 @@ void BearingStep::look_at_instants()
 {
   if (present_.s0 == 0.0) next_instant_ = 1;
   const int n = instants_.number;
-  for (; next_instant_ < n && (present_.s1 == 1.0 || next_instant_ <= present_.s1 * n); ++next_instant_) {
+  for (; next_instant_ < n && (present_.s1 == 1.0 || next_instant_ <= present_.s1 * n);
+       ++next_instant_) {
     const double s = (double(next_instant_) / n - present_.s0) / (present_.s1 - present_.s0);
     look_at(s < 1.0 ? s : 1.0, looks_.data() + (next_instant_ - 1) * touches_.size());
   }
@@ -52,7 +55,8 @@ RACEWAY_LANES void BearingStep::look_at(double s, Look *look)
     Passed &p = passed_[k];
     p.frame.r = at(g.from.r, g.v_from.x, g.now.r, g.v.x);
     p.frame.z = at(g.from.z, g.v_from.z, g.now.z, g.v.z);
-    p.frame.turn_from(g.from, at(Lane{}, Lane(g.v_from.y / g.from.r), Lane(g.turned + g.turn), Lane(g.v.y / g.now.r)));
+    p.frame.turn_from(g.from, at(Lane{}, Lane(g.v_from.y / g.from.r), Lane(g.turned + g.turn),
+                                 Lane(g.v.y / g.now.r)));
     p.v = g.v_from + (g.v - g.v_from) * s;
     p.w = g.w_from + (g.w - g.w_from) * s;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One bearing as an implicit step sees it: who may touch whom, and the state of all of them. No host in it.
-// Names have the bearing axis third; units are SI.
+// One bearing as an implicit step sees it: who may touch whom, and the state of all of them. No
+// host in it. Names have the bearing axis third; units are SI.
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
@@ -13,10 +13,23 @@
 namespace raceway {
 
 struct BearingModel {
-  struct Body { double mass, radius; bool spins; };                    // rolling balls spin, cage balls do not
-  struct Groove { int body, ring; const RacewayPhysics *physics; };    // a ball that may touch a raceway
-  struct Pocket { int a, b; double K, reach, mass; };                  // two bodies that may touch, as spheres
-  struct Seat { int body, ring; const std::vector<Rail> *rails; const std::vector<double> *stiffness; };
+  struct Body {
+    double mass, radius;
+    bool spins;
+  };    // rolling balls spin, cage balls do not
+  struct Groove {
+    int body, ring;
+    const RacewayPhysics *physics;
+  };    // a ball that may touch a raceway
+  struct Pocket {
+    int a, b;
+    double K, reach, mass;
+  };    // two bodies that may touch, as spheres
+  struct Seat {
+    int body, ring;
+    const std::vector<Rail> *rails;
+    const std::vector<double> *stiffness;
+  };
   std::vector<Body> bodies;
   int rings = 0;
   std::vector<Groove> grooves;
@@ -26,7 +39,9 @@ struct BearingModel {
   Friction friction = Friction::none;    // all raceways; smoothed (creep > 0)
 };
 
-struct BodyPose { Vec3 x, v, w; };
+struct BodyPose {
+  Vec3 x, v, w;
+};
 
 }    // namespace raceway
 

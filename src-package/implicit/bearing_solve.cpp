@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The linear system of one Newton correction:
-//   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k of a body, s_ik = +1 first, -1 second body of link i
-//   sum_k C_k x_k + D y                  = r_y        y of the free degrees of freedom of the rings
-//   l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
-// solved block by block, link by link, then y, and back. factor() keeps what solve() needs, so that later
-// corrections with the same derivatives cost one right-hand side.
+//   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k of a body, s_ik = +1 first, -1 second
+//   body of link i sum_k C_k x_k + D y                  = r_y        y of the free degrees of
+//   freedom of the rings l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
+// solved block by block, link by link, then y, and back. factor() keeps what solve() needs, so that
+// later corrections with the same derivatives cost one right-hand side.
 #include "bearing_step.h"
 #include "lane_blocks.h"
 
@@ -35,10 +35,13 @@ void BearingStep::border_rhs(double h, double s)
     }
     const double momentum = r.program.inertia.axial * now.spin;
     const Vec3 turn = cross(now.across(), now.e);
-    const double M_across = dof == RingProgram::TILT ? M.x - along * now.e.x : M.y - along * now.e.y;
-    y_[f] = h * (M_across - momentum * (dof == RingProgram::TILT ? turn.x : turn.y)) - inertia * r.gained[dof];
+    const double M_across =
+        dof == RingProgram::TILT ? M.x - along * now.e.x : M.y - along * now.e.y;
+    y_[f] = h * (M_across - momentum * (dof == RingProgram::TILT ? turn.x : turn.y)) -
+            inertia * r.gained[dof];
     const int other = r.unknown[dof == RingProgram::TILT ? dof + 1 : dof - 1];
-    if (other >= 0) border_.a[f * nf + other] += dof == RingProgram::TILT ? h * momentum : -h * momentum;
+    if (other >= 0)
+      border_.a[f * nf + other] += dof == RingProgram::TILT ? h * momentum : -h * momentum;
   }
 }
 
@@ -85,7 +88,8 @@ void BearingStep::factor()
         e.answer = {column[0][i], column[1][i], column[2][i]};
       }
     chain_.factor();
-    for (int f = 0; f < nf; ++f) condense_links([&](int group) { return B_[group * nf + f].a; }, true);
+    for (int f = 0; f < nf; ++f)
+      condense_links([&](int group) { return B_[group * nf + f].a; }, true);
   }
   for (size_t k = 0; k < groups_.size(); ++k) {
     const Group &g = groups_[k];
@@ -136,7 +140,8 @@ RACEWAY_LANES void BearingStep::solve()
     if (g.spins) substitute<6>(g.A, g.rhs);
     else substitute<3>(g.A, g.rhs);
   }
-  if (!chain_.links.empty()) condense_links([this](int group) { return groups_[group].rhs; }, false);
+  if (!chain_.links.empty())
+    condense_links([this](int group) { return groups_[group].rhs; }, false);
   if (nf == 0) return;
   for (size_t k = 0; k < groups_.size(); ++k) {
     const Group &g = groups_[k];
@@ -158,7 +163,8 @@ RACEWAY_LANES void BearingStep::solve()
   }
 }
 
-// Adds the correction; returns its size, m: largest over balls across the raceways and over the rings.
+// Adds the correction; returns its size, m: largest over balls across the raceways and over the
+// rings.
 RACEWAY_LANES double BearingStep::apply(double h)
 {
   Lane off = {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The course of a step; forces and derivatives are in bearing_forces.cpp, the linear solve in bearing_solve.cpp.
+// The course of a step; forces and derivatives are in bearing_forces.cpp, the linear solve in
+// bearing_solve.cpp.
 #include "bearing_step.h"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ void BearingStep::place_bodies()
   std::vector<Key> key(model_.bodies.size());
   for (const BearingModel::Groove &g : model_.grooves) key[g.body].push_back({g.ring, g.physics});
   for (const BearingModel::Seat &s : model_.seats) key[s.body].push_back({s.ring, s.rails});
-  std::vector<std::vector<int>> rows;    // in order of their first body: addresses must not order anything
+  std::vector<std::vector<int>>
+      rows;    // in order of their first body: addresses must not order anything
   for (int k = 0; k < static_cast<int>(key.size()); ++k) {
     auto same = [&](const std::vector<int> &row) {
       return key[row[0]] == key[k] && model_.bodies[row[0]].spins == model_.bodies[k].spins;
@@ -196,7 +198,8 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
   return set.corrections == 1;
 }
 
-// Everything to the end of the stage with the present velocities. False: a body turns too far for one stage.
+// Everything to the end of the stage with the present velocities. False: a body turns too far for
+// one stage.
 RACEWAY_LANES bool BearingStep::move(double h, double s)
 {
   if (dampers_only_) {
@@ -206,13 +209,15 @@ RACEWAY_LANES bool BearingStep::move(double h, double s)
   LaneMask far = {};
   for (Group &g : groups_) {
     g.now = g.base.drifted(g.v, h, g.turn);
-    far |= ~(magnitude(g.turn) * beyond_2 < largest_turn);    // the base of a second stage goes that far
+    far |= ~(magnitude(g.turn) * beyond_2 <
+             largest_turn);    // the base of a second stage goes that far
   }
   for (Ring &r : rings_) r.now = moved(r.program, r.base, r.gained, h, s);
   return !any(far);
 }
 
-// Everything on its way for h seconds, to the middle of a step or from there to its end. False: a body turns too far.
+// Everything on its way for h seconds, to the middle of a step or from there to its end. False: a
+// body turns too far.
 RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
 {
   LaneMask far = {};
@@ -235,7 +240,8 @@ RACEWAY_LANES double BearingStep::stability(double h) const
   }
   double largest = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
   for (const Ring &r : rings_)
-    if (r.loose && r.program.mass > 0.0) largest = std::max(largest, h * h * r.spring / (3.0 * r.program.mass));
+    if (r.loose && r.program.mass > 0.0)
+      largest = std::max(largest, h * h * r.spring / (3.0 * r.program.mass));
   return largest;
 }
 
@@ -281,9 +287,11 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
     double now[3], then[3];
     r.now.v.to(now);
     before.v.to(then);
-    const double dv = f.dof < RingProgram::TILT ? now[f.dof] - then[f.dof]
-                                                : (r.now.rate[f.dof - RingProgram::TILT] -
-                                                   before.rate[f.dof - RingProgram::TILT]) * groups_.front().now.r[0];
+    const double dv =
+        f.dof < RingProgram::TILT
+            ? now[f.dof] - then[f.dof]
+            : (r.now.rate[f.dof - RingProgram::TILT] - before.rate[f.dof - RingProgram::TILT]) *
+                  groups_.front().now.r[0];
     largest = std::max(largest, std::fabs(dv));
   }
   return share * h * largest;
@@ -302,7 +310,8 @@ void BearingStep::accept()
   energy_.dissipated += pending_.dissipated;
 }
 
-// What loads and drives put in and contacts took out at the end of a stage, times its weight in seconds.
+// What loads and drives put in and contacts took out at the end of a stage, times its weight in
+// seconds.
 void BearingStep::add_energy(double weight, double s)
 {
   for (size_t k = 0; k < groups_.size(); ++k) groups_[k].rhs[0] = Lane{};
@@ -320,7 +329,8 @@ void BearingStep::add_energy(double weight, double s)
     const double w[3] = {W.x, W.y, r.now.spin};
     const double given[3] = {load.x, load.y, dot(load, r.now.e)};
     const double met[3] = {r.moment.x, r.moment.y, dot(r.moment, r.now.e)};
-    for (int k = 0; k < 3; ++k) power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
+    for (int k = 0; k < 3; ++k)
+      power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
   }
   pending_.work += weight * power;
   pending_.dissipated += weight * power_lost_;
@@ -332,7 +342,8 @@ const BearingStep::Energy &BearingStep::energy()
   return energy_;
 }
 
-// At the present state: motion of bodies and of what is free of the rings, and the springs of the contacts.
+// At the present state: motion of bodies and of what is free of the rings, and the springs of the
+// contacts.
 double BearingStep::stored_energy()
 {
   Lane motion = {};
@@ -354,7 +365,8 @@ double BearingStep::stored_energy()
     for (int k = 0; k < 2; ++k)
       if (r.program.free(RingProgram::TILT + k))
         total += 0.5 * r.program.inertia.transverse * r.now.rate[k] * r.now.rate[k];
-    if (r.program.free(RingProgram::SPIN)) total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
+    if (r.program.free(RingProgram::SPIN))
+      total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
   }
   forces(0.0, false);
   return total + contact_energy_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cubic between two instants h seconds apart that has place and velocity of both ends (Hermite): at the share s of
-// the way. Its error is h^4/384 times the fourth derivative of the place.
+// The cubic between two instants h seconds apart that has place and velocity of both ends
+// (Hermite): at the share s of the way. Its error is h^4/384 times the fourth derivative of the
+// place.
 #ifndef RACEWAY_CUBIC_H
 #define RACEWAY_CUBIC_H
 
@@ -9,10 +10,15 @@ namespace raceway {
 class Cubic {
  public:
   Cubic(double s, double h) :
-      to_(s * s * (3.0 - 2.0 * s)), v_from_(h * s * (1.0 - s) * (1.0 - s)), v_to_(h * s * s * (s - 1.0)) {}
+      to_(s * s * (3.0 - 2.0 * s)), v_from_(h * s * (1.0 - s) * (1.0 - s)),
+      v_to_(h * s * s * (s - 1.0))
+  {
+  }
 
   // double, Lane or Vec3
-  template <class T> __attribute__((always_inline)) T operator()(const T &x_from, const T &v_from, const T &x_to, const T &v_to) const
+  template <class T>
+  __attribute__((always_inline)) T operator()(const T &x_from, const T &v_from, const T &x_to,
+                                              const T &v_to) const
   {
     return x_from + (x_to - x_from) * to_ + v_from * v_from_ + v_to * v_to_;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Small dense systems, four side by side: L U without pivots and substitution. Rows of a matrix are 6 apart.
-// Pre-condition: the symmetric part of each matrix is positive (mass + h C + h^2 k), so no pivot can vanish.
+// Small dense systems, four side by side: L U without pivots and substitution. Rows of a matrix are
+// 6 apart. Pre-condition: the symmetric part of each matrix is positive (mass + h C + h^2 k), so no
+// pivot can vanish.
 #ifndef RACEWAY_LANE_BLOCKS_H
 #define RACEWAY_LANE_BLOCKS_H
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bodies that circle an axis, four side by side, each in the frame that turns with it: radius r, azimuth, height, and
-// velocities along the radial, circumferential and axial direction of that frame.
+// Bodies that circle an axis, four side by side, each in the frame that turns with it: radius r,
+// azimuth, height, and velocities along the radial, circumferential and axial direction of that
+// frame.
 //
-// Over a step h a body drifts as r += h v_r, azimuth += h v_c/r (the new r), z += h v_z and keeps its components: on a
-// circular path the drift is exact, while a straight line leaves the path by h^2 v^2/(2r). Keeping components in
-// a turning frame needs the frame's own acceleration: with w = v_c/r it is -w z x v for a vector v, that is
-// +w v_c along the radius and -w v_r along the circle; the spin needs the same.
+// Over a step h a body drifts as r += h v_r, azimuth += h v_c/r (the new r), z += h v_z and keeps
+// its components: on a circular path the drift is exact, while a straight line leaves the path by
+// h^2 v^2/(2r). Keeping components in a turning frame needs the frame's own acceleration: with w =
+// v_c/r it is -w z x v for a vector v, that is +w v_c along the radius and -w v_r along the circle;
+// the spin needs the same.
 #ifndef RACEWAY_LANE_FRAME_H
 #define RACEWAY_LANE_FRAME_H
 
@@ -15,16 +17,24 @@ namespace raceway {
 
 using Vec3L = Vec3T<Lane>;
 
-// Cosine and sine by Taylor series to x^16: error below 1e-18 up to 0.6 rad, which a stage may turn, and 5e-15 at
-// 1.2 rad, which a whole step of two stages or drifts may.
+// Cosine and sine by Taylor series to x^16: error below 1e-18 up to 0.6 rad, which a stage may
+// turn, and 5e-15 at 1.2 rad, which a whole step of two stages or drifts may.
 constexpr double largest_turn = 0.6;
 RACEWAY_INLINE void small_turn(const Lane &x, Lane &cosine, Lane &sine)
 {
   const Lane y = x * x;
   const Lane c = 1.0 - y * (1.0 / 132) * (1.0 - y * (1.0 / 182) * (1.0 - y * (1.0 / 240)));
-  cosine = 1.0 - y * 0.5 * (1.0 - y * (1.0 / 12) * (1.0 - y * (1.0 / 30) * (1.0 - y * (1.0 / 56) * (1.0 - y * (1.0 / 90) * c))));
-  const Lane s = 1.0 - y * (1.0 / 110) * (1.0 - y * (1.0 / 156) * (1.0 - y * (1.0 / 210) * (1.0 - y * (1.0 / 272))));
-  sine = x * (1.0 - y * (1.0 / 6) * (1.0 - y * (1.0 / 20) * (1.0 - y * (1.0 / 42) * (1.0 - y * (1.0 / 72) * s))));
+  cosine =
+      1.0 -
+      y * 0.5 *
+          (1.0 - y * (1.0 / 12) *
+                     (1.0 - y * (1.0 / 30) * (1.0 - y * (1.0 / 56) * (1.0 - y * (1.0 / 90) * c))));
+  const Lane s =
+      1.0 -
+      y * (1.0 / 110) * (1.0 - y * (1.0 / 156) * (1.0 - y * (1.0 / 210) * (1.0 - y * (1.0 / 272))));
+  sine =
+      x * (1.0 - y * (1.0 / 6) *
+                     (1.0 - y * (1.0 / 20) * (1.0 - y * (1.0 / 42) * (1.0 - y * (1.0 / 72) * s))));
 }
 
 struct LaneFrame {
@@ -32,9 +42,18 @@ struct LaneFrame {
   Lane c = {}, s = {};    // cosine and sine of the azimuth
 
   // v in lab axes (axis along z) <-> (radial, circumferential, axial)
-  RACEWAY_INLINE Vec3L local(const Vec3L &v) const { return {v.x * c + v.y * s, v.y * c - v.x * s, v.z}; }
-  RACEWAY_INLINE Vec3L local(const Vec3 &v) const { return {v.x * c + v.y * s, v.y * c - v.x * s, all_lanes(v.z)}; }
-  RACEWAY_INLINE Vec3L lab(const Vec3L &v) const { return {v.x * c - v.y * s, v.x * s + v.y * c, v.z}; }
+  RACEWAY_INLINE Vec3L local(const Vec3L &v) const
+  {
+    return {v.x * c + v.y * s, v.y * c - v.x * s, v.z};
+  }
+  RACEWAY_INLINE Vec3L local(const Vec3 &v) const
+  {
+    return {v.x * c + v.y * s, v.y * c - v.x * s, all_lanes(v.z)};
+  }
+  RACEWAY_INLINE Vec3L lab(const Vec3L &v) const
+  {
+    return {v.x * c - v.y * s, v.x * s + v.y * c, v.z};
+  }
   RACEWAY_INLINE Vec3L place() const { return {r * c, r * s, z}; }
 
   // One body: lane i.

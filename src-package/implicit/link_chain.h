@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Closed contacts between bodies (ball, cage ball, ball, ...) as scalar unknowns of a chain.
 //
-// Link i joins two bodies along the unit normal n_i with the stiffness a_i. Once the blocks A of all bodies are
-// condensed, the links' forces l solve
-//   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second),    c_ij = +-n_i . A^-1 n_j at a body that i and j share.
-// Links share at most two bodies with others, so c is tridiagonal, with one corner where a chain closes to a
-// circle; elimination carries that corner along. Order of operations depends on the order of links only.
+// Link i joins two bodies along the unit normal n_i with the stiffness a_i. Once the blocks A of
+// all bodies are condensed, the links' forces l solve
+//   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second),    c_ij = +-n_i . A^-1 n_j at a body
+//   that i and j share.
+// Links share at most two bodies with others, so c is tridiagonal, with one corner where a chain
+// closes to a circle; elimination carries that corner along. Order of operations depends on the
+// order of links only.
 #ifndef RACEWAY_LINK_CHAIN_H
 #define RACEWAY_LINK_CHAIN_H
 
@@ -46,7 +48,8 @@ class LinkChain {
       Pair &p = of_body_[k == 0 ? first : second];
       p.link[p.count++] = i;
     }
-    links.push_back({{{first, n_first, Vec3(), slot[0]}, {second, n_second, Vec3(), slot[1]}}, 1.0 / a});
+    links.push_back(
+        {{{first, n_first, Vec3(), slot[0]}, {second, n_second, Vec3(), slot[1]}}, 1.0 / a});
     return true;
   }
 
@@ -58,7 +61,8 @@ class LinkChain {
     order_.clear();
     exit_.clear();
     done_.assign(n, false);
-    for (int pass = 0; pass < 2; ++pass)    // open chains first, from their ends; what is left are circles
+    for (int pass = 0; pass < 2;
+         ++pass)    // open chains first, from their ends; what is left are circles
       for (int i = 0; i < n; ++i) {
         if (done_[i]) continue;
         const bool open_0 = neighbour(i, 0) < 0, open_1 = neighbour(i, 1) < 0;
@@ -94,8 +98,13 @@ class LinkChain {
   std::vector<Link> links;
 
  private:
-  struct Pair { int count = 0, link[2]; };
-  struct Chain { int begin, end; bool circle; };
+  struct Pair {
+    int count = 0, link[2];
+  };
+  struct Chain {
+    int begin, end;
+    bool circle;
+  };
 
   // The other link at this end of a link, or -1.
   int neighbour(int i, int end) const

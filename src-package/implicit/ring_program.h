@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A ring under an implicit step: what is free, fixed or driven of it, its loads, and its motion.
 //
-// Names here have the bearing axis third. Degrees of freedom: x, y, z, tilt about x, tilt about y, spin about the
-// ring's own axis e. The angular velocity is w = W + spin e with W across e, W = (rate_x, rate_y, .), so that
+// Names here have the bearing axis third. Degrees of freedom: x, y, z, tilt about x, tilt about y,
+// spin about the ring's own axis e. The angular velocity is w = W + spin e with W across e, W =
+// (rate_x, rate_y, .), so that
 //   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
-// (M_across = M - (M.e) e: along e sits what drives an imposed spin). The gyroscopic moment is the term with the spin.
+// (M_across = M - (M.e) e: along e sits what drives an imposed spin). The gyroscopic moment is the
+// term with the spin.
 #ifndef RACEWAY_RING_PROGRAM_H
 #define RACEWAY_RING_PROGRAM_H
 
@@ -15,21 +17,30 @@ namespace raceway {
 
 enum class Freedom { fixed, free, speed, position };
 
-// What happens to a ring over the host's step. Times within it are shares s, 0 at its start to 1 at its end.
+// What happens to a ring over the host's step. Times within it are shares s, 0 at its start to 1 at
+// its end.
 struct RingProgram {
   enum { TILT = 3, SPIN = 5, N_DOF = 6 };
   Freedom mode[N_DOF] = {Freedom::fixed, Freedom::fixed, Freedom::fixed,
                          Freedom::fixed, Freedom::fixed, Freedom::fixed};
   double mass = 0.0;
   RingInertia inertia;
-  double target[2][N_DOF] = {};      // driven speed or position (m or rad from the origin) at both ends, linear between
-  Vec3 force[2], moment[2];          // N, N m, at both ends, linear between, before the ramp
-  double ramp = 0.0;                 // s, over which the loads come on (3s^2 - 2s^3)
-  double end = 0.0, length = 0.0;    // s: age of the load at the end of the host's step, length of that step
+  double target[2][N_DOF] =
+      {};    // driven speed or position (m or rad from the origin) at both ends, linear between
+  Vec3 force[2], moment[2];    // N, N m, at both ends, linear between, before the ramp
+  double ramp = 0.0;           // s, over which the loads come on (3s^2 - 2s^3)
+  double end = 0.0,
+         length = 0.0;    // s: age of the load at the end of the host's step, length of that step
 
   bool free(int dof) const { return mode[dof] == Freedom::free; }
-  double inertia_of(int dof) const { return dof < TILT ? mass : dof == SPIN ? inertia.axial : inertia.transverse; }
-  double target_at(int dof, double s) const { return target[0][dof] + s * (target[1][dof] - target[0][dof]); }
+  double inertia_of(int dof) const
+  {
+    return dof < TILT ? mass : dof == SPIN ? inertia.axial : inertia.transverse;
+  }
+  double target_at(int dof, double s) const
+  {
+    return target[0][dof] + s * (target[1][dof] - target[0][dof]);
+  }
   double share_of_load(double s) const
   {
     const double age = end - (1.0 - s) * length;
@@ -37,8 +48,14 @@ struct RingProgram {
     const double x = age / ramp;
     return x * x * (3.0 - 2.0 * x);
   }
-  Vec3 force_at(double s) const { return (force[0] + (force[1] - force[0]) * s) * share_of_load(s); }
-  Vec3 moment_at(double s) const { return (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s); }
+  Vec3 force_at(double s) const
+  {
+    return (force[0] + (force[1] - force[0]) * s) * share_of_load(s);
+  }
+  Vec3 moment_at(double s) const
+  {
+    return (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s);
+  }
 };
 
 struct RingPose {
@@ -60,14 +77,17 @@ struct RingPose {
 // The rotation vector (rad) across the bearing axis that turns it into e.
 inline void tilt_of(const Vec3 &e, double *tilt)
 {
-  const double sine = std::sqrt(e.x * e.x + e.y * e.y), factor = sine > 0.0 ? std::atan2(sine, e.z) / sine : 1.0;
+  const double sine = std::sqrt(e.x * e.x + e.y * e.y),
+               factor = sine > 0.0 ? std::atan2(sine, e.z) / sine : 1.0;
   tilt[0] = -factor * e.y + 0.0;    // no minus zero
   tilt[1] = factor * e.x;
 }
 
-// Implicit Euler from `base` over h to the share s of the host's step: pose = base + h (velocities at the end), these
-// being those of the base plus `gained` (6 values) where free and the driven ones elsewhere.
-inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h, double s)
+// Implicit Euler from `base` over h to the share s of the host's step: pose = base + h (velocities
+// at the end), these being those of the base plus `gained` (6 values) where free and the driven
+// ones elsewhere.
+inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h,
+                      double s)
 {
   RingPose r = base;
   double x[3], v[3], origin[3];
@@ -95,14 +115,16 @@ inline RingPose moved(const RingProgram &p, const RingPose &base, const double *
     }
   }
   if (p.free(RingProgram::TILT) && p.free(RingProgram::TILT + 1)) {
-    for (int iteration = 0; iteration < 4; ++iteration) {    // e = base + h W x e, a contraction by h |W|
+    for (int iteration = 0; iteration < 4;
+         ++iteration) {    // e = base + h W x e, a contraction by h |W|
       const Vec3 turn = cross(r.across(), r.e);
       r.e.x = base.e.x + h * turn.x;
       r.e.y = base.e.y + h * turn.y;
       r.e.z = std::sqrt(1.0 - r.e.x * r.e.x - r.e.y * r.e.y);
     }
     tilt_of(r.e, r.tilt);
-  } else if (p.mode[RingProgram::TILT] != Freedom::fixed || p.mode[RingProgram::TILT + 1] != Freedom::fixed) {
+  } else if (p.mode[RingProgram::TILT] != Freedom::fixed ||
+             p.mode[RingProgram::TILT + 1] != Freedom::fixed) {
     // driven tilts define the axis outright: no drift from adding up small rotations
     for (int k = 0; k < 2; ++k) r.tilt[k] = base.tilt[k] + h * r.rate[k];
     r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
@@ -116,7 +138,8 @@ inline RingPose moved(const RingProgram &p, const RingPose &base, const double *
   return r;
 }
 
-// On its way for h seconds with the velocities that it has (driven ones: of the share s), to the share s of the host's step.
+// On its way for h seconds with the velocities that it has (driven ones: of the share s), to the
+// share s of the host's step.
 inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, double s)
 {
   const double nothing[RingProgram::N_DOF] = {};
@@ -161,8 +184,8 @@ inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
   return r;
 }
 
-// Share s of a step of h seconds on its way from one pose to the next: places by the cubic that has the velocities of
-// both ends too, velocities linear between them.
+// Share s of a step of h seconds on its way from one pose to the next: places by the cubic that has
+// the velocities of both ends too, velocities linear between them.
 inline RingPose between(const RingPose &from, const RingPose &to, double h, double s)
 {
   const Cubic at(s, h);

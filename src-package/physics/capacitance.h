@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Electrical capacitance of a lubricated Hertz contact (docs/theory, Capacitance; Farah 2020 eqs 8, 10-12).
+// Electrical capacitance of a lubricated Hertz contact (docs/theory, Capacitance; Farah 2020 eqs 8,
+// 10-12).
 #ifndef RACEWAY_CAPACITANCE_H
 #define RACEWAY_CAPACITANCE_H
 
@@ -10,7 +11,10 @@ namespace raceway {
 constexpr double vacuum_permittivity = 8.8541878128e-12;    // F/m, CODATA 2018
 
 // rho/rho_0 at pressure p (Pa), eq 11 (Dowson & Higginson 1966).
-template <class T> RACEWAY_INLINE T density_ratio(const T &p) { return (0.59e9 + 1.34 * p) / (0.59e9 + p); }
+template <class T> RACEWAY_INLINE T density_ratio(const T &p)
+{
+  return (0.59e9 + 1.34 * p) / (0.59e9 + p);
+}
 
 // Relative permittivity at pressure p from that at ambient pressure, eq 10 (Clausius-Mossotti):
 // (eps - 1)/(eps + 2) is proportional to the density. Pre-condition 1 <= eps_ambient.
@@ -21,7 +25,8 @@ template <class T> RACEWAY_INLINE T permittivity_at(double eps_ambient, const T 
 }
 
 // Parallel plates of the Hertz ellipse, eq 8, F. a, b semi-axes (m), h central film (m).
-template <class T> RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, const T &h)
+template <class T>
+RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, const T &h)
 {
   return vacuum_permittivity * eps_r * 3.14159265358979323846 * a * b / h;
 }
@@ -31,10 +36,12 @@ template <class T> struct FilmCapacitorT {
   T h_c, capacitance;
 };
 template <class T>
-RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const ContactStateT<T> &c, double eps_ambient, double shortest)
+RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const ContactStateT<T> &c,
+                                                double eps_ambient, double shortest)
 {
   const RacewayConstantsT<T> k = p.law.at(c.cos_angle);
-  const T h = film_thickness(k.film.central, film_point(c.entrainment, c.load)), h_c = where(h > shortest, h, shortest);
+  const T h = film_thickness(k.film.central, film_point(c.entrainment, c.load)),
+          h_c = where(h > shortest, h, shortest);
   const T eps = permittivity_at(eps_ambient, T(k.p * c.root));
   return {h_c, contact_capacitance(eps, T(k.a * c.root), T(k.b * c.root), h_c)};
 }

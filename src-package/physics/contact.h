@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One ball on one raceway: from positions and velocities to load, film, friction, force and torque.
 //
-// The contact point is R_b along the normal from the ball centre; both bodies are taken rigid there.
-// The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h), its opposite acts on
-// the ring at the same point, so linear and angular momentum are conserved to rounding.
+// The contact point is R_b along the normal from the ball centre; both bodies are taken rigid
+// there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h), its
+// opposite acts on the ring at the same point, so linear and angular momentum are conserved to
+// rounding.
 //
-// Entrainment speed (docs/theory, Film): half the sum of both surface velocities relative to the moving
-// contact point, along t. The contact point rc u + zc e turns about the ring axis with the ball centre, at
-// phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis: u'.t = phi', e'.t = -W.u.
+// Entrainment speed (docs/theory, Film): half the sum of both surface velocities relative to the
+// moving contact point, along t. The contact point rc u + zc e turns about the ring axis with the
+// ball centre, at phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis: u'.t = phi', e'.t =
+// -W.u.
 #ifndef RACEWAY_CONTACT_H
 #define RACEWAY_CONTACT_H
 
@@ -24,16 +26,16 @@ struct RacewayPhysics {
   RacewayMaterial material;
   RacewayModel model;
   Friction friction = Friction::none;
-  double mu = 0.0;                  // Friction::constant
-  StribeckCurve curve;              // Friction::stribeck and regimes
-  double hysteresis = 0.08;         // s/m, alpha_e
-  double ring_roughness = 0.0;      // m
-  double ball_roughness = 0.0;      // m
-  double film_floor = -1.0;         // m, of the film damper; < 0: composite roughness
-  double tangential_ratio = -1.0;   // k_t/k_n; < 0: Mindlin
-  double tangential_zeta = 0.3;     // dashpot over critical of the rolling mode, mass 2/7 m_b
-  double creep = 0.0;               // > 0: smoothed Coulomb law, v_0 = creep * entrainment speed; 0: spring
-  double creep_floor = 1e-4;        // m/s, least v_0: a bearing at rest
+  double mu = 0.0;                   // Friction::constant
+  StribeckCurve curve;               // Friction::stribeck and regimes
+  double hysteresis = 0.08;          // s/m, alpha_e
+  double ring_roughness = 0.0;       // m
+  double ball_roughness = 0.0;       // m
+  double film_floor = -1.0;          // m, of the film damper; < 0: composite roughness
+  double tangential_ratio = -1.0;    // k_t/k_n; < 0: Mindlin
+  double tangential_zeta = 0.3;      // dashpot over critical of the rolling mode, mass 2/7 m_b
+  double creep = 0.0;    // > 0: smoothed Coulomb law, v_0 = creep * entrainment speed; 0: spring
+  double creep_floor = 1e-4;    // m/s, least v_0: a bearing at rest
 
   // derived by prepare()
   RacewayLaw law;
@@ -52,9 +54,9 @@ struct RacewayPhysics {
     inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
     floor = film_floor >= 0.0 ? film_floor : roughness;
     kt_ratio = tangential_ratio >= 0.0
-        ? tangential_ratio
-        : raceway::tangential_ratio(material.ball_young, material.ball_poisson, material.ring_young,
-                                    material.ring_poisson);
+                   ? tangential_ratio
+                   : raceway::tangential_ratio(material.ball_young, material.ball_poisson,
+                                               material.ring_young, material.ring_poisson);
     ct_factor = 2.0 * tangential_zeta * std::sqrt(2.0 / 7.0 * ball_mass);
   }
 };
@@ -72,20 +74,20 @@ using RingState = RingStateT<double>;
 
 // What a contact is at one instant. Speeds m/s, forces N, lengths m.
 template <class T> struct ContactStateT : GroovePositionT<T> {    // u, t, r, z, s, nu, ne
-  T overlap = T(), root = T();    // overlap and its square root
-  T cos_angle = T();              // of the contact angle
+  T overlap = T(), root = T();                                    // overlap and its square root
+  T cos_angle = T();                                              // of the contact angle
   T overlap_rate = T();
-  T load = T();                   // Q, elastic
-  T stiffness = T();              // dQ/d(overlap), N/m
-  T damping = T();                // C, N s/m
-  T normal = T();                 // N = max(0, Q + C d(overlap)/dt)
+  T load = T();         // Q, elastic
+  T stiffness = T();    // dQ/d(overlap), N/m
+  T damping = T();      // C, N s/m
+  T normal = T();       // N = max(0, Q + C d(overlap)/dt)
   T entrainment = T();
   T sliding_t = T(), sliding_w = T();    // ball surface minus ring surface
   T h_min = T(), lambda = T();
   T mu = T();
-  T kt = T(), ct = T();           // tangential spring and dashpot
-  T v_0 = T();                    // m/s, of the smoothed Coulomb law
-  T friction_t = T(), friction_w = T();  // force of the ring on the ball is -friction
+  T kt = T(), ct = T();                    // tangential spring and dashpot
+  T v_0 = T();                             // m/s, of the smoothed Coulomb law
+  T friction_t = T(), friction_w = T();    // force of the ring on the ball is -friction
 };
 using ContactState = ContactStateT<double>;
 
@@ -96,7 +98,8 @@ template <class T> struct ContactForcesT {
 };
 using ContactForces = ContactForcesT<double>;
 
-// Geometry only. True where the surfaces overlap (or a position is not a number); only then the frame is set.
+// Geometry only. True where the surfaces overlap (or a position is not a number); only then the
+// frame is set.
 inline bool touch(const RacewayPhysics &p, const Vec3 &d, const Vec3 &e, ContactState &c)
 {
   if (!locate_beyond(d, e, p.centre_circle, p.slack, c)) return false;
@@ -113,13 +116,15 @@ struct FrictionSpring {
     c.ct = p.ct_factor * std::sqrt(c.kt);
     xi[0] += dt * c.sliding_t;
     xi[1] += dt * c.sliding_w;
-    tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, xi, c.friction_t, c.friction_w);
+    tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, xi, c.friction_t,
+                     c.friction_w);
   }
 };
 
 // Friction by Coulomb's law smoothed over a creep speed; needs p.creep > 0.
 struct FrictionSmoothed {
-  template <class T> RACEWAY_INLINE void operator()(const RacewayPhysics &p, ContactStateT<T> &c) const
+  template <class T>
+  RACEWAY_INLINE void operator()(const RacewayPhysics &p, ContactStateT<T> &c) const
   {
     const T u = p.creep * c.entrainment;
     c.v_0 = square_root(u * u + p.creep_floor * p.creep_floor);
@@ -130,11 +135,12 @@ struct FrictionSmoothed {
   }
 };
 
-// Loads, film and friction of a contact whose overlap is set and positive; `tangential` is one of the two above.
+// Loads, film and friction of a contact whose overlap is set and positive; `tangential` is one of
+// the two above.
 template <bool with_film, Friction friction, class T, class Tangential>
 RACEWAY_INLINE ContactForcesT<T> contact_forces(const RacewayPhysics &p, const BallStateT<T> &ball,
-                                                const RingStateT<T> &ring, const Tangential &tangential,
-                                                ContactStateT<T> &c)
+                                                const RingStateT<T> &ring,
+                                                const Tangential &tangential, ContactStateT<T> &c)
 {
   const double Rb = p.groove.ball_radius;
   c.root = square_root(c.overlap);
@@ -146,7 +152,7 @@ RACEWAY_INLINE ContactForcesT<T> contact_forces(const RacewayPhysics &p, const B
   const T vu = dot(dv, c.u), vt = dot(dv, c.t), ve = dot(dv, ring.e);
   const T wu = dot(ball.w, c.u), wt = dot(ball.w, c.t), we = dot(ball.w, ring.e);
   const T Wu = dot(ring.w, c.u), Wt = dot(ring.w, c.t), We = dot(ring.w, ring.e);
-  const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;    // contact point in the ring
+  const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;             // contact point in the ring
   const T Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // ring surface, W x (rc u + zc e)
 
   c.overlap_rate = (vu - Vu) * c.nu + (ve - Ve) * c.ne;

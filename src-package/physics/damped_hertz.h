@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Frictionless sphere-like contact of cage parts: Hertz spring with critical damping (docs/theory, Friction).
+// Frictionless sphere-like contact of cage parts: Hertz spring with critical damping (docs/theory,
+// Friction).
 #ifndef RACEWAY_DAMPED_HERTZ_H
 #define RACEWAY_DAMPED_HERTZ_H
 
@@ -14,10 +15,12 @@ template <class T> struct DampedHertzT {
 };
 using DampedHertz = DampedHertzT<double>;
 
-// K overlap^1.5 with the critical damping 2 sqrt(k m) of the reduced mass m at the present stiffness k.
-// Pre-conditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg); overlap_rate in m/s, > 0 when closing.
+// K overlap^1.5 with the critical damping 2 sqrt(k m) of the reduced mass m at the present
+// stiffness k. Pre-conditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg); overlap_rate in m/s,
+// > 0 when closing.
 template <class T>
-RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T &overlap_rate, const T &m)
+RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T &overlap_rate,
+                                            const T &m)
 {
   DampedHertzT<T> h;
   const T root = square_root(overlap);

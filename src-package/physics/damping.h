@@ -21,13 +21,17 @@ inline double film_damping_prefactor(double viscosity, double radius, double len
   return 3.0 * pi * viscosity / std::sqrt(2.0) * length_factor * radius * std::sqrt(radius);
 }
 
-template <class T> RACEWAY_INLINE T film_damping(const T &prefactor, const T &a, const T &h, double floor)
+template <class T>
+RACEWAY_INLINE T film_damping(const T &prefactor, const T &a, const T &h, double floor)
 {
   const T film = where(h > floor, h, floor);
   return prefactor * a / (film * square_root(film));
 }
 
-template <class T> RACEWAY_INLINE T hysteretic_damping(double alpha_e, const T &load) { return 1.5 * alpha_e * load; }
+template <class T> RACEWAY_INLINE T hysteretic_damping(double alpha_e, const T &load)
+{
+  return 1.5 * alpha_e * load;
+}
 
 }    // namespace raceway
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exponential and logarithm by series, for a double or four side by side: within 2 units in the last place.
+// Exponential and logarithm by series, for a double or four side by side: within 2 units in the
+// last place.
 //
-// Why not the C library's: it chooses its variant by processor, so its bits are a machine's, and it takes one number at
-// a time. Only + - * / and shifts here: every processor and every lane gives the same bits.
-//   exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below 5e-18).
+// Why not the C library's: it chooses its variant by processor, so its bits are a machine's, and it
+// takes one number at a time. Only + - * / and shifts here: every processor and every lane gives
+// the same bits.
+//   exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
+//   5e-18).
 //     0 below -708 (the results that would have no full precision), infinite above 709.
-//   logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1), |f| < 0.1716, by its series
-//     to f^21 (remainder below 2e-18). Minus infinity below the smallest normal number; no meaning for x < 0 or infinity.
+//   logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1), |f| <
+//   0.1716, by its series
+//     to f^21 (remainder below 2e-18). Minus infinity below the smallest normal number; no meaning
+//     for x < 0 or infinity.
 // Not a number gives not a number.
 #ifndef RACEWAY_EXP_LOG_H
 #define RACEWAY_EXP_LOG_H
@@ -36,7 +41,8 @@ RACEWAY_INLINE double number(Bits i)
 RACEWAY_INLINE LaneBits bits(const Lane &x) { return (LaneBits)x; }
 RACEWAY_INLINE Lane number(const LaneBits &i) { return (Lane)i; }
 
-constexpr double ln2_high = 0x1.62e42fefap-1, ln2_low = 0x1.cf79abc9e3b398p-40;    // the high part times k < 2^14 is exact
+constexpr double ln2_high = 0x1.62e42fefap-1,
+                 ln2_low = 0x1.cf79abc9e3b398p-40;    // the high part times k < 2^14 is exact
 constexpr double whole = 0x1.8p52;    // adding it leaves whole numbers in the last bits
 }    // namespace detail
 
@@ -58,7 +64,8 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
 template <class T> RACEWAY_INLINE T logarithm(const T &x)
 {
   using namespace detail;
-  // exponent of x/sqrt(1/2), rounded down; made a number by the trick of `whole`, whose last bits take it with an offset
+  // exponent of x/sqrt(1/2), rounded down; made a number by the trick of `whole`, whose last bits
+  // take it with an offset
   const auto above = bits(x) - 0x3fe6a09e667f3bcdULL + (2048ULL << 52);
   const auto exponent = above >> 52;
   const T k = number(exponent | 0x4330000000000000ULL) - (0x1p52 + 2048.0);

@@ -3,8 +3,8 @@
 //
 // Every law here has the form h/R_x = c U^p G^g W^m (1 - k1 exp(-k2 kappa)) with
 //   U = eta u/(E' R_x),  G = xi E',  W = Q/(E' R_x^2),
-// and kappa constant per raceway and contact angle. So ln h = lnA + p ln u + m ln Q: the constants are
-// found once, a contact pays two logarithms and one exponential.
+// and kappa constant per raceway and contact angle. So ln h = lnA + p ln u + m ln Q: the constants
+// are found once, a contact pays two logarithms and one exponential.
 //   u  entrainment speed, m/s;  Q elastic contact load, N;  h, m.
 // Sources: Masjedi & Khonsari 2015 (smooth part, point contact); Hamrock & Dowson 1977.
 #ifndef RACEWAY_FILM_H
@@ -41,26 +41,31 @@ inline FilmLaw film_law(double c, double p, double g, double m, double side_leak
   f.p = p;
   f.m = m;
   f.lnA = std::log(Rx * c * side_leakage) + p * std::log(oil.viscosity / (Eprime * Rx)) +
-      g * std::log(oil.pressure_viscosity * Eprime) - m * std::log(Eprime * Rx * Rx);
+          g * std::log(oil.pressure_viscosity * Eprime) - m * std::log(Eprime * Rx * Rx);
   return f;
 }
 }    // namespace detail
 
-inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, double Eprime, double Rx)
+inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, double Eprime,
+                          double Rx)
 {
   FilmPair f;
   if (model == FilmModel::hamrock_dowson) {
-    f.min = detail::film_law(3.63, 0.68, 0.49, -0.073, 1.0 - std::exp(-0.68 * kappa), oil, Eprime, Rx);
-    f.central = detail::film_law(2.69, 0.67, 0.53, -0.067, 1.0 - 0.61 * std::exp(-0.73 * kappa), oil, Eprime, Rx);
+    f.min =
+        detail::film_law(3.63, 0.68, 0.49, -0.073, 1.0 - std::exp(-0.68 * kappa), oil, Eprime, Rx);
+    f.central = detail::film_law(2.69, 0.67, 0.53, -0.067, 1.0 - 0.61 * std::exp(-0.73 * kappa),
+                                 oil, Eprime, Rx);
     return f;
   }
   // eq 6 as printed; eq 9 with +exponents of kappa (errata), or with - as printed
   const double sign = model == FilmModel::masjedi_khonsari_printed ? -1.0 : 1.0;
   f.min = detail::film_law(1.637, 0.711 * std::pow(kappa, -0.023), 0.65 * std::pow(kappa, -0.045),
-                           -0.09 * std::pow(kappa, -0.15), 1.0 - 0.974 * std::exp(-0.676 * kappa), oil, Eprime, Rx);
-  f.central = detail::film_law(3.672, 0.663 * std::pow(kappa, sign * 0.025), 0.502 * std::pow(kappa, sign * 0.064),
-                               -0.045 * std::pow(kappa, sign * 0.18), 1.0 - 0.573 * std::exp(-0.74 * kappa), oil,
-                               Eprime, Rx);
+                           -0.09 * std::pow(kappa, -0.15), 1.0 - 0.974 * std::exp(-0.676 * kappa),
+                           oil, Eprime, Rx);
+  f.central =
+      detail::film_law(3.672, 0.663 * std::pow(kappa, sign * 0.025),
+                       0.502 * std::pow(kappa, sign * 0.064), -0.045 * std::pow(kappa, sign * 0.18),
+                       1.0 - 0.573 * std::exp(-0.74 * kappa), oil, Eprime, Rx);
   return f;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction coefficient (docs/theory, Friction; Farah 2020 fig. 5), the tangential spring with a Coulomb cap, and
-// Coulomb's law smoothed over a creep speed.
+// Friction coefficient (docs/theory, Friction; Farah 2020 fig. 5), the tangential spring with a
+// Coulomb cap, and Coulomb's law smoothed over a creep speed.
 //
 // mu is a constant, or follows the film parameter Lambda: boundary below Lambda_1, full film above
 // Lambda_2, and between them the cubic 3s^2 - 2s^3, s = (Lambda - Lambda_1)/(Lambda_2 - Lambda_1),
@@ -39,8 +39,8 @@ struct TangentialSpring {
   double c = 0.0;    // N s/m
 };
 
-inline void tangential_force(const TangentialSpring &s, double cap, double vt, double vw, double *xi,
-                             double &ft, double &fw)
+inline void tangential_force(const TangentialSpring &s, double cap, double vt, double vw,
+                             double *xi, double &ft, double &fw)
 {
   ft = s.k * xi[0] + s.c * vt;
   fw = s.k * xi[1] + s.c * vw;
@@ -55,10 +55,10 @@ inline void tangential_force(const TangentialSpring &s, double cap, double vt, d
 }
 
 // Coulomb's law smoothed over a sliding speed v_0:  f = mu N s/sqrt(|s|^2 + v_0^2).
-// It has no memory, is odd and monotone in s, tends to mu N for |s| >> v_0 and is a dashpot mu N/v_0 at
-// small s: a loaded contact creeps a little where the spring would stick. In a rolling contact that is
-// what a traction curve looks like: with v_0 = c u (u entrainment speed) f depends on the slide-roll
-// ratio s/u only and bends at s/u = c. Returns f/s, N s/m; cap = mu N.
+// It has no memory, is odd and monotone in s, tends to mu N for |s| >> v_0 and is a dashpot mu
+// N/v_0 at small s: a loaded contact creeps a little where the spring would stick. In a rolling
+// contact that is what a traction curve looks like: with v_0 = c u (u entrainment speed) f depends
+// on the slide-roll ratio s/u only and bends at s/u = c. Returns f/s, N s/m; cap = mu N.
 template <class T>
 RACEWAY_INLINE T smoothed_friction(const T &cap, const T &slip_t, const T &slip_w, const T &v_0)
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A ball in the torus groove of a ring, at any contact angle and ring tilt.
 //
-// Law (docs/theory, Geometry; Farah 2020 fig. 4): the centres of curvature of the groove lie on a circle
-// of radius rho about the ring axis e. With d = ball centre - ring centre, z = d.e, r = |d - z e|,
-// u = (d - z e)/r, the ball's distance from that circle is s = |(r - rho) u + z e| and
+// Law (docs/theory, Geometry; Farah 2020 fig. 4): the centres of curvature of the groove lie on a
+// circle of radius rho about the ring axis e. With d = ball centre - ring centre, z = d.e, r = |d -
+// z e|, u = (d - z e)/r, the ball's distance from that circle is s = |(r - rho) u + z e| and
 //   overlap = s - (r_c - R_b),   normal n = ((r - rho) u + z e)/s  (ball -> raceway).
 // The same expression serves both rings: rho lies outside the ball path for the inner ring
 // (n points to the axis) and inside it for the outer ring.
@@ -35,19 +35,19 @@ struct Groove {
 };
 
 template <class T> struct GroovePositionT {
-  Vec3T<T> u, t;          // radial and circumferential unit vectors
-  T r = T();              // m, distance of the ball centre from the ring axis
-  T z = T();              // m, along the axis
-  T s = T();              // m, distance from the circle of groove centres
-  T nu = T();             // normal, radial component
-  T ne = T();             // normal, axial component
+  Vec3T<T> u, t;    // radial and circumferential unit vectors
+  T r = T();        // m, distance of the ball centre from the ring axis
+  T z = T();        // m, along the axis
+  T s = T();        // m, distance from the circle of groove centres
+  T nu = T();       // normal, radial component
+  T ne = T();       // normal, axial component
 };
 using GroovePosition = GroovePositionT<double>;
 
 // Frame of a ball once r, z, the radial vector and s are known.
 template <class T>
-RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double centre_circle, const T &s2,
-                              GroovePositionT<T> &p)
+RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double centre_circle,
+                              const T &s2, GroovePositionT<T> &p)
 {
   p.u = radial * (1.0 / p.r);
   p.t = cross(e, p.u);
@@ -57,10 +57,12 @@ RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double 
   p.ne = p.z * inverse;
 }
 
-// Where a ball centre at d from the ring centre sits; e is the unit axis of the ring. False, and only r and z
-// set, if it is no farther than `slack` from the circle of groove centres (no contact); slack < 0 always locates.
-// True for a position that is not a number: it must not pass for a gap.
-inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, double slack, GroovePosition &p)
+// Where a ball centre at d from the ring centre sits; e is the unit axis of the ring. False, and
+// only r and z set, if it is no farther than `slack` from the circle of groove centres (no
+// contact); slack < 0 always locates. True for a position that is not a number: it must not pass
+// for a gap.
+inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, double slack,
+                          GroovePosition &p)
 {
   p.z = dot(d, e);
   const Vec3 radial = d - e * p.z;
@@ -73,7 +75,8 @@ inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, do
 
 // The same for every position, without a branch.
 template <class T>
-RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle, GroovePositionT<T> &p)
+RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle,
+                           GroovePositionT<T> &p)
 {
   p.z = dot(d, e);
   const Vec3T<T> radial = d - e * p.z;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Elliptical Hertz contact of two smooth elastic bodies (docs/theory, Elliptical Hertz contact; Farah 2020 eq. 2).
+// Elliptical Hertz contact of two smooth elastic bodies (docs/theory, Elliptical Hertz contact;
+// Farah 2020 eq. 2).
 //
 //   Q = K overlap^1.5,  K = pi kappa E' sqrt(Ebar R / (4.5 Fbar^3)),  1/R = 1/R_x + 1/R_y,
 //   E' = 2/sum((1 - nu^2)/E),
@@ -42,7 +43,8 @@ inline ContactEllipse exact_ellipse_major(double alpha)    // alpha = R_y/R_x >=
   double previous = residual(lo, v), at = lo;
   for (int it = 0; it < 100; ++it) {
     const double f = residual(L, v);
-    if (f > 0.0) hi = L; else lo = L;
+    if (f > 0.0) hi = L;
+    else lo = L;
     // secant slope, safeguarded by the bracket
     double next = L - f * (L - at) / (f - previous);
     if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
@@ -70,11 +72,11 @@ inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
 
 struct HertzContact {
   ContactEllipse ellipse;
-  double R = 0.0;       // m, 1/R = 1/R_x + 1/R_y
-  double K = 0.0;       // N/m^1.5
-  double a = 0.0;       // sqrt(m): semi-axis across the groove = a sqrt(overlap)
-  double b = 0.0;       // sqrt(m): semi-axis along rolling     = b sqrt(overlap)
-  double p = 0.0;       // Pa/sqrt(m): p_max = p sqrt(overlap)
+  double R = 0.0;    // m, 1/R = 1/R_x + 1/R_y
+  double K = 0.0;    // N/m^1.5
+  double a = 0.0;    // sqrt(m): semi-axis across the groove = a sqrt(overlap)
+  double b = 0.0;    // sqrt(m): semi-axis along rolling     = b sqrt(overlap)
+  double p = 0.0;    // Pa/sqrt(m): p_max = p sqrt(overlap)
 };
 
 // E' = 2/sum((1 - nu^2)/E), Pa.
@@ -89,7 +91,8 @@ inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse f
   const bool swapped = Ry < Rx;
   const double alpha = swapped ? Rx / Ry : Ry / Rx;
   HertzContact h;
-  h.ellipse = form == Ellipse::exact ? exact_ellipse_major(alpha) : fitted_ellipse_major(alpha, form);
+  h.ellipse =
+      form == Ellipse::exact ? exact_ellipse_major(alpha) : fitted_ellipse_major(alpha, form);
   h.R = 1.0 / (1.0 / Rx + 1.0 / Ry);
   const double k = h.ellipse.kappa, E = h.ellipse.Ebar, F = h.ellipse.Fbar;
   h.K = pi * k * Eprime * std::sqrt(E * h.R / (4.5 * F * F * F));
@@ -102,9 +105,11 @@ inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse f
   return h;
 }
 
-// Effective radii of a ball in a groove at contact angle alpha (cosine given), docs/theory, Geometry:
-// gamma = R_b cos(alpha)/r_pitch, R_x = R_b (1 -+ gamma), R_y = R_b r_c/(r_c - R_b).
-struct EffectiveRadii { double x, y; };
+// Effective radii of a ball in a groove at contact angle alpha (cosine given), docs/theory,
+// Geometry: gamma = R_b cos(alpha)/r_pitch, R_x = R_b (1 -+ gamma), R_y = R_b r_c/(r_c - R_b).
+struct EffectiveRadii {
+  double x, y;
+};
 inline EffectiveRadii groove_radii(double ball_radius, double groove_radius, double pitch_radius,
                                    bool inner, double cos_angle)
 {
@@ -113,18 +118,20 @@ inline EffectiveRadii groove_radii(double ball_radius, double groove_radius, dou
           ball_radius * groove_radius / (groove_radius - ball_radius)};
 }
 
-// Sphere on sphere: K = 4/3 E* sqrt(R), E* = E'/2 (the algebra of Farah 2020 eq. 3 without its extra
-// 1/(1 - nu); multiply by 1/(1 - nu) for the form as printed).
+// Sphere on sphere: K = 4/3 E* sqrt(R), E* = E'/2 (the algebra of Farah 2020 eq. 3 without its
+// extra 1/(1 - nu); multiply by 1/(1 - nu) for the form as printed).
 inline double sphere_stiffness(double R1, double R2, double Eprime)
 {
   return 2.0 / 3.0 * Eprime * std::sqrt(R1 * R2 / (R1 + R2));
 }
 
 // Ratio of tangential to normal incremental stiffness of a sticking circular contact,
-// k_t/k_n = 4 G*/E*, 1/G* = sum((2 - nu)/G), E* = E'/2 (Mindlin 1949; 2(1-nu)/(2-nu) for like bodies).
+// k_t/k_n = 4 G*/E*, 1/G* = sum((2 - nu)/G), E* = E'/2 (Mindlin 1949; 2(1-nu)/(2-nu) for like
+// bodies).
 inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
 {
-  const double g = 1.0 / ((2.0 - nu1) * 2.0 * (1.0 + nu1) / E1 + (2.0 - nu2) * 2.0 * (1.0 + nu2) / E2);
+  const double g =
+      1.0 / ((2.0 - nu1) * 2.0 * (1.0 + nu1) / E1 + (2.0 - nu2) * 2.0 * (1.0 + nu2) / E2);
   return 4.0 * g / (0.5 * reduced_modulus(E1, nu1, E2, nu2));
 }
 

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four numbers side by side, one per ball: the formulas of this folder take them in place of a double.
+// Four numbers side by side, one per ball: the formulas of this folder take them in place of a
+// double.
 //
-// A Lane is the compiler's own vector type, so + - * / and comparisons work as they stand; what is missing is
-// here, for double and Lane alike. Nothing is reordered, fused or approximated: lane k of a result has the bits
-// that a double would have, on every instruction set the compiler may choose.
+// A Lane is the compiler's own vector type, so + - * / and comparisons work as they stand; what is
+// missing is here, for double and Lane alike. Nothing is reordered, fused or approximated: lane k
+// of a result has the bits that a double would have, on every instruction set the compiler may
+// choose.
 #ifndef RACEWAY_LANE_H
 #define RACEWAY_LANE_H
 
 #include <cmath>
 
-// A function that takes a Lane must be compiled for the instruction set of its caller, so it is never called.
+// A function that takes a Lane must be compiled for the instruction set of its caller, so it is
+// never called.
 #define RACEWAY_INLINE __attribute__((always_inline)) inline
 
-// A function that calls such functions: compiled for each of these instruction sets, the best one is chosen at run
-// time. Without fused multiply-add, so all give the same bits. Sanitizers do not know the mechanism.
+// A function that calls such functions: compiled for each of these instruction sets, the best one
+// is chosen at run time. Without fused multiply-add, so all give the same bits. Sanitizers do not
+// know the mechanism.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define RACEWAY_LANES __attribute__((target_clones("avx2", "default")))
 #else
@@ -38,9 +42,18 @@ RACEWAY_INLINE Lane square_root(const Lane &a)
 RACEWAY_INLINE Lane magnitude(const Lane &a) { return a < 0.0 ? -a : a; }
 
 RACEWAY_INLINE double where(bool test, double yes, double no) { return test ? yes : no; }
-RACEWAY_INLINE Lane where(const LaneMask &test, const Lane &yes, const Lane &no) { return test ? yes : no; }
-RACEWAY_INLINE Lane where(const LaneMask &test, const Lane &yes, double no) { return test ? yes : all_lanes(no); }
-RACEWAY_INLINE Lane where(const LaneMask &test, double yes, const Lane &no) { return test ? all_lanes(yes) : no; }
+RACEWAY_INLINE Lane where(const LaneMask &test, const Lane &yes, const Lane &no)
+{
+  return test ? yes : no;
+}
+RACEWAY_INLINE Lane where(const LaneMask &test, const Lane &yes, double no)
+{
+  return test ? yes : all_lanes(no);
+}
+RACEWAY_INLINE Lane where(const LaneMask &test, double yes, const Lane &no)
+{
+  return test ? all_lanes(yes) : no;
+}
 
 RACEWAY_INLINE Lane where(const LaneMask &test, double yes, double no)
 {

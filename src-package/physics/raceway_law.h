@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All constants of one raceway that a contact needs, as functions of the contact angle.
 //
-// The effective radii follow the contact angle (docs/theory, Geometry), and with them stiffness, ellipse
-// and film exponents. They depend on cos(alpha) only, so they are computed once on a uniform grid of
-// cos(alpha) in [0, 1] and interpolated by a four-point cubic: relative error below 1e-9 (tested).
-// A radial scene stays at cos(alpha) = 1 and uses those constants directly.
+// The effective radii follow the contact angle (docs/theory, Geometry), and with them stiffness,
+// ellipse and film exponents. They depend on cos(alpha) only, so they are computed once on a
+// uniform grid of cos(alpha) in [0, 1] and interpolated by a four-point cubic: relative error below
+// 1e-9 (tested). A radial scene stays at cos(alpha) = 1 and uses those constants directly.
 #ifndef RACEWAY_RACEWAY_LAW_H
 #define RACEWAY_RACEWAY_LAW_H
 
@@ -19,31 +19,35 @@
 namespace raceway {
 
 template <class T> struct RacewayConstantsT {
-  T K;                // N/m^1.5
-  T a, b;             // sqrt(m), semi-axes over sqrt(overlap)
-  T p;                // Pa/sqrt(m)
-  FilmPairT<T> film;  // h_min, h_c
-  T film_damper;      // N s/m^0.5, C_fluid = film_damper * a sqrt(overlap) * h^-1.5
+  T K;                  // N/m^1.5
+  T a, b;               // sqrt(m), semi-axes over sqrt(overlap)
+  T p;                  // Pa/sqrt(m)
+  FilmPairT<T> film;    // h_min, h_c
+  T film_damper;        // N s/m^0.5, C_fluid = film_damper * a sqrt(overlap) * h^-1.5
 };
 using RacewayConstants = RacewayConstantsT<double>;
 
 struct RacewayMaterial {
   double ball_young = 210e9, ball_poisson = 0.3;
   double ring_young = 210e9, ring_poisson = 0.3;
-  double Eprime() const { return reduced_modulus(ball_young, ball_poisson, ring_young, ring_poisson); }
+  double Eprime() const
+  {
+    return reduced_modulus(ball_young, ball_poisson, ring_young, ring_poisson);
+  }
 };
 
 struct RacewayModel {
   Ellipse ellipse = Ellipse::exact;
   FilmModel film = FilmModel::masjedi_khonsari;
-  Lubricant lubricant;                 // viscosity 0: dry
-  bool damper_full_axis = false;       // eq 5 with 2a instead of a
-  bool damper_rolling_radius = false;  // eq 5 with R_x instead of R_b
+  Lubricant lubricant;                   // viscosity 0: dry
+  bool damper_full_axis = false;         // eq 5 with 2a instead of a
+  bool damper_rolling_radius = false;    // eq 5 with R_x instead of R_b
 };
 
 // Exact constants at one contact angle.
-inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius, const RacewayMaterial &mat,
-                                          const RacewayModel &model, double cos_angle)
+inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius,
+                                          const RacewayMaterial &mat, const RacewayModel &model,
+                                          double cos_angle)
 {
   const double E = mat.Eprime();
   const EffectiveRadii R =
@@ -62,8 +66,10 @@ inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius, 
 class RacewayLaw {
  public:
   RacewayLaw() = default;
-  RacewayLaw(const Groove &g, double pitch_radius, const RacewayMaterial &mat, const RacewayModel &model) :
-      radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), packed_radial_(pack(radial_)), grid_(cells + 3)
+  RacewayLaw(const Groove &g, double pitch_radius, const RacewayMaterial &mat,
+             const RacewayModel &model) :
+      radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), packed_radial_(pack(radial_)),
+      grid_(cells + 3)
   {
     // one node beyond each end so that every cell has its four points
     for (int i = 0; i < cells + 3; ++i)
@@ -101,7 +107,8 @@ class RacewayLaw {
     if (i > cells - 1) i = cells - 1;
     const double s = x - i;
     // Lagrange weights on nodes -1, 0, 1, 2
-    const double w0 = -s * (s - 1.0) * (s - 2.0) / 6.0, w1 = (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0;
+    const double w0 = -s * (s - 1.0) * (s - 2.0) / 6.0,
+                 w1 = (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0;
     const double w2 = -(s + 1.0) * s * (s - 2.0) / 2.0, w3 = (s + 1.0) * s * (s - 1.0) / 6.0;
     Packed v;
     for (int k = 0; k < n_constants; ++k)
@@ -114,8 +121,17 @@ class RacewayLaw {
 
   static Packed pack(const RacewayConstants &c)
   {
-    return {c.K, c.a, c.b, c.p, c.film.min.lnA, c.film.min.p, c.film.min.m,
-            c.film.central.lnA, c.film.central.p, c.film.central.m, c.film_damper};
+    return {c.K,
+            c.a,
+            c.b,
+            c.p,
+            c.film.min.lnA,
+            c.film.min.p,
+            c.film.min.m,
+            c.film.central.lnA,
+            c.film.central.p,
+            c.film.central.m,
+            c.film_damper};
   }
   static RacewayConstants unpack(const Packed &v)
   {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A cage ball on a torus rail (docs/theory, Rings): elastic, frictionless, critically damped.
 //
-// The rail is a torus: centre-circle radius, tube radius, axial offset of that circle along the ring
-// axis. Contact when the ball centre is nearer to the centre circle than ball radius + tube radius.
-// Hertz constants are those of the seat: the ball touches the tube from the axis side under the seat
-// angle (0 = radially outside the ball), so that along the rail the surface is concave.
+// The rail is a torus: centre-circle radius, tube radius, axial offset of that circle along the
+// ring axis. Contact when the ball centre is nearer to the centre circle than ball radius + tube
+// radius. Hertz constants are those of the seat: the ball touches the tube from the axis side under
+// the seat angle (0 = radially outside the ball), so that along the rail the surface is concave.
 #ifndef RACEWAY_RAIL_H
 #define RACEWAY_RAIL_H
 
@@ -36,24 +36,26 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
   const double dr = rail.circle - pitch, dz = rail.offset;
   const double distance = std::sqrt(dr * dr + dz * dz);
   const double cos_seat = dr / distance;
-  const double contact_radius = pitch + ball_radius * cos_seat;    // of the contact point about the axis
+  const double contact_radius =
+      pitch + ball_radius * cos_seat;    // of the contact point about the axis
   const double along = 1.0 / ball_radius - cos_seat / contact_radius;
   const double across = 1.0 / ball_radius + 1.0 / rail.tube;
   return hertz_contact(1.0 / along, 1.0 / across, Eprime, Ellipse::exact).K;
 }
 
-// One cage ball on one rail in the meridional plane of the ring: ball centre at radius r and height z, moving at
-// vr, ve against the ring. Without a branch, so that a loop over many balls becomes vector code; without contact
-// the force is 0.
+// One cage ball on one rail in the meridional plane of the ring: ball centre at radius r and height
+// z, moving at vr, ve against the ring. Without a branch, so that a loop over many balls becomes
+// vector code; without contact the force is 0.
 template <class T> struct RailContactT {
-  T nr, ne;         // rail -> ball
+  T nr, ne;    // rail -> ball
   DampedHertzT<T> h;
 };
 using RailContact = RailContactT<double>;
 
 template <class T>
-RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T &r, const T &z, const T &vr, const T &ve,
-                                            const T &radius, const T &mass)
+RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T &r, const T &z,
+                                            const T &vr, const T &ve, const T &radius,
+                                            const T &mass)
 {
   RailContactT<T> c;
   const T dr = r - rail.circle, dz = z - rail.offset, s = square_root(T(dr * dr + dz * dz));

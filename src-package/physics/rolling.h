@@ -7,7 +7,8 @@ namespace raceway {
 
 struct Rolling {
   double orbit = 0.0;    // rad/s, ball centres (cage) about the bearing axis
-  double spin = 0.0;     // rad/s, ball about its own axis, parallel to the bearing axis, inertial frame
+  double spin =
+      0.0;    // rad/s, ball about its own axis, parallel to the bearing axis, inertial frame
 };
 
 // Ball radius R, pitch radius r, ring speeds (rad/s). No slip at r - R (inner) and r + R (outer).

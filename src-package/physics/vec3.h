@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Three-component vector, just enough algebra for contacts and rings. T is double, or Lane (lane.h).
+// Three-component vector, just enough algebra for contacts and rings. T is double, or Lane
+// (lane.h).
 #ifndef RACEWAY_VEC3_H
 #define RACEWAY_VEC3_H
 
@@ -11,21 +12,49 @@ template <class T> struct Vec3T {
   T x = T(), y = T(), z = T();
 
   static RACEWAY_INLINE Vec3T from(const T *p) { return {p[0], p[1], p[2]}; }
-  RACEWAY_INLINE void to(T *p) const { p[0] = x; p[1] = y; p[2] = z; }
-  RACEWAY_INLINE void add_to(T *p) const { p[0] += x; p[1] += y; p[2] += z; }
+  RACEWAY_INLINE void to(T *p) const
+  {
+    p[0] = x;
+    p[1] = y;
+    p[2] = z;
+  }
+  RACEWAY_INLINE void add_to(T *p) const
+  {
+    p[0] += x;
+    p[1] += y;
+    p[2] += z;
+  }
 
   RACEWAY_INLINE Vec3T operator-() const { return {-x, -y, -z}; }
   RACEWAY_INLINE Vec3T operator+(const Vec3T &b) const { return {x + b.x, y + b.y, z + b.z}; }
   RACEWAY_INLINE Vec3T operator-(const Vec3T &b) const { return {x - b.x, y - b.y, z - b.z}; }
-  template <class S> RACEWAY_INLINE Vec3T operator*(const S &s) const { return {s * x, s * y, s * z}; }
-  RACEWAY_INLINE Vec3T &operator+=(const Vec3T &b) { x += b.x; y += b.y; z += b.z; return *this; }
-  RACEWAY_INLINE Vec3T &operator-=(const Vec3T &b) { x -= b.x; y -= b.y; z -= b.z; return *this; }
+  template <class S> RACEWAY_INLINE Vec3T operator*(const S &s) const
+  {
+    return {s * x, s * y, s * z};
+  }
+  RACEWAY_INLINE Vec3T &operator+=(const Vec3T &b)
+  {
+    x += b.x;
+    y += b.y;
+    z += b.z;
+    return *this;
+  }
+  RACEWAY_INLINE Vec3T &operator-=(const Vec3T &b)
+  {
+    x -= b.x;
+    y -= b.y;
+    z -= b.z;
+    return *this;
+  }
 };
 
 using Vec3 = Vec3T<double>;
 
 RACEWAY_INLINE Vec3 operator*(double s, const Vec3 &a) { return a * s; }
-template <class T> RACEWAY_INLINE T dot(const Vec3T<T> &a, const Vec3T<T> &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class T> RACEWAY_INLINE T dot(const Vec3T<T> &a, const Vec3T<T> &b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 template <class T> RACEWAY_INLINE Vec3T<T> cross(const Vec3T<T> &a, const Vec3T<T> &b)
 {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

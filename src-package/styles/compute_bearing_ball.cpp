@@ -11,17 +11,21 @@ using bearing::RacewayContact;
 ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
     BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/ball"))
 {
-  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/ball", narg, arg, BRG_COMPUTE_FIRST);
+  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/ball", narg, arg,
+                          BRG_COMPUTE_FIRST);
   do {
     const std::string name = args.word("a ball attribute");
     if (name == "azimuth" || name == "orbit") {
       columns_.push_back({name == "azimuth" ? azimuth : orbit, nullptr});
       continue;
     }
-    const bool is_inner = name.compare(0, 6, "inner_") == 0, is_outer = name.compare(0, 6, "outer_") == 0;
-    const bearing::ContactAttribute *a = is_inner || is_outer ? bearing::find_attribute(name.substr(6)) : nullptr;
+    const bool is_inner = name.compare(0, 6, "inner_") == 0,
+               is_outer = name.compare(0, 6, "outer_") == 0;
+    const bearing::ContactAttribute *a =
+        is_inner || is_outer ? bearing::find_attribute(name.substr(6)) : nullptr;
     if (!a)
-      args.fail("unknown attribute '" + name + "'; known: azimuth, orbit, and with inner_ or outer_ before it: " +
+      args.fail("unknown attribute '" + name +
+                "'; known: azimuth, orbit, and with inner_ or outer_ before it: " +
                 bearing::attribute_names());
     if (a->film && !pair_->lubricated())
       args.fail("attribute '" + name + "' needs a lubricant: use pair_style bearing/ehd");
@@ -49,7 +53,8 @@ void ComputeBearingBall::init()
 void ComputeBearingBall::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
-  pair_ = PairBearingHertz::find(lmp, "compute bearing/ball");    // it may have been replaced between runs
+  pair_ = PairBearingHertz::find(
+      lmp, "compute bearing/ball");    // it may have been replaced between runs
   const int n = static_cast<int>(columns_.size());
   if (atom->nmax > nmax_) {
     nmax_ = atom->nmax;
@@ -68,9 +73,11 @@ void ComputeBearingBall::compute_peratom()
     if (!(atom->mask[c.i_ball] & groupbit)) continue;
     for (int k = 0; k < n; ++k) {
       double &v = array_[c.i_ball][k];
-      if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner) continue;    // seen from outside
+      if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner)
+        continue;    // seen from outside
       if (columns_[k].kind == azimuth) {
-        v = bearing::azimuth(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]), context_.axis);
+        v = bearing::azimuth(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
+                             context_.axis);
       } else if (columns_[k].kind == orbit) {
         v = bearing::orbit(*atom, *pair_, c);
       } else if (c.live && (columns_[k].kind == inner) == (c.side() == Side::inner)) {
@@ -81,4 +88,7 @@ void ComputeBearingBall::compute_peratom()
   }
 }
 
-double ComputeBearingBall::memory_usage() { return double(nmax_) * (columns_.size() + 1) * sizeof(double); }
+double ComputeBearingBall::memory_usage()
+{
+  return double(nmax_) * (columns_.size() + 1) * sizeof(double);
+}

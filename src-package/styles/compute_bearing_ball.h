@@ -6,7 +6,7 @@ ComputeStyle(bearing/ball,ComputeBearingBall)
 #ifndef LMP_COMPUTE_BEARING_BALL_H
 #define LMP_COMPUTE_BEARING_BALL_H
 
-#include "contact_attribute.h"
+#include "../contacts/contact_attribute.h"
 
 namespace LAMMPS_NS {
 
@@ -20,7 +20,10 @@ class ComputeBearingBall : public Compute {
 
  private:
   enum Kind { azimuth, orbit, inner, outer };
-  struct Column { Kind kind; const bearing::ContactAttribute *attribute; };
+  struct Column {
+    Kind kind;
+    const bearing::ContactAttribute *attribute;
+  };
 
   PairBearingHertz *pair_;
   std::vector<Column> columns_;

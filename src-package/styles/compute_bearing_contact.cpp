@@ -10,7 +10,8 @@ using bearing::RacewayContact;
 ComputeBearingContact::ComputeBearingContact(BRG_COMPUTE_ARGS) :
     BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/contact"))
 {
-  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/contact", narg, arg, BRG_COMPUTE_FIRST);
+  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/contact", narg, arg,
+                          BRG_COMPUTE_FIRST);
   columns_ = bearing::read_attributes(args, *pair_);
   local_flag = 1;
   size_local_rows = 0;
@@ -28,7 +29,8 @@ void ComputeBearingContact::init()
 void ComputeBearingContact::compute_local()
 {
   invoked_local = update->ntimestep;
-  pair_ = PairBearingHertz::find(lmp, "compute bearing/contact");    // it may have been replaced between runs
+  pair_ = PairBearingHertz::find(
+      lmp, "compute bearing/contact");    // it may have been replaced between runs
   values_.clear();
   for (const RacewayContact &c : pair_->table().raceway) {
     if (!c.live || !(atom->mask[c.i_ball] & groupbit)) continue;

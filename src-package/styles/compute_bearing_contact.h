@@ -6,7 +6,7 @@ ComputeStyle(bearing/contact,ComputeBearingContact)
 #ifndef LMP_COMPUTE_BEARING_CONTACT_H
 #define LMP_COMPUTE_BEARING_CONTACT_H
 
-#include "contact_attribute.h"
+#include "../contacts/contact_attribute.h"
 
 namespace LAMMPS_NS {
 

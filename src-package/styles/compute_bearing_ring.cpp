@@ -16,16 +16,55 @@ using bearing::RingSum;
 namespace {
 
 // What a contact says about its ring.
-enum Said { LIVE, LOADED, LOAD, PRESSURE, H_MIN, LAMBDA, FRICTION, DAMPING, CAPACITANCE, ORBIT, ALONG, N_SAID = ALONG + 3 };
+enum Said {
+  LIVE,
+  LOADED,
+  LOAD,
+  PRESSURE,
+  H_MIN,
+  LAMBDA,
+  FRICTION,
+  DAMPING,
+  CAPACITANCE,
+  ORBIT,
+  ALONG,
+  N_SAID = ALONG + 3
+};
 
 enum Value {
-  RING, X, Y, Z, VX, VY, VZ, SPIN, ANGLE, FX, FY, FZ, MX, MY, MZ, TORQUE,
-  CONTACTS, BALLS, MOST_LOAD, MOST_PRESSURE, LEAST_H, LEAST_LAMBDA, MEAN_ORBIT, FRICTION_POWER, DAMPING_POWER, SUM_CAPACITANCE,
+  RING,
+  X,
+  Y,
+  Z,
+  VX,
+  VY,
+  VZ,
+  SPIN,
+  ANGLE,
+  FX,
+  FY,
+  FZ,
+  MX,
+  MY,
+  MZ,
+  TORQUE,
+  CONTACTS,
+  BALLS,
+  MOST_LOAD,
+  MOST_PRESSURE,
+  LEAST_H,
+  LEAST_LAMBDA,
+  MEAN_ORBIT,
+  FRICTION_POWER,
+  DAMPING_POWER,
+  SUM_CAPACITANCE,
   N_VALUE
 };
-const char *const names[N_VALUE] = {"ring", "x", "y", "z", "vx", "vy", "vz", "spin", "angle", "fx", "fy", "fz", "mx", "my", "mz",
-                                    "torque", "contacts", "balls", "load", "pressure", "h_min", "lambda", "orbit",
-                                    "friction_power", "damping_power", "capacitance"};
+const char *const names[N_VALUE] = {
+    "ring",          "x",          "y",    "z",        "vx",    "vy",     "vz",    "spin",
+    "angle",         "fx",         "fy",   "fz",       "mx",    "my",     "mz",    "torque",
+    "contacts",      "balls",      "load", "pressure", "h_min", "lambda", "orbit", "friction_power",
+    "damping_power", "capacitance"};
 
 }    // namespace
 
@@ -33,7 +72,8 @@ const char *const names[N_VALUE] = {"ring", "x", "y", "z", "vx", "vy", "vz", "sp
 ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
     BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/ring"))
 {
-  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/ring", narg, arg, BRG_COMPUTE_FIRST);
+  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/ring", narg, arg,
+                          BRG_COMPUTE_FIRST);
   do {
     const std::string name = args.word("a value");
     const int k = static_cast<int>(std::find(names, names + N_VALUE, name) - names);
@@ -59,7 +99,8 @@ void ComputeBearingRing::init()
   context_.capacitance.clear();
   if (std::count(columns_.begin(), columns_.end(), SUM_CAPACITANCE) == 0) return;
   context_.capacitance = bearing::capacitance_fixes(lmp);
-  if (context_.capacitance.empty()) BRG_ALL(name + ": value 'capacitance' needs a fix bearing/capacitance");
+  if (context_.capacitance.empty())
+    BRG_ALL(name + ": value 'capacitance' needs a fix bearing/capacitance");
 }
 
 // By claim, which is how a contact reaches the owner of its ring.
@@ -119,16 +160,19 @@ void ComputeBearingRing::ring_values(int n, double *of) const
 void ComputeBearingRing::compute_local()
 {
   invoked_local = update->ntimestep;
-  pair_ = PairBearingHertz::find(lmp, "compute bearing/ring");    // it may have been replaced between runs
+  pair_ = PairBearingHertz::find(
+      lmp, "compute bearing/ring");    // it may have been replaced between runs
   tell();
   const RingSum &rings = pair_->ring_sum();
-  std::vector<double> of(static_cast<size_t>(rings.rings()) * N_VALUE, 0.0), balls(rings.rings(), 0.0);
+  std::vector<double> of(static_cast<size_t>(rings.rings()) * N_VALUE, 0.0),
+      balls(rings.rings(), 0.0);
   for (int n = 0; n < rings.rings(); ++n) ring_values(n, &of[static_cast<size_t>(n) * N_VALUE]);
   pair_->ring_sum().collect(N_SAID, said_, [&](int n, RingSum::Source source, const double *said) {
     if (source != RingSum::ball) return;
     double *v = &of[static_cast<size_t>(n) * N_VALUE];
     balls[n] += 1.0;
-    v[MEAN_ORBIT] += said[ORBIT] - dot(Vec3::from(atom->v[rings.ring(n)]), Vec3::from(said + ALONG));
+    v[MEAN_ORBIT] +=
+        said[ORBIT] - dot(Vec3::from(atom->v[rings.ring(n)]), Vec3::from(said + ALONG));
     v[BALLS] += said[LOADED];
     v[SUM_CAPACITANCE] += said[CAPACITANCE];
     if (said[LIVE] == 0.0) return;
@@ -157,5 +201,6 @@ void ComputeBearingRing::compute_local()
 
 double ComputeBearingRing::memory_usage()
 {
-  return (said_.capacity() + values_.capacity()) * sizeof(double) + rows_.capacity() * sizeof(double *);
+  return (said_.capacity() + values_.capacity()) * sizeof(double) +
+         rows_.capacity() * sizeof(double *);
 }

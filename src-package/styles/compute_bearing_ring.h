@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/ring: a row per ring of a group: its motion, the sum of what acts on it, sums and extremes of its contacts.
-// With a group of inner rings that is a row per bearing, whatever the number of bearings.
+// compute bearing/ring: a row per ring of a group: its motion, the sum of what acts on it, sums and
+// extremes of its contacts. With a group of inner rings that is a row per bearing, whatever the
+// number of bearings.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/ring,ComputeBearingRing)
 #else
 #ifndef LMP_COMPUTE_BEARING_RING_H
 #define LMP_COMPUTE_BEARING_RING_H
 
-#include "contact_attribute.h"
+#include "../contacts/contact_attribute.h"
 
 #include <vector>
 
@@ -27,7 +28,7 @@ class ComputeBearingRing : public Compute {
   PairBearingHertz *pair_;
   bearing::AttributeContext context_;    // who knows capacitances
   std::vector<int> columns_;
-  std::vector<double> said_;      // by the contacts of this rank
+  std::vector<double> said_;    // by the contacts of this rank
   std::vector<double> values_;
   std::vector<double *> rows_;
 };

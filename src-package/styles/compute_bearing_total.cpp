@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_bearing_total.h"
 
-#include "arguments.h"
-#include "contact_attribute.h"
-#include "gather.h"
+#include "../contacts/contact_attribute.h"
+#include "../deck/arguments.h"
+#include "../ranks/gather.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ using bearing::RacewayContact;
 ComputeBearingTotal::ComputeBearingTotal(BRG_COMPUTE_ARGS) :
     BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/total"))
 {
-  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/total", narg, arg, BRG_COMPUTE_FIRST);
+  bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/total", narg, arg,
+                          BRG_COMPUTE_FIRST);
   if (args.more()) args.unknown("none, the command ends here");
   vector_flag = 1;
   size_vector = N_COLUMN;
@@ -28,12 +29,17 @@ void ComputeBearingTotal::init() { pair_ = PairBearingHertz::find(lmp, "compute 
 void ComputeBearingTotal::compute_vector()
 {
   invoked_vector = update->ntimestep;
-  pair_ = PairBearingHertz::find(lmp, "compute bearing/total");    // it may have been replaced between runs
+  pair_ = PairBearingHertz::find(
+      lmp, "compute bearing/total");    // it may have been replaced between runs
   // largest values; the smallest as the largest negative
   double most[7] = {0.0, 0.0, 0.0, -HUGE_VAL, -HUGE_VAL, 0.0, 0.0};
-  // counts are exact in any order; real sums are made over all balls by tag, for the same bits on any ranks
+  // counts are exact in any order; real sums are made over all balls by tag, for the same bits on
+  // any ranks
   double count[3] = {};    // live contacts, balls loaded on both sides, balls
-  struct Ball { bearing::tag_t tag; double orbit, friction, damping; };
+  struct Ball {
+    bearing::tag_t tag;
+    double orbit, friction, damping;
+  };
   std::vector<Ball> balls;
   const std::vector<RacewayContact> &rows = pair_->table().raceway;
   for (size_t i = 0; i < rows.size();) {
@@ -63,7 +69,8 @@ void ComputeBearingTotal::compute_vector()
     ball.orbit = bearing::orbit(*atom, *pair_, c);
     balls.push_back(ball);
   }
-  for (const bearing::SphereContact &s : pair_->table().sphere) most[5] = std::max(most[5], s.force);
+  for (const bearing::SphereContact &s : pair_->table().sphere)
+    most[5] = std::max(most[5], s.force);
   MPI_Allreduce(MPI_IN_PLACE, most, 7, MPI_DOUBLE, MPI_MAX, world);
   MPI_Allreduce(MPI_IN_PLACE, count, 3, MPI_DOUBLE, MPI_SUM, world);
   balls = bearing::gather_all(balls, world);

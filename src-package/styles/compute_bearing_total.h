@@ -17,8 +17,18 @@ class ComputeBearingTotal : public Compute {
   void compute_vector() override;
 
   enum Column {    // c_ID[...], from 1
-    LIVE, LOADED_BALLS, INNER_LOAD, OUTER_LOAD, PRESSURE, H_MIN, LAMBDA, ORBIT, FRICTION_POWER, DAMPING_POWER,
-    CAGE_FORCE, N_COLUMN
+    LIVE,
+    LOADED_BALLS,
+    INNER_LOAD,
+    OUTER_LOAD,
+    PRESSURE,
+    H_MIN,
+    LAMBDA,
+    ORBIT,
+    FRICTION_POWER,
+    DAMPING_POWER,
+    CAGE_FORCE,
+    N_COLUMN
   };
 
  private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "create_bearing.h"
 
+#include "../deck/arguments.h"
 #include "../physics/rolling.h"
-#include "arguments.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
@@ -10,15 +10,19 @@ using namespace raceway;
 using bearing::Arguments;
 using bearing::text;
 
-// create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c] [cage_density RHO]
+// create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
+// [cage_density RHO]
 //   [centre x y z] [phase PHI] [speed W_i W_o]
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
-  if (!domain->box_exist) args.fail("the simulation box does not exist yet: create_box comes first");
-  if (modify->nfix_restart_peratom) args.fail("comes before read_restart, not after: the restart file has the bearing");
+  if (!domain->box_exist)
+    args.fail("the simulation box does not exist yet: create_box comes first");
+  if (modify->nfix_restart_peratom)
+    args.fail("comes before read_restart, not after: the restart file has the bearing");
   const PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
-  if (!atom->radius_flag || !atom->rmass_flag) args.fail("needs atom_style sphere (granular in LIGGGHTS)");
+  if (!atom->radius_flag || !atom->rmass_flag)
+    args.fail("needs atom_style sphere (granular in LIGGGHTS)");
   Plan plan = parse(args);
   check(args, pair, plan);
   place(plan, pair);
@@ -36,67 +40,77 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     else if (args.take("diameter")) p.ball_radius = 0.5 * args.positive("ball diameter (m)");
     else if (args.take("density")) p.ball_density = args.positive("ball density (kg/m^3)");
     else if (args.take("cage")) p.cage_radius = 0.5 * args.positive("cage ball diameter (m)");
-    else if (args.take("cage_density")) p.cage_density = args.positive("cage ball density (kg/m^3)");
+    else if (args.take("cage_density"))
+      p.cage_density = args.positive("cage ball density (kg/m^3)");
     else if (args.take("centre"))
       for (double &c : p.centre) c = args.number("centre (m)");
     else if (args.take("phase")) p.phase = args.number("azimuth of the first ball (rad)");
     else if (args.take("speed")) {
       p.inner_speed = args.number("speed of the inner ring (rad/s)");
       p.outer_speed = args.number("speed of the outer ring (rad/s)");
-    } else
-      args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed");
+    } else args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed");
   }
   if (p.balls == 0) args.fail("'balls Z' is missing");
   if (p.ball_radius == 0.0) args.fail("'diameter D' is missing");
-  if (p.cage_type && p.cage_radius == 0.0) args.fail("'cage D_c' is missing (or use 'none' as cage type)");
+  if (p.cage_type && p.cage_radius == 0.0)
+    args.fail("'cage D_c' is missing (or use 'none' as cage type)");
   return p;
 }
 
 void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p)
 {
-  const RacewayPhysics *in = pair.raceway(p.ball_type, p.inner_type), *out = pair.raceway(p.ball_type, p.outer_type);
+  const RacewayPhysics *in = pair.raceway(p.ball_type, p.inner_type),
+                       *out = pair.raceway(p.ball_type, p.outer_type);
   if (!in || in->groove.side != Side::inner)
-    args.fail("missing ring: no pair_coeff " + std::to_string(p.ball_type) + " " + std::to_string(p.inner_type) +
-              " inner ... before this command");
+    args.fail("missing ring: no pair_coeff " + std::to_string(p.ball_type) + " " +
+              std::to_string(p.inner_type) + " inner ... before this command");
   if (!out || out->groove.side != Side::outer)
-    args.fail("missing ring: no pair_coeff " + std::to_string(p.ball_type) + " " + std::to_string(p.outer_type) +
-              " outer ... before this command");
+    args.fail("missing ring: no pair_coeff " + std::to_string(p.ball_type) + " " +
+              std::to_string(p.outer_type) + " outer ... before this command");
   const double Ri = in->groove.raceway_radius, Re = out->groove.raceway_radius, R = p.ball_radius;
   if (Ri >= Re)
-    args.fail("two rings at odds: inner raceway radius " + text(Ri) + " m is not smaller than the outer one, " +
-              text(Re) + " m");
+    args.fail("two rings at odds: inner raceway radius " + text(Ri) +
+              " m is not smaller than the outer one, " + text(Re) + " m");
   for (const RacewayPhysics *r : {in, out})
     if (r->groove.groove_radius <= R)
-      args.fail("groove radius " + text(r->groove.groove_radius) + " m must be larger than the ball radius " +
-                text(R) + " m (a conformal groove is no Hertz point contact)");
+      args.fail("groove radius " + text(r->groove.groove_radius) +
+                " m must be larger than the ball radius " + text(R) +
+                " m (a conformal groove is no Hertz point contact)");
   p.pitch = 0.5 * (Ri + Re);
   // both contacts share the interference -P_d/2 of a ball that has no room
   const double clearance = 2.0 * (Re - Ri - 2.0 * R), squeeze = -0.25 * clearance;
   const double allowed = 0.02 * R;
   if (squeeze > allowed)
-    args.fail("clearance " + text(clearance) + " m (2 (R_e - R_i - 2 R_b)) leaves no room for balls of diameter " +
-              text(2.0 * R) + " m: it may not be below " + text(-4.0 * allowed) + " m");
+    args.fail("clearance " + text(clearance) +
+              " m (2 (R_e - R_i - 2 R_b)) leaves no room for balls of diameter " + text(2.0 * R) +
+              " m: it may not be below " + text(-4.0 * allowed) + " m");
   if (clearance > 2.0 * (in->groove.groove_radius - R + out->groove.groove_radius - R))
-    args.fail("clearance " + text(clearance) + " m is so large that the grooves do not hold the balls: rings at odds?");
+    args.fail("clearance " + text(clearance) +
+              " m is so large that the grooves do not hold the balls: rings at odds?");
   if (p.balls > 1) {
     const double apart = 2.0 * p.pitch * std::sin(3.14159265358979323846 / p.balls);
     if (apart < 2.0 * R)
-      args.fail("overlapping balls: " + std::to_string(p.balls) + " balls of diameter " + text(2.0 * R) +
-                " m on a pitch circle of radius " + text(p.pitch) + " m are " + text(apart) + " m apart");
+      args.fail("overlapping balls: " + std::to_string(p.balls) + " balls of diameter " +
+                text(2.0 * R) + " m on a pitch circle of radius " + text(p.pitch) + " m are " +
+                text(apart) + " m apart");
   }
   if (p.cage_type) {
-    const double half = p.balls > 1 ? 2.0 * p.pitch * std::sin(0.5 * 3.14159265358979323846 / p.balls) : 2.0 * p.pitch;
+    const double half = p.balls > 1
+                            ? 2.0 * p.pitch * std::sin(0.5 * 3.14159265358979323846 / p.balls)
+                            : 2.0 * p.pitch;
     if (half < R + p.cage_radius)
-      args.fail("cage ball of diameter " + text(2.0 * p.cage_radius) + " m is larger than its pocket: at most " +
-                text(2.0 * (half - R)) + " m fit between two balls");
+      args.fail("cage ball of diameter " + text(2.0 * p.cage_radius) +
+                " m is larger than its pocket: at most " + text(2.0 * (half - R)) +
+                " m fit between two balls");
   }
   const double reach = Re + R;
   const double *lo = domain->boxlo, *hi = domain->boxhi;
   for (int k = 0; k < 3; ++k)
     if (p.centre[k] - (k == pair.axis_index() ? R : reach) < lo[k] ||
         p.centre[k] + (k == pair.axis_index() ? R : reach) > hi[k])
-      args.fail("the bearing (radius " + text(reach) + " m) does not fit into the box in direction " + "xyz"[k] +
-                ": " + text(lo[k]) + " to " + text(hi[k]) + " m");
+      args.fail("the bearing (radius " + text(reach) +
+                " m) does not fit into the box in direction " + "xyz"[k] + ": " + text(lo[k]) +
+                " to " + text(hi[k]) + " m");
 }
 
 void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
@@ -118,8 +132,12 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
       const double phi = p.phase + 2.0 * pi * (k + 0.5 * cage) / p.balls;
       const Vec3 u = a * std::cos(phi) + b * std::sin(phi);
       const Vec3 v = cross(e, u) * (roll.orbit * p.pitch);
-      if (cage) add(p.cage_type, centre + u * p.pitch, p.cage_radius, mass(p.cage_radius, p.cage_density), v, Vec3());
-      else add(p.ball_type, centre + u * p.pitch, p.ball_radius, mass(p.ball_radius, p.ball_density), v, e * roll.spin);
+      if (cage)
+        add(p.cage_type, centre + u * p.pitch, p.cage_radius, mass(p.cage_radius, p.cage_density),
+            v, Vec3());
+      else
+        add(p.ball_type, centre + u * p.pitch, p.ball_radius, mass(p.ball_radius, p.ball_density),
+            v, e * roll.spin);
     }
   // a ring is one small atom at its centre; fix bearing/ring gives it mass and inertia
   add(p.inner_type, centre, 1e-4, 1.0, Vec3(), e * p.inner_speed);
@@ -138,13 +156,14 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   }
   if (comm->me == 0) {
     const std::string say = "Created a bearing: " + std::to_string(p.balls) + " balls" +
-        (p.cage_type ? ", as many cage balls" : "") + ", two rings\n";
+                            (p.cage_type ? ", as many cage balls" : "") + ", two rings\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
   }
 }
 
-void CreateBearing::add(int type, const Vec3 &x, double radius, double mass, const Vec3 &v, const Vec3 &w)
+void CreateBearing::add(int type, const Vec3 &x, double radius, double mass, const Vec3 &v,
+                        const Vec3 &w)
 {
   bearing::NewAtom a;
   a.tag = next_tag_++;

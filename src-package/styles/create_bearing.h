@@ -9,7 +9,9 @@ CommandStyle(create_bearing,CreateBearing)
 #include "../physics/groove.h"
 #include "new_atoms.h"
 
-namespace bearing { class Arguments; }
+namespace bearing {
+class Arguments;
+}
 
 namespace LAMMPS_NS {
 
@@ -27,7 +29,7 @@ class CreateBearing : public bearing::CommandBase {
     double ball_radius = 0.0, ball_density = 7800.0;
     double cage_radius = 0.0, cage_density = 1140.0;
     double centre[3] = {0.0, 0.0, 0.0};
-    double phase = 0.0;                        // rad, azimuth of the first ball
+    double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
     double pitch = 0.0;
   };

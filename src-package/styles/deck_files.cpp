@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "deck_files.h"
 
-#include "arguments.h"
+#include "../deck/arguments.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -39,7 +39,9 @@ void BearingInput::command(int narg, char **arg)
       std::string list;
       for (const std::string &n : names) list += (list.empty() ? "" : ", ") + n;
       complaint = "there is no '" + name + "' in folder " + folder + "; there is: " +
-          (list.empty() ? "nothing (run from the folder that holds it, or set the variable 'inputs')" : list);
+                  (list.empty()
+                       ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
+                       : list);
     }
   }
   complaint = agree(complaint, world);
@@ -83,8 +85,8 @@ void BearingRange::command(int narg, char **arg)
   Arguments given(lmp, "bearing_range", {value});
   const double v = given.number(name);
   if (!(v >= lo && v <= hi) || (whole && v != std::floor(v)))
-    args.fail(name + " is " + text(v) + ", must be " + (whole ? "a whole number " : "") + "from " + text(lo) + " to " +
-              text(hi) + advice);
+    args.fail(name + " is " + text(v) + ", must be " + (whole ? "a whole number " : "") + "from " +
+              text(lo) + " to " + text(hi) + advice);
 }
 
 // A string variable, unless a variable of that name is there already
@@ -98,7 +100,8 @@ static void suggest(Variable *variable, std::string name, std::string value)
 void BearingHost::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_host", narg, arg, 0);
-  const std::string kind = args.word("variable for the kind of host"), name = args.word("variable for its name");
+  const std::string kind = args.word("variable for the kind of host"),
+                    name = args.word("variable for its name");
   if (args.more()) args.unknown("none, the command ends here");
   suggest(input->variable, kind, BRG_HOST_KIND);
   suggest(input->variable, name, BRG_HOST_NAME);
@@ -115,7 +118,8 @@ void BearingResume::command(int narg, char **arg)
   int there = comm->me == 0 && fs::is_regular_file(file, ec) ? 1 : 0;
   MPI_Bcast(&there, 1, MPI_INT, 0, world);
   if (asked && comm->me == 0) {
-    const std::string say = there ? "Going on from " + file + "\n" : "No " + file + " to go on from: starting anew\n";
+    const std::string say =
+        there ? "Going on from " + file + "\n" : "No " + file + " to go on from: starting anew\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
   }

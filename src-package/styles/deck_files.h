@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume: a deck's data files, result folder, numbers, host
-// and restart file, with errors that help before anything runs.
+// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume: a deck's data files,
+// result folder, numbers, host and restart file, with errors that help before anything runs.
 #ifdef COMMAND_CLASS
-CommandStyle(bearing_input,BearingInput)
-CommandStyle(bearing_output,BearingOutput)
-CommandStyle(bearing_range,BearingRange)
-CommandStyle(bearing_host,BearingHost)
-CommandStyle(bearing_resume,BearingResume)
+CommandStyle(bearing_input,BearingInput) CommandStyle(bearing_output,BearingOutput) CommandStyle(bearing_range,BearingRange)
+        CommandStyle(bearing_host,BearingHost) CommandStyle(bearing_resume,BearingResume)
 #else
 #ifndef LMP_DECK_FILES_H
 #define LMP_DECK_FILES_H
@@ -29,23 +26,24 @@ class BearingOutput : public bearing::CommandBase {
   void command(int, char **);
 };
 
-// bearing_range NAME VALUE LO HI [whole] [advice TEXT]: stop with a message unless LO <= VALUE <= HI (and it is
-// a whole number); TEXT says what to do.
+// bearing_range NAME VALUE LO HI [whole] [advice TEXT]: stop with a message unless LO <= VALUE <=
+// HI (and it is a whole number); TEXT says what to do.
 class BearingRange : public bearing::CommandBase {
  public:
   explicit BearingRange(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_host KIND NAME: set the string variables KIND to liggghts or lammps and NAME to the host's name and version,
-// unless they are there already (-var).
+// bearing_host KIND NAME: set the string variables KIND to liggghts or lammps and NAME to the
+// host's name and version, unless they are there already (-var).
 class BearingHost : public bearing::CommandBase {
  public:
   explicit BearingHost(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_resume NAME yes|no FILE: set the index variable NAME to yes if asked to and FILE is there, else to no.
+// bearing_resume NAME yes|no FILE: set the index variable NAME to yes if asked to and FILE is
+// there, else to no.
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

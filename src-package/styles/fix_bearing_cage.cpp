@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_cage.h"
 
-#include "arguments.h"
+#include "../deck/arguments.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
 
@@ -12,7 +12,8 @@ using namespace FixConst;
 using namespace raceway;
 using bearing::Arguments;
 
-// fix ID cage-group bearing/cage RING_TYPE [rail R r z] ... [tube r] [gap g] [young E_ball E_rail] [poisson ...]
+// fix ID cage-group bearing/cage RING_TYPE [rail R r z] ... [tube r] [gap g] [young E_ball E_rail]
+// [poisson ...]
 FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/cage"))
 {
@@ -23,7 +24,8 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   Arguments args(lmp, std::string("fix ") + id + " bearing/cage", narg, arg, 3);
   ring_type_ = args.integer("type of the ring that carries the rails", 1, atom->ntypes);
   if (!pair_->is_ring_type(ring_type_))
-    args.fail("type " + std::to_string(ring_type_) + " is no ring: no pair_coeff names it inner or outer");
+    args.fail("type " + std::to_string(ring_type_) +
+              " is no ring: no pair_coeff names it inner or outer");
   while (args.more()) {
     if (args.take("rail")) {
       Rail r;
@@ -59,9 +61,12 @@ void FixBearingCage::init()
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) radius = std::max(radius, atom->radius[i]);
   MPI_Allreduce(MPI_IN_PLACE, &radius, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (radius == 0.0) BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
+  if (radius == 0.0)
+    BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
   pitch_ = pair_->pitch_radius(ring_type_);
-  if (seats_) rails_ = {seat_rail(pitch_, radius, tube_, gap_, 1.0), seat_rail(pitch_, radius, tube_, gap_, -1.0)};
+  if (seats_)
+    rails_ = {seat_rail(pitch_, radius, tube_, gap_, 1.0),
+              seat_rail(pitch_, radius, tube_, gap_, -1.0)};
   stiffness_.clear();
   const double E = reduced_modulus(young_[0], poisson_[0], young_[1], poisson_[1]);
   for (const Rail &r : rails_) stiffness_.push_back(rail_stiffness(r, radius, pitch_, E));
@@ -70,8 +75,9 @@ void FixBearingCage::init()
 void FixBearingCage::setup_pre_neighbor() { find_riders(); }
 void FixBearingCage::pre_neighbor() { find_riders(); }
 
-// The ring whose centre is nearest, within two pitch radii, carries the cage ball: local indices hold until the next build.
-// Only rings in a slab about the ball are looked at, across the direction in which they are spread out most.
+// The ring whose centre is nearest, within two pitch radii, carries the cage ball: local indices
+// hold until the next build. Only rings in a slab about the ball are looked at, across the
+// direction in which they are spread out most.
 void FixBearingCage::find_riders()
 {
   riders_.clear();
@@ -106,17 +112,19 @@ void FixBearingCage::find_riders()
       }
     }
     if (nearest < 0)
-      BRG_ONE(std::string("fix ") + id + " bearing/cage: lost cage ball " + std::to_string(atom->tag[i]) +
-              " at step " + std::to_string(update->ntimestep) + ": no ring of type " + std::to_string(ring_type_) +
-              " within two pitch radii");
+      BRG_ONE(std::string("fix ") + id + " bearing/cage: lost cage ball " +
+              std::to_string(atom->tag[i]) + " at step " + std::to_string(update->ntimestep) +
+              ": no ring of type " + std::to_string(ring_type_) + " within two pitch radii");
     riders_.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1});
   }
-  std::sort(riders_.begin(), riders_.end(), [](const Rider &a, const Rider &b) { return a.tag < b.tag; });
+  std::sort(riders_.begin(), riders_.end(),
+            [](const Rider &a, const Rider &b) { return a.tag < b.tag; });
 }
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// All riders on one rail after the other: plain loops over arrays, so that square roots run side by side.
+// All riders on one rail after the other: plain loops over arrays, so that square roots run side by
+// side.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();
@@ -126,13 +134,13 @@ void FixBearingCage::pre_force(int)
   for (size_t i = 0; i < n; ++i) {
     Rider &rider = riders_[i];
     if (rider.claim < 0)
-      rider.claim = pair_->ring_sum().claim(rider.ring, pair_->state()->owner(rider.i_ring), bearing::RingSum::rail,
-                                            rider.tag);
+      rider.claim = pair_->ring_sum().claim(rider.ring, pair_->state()->owner(rider.i_ring),
+                                            bearing::RingSum::rail, rider.tag);
     const Vec3 e = pair_->state()->axis(rider.i_ring);
     const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
     // velocity of the ball against the ring, radial and axial: all that a frictionless torus feels
     const Vec3 dv = Vec3::from(v[rider.i]) - Vec3::from(v[rider.i_ring]) -
-        cross(Vec3::from(atom->omega[rider.i_ring]), d);
+                    cross(Vec3::from(atom->omega[rider.i_ring]), d);
     z_[i] = dot(d, e);
     r_[i] = dot(d, d) - z_[i] * z_[i];
     ve_[i] = dot(dv, e);
@@ -150,7 +158,8 @@ void FixBearingCage::pre_force(int)
     const Rail rail = rails_[k];
     const double K = stiffness_[k];
     for (size_t i = 0; i < n; ++i) {
-      const RailContact c = rail_contact(rail, K, r_[i], z_[i], vr_[i], ve_[i], radius_[i], mass_[i]);
+      const RailContact c =
+          rail_contact(rail, K, r_[i], z_[i], vr_[i], ve_[i], radius_[i], mass_[i]);
       const double force = c.h.force;
       fr_[i] += force * c.nr;
       fe_[i] += force * c.ne;

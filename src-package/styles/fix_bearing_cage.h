@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/cage: torus rails that hold the cage balls of a group; elastic, frictionless, critically
-// damped. The rails sit on a ring (usually the outer one) and pass their reaction to it.
+// fix bearing/cage: torus rails that hold the cage balls of a group; elastic, frictionless,
+// critically damped. The rails sit on a ring (usually the outer one) and pass their reaction to it.
 #ifdef FIX_CLASS
 FixStyle(bearing/cage,FixBearingCage)
 #else
@@ -29,7 +29,11 @@ class FixBearingCage : public Fix {
   double compute_vector(int) override;
 
   // For fix bearing/implicit: who sits on which rails.
-  struct Rider { int i, i_ring; bearing::tag_t tag, ring; int claim; };    // a cage ball on the rails of its ring
+  struct Rider {
+    int i, i_ring;
+    bearing::tag_t tag, ring;
+    int claim;
+  };    // a cage ball on the rails of its ring
   const std::vector<Rider> &riders() const { return riders_; }
   const std::vector<raceway::Rail> &rails() const { return rails_; }
   const std::vector<double> &stiffness() const { return stiffness_; }
@@ -42,10 +46,10 @@ class FixBearingCage : public Fix {
   std::vector<raceway::Rail> rails_;
   double tube_ = 1e-3, gap_ = 0.0;
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
-  bool seats_ = true;                  // default pair of rails, placed from the cage balls
+  bool seats_ = true;    // default pair of rails, placed from the cage balls
   double pitch_ = 0.0;
-  std::vector<double> stiffness_;      // N/m^1.5 per rail
-  std::vector<Rider> riders_;          // by tag
+  std::vector<double> stiffness_;    // N/m^1.5 per rail
+  std::vector<Rider> riders_;        // by tag
   // per rider: position and velocity in the ring (radial, axial), mass, radius, rail force
   std::vector<double> r_, z_, vr_, ve_, mass_, radius_, fr_, fe_;
   double force_sum_ = 0.0, force_max_ = 0.0;    // of the last step, this rank

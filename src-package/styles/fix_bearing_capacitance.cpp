@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_capacitance.h"
 
-#include "arguments.h"
-#include "gather.h"
+#include "../deck/arguments.h"
+#include "../ranks/gather.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ using bearing::Arguments;
 using bearing::RacewayContact;
 using bearing::tag_t;
 
-// fix ID group bearing/capacitance N permittivity EPS [background C] [film_floor H] [within M] [file F] [contacts F]
+// fix ID group bearing/capacitance N permittivity EPS [background C] [film_floor H] [within M]
+// [file F] [contacts F]
 FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/capacitance"))
 {
@@ -39,11 +40,16 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
       args.unknown("permittivity, background, film_floor, within, file, contacts");
     }
   }
-  if (within_ > 1 && nevery != 1) args.fail("'within' takes samples evenly within every step: N must be 1, not " + std::to_string(nevery));
+  if (within_ > 1 && nevery != 1)
+    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
+              std::to_string(nevery));
   if (permittivity_ == 0.0) args.fail("'permittivity EPS' is missing");
-  if (!pair_->lubricated()) args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
-  if (!totals.empty()) totals_.open(args, totals, "step time capacitance largest_ball active_balls", world);
-  if (!contacts.empty()) contacts_.open(args, contacts, "step time ball raceway load h_c capacitance", world);
+  if (!pair_->lubricated())
+    args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
+  if (!totals.empty())
+    totals_.open(args, totals, "step time capacitance largest_ball active_balls", world);
+  if (!contacts.empty())
+    contacts_.open(args, contacts, "step time ball raceway load h_c capacitance", world);
   scalar_flag = vector_flag = 1;
   size_vector = 6;
   extscalar = extvector = 0;
@@ -65,7 +71,10 @@ FixBearingCapacitance::~FixBearingCapacitance()
 
 int FixBearingCapacitance::setmask() { return END_OF_STEP; }
 
-void FixBearingCapacitance::init() { pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance"); }
+void FixBearingCapacitance::init()
+{
+  pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
+}
 
 void FixBearingCapacitance::setup(int)
 {
@@ -80,11 +89,14 @@ void FixBearingCapacitance::find_integrators()
 {
   integrators_.clear();
   for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingImplicit *f = dynamic_cast<FixBearingImplicit *>(modify->fix[k])) integrators_.push_back(f);
+    if (FixBearingImplicit *f = dynamic_cast<FixBearingImplicit *>(modify->fix[k]))
+      integrators_.push_back(f);
   if (integrators_.empty())
     BRG_ALL(std::string("fix ") + id + " bearing/capacitance: 'within " + std::to_string(within_) +
-            "' needs fix bearing/implicit, which knows what happens within a step; with other integrators sample every step");
-  for (FixBearingImplicit *f : integrators_) f->want_instants({within_, permittivity_, shortest_film_});
+            "' needs fix bearing/implicit, which knows what happens within a step; with other "
+            "integrators sample every step");
+  for (FixBearingImplicit *f : integrators_)
+    f->want_instants({within_, permittivity_, shortest_film_});
   std::vector<tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) mine.push_back(atom->tag[i]);
@@ -97,7 +109,8 @@ FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c)
   return film_capacitor(*c.raceway, c.state, permittivity_, shortest_film_);
 }
 
-// What the owners of the balls know. Sums over all ranks wait until somebody asks: a table by ring does not.
+// What the owners of the balls know. Sums over all ranks wait until somebody asks: a table by ring
+// does not.
 void FixBearingCapacitance::sample(bool between)
 {
   mine_.clear();
@@ -110,7 +123,8 @@ void FixBearingCapacitance::sample(bool between)
       per_ball_[c.i_ball][c.side() == Side::inner ? 0 : 1] = q.capacitance;
       mine_.push_back({within_, c.ball, c.side(), {c.state.load, q.h_c, q.capacitance}});
     }
-  for (int i = 0; i < atom->nlocal; ++i) per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
+  for (int i = 0; i < atom->nlocal; ++i)
+    per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
   between_ = between;
   summed_ = false;
   if (totals_.wanted() || contacts_.wanted()) sum_up();
@@ -169,11 +183,14 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
   const double back = double(within_ - instant) / within_;    // steps before the end of this one
   const double time = update->atime + (update->ntimestep - update->atimestep - back) * update->dt;
   const double step = update->ntimestep - back;
-  if (FILE *f = totals_.file()) fprintf(f, "%.15g %.12g %.12g %.12g %.0f\n", step, time, total_.sum, total_.largest, total_.active);
+  if (FILE *f = totals_.file())
+    fprintf(f, "%.15g %.12g %.12g %.12g %.0f\n", step, time, total_.sum, total_.largest,
+            total_.active);
   if (FILE *f = contacts_.file())
     for (; row != end; ++row)
-      fprintf(f, "%.15g %.12g %d %d %.12g %.12g %.12g\n", step, time, static_cast<int>(row->ball), static_cast<int>(row->side),
-              row->contact.load, row->contact.h_c, row->contact.capacitance);
+      fprintf(f, "%.15g %.12g %d %d %.12g %.12g %.12g\n", step, time, static_cast<int>(row->ball),
+              static_cast<int>(row->side), row->contact.load, row->contact.h_c,
+              row->contact.capacitance);
   if (update->ntimestep == update->laststep)
     for (FILE *f : {totals_.file(), contacts_.file()})
       if (f) fflush(f);
@@ -181,8 +198,8 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
 
 double FixBearingCapacitance::compute_scalar() { return compute_vector(0); }
 
-// At the end of the step 1: bearing total with background, 2: largest single ball, 3: number of active balls; of the
-// total over the instants of the step 4: mean, 5: least, 6: most
+// At the end of the step 1: bearing total with background, 2: largest single ball, 3: number of
+// active balls; of the total over the instants of the step 4: mean, 5: least, 6: most
 double FixBearingCapacitance::compute_vector(int k)
 {
   sum_up();
@@ -201,6 +218,9 @@ void FixBearingCapacitance::copy_arrays(int i, int j, int)
   for (int k = 0; k < 3; ++k) per_ball_[j][k] = per_ball_[i][k];
 }
 
-void FixBearingCapacitance::set_arrays(int i) { per_ball_[i][0] = per_ball_[i][1] = per_ball_[i][2] = 0.0; }
+void FixBearingCapacitance::set_arrays(int i)
+{
+  per_ball_[i][0] = per_ball_[i][1] = per_ball_[i][2] = 0.0;
+}
 
 double FixBearingCapacitance::memory_usage() { return 3.0 * atom->nmax * sizeof(double); }

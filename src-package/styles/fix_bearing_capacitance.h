@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (series) and of
-// the bearing (sum), sampled every N steps, or at several instants within every step of fix bearing/implicit; nothing
-// is computed in between.
+// fix bearing/capacitance: electrical capacitance of every raceway contact, of every ball (series)
+// and of the bearing (sum), sampled every N steps, or at several instants within every step of fix
+// bearing/implicit; nothing is computed in between.
 #ifdef FIX_CLASS
 FixStyle(bearing/capacitance,FixBearingCapacitance)
 #else
 #ifndef LMP_FIX_BEARING_CAPACITANCE_H
 #define LMP_FIX_BEARING_CAPACITANCE_H
 
+#include "../contacts/contact_table.h"
+#include "../deck/text_file.h"
 #include "../physics/capacitance.h"
-#include "contact_table.h"
 #include "fix_bearing_implicit.h"
-#include "text_file.h"
 
 namespace LAMMPS_NS {
 
@@ -37,7 +37,9 @@ class FixBearingCapacitance : public Fix {
 
  private:
   // Of all balls of the group at one instant of a step.
-  struct Total { double sum, largest, active; };
+  struct Total {
+    double sum, largest, active;
+  };
   using Row = FixBearingImplicit::InstantContact;
 
   void find_integrators();
@@ -52,13 +54,14 @@ class FixBearingCapacitance : public Fix {
   double **per_ball_ = nullptr;    // inner, outer, series
   int within_ = 1;                 // instants a step, the last one its end
   std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
-  std::vector<bearing::tag_t> members_;              // balls of the group, sorted; known where integrators_ are
-  std::vector<Row> mine_;                            // of this step, kept for its memory
+  std::vector<bearing::tag_t>
+      members_;              // balls of the group, sorted; known where integrators_ are
+  std::vector<Row> mine_;    // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;
-  bool between_ = false, summed_ = true;             // what mine_ holds; the numbers below are of it
-  Total total_ = {};                                 // at the end of the step
-  bigint written_ = -1;                              // step of the last row in the files
-  double mean_ = 0.0, least_ = 0.0, most_ = 0.0;     // of the sum, over the instants of the step
+  bool between_ = false, summed_ = true;            // what mine_ holds; the numbers below are of it
+  Total total_ = {};                                // at the end of the step
+  bigint written_ = -1;                             // step of the last row in the files
+  double mean_ = 0.0, least_ = 0.0, most_ = 0.0;    // of the sum, over the instants of the step
 };
 
 }    // namespace LAMMPS_NS

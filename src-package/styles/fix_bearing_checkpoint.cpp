@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_checkpoint.h"
 
-#include "arguments.h"
+#include "../deck/arguments.h"
 #include "output.h"
 
 #include <cerrno>
@@ -34,7 +34,8 @@ void catch_signals()
   note.sa_handler = bearing_note_signal;
   note.sa_flags = SA_RESTART;
   for (int k = 0; k < n_signals; ++k) sigaction(caught_signals[k], &note, &before[k]);
-  struct sigaction ignore = {};    // a file beyond the limit is an error with a message, not a signal
+  struct sigaction ignore =
+      {};    // a file beyond the limit is an error with a message, not a signal
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &ignore, &before_xfsz);
 }
@@ -62,7 +63,9 @@ std::string no_room(const std::string &file)
     why = strerror(errno);
   } else {
     errno = ENOSPC;    // a short write is no error to the system
-    if (write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) || fsync(fd) != 0) why = strerror(errno);
+    if (write(fd, content.data(), content.size()) != static_cast<ssize_t>(content.size()) ||
+        fsync(fd) != 0)
+      why = strerror(errno);
   }
   if (fd >= 0) close(fd);
   unlink(probe.c_str());
@@ -82,7 +85,8 @@ std::string whole(double n) { return std::to_string(static_cast<long long>(n)); 
 
 }    // namespace
 
-// fix ID group bearing/checkpoint N FILE [restart M] [resume yes|no] [settings TEXT] [mean V] [count K V1 ... VK]
+// fix ID group bearing/checkpoint N FILE [restart M] [resume yes|no] [settings TEXT] [mean V]
+// [count K V1 ... VK]
 //     [files F1 F2 ...]
 FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), command_(std::string("fix ") + id + " bearing/checkpoint")
@@ -92,7 +96,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   file_ = args.word("restart file");
   part_ = file_ + ".part";
   while (args.more()) {
-    if (args.take("restart")) every_restart_ = args.integer("steps between restart files", 0, 2000000000);
+    if (args.take("restart"))
+      every_restart_ = args.integer("steps between restart files", 0, 2000000000);
     else if (args.take("resume")) resume_ = args.choice("resume", {"no", "yes"}) == 1;
     else if (args.take("settings")) settings_ = args.word("settings");
     else if (args.take("mean")) sampled_ = DrivenValue::read(args, "mean");
@@ -112,7 +117,8 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   extvector = 0;
   global_freq = 1;
   // the host writes under a name of its own; publish() gives the whole file its name
-  const std::string n = std::to_string(every_restart_ ? every_restart_ : std::numeric_limits<int>::max());
+  const std::string n =
+      std::to_string(every_restart_ ? every_restart_ : std::numeric_limits<int>::max());
   std::string words[] = {n, part_, part_};
   char *list[] = {&words[0][0], &words[1][0], &words[2][0]};
   output->create_restart(3, list);
@@ -128,12 +134,14 @@ void FixBearingCheckpoint::init()
   sampled_.check(lmp, command_);
   for (DrivenValue &c : counters_) c.check(lmp, command_);
   if (resume_ && !resumed_)
-    BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id + " of this style");
-  if (!resumed_ && comm->me == 0 && !written_) unlink(file_.c_str());    // of a run that this one replaces
+    BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id +
+            " of this style");
+  if (!resumed_ && comm->me == 0 && !written_)
+    unlink(file_.c_str());    // of a run that this one replaces
 }
 
-// Before the first step: what the set-up of a continued run wrote is in the files already. Later: a restart file
-// of the step before is whole now.
+// Before the first step: what the set-up of a continued run wrote is in the files already. Later: a
+// restart file of the step before is whole now.
 void FixBearingCheckpoint::initial_integrate(int)
 {
   if (resumed_ && !cut_) cut_files();
@@ -146,7 +154,8 @@ void FixBearingCheckpoint::end_of_step()
   samples_ += 1.0;
   if (comm->me == 0) watch_files();
   int signal = caught;
-  if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // all stop at one step
+  if (comm->nprocs > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // all stop at one step
   if (!signal) return;
   caught = signal;
   bearing::end_run_after_this_step(lmp);
@@ -154,7 +163,8 @@ void FixBearingCheckpoint::end_of_step()
 
 void FixBearingCheckpoint::post_run()
 {
-  int signal = caught;    // may differ over ranks after the last sample: only what all agreed on counts
+  int signal =
+      caught;    // may differ over ranks after the last sample: only what all agreed on counts
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
   caught = signal;
   if (resumed_ && !cut_) cut_files();    // a run of no step
@@ -173,7 +183,8 @@ void FixBearingCheckpoint::stop()
   publish();
   if (comm->me == 0) {
     const std::string say = std::string("Stopped by signal ") + strsignal(caught) + " after step " +
-        std::to_string(update->ntimestep) + "; the run goes on from " + file_ + "\n";
+                            std::to_string(update->ntimestep) + "; the run goes on from " + file_ +
+                            "\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
   }
@@ -192,7 +203,8 @@ void FixBearingCheckpoint::publish()
   if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
   if (why.empty()) return;
   unlink(part_.c_str());
-  BRG_ONE(command_ + ": cannot write restart file " + file_ + " at step " + std::to_string(update->ntimestep) + ": " + why +
+  BRG_ONE(command_ + ": cannot write restart file " + file_ + " at step " +
+          std::to_string(update->ntimestep) + ": " + why +
           ". The one before it, if any, is still good: make room and go on from it");
 }
 
@@ -203,8 +215,9 @@ void FixBearingCheckpoint::check_files()
   for (size_t k = 0; k < files_.size(); ++k) {
     const double now = bytes(files_[k]);
     if (now < length_[k])
-      BRG_ONE(command_ + ": " + files_[k] + (now < 0.0 ? " is gone" : " has " + whole(now) + " bytes") +
-              ", it had " + whole(length_[k]) + " when " + file_ + " was written: start the run anew");
+      BRG_ONE(command_ + ": " + files_[k] +
+              (now < 0.0 ? " is gone" : " has " + whole(now) + " bytes") + ", it had " +
+              whole(length_[k]) + " when " + file_ + " was written: start the run anew");
   }
 }
 
@@ -226,7 +239,8 @@ void FixBearingCheckpoint::watch_files()
     const double now = bytes(files_[k]);
     if (now <= seen_[k]) {
       const std::string room = no_room(file_);
-      BRG_ONE(command_ + ": " + files_[k] + " has stopped growing at step " + std::to_string(update->ntimestep) + ": " +
+      BRG_ONE(command_ + ": " + files_[k] + " has stopped growing at step " +
+              std::to_string(update->ntimestep) + ": " +
               (room.empty() ? "the disk was full or the file at its limit for a while" : room) +
               ". Make room and go on from the last restart file, or start anew");
     }
@@ -234,19 +248,23 @@ void FixBearingCheckpoint::watch_files()
   }
 }
 
-// 1: mean over the samples, 2 ...: counters, both over all parts of a run that was stopped and continued
+// 1: mean over the samples, 2 ...: counters, both over all parts of a run that was stopped and
+// continued
 double FixBearingCheckpoint::compute_vector(int k)
 {
   if (k == 0) return samples_ > 0.0 ? sum_ / samples_ : 0.0;
-  counters_[k - 1].check(lmp, command_);    // asked for between runs, where a redefined variable has moved
+  counters_[k - 1].check(
+      lmp, command_);    // asked for between runs, where a redefined variable has moved
   return before_[k - 1] + counters_[k - 1].now(lmp);
 }
 
 void FixBearingCheckpoint::write_restart(FILE *fp)
 {
-  std::vector<double> data = {update->atime, static_cast<double>(update->atimestep), sum_, samples_,
-                              static_cast<double>(counters_.size()), static_cast<double>(files_.size())};
-  for (size_t k = 0; k < counters_.size(); ++k) data.push_back(compute_vector(1 + static_cast<int>(k)));
+  std::vector<double> data = {
+      update->atime, static_cast<double>(update->atimestep), sum_,
+      samples_,      static_cast<double>(counters_.size()),  static_cast<double>(files_.size())};
+  for (size_t k = 0; k < counters_.size(); ++k)
+    data.push_back(compute_vector(1 + static_cast<int>(k)));
   written_ = true;
   if (comm->me != 0) return;
   for (const std::string &f : files_) data.push_back(bytes(f));
@@ -262,16 +280,17 @@ void FixBearingCheckpoint::restart(char *buf)
   double head[6];
   memcpy(head, buf, sizeof head);
   if (head[4] != counters_.size() || head[5] != files_.size())
-    BRG_ALL(command_ + ": the restart file was written with " + whole(head[4]) + " counters and " + whole(head[5]) +
-            " files, not " + std::to_string(counters_.size()) + " and " + std::to_string(files_.size()));
+    BRG_ALL(command_ + ": the restart file was written with " + whole(head[4]) + " counters and " +
+            whole(head[5]) + " files, not " + std::to_string(counters_.size()) + " and " +
+            std::to_string(files_.size()));
   const char *rest = buf + sizeof head;
   memcpy(before_.data(), rest, before_.size() * sizeof(double));
   rest += before_.size() * sizeof(double);
   memcpy(length_.data(), rest, length_.size() * sizeof(double));
   rest += length_.size() * sizeof(double);
   if (settings_ != rest)
-    BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" + settings_ +
-            "'. Remove it, or resume with its settings");
+    BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" +
+            settings_ + "'. Remove it, or resume with its settings");
   update->atime = head[0];    // the thermo keyword time goes on with the same bits
   update->atimestep = static_cast<bigint>(head[1]);
   sum_ = head[2];

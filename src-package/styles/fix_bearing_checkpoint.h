@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/checkpoint: a run that can be stopped, killed and continued to the same bits and the same files.
+// fix bearing/checkpoint: a run that can be stopped, killed and continued to the same bits and the
+// same files.
 //
-// The host writes the restart file, during or after a run; this fix adds what the host does not know: how long the
-// output files were then, and sums that must go on counting. A restart file gets its name only when it is whole.
+// The host writes the restart file, during or after a run; this fix adds what the host does not
+// know: how long the output files were then, and sums that must go on counting. A restart file gets
+// its name only when it is whole.
 #ifdef FIX_CLASS
 FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 #else
 #ifndef LMP_FIX_BEARING_CHECKPOINT_H
 #define LMP_FIX_BEARING_CHECKPOINT_H
 
+#include "../deck/driven_value.h"
 #include "bearing_compat.h"
-#include "driven_value.h"
 
 #include <vector>
 
@@ -39,13 +41,13 @@ class FixBearingCheckpoint : public Fix {
   std::string command_, file_, part_, settings_;
   int every_restart_ = 0;
   bool resume_ = false, resumed_ = false;
-  std::vector<std::string> files_;       // watched: each grows with every sample
-  std::vector<double> length_;           // bytes at the restart file's step
-  std::vector<double> seen_;             // bytes at the last sample
-  bearing::DrivenValue sampled_;         // averaged over samples
+  std::vector<std::string> files_;                // watched: each grows with every sample
+  std::vector<double> length_;                    // bytes at the restart file's step
+  std::vector<double> seen_;                      // bytes at the last sample
+  bearing::DrivenValue sampled_;                  // averaged over samples
   std::vector<bearing::DrivenValue> counters_;    // each starts from 0 with every run
   double sum_ = 0.0, samples_ = 0.0;
-  std::vector<double> before_;           // counters of the runs before this one
+  std::vector<double> before_;    // counters of the runs before this one
   bool written_ = false, cut_ = false;
 };
 

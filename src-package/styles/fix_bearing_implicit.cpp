@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_implicit.h"
 
-#include "arguments.h"
+#include "../deck/arguments.h"
 #include "fix_bearing_ring.h"
 #include "pair_bearing_hertz.h"
 
@@ -16,7 +16,8 @@ using bearing::text;
 
 static constexpr double smallest_step = 1e-12;    // s
 
-// fix ID group bearing/implicit [solve all|damping] [tolerance T] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
+// fix ID group bearing/implicit [solve all|damping] [tolerance T] [order 1|2] [corrections N]
+// [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     bearings_(lmp, std::string("fix ") + id + " bearing/implicit")
@@ -26,7 +27,8 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-4);
     else if (args.take("solve")) settings_.dampers_only = args.choice("solve", {"all", "damping"});
     else if (args.take("order")) settings_.order = args.integer("order", 1, 2);
-    else if (args.take("corrections")) settings_.corrections = args.integer("corrections in a stage", 1, 100);
+    else if (args.take("corrections"))
+      settings_.corrections = args.integer("corrections in a stage", 1, 100);
     else if (args.take("largest")) largest_ = args.positive("largest step (s)");
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
     else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
@@ -50,14 +52,16 @@ void FixBearingImplicit::init()
   find_rings();
   instants_ = Instants();
   if (pair_->smooth_friction(creep_) && comm->me == 0) {
-    const std::string say = std::string("fix ") + id + " bearing/implicit: friction smoothed over a creep of " +
-        text(creep_) + " of the entrainment speed\n";
+    const std::string say = std::string("fix ") + id +
+                            " bearing/implicit: friction smoothed over a creep of " + text(creep_) +
+                            " of the entrainment speed\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
   }
 }
 
-// Fixes whose rings are in the group: the same list on all ranks, which own different rings or none.
+// Fixes whose rings are in the group: the same list on all ranks, which own different rings or
+// none.
 void FixBearingImplicit::find_rings()
 {
   std::vector<FixBearingRing *> all;
@@ -76,8 +80,8 @@ void FixBearingImplicit::find_rings()
   for (size_t k = 0; k < all.size(); ++k) {
     if (!seen[2 * k]) continue;
     if (seen[2 * k + 1])
-      BRG_ALL(std::string("fix ") + id + " bearing/implicit: its group has some rings of fix " + all[k]->id +
-              " but not all of them");
+      BRG_ALL(std::string("fix ") + id + " bearing/implicit: its group has some rings of fix " +
+              all[k]->id + " but not all of them");
     rings_.push_back(all[k]);
   }
 }
@@ -91,16 +95,18 @@ void FixBearingImplicit::check_fixes()
       if (&f != this && strcmp(f.style, "bearing/implicit") == 0)
         for (int i = 0; i < atom->nlocal; ++i)
           if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit))
-            BRG_ONE(std::string("fix ") + id + " bearing/implicit and fix " + f.id + " both move atom " +
-                    std::to_string(atom->tag[i]));
+            BRG_ONE(std::string("fix ") + id + " bearing/implicit and fix " + f.id +
+                    " both move atom " + std::to_string(atom->tag[i]));
       continue;
     }
-    const char *does = f.time_integrate ? "moves them too" : modify->fmask[k] & POST_FORCE ? "adds forces that "
-                                                                   "an implicit step does not see" : nullptr;
+    const char *does = f.time_integrate                ? "moves them too"
+                       : modify->fmask[k] & POST_FORCE ? "adds forces that "
+                                                         "an implicit step does not see"
+                                                       : nullptr;
     for (int i = 0; does && i < atom->nlocal; ++i)
       if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit))
-        BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id + " (" + f.style +
-                "), which " + does);
+        BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id +
+                " (" + f.style + "), which " + does);
   }
 }
 
@@ -144,10 +150,12 @@ void FixBearingImplicit::initial_integrate(int)
   build();
   for (FixBearingRing *r : rings_) r->begin_step();
   bearings_.gather();
-  for (int p = 0; p < bearings_.size(); ++p) parts_[p].bearing.load(bearings_.bodies(p), bearings_.rings(p));
+  for (int p = 0; p < bearings_.size(); ++p)
+    parts_[p].bearing.load(bearings_.bodies(p), bearings_.rings(p));
   if (energy_wanted_ && !begun_) begin_energy();
   for (int p = 0; p < bearings_.size(); ++p) {
-    // the control's wish is kept with the ring, so that it goes with the bearing to another home or into a restart file
+    // the control's wish is kept with the ring, so that it goes with the bearing to another home or
+    // into a restart file
     double &wish = bearings_.rings(p).front().motion.step;
     parts_[p].step = wish > 0.0 ? wish : largest_;
     advance(parts_[p]);
@@ -169,7 +177,8 @@ void FixBearingImplicit::advance(Part &p)
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
     const bool last = pieces <= 1.0;
     const double h = last ? left : left / pieces;
-    const raceway::BearingStep::Outcome o = bearing.step(settings_, h, done / whole, last ? 1.0 : (done + h) / whole);
+    const raceway::BearingStep::Outcome o =
+        bearing.step(settings_, h, done / whole, last ? 1.0 : (done + h) / whole);
     corrections_ += o.corrections;
     // over what is allowed; grows like h^2
     const double excess = std::max(o.error / tolerance_, o.stability);
@@ -194,24 +203,30 @@ void FixBearingImplicit::advance(Part &p)
 
 void FixBearingImplicit::want_instants(const Instants &i)
 {
-  if (instants_.number > 1 && (i.number != instants_.number || i.eps != instants_.eps || i.shortest != instants_.shortest))
-    BRG_ALL(std::string("fix ") + id + " bearing/implicit: two fixes want different things between its steps; give them the same "
-            "'within', permittivity and film_floor");
+  if (instants_.number > 1 &&
+      (i.number != instants_.number || i.eps != instants_.eps || i.shortest != instants_.shortest))
+    BRG_ALL(
+        std::string("fix ") + id +
+        " bearing/implicit: two fixes want different things between its steps; give them the same "
+        "'within', permittivity and film_floor");
   instants_ = i;
 }
 
-void FixBearingImplicit::add_instants(const std::vector<tag_t> &of, std::vector<InstantContact> &add) const
+void FixBearingImplicit::add_instants(const std::vector<tag_t> &of,
+                                      std::vector<InstantContact> &add) const
 {
   std::vector<int> wanted;    // grooves
   for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
     const bearing::PartModel &m = bearings_.model(p);
     wanted.clear();
     for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g)
-      if (std::binary_search(of.begin(), of.end(), m.bodies[m.grooves[g].body].tag)) wanted.push_back(g);
+      if (std::binary_search(of.begin(), of.end(), m.bodies[m.grooves[g].body].tag))
+        wanted.push_back(g);
     for (int k = 1; k < instants_.number; ++k)
       for (int g : wanted) {
         const raceway::BearingStep::Contact c = parts_[p].bearing.step().at_instant(k, g);
-        if (c.load > 0.0) add.push_back({k, m.bodies[m.grooves[g].body].tag, m.grooves[g].physics->groove.side, c});
+        if (c.load > 0.0)
+          add.push_back({k, m.bodies[m.grooves[g].body].tag, m.grooves[g].physics->groove.side, c});
       }
   }
 }
@@ -219,11 +234,14 @@ void FixBearingImplicit::add_instants(const std::vector<tag_t> &of, std::vector<
 void FixBearingImplicit::give_up(Part &p, double h, const raceway::BearingStep::Outcome &o)
 {
   const int body = p.bearing.step().worst(), links = p.bearing.step().overlinked();
-  const std::string where = std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
+  const std::string where =
+      std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
   if (links >= 0)
-    BRG_ONE(where + ": atom " + std::to_string(p.bearing.tag(links)) + " touches more than two balls or cage balls");
-  BRG_ONE(where + ": no solution with substeps down to " + text(h) + " s; last correction " + text(o.last) +
-          " m, estimated error " + text(o.error) + " m, tolerance " + text(tolerance_) + " m" +
+    BRG_ONE(where + ": atom " + std::to_string(p.bearing.tag(links)) +
+            " touches more than two balls or cage balls");
+  BRG_ONE(where + ": no solution with substeps down to " + text(h) + " s; last correction " +
+          text(o.last) + " m, estimated error " + text(o.error) + " m, tolerance " +
+          text(tolerance_) + " m" +
           (body >= 0 ? "; worst is atom " + std::to_string(p.bearing.tag(body)) : std::string()) +
           ". Load too high, rings apart, or the start overlaps");
   std::abort();
@@ -232,9 +250,9 @@ void FixBearingImplicit::give_up(Part &p, double h, const raceway::BearingStep::
 // Mean substep since the start of the run, s
 double FixBearingImplicit::compute_scalar() { return compute_vector(0); }
 
-// Since the start of the run: 1 mean and 2 smallest substep (s), 3 substeps, 4 corrections a substep, 5 refused
-// substeps, 6 largest estimated error (m); with energy yes: 7 work put in, 8 dissipated, 9 growth of what is
-// stored, 10 lost by the integrator, 7 - 8 - 9 (J)
+// Since the start of the run: 1 mean and 2 smallest substep (s), 3 substeps, 4 corrections a
+// substep, 5 refused substeps, 6 largest estimated error (m); with energy yes: 7 work put in, 8
+// dissipated, 9 growth of what is stored, 10 lost by the integrator, 7 - 8 - 9 (J)
 double FixBearingImplicit::compute_vector(int k)
 {
   raceway::BearingStep::Energy e = energy_;
@@ -245,13 +263,22 @@ double FixBearingImplicit::compute_vector(int k)
       e.dissipated += now.dissipated;
       e.stored += now.stored;
     }
-  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(parts_.size()), e.work, e.dissipated, e.stored};
+  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(parts_.size()),
+                  e.work,    e.dissipated, e.stored};
   double most[] = {worst_, -smallest_};
   MPI_Allreduce(MPI_IN_PLACE, sum, 7, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, world);
-  const double n = std::max(sum[0], 1.0), bearings = std::max(sum[3], 1.0), stored = sum[6] - stored_before_;
-  const double values[] = {time_ * bearings / n, sum[0] > 0.0 ? -most[1] : 0.0, sum[0], sum[1] / n, sum[2], most[0],
-                           sum[4], sum[5], energy_wanted_ ? stored : 0.0,
+  const double n = std::max(sum[0], 1.0), bearings = std::max(sum[3], 1.0),
+               stored = sum[6] - stored_before_;
+  const double values[] = {time_ * bearings / n,
+                           sum[0] > 0.0 ? -most[1] : 0.0,
+                           sum[0],
+                           sum[1] / n,
+                           sum[2],
+                           most[0],
+                           sum[4],
+                           sum[5],
+                           energy_wanted_ ? stored : 0.0,
                            energy_wanted_ ? sum[4] - sum[5] - stored : 0.0};
   return values[k];
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/implicit: implicit steps for balls, cage balls and rings (implicit/bearing_step.h).
 //
-// Where it sits in the host's step: initial_integrate makes the whole step, in as many substeps as the control
-// asks for, with its own copy of the state and its own calls of the contact functions; the host's force
-// evaluation that follows fills the contact table at the end of the step. Chosen because the host's step is then
-// what output sees, however the control varies inside it; the table and every output of it belong to the state
-// that is written, not to a prediction; substeps and repeats cost no neighbour check, no fix, no clearing of
-// arrays; and nothing but positions, velocities and one step size has to survive in a restart.
+// Where it sits in the host's step: initial_integrate makes the whole step, in as many substeps as
+// the control asks for, with its own copy of the state and its own calls of the contact functions;
+// the host's force evaluation that follows fills the contact table at the end of the step. Chosen
+// because the host's step is then what output sees, however the control varies inside it; the table
+// and every output of it belong to the state that is written, not to a prediction; substeps and
+// repeats cost no neighbour check, no fix, no clearing of arrays; and nothing but positions,
+// velocities and one step size has to survive in a restart.
 #ifdef FIX_CLASS
 FixStyle(bearing/implicit,FixBearingImplicit)
 #else
@@ -32,19 +33,19 @@ class FixBearingImplicit : public Fix {
   // Contacts between host steps: asked for in another fix's setup(), there after every step.
   using Instants = raceway::BearingStep::Instants;
   struct InstantContact {
-    int instant;           // k of number, 1 to number - 1
+    int instant;    // k of number, 1 to number - 1
     bearing::tag_t ball;
     raceway::Side side;
     raceway::BearingStep::Contact contact;
   };
-  void want_instants(const Instants &);                     // one set of wishes a fix
+  void want_instants(const Instants &);    // one set of wishes a fix
   // Those of the balls `of` (sorted) in bearings at home here.
   void add_instants(const std::vector<bearing::tag_t> &of, std::vector<InstantContact> &) const;
 
  private:
   struct Part {
     bearing::ImplicitBearing bearing;
-    double step;         // s, the control's wish for the next substep
+    double step;    // s, the control's wish for the next substep
   };
 
   void check_fixes();
@@ -55,15 +56,15 @@ class FixBearingImplicit : public Fix {
   [[noreturn]] void give_up(Part &, double h, const raceway::BearingStep::Outcome &);
 
   PairBearingHertz *pair_;
-  double tolerance_ = 0.0;        // m, estimated local error of a position in a substep; 0 until known
+  double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
   raceway::BearingStep::Settings settings_;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   Instants instants_;
-  double largest_ = HUGE_VAL;     // s, substep
+  double largest_ = HUGE_VAL;    // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
   bearing::BearingParts bearings_;
-  std::vector<Part> parts_;       // those at home here
+  std::vector<Part> parts_;    // those at home here
   int build_ = -1;
   // of the bearings at home here, since the start of the run
   double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_ring.h"
 
-#include "arguments.h"
+#include "../deck/arguments.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
 
@@ -33,8 +33,9 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) {
       if (!pair_->is_ring_type(atom->type[i]))
-        BRG_ONE(std::string("fix ") + id + " bearing/ring: atom " + std::to_string(atom->tag[i]) + " of group " +
-                arg[1] + " is of type " + std::to_string(atom->type[i]) + ", which no pair_coeff names as a ring");
+        BRG_ONE(std::string("fix ") + id + " bearing/ring: atom " + std::to_string(atom->tag[i]) +
+                " of group " + arg[1] + " is of type " + std::to_string(atom->type[i]) +
+                ", which no pair_coeff names as a ring");
       mine.push_back(static_cast<int>(atom->tag[i]));
     }
   std::vector<int> count(comm->nprocs), offset(comm->nprocs, 0);
@@ -42,12 +43,16 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
   MPI_Allgather(&n, 1, MPI_INT, count.data(), 1, MPI_INT, world);
   for (int p = 1; p < comm->nprocs; ++p) offset[p] = offset[p - 1] + count[p - 1];
   tags_.resize(offset.back() + count.back());
-  MPI_Allgatherv(mine.data(), n, MPI_INT, tags_.data(), count.data(), offset.data(), MPI_INT, world);
+  MPI_Allgatherv(mine.data(), n, MPI_INT, tags_.data(), count.data(), offset.data(), MPI_INT,
+                 world);
   std::sort(tags_.begin(), tags_.end());
-  if (tags_.empty()) BRG_ALL(std::string("fix ") + id + " bearing/ring: missing ring, group " + arg[1] + " is empty");
+  if (tags_.empty())
+    BRG_ALL(std::string("fix ") + id + " bearing/ring: missing ring, group " + arg[1] +
+            " is empty");
   size_array_rows = static_cast<int>(tags_.size());
   // a variable may be atom-style: values of their own travel with the rings
-  called_back_ = std::any_of(value_, value_ + N_VALUE, [](const DrivenValue &v) { return v.is_variable(); });
+  called_back_ =
+      std::any_of(value_, value_ + N_VALUE, [](const DrivenValue &v) { return v.is_variable(); });
   if (called_back_) {
     BRG_SET_MAXEXCHANGE(N_VALUE);
     atom->add_callback(0);
@@ -91,12 +96,14 @@ void FixBearingRing::parse(int narg, char **arg)
       inertia_.axial = args.positive("inertia about the axis (kg m^2)");
       inertia_.transverse = args.positive("inertia across the axis (kg m^2)");
       if (inertia_.axial > 2.0 * inertia_.transverse)
-        args.fail("inertia " + bearing::text(inertia_.axial) + " " + bearing::text(inertia_.transverse) +
+        args.fail("inertia " + bearing::text(inertia_.axial) + " " +
+                  bearing::text(inertia_.transverse) +
                   ": no body has more than twice as much about its axis as across it");
     } else if (args.take("force")) {
       for (int k = 0; k < 3; ++k) value_[FORCE + k] = DrivenValue::read(args, "force (N)", true);
     } else if (args.take("moment")) {
-      for (int k = 0; k < 3; ++k) value_[MOMENT + k] = DrivenValue::read(args, "moment (N m)", true);
+      for (int k = 0; k < 3; ++k)
+        value_[MOMENT + k] = DrivenValue::read(args, "moment (N m)", true);
     } else if (args.take("ramp")) {
       ramp_time_ = args.non_negative("ramp time (s)");
     } else {
@@ -105,8 +112,7 @@ void FixBearingRing::parse(int narg, char **arg)
     }
   }
   for (int k = 0; k < 3; ++k)
-    if (mode_[k] == free && mass_ == 0.0)
-      args.fail(std::string(lab[k]) + " free needs 'mass M'");
+    if (mode_[k] == free && mass_ == 0.0) args.fail(std::string(lab[k]) + " free needs 'mass M'");
   for (int k = 3; k < N_DOF; ++k)
     if (mode_[k] == free && inertia_.axial == 0.0)
       args.fail("a free tilt or spin needs 'inertia AXIAL TRANSVERSE'");
@@ -129,8 +135,10 @@ void FixBearingRing::init()
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
       for (int i = 0; i < atom->nlocal; ++i)
-        if ((atom->mask[i] & groupbit) && (atom->mask[i] & modify->fix[k]->groupbit)) by_another = 1;
-  MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX, world);    // who owns no ring must know
+        if ((atom->mask[i] & groupbit) && (atom->mask[i] & modify->fix[k]->groupbit))
+          by_another = 1;
+  MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX,
+                world);    // who owns no ring must know
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   if (mass_ > 0.0)
@@ -165,7 +173,8 @@ void FixBearingRing::evaluate(int first, int last)
   for (int k = first; k < last; ++k) now_.of[k] = value_[k].now(lmp);
 }
 
-// Atom-style variables hold for a run: evaluating them for every atom in every step would cost more than the bearings.
+// Atom-style variables hold for a run: evaluating them for every atom in every step would cost more
+// than the bearings.
 void FixBearingRing::find_own_values()
 {
   for (int k : own_) {
@@ -173,8 +182,8 @@ void FixBearingRing::find_own_values()
     for (int i = 0; i < atom->nlocal; ++i) {
       if (!(atom->mask[i] & groupbit)) continue;
       if (!std::isfinite(all[i]))
-        BRG_ONE(std::string("fix ") + id + " bearing/ring: variable '" + value_[k].name() + "' is " + bearing::text(all[i]) +
-                " for ring atom " + std::to_string(atom->tag[i]));
+        BRG_ONE(std::string("fix ") + id + " bearing/ring: variable '" + value_[k].name() +
+                "' is " + bearing::text(all[i]) + " for ring atom " + std::to_string(atom->tag[i]));
       per_ring_[i].of[k] = all[i];
     }
   }
@@ -220,7 +229,8 @@ int FixBearingRing::unpack_exchange(int i, double *buf)
 
 double FixBearingRing::memory_usage()
 {
-  return per_ring_.capacity() * sizeof(Values) + tags_.capacity() * sizeof(int) + report_.capacity() * sizeof(double);
+  return per_ring_.capacity() * sizeof(Values) + tags_.capacity() * sizeof(int) +
+         report_.capacity() * sizeof(double);
 }
 
 // Smooth growth of force and moment from 0 to full over the ramp time (3s^2 - 2s^3).
@@ -278,7 +288,8 @@ void FixBearingRing::kick()
     if (tilts_free) {
       // all of the gyroscopic coupling is in the momentum; an imposed spin takes its reaction
       const double spin = dot(w, e);
-      w = raceway::angular_velocity(inertia_, raceway::angular_momentum(inertia_, w, e) + M * half, e);
+      w = raceway::angular_velocity(inertia_, raceway::angular_momentum(inertia_, w, e) + M * half,
+                                    e);
       if (mode_[SPIN_DOF] != free) w += e * (spin - dot(w, e));
     } else {
       for (int k = 0; k < 2; ++k)
@@ -296,7 +307,8 @@ void FixBearingRing::kick()
 void FixBearingRing::tilt_of(const Vec3 &e, double *tilt) const
 {
   const Vec3 s = cross(unit(along_), e);
-  const double sine = norm(s), factor = sine > 0.0 ? std::atan2(sine, dot(unit(along_), e)) / sine : 1.0;
+  const double sine = norm(s),
+               factor = sine > 0.0 ? std::atan2(sine, dot(unit(along_), e)) / sine : 1.0;
   for (int k = 0; k < 2; ++k) tilt[k] = factor * dot(s, unit(across_[k])) + 0.0;    // no minus zero
 }
 
@@ -305,9 +317,9 @@ void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w, const doub
 {
   const double dt = update->dt;
   const bool free1 = mode_[3] == free, free2 = mode_[4] == free;
-  const double spin = mode_[SPIN_DOF] == speed ? target[SPIN_DOF]
-      : mode_[SPIN_DOF] == fixed               ? 0.0
-                                                            : dot(w, ring.axis);
+  const double spin = mode_[SPIN_DOF] == speed   ? target[SPIN_DOF]
+                      : mode_[SPIN_DOF] == fixed ? 0.0
+                                                 : dot(w, ring.axis);
   if (free1 && free2) {
     const Vec3 L = raceway::angular_momentum(inertia_, w, ring.axis);
     ring.axis = raceway::drift_axis(inertia_, L, ring.axis, dt);
@@ -325,7 +337,8 @@ void FixBearingRing::turn(FixBearingState::RingMotion &ring, Vec3 &w, const doub
       across += unit(across_[k]) * rate;
     }
     // two driven tilts define the axis outright: no drift from adding up small rotations
-    ring.axis = rotate(unit(along_), unit(across_[0]) * ring.tilt[0] + unit(across_[1]) * ring.tilt[1]);
+    ring.axis =
+        rotate(unit(along_), unit(across_[0]) * ring.tilt[0] + unit(across_[1]) * ring.tilt[1]);
     w = across + ring.axis * spin;
   } else if (mode_[SPIN_DOF] != free) {
     w = ring.axis * spin;
@@ -395,7 +408,9 @@ void FixBearingRing::gather_reports()
   size_t m = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const size_t row = std::lower_bound(tags_.begin(), tags_.end(), static_cast<int>(atom->tag[i])) - tags_.begin();
+    const size_t row =
+        std::lower_bound(tags_.begin(), tags_.end(), static_cast<int>(atom->tag[i])) -
+        tags_.begin();
     double *r = &report_[row * N_REPORT];
     const FixBearingState::RingMotion &ring = state_->ring(i);
     const Vec3 w = Vec3::from(atom->omega[i]);
@@ -411,7 +426,8 @@ void FixBearingRing::gather_reports()
     }
     ++m;
   }
-  MPI_Allreduce(MPI_IN_PLACE, report_.data(), static_cast<int>(report_.size()), MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(MPI_IN_PLACE, report_.data(), static_cast<int>(report_.size()), MPI_DOUBLE, MPI_SUM,
+                world);
 }
 
 double FixBearingRing::compute_vector(int k) { return compute_array(0, k); }

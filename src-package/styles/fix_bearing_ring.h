@@ -6,9 +6,9 @@ FixStyle(bearing/ring,FixBearingRing)
 #ifndef LMP_FIX_BEARING_RING_H
 #define LMP_FIX_BEARING_RING_H
 
+#include "../deck/driven_value.h"
 #include "../implicit/ring_program.h"
 #include "bearing_compat.h"
-#include "driven_value.h"
 #include "fix_bearing_state.h"
 
 namespace LAMMPS_NS {
@@ -32,13 +32,20 @@ class FixBearingRing : public Fix {
 
   // For fix bearing/implicit, which moves the rings of its group itself.
   enum Mode { fixed, free, speed, position };    // as raceway::Freedom
-  enum { SPIN_DOF = 5, N_DOF = 6 };    // x, y, z, tilt about the first and second axis across, spin about the axis
+  enum {
+    SPIN_DOF = 5,
+    N_DOF = 6
+  };    // x, y, z, tilt about the first and second axis across, spin about the axis
   bool moves(int i) const { return atom->mask[i] & groupbit; }
   bool tilts() const { return mode_[3] != fixed || mode_[4] != fixed; }
   void begin_step();
-  // What an atom-style variable gives a ring for itself: the number of a degree of freedom, FORCE + or MOMENT + a lab axis.
+  // What an atom-style variable gives a ring for itself: the number of a degree of freedom, FORCE +
+  // or MOMENT + a lab axis.
   enum { FORCE = N_DOF, MOMENT = FORCE + 3, N_VALUE = MOMENT + 3 };
-  struct OwnValue { int which; double value; };
+  struct OwnValue {
+    int which;
+    double value;
+  };
   std::vector<OwnValue> own_values(int i) const;
   // of this step for a ring with these values, in names with the bearing axis third
   raceway::RingProgram program(const std::vector<OwnValue> &) const;
@@ -50,11 +57,30 @@ class FixBearingRing : public Fix {
   double memory_usage() override;
 
   enum Report {    // columns of f_ID[...], from 1
-    DX, DY, DZ, VX, VY, VZ, TILT1, TILT2, SPIN, ANGLE, FX, FY, FZ, MX, MY, MZ, FRICTION_TORQUE, N_REPORT
+    DX,
+    DY,
+    DZ,
+    VX,
+    VY,
+    VZ,
+    TILT1,
+    TILT2,
+    SPIN,
+    ANGLE,
+    FX,
+    FY,
+    FZ,
+    MX,
+    MY,
+    MZ,
+    FRICTION_TORQUE,
+    N_REPORT
   };
 
  private:
-  struct Values { double of[N_VALUE] = {}; };    // speeds, or positions at the end of the step; loads without the ramp
+  struct Values {
+    double of[N_VALUE] = {};
+  };    // speeds, or positions at the end of the step; loads without the ramp
   void parse(int, char **);
   void read_freedom(class bearing::Arguments &, const std::string &name, int dof);
   void find_own_values();
@@ -73,14 +99,15 @@ class FixBearingRing : public Fix {
   double mass_ = 0.0;
   raceway::RingInertia inertia_;
   double ramp_time_ = 0.0, time_ = 0.0;
-  int across_[2], along_;               // lab axes across and along the bearing axis
-  Values now_, before_;                 // of all rings; in the step before
-  std::vector<int> own_;                // which values each ring has for itself
-  std::vector<Values> per_ring_;        // these, by local atom
-  bool called_back_ = false;            // the host moves per_ring_ with the atoms
-  bool by_another_ = false;             // a fix bearing/implicit integrates these rings
-  std::vector<int> tags_;               // of the rings, rising
-  std::vector<raceway::Vec3> contact_force_, contact_moment_;    // per local atom of the group, last step
+  int across_[2], along_;           // lab axes across and along the bearing axis
+  Values now_, before_;             // of all rings; in the step before
+  std::vector<int> own_;            // which values each ring has for itself
+  std::vector<Values> per_ring_;    // these, by local atom
+  bool called_back_ = false;        // the host moves per_ring_ with the atoms
+  bool by_another_ = false;         // a fix bearing/implicit integrates these rings
+  std::vector<int> tags_;           // of the rings, rising
+  std::vector<raceway::Vec3> contact_force_,
+      contact_moment_;    // per local atom of the group, last step
   std::vector<double> report_;
   bigint reported_ = -1;
 };

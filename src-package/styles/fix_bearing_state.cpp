@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_state.h"
 
-#include "arguments.h"
+#include "../contacts/step_check.h"
+#include "../deck/arguments.h"
 #include "fix_bearing_ring.h"
 #include "pair_bearing_hertz.h"
-#include "step_check.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using raceway::Vec3;
 using bearing::text;
+using raceway::Vec3;
 
 FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/state"))
@@ -34,7 +34,8 @@ FixBearingState::~FixBearingState()
 
 int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 
-// Local indices change: rails (pre_force) and contacts (pair) claim their places in the rings' sums anew.
+// Local indices change: rails (pre_force) and contacts (pair) claim their places in the rings' sums
+// anew.
 void FixBearingState::pre_neighbor()
 {
   pair_->ring_sum().reset();
@@ -47,7 +48,8 @@ void FixBearingState::init()
 {
   axes_turn_ = false;
   for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k])) axes_turn_ = axes_turn_ || r->tilts();
+    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k]))
+      axes_turn_ = axes_turn_ || r->tilts();
 }
 
 // Last of the fixes: put back the forces of the step before, if this run continues it.
@@ -58,7 +60,8 @@ void FixBearingState::setup(int)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0) explicit_step_ = false;
   int continues = 1;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep)) continues = 0;
+    if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep))
+      continues = 0;
   MPI_Allreduce(MPI_IN_PLACE, &continues, 1, MPI_INT, MPI_MIN, world);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (continues)
@@ -82,10 +85,11 @@ void FixBearingState::check_step()
   const bearing::StepLimit limit = bearing::step_limit(lmp, *pair_);
   const double ratio = update->dt / limit.step;
   if (ratio > 10.0)
-    BRG_ALL("timestep " + text(update->dt) + " s: " + limit.why() + " allows at most " + text(limit.step) + " s");
+    BRG_ALL("timestep " + text(update->dt) + " s: " + limit.why() + " allows at most " +
+            text(limit.step) + " s");
   if (ratio > 1.0 && !warned_ && comm->me == 0)
-    BRG_WARN("timestep " + text(update->dt) + " s is too large for velocity Verlet: " + limit.why() +
-             " allows at most " + text(limit.step) + " s; see fix bearing/timestep");
+    BRG_WARN("timestep " + text(update->dt) + " s is too large for velocity Verlet: " +
+             limit.why() + " allows at most " + text(limit.step) + " s; see fix bearing/timestep");
   if (ratio > 1.0) warned_ = true;
 }
 
@@ -110,17 +114,19 @@ double *FixBearingState::spring(int i, bearing::tag_t ring)
   for (int k = 0; k < p.n_springs; ++k)
     if (p.spring_ring[k] == ring) return p.spring[k];
   if (p.n_springs == max_rings)
-    BRG_ONE("ball " + std::to_string(atom->tag[i]) + " has met more than " + std::to_string(max_rings) + " rings");
+    BRG_ONE("ball " + std::to_string(atom->tag[i]) + " has met more than " +
+            std::to_string(max_rings) + " rings");
   p.spring_ring[p.n_springs] = ring;
   p.spring[p.n_springs][0] = p.spring[p.n_springs][1] = 0.0;
   return p.spring[p.n_springs++];
 }
 
-// Rails ask before the pair style does; the second in a step finds them sent. Axes that no fix turns are sent to new ghosts
-// only.
+// Rails ask before the pair style does; the second in a step finds them sent. Axes that no fix
+// turns are sent to new ghosts only.
 void FixBearingState::forward_axes()
 {
-  if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_)) return;
+  if (comm->nprocs == 1 || axes_sent_ == update->ntimestep || (axes_sent_ >= 0 && !axes_turn_))
+    return;
   axes_sent_ = update->ntimestep;
   BRG_FORWARD_FIX(this);
 }
@@ -222,7 +228,8 @@ void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 }
 
 #if BEARING_IS_LIGGGHTS
-// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2): a ring centre lies deeper.
+// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2): a ring centre lies
+// deeper.
 double FixBearingState::extend_cut_ghost() { return 2.0 * reach_; }
 #endif
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of the bearing pair styles: what a ball or ring carries from step to step beyond position
-// and velocity, across ranks and restarts. Made by the pair style; users need not name it.
+// Internal fix of the bearing pair styles: what a ball or ring carries from step to step beyond
+// position and velocity, across ranks and restarts. Made by the pair style; users need not name it.
 //
-//   ball: tangential springs, keyed by the ring's tag;   ring: axis, spin angle, origin, imposed tilt;
-//   all:  force and torque at the end of a run, so that the next run (or a restart) starts its first half
+//   ball: tangential springs, keyed by the ring's tag;   ring: axis, spin angle, origin, imposed
+//   tilt; all:  force and torque at the end of a run, so that the next run (or a restart) starts
+//   its first half
 //         kick with the bits of the step before instead of forces from full-step velocities.
 #ifdef FIX_CLASS
 FixStyle(bearing/state,FixBearingState)
@@ -28,10 +29,11 @@ class FixBearingState : public Fix {
 
   struct RingMotion {
     raceway::Vec3 axis;
-    raceway::Vec3 origin;         // m, where the ring was at the start
-    double angle = 0.0;           // rad, turned about its axis
-    double tilt[2] = {0.0, 0.0};  // rad, imposed, about the two axes across
-    double step = 0.0;            // s, next internal step that fix bearing/implicit wishes, at its first ring; 0: none yet
+    raceway::Vec3 origin;           // m, where the ring was at the start
+    double angle = 0.0;             // rad, turned about its axis
+    double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two axes across
+    double step = 0.0;    // s, next internal step that fix bearing/implicit wishes, at its first
+                          // ring; 0: none yet
   };
 
   FixBearingState(class LAMMPS *, int, char **);
@@ -47,10 +49,16 @@ class FixBearingState : public Fix {
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
   RingMotion &ring(int i) { return per_atom_[i].ring; }
   double *spring(int i_ball, bearing::tag_t ring);    // 2 values, a new slot starts at 0
-  void forward_axes();    // and owners, of rings to ghosts, once a step
-  int owner(int i) const { return i < atom->nlocal ? comm->me : per_atom_[i].owner; }    // rank; of ghosts since then
+  void forward_axes();                                // and owners, of rings to ghosts, once a step
+  int owner(int i) const
+  {
+    return i < atom->nlocal ? comm->me : per_atom_[i].owner;
+  }    // rank; of ghosts since then
   std::vector<PerAtom> &per_atom() { return per_atom_; }
-  void ghost_reach(double cut) { if (cut > reach_) reach_ = cut; }
+  void ghost_reach(double cut)
+  {
+    if (cut > reach_) reach_ = cut;
+  }
 
   void grow_arrays(int) override;
   void copy_arrays(int, int, int) override;
@@ -73,10 +81,10 @@ class FixBearingState : public Fix {
     bearing::tag_t spring_ring[max_rings] = {};
     double spring[max_rings][2] = {};
     RingMotion ring;
-    bool saved = false;           // force and torque below belong to saved_step
+    bool saved = false;    // force and torque below belong to saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
-    int owner = 0;                // of a ghost
+    int owner = 0;    // of a ghost
   };
 
  private:

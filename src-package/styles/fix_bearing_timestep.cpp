@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_timestep.h"
 
-#include "arguments.h"
+#include "../contacts/step_check.h"
+#include "../deck/arguments.h"
 #include "pair_bearing_hertz.h"
-#include "step_check.h"
 
 #include <algorithm>
 
@@ -61,9 +61,9 @@ void FixBearingTimestep::check()
     return;
   }
   if (update->dt <= limit_ || exceed_ == ignore) return;
-  const std::string message = std::string("fix ") + id + " bearing/timestep: step " + text(update->dt) +
-      " s exceeds what " + limit.why() + " allows, " + text(limit_) + " s, at step " +
-      std::to_string(update->ntimestep);
+  const std::string message = std::string("fix ") + id + " bearing/timestep: step " +
+                              text(update->dt) + " s exceeds what " + limit.why() + " allows, " +
+                              text(limit_) + " s, at step " + std::to_string(update->ntimestep);
   if (exceed_ == stop) BRG_ALL(message);
   if (!warned_ && comm->me == 0) BRG_WARN(message);
   warned_ = true;
@@ -79,8 +79,8 @@ void FixBearingTimestep::set_step(double dt)
 
 double FixBearingTimestep::compute_scalar() { return limit_; }
 
-// 1: limit now, 2: smallest limit since the fix was made, 3: simulated time, 4: wall time since the start
-// of the run, all in s
+// 1: limit now, 2: smallest limit since the fix was made, 3: simulated time, 4: wall time since the
+// start of the run, all in s
 double FixBearingTimestep::compute_vector(int k)
 {
   if (k == 2) return update->atime + (update->ntimestep - update->atimestep) * update->dt;

@@ -18,7 +18,8 @@ static BearingModel model_of(const PairBearingHertz &pair, const PartModel &part
   for (const PartModel::Body &b : part.bodies) m.bodies.push_back({b.mass, b.radius, b.spins});
   m.rings = static_cast<int>(part.rings.size());
   for (const PartModel::Groove &g : part.grooves) m.grooves.push_back({g.body, g.ring, g.physics});
-  for (const PartModel::Pocket &p : part.pockets) m.pockets.push_back({p.a, p.b, p.K, p.reach, p.mass});
+  for (const PartModel::Pocket &p : part.pockets)
+    m.pockets.push_back({p.a, p.b, p.K, p.reach, p.mass});
   for (const PartModel::Seat &s : part.seats)
     m.seats.push_back({s.body, s.ring, &s.cage->rails(), &s.cage->stiffness()});
   m.lubricated = pair.lubricated();
@@ -27,7 +28,8 @@ static BearingModel model_of(const PairBearingHertz &pair, const PartModel &part
 }
 
 ImplicitBearing::ImplicitBearing(const PairBearingHertz &pair, const PartModel &part) :
-    axis_(pair.axis_index()), step_(model_of(pair, part)), bodies_(part.bodies.size()), rings_(part.rings.size())
+    axis_(pair.axis_index()), step_(model_of(pair, part)), bodies_(part.bodies.size()),
+    rings_(part.rings.size())
 {
   for (const PartModel::Body &b : part.bodies) tags_.push_back(b.tag);
   for (const PartModel::Ring &r : part.rings) {
@@ -36,9 +38,11 @@ ImplicitBearing::ImplicitBearing(const PairBearingHertz &pair, const PartModel &
   }
 }
 
-void ImplicitBearing::load(const std::vector<BodyState> &bodies, const std::vector<RingFullState> &rings)
+void ImplicitBearing::load(const std::vector<BodyState> &bodies,
+                           const std::vector<RingFullState> &rings)
 {
-  for (size_t k = 0; k < bodies.size(); ++k) bodies_[k] = {in(bodies[k].x), in(bodies[k].v), in(bodies[k].w)};
+  for (size_t k = 0; k < bodies.size(); ++k)
+    bodies_[k] = {in(bodies[k].x), in(bodies[k].v), in(bodies[k].w)};
   for (size_t k = 0; k < rings.size(); ++k) {
     const RingFullState &r = rings[k];
     RingPose &p = rings_[k];
@@ -57,7 +61,8 @@ void ImplicitBearing::load(const std::vector<BodyState> &bodies, const std::vect
 void ImplicitBearing::store(std::vector<BodyState> &bodies, std::vector<RingFullState> &rings) const
 {
   step_.store(bodies_, rings_);
-  for (size_t k = 0; k < bodies.size(); ++k) bodies[k] = {out(bodies_[k].x), out(bodies_[k].v), out(bodies_[k].w)};
+  for (size_t k = 0; k < bodies.size(); ++k)
+    bodies[k] = {out(bodies_[k].x), out(bodies_[k].v), out(bodies_[k].w)};
   for (size_t k = 0; k < rings.size(); ++k) {
     const RingPose &p = rings_[k];
     RingFullState &r = rings[k];

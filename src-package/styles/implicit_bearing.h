@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One bearing of the host in the hands of an implicit step (implicit/bearing_step.h): names with the bearing axis
-// third, a cyclic change when the axis is x or y, and back.
+// One bearing of the host in the hands of an implicit step (implicit/bearing_step.h): names with
+// the bearing axis third, a cyclic change when the axis is x or y, and back.
 #ifndef BEARING_IMPLICIT_BEARING_H
 #define BEARING_IMPLICIT_BEARING_H
 
 #include "../implicit/bearing_step.h"
-#include "bearing_parts.h"
+#include "../ranks/bearing_parts.h"
 
 namespace bearing {
 
@@ -21,8 +21,14 @@ class ImplicitBearing {
 
  private:
   using Vec3 = raceway::Vec3;
-  Vec3 in(const Vec3 &v) const { return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.y, v.z, v.x} : Vec3{v.z, v.x, v.y}; }
-  Vec3 out(const Vec3 &v) const { return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x}; }
+  Vec3 in(const Vec3 &v) const
+  {
+    return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.y, v.z, v.x} : Vec3{v.z, v.x, v.y};
+  }
+  Vec3 out(const Vec3 &v) const
+  {
+    return axis_ == 2 ? v : axis_ == 0 ? Vec3{v.z, v.x, v.y} : Vec3{v.y, v.z, v.x};
+  }
 
   int axis_;
   std::vector<tag_t> tags_;

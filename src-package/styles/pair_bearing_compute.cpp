@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step: fill the contact table, add forces. What a scene does not ask for is a template parameter.
+// The step: fill the contact table, add forces. What a scene does not ask for is a template
+// parameter.
 #include "pair_bearing_hertz.h"
 
+#include "../deck/arguments.h"
 #include "../physics/damped_hertz.h"
-#include "arguments.h"
 #include "fix_bearing_state.h"
 
 using namespace LAMMPS_NS;
@@ -26,10 +27,10 @@ void PairBearingHertz::compute(int eflag, int vflag)
 template <bool tally> void PairBearingHertz::choose_friction()
 {
   if (with_film_) switch (friction_) {
-    case Friction::none: raceway_forces<true, Friction::none, tally>(); break;
-    case Friction::constant: raceway_forces<true, Friction::constant, tally>(); break;
-    case Friction::stribeck: raceway_forces<true, Friction::stribeck, tally>(); break;
-  }
+      case Friction::none: raceway_forces<true, Friction::none, tally>(); break;
+      case Friction::constant: raceway_forces<true, Friction::constant, tally>(); break;
+      case Friction::stribeck: raceway_forces<true, Friction::stribeck, tally>(); break;
+    }
   else if (friction_ == Friction::none) raceway_forces<false, Friction::none, tally>();
   else raceway_forces<false, Friction::constant, tally>();
 }
@@ -58,9 +59,10 @@ template <bool film, Friction friction, bool tally> void PairBearingHertz::racew
     ring.v = Vec3::from(v[c.i_ring]);
     ring.w = Vec3::from(w[c.i_ring]);
     double xi[2] = {c.spring[0], c.spring[1]};
-    const ContactForces forces = p.creep > 0.0
-        ? contact_forces<film, friction>(p, ball, ring, FrictionSmoothed(), c.state)
-        : contact_forces<film, friction>(p, ball, ring, FrictionSpring{dt, xi}, c.state);
+    const ContactForces forces =
+        p.creep > 0.0
+            ? contact_forces<film, friction>(p, ball, ring, FrictionSmoothed(), c.state)
+            : contact_forces<film, friction>(p, ball, ring, FrictionSpring{dt, xi}, c.state);
     if (friction != Friction::none && advance) {
       c.spring[0] = xi[0];
       c.spring[1] = xi[1];
@@ -72,8 +74,9 @@ template <bool film, Friction friction, bool tally> void PairBearingHertz::racew
     if (tally) {
       const Vec3 d = ball.x - ring.x;
       // int Q d(overlap) = 2/5 Q overlap. Only this rank sees the pair: count it whole (newton = 1)
-      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? 0.4 * c.state.load * c.state.overlap : 0.0,
-                   0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
+      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
+                   eflag_either ? 0.4 * c.state.load * c.state.overlap : 0.0, 0.0, forces.force.x,
+                   forces.force.y, forces.force.z, d.x, d.y, d.z);
     }
   }
 }
@@ -99,7 +102,8 @@ void PairBearingHertz::sphere_forces(bool tally)
     if (s.i < nlocal) force.add_to(f[s.i]);
     if (s.j < nlocal) (-force).add_to(f[s.j]);
     if (tally) {
-      const double energy = eflag_either ? 0.4 * s.K * (s.reach - r) * (s.reach - r) * std::sqrt(s.reach - r) : 0.0;
+      const double energy =
+          eflag_either ? 0.4 * s.K * (s.reach - r) * (s.reach - r) * std::sqrt(s.reach - r) : 0.0;
       ev_tally_xyz(s.i, s.j, nlocal, 0, energy, 0.0, force.x, force.y, force.z, d.x, d.y, d.z);
     }
   }
@@ -107,10 +111,11 @@ void PairBearingHertz::sphere_forces(bool tally)
 
 void PairBearingHertz::lost(const RacewayContact &c)
 {
-  BRG_ONE("ball " + std::to_string(c.ball) + " on " + (c.side() == Side::inner ? "inner" : "outer") + " ring " +
-          std::to_string(c.ring) + " at step " + std::to_string(update->ntimestep) + ": overlap " +
-          text(c.state.overlap) + " m, force " + text(c.state.normal) + " N, largest allowed overlap " +
-          text(c.raceway->largest_overlap) + " m (overlap_limit of the ball radius). The step " + text(update->dt) +
-          " s is too large, the load too high, or the start overlaps");
+  BRG_ONE("ball " + std::to_string(c.ball) + " on " +
+          (c.side() == Side::inner ? "inner" : "outer") + " ring " + std::to_string(c.ring) +
+          " at step " + std::to_string(update->ntimestep) + ": overlap " + text(c.state.overlap) +
+          " m, force " + text(c.state.normal) + " N, largest allowed overlap " +
+          text(c.raceway->largest_overlap) + " m (overlap_limit of the ball radius). The step " +
+          text(update->dt) + " s is too large, the load too high, or the start overlaps");
   std::abort();
 }

@@ -2,7 +2,7 @@
 // Which ball may touch which raceway, cage ball or ball: found once per neighbour build.
 #include "pair_bearing_hertz.h"
 
-#include "arguments.h"
+#include "../deck/arguments.h"
 #include "fix_bearing_state.h"
 
 #include <algorithm>
@@ -30,7 +30,8 @@ void PairBearingHertz::rebuild_contacts()
         if (!c.raceway || c.i_ball >= nlocal) continue;    // the owner of the ball does it
         // a ball of another bearing is not in this groove
         const Vec3 d = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
-        if (!(locate(d, state_->axis(c.i_ring), c.raceway->centre_circle).s < c.raceway->groove.groove_radius))
+        if (!(locate(d, state_->axis(c.i_ring), c.raceway->centre_circle).s <
+              c.raceway->groove.groove_radius))
           continue;
         c.ball = atom->tag[c.i_ball];
         c.ring = atom->tag[c.i_ring];
@@ -46,22 +47,26 @@ void PairBearingHertz::rebuild_contacts()
       s.reach = atom->radius[i] + atom->radius[j];
       const Vec3 d = Vec3::from(atom->x[i]) - Vec3::from(atom->x[j]);
       if (update->setupflag && norm(d) < 0.98 * s.reach)
-        BRG_ONE("overlapping balls: atoms " + std::to_string(s.tag_i) + " and " + std::to_string(s.tag_j) +
-                " are " + text(norm(d)) + " m apart, the sum of their radii is " + text(s.reach) + " m");
+        BRG_ONE("overlapping balls: atoms " + std::to_string(s.tag_i) + " and " +
+                std::to_string(s.tag_j) + " are " + text(norm(d)) +
+                " m apart, the sum of their radii is " + text(s.reach) + " m");
       const auto it = spheres_.find({std::min(type[i], type[j]), std::max(type[i], type[j])});
       if (it == spheres_.end()) continue;
       const Sphere &m = it->second;
-      s.K = m.factor * sphere_stiffness(atom->radius[i], atom->radius[j], reduced_modulus(m.E1, m.nu1, m.E2, m.nu2));
+      s.K = m.factor * sphere_stiffness(atom->radius[i], atom->radius[j],
+                                        reduced_modulus(m.E1, m.nu1, m.E2, m.nu2));
       s.mass = atom->rmass[i] * atom->rmass[j] / (atom->rmass[i] + atom->rmass[j]);
       table_.sphere.push_back(s);
     }
   }
-  std::sort(table_.raceway.begin(), table_.raceway.end(), [](const RacewayContact &a, const RacewayContact &b) {
-    return a.ball != b.ball ? a.ball < b.ball : a.ring < b.ring;
-  });
-  std::sort(table_.sphere.begin(), table_.sphere.end(), [](const SphereContact &a, const SphereContact &b) {
-    return a.tag_i != b.tag_i ? a.tag_i < b.tag_i : a.tag_j < b.tag_j;
-  });
+  std::sort(table_.raceway.begin(), table_.raceway.end(),
+            [](const RacewayContact &a, const RacewayContact &b) {
+              return a.ball != b.ball ? a.ball < b.ball : a.ring < b.ring;
+            });
+  std::sort(table_.sphere.begin(), table_.sphere.end(),
+            [](const SphereContact &a, const SphereContact &b) {
+              return a.tag_i != b.tag_i ? a.tag_i < b.tag_i : a.tag_j < b.tag_j;
+            });
   add_raceway_contacts();
   rebuild_ = false;
   ++builds_;
@@ -77,7 +82,8 @@ void PairBearingHertz::add_raceway_contacts()
     const int bit = c.side() == Side::inner ? 1 : 2;
     if (sides[c.i_ball] & bit)
       BRG_ONE("ball " + std::to_string(c.ball) + " sits in the grooves of two " +
-              (bit == 1 ? "inner" : "outer") + " rings: two bearings overlap, or a ring is there twice");
+              (bit == 1 ? "inner" : "outer") +
+              " rings: two bearings overlap, or a ring is there twice");
     sides[c.i_ball] |= bit;
   }
   for (int i = 0; i < atom->nlocal; ++i) {
@@ -87,11 +93,12 @@ void PairBearingHertz::add_raceway_contacts()
       if (r.first.first == atom->type[i]) wanted |= r.second.groove.side == Side::inner ? 1 : 2;
     const int missing = wanted & ~sides[i];
     if (missing)
-      BRG_ONE(std::string(update->setupflag ? "ball " : "lost ball ") + std::to_string(atom->tag[i]) + " at (" +
-              text(atom->x[i][0]) + ", " + text(atom->x[i][1]) + ", " + text(atom->x[i][2]) +
-              ") m sits in no groove of an " + (missing & 1 ? "inner" : "outer") + " ring at step " +
-              std::to_string(update->ntimestep) +
-              (update->setupflag ? ": ring missing, at another place or at odds with the other ring"
-                                 : ": step too large, load too high, or the rings have come apart"));
+      BRG_ONE(
+          std::string(update->setupflag ? "ball " : "lost ball ") + std::to_string(atom->tag[i]) +
+          " at (" + text(atom->x[i][0]) + ", " + text(atom->x[i][1]) + ", " + text(atom->x[i][2]) +
+          ") m sits in no groove of an " + (missing & 1 ? "inner" : "outer") + " ring at step " +
+          std::to_string(update->ntimestep) +
+          (update->setupflag ? ": ring missing, at another place or at odds with the other ring"
+                             : ": step too large, load too high, or the rings have come apart"));
   }
 }

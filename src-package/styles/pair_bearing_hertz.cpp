@@ -3,9 +3,9 @@
 // pair_bearing_compute.cpp, the finding of contacts in pair_bearing_contacts.cpp.
 #include "pair_bearing_hertz.h"
 
-#include "arguments.h"
+#include "../contacts/raceway_options.h"
+#include "../deck/arguments.h"
 #include "fix_bearing_state.h"
-#include "raceway_options.h"
 
 #include <algorithm>
 
@@ -35,8 +35,7 @@ PairBearingHertz::~PairBearingHertz()
 PairBearingHertz *PairBearingHertz::find(LAMMPS *lmp, const std::string &asked_by)
 {
   PairBearingHertz *p = dynamic_cast<PairBearingHertz *>(lmp->force->pair);
-  if (!p)
-    BRG_ALL_OF(lmp, asked_by + " needs pair_style bearing/hertz or bearing/ehd before it");
+  if (!p) BRG_ALL_OF(lmp, asked_by + " needs pair_style bearing/hertz or bearing/ehd before it");
   return p;
 }
 
@@ -68,7 +67,8 @@ void PairBearingHertz::settings(int narg, char **arg)
   overlap_limit_ = 0.05;
   std::fill(ring_type_.begin(), ring_type_.end(), 0);
   std::fill(ball_type_.begin(), ball_type_.end(), 0);
-  Arguments args(lmp, std::string("pair_style ") + (with_film_ ? "bearing/ehd" : "bearing/hertz"), narg, arg, 0);
+  Arguments args(lmp, std::string("pair_style ") + (with_film_ ? "bearing/ehd" : "bearing/hertz"),
+                 narg, arg, 0);
   while (args.more()) {
     if (args.take("axis")) axis_ = args.choice("axis", {"x", "y", "z"});
     else if (args.take("overlap_limit")) overlap_limit_ = args.within("overlap_limit", 1e-4, 0.5);
@@ -77,7 +77,8 @@ void PairBearingHertz::settings(int narg, char **arg)
   }
 }
 
-// pair_coeff BALL RING inner|outer R r_c [keywords]   or   pair_coeff I J sphere E1 nu1 E2 nu2 [printed]
+// pair_coeff BALL RING inner|outer R r_c [keywords]   or   pair_coeff I J sphere E1 nu1 E2 nu2
+// [printed]
 void PairBearingHertz::coeff(int narg, char **arg)
 {
   if (!allocated) allocate();
@@ -85,28 +86,33 @@ void PairBearingHertz::coeff(int narg, char **arg)
   std::string command = "pair_coeff";
   for (int k = 0; k < narg && k < 3; ++k) command += std::string(" ") + arg[k];
   Arguments args(lmp, command, narg, arg, 0);
-  const int i = args.integer("first type", 1, atom->ntypes), j = args.integer("second type", 1, atom->ntypes);
+  const int i = args.integer("first type", 1, atom->ntypes),
+            j = args.integer("second type", 1, atom->ntypes);
   const int role = args.choice("role", {"inner", "outer", "sphere"});
   if (role == 2) {
     read_sphere(args, i, j);
     return;
   }
   if (i == j) args.fail("ball and ring need different atom types");
-  if (raceways_.count({j, i})) args.fail("the ball type comes first, and an earlier pair_coeff has it second");
+  if (raceways_.count({j, i}))
+    args.fail("the ball type comes first, and an earlier pair_coeff has it second");
   RacewayPhysics p = defaults_;
   p.groove.side = role == 0 ? Side::inner : Side::outer;
   p.groove.raceway_radius = args.positive("raceway radius (m)");
   p.groove.groove_radius = args.positive("groove radius (m)");
   if (p.groove.groove_radius >= p.groove.raceway_radius)
-    args.fail("groove radius " + text(p.groove.groove_radius) + " must be smaller than the raceway radius " +
-              text(p.groove.raceway_radius));
+    args.fail("groove radius " + text(p.groove.groove_radius) +
+              " must be smaller than the raceway radius " + text(p.groove.raceway_radius));
   while (args.more())
-    if (!bearing::read_raceway_keyword(args, with_film_, p)) args.unknown(bearing::raceway_keywords(with_film_));
+    if (!bearing::read_raceway_keyword(args, with_film_, p))
+      args.unknown(bearing::raceway_keywords(with_film_));
   if (with_film_ && p.model.lubricant.viscosity == 0.0)
-    args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; without a "
+    args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; "
+              "without a "
               "lubricant use bearing/hertz");
   if (with_film_ && p.ring_roughness == 0.0)
-    args.fail("bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it sets the film parameter "
+    args.fail("bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it sets the "
+              "film parameter "
               "and the floor of the film damper");
   raceways_[{i, j}] = p;
   ball_type_[i] = ring_type_[j] = 1;
@@ -136,7 +142,8 @@ double PairBearingHertz::pitch_radius(int ring_type) const
   for (const auto &own : raceways_) {
     if (own.first.second != ring_type) continue;
     for (const auto &other : raceways_)
-      if (other.first.first == own.first.first && other.second.groove.side != own.second.groove.side)
+      if (other.first.first == own.first.first &&
+          other.second.groove.side != own.second.groove.side)
         return 0.5 * (own.second.groove.raceway_radius + other.second.groove.raceway_radius);
     const double sign = own.second.groove.side == Side::inner ? 1.0 : -1.0;
     return own.second.groove.raceway_radius + sign * own.second.groove.ball_radius;
@@ -164,14 +171,16 @@ bool PairBearingHertz::smooth_friction(double creep)
 void PairBearingHertz::init_style()
 {
   if (strcmp(update->unit_style, "si") != 0)
-    BRG_ALL(std::string("pair_style bearing needs 'units si', not 'units ") + update->unit_style + "'");
+    BRG_ALL(std::string("pair_style bearing needs 'units si', not 'units ") + update->unit_style +
+            "'");
   if (!atom->radius_flag || !atom->rmass_flag || !atom->torque_flag || !atom->omega_flag)
     BRG_ALL("pair_style bearing needs atom_style sphere (granular in LIGGGHTS): balls turn");
   if (force->newton_pair)
     BRG_ALL("pair_style bearing needs 'newton off': the owner of a ball computes its contacts");
   if (domain->xperiodic || domain->yperiodic || domain->zperiodic)
     BRG_ALL("pair_style bearing needs 'boundary f f f' (or m, s): a bearing is not periodic");
-  if (raceways_.empty()) BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
+  if (raceways_.empty())
+    BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
   prepare_raceways();
@@ -181,8 +190,9 @@ void PairBearingHertz::init_style()
   rebuild_ = true;
 }
 
-// The state fix puts back the forces of the step before after every other fix has had its set-up: it must be
-// the last one. Fixes defined since the run before move it to the end again, with all it keeps.
+// The state fix puts back the forces of the step before after every other fix has had its set-up:
+// it must be the last one. Fixes defined since the run before move it to the end again, with all it
+// keeps.
 void PairBearingHertz::put_state_last()
 {
   const int at = modify->find_fix(FixBearingState::fixed_id);
@@ -203,7 +213,8 @@ void PairBearingHertz::put_state_last()
 void PairBearingHertz::prepare_raceways()
 {
   const int n = atom->ntypes + 1;
-  std::vector<double> lo(n, -HUGE_VAL), hi(n, 0.0), mass(n, 0.0);    // lo holds -radius: one MAX for all
+  std::vector<double> lo(n, -HUGE_VAL), hi(n, 0.0),
+      mass(n, 0.0);    // lo holds -radius: one MAX for all
   for (int i = 0; i < atom->nlocal; ++i) {
     const int t = atom->type[i];
     lo[t] = std::max(lo[t], -atom->radius[i]);
@@ -221,17 +232,18 @@ void PairBearingHertz::prepare_raceways()
     const std::string who = "pair_coeff " + std::to_string(ball) + " " + std::to_string(ring);
     if (hi[ball] == 0.0) BRG_ALL(who + ": there is no ball of type " + std::to_string(ball));
     if (hi[ball] + lo[ball] > 1e-12 * hi[ball])
-      BRG_ALL(who + ": balls of type " + std::to_string(ball) + " have radii from " + text(-lo[ball]) + " to " +
-              text(hi[ball]) + " m; give each size its own type");
+      BRG_ALL(who + ": balls of type " + std::to_string(ball) + " have radii from " +
+              text(-lo[ball]) + " to " + text(hi[ball]) + " m; give each size its own type");
     p.groove.ball_radius = hi[ball];
     if (!(p.groove.groove_radius > hi[ball] * (1.0 + 1e-9)))
-      BRG_ALL(who + ": groove radius " + text(p.groove.groove_radius) + " m must be larger than the ball radius " +
-              text(hi[ball]) + " m (a conformal groove is no Hertz point contact)");
+      BRG_ALL(who + ": groove radius " + text(p.groove.groove_radius) +
+              " m must be larger than the ball radius " + text(hi[ball]) +
+              " m (a conformal groove is no Hertz point contact)");
     const double pitch = p.groove.side == Side::inner ? p.groove.raceway_radius + hi[ball]
                                                       : p.groove.raceway_radius - hi[ball];
     if (!(pitch > hi[ball]))
-      BRG_ALL(who + ": raceway radius " + text(p.groove.raceway_radius) + " m leaves no pitch circle for balls of " +
-              "radius " + text(hi[ball]) + " m");
+      BRG_ALL(who + ": raceway radius " + text(p.groove.raceway_radius) +
+              " m leaves no pitch circle for balls of " + "radius " + text(hi[ball]) + " m");
     p.prepare(pitch, mass[ball], overlap_limit_);
     if (!first && p.friction != friction_)
       BRG_ALL(who + ": all raceways of a run share one friction law (its numbers may differ)");
@@ -255,28 +267,32 @@ void PairBearingHertz::check_rings()
       if (b.first.first != ball || b.first.second == ring) continue;
       if (a.second.groove.side == Side::inner && b.second.groove.side == Side::outer &&
           a.second.groove.raceway_radius >= b.second.groove.raceway_radius)
-        BRG_ALL("two rings at odds: inner raceway radius " + text(a.second.groove.raceway_radius) + " m (type " +
-                std::to_string(ring) + ") is not smaller than the outer one, " +
-                text(b.second.groove.raceway_radius) + " m (type " + std::to_string(b.first.second) + ")");
+        BRG_ALL("two rings at odds: inner raceway radius " + text(a.second.groove.raceway_radius) +
+                " m (type " + std::to_string(ring) + ") is not smaller than the outer one, " +
+                text(b.second.groove.raceway_radius) + " m (type " +
+                std::to_string(b.first.second) + ")");
     }
   }
 }
 
-// The hosts take the larger of what a deck asks for and what pairs need; who asks for less has another thing in mind.
+// The hosts take the larger of what a deck asks for and what pairs need; who asks for less has
+// another thing in mind.
 void PairBearingHertz::check_ghosts()
 {
   double reach = 0.0;
-  for (const auto &r : raceways_) reach = std::max(reach, r.second.groove.raceway_radius + r.second.groove.groove_radius);
+  for (const auto &r : raceways_)
+    reach = std::max(reach, r.second.groove.raceway_radius + r.second.groove.groove_radius);
   if (comm->cutghostuser > 0.0 && comm->cutghostuser < reach)
-    BRG_ALL("pair_style bearing: the ghost cutoff " + text(comm->cutghostuser) + " m (" BRG_GHOST_COMMAND
-            " cutoff) is too small: a ball must see the centre of its ring, up to " + text(reach) +
-            " m away; leave the cutoff out");
+    BRG_ALL("pair_style bearing: the ghost cutoff " + text(comm->cutghostuser) +
+            " m (" BRG_GHOST_COMMAND
+            " cutoff) is too small: a ball must see the centre of its ring, up to " +
+            text(reach) + " m away; leave the cutoff out");
 }
 
 double PairBearingHertz::init_one(int i, int j)
 {
-  // A ball that touches its groove, or is as far outside as the overlap limit and half a radius, is a neighbour: ghosts come
-  // from no farther than that. Spheres touch at the sum of their radii.
+  // A ball that touches its groove, or is as far outside as the overlap limit and half a radius, is
+  // a neighbour: ghosts come from no farther than that. Spheres touch at the sum of their radii.
   double cut = 0.0;
   for (const TypePair &key : {TypePair(i, j), TypePair(j, i)}) {
     auto it = raceways_.find(key);
@@ -316,7 +332,8 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
   BRG_UNUSED_RESTART_ARGS;
   auto read_int = [&]() {
     int v = 0;
-    if (comm->me == 0 && fread(&v, sizeof(int), 1, fp) != 1) BRG_ONE("pair_style bearing: restart file ends early");
+    if (comm->me == 0 && fread(&v, sizeof(int), 1, fp) != 1)
+      BRG_ONE("pair_style bearing: restart file ends early");
     MPI_Bcast(&v, 1, MPI_INT, 0, world);
     return v;
   };
@@ -339,5 +356,5 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
 double PairBearingHertz::memory_usage()
 {
   return table_.raceway.capacity() * sizeof(bearing::RacewayContact) +
-      table_.sphere.capacity() * sizeof(bearing::SphereContact);
+         table_.sphere.capacity() * sizeof(bearing::SphereContact);
 }

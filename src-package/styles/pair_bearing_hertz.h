@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// pair_style bearing/hertz: dry elliptical Hertz contact of balls in the grooves of rings, friction, and
-// frictionless sphere contacts of the cage. Owns the contact table. bearing/ehd adds the film.
+// pair_style bearing/hertz: dry elliptical Hertz contact of balls in the grooves of rings,
+// friction, and frictionless sphere contacts of the cage. Owns the contact table. bearing/ehd adds
+// the film.
 #ifdef PAIR_CLASS
 PairStyle(bearing/hertz,PairBearingHertz)
 #else
 #ifndef LMP_PAIR_BEARING_HERTZ_H
 #define LMP_PAIR_BEARING_HERTZ_H
 
-#include "contact_table.h"
-#include "ring_sum.h"
+#include "../contacts/contact_table.h"
+#include "../ranks/ring_sum.h"
 
 #include <map>
 
-namespace bearing { class Arguments; }
+namespace bearing {
+class Arguments;
+}
 
 namespace LAMMPS_NS {
 
@@ -38,14 +41,19 @@ class PairBearingHertz : public Pair {
   bool lubricated() const { return with_film_; }
   int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
   raceway::Vec3 axis() const;
-  bool is_ring_type(int type) const { return type < (int) ring_type_.size() && ring_type_[type]; }
-  bool is_ball_type(int type) const { return type < (int) ball_type_.size() && ball_type_[type]; }
+  bool is_ring_type(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
+  bool is_ball_type(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type) const;    // null: none
-  // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no ring.
+  // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no
+  // ring.
   double pitch_radius(int ring_type) const;
   raceway::Friction friction() const { return friction_; }
-  bool smooth_friction(double creep);          // raceways with a tangential spring take this creep instead: true
-  int table_build() const { return builds_; }    // counts how often local indices in the table changed
+  bool smooth_friction(
+      double creep);    // raceways with a tangential spring take this creep instead: true
+  int table_build() const
+  {
+    return builds_;
+  }    // counts how often local indices in the table changed
 
   // The pair style of the run; error naming `asked_by` if it is not one of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
@@ -54,7 +62,9 @@ class PairBearingHertz : public Pair {
   bool with_film_ = false;
 
  private:
-  struct Sphere { double E1, nu1, E2, nu2, factor; };
+  struct Sphere {
+    double E1, nu1, E2, nu2, factor;
+  };
   using TypePair = std::pair<int, int>;
 
   void allocate();

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run larger than memory should need: simulates a 6208 until contacts.dump holds 2 GB, looks at it in every way the
-package has, and writes seconds and memory to docs/performance/large_runs.rst.
+"""A run larger than memory should need: simulates a 6208 until contacts.dump holds 2 GB, looks at
+it in every way the package has, and writes seconds and memory to docs/performance/large_runs.rst.
 
     .venv/bin/python tests/bench/big_dump.py [GIGABYTES [FOLDER]]
 
-FOLDER (default build/run/large) needs half as much again; a run that is there and large enough is used again, and one
-made here is left for that. Exit code 1 when anything needs 1 GB of memory or fails.
+FOLDER (default build/run/large) needs half as much again; a run that is there and large enough is
+used again, and one made here is left for that. Exit code 1 when anything needs 1 GB of memory or
+fails.
 """
 
 import subprocess
@@ -23,17 +24,28 @@ TASKS = {  # name: what is done to `run`, in a process of its own
     "all figures (`raceway summary`)": "run.summary()",
     "bearing totals, every sample": "run.bearing",
     "regime shares around the ring": "from raceway.regimes import shares; shares(run)",
-    "pressure and permittivity around the ring": "from raceway.electrical import by_raceway; by_raceway(run)",
+    "pressure and permittivity around the ring": (
+        "from raceway.electrical import by_raceway; by_raceway(run)"
+    ),
     "losses, every sample": "from raceway.losses import losses; losses(run)",
-    "spectrum of the ring, lines found":
-        "from raceway.spectrum import lines, of_run; lines(run, of_run(run))",
-    "largest load of each ball, from blocks of datasets":
-        "import functools, numpy; functools.reduce(numpy.maximum, (b['load'].max('time') for b in run.blocks('contacts')))",
-    "one ball pass from the middle as datasets":
-        "raceway.open(sys.argv[1], slice(MIDDLE, MIDDLE + 200)).contacts['load'].max()",
-    "MDAnalysis: 1000 frames spread over the run": "u = run.universe(); [u.trajectory[i] for i in range(0, len(u.trajectory), "
-                                                   "max(1, len(u.trajectory) // 1000))]",
-    "picture (`raceway plot`)": "from raceway.pictures.overview import overview; overview(run.tables, sys.argv[1] + '/overview.png')",
+    "spectrum of the ring, lines found": (
+        "from raceway.spectrum import lines, of_run; lines(run, of_run(run))"
+    ),
+    "largest load of each ball, from blocks of datasets": (
+        "import functools, numpy; functools.reduce(numpy.maximum, (b['load'].max('time') for b in"
+        " run.blocks('contacts')))"
+    ),
+    "one ball pass from the middle as datasets": (
+        "raceway.open(sys.argv[1], slice(MIDDLE, MIDDLE + 200)).contacts['load'].max()"
+    ),
+    "MDAnalysis: 1000 frames spread over the run": (
+        "u = run.universe(); [u.trajectory[i] for i in range(0, len(u.trajectory), "
+        "max(1, len(u.trajectory) // 1000))]"
+    ),
+    "picture (`raceway plot`)": (
+        "from raceway.pictures.overview import overview; overview(run.tables, sys.argv[1] +"
+        " '/overview.png')"
+    ),
 }
 
 
@@ -45,9 +57,26 @@ def simulate(folder, size):
         for passes in (4, None):
             passes = passes or int(1.01 * size / bytes_per_pass) + 1
             print(f"simulating {passes} ball passes", flush=True)
-            done = subprocess.run([ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none", "-var", "passes",
-                                   str(passes), "-var", "out", folder], cwd=ROOT, capture_output=True, text=True,
-                                  errors="replace", check=False)
+            done = subprocess.run(
+                [
+                    ROOT / "build" / "liggghts",
+                    "-in",
+                    "inputs/in.6208",
+                    "-log",
+                    "none",
+                    "-var",
+                    "passes",
+                    str(passes),
+                    "-var",
+                    "out",
+                    folder,
+                ],
+                cwd=ROOT,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                check=False,
+            )
             if done.returncode:
                 sys.exit(f"the deck failed:\n{done.stdout[-2000:]}")
             bytes_per_pass = dump.stat().st_size / passes
@@ -55,11 +84,17 @@ def simulate(folder, size):
 
 def measure(folder, task, middle):
     """(seconds, largest resident memory in MB) of a task."""
-    code = ("import sys, warnings; warnings.simplefilter('ignore'); import raceway; run = raceway.open(sys.argv[1])\n"
-            + task.replace("MIDDLE", str(middle))
-            + "\nprint(next(line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')))")
+    code = (
+        "import sys, warnings; warnings.simplefilter('ignore'); import raceway; run ="
+        " raceway.open(sys.argv[1])\n"
+        + task.replace("MIDDLE", str(middle))
+        + "\nprint(next(line.split()[1] for line in open('/proc/self/status') if"
+        " line.startswith('VmHWM')))"
+    )
     start = time.perf_counter()
-    done = subprocess.run([sys.executable, "-c", code, folder], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", code, folder], capture_output=True, text=True, check=False
+    )
     seconds = time.perf_counter() - start
     if done.returncode:
         sys.exit(f"{task} failed:\n{done.stderr[-2000:]}")
@@ -71,21 +106,58 @@ def main():
     gigabytes = float(sys.argv[1]) if len(sys.argv) > 1 else 2.0
     folder = Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "build" / "run" / "large").resolve()
     simulate(folder, gigabytes * 1e9)
-    size = {name: (folder / name).stat().st_size / 1e9 for name in ("contacts.dump", "balls.dump", "rings.dat")}
-    passes = int(float(next(line.split()[1] for line in (folder / "run.yaml").open() if line.startswith("passes:"))))
+    size = {
+        name: (folder / name).stat().st_size / 1e9
+        for name in ("contacts.dump", "balls.dump", "rings.dat")
+    }
+    passes = int(
+        float(
+            next(
+                line.split()[1]
+                for line in (folder / "run.yaml").open()
+                if line.startswith("passes:")
+            )
+        )
+    )
     rows = []
     for name, task in TASKS.items():
         rows.append((name, *measure(folder, task, passes * 100)))
         print(f"{name:<52}{rows[-1][1]:8.1f} s{rows[-1][2]:8.0f} MB", flush=True)
-    lines = [".. written by make bench (tests/bench/big_dump.py); do not edit", "", "Large runs", "==========", "",
-             f"Measured on {date.today()}: {passes} ball passes of the main deck, {passes * 200} samples; "
-             + ", ".join(f"``{name}`` {value:.2f} GB" for name, value in size.items()) + ".", ""]
+    lines = [
+        ".. written by make bench (tests/bench/big_dump.py); do not edit",
+        "",
+        "Large runs",
+        "==========",
+        "",
+        f"Measured on {date.today()}: {passes} ball passes of the main deck, {passes * 200}"
+        " samples; "
+        + ", ".join(f"``{name}`` {value:.2f} GB" for name, value in size.items())
+        + ".",
+        "",
+    ]
     lines += [f"- {fact}" for fact in machine()]
-    lines += ["", "Each task in a process of its own, files in the page cache or not as it comes. Memory is the largest resident size of",
-              "the process.", "", ".. list-table::", "   :header-rows: 1", "   :widths: 60 20 20", "", "   * - task",
-              "     - seconds", "     - memory (MB)"]
+    lines += [
+        "",
+        (
+            "Each task in a process of its own, files in the page cache or not as it comes. Memory"
+            " is the largest resident size of"
+        ),
+        "the process.",
+        "",
+        ".. list-table::",
+        "   :header-rows: 1",
+        "   :widths: 60 20 20",
+        "",
+        "   * - task",
+        "     - seconds",
+        "     - memory (MB)",
+    ]
     for name, seconds, memory in rows:
-        lines += [f"   * - {name.replace('`', '``')}", f"     - {seconds:.1f}", f"     - {memory:.0f}"]
+        lines += [
+            f"   * - {name.replace('`', '``')}",
+            f"     - {seconds:.1f}",
+            f"     - {memory:.0f}",
+        ]
     text = "\n".join([*lines, ""])
     (ROOT / "docs" / "performance" / "large_runs.rst").write_text(text)
     worst = max(memory for _, _, memory in rows)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Exudyn's ball bearing with the sizes of a 6208: python exudyn_bearing.py SETTINGS, a JSON object.
 
-Settings: stiffness (N/m^exponent), exponent, damping (N s/m), friction, zone (m/s, sliding speed from which friction
-is full), load (N, towards -y), speed (rad/s), step, ramp, settle and window (s), samples. Prints one JSON line: wall
-seconds of the time loop, simulated seconds, and for each sample of the window the ring's place (m), the balls' places
-(m) and inner loads (N); or the error with which the solver stopped and the time (s) it had reached.
+Settings: stiffness (N/m^exponent), exponent, damping (N s/m), friction, zone (m/s, sliding speed
+from which friction is full), load (N, towards -y), speed (rad/s), step, ramp, settle and window
+(s), samples. Prints one JSON line: wall seconds of the time loop, simulated seconds, and for each
+sample of the window the ring's place (m), the balls' places (m) and inner loads (N); or the error
+with which the solver stopped and the time (s) it had reached.
 """
 
 import json
@@ -22,28 +23,55 @@ RING_MASS, RING_INERTIA = 0.2, (6.5e-5, 6.5e-5, 1.2e-4)  # kg, kg m^2
 
 
 def model(case):
-    """(system, inner contacts, balls and inner ring): outer ring fixed, inner ring driven and free in its plane."""
+    """(system, inner contacts, balls and inner ring): outer ring fixed, inner ring driven and free
+    in its plane."""
     system = exu.SystemContainer().AddSystem()
     pitch = (INNER + OUTER) / 2
-    data = GetBallBearingData([0, 0, 1], 0.080, 0.040, 0.018, 9, radiusBalls=BALL, radiusCage=pitch,
-                              innerGrooveRadius=GROOVE, outerGrooveRadius=GROOVE)
-    ring = system.CreateRigidBody(inertia=RigidBodyInertia(mass=RING_MASS, inertiaTensor=np.diag(RING_INERTIA)),
-                                  nodeType=exu.NodeType.RotationRxyz, initialAngularVelocity=[0, 0, case["speed"]])
-    system.CreateCoordinateConstraint(bodyNumbers=[ring, None], coordinates=[5, None], velocityLevel=True,
-                                      offset=case["speed"])
+    data = GetBallBearingData(
+        [0, 0, 1],
+        0.080,
+        0.040,
+        0.018,
+        9,
+        radiusBalls=BALL,
+        radiusCage=pitch,
+        innerGrooveRadius=GROOVE,
+        outerGrooveRadius=GROOVE,
+    )
+    ring = system.CreateRigidBody(
+        inertia=RigidBodyInertia(mass=RING_MASS, inertiaTensor=np.diag(RING_INERTIA)),
+        nodeType=exu.NodeType.RotationRxyz,
+        initialAngularVelocity=[0, 0, case["speed"]],
+    )
+    system.CreateCoordinateConstraint(
+        bodyNumbers=[ring, None], coordinates=[5, None], velocityLevel=True, offset=case["speed"]
+    )
     for held in (2, 3, 4):  # z and both tilts
         system.CreateCoordinateConstraint(bodyNumbers=[ring, None], coordinates=[held, None])
     orbit = case["speed"] * INNER / (2 * pitch)
     made = CreateBallBearing(
-        system, data, system.AddMarker(MarkerBodyRigid(bodyNumber=ring)),
-        system.AddMarker(MarkerBodyRigid(bodyNumber=system.CreateGround())), 7800.0, 1100.0,
-        cageInitialAngularVelocity=[0, 0, orbit], ballsInitialAngularVelocity=[0, 0, orbit * (1 - OUTER / BALL)],
-        springStiffnessCage=1e5, springDampingCage=1e2,  # as in its own test model; zero would leave the cage out
-        contactParametersRingBalls={"contactStiffness": case["stiffness"], "contactDamping": case["damping"],
-                                    "contactStiffnessExponent": case["exponent"], "dynamicFriction": case["friction"],
-                                    "frictionProportionalZone": case["zone"]})
-    system.CreateForce(bodyNumber=ring, loadVectorUserFunction=lambda mbs, t, v: [
-        0, -case["load"] * min(1.0, t / case["ramp"]), 0])
+        system,
+        data,
+        system.AddMarker(MarkerBodyRigid(bodyNumber=ring)),
+        system.AddMarker(MarkerBodyRigid(bodyNumber=system.CreateGround())),
+        7800.0,
+        1100.0,
+        cageInitialAngularVelocity=[0, 0, orbit],
+        ballsInitialAngularVelocity=[0, 0, orbit * (1 - OUTER / BALL)],
+        springStiffnessCage=1e5,
+        springDampingCage=1e2,  # as in its own test model; zero would leave the cage out
+        contactParametersRingBalls={
+            "contactStiffness": case["stiffness"],
+            "contactDamping": case["damping"],
+            "contactStiffnessExponent": case["exponent"],
+            "dynamicFriction": case["friction"],
+            "frictionProportionalZone": case["zone"],
+        },
+    )
+    system.CreateForce(
+        bodyNumber=ring,
+        loadVectorUserFunction=lambda mbs, t, v: [0, -case["load"] * min(1.0, t / case["ramp"]), 0],
+    )
     return system, made["innerRingBallContacts"], [*made["objectsBalls"], ring]
 
 
@@ -51,10 +79,18 @@ def run(case):
     """The result described above, as a dict."""
     system, contacts, bodies = model(case)
     kinds = exu.OutputVariableType
-    forces = [system.AddSensor(SensorObject(objectNumber=n, storeInternal=True, outputVariableType=kinds.Force))
-              for n in contacts]
-    places = [system.AddSensor(SensorBody(bodyNumber=n, storeInternal=True, outputVariableType=kinds.Position))
-              for n in bodies]
+    forces = [
+        system.AddSensor(
+            SensorObject(objectNumber=n, storeInternal=True, outputVariableType=kinds.Force)
+        )
+        for n in contacts
+    ]
+    places = [
+        system.AddSensor(
+            SensorBody(bodyNumber=n, storeInternal=True, outputVariableType=kinds.Position)
+        )
+        for n in bodies
+    ]
     system.Assemble()
     end = case["settle"] + case["window"]
     settings = exu.SimulationSettings()
@@ -62,7 +98,9 @@ def run(case):
     settings.solutionSettings.sensorsWritePeriod = case["window"] / case["samples"]
     settings.timeIntegration.endTime = end
     settings.timeIntegration.numberOfSteps = round(end / case["step"])
-    settings.timeIntegration.newton.absoluteTolerance = 1e-8  # these and the solver: its own bearing test model
+    settings.timeIntegration.newton.absoluteTolerance = (
+        1e-8  # these and the solver: its own bearing test model
+    )
     settings.timeIntegration.newton.relativeTolerance = 1e-6
     settings.timeIntegration.newton.useModifiedNewton = True
     settings.timeIntegration.verboseMode = 0
@@ -78,10 +116,17 @@ def run(case):
     load = np.linalg.norm([system.GetSensorStoredData(n)[:, 1:] for n in forces], axis=2).T
     place = np.array([system.GetSensorStoredData(n)[:, 1:3] for n in places]).swapaxes(0, 1)
     late = system.GetSensorStoredData(places[0])[:, 0] > case["settle"]
-    return {"wall": wall, "simulated": end, "shift": place[late, -1].tolist(), "balls": place[late, :-1].tolist(),
-            "loads": load[late].tolist()}
+    return {
+        "wall": wall,
+        "simulated": end,
+        "shift": place[late, -1].tolist(),
+        "balls": place[late, :-1].tolist(),
+        "loads": load[late].tolist(),
+    }
 
 
 if __name__ == "__main__":
-    warnings.simplefilter("ignore", DeprecationWarning)  # old names of settings, which its own examples still use
+    warnings.simplefilter(
+        "ignore", DeprecationWarning
+    )  # old names of settings, which its own examples still use
     print(json.dumps(run(json.loads(sys.argv[1]))))

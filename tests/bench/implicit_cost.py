@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a step of fix bearing/implicit costs: feature by feature, part by part, and with the number of balls; writes
-docs/performance/implicit_cost.rst.
+"""What a step of fix bearing/implicit costs: feature by feature, part by part, and with the number
+of balls; writes docs/performance/implicit_cost.rst.
 
-All scenes take turns in every round; ratios and differences are formed within a round. Medians and the range of the rounds
-are reported. The parts of a step come from `perf record` (Debian's linux-perf) where that is installed.
+All scenes take turns in every round; ratios and differences are formed within a round. Medians and
+the range of the rounds are reported. The parts of a step come from `perf record` (Debian's
+linux-perf) where that is installed.
 """
 
 import re
@@ -24,11 +25,19 @@ ROUNDS = 5
 STEPS = 20_000
 PLAIN = "tolerance 1e-7 order"
 SCENES = [  # name, variables of in.implicit_cost, the scene it is held against (its number) or None
-    ("dry: 9 balls, two raceways, friction, free ring; order 1", dict(lubricant="dry", cage=0, control=f"{PLAIN} 1"), None),
+    (
+        "dry: 9 balls, two raceways, friction, free ring; order 1",
+        dict(lubricant="dry", cage=0, control=f"{PLAIN} 1"),
+        None,
+    ),
     ("+ film, film damping, Stribeck friction", dict(cage=0, control=f"{PLAIN} 1"), 0),
     ("+ cage: 9 cage balls on two rails", dict(control=f"{PLAIN} 1"), 1),
     ("+ capacitance every step", dict(control=f"{PLAIN} 1", sample=1), 2),
-    ("+ capacitance at 10 instants of every step", dict(control=f"{PLAIN} 1", sample=1, within=10), 3),
+    (
+        "+ capacitance at 10 instants of every step",
+        dict(control=f"{PLAIN} 1", sample=1, within=10),
+        3,
+    ),
     ("order 2 in place of 1 (film, cage)", dict(control=f"{PLAIN} 2"), 2),
     ("five free degrees of freedom in place of two", dict(control=f"{PLAIN} 1", tilts=1), 2),
     ("energy account", dict(control=f"{PLAIN} 1 energy yes"), 2),
@@ -36,12 +45,25 @@ SCENES = [  # name, variables of in.implicit_cost, the scene it is held against 
 HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
 # symbols of a profile, in the order they are looked for
-PARTS = [("contact forces and derivatives", "BearingStep::forces"), ("cage rails", "BearingStep::seats"), ("cage contacts", "BearingStep::pockets"),
-         ("linear solve", "BearingStep::(factor|solve|start_rhs|condense|border|apply)|DenseLU|LinkChain"),
-         ("motion of bodies and rings", "BearingStep::(move|second_base|accept|store|load|error)|raceway::moved|raceway::between|rotate"),
-         ("contacts at instants within the step", "BearingStep::look_at"),
-         ("contact table of the host's step", "PairBearing"), ("capacitance, ring and cage fixes", "FixBearing|bearing::"),
-         ("exp, log, memory", "libm|libc"), ("the host", "LAMMPS_NS|liblig"), ("other", "")]
+PARTS = [
+    ("contact forces and derivatives", "BearingStep::forces"),
+    ("cage rails", "BearingStep::seats"),
+    ("cage contacts", "BearingStep::pockets"),
+    (
+        "linear solve",
+        "BearingStep::(factor|solve|start_rhs|condense|border|apply)|DenseLU|LinkChain",
+    ),
+    (
+        "motion of bodies and rings",
+        "BearingStep::(move|second_base|accept|store|load|error)|raceway::moved|raceway::between|rotate",
+    ),
+    ("contacts at instants within the step", "BearingStep::look_at"),
+    ("contact table of the host's step", "PairBearing"),
+    ("capacitance, ring and cage fixes", "FixBearing|bearing::"),
+    ("exp, log, memory", "libm|libc"),
+    ("the host", "LAMMPS_NS|liblig"),
+    ("other", ""),
+]
 
 
 def deck(name, **variables):
@@ -53,7 +75,14 @@ def deck(name, **variables):
 
 def measure(name, variables):
     """(ns a host step, internal steps a host step, corrections an internal step)."""
-    done = subprocess.run(deck(name, **variables), cwd=ROOT, capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run(
+        deck(name, **variables),
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        check=False,
+    )
     loops = re.findall(r"Loop time of (\S+) on", done.stdout)
     if done.returncode or not loops:
         sys.exit(f"{name} {variables} failed:\n{done.stdout[-2000:]}")
@@ -63,12 +92,20 @@ def measure(name, variables):
 
 
 def wide(balls):
-    """Variables of a bearing with 9 k balls on a pitch circle k times that of a 6208, under the same contact loads."""
+    """Variables of a bearing with 9 k balls on a pitch circle k times that of a 6208, under the
+    same contact loads."""
     k = balls / 9
     pitch = 30.3e-3 * k
     cage = 2 * (2 * pitch * sin(pi / (2 * balls)) - 6.3e-3) - 33e-6
-    return dict(balls=balls, inner_radius=pitch - 6.3e-3, outer_radius=pitch + 6.3e-3, cage_ball_diameter=cage, load=5000 * k, rpm=477.5,
-                control=f"{PLAIN} 1")
+    return dict(
+        balls=balls,
+        inner_radius=pitch - 6.3e-3,
+        outer_radius=pitch + 6.3e-3,
+        cage_ball_diameter=cage,
+        load=5000 * k,
+        rpm=477.5,
+        control=f"{PLAIN} 1",
+    )
 
 
 def profile():
@@ -78,9 +115,18 @@ def profile():
     with tempfile.TemporaryDirectory() as folder:
         data = Path(folder) / "perf.data"
         variables = dict(SCENES[4][1], control=f"{PLAIN} 2", steps=10 * STEPS)
-        subprocess.run(["perf", "record", "-q", "-o", data, *deck("in.implicit_cost", **variables)], cwd=ROOT, capture_output=True, check=False)
-        text = subprocess.run(["perf", "report", "-i", data, "--no-children", "--sort", "dso,symbol", "--stdio"], capture_output=True, text=True,
-                              check=False).stdout
+        subprocess.run(
+            ["perf", "record", "-q", "-o", data, *deck("in.implicit_cost", **variables)],
+            cwd=ROOT,
+            capture_output=True,
+            check=False,
+        )
+        text = subprocess.run(
+            ["perf", "report", "-i", data, "--no-children", "--sort", "dso,symbol", "--stdio"],
+            capture_output=True,
+            text=True,
+            check=False,
+        ).stdout
     shares = dict.fromkeys((name for name, _ in PARTS), 0.0)
     for share, what in re.findall(r"^\s+([\d.]+)%\s+(.+)$", text, re.M):
         shares[next(name for name, pattern in PARTS if re.search(pattern, what))] += float(share)
@@ -88,7 +134,10 @@ def profile():
 
 
 def spread(values, form="{:.0f}"):
-    return f"{form.format(statistics.median(values))} ({form.format(min(values))} to {form.format(max(values))})"
+    return (
+        f"{form.format(statistics.median(values))} ({form.format(min(values))} to"
+        f" {form.format(max(values))})"
+    )
 
 
 def table(head, rows):
@@ -102,35 +151,110 @@ def main():
     rounds = []
     for number in range(ROUNDS):
         print(f"round {number + 1} of {ROUNDS}", flush=True)
-        rounds.append([measure("in.empty", HOST[1])] + [measure("in.implicit_cost", dict(v)) for _, v, _ in SCENES]
-                      + [measure("in.implicit_cost", wide(balls)) for balls in ROWS])
-    empty, scenes, rows = ([r[0] for r in rounds], [r[1:1 + len(SCENES)] for r in rounds], [r[1 + len(SCENES):] for r in rounds])
-    lines = [".. written by make bench (tests/bench/implicit_cost.py); do not edit", "", "Cost of an implicit step", "========================", "",
-             f"Measured on {date.today()}, {ROUNDS} rounds of {STEPS} host steps, all scenes in every round:", ""]
+        rounds.append(
+            [measure("in.empty", HOST[1])]
+            + [measure("in.implicit_cost", dict(v)) for _, v, _ in SCENES]
+            + [measure("in.implicit_cost", wide(balls)) for balls in ROWS]
+        )
+    empty, scenes, rows = (
+        [r[0] for r in rounds],
+        [r[1 : 1 + len(SCENES)] for r in rounds],
+        [r[1 + len(SCENES) :] for r in rounds],
+    )
+    lines = [
+        ".. written by make bench (tests/bench/implicit_cost.py); do not edit",
+        "",
+        "Cost of an implicit step",
+        "========================",
+        "",
+        (
+            f"Measured on {date.today()}, {ROUNDS} rounds of {STEPS} host steps, all scenes in"
+            " every round:"
+        ),
+        "",
+    ]
     lines += [f"- {fact}" for fact in machine()]
-    lines += ["", "A 6208 (5 kN, 477.5 rpm, mineral oil) with host steps of 0.1 ms and a tolerance of 0.1 µm. *Adds* is the difference to the scene that a row builds on,",
-              "in the same round. Medians; in brackets the range of the rounds.", "", "Feature by feature", "------------------", ""]
+    lines += [
+        "",
+        (
+            "A 6208 (5 kN, 477.5 rpm, mineral oil) with host steps of 0.1 ms and a tolerance of 0.1"
+            " µm. *Adds* is the difference to the scene that a row builds on,"
+        ),
+        "in the same round. Medians; in brackets the range of the rounds.",
+        "",
+        "Feature by feature",
+        "------------------",
+        "",
+    ]
     body = [(HOST[0], spread([m[0] for m in empty]), "", "", "")]
     for k, (name, _, base) in enumerate(SCENES):
         times = [r[k][0] for r in scenes]
         added = spread([r[k][0] - r[base][0] for r in scenes]) if base is not None else ""
-        body.append((name, spread(times), added, f"{scenes[0][k][1]:.2f}", f"{scenes[0][k][2]:.2f}"))
-    lines += table(("scene", "ns a host step", "adds (ns)", "internal steps a host step", "corrections an internal step"), body)
+        body.append(
+            (name, spread(times), added, f"{scenes[0][k][1]:.2f}", f"{scenes[0][k][2]:.2f}")
+        )
+    lines += table(
+        (
+            "scene",
+            "ns a host step",
+            "adds (ns)",
+            "internal steps a host step",
+            "corrections an internal step",
+        ),
+        body,
+    )
     lines += ["Part by part", "------------", ""]
     shares = profile()
     if shares:
-        lines += ["Everything on, order 2, capacitance at 10 instants of a step; share of the processor's time in a long run (perf record).", ""]
-        lines += table(("part", "share (%)"), [(name, f"{share:.1f}") for name, share in shares.items()])
+        lines += [
+            (
+                "Everything on, order 2, capacitance at 10 instants of a step; share of the"
+                " processor's time in a long run (perf record)."
+            ),
+            "",
+        ]
+        lines += table(
+            ("part", "share (%)"), [(name, f"{share:.1f}") for name, share in shares.items()]
+        )
     else:
         lines += ["Not measured: perf is not installed here.", ""]
-    lines += ["With the number of balls", "------------------------", "",
-              "Bearings with a wider pitch circle and as many times more balls and load; film, cage, free ring, order 1.", ""]
+    lines += [
+        "With the number of balls",
+        "------------------------",
+        "",
+        (
+            "Bearings with a wider pitch circle and as many times more balls and load; film, cage,"
+            " free ring, order 1."
+        ),
+        "",
+    ]
     ns = {balls: [r[k][0] / r[k][1] / r[k][2] for r in rows] for k, balls in enumerate(ROWS)}
-    lines += table(("balls", "ns a correction", "ns a correction and ball", "corrections an internal step"),
-                   [(balls, spread(ns[balls]), spread([t / balls for t in ns[balls]], "{:.1f}"), f"{rows[0][k][2]:.2f}") for k, balls in enumerate(ROWS)])
-    orders = [log(ns[ROWS[-1]][k] / ns[ROWS[0]][k]) / log(ROWS[-1] / ROWS[0]) for k in range(ROUNDS)]
-    lines += [f"The time of a host step with one correction grows with the number of balls to the power {spread(orders, '{:.2f}')}: the blocks of four balls, the chain of",
-              "cage contacts and the border of the rings each cost a time proportional to it, the host's step has a part that does not depend on it.", ""]
+    lines += table(
+        ("balls", "ns a correction", "ns a correction and ball", "corrections an internal step"),
+        [
+            (
+                balls,
+                spread(ns[balls]),
+                spread([t / balls for t in ns[balls]], "{:.1f}"),
+                f"{rows[0][k][2]:.2f}",
+            )
+            for k, balls in enumerate(ROWS)
+        ],
+    )
+    orders = [
+        log(ns[ROWS[-1]][k] / ns[ROWS[0]][k]) / log(ROWS[-1] / ROWS[0]) for k in range(ROUNDS)
+    ]
+    lines += [
+        (
+            "The time of a host step with one correction grows with the number of balls to the"
+            f" power {spread(orders, '{:.2f}')}: the blocks of four balls, the chain of"
+        ),
+        (
+            "cage contacts and the border of the rings each cost a time proportional to it, the"
+            " host's step has a part that does not depend on it."
+        ),
+        "",
+    ]
     PAGE.write_text("\n".join(lines))
     print("\n".join(lines))
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What many bearings in one box cost, on one rank and on two; writes docs/performance/many.rst with a model for clusters.
+"""What many bearings in one box cost, on one rank and on two; writes docs/performance/many.rst with
+a model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
 
-The runs of a round follow each other, so that a drift of the machine hits them alike, and ratios are formed within a round.
+The runs of a round follow each other, so that a drift of the machine hits them alike, and ratios
+are formed within a round.
 """
 
 import math
@@ -20,34 +22,73 @@ from machine import machine
 
 ROOT = Path(__file__).resolve().parents[2]
 MANY = 1000
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="0")
-# Host steps of the runs, (one bearing, many), and how long the load takes to come on before them, s.
-INTEGRATORS = {"verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
-               "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2}}    # 140: a ball pass
+ENVIRONMENT = dict(
+    os.environ,
+    OMPI_ALLOW_RUN_AS_ROOT="1",
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+    OMPI_MCA_mpi_yield_when_idle="0",
+)
+# Host steps of the runs, (one bearing, many), and how long the load takes to come on before them,
+# s.
+INTEGRATORS = {
+    "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
+    "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},
+}  # 140: a ball pass
 ALIKE = {"fleet": "alike", "lubricant": "mineral", "kinds": 1}
 RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)
 LATENCY, BANDWIDTH = 2e-6, 1e10  # s, bytes/s: a usual cluster network; not measured here
-PACK = 20e-9                     # s, to pack and unpack a ghost; of the order of a copy out of cache, not measured here
-GHOST_BYTES = 72                 # position, velocity, spin
+PACK = (
+    20e-9  # s, to pack and unpack a ghost; of the order of a copy out of cache, not measured here
+)
+GHOST_BYTES = 72  # position, velocity, spin
 
 
 def run(ranks, steps, folder, **variables):
-    """A run of in.many: seconds of all loops and of a bearing-step, these in a host step, kB and ghosts of a rank."""
-    implicit, settle = variables["integrator"] == "implicit", INTEGRATORS[variables["integrator"]]["settle"]
+    """A run of in.many: seconds of all loops and of a bearing-step, these in a host step, kB and
+    ghosts of a rank."""
+    implicit, settle = (
+        variables["integrator"] == "implicit",
+        INTEGRATORS[variables["integrator"]]["settle"],
+    )
     deck = folder / "in.bench"
     # the load comes on in a first run; the last one is timed
-    deck.write_text(f"include inputs/in.many\nundump table\nrun {steps}\n" +
-                    ("variable made equal f_move[3]\nprint \"internal steps ${made}\"\n" if implicit else ""))
-    command = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none", "-var", "out", folder, "-var", "time", settle, "-var", "sample",
-               settle, "-var", "ramp", settle / 4]
+    deck.write_text(
+        f"include inputs/in.many\nundump table\nrun {steps}\n"
+        + ('variable made equal f_move[3]\nprint "internal steps ${made}"\n' if implicit else "")
+    )
+    command = [
+        ROOT / "build" / "liggghts",
+        "-in",
+        deck,
+        "-log",
+        "none",
+        "-var",
+        "out",
+        folder,
+        "-var",
+        "time",
+        settle,
+        "-var",
+        "sample",
+        settle,
+        "-var",
+        "ramp",
+        settle / 4,
+    ]
     for name, value in variables.items():
         command += ["-var", name, value]
     if ranks > 1:
         command = ["mpirun.openmpi", "--oversubscribe", "-np", ranks, *command]
     with open(folder / "said", "w", encoding="utf-8") as said:
-        process = subprocess.Popen([str(word) for word in command], cwd=ROOT, env=ENVIRONMENT, stdin=subprocess.DEVNULL,
-                                   stdout=said, stderr=subprocess.STDOUT)
+        process = subprocess.Popen(
+            [str(word) for word in command],
+            cwd=ROOT,
+            env=ENVIRONMENT,
+            stdin=subprocess.DEVNULL,
+            stdout=said,
+            stderr=subprocess.STDOUT,
+        )
         _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     text = (folder / "said").read_text(errors="replace")
@@ -56,8 +97,18 @@ def run(ranks, steps, folder, **variables):
     loops = [float(number) for number in re.findall(r"Loop time of (\S+) on", text)]
     ghosts = [float(number) for number in re.findall(r"Nghost:\s+(\S+) ave", text)]
     host_steps = steps * variables["bearings"]
-    made = float(re.search(r"internal steps (\S+)$", text, flags=re.M).group(1)) if implicit else host_steps
-    return {"cost": loops[-1] / made, "made": made / host_steps, "loops": sum(loops), "memory": usage.ru_maxrss, "ghosts": ghosts[-1]}
+    made = (
+        float(re.search(r"internal steps (\S+)$", text, flags=re.M).group(1))
+        if implicit
+        else host_steps
+    )
+    return {
+        "cost": loops[-1] / made,
+        "made": made / host_steps,
+        "loops": sum(loops),
+        "memory": usage.ru_maxrss,
+        "ghosts": ghosts[-1],
+    }
 
 
 def state(ranks, folder, **variables):
@@ -67,16 +118,28 @@ def state(ranks, folder, **variables):
         command += ["-var", name, value]
     if ranks > 1:
         command = ["mpirun.openmpi", "--oversubscribe", "-np", ranks, *command]
-    done = subprocess.run([str(word) for word in command], cwd=ROOT, env=dict(ENVIRONMENT, OMPI_MCA_mpi_yield_when_idle="1"),
-                          capture_output=True, text=True, errors="replace", stdin=subprocess.DEVNULL, check=False)
+    done = subprocess.run(
+        [str(word) for word in command],
+        cwd=ROOT,
+        env=dict(ENVIRONMENT, OMPI_MCA_mpi_yield_when_idle="1"),
+        capture_output=True,
+        text=True,
+        errors="replace",
+        stdin=subprocess.DEVNULL,
+        check=False,
+    )
     if done.returncode:
         sys.exit(f"failed on {ranks} ranks:\n{done.stdout[-2000:]}")
     # the rows of the table, by step: their order may depend on ranks, their bits must not
-    return sorted((folder / "bearings.dump").read_text().splitlines()), (folder / "last.dump").read_text()
+    return (
+        sorted((folder / "bearings.dump").read_text().splitlines()),
+        (folder / "last.dump").read_text(),
+    )
 
 
 def measure(rounds, folder):
-    """One dictionary a round and integrator: seconds a bearing and host step, and what comes with it."""
+    """One dictionary a round and integrator: seconds a bearing and host step, and what comes with
+    it."""
     results = {}
     for name, how in INTEGRATORS.items():
         one, many = how["steps"]
@@ -88,20 +151,37 @@ def measure(rounds, folder):
             single = run(1, one, folder, bearings=1, columns=1, **case)
             serial = run(1, many, folder, bearings=MANY, columns=columns, **case)
             double = run(2, many, folder, bearings=MANY, columns=columns, **case)
-            results[name].append({
-                "single": single["cost"], "many": serial["cost"], "made": serial["made"],
-                "ratio": serial["cost"] / single["cost"], "efficiency": serial["cost"] / (2 * double["cost"]),
-                "memory": (serial["memory"] - single["memory"]) / (MANY - 1), "ghosts": double["ghosts"] / columns})
+            results[name].append(
+                {
+                    "single": single["cost"],
+                    "many": serial["cost"],
+                    "made": serial["made"],
+                    "ratio": serial["cost"] / single["cost"],
+                    "efficiency": serial["cost"] / (2 * double["cost"]),
+                    "memory": (serial["memory"] - single["memory"]) / (MANY - 1),
+                    "ghosts": double["ghosts"] / columns,
+                }
+            )
     return results
 
 
 def set_up(folder):
     """(bearings, wall seconds before the first step) for some numbers of bearings."""
     import time
+
     rows = []
     for n in (1, 1000, 4000):
         begin = time.monotonic()
-        loops = run(1, 1, folder, bearings=n, columns=math.ceil(math.sqrt(n)), integrator="implicit", step=2.5e-4, **ALIKE)["loops"]
+        loops = run(
+            1,
+            1,
+            folder,
+            bearings=n,
+            columns=math.ceil(math.sqrt(n)),
+            integrator="implicit",
+            step=2.5e-4,
+            **ALIKE,
+        )["loops"]
         rows.append((n, time.monotonic() - begin - loops))
     return rows
 
@@ -112,16 +192,20 @@ def middle(rows, key):
 
 def span(rows, key, scale=1.0, digits=3):
     values = [row[key] * scale for row in rows]
-    return f"{statistics.median(values):.{digits}g} ({min(values):.{digits}g} to {max(values):.{digits}g})"
+    return (
+        f"{statistics.median(values):.{digits}g} ({min(values):.{digits}g} to"
+        f" {max(values):.{digits}g})"
+    )
 
 
 def model(seconds, ghosts, fleet, ranks):
-    """(seconds a host step, parallel efficiency) of a fleet in a square grid, cut into equal squares of whole ranks."""
+    """(seconds a host step, parallel efficiency) of a fleet in a square grid, cut into equal
+    squares of whole ranks."""
     n = math.ceil(fleet / ranks)
     work = n * seconds
     if ranks == 1:
         return work, 1.0
-    each = 4 * math.sqrt(n) * ghosts    # ghosts of a rank: four sides
+    each = 4 * math.sqrt(n) * ghosts  # ghosts of a rank: four sides
     talk = 4 * LATENCY + each * (GHOST_BYTES / BANDWIDTH + PACK)
     return work + talk, fleet * seconds / ranks / (work + talk)
 
@@ -135,58 +219,193 @@ def table(head, rows):
 
 def page(results, equal, set_ups, rounds):
     """The text of the page."""
-    lines = [".. written by make bench (tests/bench/many.py); do not edit", "", "Many bearings", "=============", "",
-             f"``inputs/in.many`` with {MANY} bearings 6208 under 5 kN at 477.5 rpm, all alike, with film, friction and cage, in a square grid.",
-             f"Measured on {date.today()}, {rounds} rounds; medians, in brackets the range of the rounds; ratios are formed within a round.", ""]
+    lines = [
+        ".. written by make bench (tests/bench/many.py); do not edit",
+        "",
+        "Many bearings",
+        "=============",
+        "",
+        (
+            f"``inputs/in.many`` with {MANY} bearings 6208 under 5 kN at 477.5 rpm, all alike, with"
+            " film, friction and cage, in a square grid."
+        ),
+        (
+            f"Measured on {date.today()}, {rounds} rounds; medians, in brackets the range of the"
+            " rounds; ratios are formed within a round."
+        ),
+        "",
+    ]
     lines += [f"- {fact}" for fact in machine()]
-    lines += ["", "One rank and two", "----------------", "",
-              "*bearing-step*: wall time of the run over the steps and bearings in it: steps of 0.4 µs with velocity Verlet, internal steps of the",
-              "implicit integrator (some 200 µs; host steps of 250 µs, without output). *ratio*: many over one bearing in a box, both on one rank.",
-              "*efficiency*: of two ranks, time on one over twice the time on two.", ""]
+    lines += [
+        "",
+        "One rank and two",
+        "----------------",
+        "",
+        (
+            "*bearing-step*: wall time of the run over the steps and bearings in it: steps of 0.4"
+            " µs with velocity Verlet, internal steps of the"
+        ),
+        (
+            "implicit integrator (some 200 µs; host steps of 250 µs, without output). *ratio*: many"
+            " over one bearing in a box, both on one rank."
+        ),
+        "*efficiency*: of two ranks, time on one over twice the time on two.",
+        "",
+    ]
     rows = []
     for name, got in results.items():
-        rows.append([name, span(got, "single", 1e6) + " µs", span(got, "many", 1e6) + " µs", span(got, "ratio"), span(got, "efficiency"),
-                     f"{middle(got, 'memory'):.0f} kB", f"{middle(got, 'ghosts'):.1f}"])
-    lines += table(["integrator", "bearing-step, one bearing", f"bearing-step, {MANY} bearings", "ratio (at most 1.3)",
-                    "efficiency (at least 0.8)", "memory a bearing", "ghost atoms a bearing along a cut"], rows)
-    lines += ["What a ratio above 1 is made of: a single bearing lives in the caches of its core; many are fetched from farther away once a host step",
-              "(their memory is in the table), against which a single one bears the fixed cost of a host step alone.",
-              "", f"The last state of {MANY} bearings that differ in load, speed, azimuth and lubricant, on 1, 2 and 4 ranks (4 on two cores), every bit:",
-              "; ".join(f"{name}: {'equal' if same else '**different**'}" for name, same in equal.items()) + ".",
-              "", "Set-up, one rank: " + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups) +
-              ". Every ``create_bearing`` looks at all atoms of its rank and sets up the",
-              "host's map of atoms anew, so set-up grows with the square of the number of bearings; below some ten thousand it does not matter.", "",
-              "Clusters: a model", "-----------------", "",
-              "Nothing in a step is done by all ranks together but what the host does itself (a check for new neighbour lists) and what output asks for. A",
-              "rank computes its bearings and talks to its neighbours, four in a plane grid. With :math:`n = N/P` bearings on a rank,",
-              "", ".. math::", "",
-              "   t = n\\,c + 4 L + 4 \\sqrt{n}\\, g\\, (b/B + p)", "",
-              "with the measured cost :math:`c` of a bearing in a host step, among many, and the measured number :math:`g` of ghost atoms a bearing along a cut, and",
-              f"assumed, not measured: latency :math:`L` = {LATENCY * 1e6:.0f} µs, bandwidth :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, {PACK * 1e9:.0f} ns to pack and unpack a ghost;",
-              f":math:`b` = {GHOST_BYTES} bytes a ghost (position, velocity, spin). A bearing that a cut goes through costs, on top, one or two short messages",
-              "(its ring's sums; with the implicit step the state of its bodies, there and back).", ""]
+        rows.append(
+            [
+                name,
+                span(got, "single", 1e6) + " µs",
+                span(got, "many", 1e6) + " µs",
+                span(got, "ratio"),
+                span(got, "efficiency"),
+                f"{middle(got, 'memory'):.0f} kB",
+                f"{middle(got, 'ghosts'):.1f}",
+            ]
+        )
+    lines += table(
+        [
+            "integrator",
+            "bearing-step, one bearing",
+            f"bearing-step, {MANY} bearings",
+            "ratio (at most 1.3)",
+            "efficiency (at least 0.8)",
+            "memory a bearing",
+            "ghost atoms a bearing along a cut",
+        ],
+        rows,
+    )
+    lines += [
+        (
+            "What a ratio above 1 is made of: a single bearing lives in the caches of its core;"
+            " many are fetched from farther away once a host step"
+        ),
+        (
+            "(their memory is in the table), against which a single one bears the fixed cost of a"
+            " host step alone."
+        ),
+        "",
+        (
+            f"The last state of {MANY} bearings that differ in load, speed, azimuth and lubricant,"
+            " on 1, 2 and 4 ranks (4 on two cores), every bit:"
+        ),
+        "; ".join(f"{name}: {'equal' if same else '**different**'}" for name, same in equal.items())
+        + ".",
+        "",
+        "Set-up, one rank: "
+        + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups)
+        + ". Every ``create_bearing`` looks at all atoms of its rank and sets up the",
+        (
+            "host's map of atoms anew, so set-up grows with the square of the number of bearings;"
+            " below some ten thousand it does not matter."
+        ),
+        "",
+        "Clusters: a model",
+        "-----------------",
+        "",
+        (
+            "Nothing in a step is done by all ranks together but what the host does itself (a check"
+            " for new neighbour lists) and what output asks for. A"
+        ),
+        (
+            "rank computes its bearings and talks to its neighbours, four in a plane grid. With"
+            " :math:`n = N/P` bearings on a rank,"
+        ),
+        "",
+        ".. math::",
+        "",
+        "   t = n\\,c + 4 L + 4 \\sqrt{n}\\, g\\, (b/B + p)",
+        "",
+        (
+            "with the measured cost :math:`c` of a bearing in a host step, among many, and the"
+            " measured number :math:`g` of ghost atoms a bearing along a cut, and"
+        ),
+        (
+            f"assumed, not measured: latency :math:`L` = {LATENCY * 1e6:.0f} µs, bandwidth"
+            f" :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, {PACK * 1e9:.0f} ns to pack and unpack a"
+            " ghost;"
+        ),
+        (
+            f":math:`b` = {GHOST_BYTES} bytes a ghost (position, velocity, spin). A bearing that a"
+            " cut goes through costs, on top, one or two short messages"
+        ),
+        "(its ring's sums; with the implicit step the state of its bodies, there and back).",
+        "",
+    ]
     for name, got in results.items():
-        c, g, step = middle(got, "many") * middle(got, "made"), middle(got, "ghosts"), INTEGRATORS[name]["step"]
-        lines += [f"{name}: :math:`c` = {c * 1e6:.3g} µs a host step of {step:g} s, :math:`g` = {g:.1f}", ""]
+        c, g, step = (
+            middle(got, "many") * middle(got, "made"),
+            middle(got, "ghosts"),
+            INTEGRATORS[name]["step"],
+        )
+        lines += [
+            f"{name}: :math:`c` = {c * 1e6:.3g} µs a host step of {step:g} s, :math:`g` = {g:.1f}",
+            "",
+        ]
         rows = []
         for fleet in FLEETS:
             row = [f"{fleet:,}"]
             for ranks in RANKS:
                 t, efficiency = model(c, g, fleet, ranks)
                 row.append(f"{t * 1e6:.3g} µs, {t / step:.3g} s, {efficiency:.2f}")
-            rows.append([*row, f"{fleet / min(RANKS) * middle(got, 'memory') / 1e6:.2g} to {fleet / max(RANKS) * middle(got, 'memory') / 1e6:.2g} GB"])
-        lines += table(["bearings", *(f"{ranks:,} ranks: wall time a host step, a simulated second; efficiency" for ranks in RANKS),
-                        f"memory a rank, {min(RANKS):,} to {max(RANKS):,} ranks"], rows)
-    lines += ["What the model leaves out", "-------------------------", "",
-              "- Ranks get equal volumes: where bearings differ in cost (the implicit step refines some more than others), the slowest rank sets the pace,",
-              "  and a grid that ranks do not divide evenly costs as much.",
-              "- Messages inside a rank are free and every bearing costs the same; a network shared with others is slower.",
-              "- After every new neighbour list (with the implicit step every few host steps, with Verlet every few thousand) each rank tells every other",
-              "  how much it will send, a few bytes for each; with the implicit step all ranks learn which rings hang together, about 24 bytes a ring and",
-              "  rank that sees it, so that above some 10\\ :sup:`5` bearings these lists, not the bearings, set the pace there.",
-              "- The host's map of atoms takes 4 bytes for every atom of the box on every rank (80 MB at 10\\ :sup:`6` bearings), each fix bearing/ring 4 bytes",
-              "  for every ring.",
-              "- ``thermo`` with compute bearing/total gathers all balls on all ranks; the table of compute bearing/ring does not.", ""]
+            rows.append(
+                [
+                    *row,
+                    (
+                        f"{fleet / min(RANKS) * middle(got, 'memory') / 1e6:.2g} to"
+                        f" {fleet / max(RANKS) * middle(got, 'memory') / 1e6:.2g} GB"
+                    ),
+                ]
+            )
+        lines += table(
+            [
+                "bearings",
+                *(
+                    f"{ranks:,} ranks: wall time a host step, a simulated second; efficiency"
+                    for ranks in RANKS
+                ),
+                f"memory a rank, {min(RANKS):,} to {max(RANKS):,} ranks",
+            ],
+            rows,
+        )
+    lines += [
+        "What the model leaves out",
+        "-------------------------",
+        "",
+        (
+            "- Ranks get equal volumes: where bearings differ in cost (the implicit step refines"
+            " some more than others), the slowest rank sets the pace,"
+        ),
+        "  and a grid that ranks do not divide evenly costs as much.",
+        (
+            "- Messages inside a rank are free and every bearing costs the same; a network shared"
+            " with others is slower."
+        ),
+        (
+            "- After every new neighbour list (with the implicit step every few host steps, with"
+            " Verlet every few thousand) each rank tells every other"
+        ),
+        (
+            "  how much it will send, a few bytes for each; with the implicit step all ranks learn"
+            " which rings hang together, about 24 bytes a ring and"
+        ),
+        (
+            "  rank that sees it, so that above some 10\\ :sup:`5` bearings these lists, not the"
+            " bearings, set the pace there."
+        ),
+        (
+            "- The host's map of atoms takes 4 bytes for every atom of the box on every rank (80 MB"
+            " at 10\\ :sup:`6` bearings), each fix bearing/ring 4 bytes"
+        ),
+        "  for every ring.",
+        (
+            "- ``thermo`` with compute bearing/total gathers all balls on all ranks; the table of"
+            " compute bearing/ring does not."
+        ),
+        "",
+    ]
     return "\n".join(lines)
 
 
@@ -199,8 +418,15 @@ def main():
         equal = {}
         for integrator, how in INTEGRATORS.items():
             length = 1e-3 if integrator == "implicit" else 2e-5
-            case = {"bearings": MANY, "columns": math.ceil(math.sqrt(MANY)), "integrator": integrator, "time": length, "sample": length,
-                    "step": how["step"], "ramp": length / 2}
+            case = {
+                "bearings": MANY,
+                "columns": math.ceil(math.sqrt(MANY)),
+                "integrator": integrator,
+                "time": length,
+                "sample": length,
+                "step": how["step"],
+                "ramp": length / 2,
+            }
             print(f"{integrator}: bits on 1, 2 and 4 ranks", flush=True)
             states = []
             for ranks in (1, 2, 4):

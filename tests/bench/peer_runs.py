@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of a 6208 in stock LIGGGHTS, Exudyn and Raceway, judged by the exact static load; for peers.py."""
+"""Runs of a 6208 in stock LIGGGHTS, Exudyn and Raceway, judged by the exact static load; for
+peers.py."""
 
 import json
 import re
@@ -9,7 +10,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-
 from raceway import hertz, static
 from raceway.bearing import INNER, OUTER, Bearing
 from raceway.dump import frames
@@ -19,20 +19,37 @@ ROOT = Path(__file__).resolve().parents[2]
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
-NAMES = ("balls", "ball_diameter", "inner_radius", "outer_radius", "inner_groove", "outer_groove", "ball_young",
-         "ball_poisson")
-DATA = {name: float(re.search(rf"variable {name}\s+index (\S+)", (ROOT / "inputs/bearings/6208").read_text()).group(1))
-        for name in NAMES}
+NAMES = (
+    "balls",
+    "ball_diameter",
+    "inner_radius",
+    "outer_radius",
+    "inner_groove",
+    "outer_groove",
+    "ball_young",
+    "ball_poisson",
+)
+DATA = {
+    name: float(
+        re.search(
+            rf"variable {name}\s+index (\S+)", (ROOT / "inputs/bearings/6208").read_text()
+        ).group(1)
+    )
+    for name in NAMES
+}
 BEARING = Bearing(int(DATA["balls"]), *(DATA[name] for name in NAMES[1:]))
-STIFFNESS = [hertz.stiffness(hertz.exact(*BEARING.effective_radii(side)), BEARING.effective_modulus)
-             for side in (INNER, OUTER)]  # N/m^1.5, exact Hertz
+STIFFNESS = [
+    hertz.stiffness(hertz.exact(*BEARING.effective_radii(side)), BEARING.effective_modulus)
+    for side in (INNER, OUTER)
+]  # N/m^1.5, exact Hertz
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
 BOTH_ALIKE = 2**1.5 * IN_SERIES  # of two like contacts that together are as stiff
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
 class Sample(NamedTuple):
-    """One instant: the inner ring's shift (2,) and the balls' places (n, 2) in m, their inner loads (n,) in N."""
+    """One instant: the inner ring's shift (2,) and the balls' places (n, 2) in m, their inner loads
+    (n,) in N."""
 
     shift: np.ndarray
     balls: np.ndarray
@@ -40,7 +57,8 @@ class Sample(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """One run: its cost, and the load of the ball nearest the load line against exact theory (see `judge`)."""
+    """One run: its cost, and the load of the ball nearest the load line against exact theory (see
+    `judge`)."""
 
     cost: float  # wall s per simulated s
     step: float  # s
@@ -66,10 +84,11 @@ def exact_shift():
 
 
 def exact(shift, balls):
-    """Exact static loads (n,) in N of balls at these places for this shift of the ring; and their part along it (n,).
+    """Exact static loads (n,) in N of balls at these places for this shift of the ring; and their
+    part along it (n,).
 
-    Zero clearance and no axial load: both contacts of a ball in series, K = (K_i^-2/3 + K_o^-2/3)^-3/2, under the
-    approach of the raceways at its azimuth.
+    Zero clearance and no axial load: both contacts of a ball in series, K = (K_i^-2/3 +
+    K_o^-2/3)^-3/2, under the approach of the raceways at its azimuth.
     """
     along = balls / np.linalg.norm(balls, axis=1)[:, None] @ shift
     return IN_SERIES * np.maximum(along, 0) ** 1.5, along / np.linalg.norm(shift)
@@ -78,9 +97,9 @@ def exact(shift, balls):
 def judge(samples, cost, step, simulated):
     """`Outcome` of the samples of one run, by medians over the samples.
 
-    same_shift: load of the ball that theory loads most over its exact load at the ring's place, minus one; low and
-    high: 5 % and 95 % of the samples lie below. same_load: that ball's load as part of what the ring carries over the
-    exact part, minus one.
+    same_shift: load of the ball that theory loads most over its exact load at the ring's place,
+    minus one; low and high: 5 % and 95 % of the samples lie below. same_load: that ball's load as
+    part of what the ring carries over the exact part, minus one.
     """
     ratio, part = [], []
     for shift, balls, load in samples:
@@ -92,16 +111,30 @@ def judge(samples, cost, step, simulated):
         if (carried := load @ along) > 0:
             part.append(ratio[-1] * (truth @ along) / carried)
     low, high = np.percentile(ratio, [5, 95])
-    return Outcome(cost, step, simulated, np.median(ratio) - 1, low - 1, high - 1,
-                   np.median(part) - 1 if part else np.nan, len(samples[-1].balls))
+    return Outcome(
+        cost,
+        step,
+        simulated,
+        np.median(ratio) - 1,
+        low - 1,
+        high - 1,
+        np.median(part) - 1 if part else np.nan,
+        len(samples[-1].balls),
+    )
 
 
 def host(program, deck, **variables):
     """Printed text of a run of a deck. Raises `Failure` with the host's own words."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
     # line by line: the host aborts without flushing, and its last words would be lost
-    done = subprocess.run(["stdbuf", "-oL", program, "-in", deck, "-log", "none", *words], cwd=ROOT, text=True,
-                          capture_output=True, errors="replace", check=False)
+    done = subprocess.run(
+        ["stdbuf", "-oL", program, "-in", deck, "-log", "none", *words],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        errors="replace",
+        check=False,
+    )
     if done.returncode:
         wrong = re.findall(r"^ERROR.*", done.stdout, re.MULTILINE)
         raise Failure(wrong[-1] if wrong else f"{deck} failed:\n{done.stdout[-1000:]}")
@@ -116,8 +149,16 @@ def loop_time(text):
 def cylinders(young):
     """Smooth cylinders, the ring at the exact shift."""
     step, steps, every = 1e-6, 500_000, 1000
-    text = host("liggghts", DECKS / "in.cylinders", steps=steps, every=every, dt=step, shift=exact_shift(),
-                young=young, out=OUT / "cylinders")
+    text = host(
+        "liggghts",
+        DECKS / "in.cylinders",
+        steps=steps,
+        every=every,
+        dt=step,
+        shift=exact_shift(),
+        young=young,
+        out=OUT / "cylinders",
+    )
     shift = np.array([0, -exact_shift()])
     rows = [f.values for f in frames(ROOT / OUT / "cylinders.dump", ("id", "x", "y", "fx", "fy"))]
     samples = [Sample(shift, r[:, 1:3], np.hypot(r[:, 3], r[:, 4])) for r in rows[20:]]
@@ -127,8 +168,18 @@ def cylinders(young):
 def tori(mesh, steps, edges, step=4e-7):
     """Triangle meshes, the ring at the exact shift."""
     every = 20
-    text = host("liggghts", DECKS / "in.tori", steps=steps, every=every, dt=step, shift=exact_shift(), mesh=mesh,
-                edges=edges, folder=OUT, out=OUT / "tori")
+    text = host(
+        "liggghts",
+        DECKS / "in.tori",
+        steps=steps,
+        every=every,
+        dt=step,
+        shift=exact_shift(),
+        mesh=mesh,
+        edges=edges,
+        folder=OUT,
+        out=OUT / "tori",
+    )
     shift = np.array([0, -exact_shift()])
     balls = frames(ROOT / OUT / "tori.dump", ("id", "x", "y"))
     touch = frames(ROOT / OUT / "tori.forces", ("mesh", "triangle", "id", "fx", "fy", "fz"))
@@ -137,28 +188,60 @@ def tori(mesh, steps, edges, step=4e-7):
         inner = each.values[each.values[:, 0] == 0]
         force = np.array([inner[inner[:, 2] == n, 3:].sum(0) for n in ball.values[:, 0]])
         samples.append(Sample(shift, ball.values[:, 1:], np.linalg.norm(force, axis=1)))
-    return judge(samples[len(samples) // 5:], loop_time(text) / (steps * step), step, steps * step)
+    return judge(samples[len(samples) // 5 :], loop_time(text) / (steps * step), step, steps * step)
 
 
 def exudyn(stiffness, exponent, friction, step):
-    """Exudyn's bearing under the load; damping and sliding speed of full friction as in its own bearing test."""
-    case = {"stiffness": stiffness, "exponent": exponent, "friction": friction, "damping": 50.0, "zone": 1e-2,
-            "load": LOAD, "speed": SPEED, "step": step, "ramp": 3e-3, "settle": 0.02, "window": 0.07, "samples": 400}
-    done = subprocess.run([sys.executable, Path(__file__).with_name("exudyn_bearing.py"), json.dumps(case)],
-                          text=True, capture_output=True, check=False)
+    """Exudyn's bearing under the load; damping and sliding speed of full friction as in its own
+    bearing test."""
+    case = {
+        "stiffness": stiffness,
+        "exponent": exponent,
+        "friction": friction,
+        "damping": 50.0,
+        "zone": 1e-2,
+        "load": LOAD,
+        "speed": SPEED,
+        "step": step,
+        "ramp": 3e-3,
+        "settle": 0.02,
+        "window": 0.07,
+        "samples": 400,
+    }
+    done = subprocess.run(
+        [sys.executable, Path(__file__).with_name("exudyn_bearing.py"), json.dumps(case)],
+        text=True,
+        capture_output=True,
+        check=False,
+    )
     if done.returncode:
         raise Failure(done.stderr.strip().splitlines()[-1])
     found = json.loads(done.stdout.splitlines()[-1])
     if "error" in found:
         raise Failure(f"{found['error']} after {found['reached'] * 1e3:.2f} ms")
-    samples = [Sample(*map(np.array, sample)) for sample in zip(found["shift"], found["balls"], found["loads"])]
-    return judge([Sample(s.shift[:2], s.balls, s.load) for s in samples], found["wall"] / found["simulated"],
-                 case["step"], found["simulated"])
+    samples = [
+        Sample(*map(np.array, sample))
+        for sample in zip(found["shift"], found["balls"], found["loads"])
+    ]
+    return judge(
+        [Sample(s.shift[:2], s.balls, s.load) for s in samples],
+        found["wall"] / found["simulated"],
+        case["step"],
+        found["simulated"],
+    )
 
 
 def raceway(name, **variables):
     """Raceway's main deck under the load."""
-    host("build/liggghts", "inputs/in.6208", load=LOAD, rpm=SPEED * 30 / np.pi, passes=8, out=OUT / name, **variables)
+    host(
+        "build/liggghts",
+        "inputs/in.6208",
+        load=LOAD,
+        rpm=SPEED * 30 / np.pi,
+        passes=8,
+        out=OUT / name,
+        **variables,
+    )
     run = Run(ROOT / OUT / name)
     inner = run.contacts[run.contacts["raceway"] == INNER]
     place = run.rings.set_index("sample")
@@ -166,8 +249,15 @@ def raceway(name, **variables):
     for n, rows in inner.groupby("sample"):
         if n in place.index:
             azimuth = rows["azimuth"].to_numpy()
-            samples.append(Sample(place.loc[n, ["x", "y"]].to_numpy(float),
-                                  np.stack([np.cos(azimuth), np.sin(azimuth)], 1), rows["load"].to_numpy()))
+            samples.append(
+                Sample(
+                    place.loc[n, ["x", "y"]].to_numpy(float),
+                    np.stack([np.cos(azimuth), np.sin(azimuth)], 1),
+                    rows["load"].to_numpy(),
+                )
+            )
     told = run.settings
-    outcome = judge(samples, told["wall_s"] / told["simulated_s"], told["step_s"], told["simulated_s"])
+    outcome = judge(
+        samples, told["wall_s"] / told["simulated_s"], told["step_s"], told["simulated_s"]
+    )
     return outcome._replace(left=BEARING.balls)

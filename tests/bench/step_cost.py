@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What one step costs, feature by feature, and the peer scene of stock LIGGGHTS; writes docs/performance/step_cost.rst.
+"""What one step costs, feature by feature, and the peer scene of stock LIGGGHTS; writes
+docs/performance/step_cost.rst.
 
-All scenes take turns in every round, so that a drift of the machine hits them alike; the ratio to the empty step is
-formed within a round. Medians and the range of the rounds are reported.
+All scenes take turns in every round, so that a drift of the machine hits them alike; the ratio to
+the empty step is formed within a round. Medians and the range of the rounds are reported.
 """
 
 import re
@@ -19,7 +20,12 @@ ROUNDS = 7
 STEPS = 200_000
 SCENES = [  # name, deck, variables, target ratio to the empty step
     ("empty LIGGGHTS step, 20 free particles", "in.empty", {}, None),
-    ("dry: 9 balls, two raceways, friction, free ring", "in.cost", {"lubricant": "dry", "cage": 0}, 5),
+    (
+        "dry: 9 balls, two raceways, friction, free ring",
+        "in.cost",
+        {"lubricant": "dry", "cage": 0},
+        5,
+    ),
     ("+ film, film damping, Stribeck friction", "in.cost", {"cage": 0}, None),
     ("+ cage: 9 cage balls on two rails", "in.cost", {}, None),
     ("+ capacitance every 100 steps (everything)", "in.cost", {"sample": 100}, 7),
@@ -29,11 +35,21 @@ SCENES = [  # name, deck, variables, target ratio to the empty step
 
 def nanoseconds(deck, variables):
     """Loop time of the last run of a deck over its steps."""
-    command = [ROOT / "build" / "liggghts", "-in", ROOT / "tests" / "bench" / deck, "-log", "none", "-var", "steps",
-               str(STEPS)]
+    command = [
+        ROOT / "build" / "liggghts",
+        "-in",
+        ROOT / "tests" / "bench" / deck,
+        "-log",
+        "none",
+        "-var",
+        "steps",
+        str(STEPS),
+    ]
     for name, value in variables.items():
         command += ["-var", name, str(value)]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, errors="replace", check=False)
+    done = subprocess.run(
+        command, cwd=ROOT, capture_output=True, text=True, errors="replace", check=False
+    )
     loops = re.findall(r"Loop time of (\S+) on", done.stdout)
     if done.returncode or not loops:
         sys.exit(f"{deck} failed:\n{done.stdout[-2000:]}")
@@ -46,21 +62,50 @@ def main():
     for number in range(ROUNDS):
         print(f"round {number + 1} of {ROUNDS}", flush=True)
         rounds.append([nanoseconds(deck, variables) for _, deck, variables, _ in SCENES])
-    lines = [".. written by make bench (tests/bench/step_cost.py); do not edit", "", "Cost of a step", "==============",
-             "", f"Measured on {date.today()}, {ROUNDS} rounds of {STEPS} steps, all scenes in every round:", ""]
+    lines = [
+        ".. written by make bench (tests/bench/step_cost.py); do not edit",
+        "",
+        "Cost of a step",
+        "==============",
+        "",
+        f"Measured on {date.today()}, {ROUNDS} rounds of {STEPS} steps, all scenes in every round:",
+        "",
+    ]
     lines += [f"- {fact}" for fact in machine()]
-    lines += ["", "A loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. \"Ratio\" is to the empty step of the",
-              "same round. Medians; in brackets the range of the rounds.", "", ".. list-table::", "   :header-rows: 1", "",
-              "   * - scene", "     - ns per step", "     - ratio to empty step", "     - target"]
+    lines += [
+        "",
+        (
+            'A loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. "Ratio" is to the'
+            " empty step of the"
+        ),
+        "same round. Medians; in brackets the range of the rounds.",
+        "",
+        ".. list-table::",
+        "   :header-rows: 1",
+        "",
+        "   * - scene",
+        "     - ns per step",
+        "     - ratio to empty step",
+        "     - target",
+    ]
     for k, (name, _, _, target) in enumerate(SCENES):
         times = [row[k] for row in rounds]
         ratios = [row[k] / row[0] for row in rounds]
-        lines += [f"   * - {name}",
-                  f"     - {statistics.median(times):.0f} ({min(times):.0f} to {max(times):.0f})",
-                  f"     - {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
-                  f"     - {'≤ ' + str(target) if target else ''}"]
-    lines += ["", "The stock scene has no groove, no ellipse, no ring that gives way under a load and no film; it is here as",
-              "the nearest thing that an unmodified host offers.", ""]
+        lines += [
+            f"   * - {name}",
+            f"     - {statistics.median(times):.0f} ({min(times):.0f} to {max(times):.0f})",
+            f"     - {statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})",
+            f"     - {'≤ ' + str(target) if target else ''}",
+        ]
+    lines += [
+        "",
+        (
+            "The stock scene has no groove, no ellipse, no ring that gives way under a load and no"
+            " film; it is here as"
+        ),
+        "the nearest thing that an unmodified host offers.",
+        "",
+    ]
     text = "\n".join(lines)
     (ROOT / "docs" / "performance" / "step_cost.rst").write_text(text)
     print(text)

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A sweep of 200 points: throughput of two processes against one, and a sweep that is killed half-way; writes docs/performance/sweep.rst.
+"""A sweep of 200 points: throughput of two processes against one, and a sweep that is killed
+half-way; writes docs/performance/sweep.rst.
 
     .venv/bin/python tests/bench/sweep.py [--print]     --print: leave the page alone
 
-One and two processes take turns, so that a drift of the machine hits both. Exit code 1 when a point was lost or done twice.
+One and two processes take turns, so that a drift of the machine hits both. Exit code 1 when a point
+was lost or done twice.
 """
 
 import csv
@@ -20,13 +22,16 @@ from datetime import date
 from pathlib import Path
 
 import pandas as pd
-
 from machine import machine
 
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
 CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
-PASSES, SETTLE, SAMPLES = 4, 3, 100    # ball passes of a point: more than the default, so that light loads at speed have settled
+PASSES, SETTLE, SAMPLES = (
+    4,
+    3,
+    100,
+)  # ball passes of a point: more than the default, so that light loads at speed have settled
 ROUNDS = 3
 WANTED = 1.8
 PAGE = """\
@@ -68,12 +73,29 @@ def write_table(path):
 
 
 def command(table, folder, jobs):
-    return [sys.executable, "-m", "raceway", "sweep", str(table), "--out", str(folder), "--jobs", str(jobs)]
+    return [
+        sys.executable,
+        "-m",
+        "raceway",
+        "sweep",
+        str(table),
+        "--out",
+        str(folder),
+        "--jobs",
+        str(jobs),
+    ]
 
 
 def timed(table, folder, jobs):
     begun = time.monotonic()
-    done = subprocess.run(command(table, folder, jobs), cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    done = subprocess.run(
+        command(table, folder, jobs),
+        cwd=ROOT,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
     if done.returncode:
         sys.exit(done.stdout[-3000:])
     return time.monotonic() - begun
@@ -90,8 +112,11 @@ def figures(folder):
 
 
 def killed_half_way(table, folder, points):
-    """(points done when the sweep was killed, points done after the second start, points done twice)."""
-    process = subprocess.Popen(command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    """(points done when the sweep was killed, points done after the second start, points done
+    twice)."""
+    process = subprocess.Popen(
+        command(table, folder, 2), cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
     while len(finished(folder)) < points // 2:
         if process.poll() is not None:
             sys.exit(f"the sweep ended by itself with exit code {process.returncode}")
@@ -118,19 +143,44 @@ def main():
                     shutil.rmtree(folder / f"{jobs}.{turn}")  # half a gigabyte each
                 print(f"{jobs} at a time: {points} points in {seconds[jobs][-1]:.1f} s", flush=True)
         before, after, again = killed_half_way(table, folder / "killed", points)
-        same = figures(folder / "killed").equals(figures(folder / "1.0")) and figures(folder / "2.0").equals(figures(folder / "1.0"))
+        same = figures(folder / "killed").equals(figures(folder / "1.0")) and figures(
+            folder / "2.0"
+        ).equals(figures(folder / "1.0"))
     ratios = [one / two for one, two in zip(seconds[1], seconds[2])]
     medians = {jobs: statistics.median(times) for jobs, times in seconds.items()}
     ratio = medians[1] / medians[2]
-    rows = "\n".join(f"   * - {jobs}\n     - {medians[jobs]:.1f}\n     - {min(times):.1f} to {max(times):.1f}\n     - {points / medians[jobs]:.2f}"
-                     for jobs, times in seconds.items())
+    rows = "\n".join(
+        f"   * - {jobs}\n     - {medians[jobs]:.1f}\n     - {min(times):.1f} to {max(times):.1f}\n "
+        f"    - {points / medians[jobs]:.2f}"
+        for jobs, times in seconds.items()
+    )
     about = machine()
     about[0] = about[0].split(", one core")[0] + f", {len(os.sched_getaffinity(0))} cores"
-    page = PAGE.format(today=date.today(), points=points, loads=len(LOADS), load_low=LOADS[0], load_high=LOADS[-1], speeds=len(SPEEDS), rpm_low=SPEEDS[0],
-                       rpm_high=SPEEDS[-1], clearances=len(CLEARANCES), clearance_low=CLEARANCES[0], clearance_high=CLEARANCES[-1], oils=len(OILS),
-                       passes=PASSES, rounds=ROUNDS, rows=rows, ratio=ratio, ratios=", ".join(f"{r:.2f}" for r in ratios), wanted=WANTED,
-                       killed=before, finished=after, again=again or "none", same="both" if same else "NOT both",
-                       machine="\n".join(f"* {line}" for line in about))
+    page = PAGE.format(
+        today=date.today(),
+        points=points,
+        loads=len(LOADS),
+        load_low=LOADS[0],
+        load_high=LOADS[-1],
+        speeds=len(SPEEDS),
+        rpm_low=SPEEDS[0],
+        rpm_high=SPEEDS[-1],
+        clearances=len(CLEARANCES),
+        clearance_low=CLEARANCES[0],
+        clearance_high=CLEARANCES[-1],
+        oils=len(OILS),
+        passes=PASSES,
+        rounds=ROUNDS,
+        rows=rows,
+        ratio=ratio,
+        ratios=", ".join(f"{r:.2f}" for r in ratios),
+        wanted=WANTED,
+        killed=before,
+        finished=after,
+        again=again or "none",
+        same="both" if same else "NOT both",
+        machine="\n".join(f"* {line}" for line in about),
+    )
     print(page)
     if "--print" not in sys.argv:
         (ROOT / "docs/performance/sweep.rst").write_text(page)

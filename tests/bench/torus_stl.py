@@ -2,22 +2,27 @@
 """Raceway grooves as triangle meshes (ASCII STL), for the stock LIGGGHTS scene of peers.py."""
 
 import numpy as np
-
 from raceway.bearing import INNER
 
 
 def triangles(bearing, side, around, across, half_angle):
     """Corners (T, 3, 3) in m of one groove about the z axis, on the surface.
 
-    `around` facets along the ring, `across` over the groove, which reaches `half_angle` rad to either side of its
-    bottom. Two triangles a facet.
+    `around` facets along the ring, `across` over the groove, which reaches `half_angle` rad to
+    either side of its bottom. Two triangles a facet.
     """
     turn = 2 * np.pi * np.arange(around) / around
     angle = np.linspace(-half_angle, half_angle, across + 1)
     groove, outward = bearing.groove(side), -1 if side == INNER else 1
     radius = bearing.groove_circle(side) + outward * groove * np.cos(angle)
-    here = np.stack([np.outer(np.cos(turn), radius), np.outer(np.sin(turn), radius),
-                     np.tile(groove * np.sin(angle), (around, 1))], 2)
+    here = np.stack(
+        [
+            np.outer(np.cos(turn), radius),
+            np.outer(np.sin(turn), radius),
+            np.tile(groove * np.sin(angle), (around, 1)),
+        ],
+        2,
+    )
     there = np.roll(here, -1, 0)
     a, b, c, d = here[:, :-1], there[:, :-1], there[:, 1:], here[:, 1:]
     return np.concatenate([np.stack(t, 2).reshape(-1, 3, 3) for t in ([a, b, c], [a, c, d])])
@@ -31,5 +36,8 @@ def write(path, corners):
         file.write("solid groove\n")
         for n, t in zip(normal, corners):
             vertices = "".join(f"vertex {x:.12g} {y:.12g} {z:.12g}\n" for x, y, z in t)
-            file.write(f"facet normal {n[0]:.9g} {n[1]:.9g} {n[2]:.9g}\nouter loop\n{vertices}endloop\nendfacet\n")
+            file.write(
+                f"facet normal {n[0]:.9g} {n[1]:.9g} {n[2]:.9g}\nouter"
+                f" loop\n{vertices}endloop\nendfacet\n"
+            )
         file.write("endsolid groove\n")

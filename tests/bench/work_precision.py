@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error against cost of the integrators; writes docs/performance/work_precision.rst and its diagram.
+"""Error against cost of the integrators; writes docs/performance/work_precision.rst and its
+diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
 
-Error: largest over balls and samples of one ball pass of inner and outer load (over the largest load), orbital
-speed (over its mean) and film of loaded balls (relative, loads above 1 % of the largest), against a reference with
-the same friction law. Cost: wall seconds per simulated second of one core with the capacitance at 200 instants of a ball pass
-and nothing written, median of ROUNDS; all methods of a scene take turns in a round.
+Error: largest over balls and samples of one ball pass of inner and outer load (over the largest
+load), orbital speed (over its mean) and film of loaded balls (relative, loads above 1 % of the
+largest), against a reference with the same friction law. Cost: wall seconds per simulated second of
+one core with the capacitance at 200 instants of a ball pass and nothing written, median of ROUNDS;
+all methods of a scene take turns in a round.
 """
 
 import re
@@ -26,42 +28,78 @@ from matplotlib.ticker import NullFormatter  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = "build/bench/precision"
-PAGE, PICTURE = ROOT / "docs/performance/work_precision.rst", ROOT / "docs/images/work_precision.png"
+PAGE, PICTURE = (
+    ROOT / "docs/performance/work_precision.rst",
+    ROOT / "docs/images/work_precision.png",
+)
 ROUNDS = 2
 SAMPLES = 200
 SPEEDS = (5.0, 50.0, 1000.0)
 CLEARANCES = {-0.0035: -44.1e-6, 0.0: 0.0, 0.0035: 44.1e-6}
-STYLE = {"implicit, order 1": ("#0072b2", "o"), "implicit, order 2": ("#d55e00", "s"), "Verlet, same friction": ("#555555", "^"),
-         "Verlet, history spring": ("#009e73", "v"), "dampers implicit": ("#cc79a7", "D")}    # colours that the colour-blind tell apart (Okabe and Ito)
-TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}    # real-time factors asked for at 1e-3 and 1e-2
+STYLE = {
+    "implicit, order 1": ("#0072b2", "o"),
+    "implicit, order 2": ("#d55e00", "s"),
+    "Verlet, same friction": ("#555555", "^"),
+    "Verlet, history spring": ("#009e73", "v"),
+    "dampers implicit": ("#cc79a7", "D"),
+}  # colours that the colour-blind tell apart (Okabe and Ito)
+TARGETS = {
+    5.0: (150, 300),
+    50.0: (20, 40),
+    1000.0: (1.5, 10),
+}  # real-time factors asked for at 1e-3 and 1e-2
 
 
 def run(**variables):
-    """(wall over simulated time, mean step) of one run of in.precision, None where it was refused."""
+    """(wall over simulated time, mean step) of one run of in.precision, None where it was
+    refused."""
     words = [w for name, value in variables.items() for w in ("-var", name, str(value))]
-    done = subprocess.run(["build/liggghts", "-in", "tests/bench/in.precision", "-log", "none", "-var", "out", FOLDER,
-                           *words], cwd=ROOT, text=True, capture_output=True, errors="replace", check=False)
+    done = subprocess.run(
+        [
+            "build/liggghts",
+            "-in",
+            "tests/bench/in.precision",
+            "-log",
+            "none",
+            "-var",
+            "out",
+            FOLDER,
+            *words,
+        ],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        errors="replace",
+        check=False,
+    )
     result = re.search(r"RESULT rate (\S+) step (\S+)", done.stdout)
     control = re.search(r"CONTROL mean (\S+)", done.stdout)
-    return (1 / float(result.group(1)), float((control or result).group(1 if control else 2))) if result else None
+    return (
+        (1 / float(result.group(1)), float((control or result).group(1 if control else 2)))
+        if result
+        else None
+    )
 
 
 def blocks(name):
     lines, at = (ROOT / FOLDER / name).read_text().splitlines(), 0
     while at < len(lines):
         count = int(lines[at + 3])
-        yield np.array([line.split() for line in lines[at + 9:at + 9 + count]], float)
+        yield np.array([line.split() for line in lines[at + 9 : at + 9 + count]], float)
         at += 9 + count
 
 
 def recorded(**variables):
-    """Loads and films (instants, 2, 9) and orbital speeds (samples, 9); None where the run was refused."""
+    """Loads and films (instants, 2, 9) and orbital speeds (samples, 9); None where the run was
+    refused."""
     if run(record="yes", passes=1, **variables) is None:
         return None
     rows = np.loadtxt(ROOT / FOLDER / "contacts.txt")
     orbit = np.array([rows[:, 1] for rows in blocks("balls.dump")])
     count = (len(orbit) - 1) * int(variables.get("within", 1)) + 1
-    instant = np.rint((rows[:, 0] - rows[0, 0]) * (count - 1) / (rows[-1, 0] - rows[0, 0])).astype(int)
+    instant = np.rint((rows[:, 0] - rows[0, 0]) * (count - 1) / (rows[-1, 0] - rows[0, 0])).astype(
+        int
+    )
     place = instant, rows[:, 3].astype(int), rows[:, 2].astype(int) - 1
     load, film = np.zeros((count, 2, 9)), np.ones((count, 2, 9))
     load[place], film[place] = rows[:, 4], rows[:, 5]
@@ -70,107 +108,213 @@ def recorded(**variables):
 
 def error(found, truth):
     """The figure of the module's first lines; `found` may have fewer samples, evenly."""
-    truth = [there[::(len(there) - 1) // (len(here) - 1)] for here, there in zip(found, truth)]
+    truth = [there[:: (len(there) - 1) // (len(here) - 1)] for here, there in zip(found, truth)]
     peak = truth[0].max()
     loaded = (truth[0] > 0.01 * peak) & (found[0] > 0)
-    return max(np.abs(found[0] - truth[0]).max() / peak, np.abs(found[2] - truth[2]).max() / truth[2].mean(),
-               np.abs(found[1] / truth[1] - 1)[loaded].max())
+    return max(
+        np.abs(found[0] - truth[0]).max() / peak,
+        np.abs(found[2] - truth[2]).max() / truth[2].mean(),
+        np.abs(found[1] / truth[1] - 1)[loaded].max(),
+    )
 
 
 def settings(speed):
     """(method, words for the table, variables of the deck, kind of reference) of every point."""
-    sample = 1.7627e-4 * 50 / speed * 1.001    # the deck rounds it down to a whole number in a sample
+    sample = 1.7627e-4 * 50 / speed * 1.001  # the deck rounds it down to a whole number in a sample
     for order in (1, 2):
         for samples in (10, 20, 40, 100, 200):
-            yield (f"implicit, order {order}", f"{samples} host steps a ball pass, tolerance 0.1 µm",
-                   dict(step=sample * SAMPLES / samples, samples=samples, within=SAMPLES // samples, control=f"tolerance 1e-7 order {order}"), "same")
+            yield (
+                f"implicit, order {order}",
+                f"{samples} host steps a ball pass, tolerance 0.1 µm",
+                dict(
+                    step=sample * SAMPLES / samples,
+                    samples=samples,
+                    within=SAMPLES // samples,
+                    control=f"tolerance 1e-7 order {order}",
+                ),
+                "same",
+            )
         for pieces in (1, 2, 4) if speed > 500 else (2, 4):
-            yield (f"implicit, order {order}", f"20 host steps, {pieces} internal steps a sample",
-                   dict(step=sample * 10, samples=20, within=10, control=f"tolerance 1e-7 order {order} largest {sample / pieces:.4g}"), "same")
+            yield (
+                f"implicit, order {order}",
+                f"20 host steps, {pieces} internal steps a sample",
+                dict(
+                    step=sample * 10,
+                    samples=20,
+                    within=10,
+                    control=f"tolerance 1e-7 order {order} largest {sample / pieces:.4g}",
+                ),
+                "same",
+            )
     if speed >= 50:
         for control in ("", " largest 4e-6", " largest 2e-6"):
-            yield ("dampers implicit", "20 host steps" + (f", internal steps of {control.split()[1]} s" if control else ""),
-                   dict(step=sample * 10, samples=20, within=10, control="solve damping" + control), "same")
+            yield (
+                "dampers implicit",
+                "20 host steps"
+                + (f", internal steps of {control.split()[1]} s" if control else ""),
+                dict(step=sample * 10, samples=20, within=10, control="solve damping" + control),
+                "same",
+            )
     for tolerance in ("1e-8", "3e-9", "1e-9"):
-        yield ("implicit, order 2", f"200 samples, tolerance {float(tolerance) * 1e9:g} nm" + (" (default)" if tolerance == "1e-9" else ""),
-               dict(step=sample, control=f"tolerance {tolerance}"), "same")
+        yield (
+            "implicit, order 2",
+            f"200 samples, tolerance {float(tolerance) * 1e9:g} nm"
+            + (" (default)" if tolerance == "1e-9" else ""),
+            dict(step=sample, control=f"tolerance {tolerance}"),
+            "same",
+        )
     if speed >= 50:
         for step in (1.6e-7, 8e-8, 4e-8) if speed == 50 else (2e-6, 1e-6, 5e-7):
             yield ("Verlet, same friction", "", dict(step=step, integrator="verlet"), "same")
         for step in (1.2e-6, 1e-6, 5e-7) if speed == 50 else (3e-6, 2e-6, 1e-6, 5e-7):
-            yield ("Verlet, history spring", "against itself", dict(step=step, integrator="verlet", friction="tangential 0.8235 0.3"),
-                   "history")
+            yield (
+                "Verlet, history spring",
+                "against itself",
+                dict(step=step, integrator="verlet", friction="tangential 0.8235 0.3"),
+                "history",
+            )
 
 
 def references(scene, speed):
-    """{kind: truth} and how far two methods are apart: Verlet of 25 ns and the implicit step at 0.1 nm; at 5 rad/s, where the
-    same friction would hold Verlet at nanoseconds, the implicit step with order 1 and order 2."""
-    fine = recorded(**scene, step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7, control="tolerance 1e-10")
+    """{kind: truth} and how far two methods are apart: Verlet of 25 ns and the implicit step at 0.1
+    nm; at 5 rad/s, where the same friction would hold Verlet at nanoseconds, the implicit step with
+    order 1 and order 2."""
+    fine = recorded(
+        **scene,
+        step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,
+        control="tolerance 1e-10",
+    )
     if speed < 50:
         other = recorded(**scene, step=5e-6, control="tolerance 1e-10 order 1")
         return {"same": fine}, error(other, fine)
     verlet = recorded(**scene, step=2.5e-8, integrator="verlet")
-    return {"same": verlet, "history": recorded(**scene, step=1e-7, integrator="verlet", friction="tangential 0.8235 0.3")}, \
-        error(fine, verlet)
+    return {
+        "same": verlet,
+        "history": recorded(
+            **scene, step=1e-7, integrator="verlet", friction="tangential 0.8235 0.3"
+        ),
+    }, error(fine, verlet)
 
 
 def measure(speed, clearance):
-    """Rows (method, words, mean step, error, wall per simulated second: median, least, most) and the references' difference."""
+    """Rows (method, words, mean step, error, wall per simulated second: median, least, most) and
+    the references' difference."""
     scene = dict(speed=speed, clearance=clearance)
     truths, apart = references(scene, speed)
     points = []
     for method, words, variables, kind in settings(speed):
         found = recorded(**scene, **variables)
-        points.append((method, words, {**scene, **variables}, error(found, truths[kind]) if found else None))
+        points.append(
+            (method, words, {**scene, **variables}, error(found, truths[kind]) if found else None)
+        )
     costs = [[] for _ in points]
     for _ in range(ROUNDS):
         for cost, (_, _, variables, miss) in zip(costs, points):
             if miss is not None:
-                cost.append(run(record="no", passes=1 if "integrator" in variables else 40, **variables))
+                cost.append(
+                    run(record="no", passes=1 if "integrator" in variables else 40, **variables)
+                )
     rows = []
     for (method, words, _, miss), cost in zip(points, costs):
         walls = [c[0] for c in cost if c]
-        rows.append((method, words, cost[0][1], miss, statistics.median(walls), min(walls), max(walls)) if walls else
-                    (method, words, None, None, None, None, None))
+        rows.append(
+            (method, words, cost[0][1], miss, statistics.median(walls), min(walls), max(walls))
+            if walls
+            else (method, words, None, None, None, None, None)
+        )
     return rows, apart
 
 
 def slope(rows, method):
     """Observed order: error against mean step between its coarsest and finest fixed setting."""
     points = sorted((r[2], r[3]) for r in rows if r[0] == method and r[3] and "nm" not in r[1])
-    return np.polyfit(np.log([p[0] for p in points]), np.log([p[1] for p in points]), 1)[0] if len(points) > 2 else np.nan
+    return (
+        np.polyfit(np.log([p[0] for p in points]), np.log([p[1] for p in points]), 1)[0]
+        if len(points) > 2
+        else np.nan
+    )
 
 
 def table(rows):
-    lines = [".. list-table::", "   :header-rows: 1", "", "   * - method", "     - setting", "     - mean internal step (s)", "     - error",
-             "     - simulated over wall time (range)"]
+    lines = [
+        ".. list-table::",
+        "   :header-rows: 1",
+        "",
+        "   * - method",
+        "     - setting",
+        "     - mean internal step (s)",
+        "     - error",
+        "     - simulated over wall time (range)",
+    ]
     for method, words, step, miss, wall, least, most in rows:
         lines += [f"   * - {method}", f"     - {words or 'fixed step'}"]
-        lines += [f"     - {step:.3g}", f"     - {miss:.1e}", f"     - {1 / wall:.3g} ({1 / most:.3g} to {1 / least:.3g})"] if step else \
-            ["     -", "     - refused", "     -"]
+        lines += (
+            [
+                f"     - {step:.3g}",
+                f"     - {miss:.1e}",
+                f"     - {1 / wall:.3g} ({1 / most:.3g} to {1 / least:.3g})",
+            ]
+            if step
+            else ["     -", "     - refused", "     -"]
+        )
     return lines + [""]
 
 
 def targets(results):
-    """Best real-time factor at an error of at most 1e-3 and 1e-2 for each scene, against what was asked for."""
-    head = ("rad/s", "P_d/D", "at most 1e-3", "by", "asked for", "at most 1e-2", "by", "asked for", "over Verlet, 1e-3")
+    """Best real-time factor at an error of at most 1e-3 and 1e-2 for each scene, against what was
+    asked for."""
+    head = (
+        "rad/s",
+        "P_d/D",
+        "at most 1e-3",
+        "by",
+        "asked for",
+        "at most 1e-2",
+        "by",
+        "asked for",
+        "over Verlet, 1e-3",
+    )
     body = []
     for (speed, ratio), (rows, _) in results.items():
+
         def best(limit, rows=rows, verlet=False):
-            fitting = [(1 / r[4], f"{r[0]}: {r[1]}") for r in rows if r[3] and r[3] <= limit and r[0].startswith("Verlet, same") == verlet
-                       and "history" not in r[0]]
+            fitting = [
+                (1 / r[4], f"{r[0]}: {r[1]}")
+                for r in rows
+                if r[3]
+                and r[3] <= limit
+                and r[0].startswith("Verlet, same") == verlet
+                and "history" not in r[0]
+            ]
             return max(fitting, default=(np.nan, "none"))
+
         fine, coarse, verlet = best(1e-3), best(1e-2), best(1e-3, verlet=True)
-        body.append((f"{speed:g}", f"{ratio:g}", f"{fine[0]:.3g}", fine[1], f"{TARGETS[speed][0]:g}", f"{coarse[0]:.3g}", coarse[1],
-                     f"{TARGETS[speed][1]:g}", f"{fine[0] / verlet[0]:.3g}"))
+        body.append(
+            (
+                f"{speed:g}",
+                f"{ratio:g}",
+                f"{fine[0]:.3g}",
+                fine[1],
+                f"{TARGETS[speed][0]:g}",
+                f"{coarse[0]:.3g}",
+                coarse[1],
+                f"{TARGETS[speed][1]:g}",
+                f"{fine[0] / verlet[0]:.3g}",
+            )
+        )
     lines = [".. list-table::", "   :header-rows: 1", ""]
     for row in (head, *body):
-        lines += [f"   {'*' if k == 0 else ' '} - {'' if cell == 'nan' else cell}" for k, cell in enumerate(row)]
+        lines += [
+            f"   {'*' if k == 0 else ' '} - {'' if cell == 'nan' else cell}"
+            for k, cell in enumerate(row)
+        ]
     return lines + [""]
 
 
 def draw(results):
-    figure, axes = plt.subplots(len(SPEEDS), len(CLEARANCES), figsize=(13, 11), sharex="row", sharey=True)
+    figure, axes = plt.subplots(
+        len(SPEEDS), len(CLEARANCES), figsize=(13, 11), sharex="row", sharey=True
+    )
     for (speed, ratio), (rows, apart) in results.items():
         ax = axes[SPEEDS.index(speed), list(CLEARANCES).index(ratio)]
         for method, (colour, mark) in STYLE.items():
@@ -194,20 +338,68 @@ def draw(results):
 
 
 def page(results):
-    lines = [".. written by make bench (tests/bench/work_precision.py); do not edit", "", "Speed against error", "===================", "",
-             "A 6208 at 5 kN in mineral oil: film, friction, cage, free ring, capacitance at 200 instants of a ball pass (:doc:`../fix_bearing_capacitance`,",
-             "*within*), nothing written. Error: largest over balls and instants of one ball pass of inner and outer load (over the largest load), orbital speed (over its mean) and film of balls that carry",
-             "more than 1 % of the largest load, against a reference with the same friction. One core;",
-             f"median of {ROUNDS} rounds, in which all settings of a scene take turns. Measured on {date.today()}:", ""]
+    lines = [
+        ".. written by make bench (tests/bench/work_precision.py); do not edit",
+        "",
+        "Speed against error",
+        "===================",
+        "",
+        (
+            "A 6208 at 5 kN in mineral oil: film, friction, cage, free ring, capacitance at 200"
+            " instants of a ball pass (:doc:`../fix_bearing_capacitance`,"
+        ),
+        (
+            "*within*), nothing written. Error: largest over balls and instants of one ball pass of"
+            " inner and outer load (over the largest load), orbital speed (over its mean) and film"
+            " of balls that carry"
+        ),
+        "more than 1 % of the largest load, against a reference with the same friction. One core;",
+        (
+            f"median of {ROUNDS} rounds, in which all settings of a scene take turns. Measured on"
+            f" {date.today()}:"
+        ),
+        "",
+    ]
     lines += [f"- {fact}" for fact in machine()]
-    lines += ["", "What was asked for", "------------------", "",
-              "Real-time factors (simulated over wall time) of :doc:`../fix_bearing_implicit` in this run.", ""] + targets(results)
-    lines += ["Diagram", "-------", "", ".. image:: ../images/work_precision.png", "   :alt: error against wall time per simulated second", "",
-              "Left and low is better. Dotted: how far two reference methods are apart; errors below it say nothing. Grey: 1e-3.", ""]
+    lines += [
+        "",
+        "What was asked for",
+        "------------------",
+        "",
+        (
+            "Real-time factors (simulated over wall time) of :doc:`../fix_bearing_implicit` in this"
+            " run."
+        ),
+        "",
+    ] + targets(results)
+    lines += [
+        "Diagram",
+        "-------",
+        "",
+        ".. image:: ../images/work_precision.png",
+        "   :alt: error against wall time per simulated second",
+        "",
+        (
+            "Left and low is better. Dotted: how far two reference methods are apart; errors below"
+            " it say nothing. Grey: 1e-3."
+        ),
+        "",
+    ]
     for (speed, ratio), (rows, apart) in results.items():
         title = f"{speed:g} rad/s, P_d/D = {ratio:g}"
-        orders = ", ".join(f"{m} {slope(rows, m):.1f}" for m in STYLE if np.isfinite(slope(rows, m)))
-        lines += [title, "-" * len(title), "", f"References differ by {apart:.1e}. Observed order (error against step): {orders or 'too few points'}.", ""]
+        orders = ", ".join(
+            f"{m} {slope(rows, m):.1f}" for m in STYLE if np.isfinite(slope(rows, m))
+        )
+        lines += [
+            title,
+            "-" * len(title),
+            "",
+            (
+                f"References differ by {apart:.1e}. Observed order (error against step):"
+                f" {orders or 'too few points'}."
+            ),
+            "",
+        ]
         lines += table(rows)
     lines += (ROOT / "tests/bench/work_precision_notes.txt").read_text().splitlines()
     PAGE.write_text("\n".join(lines) + "\n")

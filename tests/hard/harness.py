@@ -15,13 +15,16 @@ DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208
 _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
 CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
-# What the references "fine" and every comparison of the fix with itself use, whatever the defaults are.
+# What the references "fine" and every comparison of the fix with itself use, whatever the defaults
+# are.
 FINE = "tolerance 1e-10"
-LOST = "atoms got lost and nothing was said"  # what `Course.error` says of a run that ended well without them
+# what `Course.error` says of a run that ended well without them
+LOST = "atoms got lost and nothing was said"
 
 
 class Course(NamedTuple):
-    """What a run did, sample by sample; `error` holds the host's message when it stopped, tables are None then."""
+    """What a run did, sample by sample; `error` holds the host's message when it stopped, tables
+    are None then."""
 
     load: np.ndarray  # (samples, 2, balls), N; raceway 0 is the inner one
     film: np.ndarray  # (samples, 2, balls), m; 0 where there is no contact or no film
@@ -40,18 +43,38 @@ class Course(NamedTuple):
 
 def run(folder, case, **over):
     """A `Course` of one case; `over` are variables of the deck that differ from the case's."""
-    variables = {"samples": 400, "sample": 1e-4, "control": case.get("control", ""), **case["variables"], **over}
+    variables = {
+        "samples": 400,
+        "sample": 1e-4,
+        "control": case.get("control", ""),
+        **case["variables"],
+        **over,
+    }
     outcome = liggghts(DECK, out=folder, **variables)
     control = re.search(r"CONTROL mean (\S+) smallest (\S+) .* refused (\S+)", outcome.text)
-    step, smallest, refused = map(float, control.groups()) if control else (
-        float(variables["sample"]) / int(variables.get("substeps", 1)), 0, 0)
+    step, smallest, refused = (
+        map(float, control.groups())
+        if control
+        else (float(variables["sample"]) / int(variables.get("substeps", 1)), 0, 0)
+    )
     wall = re.findall(r"Loop time of (\S+) on", outcome.text)
     balls = [] if outcome.code else _blocks(Path(folder) / "balls.dump")
     lost = len({len(table) for table in balls}) > 1
-    tables = [None] * 6 if outcome.code or lost else _tables(Path(folder), balls, variables.get("lubricant") != "dry")
-    return Course(*tables, step, smallest, int(refused), float(wall[-1]) if wall else np.nan,
-                  int(variables["samples"]) * float(variables["sample"]), outcome.text,
-                  LOST if lost else outcome.error if outcome.code else "")
+    tables = (
+        [None] * 6
+        if outcome.code or lost
+        else _tables(Path(folder), balls, variables.get("lubricant") != "dry")
+    )
+    return Course(
+        *tables,
+        step,
+        smallest,
+        int(refused),
+        float(wall[-1]) if wall else np.nan,
+        int(variables["samples"]) * float(variables["sample"]),
+        outcome.text,
+        LOST if lost else outcome.error if outcome.code else "",
+    )
 
 
 def _tables(folder, balls, wet):
@@ -63,10 +86,19 @@ def _tables(folder, balls, wet):
         at = k, row[:, 1].astype(int), row[:, 0].astype(int) - 1
         film[at], capacitance[at] = row[:, 2], row[:, 3]
     both = capacitance.min(1) > 0
-    pair = np.divide(capacitance.prod(1), capacitance.sum(1), out=np.zeros_like(capacitance[:, 0]), where=both)
+    pair = np.divide(
+        capacitance.prod(1), capacitance.sum(1), out=np.zeros_like(capacitance[:, 0]), where=both
+    )
     atoms = np.array(balls)
     x, y, vx, vy = (atoms[:, :BALLS, k] for k in (2, 3, 5, 6))
-    return load, film, pair.sum(1), (x * vy - y * vx) / (x**2 + y**2), atoms[:, :BALLS, 2:4], atoms[:, -2, 2:5]
+    return (
+        load,
+        film,
+        pair.sum(1),
+        (x * vy - y * vx) / (x**2 + y**2),
+        atoms[:, :BALLS, 2:4],
+        atoms[:, -2, 2:5],
+    )
 
 
 def _blocks(path):
@@ -74,64 +106,98 @@ def _blocks(path):
     lines, at, found = path.read_text().splitlines(), 0, []
     while at < len(lines):
         count = int(lines[at + 3])
-        found.append(np.array(" ".join(lines[at + 9:at + 9 + count]).split(), float).reshape(count, -1)
-                     if count else np.zeros((0, 5)))
+        found.append(
+            np.array(" ".join(lines[at + 9 : at + 9 + count]).split(), float).reshape(count, -1)
+            if count
+            else np.zeros((0, 5))
+        )
         at += 9 + count
     return found
 
 
-# ---- references ---------------------------------------------------------------------------------------------
+# ---- references
+# ---------------------------------------------------------------------------------------------
+
 
 def reference(kind, folder, case, refine=1):
-    """The `Course` of a reference that is a run (verlet, history, fine), `refine` times finer than its words say."""
+    """The `Course` of a reference that is a run (verlet, history, fine), `refine` times finer than
+    its words say."""
     sample = float(case["variables"].get("sample", 1e-4))
     substeps = max(1, round(refine * sample / float(case["references"][kind]["step"])))
-    words = {"verlet": {"integrator": "verlet"}, "history": {"integrator": "verlet", "film": "history"},
-             "fine": {"control": FINE}}[kind]
+    words = {
+        "verlet": {"integrator": "verlet"},
+        "history": {"integrator": "verlet", "film": "history"},
+        "fine": {"control": FINE},
+    }[kind]
     return run(folder, case, substeps=substeps, **words)
 
 
 def statics(found, case):
-    """(samples, loads (sample, 2, balls)) of static equilibria with balls where `found` has them."""
+    """(samples, loads (sample, 2, balls)) of static equilibria with balls where `found` has
+    them."""
     v, words = case["variables"], case["references"]["statics"]
-    bearing = Bearing(BALLS, 12.6e-3, 24e-3, 36.6e-3, float(v.get("inner_groove", 6.552e-3)),
-                      float(v.get("outer_groove", 6.552e-3)), young=210e9, poisson=0.3)
+    bearing = Bearing(
+        BALLS,
+        12.6e-3,
+        24e-3,
+        36.6e-3,
+        float(v.get("inner_groove", 6.552e-3)),
+        float(v.get("outer_groove", 6.552e-3)),
+        young=210e9,
+        poisson=0.3,
+    )
     picked = list(range(words.get("after", 0), len(found.load), int(words.get("every", 10))))
     loads = []
     for k in picked:
         azimuth = -np.pi / 2 + float(words.get("turning", 0)) * k * float(v["sample"])
-        state = static.equilibrium(bearing, float(words["radial"]), float(words.get("axial", 0)), held=words.get("held"),
-                                   clearance=float(v.get("clearance", 0)), load_azimuth=azimuth, finite_shift=True,
-                                   orbital_speed=np.abs(found.orbit[k]).mean(),
-                                   phase=np.arctan2(found.ball[k, :, 1], found.ball[k, :, 0]))
+        state = static.equilibrium(
+            bearing,
+            float(words["radial"]),
+            float(words.get("axial", 0)),
+            held=words.get("held"),
+            clearance=float(v.get("clearance", 0)),
+            load_azimuth=azimuth,
+            finite_shift=True,
+            orbital_speed=np.abs(found.orbit[k]).mean(),
+            phase=np.arctan2(found.ball[k, :, 1], found.ball[k, :, 0]),
+        )
         loads.append([state.inner.load, state.outer.load])
     return picked, np.array(loads)
 
 
-# ---- figures ------------------------------------------------------------------------------------------------
+# ---- figures
+# ------------------------------------------------------------------------------------------------
+
 
 class Figures(NamedTuple):
     """Largest differences over balls, raceways and samples."""
 
     load: float  # over the peak load
     orbit: float  # over the largest orbital speed
-    film: float  # relative (below 0.1 um over that: the roughness), where both carry over 1 % of the peak; nan if dry
+    # relative (below 0.1 um over that: the roughness), where both carry over 1 % of the peak; nan
+    # if dry
+    film: float
 
 
 def compare(found, truth, after=0, every=1):
-    """`Figures` of two courses from the sample `after` of `truth` on; `found` has every `every`-th of its samples."""
+    """`Figures` of two courses from the sample `after` of `truth` on; `found` has every `every`-th
+    of its samples."""
     first = -(-after // every)
     load, film, orbit = (table[::every][first:] for table in (truth.load, truth.film, truth.orbit))
     mine, my_film, my_orbit = (table[first:] for table in (found.load, found.film, found.orbit))
     peak = truth.load.max()
     both = (load > 0.01 * peak) & (mine > 0.01 * peak) & (film > 0) & (my_film > 0)
     miss = np.abs(my_film - film)[both] / np.maximum(film[both], 1e-7)
-    return Figures(np.abs(mine - load).max() / peak, np.abs(my_orbit - orbit).max() / np.abs(orbit).max(),
-                   miss.max() if both.any() else np.nan)
+    return Figures(
+        np.abs(mine - load).max() / peak,
+        np.abs(my_orbit - orbit).max() / np.abs(orbit).max(),
+        miss.max() if both.any() else np.nan,
+    )
 
 
 def before_whirl(course, limit):
-    """The course up to 20 ms before the inner ring starts to whirl: the sum of the inner loads is above `limit` (N) for 10 ms."""
+    """The course up to 20 ms before the inner ring starts to whirl: the sum of the inner loads is
+    above `limit` (N) for 10 ms."""
     a_sample = course.simulated / (len(course.load) - 1)
     window = round(10e-3 / a_sample)
     total = np.convolve(course.load[:, 0].sum(1), np.ones(window) / window, "valid")
@@ -140,7 +206,8 @@ def before_whirl(course, limit):
 
 
 class Average(NamedTuple):
-    """A mean over time and its statistical error, from the spread of ten blocks about their trend."""
+    """A mean over time and its statistical error, from the spread of ten blocks about their
+    trend."""
 
     mean: float
     error: float
@@ -151,9 +218,13 @@ def averages(course, after=0, every=1):
     first = -(-after // every)
     load, orbit = course.load[first:], course.orbit[first:]
     inner, outer = load[:, 0] > 0, load[:, 1] > 0
-    series = {"sum of inner loads": load[:, 0].sum(1), "outer load": load[:, 1].mean(1),
-              "orbital speed": orbit.mean(1), "share of balls on the inner ring": inner.mean(1),
-              "share of balls on no ring": (~inner & ~outer).mean(1)}
+    series = {
+        "sum of inner loads": load[:, 0].sum(1),
+        "outer load": load[:, 1].mean(1),
+        "orbital speed": orbit.mean(1),
+        "share of balls on the inner ring": inner.mean(1),
+        "share of balls on no ring": (~inner & ~outer).mean(1),
+    }
     result = {}
     for name, values in series.items():
         blocks = np.array([block.mean() for block in np.array_split(values, 10)])
@@ -176,11 +247,14 @@ class Verdict(NamedTuple):
         return bool(self.figure <= self.bound)
 
     def __str__(self):
-        return f"{self.figure:.2e}, bound {self.bound:.2e}{', ' if self.remark else ''}{self.remark}"
+        return (
+            f"{self.figure:.2e}, bound {self.bound:.2e}{', ' if self.remark else ''}{self.remark}"
+        )
 
 
 def judge(found, truth, case, words, every=1):
-    """`Verdict` of one course against another under the words (`bound`, `after`) of a reference or of `large`."""
+    """`Verdict` of one course against another under the words (`bound`, `after`) of a reference or
+    of `large`."""
     bound, after = BOUNDS[words["bound"]]["value"], words.get("after", 0)
     if case.get("chaotic"):
         full = len(found.load)
@@ -188,39 +262,59 @@ def judge(found, truth, case, words, every=1):
         if min(len(found.load) * every, len(truth.load)) < 3 * after:
             return Verdict(np.inf, bound, "the ring whirls too early to judge the time before")
         verdict = _judge_averages(averages(found, after, every), averages(truth, after), bound)
-        whirls = f"; the ring whirls from sample {len(found.load)} of {full}" if len(found.load) < full else ""
+        whirls = (
+            f"; the ring whirls from sample {len(found.load)} of {full}"
+            if len(found.load) < full
+            else ""
+        )
         return verdict._replace(remark=verdict.remark + whirls)
     figures = compare(found, truth, after, every)
     return Verdict(figures.load, bound, "", figures.orbit, figures.film)
 
 
 def _judge_averages(found, truth, bound):
-    """The worst of the averages: loads and speeds relative, shares as they are. A run that bursts now and then has a large
-    statistical error of its own: no bound grows beyond a half."""
+    """The worst of the averages: loads and speeds relative, shares as they are. A run that bursts
+    now and then has a large statistical error of its own: no bound grows beyond a half."""
     verdicts = []
     for name, (mean, error) in truth.items():
         scale = 1 if name.startswith("share") else mean
         statistical = np.hypot(error, found[name].error) / scale
-        verdicts.append(Verdict(abs(found[name].mean - mean) / scale, min(bound + 3 * statistical, 0.5),
-                                f"{name} {found[name].mean:.4g}, should be {mean:.4g} within {bound:g} and 3 x {statistical:.2g}"))
+        verdicts.append(
+            Verdict(
+                abs(found[name].mean - mean) / scale,
+                min(bound + 3 * statistical, 0.5),
+                f"{name} {found[name].mean:.4g}, should be {mean:.4g} within {bound:g} and 3 x"
+                f" {statistical:.2g}",
+            )
+        )
     return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound)
 
 
 def judge_statics(found, case):
     """`Verdict` of the largest difference from static loads over the largest of them."""
     picked, loads = statics(found, case)
-    return Verdict(np.abs(found.load[picked] - loads).max() / loads.max(),
-                   BOUNDS[case["references"]["statics"]["bound"]]["value"])
+    return Verdict(
+        np.abs(found.load[picked] - loads).max() / loads.max(),
+        BOUNDS[case["references"]["statics"]["bound"]]["value"],
+    )
 
 
 def coarse(folder, case):
     """The case with the host step that is too large on purpose."""
     factor = case["large"]["factor"]
-    return run(folder, case, sample=float(case["variables"]["sample"]) * factor,
-               samples=case["variables"]["samples"] // factor)
+    return run(
+        folder,
+        case,
+        sample=float(case["variables"]["sample"]) * factor,
+        samples=case["variables"]["samples"] // factor,
+    )
 
 
 def first_samples(course, count):
     """The first `count` samples after the start of a course."""
-    return course._replace(**{name: getattr(course, name)[:count + 1]
-                              for name in ("load", "film", "capacitance", "orbit", "ball", "ring")})
+    return course._replace(
+        **{
+            name: getattr(course, name)[: count + 1]
+            for name in ("load", "film", "capacitance", "orbit", "ball", "ring")
+        }
+    )

@@ -16,7 +16,8 @@ SETTLED = 10  # ball passes before the first second that counts
 
 
 class Drift(NamedTuple):
-    """A mean over the first and over the last second and the statistical error of their difference."""
+    """A mean over the first and over the last second and the statistical error of their
+    difference."""
 
     first: float
     last: float
@@ -30,27 +31,43 @@ class Drift(NamedTuple):
 
 def long_run(folder, seconds, control="energy yes", substeps=4) -> Course:
     """The run, every sample kept; `substeps` host steps a sample."""
-    case = {"variables": {"inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3", "sample": SAMPLE,
-                          "samples": round(seconds / PASS) * PER_PASS, "control": control,
-                          "substeps": substeps}}
+    case = {
+        "variables": {
+            "inner": "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3",
+            "sample": SAMPLE,
+            "samples": round(seconds / PASS) * PER_PASS,
+            "control": control,
+            "substeps": substeps,
+        }
+    }
     return run(folder, case)
 
 
 def drifts(course):
-    """{quantity: `Drift`}; each ball pass gives one value, so that their spread tells how sure the means are."""
+    """{quantity: `Drift`}; each ball pass gives one value, so that their spread tells how sure the
+    means are."""
     size = round(1 / PASS)
     found = {}
-    for name, series in {"ring along the load (m)": course.ring[:, 1], "orbital speed (rad/s)": course.orbit.mean(1),
-                         "capacitance (F)": course.capacitance, "largest load (N)": course.load.max((1, 2))}.items():
-        passes = series[SETTLED * PER_PASS:][:(len(series) - 1 - SETTLED * PER_PASS) // PER_PASS * PER_PASS]
+    for name, series in {
+        "ring along the load (m)": course.ring[:, 1],
+        "orbital speed (rad/s)": course.orbit.mean(1),
+        "capacitance (F)": course.capacitance,
+        "largest load (N)": course.load.max((1, 2)),
+    }.items():
+        passes = series[SETTLED * PER_PASS :][
+            : (len(series) - 1 - SETTLED * PER_PASS) // PER_PASS * PER_PASS
+        ]
         passes = passes.reshape(-1, PER_PASS).mean(1)
         first, last = passes[:size], passes[-size:]
-        found[name] = Drift(first.mean(), last.mean(), np.hypot(first.std(ddof=1), last.std(ddof=1)) / np.sqrt(size))
+        found[name] = Drift(
+            first.mean(), last.mean(), np.hypot(first.std(ddof=1), last.std(ddof=1)) / np.sqrt(size)
+        )
     return found
 
 
 def energy(course):
-    """(work put in, the integrator's own loss) in J from the line ENERGY that report.implicit prints; None without it.
+    """(work put in, the integrator's own loss) in J from the line ENERGY that report.implicit
+    prints; None without it.
 
     The only place that knows of the energy columns of fix bearing/implicit: f_ID[7] and so on.
     """

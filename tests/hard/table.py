@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the hard cases and their references, these twice as fine too, and writes docs/performance/hard_cases.rst.
+"""Runs the hard cases and their references, these twice as fine too, and writes
+docs/performance/hard_cases.rst.
 
-    python tests/hard/table.py
+python tests/hard/table.py
 """
 
 import sys
@@ -16,9 +17,23 @@ from hard import harness, longrun  # noqa: E402
 from hard.harness import BOUNDS, CASES, EXPLICIT, judge, reference  # noqa: E402
 
 TARGET = TESTS.parent / "docs/performance/hard_cases.rst"
-NAMES = {"statics": "statics", "verlet": "Verlet, same friction", "fine": "itself, 0.1 nm", "history": "Verlet, history spring"}
-HEAD = ["case", "scene", "reference (what halving its step changes)", "figure", "bound", "whole course",
-        "mean internal step (s)", "simulated over wall time", "remark"]
+NAMES = {
+    "statics": "statics",
+    "verlet": "Verlet, same friction",
+    "fine": "itself, 0.1 nm",
+    "history": "Verlet, history spring",
+}
+HEAD = [
+    "case",
+    "scene",
+    "reference (what halving its step changes)",
+    "figure",
+    "bound",
+    "whole course",
+    "mean internal step (s)",
+    "simulated over wall time",
+    "remark",
+]
 
 
 def number(value):
@@ -26,7 +41,8 @@ def number(value):
 
 
 def rows_of(name, folder):
-    """The table's rows of one case, a row a reference; the names of references that are not sure of themselves."""
+    """The table's rows of one case, a row a reference; the names of references that are not sure of
+    themselves."""
     case, unsure, rows = CASES[name], [], []
     found = harness.run(folder, case)
     print(name, found.error, flush=True)
@@ -45,14 +61,31 @@ def rows_of(name, folder):
                 change = judge(truth, finer, case, words).figure
                 own, whole = f" ({number(change)})", number(harness.compare(found, truth).load)
                 if change > 0.1 * verdict.bound:
-                    unsure.append(f"{name}, {kind}: halving its step changes {change:.1e} of a bound of {verdict.bound:.1e}")
+                    unsure.append(
+                        f"{name}, {kind}: halving its step changes {change:.1e} of a bound of"
+                        f" {verdict.bound:.1e}"
+                    )
         remark = [verdict.remark] if verdict.remark else []
         if verdict.orbit == verdict.orbit:
-            remark.append(f"orbital speed {number(verdict.orbit)}" + (f", film {number(verdict.film)}" if verdict.film == verdict.film else ""))
+            remark.append(
+                f"orbital speed {number(verdict.orbit)}"
+                + (f", film {number(verdict.film)}" if verdict.film == verdict.film else "")
+            )
         if not verdict.good:
             remark.append(f"**misses**: {misses.get(kind, 'not known before')}")
-        rows.append([name, case["scene"], NAMES[kind] + own, number(verdict.figure), number(verdict.bound), whole,
-                     number(found.step), f"{found.simulated / found.wall:.2g}", "; ".join(remark)])
+        rows.append(
+            [
+                name,
+                case["scene"],
+                NAMES[kind] + own,
+                number(verdict.figure),
+                number(verdict.bound),
+                whole,
+                number(found.step),
+                f"{found.simulated / found.wall:.2g}",
+                "; ".join(remark),
+            ]
+        )
     return rows, unsure
 
 
@@ -67,7 +100,13 @@ def too_large(name, folder):
     if found.error:
         cells += ["", "", found.error]
     else:
-        verdict = judge(found, harness.first_samples(truth, factor * (len(found.load) - 1)), case, case["large"], factor)
+        verdict = judge(
+            found,
+            harness.first_samples(truth, factor * (len(found.load) - 1)),
+            case,
+            case["large"],
+            factor,
+        )
         cells += [number(found.step), str(verdict), ""]
     if "large" in case.get("misses", {}):
         cells[-1] = f"**misses**: {case['misses']['large']}"
@@ -79,8 +118,10 @@ def too_large(name, folder):
             cells.append("refused")
             continue
         verdict = judge(course, truth, case, dict(kinds[kind], bound="nonsense"))
-        cells.append(f"{number(verdict.figure)}{', warned' if 'WARNING: timestep' in course.text else ''}"
-                     f"{'' if verdict.good else ', **nonsense**'}")
+        cells.append(
+            f"{number(verdict.figure)}{', warned' if 'WARNING: timestep' in course.text else ''}"
+            f"{'' if verdict.good else ', **nonsense**'}"
+        )
     return cells
 
 
@@ -96,14 +137,34 @@ def thirty_seconds(folder):
     course = longrun.long_run(folder, 30)
     if course.error:
         return [], f"The run of 30 s stopped: {course.error}"
-    rows = [[name, f"{d.first:.8g}", f"{d.last:.8g}", number(d.figure), number(abs(3 * d.error / d.first))]
-            for name, d in longrun.drifts(course).items()]
+    rows = [
+        [
+            name,
+            f"{d.first:.8g}",
+            f"{d.last:.8g}",
+            number(d.figure),
+            number(abs(3 * d.error / d.first)),
+        ]
+        for name, d in longrun.drifts(course).items()
+    ]
     energy = longrun.energy(course)
-    said = "" if energy is None else (f" Work put in {energy[0]:.4g} J, of which the integrator itself lost "
-                                      f"{energy[1]:.3g} J, {abs(energy[1] / energy[0]):.1e} of it.")
-    return rows, (f"{course.simulated:.1f} s in {course.wall:.1f} s of wall time ({course.simulated / course.wall:.0f} times real "
-                  f"time, {longrun.PER_PASS} samples a ball pass written), mean internal step {number(course.step)} s, "
-                  f"{course.refused} steps refused.{said}")
+    said = (
+        ""
+        if energy is None
+        else (
+            f" Work put in {energy[0]:.4g} J, of which the integrator itself lost "
+            f"{energy[1]:.3g} J, {abs(energy[1] / energy[0]):.1e} of it."
+        )
+    )
+    return (
+        rows,
+        (
+            f"{course.simulated:.1f} s in {course.wall:.1f} s of wall time"
+            f" ({course.simulated / course.wall:.0f} times real time, {longrun.PER_PASS} samples a"
+            f" ball pass written), mean internal step {number(course.step)} s, {course.refused}"
+            f" steps refused.{said}"
+        ),
+    )
 
 
 def main():
@@ -115,22 +176,70 @@ def main():
             large.append(too_large(name, folder))
         drift, sentence = thirty_seconds(folder)
     missed = sum("**misses**" in row[-1] for row in rows)
-    text = [".. written by make bench (tests/hard/table.py); do not edit", "", "Hard cases", "==========", "",
-            ":doc:`../fix_bearing_implicit` with its default words and one host step a sample, in scenes that are hard to integrate: 6208, mineral",
-            "oil unless said otherwise. ``tests/hard/cases.yaml`` has the scenes, bounds with their reasons, and what misses its bound.",
-            f"Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.", "",
-            "Figure: largest difference over balls, raceways and samples of the contact load over the peak load, from the sample on that the case",
-            "names; *whole course* is the same from the first sample. Quasi-static cases are held against statics, transients on their whole course with the peak,",
-            "a chaotic case by averages over time with their statistical error, up to a whirl of the ring (:ref:`known-limits`). Wall time includes the output of every sample, on a shared virtual core.", "",
-            *list_table(HEAD, rows), "Bounds:", ""]
-    text += [f"* {name}, {number(bound['value'])}: {bound['why']}." for name, bound in BOUNDS.items()]
-    text += ["", "Steps too large on purpose", "--------------------------", "",
-             "The control refines a host step that is too large, or the run stops with an error. Verlet is given 30 and 100 times the step of its reference",
-             "and must be refused by the package, or be no nonsense.", "",
-             *list_table(["case", "host step (s)", "internal step (s)", "figure", "remark"] + [f"Verlet x {k}" for k in EXPLICIT], large),
-             "Thirty seconds", "--------------", "", f"6208, 5 kN, 477.5 rpm. {sentence}", ""]
+    text = [
+        ".. written by make bench (tests/hard/table.py); do not edit",
+        "",
+        "Hard cases",
+        "==========",
+        "",
+        (
+            ":doc:`../fix_bearing_implicit` with its default words and one host step a sample, in"
+            " scenes that are hard to integrate: 6208, mineral"
+        ),
+        (
+            "oil unless said otherwise. ``tests/hard/cases.yaml`` has the scenes, bounds with their"
+            " reasons, and what misses its bound."
+        ),
+        f"Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.",
+        "",
+        (
+            "Figure: largest difference over balls, raceways and samples of the contact load over"
+            " the peak load, from the sample on that the case"
+        ),
+        (
+            "names; *whole course* is the same from the first sample. Quasi-static cases are held"
+            " against statics, transients on their whole course with the peak,"
+        ),
+        (
+            "a chaotic case by averages over time with their statistical error, up to a whirl of"
+            " the ring (:ref:`known-limits`). Wall time includes the output of every sample, on a"
+            " shared virtual core."
+        ),
+        "",
+        *list_table(HEAD, rows),
+        "Bounds:",
+        "",
+    ]
+    text += [
+        f"* {name}, {number(bound['value'])}: {bound['why']}." for name, bound in BOUNDS.items()
+    ]
+    text += [
+        "",
+        "Steps too large on purpose",
+        "--------------------------",
+        "",
+        (
+            "The control refines a host step that is too large, or the run stops with an error."
+            " Verlet is given 30 and 100 times the step of its reference"
+        ),
+        "and must be refused by the package, or be no nonsense.",
+        "",
+        *list_table(
+            ["case", "host step (s)", "internal step (s)", "figure", "remark"]
+            + [f"Verlet x {k}" for k in EXPLICIT],
+            large,
+        ),
+        "Thirty seconds",
+        "--------------",
+        "",
+        f"6208, 5 kN, 477.5 rpm. {sentence}",
+        "",
+    ]
     if drift:
-        text += list_table(["mean over a second", "first", "last", "relative difference", "3 statistical errors"], drift)
+        text += list_table(
+            ["mean over a second", "first", "last", "relative difference", "3 statistical errors"],
+            drift,
+        )
     TARGET.write_text("\n".join(text))
     print(TARGET)
     if unsure:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The hard cases of cases.yaml: figures against their references, steps too large on purpose, thirty seconds."""
+"""The hard cases of cases.yaml: figures against their references, steps too large on purpose,
+thirty seconds."""
 
 import re
 from functools import cache
@@ -7,14 +8,27 @@ from functools import cache
 import pytest
 
 from hard import longrun
-from hard.harness import CASES, EXPLICIT, coarse, first_samples, judge, judge_statics, reference, run
+from hard.harness import (
+    CASES,
+    EXPLICIT,
+    coarse,
+    first_samples,
+    judge,
+    judge_statics,
+    reference,
+    run,
+)
 
 
 def marked(*keys, name, key):
     """A pytest parameter, expected to fail where cases.yaml says that it misses its figure."""
     why = CASES[name].get("misses", {}).get(key)
-    return pytest.param(name, *keys, id=f"{name}: {key}",
-                        marks=[pytest.mark.xfail(strict=True, raises=AssertionError, reason=why)] if why else [])
+    return pytest.param(
+        name,
+        *keys,
+        id=f"{name}: {key}",
+        marks=[pytest.mark.xfail(strict=True, raises=AssertionError, reason=why)] if why else [],
+    )
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +38,9 @@ def courses(tmp_path_factory):
 
     @cache
     def get(name, kind):
-        course = run(folder, CASES[name]) if kind == "default" else reference(kind, folder, CASES[name])
+        course = (
+            run(folder, CASES[name]) if kind == "default" else reference(kind, folder, CASES[name])
+        )
         assert not course.error, course.error
         return course
 
@@ -32,29 +48,44 @@ def courses(tmp_path_factory):
 
 
 def yardstick(name):
-    """The reference by which a run of the same friction law is judged, and the one of Verlet, with its words."""
+    """The reference by which a run of the same friction law is judged, and the one of Verlet, with
+    its words."""
     kinds = CASES[name]["references"]
-    return next(k for k in ("verlet", "fine") if k in kinds), next(k for k in ("verlet", "history") if k in kinds)
+    return next(k for k in ("verlet", "fine") if k in kinds), next(
+        k for k in ("verlet", "history") if k in kinds
+    )
 
 
-@pytest.mark.parametrize("name, kind", [marked(kind, name=name, key=kind)
-                                        for name, case in CASES.items() for kind in case["references"]])
+@pytest.mark.parametrize(
+    "name, kind",
+    [
+        marked(kind, name=name, key=kind)
+        for name, case in CASES.items()
+        for kind in case["references"]
+    ],
+)
 def test_figure(courses, name, kind):
     """The fix at its defaults, one host step a sample, against a reference."""
     case, found = CASES[name], courses(name, "default")
-    verdict = judge_statics(found, case) if kind == "statics" else \
-        judge(found, courses(name, kind), case, case["references"][kind])
+    verdict = (
+        judge_statics(found, case)
+        if kind == "statics"
+        else judge(found, courses(name, kind), case, case["references"][kind])
+    )
     print(f"{name}, {kind}: {verdict}")
     assert verdict.good, str(verdict)
 
 
 @pytest.mark.parametrize("name", [marked(name=name, key="large") for name in CASES])
 def test_host_step_too_large(courses, tmp_path, name):
-    """Refined by the control to the case's figure at the samples it has, or refused in plain words."""
+    """Refined by the control to the case's figure at the samples it has, or refused in plain
+    words."""
     case, kind = CASES[name], yardstick(name)[0]
     found = coarse(tmp_path, case)
     if found.error:
-        assert re.search(r"fix bearing/implicit at step \d+: no solution with substeps down to", found.error), found.error
+        assert re.search(
+            r"fix bearing/implicit at step \d+: no solution with substeps down to", found.error
+        ), found.error
         return
     factor = case["large"]["factor"]
     truth = first_samples(courses(name, kind), factor * (len(found.load) - 1))
@@ -63,19 +94,27 @@ def test_host_step_too_large(courses, tmp_path, name):
     assert verdict.good, str(verdict)
 
 
-@pytest.mark.parametrize("name, factor", [marked(factor, name=name, key=f"explicit {factor}")
-                                          for name in CASES for factor in EXPLICIT])
+@pytest.mark.parametrize(
+    "name, factor",
+    [marked(factor, name=name, key=f"explicit {factor}") for name in CASES for factor in EXPLICIT],
+)
 def test_verlet_step_too_large(courses, tmp_path, name, factor):
-    """Velocity Verlet far beyond its limit is refused, or no nonsense all the same; a warning alone does not do."""
+    """Velocity Verlet far beyond its limit is refused, or no nonsense all the same; a warning alone
+    does not do."""
     case, kind = CASES[name], yardstick(name)[1]
     found = reference(kind, tmp_path, case, refine=1 / factor)
     if found.error:
-        assert re.search(r"timestep \S+ s: .* allows at most|largest allowed overlap|in no groove|not finite", found.error)
+        assert re.search(
+            r"timestep \S+ s: .* allows at most|largest allowed overlap|in no groove|not finite",
+            found.error,
+        )
         return
     words = dict(case["references"][kind], bound="nonsense")
     verdict = judge(found, courses(name, kind), case, words)
     print(f"{name}, Verlet step x {factor}: {verdict}")
-    assert verdict.good, f"{verdict}, {'with a warning' if 'WARNING: timestep' in found.text else 'quietly'}"
+    assert verdict.good, (
+        f"{verdict}, {'with a warning' if 'WARNING: timestep' in found.text else 'quietly'}"
+    )
 
 
 @pytest.fixture(scope="module")
@@ -86,17 +125,20 @@ def thirty_seconds(tmp_path_factory):
 
 
 def test_no_drift_in_thirty_seconds(thirty_seconds):
-    """Means over the first and over the last second agree within 1e-4 and three times their statistical error:
-    a rounding or damping error that adds up over the 850 ball passes between them would show."""
+    """Means over the first and over the last second agree within 1e-4 and three times their
+    statistical error: a rounding or damping error that adds up over the 850 ball passes between
+    them would show."""
     for name, drift in longrun.drifts(thirty_seconds).items():
         print(f"{name}: {drift.first:.8g} to {drift.last:.8g}, {drift.figure:.1e}")
         assert abs(drift.last - drift.first) < 1e-4 * abs(drift.first) + 3 * drift.error, name
 
 
 def test_energy_of_thirty_seconds(tmp_path):
-    """What the integrator itself loses is at most 1e-3 of the work put in, with internal steps of 20 us. A rolling bearing
-    takes only a few milliwatts, thousands of times less than goes to and fro as balls enter and leave the load: at the
-    defaults (0.2 ms) the integrator's own part is several per cent of that, which docs/fix_bearing_implicit says."""
+    """What the integrator itself loses is at most 1e-3 of the work put in, with internal steps of
+    20 us. A rolling bearing takes only a few milliwatts, thousands of times less than goes to and
+    fro as balls enter and leave the load: at the defaults (0.2 ms) the integrator's own part is
+    several per cent of that, which docs/fix_bearing_implicit says.
+    """
     course = longrun.long_run(tmp_path, 30, control=longrun.FINE_ENERGY)
     work, own = longrun.energy(course)
     print(f"work {work} J, lost by the integrator {own} J")

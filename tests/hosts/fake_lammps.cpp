@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A LAMMPS of any version on any MPI, as far as raceway_plugin.so looks at it before it loads the styles:
+// A LAMMPS of any version on any MPI, as far as raceway_plugin.so looks at it before it loads the
+// styles:
 //   fake_lammps PLUGIN VERSION MPI_NAME
 // Ends with 0 if the plugin registered nothing and returned.
 #include <dlfcn.h>

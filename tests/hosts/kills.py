@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Kill runs at random moments, resume them, and compare every output file with that of a run nobody disturbed.
+"""Kill runs at random moments, resume them, and compare every output file with that of a run nobody
+disturbed.
 
     .venv/bin/python tests/hosts/kills.py [N] [--seed S]     N of kill -TERM and N of kill -9 (default 50)
 
-A run that is killed is resumed, killed again with some chance, on 1, 2 or 4 ranks in turn, until it is done. Only the wall time in
-`run.yaml` may differ. Exit code 1 when a file does.
+A run that is killed is resumed, killed again with some chance, on 1, 2 or 4 ranks in turn, until it
+is done. Only the wall time in `run.yaml` may differ. Exit code 1 when a file does.
 """
 
 import argparse
@@ -24,8 +25,10 @@ from host import ENVIRONMENT, ROOT, frames  # noqa: E402
 
 FILES = ("contacts.dump", "balls.dump", "rings.dat")
 DECK = ROOT / "inputs" / "in.6208"
-SCENES = ({"lubricant": "mineral", "integrator": "implicit", "passes": 10, "keep": 25},
-          {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25})
+SCENES = (
+    {"lubricant": "mineral", "integrator": "implicit", "passes": 10, "keep": 25},
+    {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25},
+)
 
 
 @dataclass
@@ -33,21 +36,41 @@ class Story:
     """What happened to one run."""
 
     kills: int = 0
-    resumed: int = 0       # starts that found a restart file
+    resumed: int = 0  # starts that found a restart file
     codes: tuple = ()
     different: tuple = ()  # files whose bytes differ
 
 
 def start(scene, out, *, ranks=1):
-    """A run of `scene` into `out`, in a session of its own, its output in out.log; go on if there is something to go on from."""
-    command = [str(ROOT / "build" / "liggghts"), "-in", str(DECK), "-log", "none", "-var", "out", str(out), "-var", "resume", "yes"]
+    """A run of `scene` into `out`, in a session of its own, its output in out.log; go on if there
+    is something to go on from."""
+    command = [
+        str(ROOT / "build" / "liggghts"),
+        "-in",
+        str(DECK),
+        "-log",
+        "none",
+        "-var",
+        "out",
+        str(out),
+        "-var",
+        "resume",
+        "yes",
+    ]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
     if ranks > 1:
         command = ["mpirun.openmpi", "--oversubscribe", "-np", str(ranks), *command]
     with open(f"{out}.log", "ab") as log:
-        return subprocess.Popen(command, cwd=ROOT, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
-                                start_new_session=True)
+        return subprocess.Popen(
+            command,
+            cwd=ROOT,
+            env=ENVIRONMENT,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=log,
+            start_new_session=True,
+        )
 
 
 def run(scene, out):
@@ -60,14 +83,23 @@ def run(scene, out):
 
 def settings(folder):
     """`run.yaml` without its wall time, which is no result of the model."""
-    return [line for line in (folder / "run.yaml").read_text().splitlines() if not line.startswith("wall_s")]
+    return [
+        line
+        for line in (folder / "run.yaml").read_text().splitlines()
+        if not line.startswith("wall_s")
+    ]
 
 
 def same(one, other):
-    """Whether two files are equal, byte for byte but for the order of rows in a frame, which depends on ranks."""
+    """Whether two files are equal, byte for byte but for the order of rows in a frame, which
+    depends on ranks."""
     if one.read_bytes() == other.read_bytes():
         return True
-    return one.suffix == ".dump" and one.stat().st_size == other.stat().st_size and frames(one) == frames(other)
+    return (
+        one.suffix == ".dump"
+        and one.stat().st_size == other.stat().st_size
+        and frames(one) == frames(other)
+    )
 
 
 def session(leader):
@@ -84,7 +116,8 @@ def session(leader):
 
 
 def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
-    """Run `scene` with signals `which` at random moments of its `length` (s) until it is done; compare with `reference`."""
+    """Run `scene` with signals `which` at random moments of its `length` (s) until it is done;
+    compare with `reference`."""
     story, attempt = Story(), -1
     while attempt < 100:
         attempt += 1
@@ -94,12 +127,15 @@ def disturb(scene, out, which, reference, length, dice, *, ranks=(1,)):
             try:
                 process.wait(dice.uniform(0.0, length))
             except subprocess.TimeoutExpired:
-                # kill -9 takes all ranks, which else write on until they miss mpirun; mpirun hands a USR1 on as it is
+                # kill -9 takes all ranks, which else write on until they miss mpirun; mpirun hands
+                # a USR1 on as it is
                 if which == signal.SIGKILL:
                     for pid in session(process.pid):
                         os.kill(pid, which)
                 else:
-                    process.send_signal(signal.SIGUSR1 if ranks[attempt % len(ranks)] > 1 else which)
+                    process.send_signal(
+                        signal.SIGUSR1 if ranks[attempt % len(ranks)] > 1 else which
+                    )
                 story.kills += 1
         code = process.wait()
         story.codes += (code,)
@@ -131,13 +167,25 @@ def main():
             for number in range(arguments.number):
                 k = number % len(SCENES)
                 ranks = ((1,), (1,), (1, 2), (2, 1))[number // 2 % 4]
-                story = disturb(SCENES[k], folder / f"{which.name}{number}", which, folder / f"reference{k}", lengths[k], dice, ranks=ranks)
+                story = disturb(
+                    SCENES[k],
+                    folder / f"{which.name}{number}",
+                    which,
+                    folder / f"reference{k}",
+                    lengths[k],
+                    dice,
+                    ranks=ranks,
+                )
                 stories.append(story)
                 if story.different or story.codes[-1] != 0:
                     print(f"{which.name} {number}: {story}", flush=True)
             bad += sum(bool(s.different) or s.codes[-1] != 0 for s in stories)
-            print(f"{which.name}: {len(stories)} runs, {sum(s.kills for s in stories)} signals, {sum(s.resumed for s in stories)} "
-                  f"resumed from a restart file, {sum(not s.different for s in stories)} equal to the undisturbed run", flush=True)
+            print(
+                f"{which.name}: {len(stories)} runs, {sum(s.kills for s in stories)} signals,"
+                f" {sum(s.resumed for s in stories)} resumed from a restart file,"
+                f" {sum(not s.different for s in stories)} equal to the undisturbed run",
+                flush=True,
+            )
     return 1 if bad else 0
 
 

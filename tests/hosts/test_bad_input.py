@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Wrong input ends with an error that names the command, the value and what is allowed, before the first step."""
+"""Wrong input ends with an error that names the command, the value and what is allowed, before the
+first step."""
 
 import re
 
@@ -8,20 +9,71 @@ from host import BOX, liggghts, run
 
 # what is wrong: (variables of in.6208, what the error must say)
 MAIN_DECK = {
-    "conformal groove": ({"inner_groove": 6.2e-3}, r"create_bearing: groove radius 0.0062 m must be larger than the ball radius 0.0063"),
-    "too many balls": ({"balls": 16}, r"create_bearing: overlapping balls: 16 balls of diameter 0.0126 m .* are 0.0118\d* m apart"),
-    "negative viscosity": ({"viscosity": -0.04}, r"pair_style bearing/ehd: viscosity \(Pa s\) is -0.04, must be > 0"),
-    "no room": ({"clearance": -1e-3}, r"create_bearing: clearance -0.001 m .* leaves no room .* may not be below"),
-    "rings at odds": ({"outer_radius": 20e-3, "clearance": 0}, r"create_bearing: two rings at odds: inner raceway radius 0.024 m is not smaller than the outer one, 0.02 m"),
+    "conformal groove": (
+        {"inner_groove": 6.2e-3},
+        r"create_bearing: groove radius 0.0062 m must be larger than the ball radius 0.0063",
+    ),
+    "too many balls": (
+        {"balls": 16},
+        (
+            r"create_bearing: overlapping balls: 16 balls of diameter 0.0126 m .* are 0.0118\d* m"
+            r" apart"
+        ),
+    ),
+    "negative viscosity": (
+        {"viscosity": -0.04},
+        r"pair_style bearing/ehd: viscosity \(Pa s\) is -0.04, must be > 0",
+    ),
+    "no room": (
+        {"clearance": -1e-3},
+        r"create_bearing: clearance -0.001 m .* leaves no room .* may not be below",
+    ),
+    "rings at odds": (
+        {"outer_radius": 20e-3, "clearance": 0},
+        (
+            r"create_bearing: two rings at odds: inner raceway radius 0.024 m is not smaller than"
+            r" the outer one, 0.02 m"
+        ),
+    ),
     "step of 1 s": ({"step": 1}, r"bearing_range: step is 1, must be from 0 to 0.001"),
-    "step too large": ({"step": 1e-4, "integrator": "verlet"}, r"step 0.0001 s exceeds what the contact spring at 1 um overlap allows, 1.8\d*e-05 s"),
-    "unknown lubricant": ({"lubricant": "honey"}, r"bearing_input: there is no 'honey' in folder inputs/lubricants; there is: dry, mineral, pao48"),
-    "unknown bearing": ({"bearing": "9999"}, r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6206, 6208, 6306, harris209"),
-    "unknown integrator": ({"integrator": "euler"}, r"bearing_input: there is no 'euler' in folder inputs/integrators; there is: "),
-    "cage ball too large": ({"cage_ball_diameter": 9e-3}, r"create_bearing: cage ball of diameter 0.009 m is larger than its pocket: at most 0.0084\d* m"),
-    "output not writable": ({"out": "/proc/nowhere/run"}, r"bearing_output: cannot make output folder '/proc/nowhere/run'"),
+    "step too large": (
+        {"step": 1e-4, "integrator": "verlet"},
+        r"step 0.0001 s exceeds what the contact spring at 1 um overlap allows, 1.8\d*e-05 s",
+    ),
+    "unknown lubricant": (
+        {"lubricant": "honey"},
+        (
+            r"bearing_input: there is no 'honey' in folder inputs/lubricants; there is: dry,"
+            r" mineral, pao48"
+        ),
+    ),
+    "unknown bearing": (
+        {"bearing": "9999"},
+        (
+            r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6206, 6208,"
+            r" 6306, harris209"
+        ),
+    ),
+    "unknown integrator": (
+        {"integrator": "euler"},
+        r"bearing_input: there is no 'euler' in folder inputs/integrators; there is: ",
+    ),
+    "cage ball too large": (
+        {"cage_ball_diameter": 9e-3},
+        (
+            r"create_bearing: cage ball of diameter 0.009 m is larger than its pocket: at most"
+            r" 0.0084\d* m"
+        ),
+    ),
+    "output not writable": (
+        {"out": "/proc/nowhere/run"},
+        r"bearing_output: cannot make output folder '/proc/nowhere/run'",
+    ),
     "standing still": ({"rpm": 0}, r"bearing_range: rpm is 0, must be from 1 to 100000"),
-    "half a pass": ({"passes": 1.5}, r"bearing_range: passes is 1.5, must be a whole number from 1 to"),
+    "half a pass": (
+        {"passes": 1.5},
+        r"bearing_range: passes is 1.5, must be a whole number from 1 to",
+    ),
     "load the other way": ({"load": -5000}, r"bearing_range: load is -5000, must be from 0.001"),
     "no number": ({"load": "much"}, r"bearing_range: load must be a number, not 'much'"),
 }
@@ -36,47 +88,183 @@ FILM = "lubricant 0.04 2e-8 roughness 1e-7 0"
 
 # what is wrong: (deck, what the error must say)
 DECKS = {
-    "unknown style keyword": (BOX + "pair_style bearing/hertz viscosity 0.04\n", r"pair_style bearing/hertz: unknown keyword .*'viscosity'; known: axis"),
-    "film keyword on dry contact": (BOX + "pair_style bearing/hertz lubricant 0.04 2e-8\n", r"unknown keyword .*'lubricant'"),
-    "too few numbers": (BOX + STYLE + "pair_coeff 1 3 inner 24.0e-3\n", r"pair_coeff 1 3 inner: too few arguments: groove radius \(m\) is missing"),
-    "too many numbers": (BOX + STYLE + "pair_coeff 1 3 inner 24.0e-3 6.552e-3 7\n", r"pair_coeff 1 3 inner: unknown keyword or one argument too many: '7'"),
-    "unknown role": (BOX + STYLE + "pair_coeff 1 3 middle 24.0e-3 6.552e-3\n", r"role is 'middle', must be one of: inner, outer, sphere"),
-    "film without oil": (BOX + "pair_style bearing/ehd\n" + INNER, r"bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY'"),
-    "film without roughness": (BOX + "pair_style bearing/ehd lubricant 0.04 2e-8\n" + INNER, r"bearing/ehd needs 'roughness RACEWAY BALL'"),
-    "missing ring in create": (BOX + STYLE + INNER + CREATE, r"create_bearing: missing ring: no pair_coeff 1 4 outer"),
-    "no ring atom": (BOX + STYLE + INNER + OUTER + "create_atoms 1 single 0.0303 0 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n", r"missing ring: pair_coeff 1 3 names ring type 3, but no atom has that type"),
-    "ring elsewhere": (DRY + "displace_atoms inner move 0.01 0 0 units box\nrun 0\n", r"ball \d at .* sits in no groove of an inner ring at step 0"),
-    "two outer rings": (DRY + "create_atoms 4 single 1e-6 0 0 units box\nset type 4 diameter 2e-4\nrun 0\n", r"sits in the grooves of two outer rings"),
-    "overlapping balls": (BOX + STYLE + INNER + OUTER + CREATE.replace("9 diam", "13 diam") + "create_atoms 1 single 0.0303 0.004 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n", r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, the sum of their radii is 0.0126 m"),
-    "balls of two sizes": (DRY + "set atom 2 diameter 12.5e-3\nrun 0\n", r"balls of type 1 have radii from 0.00625 to 0.0063 m; give each size its own type"),
-    "conformal groove at run": (BOX + STYLE + INNER + OUTER + CREATE + GROUPS + "set type 1 diameter 13.2e-3\nrun 0\n", r"groove radius 0.006552 m must be larger than the ball radius 0.0066 m"),
-    "other units": (BOX.replace("units si", "units cgs") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'units si', not 'units cgs'"),
-    "newton on": (BOX.replace("newton off", "newton on") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'newton off'"),
-    "periodic box": (BOX.replace("boundary f f f", "boundary p p p") + STYLE + INNER + OUTER + CREATE + "run 0\n", r"needs 'boundary f f f'"),
-    "step of 1 s": (DRY + "timestep 1.0\nrun 1\n", r"timestep 1 s: the contact spring at 1 um overlap allows at most"),
-    "ring fix before pair_coeff": (BOX + STYLE + "group inner type 3\nfix r inner bearing/ring\n", r"missing ring, group inner is empty"),
-    "cage fix before pair_coeff": (BOX + STYLE + "fix c all bearing/cage 3\n", r"fix c bearing/cage: type 3 is no ring"),
-    "fix before pair style": (BOX + "group inner type 3\nfix r inner bearing/ring\n", r"fix bearing/ring needs pair_style bearing/hertz or bearing/ehd before it"),
-    "ring fix on balls": (DRY + "fix r balls bearing/ring\n", r"fix r bearing/ring: atom \d of group balls is of type 1, which no pair_coeff names as a ring"),
-    "ring fix on nothing": (DRY + "group none empty\nfix r none bearing/ring\n", r"missing ring, group none is empty|Could not find|Illegal"),
-    "free ring without mass": (DRY + "fix r inner bearing/ring x free\n", r"fix r bearing/ring: x free needs 'mass M'"),
-    "impossible inertia": (DRY + "fix r inner bearing/ring inertia 3e-4 1e-4\n", r"no body has more than twice as much about its axis"),
-    "unknown ring keyword": (DRY + "fix r inner bearing/ring wobble 1\n", r"'wobble'; known: x, y, z, rx, ry, spin"),
-    "no such variable": (DRY + "fix r inner bearing/ring spin speed v_none\nrun 0\n", r"fix r bearing/ring: there is no equal- or atom-style variable 'none'"),
-    "capacitance of a dry contact": (DRY + "fix c balls bearing/capacitance 10 permittivity 2.2\n", r"a dry contact has no capacitance"),
-    "permittivity below vacuum": (BOX + f"pair_style bearing/ehd {FILM}\n" + INNER + OUTER + CREATE + GROUPS + "fix c balls bearing/capacitance 10 permittivity 0.5\n", r"relative permittivity at ambient pressure is 0.5, must be from 1 to 10"),
-    "film column of a dry contact": (DRY + "compute c balls bearing/contact load h_min\n", r"attribute 'h_min' needs a lubricant"),
-    "unknown column": (DRY + "compute c balls bearing/contact load weight\n", r"unknown attribute 'weight'; known: ball, ring"),
-    "capacitance column without its fix": (BOX + f"pair_style bearing/ehd {FILM}\n" + INNER + OUTER + CREATE + GROUPS + "compute c balls bearing/contact capacitance\nrun 0\n", r"compute c bearing/contact: attribute 'capacitance' needs a fix bearing/capacitance"),
-    "rails on no ring": (DRY + "fix c balls bearing/cage 2\n", r"fix c bearing/cage: type 2 is no ring"),
-    "bearing outside the box": (BOX + STYLE + INNER + OUTER + CREATE.replace("\n", " centre 0.03 0 0\n"), r"create_bearing: the bearing \(radius 0.0429 m\) does not fit into the box in direction x"),
+    "unknown style keyword": (
+        BOX + "pair_style bearing/hertz viscosity 0.04\n",
+        r"pair_style bearing/hertz: unknown keyword .*'viscosity'; known: axis",
+    ),
+    "film keyword on dry contact": (
+        BOX + "pair_style bearing/hertz lubricant 0.04 2e-8\n",
+        r"unknown keyword .*'lubricant'",
+    ),
+    "too few numbers": (
+        BOX + STYLE + "pair_coeff 1 3 inner 24.0e-3\n",
+        r"pair_coeff 1 3 inner: too few arguments: groove radius \(m\) is missing",
+    ),
+    "too many numbers": (
+        BOX + STYLE + "pair_coeff 1 3 inner 24.0e-3 6.552e-3 7\n",
+        r"pair_coeff 1 3 inner: unknown keyword or one argument too many: '7'",
+    ),
+    "unknown role": (
+        BOX + STYLE + "pair_coeff 1 3 middle 24.0e-3 6.552e-3\n",
+        r"role is 'middle', must be one of: inner, outer, sphere",
+    ),
+    "film without oil": (
+        BOX + "pair_style bearing/ehd\n" + INNER,
+        r"bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY'",
+    ),
+    "film without roughness": (
+        BOX + "pair_style bearing/ehd lubricant 0.04 2e-8\n" + INNER,
+        r"bearing/ehd needs 'roughness RACEWAY BALL'",
+    ),
+    "missing ring in create": (
+        BOX + STYLE + INNER + CREATE,
+        r"create_bearing: missing ring: no pair_coeff 1 4 outer",
+    ),
+    "no ring atom": (
+        BOX
+        + STYLE
+        + INNER
+        + OUTER
+        + "create_atoms 1 single 0.0303 0 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n",
+        r"missing ring: pair_coeff 1 3 names ring type 3, but no atom has that type",
+    ),
+    "ring elsewhere": (
+        DRY + "displace_atoms inner move 0.01 0 0 units box\nrun 0\n",
+        r"ball \d at .* sits in no groove of an inner ring at step 0",
+    ),
+    "two outer rings": (
+        DRY + "create_atoms 4 single 1e-6 0 0 units box\nset type 4 diameter 2e-4\nrun 0\n",
+        r"sits in the grooves of two outer rings",
+    ),
+    "overlapping balls": (
+        BOX
+        + STYLE
+        + INNER
+        + OUTER
+        + CREATE.replace("9 diam", "13 diam")
+        + "create_atoms 1 single 0.0303 0.004 0 units box\nset type 1 diameter 12.6e-3\nrun 0\n",
+        (
+            r"overlapping balls: atoms \d+ and \d+ are 0.00\d* m apart, the sum of their radii is"
+            r" 0.0126 m"
+        ),
+    ),
+    "balls of two sizes": (
+        DRY + "set atom 2 diameter 12.5e-3\nrun 0\n",
+        r"balls of type 1 have radii from 0.00625 to 0.0063 m; give each size its own type",
+    ),
+    "conformal groove at run": (
+        BOX + STYLE + INNER + OUTER + CREATE + GROUPS + "set type 1 diameter 13.2e-3\nrun 0\n",
+        r"groove radius 0.006552 m must be larger than the ball radius 0.0066 m",
+    ),
+    "other units": (
+        BOX.replace("units si", "units cgs") + STYLE + INNER + OUTER + CREATE + "run 0\n",
+        r"needs 'units si', not 'units cgs'",
+    ),
+    "newton on": (
+        BOX.replace("newton off", "newton on") + STYLE + INNER + OUTER + CREATE + "run 0\n",
+        r"needs 'newton off'",
+    ),
+    "periodic box": (
+        BOX.replace("boundary f f f", "boundary p p p")
+        + STYLE
+        + INNER
+        + OUTER
+        + CREATE
+        + "run 0\n",
+        r"needs 'boundary f f f'",
+    ),
+    "step of 1 s": (
+        DRY + "timestep 1.0\nrun 1\n",
+        r"timestep 1 s: the contact spring at 1 um overlap allows at most",
+    ),
+    "ring fix before pair_coeff": (
+        BOX + STYLE + "group inner type 3\nfix r inner bearing/ring\n",
+        r"missing ring, group inner is empty",
+    ),
+    "cage fix before pair_coeff": (
+        BOX + STYLE + "fix c all bearing/cage 3\n",
+        r"fix c bearing/cage: type 3 is no ring",
+    ),
+    "fix before pair style": (
+        BOX + "group inner type 3\nfix r inner bearing/ring\n",
+        r"fix bearing/ring needs pair_style bearing/hertz or bearing/ehd before it",
+    ),
+    "ring fix on balls": (
+        DRY + "fix r balls bearing/ring\n",
+        (
+            r"fix r bearing/ring: atom \d of group balls is of type 1, which no pair_coeff names as"
+            r" a ring"
+        ),
+    ),
+    "ring fix on nothing": (
+        DRY + "group none empty\nfix r none bearing/ring\n",
+        r"missing ring, group none is empty|Could not find|Illegal",
+    ),
+    "free ring without mass": (
+        DRY + "fix r inner bearing/ring x free\n",
+        r"fix r bearing/ring: x free needs 'mass M'",
+    ),
+    "impossible inertia": (
+        DRY + "fix r inner bearing/ring inertia 3e-4 1e-4\n",
+        r"no body has more than twice as much about its axis",
+    ),
+    "unknown ring keyword": (
+        DRY + "fix r inner bearing/ring wobble 1\n",
+        r"'wobble'; known: x, y, z, rx, ry, spin",
+    ),
+    "no such variable": (
+        DRY + "fix r inner bearing/ring spin speed v_none\nrun 0\n",
+        r"fix r bearing/ring: there is no equal- or atom-style variable 'none'",
+    ),
+    "capacitance of a dry contact": (
+        DRY + "fix c balls bearing/capacitance 10 permittivity 2.2\n",
+        r"a dry contact has no capacitance",
+    ),
+    "permittivity below vacuum": (
+        BOX
+        + f"pair_style bearing/ehd {FILM}\n"
+        + INNER
+        + OUTER
+        + CREATE
+        + GROUPS
+        + "fix c balls bearing/capacitance 10 permittivity 0.5\n",
+        r"relative permittivity at ambient pressure is 0.5, must be from 1 to 10",
+    ),
+    "film column of a dry contact": (
+        DRY + "compute c balls bearing/contact load h_min\n",
+        r"attribute 'h_min' needs a lubricant",
+    ),
+    "unknown column": (
+        DRY + "compute c balls bearing/contact load weight\n",
+        r"unknown attribute 'weight'; known: ball, ring",
+    ),
+    "capacitance column without its fix": (
+        BOX
+        + f"pair_style bearing/ehd {FILM}\n"
+        + INNER
+        + OUTER
+        + CREATE
+        + GROUPS
+        + "compute c balls bearing/contact capacitance\nrun 0\n",
+        r"compute c bearing/contact: attribute 'capacitance' needs a fix bearing/capacitance",
+    ),
+    "rails on no ring": (
+        DRY + "fix c balls bearing/cage 2\n",
+        r"fix c bearing/cage: type 2 is no ring",
+    ),
+    "bearing outside the box": (
+        BOX + STYLE + INNER + OUTER + CREATE.replace("\n", " centre 0.03 0 0\n"),
+        r"create_bearing: the bearing \(radius 0.0429 m\) does not fit into the box in direction x",
+    ),
 }
 
 
 def wrong(outcome, message):
     """It failed, it said so in one readable error, and it did not step."""
     assert outcome.code != 0, outcome.text[-1500:]
-    assert re.search(message, outcome.error), f"no /{message}/ in:\n{outcome.error or outcome.text[-1500:]}"
+    assert re.search(message, outcome.error), (
+        f"no /{message}/ in:\n{outcome.error or outcome.text[-1500:]}"
+    )
     assert not re.search(r"^Loop time", outcome.text, re.MULTILINE)
     assert "Segmentation" not in outcome.text
 
@@ -98,7 +286,14 @@ def test_deck(name, tmp_path):
 
 
 # wrong set-ups, in every host
-SETUPS = ["newton on", "periodic box", "other units", "overlapping balls", "ring elsewhere", "unknown style keyword"]
+SETUPS = [
+    "newton on",
+    "periodic box",
+    "other units",
+    "overlapping balls",
+    "ring elsewhere",
+    "unknown style keyword",
+]
 GHOSTS = {"liggghts": "communicate single", "lammps": "comm_modify", "wheel": "comm_modify"}
 
 
@@ -115,42 +310,65 @@ def test_setup_in_lammps(name, host, tmp_path):
 def test_ghost_cutoff_too_small(host, tmp_path):
     deck = tmp_path / "in.ghosts"
     deck.write_text(DRY + f"{GHOSTS[host]} cutoff 0.02 vel yes\nrun 0\n")
-    wrong(run(deck, host=host), rf"the ghost cutoff 0.02 m \({GHOSTS[host]} cutoff\) is too small: .* up to 0.043152 m away; leave the cutoff out")
+    wrong(
+        run(deck, host=host),
+        rf"the ghost cutoff 0.02 m \({GHOSTS[host]} cutoff\) is too small: .* up to 0.043152 m"
+        r" away; leave the cutoff out",
+    )
 
 
 def test_lost_ball_is_named(tmp_path):
     """A run that goes wrong on the way stops and says which contact, when, and what to change."""
     deck = tmp_path / "in.runaway"
-    deck.write_text(DRY + "fix r inner bearing/ring mass 0.2 x free force 5.0e7 0 0\ntimestep 1.0e-6\nrun 100000\n")
+    deck.write_text(
+        DRY
+        + "fix r inner bearing/ring mass 0.2 x free force 5.0e7 0 0\ntimestep 1.0e-6\nrun 100000\n"
+    )
     outcome = liggghts(deck)
     assert outcome.code != 0
-    assert re.search(r"ball \d on (inner|outer) ring 1\d at step \d+: overlap \S+ m, force \S+ N, .* load too high",
-                     outcome.error), outcome.text[-1500:]
+    assert re.search(
+        r"ball \d on (inner|outer) ring 1\d at step \d+: overlap \S+ m, force \S+ N, .* load too"
+        r" high",
+        outcome.error,
+    ), outcome.text[-1500:]
 
 
 def test_step_that_turns_out_too_large_is_refused(tmp_path):
     """A fixed step the springs do not allow stops the main deck instead of giving numbers."""
     outcome = liggghts("inputs/in.6208", integrator="verlet", step=3.0e-6, out=tmp_path / "run")
     assert outcome.code != 0
-    assert re.search(r"step 3e-06 s exceeds what .* allows, \S+ s, at step \d+|overlap", outcome.error)
+    assert re.search(
+        r"step 3e-06 s exceeds what .* allows, \S+ s, at step \d+|overlap", outcome.error
+    )
 
 
 def test_not_a_number_under_an_implicit_step(tmp_path):
     """The step is refined in vain, then the run stops and says where."""
     deck = tmp_path / "in.nan"
-    deck.write_text(DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"
-                    "fix r inner bearing/ring mass 0.2 x free force v_nothing 0 0\nunfix move\nfix i all bearing/implicit\n"
-                    "timestep 1.0e-5\nrun 100\n")
+    deck.write_text(
+        DRY
+        + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\nfix r inner bearing/ring mass"
+        " 0.2 x free force v_nothing 0 0\nunfix move\nfix i all bearing/implicit\ntimestep"
+        " 1.0e-5\nrun 100\n"
+    )
     outcome = liggghts(deck)
     assert outcome.code != 0
-    assert re.search(r"fix i bearing/implicit at step \d+: no solution with substeps down to \S+ s; last correction", outcome.error)
+    assert re.search(
+        r"fix i bearing/implicit at step \d+: no solution with substeps down to \S+ s; last"
+        r" correction",
+        outcome.error,
+    )
 
 
 def test_not_a_number_is_named(tmp_path):
     """A position that is not a number is no gap: the run stops at the contact."""
     deck = tmp_path / "in.nan"
-    deck.write_text(DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"  # inf - inf
-                    "fix r inner bearing/ring mass 0.2 x free force v_nothing 0 0\ntimestep 1.0e-6\nrun 1000\n")
+    deck.write_text(
+        DRY + "variable nothing equal 1.0e308*10*step-1.0e308*10*step\n"  # inf - inf
+        "fix r inner bearing/ring mass 0.2 x free force v_nothing 0 0\ntimestep 1.0e-6\nrun 1000\n"
+    )
     outcome = liggghts(deck)
     assert outcome.code != 0
-    assert re.search(r"ball \d on inner ring 10 at step 1: overlap -?nan m", outcome.error), outcome.text[-1500:]
+    assert re.search(r"ball \d on inner ring 10 at step 1: overlap -?nan m", outcome.error), (
+        outcome.text[-1500:]
+    )

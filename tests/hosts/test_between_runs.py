@@ -9,48 +9,66 @@ DRAG = "fix drag balls viscous 5.0\n"
 
 
 def test_a_fix_defined_between_runs_adds_no_impulse(tmp_path):
-    """Forces of the step before are put back after the set-up of every fix, also of one that is younger."""
+    """Forces of the step before are put back after the set-up of every fix, also of one that is
+    younger."""
     deck = tmp_path / "in.drag"
     deck.write_text(BITS.replace("timestep 2.0e-7\n", DRAG + "timestep 2.0e-7\n"))
     succeed(deck, out=tmp_path / "whole")
     deck.write_text(deck.read_text() + "unfix drag\n" + DRAG + "run 200\n")
     succeed(deck, out=tmp_path / "two", first=200)
-    assert frames(tmp_path / "two" / "balls.dump")[400] == frames(tmp_path / "whole" / "balls.dump")[400]
+    assert (
+        frames(tmp_path / "two" / "balls.dump")[400]
+        == frames(tmp_path / "whole" / "balls.dump")[400]
+    )
 
 
 def test_report_is_of_the_end_of_the_step(tmp_path):
-    """Also when a variable that drives a ring asks for the ring's own report in the middle of the step."""
+    """Also when a variable that drives a ring asks for the ring's own report in the middle of the
+    step."""
     deck = tmp_path / "in.report"
-    deck.write_text(BITS.replace("timestep 2.0e-7\n", (
-        "variable vy_now equal f_inner[5]\n"
-        "variable push equal 1.0e-3*v_vy_now\n"  # N, nothing next to the load
-        "fix extra outer bearing/ring force v_push 0 0\n"
-        "variable vy equal f_inner[5]\n"
-        "variable x equal f_inner[1]\n"
-        'fix report all print 20 "${n} ${x} ${vy}" file ${out}/report.txt screen no\n'
-        "timestep 2.0e-7\n")))
+    deck.write_text(
+        BITS.replace(
+            "timestep 2.0e-7\n",
+            (
+                "variable vy_now equal f_inner[5]\n"
+                "variable push equal 1.0e-3*v_vy_now\n"  # N, nothing next to the load
+                "fix extra outer bearing/ring force v_push 0 0\n"
+                "variable vy equal f_inner[5]\n"
+                "variable x equal f_inner[1]\n"
+                'fix report all print 20 "${n} ${x} ${vy}" file ${out}/report.txt screen no\n'
+                "timestep 2.0e-7\n"
+            ),
+        )
+    )
     succeed(deck, out=tmp_path)
     dumped = frames(tmp_path / "balls.dump")
     rows = [line.split() for line in (tmp_path / "report.txt").read_text().splitlines()[1:]]
     assert len(rows) == 20
     for step, x, vy in rows:
         ring = next(row.split() for row in dumped[int(step)] if row.startswith("19 "))
-        assert float(x) == pytest.approx(float(ring[1]), rel=1e-12)  # the ring started at the origin
+        assert float(x) == pytest.approx(
+            float(ring[1]), rel=1e-12
+        )  # the ring started at the origin
         assert float(vy) == pytest.approx(float(ring[5]), rel=1e-12)
 
 
 def test_restart_written_in_a_run_without_setup(tmp_path):
-    """`run N pre no` skips the set-up; a restart file written then must still hold the forces of its own step."""
+    """`run N pre no` skips the set-up; a restart file written then must still hold the forces of
+    its own step."""
     deck = tmp_path / "in.pre"
     deck.write_text(BITS.replace("run ${first}\n", "run 100\nrun 300 pre no\n"))
     succeed(deck, out=tmp_path, keep=200)
-    succeed("tests/hosts/in.bits_resume", out=tmp_path / "resumed", **{"from": tmp_path / "restart.200"})
+    succeed(
+        "tests/hosts/in.bits_resume", out=tmp_path / "resumed", **{"from": tmp_path / "restart.200"}
+    )
     assert frames(tmp_path / "resumed" / "balls.dump")[400] == frames(tmp_path / "balls.dump")[400]
 
 
 def test_reports_after_the_pair_style_is_gone(tmp_path):
     """Numbers asked for between runs read no freed memory (AddressSanitizer watches)."""
     deck = tmp_path / "in.gone"
-    deck.write_text(BITS + "pair_style bearing/hertz friction none\nvariable gone equal f_inner[1]\n"
-                    'print "shift ${gone}"\n')
+    deck.write_text(
+        BITS + "pair_style bearing/hertz friction none\nvariable gone equal f_inner[1]\n"
+        'print "shift ${gone}"\n'
+    )
     assert "shift 0" in succeed(deck, out=tmp_path, sanitized=True, first=20).text

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Same input, same bits: on 1, 2 or 4 ranks, in one run or two, and through a restart on another number of ranks.
+"""Same input, same bits: on 1, 2 or 4 ranks, in one run or two, and through a restart on another
+number of ranks.
 
-The scene (in.bits) has everything switched on: film, friction springs, cage, a free inner ring with gyroscopic
-moments, a wobbling outer ring with the rails on it, capacitance. Its box is cut far from the ring atoms and through
-the balls, neighbour lists are made anew many times and atoms change ranks.
+The scene (in.bits) has everything switched on: film, friction springs, cage, a free inner ring with
+gyroscopic moments, a wobbling outer ring with the rails on it, capacitance. Its box is cut far from
+the ring atoms and through the balls, neighbour lists are made anew many times and atoms change
+ranks.
 """
 
 import re
@@ -12,11 +14,15 @@ import pytest
 from host import frames, succeed
 
 LAST = 400  # steps
-SCENES = {"film, ring free to tilt": {"lubricant": "mineral", "tilt": "free"},
-          "dry, ring not tilting": {"lubricant": "dry", "tilt": "fixed"}}
+SCENES = {
+    "film, ring free to tilt": {"lubricant": "mineral", "tilt": "free"},
+    "dry, ring not tilting": {"lubricant": "dry", "tilt": "fixed"},
+}
 
 
-@pytest.fixture(scope="module", params=SCENES, ids=lambda name: name.replace(", ", "-").replace(" ", "_"))
+@pytest.fixture(
+    scope="module", params=SCENES, ids=lambda name: name.replace(", ", "-").replace(" ", "_")
+)
 def scene(request, tmp_path_factory):
     """Variables of a scene, and the folder of its run on one rank."""
     folder = tmp_path_factory.mktemp("bits")
@@ -30,7 +36,8 @@ def scene(request, tmp_path_factory):
 def state(folder):
     """Every bit of the last sample: contacts, atoms, ring."""
     return [frames(folder / name)[LAST] for name in ("contacts.dump", "balls.dump")] + [
-        (folder / "ring.txt").read_text().splitlines()[-1]]
+        (folder / "ring.txt").read_text().splitlines()[-1]
+    ]
 
 
 def test_scene_is_worth_comparing(scene):
@@ -52,15 +59,21 @@ def test_ranks(scene, ranks):
 
 @pytest.mark.parametrize("cuts", ["z", "3x3"])
 def test_cuts(scene, cuts, tmp_path):
-    """A cut through the middle plane, with balls on both sides; nine ranks, where the one with the rings has no ball."""
+    """A cut through the middle plane, with balls on both sides; nine ranks, where the one with the
+    rings has no ball."""
     variables, _ = scene
     box = {"xhi": 0.05, "ylo": -0.05, **variables}
-    grid, ranks = {"z": ({"cuts_x": 1, "cuts_y": 1, "cuts_z": 2}, 2), "3x3": ({"cuts_x": 3, "cuts_y": 3}, 9)}[cuts]
+    grid, ranks = {
+        "z": ({"cuts_x": 1, "cuts_y": 1, "cuts_z": 2}, 2),
+        "3x3": ({"cuts_x": 3, "cuts_y": 3}, 9),
+    }[cuts]
     succeed("tests/hosts/in.bits", out=tmp_path / "one", **box)
     succeed("tests/hosts/in.bits", ranks=ranks, out=tmp_path / "many", **box, **grid)
     for name in ("contacts.dump", "balls.dump"):
         assert frames(tmp_path / "many" / name) == frames(tmp_path / "one" / name)
-    assert (tmp_path / "many" / "ring.txt").read_text() == (tmp_path / "one" / "ring.txt").read_text()
+    assert (tmp_path / "many" / "ring.txt").read_text() == (
+        tmp_path / "one" / "ring.txt"
+    ).read_text()
 
 
 def test_two_runs_are_one(scene):
@@ -69,14 +82,21 @@ def test_two_runs_are_one(scene):
     assert state(folder / "split") == state(folder / "whole")
 
 
-@pytest.mark.parametrize("when, write_ranks, read_ranks", [("during", 1, 1), ("after", 1, 2), ("after", 4, 1),
-                                                           ("during", 2, 4)])
+@pytest.mark.parametrize(
+    "when, write_ranks, read_ranks",
+    [("during", 1, 1), ("after", 1, 2), ("after", 4, 1), ("during", 2, 4)],
+)
 def test_restart(scene, when, write_ranks, read_ranks):
     """A restart file written in the middle of a run, or by a command after one."""
     variables, folder = scene
     out = folder / f"{when}{write_ranks}{read_ranks}"
     how = {"keep": 200} if when == "during" else {"first": 200, "write": 1}
     succeed("tests/hosts/in.bits", ranks=write_ranks, out=out, **how, **variables)
-    succeed("tests/hosts/in.bits_resume", ranks=read_ranks, out=out / "resumed", **variables,
-            **{"from": out / "restart.200"})
+    succeed(
+        "tests/hosts/in.bits_resume",
+        ranks=read_ranks,
+        out=out / "resumed",
+        **variables,
+        **{"from": out / "restart.200"},
+    )
     assert state(out / "resumed") == state(folder / "whole")

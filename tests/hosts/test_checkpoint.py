@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/checkpoint: stop on a signal, go on, refuse what does not fit, and say when the disk is full."""
+"""fix bearing/checkpoint: stop on a signal, go on, refuse what does not fit, and say when the disk
+is full."""
 
 import os
 import resource
@@ -56,7 +57,11 @@ def test_other_signals(tmp_path, name):
 def test_other_settings_are_refused(stopped):
     failed = liggghts("inputs/in.6208", out=stopped, resume="yes", **{**SCENE, "load": 4000})
     assert failed.code != 0
-    assert "belongs to another run" in failed.error and "load=5000" in failed.error and "load=4000" in failed.error
+    assert (
+        "belongs to another run" in failed.error
+        and "load=5000" in failed.error
+        and "load=4000" in failed.error
+    )
 
 
 def test_shortened_file_is_refused(stopped):
@@ -64,14 +69,22 @@ def test_shortened_file_is_refused(stopped):
         file.truncate(1000)
     failed = liggghts("inputs/in.6208", out=stopped, resume="yes", **SCENE)
     assert failed.code != 0
-    assert "contacts.dump has 1000 bytes, it had" in failed.error and "start the run anew" in failed.error
+    assert (
+        "contacts.dump has 1000 bytes, it had" in failed.error
+        and "start the run anew" in failed.error
+    )
 
 
 def test_new_run_replaces_an_old_restart_file(stopped):
     """Without resume the run starts anew, and nothing of the old one is left."""
     small = {"passes": 1, "samples": 50}
     succeed("inputs/in.6208", out=stopped, **small)
-    assert sorted(path.name for path in stopped.iterdir()) == ["balls.dump", "contacts.dump", "rings.dat", "run.yaml"]
+    assert sorted(path.name for path in stopped.iterdir()) == [
+        "balls.dump",
+        "contacts.dump",
+        "rings.dat",
+        "run.yaml",
+    ]
     assert len(frames(stopped / "balls.dump")) == 51
 
 
@@ -93,17 +106,43 @@ def test_killed_run_opens(tmp_path):
     settings = dict(line.split(": ", 1) for line in (out / "run.yaml").read_text().splitlines())
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        samples = {key: read_dump(out / f"{key}.dump", settings[f"{columns}_columns"].split()).attrs["samples"]
-                   for key, columns in (("contacts", "contact"), ("balls", "ball"))}
+        samples = {
+            key: (
+                read_dump(out / f"{key}.dump", settings[f"{columns}_columns"].split()).attrs[
+                    "samples"
+                ]
+            )
+            for key, columns in (("contacts", "contact"), ("balls", "ball"))
+        }
         rows = len(read_table(out / "rings.dat"))
     assert rows >= 20
     assert abs(samples["contacts"] - rows) <= 2 and abs(samples["balls"] - rows) <= 2
 
 
 def limited(out, bytes_of_a_file):
-    return subprocess.run([ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none", "-var", "out", out, "-var", "passes", "40"],
-                          cwd=ROOT, env=ENVIRONMENT, text=True, errors="replace", stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
-                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (bytes_of_a_file,) * 2))
+    return subprocess.run(
+        [
+            ROOT / "build" / "liggghts",
+            "-in",
+            "inputs/in.6208",
+            "-log",
+            "none",
+            "-var",
+            "out",
+            out,
+            "-var",
+            "passes",
+            "40",
+        ],
+        cwd=ROOT,
+        env=ENVIRONMENT,
+        text=True,
+        errors="replace",
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (bytes_of_a_file,) * 2),
+    )
 
 
 def test_file_size_limit(tmp_path):
@@ -115,7 +154,13 @@ def test_file_size_limit(tmp_path):
 def test_full_disk(tmp_path):
     disk = tmp_path / "disk"
     disk.mkdir()
-    if os.geteuid() != 0 or subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", disk], check=False).returncode != 0:
+    if (
+        os.geteuid() != 0
+        or subprocess.run(
+            ["mount", "-t", "tmpfs", "-o", "size=1m", "tmpfs", disk], check=False
+        ).returncode
+        != 0
+    ):
         pytest.skip("mounting a small disk needs root")
     try:
         failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20)
@@ -126,19 +171,31 @@ def test_full_disk(tmp_path):
         succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, resume="yes")
         succeed("inputs/in.6208", out=tmp_path / "reference", passes=4)
         for name in ("contacts.dump", "balls.dump", "rings.dat"):
-            assert (disk / "run" / name).read_bytes() == (tmp_path / "reference" / name).read_bytes()
+            assert (disk / "run" / name).read_bytes() == (
+                tmp_path / "reference" / name
+            ).read_bytes()
     finally:
         subprocess.run(["umount", disk], check=True)
 
 
-@pytest.mark.parametrize("words, complaint", [
-    ("0 x", "steps between samples is 0, must be"), ("10", "restart file"), ("10 x wrong", "restart, resume, settings, mean, count, files"),
-    ("10 x resume maybe", "no, yes"), ("10 x mean y", "must be a number or an equal-style variable v_NAME"),
-    ("10 x mean v_nobody", "there is no equal-style variable 'nobody'"), ("10 x resume yes", "nothing to resume"),
-])
+@pytest.mark.parametrize(
+    "words, complaint",
+    [
+        ("0 x", "steps between samples is 0, must be"),
+        ("10", "restart file"),
+        ("10 x wrong", "restart, resume, settings, mean, count, files"),
+        ("10 x resume maybe", "no, yes"),
+        ("10 x mean y", "must be a number or an equal-style variable v_NAME"),
+        ("10 x mean v_nobody", "there is no equal-style variable 'nobody'"),
+        ("10 x resume yes", "nothing to resume"),
+    ],
+)
 def test_bad_commands(tmp_path, words, complaint):
     deck = tmp_path / "in.bad"
-    deck.write_text((ROOT / "docs/decks/in.smallest").read_text().rsplit("\nrun", 1)[0] + f"\nfix keep all bearing/checkpoint {words}\nrun 10\n")
+    deck.write_text(
+        (ROOT / "docs/decks/in.smallest").read_text().rsplit("\nrun", 1)[0]
+        + f"\nfix keep all bearing/checkpoint {words}\nrun 10\n"
+    )
     failed = liggghts(deck, cwd=tmp_path)
     assert failed.code != 0
     assert "bearing/checkpoint" in failed.error and complaint in failed.error

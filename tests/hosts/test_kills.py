@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run stopped or killed at a random moment goes on to the bits of one that nobody disturbed. `kills.py` does the same fifty times."""
+"""A run stopped or killed at a random moment goes on to the bits of one that nobody disturbed.
+`kills.py` does the same fifty times."""
 
 import random
 import signal
@@ -19,7 +20,15 @@ def undisturbed(request, tmp_path_factory):
 @pytest.mark.parametrize("ranks", [(1,), (2, 1)], ids=str)
 def test_killed_and_resumed(undisturbed, tmp_path, which, ranks):
     scene, reference, length = undisturbed
-    story = disturb(scene, tmp_path / "run", which, reference, length, random.Random(f"{which} {ranks} {scene}"), ranks=ranks)
+    story = disturb(
+        scene,
+        tmp_path / "run",
+        which,
+        reference,
+        length,
+        random.Random(f"{which} {ranks} {scene}"),
+        ranks=ranks,
+    )
     assert story.kills >= 1
     assert story.codes[-1] == 0
     assert story.different == ()

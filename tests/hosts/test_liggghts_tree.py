@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Raceway in an upstream LIGGGHTS source tree: same bits as in Debian's library; refused where it does not belong; reversible."""
+"""Raceway in an upstream LIGGGHTS source tree: same bits as in Debian's library; refused where it
+does not belong; reversible."""
 
 import os
 import shutil
@@ -16,14 +17,24 @@ PATCHED = ("finish.cpp", "utils.h", "dump_mesh_vtk.h", "dump_mesh_vtk.cpp")
 
 def make(what, tree):
     """`make install-tree` or `uninstall-tree`: (exit code, what it said)."""
-    done = subprocess.run(["make", "-s", f"{what}-tree", f"LIGGGHTS={tree}"], cwd=ROOT, text=True, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    done = subprocess.run(
+        ["make", "-s", f"{what}-tree", f"LIGGGHTS={tree}"],
+        cwd=ROOT,
+        text=True,
+        check=False,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
     return done.returncode, done.stdout
 
 
 def contents(tree):
     """Every file of a tree."""
-    return {str(path.relative_to(tree)): path.read_bytes() for path in sorted(tree.rglob("*")) if path.is_file()}
+    return {
+        str(path.relative_to(tree)): path.read_bytes()
+        for path in sorted(tree.rglob("*"))
+        if path.is_file()
+    }
 
 
 @pytest.fixture(scope="module")
@@ -57,8 +68,15 @@ def test_in_and_out(tree):
     code, text = make("install", tree)
     assert code == 0, text
     after = contents(tree)
-    assert {name for name in before if after[name] != before[name]} == {f"src/{name}" for name in PATCHED}
-    assert {"src/fix_bearing_ring.h", "src/vec3.h", "src/bearing_step.cpp", "src/MAKE/Makefile.raceway"} <= after.keys()
+    assert {name for name in before if after[name] != before[name]} == {
+        f"src/{name}" for name in PATCHED
+    }
+    assert {
+        "src/fix_bearing_ring.h",
+        "src/vec3.h",
+        "src/bearing_step.cpp",
+        "src/MAKE/Makefile.raceway",
+    } <= after.keys()
     assert not any(b'"../' in text for name, text in after.items() if name not in before)
     refused(tree, "has Raceway in it already")
     code, text = make("uninstall", tree)
@@ -152,7 +170,9 @@ def test_main_deck_has_the_same_bits(tmp_path, integrator):
     succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
     for name in ("contacts.dump", "balls.dump"):
         assert frames(tmp_path / "tree" / name) == frames(tmp_path / "debian" / name)
-    assert (tmp_path / "tree" / "rings.dat").read_text() == (tmp_path / "debian" / "rings.dat").read_text()
+    assert (tmp_path / "tree" / "rings.dat").read_text() == (
+        tmp_path / "debian" / "rings.dat"
+    ).read_text()
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -162,7 +182,9 @@ def test_transient_has_the_same_bits(tmp_path, ranks):
     succeed("tests/hosts/in.bits", program=PROGRAM, ranks=ranks, out=tmp_path / "tree", tilt="free")
     for name in ("contacts.dump", "balls.dump"):
         assert frames(tmp_path / "tree" / name) == frames(tmp_path / "debian" / name)
-    assert (tmp_path / "tree" / "ring.txt").read_text() == (tmp_path / "debian" / "ring.txt").read_text()
+    assert (tmp_path / "tree" / "ring.txt").read_text() == (
+        tmp_path / "debian" / "ring.txt"
+    ).read_text()
 
 
 def test_it_is_the_tree_that_ran(tmp_path):
@@ -173,13 +195,26 @@ def test_it_is_the_tree_that_ran(tmp_path):
 
 
 def test_sources_of_apt_in_one_line(tmp_path):
-    """Private sources are derived from the machine's own, in either format; other suites and repositories are left out."""
-    (tmp_path / "sources.list").write_text("# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
-                                           "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n")
+    """Private sources are derived from the machine's own, in either format; other suites and
+    repositories are left out."""
+    (tmp_path / "sources.list").write_text(
+        "# deb x\ndeb [arch=amd64 signed-by=/k.gpg] http://m/debian bookworm main contrib\n"
+        "deb http://m/debian bookworm-updates main\ndeb http://n/x nodistro main\n"
+    )
     (tmp_path / "sources.list.d").mkdir()
     (tmp_path / "sources.list.d" / "d.sources").write_text(
-        "Types: deb\n# a comment\nURIs: http://d/debian\nSuites: bookworm bookworm-updates\nComponents: main\nSigned-By: /d.gpg\n\n"
-        "Types: deb\nURIs: http://e/debian\nSuites: bookworm-security\nComponents: main\n")
+        "Types: deb\n# a comment\nURIs: http://d/debian\nSuites: bookworm"
+        " bookworm-updates\nComponents: main\nSigned-By: /d.gpg\n\nTypes: deb\nURIs:"
+        " http://e/debian\nSuites: bookworm-security\nComponents: main\n"
+    )
     one, two = source_entries(tmp_path, {"bookworm"})
-    assert one == "Types: deb-src\nURIs: http://m/debian\nSuites: bookworm\nComponents: main\nSigned-By: /k.gpg\n"
-    assert two == "Types: deb-src\nSuites: bookworm\nComponents: main\nURIs: http://d/debian\nSigned-By: /d.gpg\n"
+    assert (
+        one
+        == "Types: deb-src\nURIs: http://m/debian\nSuites: bookworm\nComponents: main\nSigned-By:"
+        " /k.gpg\n"
+    )
+    assert (
+        two
+        == "Types: deb-src\nSuites: bookworm\nComponents: main\nURIs: http://d/debian\nSigned-By:"
+        " /d.gpg\n"
+    )

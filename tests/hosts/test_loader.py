@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The styles are there in every way LIGGGHTS is started: after `clear`, by preload, in partitions, from Python."""
+"""The styles are there in every way LIGGGHTS is started: after `clear`, by preload, in partitions,
+from Python."""
 
 import os
 import subprocess
@@ -13,8 +14,10 @@ from host import ROOT, frames, succeed
 def test_clear(tmp_path):
     """The second bearing of one script, after `clear`, has the bits of the first."""
     deck = tmp_path / "in.clear"
-    deck.write_text(f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
-                    f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n")
+    deck.write_text(
+        f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
+        f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n"
+    )
     succeed(deck)
     assert frames(tmp_path / "first" / "balls.dump") == frames(tmp_path / "second" / "balls.dump")
 
@@ -22,21 +25,41 @@ def test_clear(tmp_path):
 def test_partition(tmp_path):
     """Two partitions run two lubricants at once (universe variables), each as it would alone."""
     deck = tmp_path / "in.partition"
-    deck.write_text(f"variable lubricant universe mineral pao48\nvariable out index {tmp_path}/together/${{lubricant}}\n"
-                    "include tests/hosts/in.bits\n")
+    deck.write_text(
+        "variable lubricant universe mineral pao48\nvariable out index"
+        f" {tmp_path}/together/${{lubricant}}\ninclude tests/hosts/in.bits\n"
+    )
     succeed(deck, ranks=2, extra=("-partition", "2x1", "-screen", "none"))
     for oil in ("mineral", "pao48"):
         succeed("tests/hosts/in.bits", lubricant=oil, out=tmp_path / "alone" / oil)
-        assert (frames(tmp_path / "together" / oil / "contacts.dump") ==
-                frames(tmp_path / "alone" / oil / "contacts.dump"))
+        assert frames(tmp_path / "together" / oil / "contacts.dump") == frames(
+            tmp_path / "alone" / oil / "contacts.dump"
+        )
 
 
-@pytest.mark.parametrize("program, styles", [("liggghts", "libraceway_liggghts.so"), ("lmp", "libraceway_lammps_2021.so")])
+@pytest.mark.parametrize(
+    "program, styles",
+    [("liggghts", "libraceway_liggghts.so"), ("lmp", "libraceway_lammps_2021.so")],
+)
 def test_preload_into_the_stock_program(program, styles, tmp_path):
     """Of Debian."""
-    done = subprocess.run([f"/usr/bin/{program}", "-in", "tests/hosts/in.bits", "-log", "none", "-var", "out",
-                           str(tmp_path)], cwd=ROOT, text=True, capture_output=True, check=False,
-                          env=dict(os.environ, LD_PRELOAD=str(ROOT / "build" / styles)))
+    done = subprocess.run(
+        [
+            f"/usr/bin/{program}",
+            "-in",
+            "tests/hosts/in.bits",
+            "-log",
+            "none",
+            "-var",
+            "out",
+            str(tmp_path),
+        ],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        check=False,
+        env=dict(os.environ, LD_PRELOAD=str(ROOT / "build" / styles)),
+    )
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr
     succeed("tests/hosts/in.bits", out=tmp_path / "ours")
     assert frames(tmp_path / "balls.dump") == frames(tmp_path / "ours" / "balls.dump")
@@ -58,7 +81,18 @@ def test_from_python(tmp_path):
         lib.lammps_command(handle, b"run 20")
         lib.lammps_close(handle)
     """)
-    done = subprocess.run([sys.executable, "-c", script, str(ROOT / "build" / "libraceway_liggghts.so"), str(tmp_path)],
-                          cwd=ROOT, text=True, capture_output=True, check=False)
+    done = subprocess.run(
+        [
+            sys.executable,
+            "-c",
+            script,
+            str(ROOT / "build" / "libraceway_liggghts.so"),
+            str(tmp_path),
+        ],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     assert max(frames(tmp_path / "balls.dump")) == 420

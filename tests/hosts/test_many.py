@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Many bearings in one box: each has the bits that it has alone, on any number of ranks, wherever these are cut.
+"""Many bearings in one box: each has the bits that it has alone, on any number of ranks, wherever
+these are cut.
 
-Twelve bearings in three columns, all different in load, speed and first azimuth, two lubricants in turn. Two ranks are cut between
-rows of bearings; three through two rows, four through the middle column, so through rings, balls and cages.
+Twelve bearings in three columns, all different in load, speed and first azimuth, two lubricants in
+turn. Two ranks are cut between rows of bearings; three through two rows, four through the middle
+column, so through rings, balls and cages.
 """
 
 import re
@@ -12,8 +14,10 @@ from host import BOX, frames, liggghts, succeed
 
 DECK = "tests/hosts/in.many_bits"
 ATOMS = 20  # of a bearing
-SCENES = {"implicit": {"integrator": "implicit", "time": 4e-3, "sample": 1e-3, "step": 2.5e-4},
-          "verlet": {"integrator": "verlet", "time": 4e-4, "sample": 1e-4, "step": 2e-7, "ramp": 2e-4}}
+SCENES = {
+    "implicit": {"integrator": "implicit", "time": 4e-3, "sample": 1e-3, "step": 2.5e-4},
+    "verlet": {"integrator": "verlet", "time": 4e-4, "sample": 1e-4, "step": 2e-7, "ramp": 2e-4},
+}
 BEARINGS = {"bearings": 12, "columns": 3}
 
 
@@ -37,7 +41,11 @@ def atoms(folder, ring):
     """The last state of the atoms of the bearing with that inner ring, in their order."""
     last = (ring + 1 - ATOMS, ring + 1)
     (rows,) = frames(folder / "last.dump").values()
-    mine = sorted((int(row.split()[0]), row.split()[1:]) for row in rows if last[0] < int(row.split()[0]) <= last[1])
+    mine = sorted(
+        (int(row.split()[0]), row.split()[1:])
+        for row in rows
+        if last[0] < int(row.split()[0]) <= last[1]
+    )
     assert len(mine) == ATOMS
     return [values for _, values in mine]
 
@@ -58,9 +66,9 @@ def test_scene_is_worth_comparing(scene):
     assert {oil for *_, oil in them.values()} == {"mineral", "pao48"}
     for ring, load, rpm, _ in them.values():
         row = [float(word) for word in table(folder, ring)[max(table(folder, ring))]]
-        assert row[2] == pytest.approx(rpm * 3.14159265358979 / 30, rel=1e-5)    # spin, rad/s
-        assert 0.5 * load < row[4] < 1.5 * load                                   # N, the contacts carry it by now
-        assert row[14] > 1e-11                                                    # F
+        assert row[2] == pytest.approx(rpm * 3.14159265358979 / 30, rel=1e-5)  # spin, rad/s
+        assert 0.5 * load < row[4] < 1.5 * load  # N, the contacts carry it by now
+        assert row[14] > 1e-11  # F
 
 
 @pytest.mark.parametrize("ranks", [2, 3, 4])
@@ -73,7 +81,8 @@ def test_ranks(scene, ranks, tmp_path):
 
 @pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
 def test_alone(scene, number, ranks, tmp_path):
-    """The middle column's 5 and 8 are those that four ranks cut; alone they are in their place of the same box."""
+    """The middle column's 5 and 8 are those that four ranks cut; alone they are in their place of
+    the same box."""
     variables, folder = scene
     succeed(DECK, ranks=ranks, out=tmp_path, only=number, **variables)
     (alone,) = fleet(tmp_path).values()
@@ -84,7 +93,8 @@ def test_alone(scene, number, ranks, tmp_path):
 
 
 def test_table_against_the_contacts(tmp_path):
-    """Sums and extremes of a row are those of the contact table of its ring; force and torque those of fix bearing/ring."""
+    """Sums and extremes of a row are those of the contact table of its ring; force and torque those
+    of fix bearing/ring."""
     deck = tmp_path / "in.check"
     deck.write_text(f"""
 variable out index {tmp_path}
@@ -103,9 +113,13 @@ dump_modify table format "%.0f %.12g %.12g %.12g %.12g %.0f %.12g %.12g %.12g %.
 run 1
 """)
     outcome = succeed(deck, bearings=4, columns=2, time=4e-3)
-    said = [float(word) for word in re.findall(r"^said (.*)$", outcome.text, flags=re.M)[-1].split()]
+    said = [
+        float(word) for word in re.findall(r"^said (.*)$", outcome.text, flags=re.M)[-1].split()
+    ]
     rows = [[float(word) for word in row.split()] for row in frames(tmp_path / "now.dump")[17]]
-    contacts = [[float(word) for word in row.split()] for row in frames(tmp_path / "contacts.dump")[17]]
+    contacts = [
+        [float(word) for word in row.split()] for row in frames(tmp_path / "contacts.dump")[17]
+    ]
     rows.sort()
     assert len(rows) == 4
     for ring, *_, live, load, pressure, h_min, film, _ in rows:
@@ -113,13 +127,16 @@ run 1
         assert {c[1] for c in mine} == {0.0} and len(mine) == live > 2
         assert load == max(c[2] for c in mine) and pressure == max(c[3] for c in mine)
         assert h_min == min(c[4] for c in mine) and film == min(c[5] for c in mine)
-    # a ball's two capacitors in series, summed: the outer ring (the next tag) has the other one of every ball in order
+    # a ball's two capacitors in series, summed: the outer ring (the next tag) has the other one of
+    # every ball in order
     for row in rows:
         inner = [c[7] for c in contacts if c[0] == row[0]]
         outer = [c[7] for c in contacts if c[0] == row[0] + 1]
         assert max(inner) / 2 < row[10] < sum(inner) and row[10] < sum(outer)
     digits = pytest.approx
-    assert rows[0][2] == digits(said[0], rel=1e-9, abs=1e-9)     # 12 digits of one, the host's %g-like print of the other
+    assert rows[0][2] == digits(
+        said[0], rel=1e-9, abs=1e-9
+    )  # 12 digits of one, the host's %g-like print of the other
     assert rows[3][3] == digits(said[1], rel=1e-9)
     assert rows[3][1] == digits(said[2], rel=1e-9)
     assert rows[3][4] == digits(said[3], rel=1e-9)
@@ -134,7 +151,9 @@ def test_the_table_is_one_file_that_a_person_can_read(scene):
     assert rings == sorted(rings)
 
 
-ONE_RING = BOX + """
+ONE_RING = (
+    BOX
+    + """
 pair_style bearing/hertz friction constant 0.1
 pair_coeff 1 3 inner 24.0e-3 6.552e-3
 pair_coeff 1 4 outer 36.6e-3 6.552e-3
@@ -150,6 +169,7 @@ timestep STEP
 run 100
 write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id
 """
+)
 
 
 def one_ring(**words):
@@ -160,39 +180,69 @@ def one_ring(**words):
     return text
 
 
-@pytest.mark.parametrize("move, step", [("all bearing/implicit", 5e-6), ("balls nve/sphere", 5e-7)], ids=["implicit", "verlet"])
+@pytest.mark.parametrize(
+    "move, step",
+    [("all bearing/implicit", 5e-6), ("balls nve/sphere", 5e-7)],
+    ids=["implicit", "verlet"],
+)
 def test_a_value_of_its_own_is_the_number(move, step, tmp_path):
     """Loads, speeds and positions by atom-style variables give the bits of the numbers."""
-    by = {"number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
-          "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"}}
+    by = {
+        "number": {"spin": 50, "tilt": 1e-4, "load": -2000, "moment": 50},
+        "variable": {"spin": "v_spin", "tilt": "v_tilt", "load": "v_force", "moment": "v_spin"},
+    }
     for name, words in by.items():
         deck = tmp_path / f"in.{name}"
-        deck.write_text(one_ring(move=move, step=step, force="-2000.0", out=tmp_path / name, **words))
+        deck.write_text(
+            one_ring(move=move, step=step, force="-2000.0", out=tmp_path / name, **words)
+        )
         succeed(deck)
     assert frames(tmp_path / "variable") == frames(tmp_path / "number")
 
 
-@pytest.mark.parametrize("force, message", [
-    ("exp(1000*id)", "fix inner bearing/ring: variable 'force' is inf for ring atom 10"),
-    ("-2000/(id-10)", "Divide by 0 in variable formula"),
-])
+@pytest.mark.parametrize(
+    "force, message",
+    [
+        ("exp(1000*id)", "fix inner bearing/ring: variable 'force' is inf for ring atom 10"),
+        ("-2000/(id-10)", "Divide by 0 in variable formula"),
+    ],
+)
 def test_a_value_that_is_no_number(force, message, tmp_path):
     deck = tmp_path / "in.bad"
-    deck.write_text(one_ring(move="balls nve/sphere", step=5e-7, force=force, out=tmp_path / "dump", spin=50, tilt=0, load="v_force",
-                                    moment=0))
+    deck.write_text(
+        one_ring(
+            move="balls nve/sphere",
+            step=5e-7,
+            force=force,
+            out=tmp_path / "dump",
+            spin=50,
+            tilt=0,
+            load="v_force",
+            moment=0,
+        )
+    )
     outcome = liggghts(deck)
     assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]
 
 
-@pytest.mark.parametrize("words, message", [
-    ({"bearings": 0}, r"bearing_range: bearings is 0, must be a whole number from 1"),
-    ({"only": 13}, r"bearing_range: only is 13, must be a whole number from 0 to 12"),
-    ({"fleet": "none"}, r"there is no 'none' in folder inputs/fleets; there is: alike, spread"),
-    ({"lubricant": "oil"}, r"there is no 'oil' in folder inputs/lubricants"),
-    ({"lubricant": "dry"}, r"in.many needs lubricants: dry is not one"),
-    ({"bearings": 1}, r"bearing_range: kinds is 2, must be a whole number from 1 to 1 \(each lubricant needs a bearing\)"),
-    ({"sample": 1e-4}, r"bearing_range: sample is 0.0001, must be from 0.00025"),
-])
+@pytest.mark.parametrize(
+    "words, message",
+    [
+        ({"bearings": 0}, r"bearing_range: bearings is 0, must be a whole number from 1"),
+        ({"only": 13}, r"bearing_range: only is 13, must be a whole number from 0 to 12"),
+        ({"fleet": "none"}, r"there is no 'none' in folder inputs/fleets; there is: alike, spread"),
+        ({"lubricant": "oil"}, r"there is no 'oil' in folder inputs/lubricants"),
+        ({"lubricant": "dry"}, r"in.many needs lubricants: dry is not one"),
+        (
+            {"bearings": 1},
+            (
+                r"bearing_range: kinds is 2, must be a whole number from 1 to 1 \(each lubricant"
+                r" needs a bearing\)"
+            ),
+        ),
+        ({"sample": 1e-4}, r"bearing_range: sample is 0.0001, must be from 0.00025"),
+    ],
+)
 def test_mistakes(words, message, tmp_path):
     outcome = liggghts("inputs/in.many", out=tmp_path, **{**BEARINGS, **words})
     assert outcome.code != 0 and re.search(message, outcome.error), outcome.text[-2000:]

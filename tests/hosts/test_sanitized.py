@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The scenes under AddressSanitizer and UndefinedBehaviorSanitizer: the first finding ends the run with an error."""
+"""The scenes under AddressSanitizer and UndefinedBehaviorSanitizer: the first finding ends the run
+with an error."""
 
 import pytest
 from host import frames, succeed
@@ -9,15 +10,26 @@ from host import frames, succeed
 def test_bits_scene(tmp_path, lubricant):
     """Also the same bits as the plain build: the sanitizers change no arithmetic."""
     for name, sanitized in (("plain", False), ("checked", True)):
-        succeed("tests/hosts/in.bits", sanitized=sanitized, out=tmp_path / name, lubricant=lubricant, tilt="free",
-                keep=200)
+        succeed(
+            "tests/hosts/in.bits",
+            sanitized=sanitized,
+            out=tmp_path / name,
+            lubricant=lubricant,
+            tilt="free",
+            keep=200,
+        )
     assert frames(tmp_path / "plain" / "balls.dump") == frames(tmp_path / "checked" / "balls.dump")
 
 
 def test_two_ranks_and_resume(tmp_path):
     succeed("tests/hosts/in.bits", sanitized=True, ranks=2, out=tmp_path, first=200, write=1)
-    succeed("tests/hosts/in.bits_resume", sanitized=True, ranks=2, out=tmp_path / "resumed",
-            **{"from": tmp_path / "restart.200"})
+    succeed(
+        "tests/hosts/in.bits_resume",
+        sanitized=True,
+        ranks=2,
+        out=tmp_path / "resumed",
+        **{"from": tmp_path / "restart.200"},
+    )
 
 
 @pytest.mark.parametrize("deck", ["6208", "preload", "nocage"])
@@ -32,11 +44,20 @@ def test_axial_deck():
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_implicit(tmp_path, ranks):
-    """Two bearings, the cut of two ranks through one: a transient with refused steps, a restart and the rest of it from there."""
+    """Two bearings, the cut of two ranks through one: a transient with refused steps, a restart and
+    the rest of it from there."""
     deck, case = "tests/implicit/in.ranks", {"bearings": 2, "xlo": -0.15, "xhi": 0.18}
     succeed(deck, sanitized=True, ranks=ranks, out=tmp_path, keep=20, **case)
-    succeed(deck, sanitized=True, ranks=ranks, out=tmp_path / "resumed", begin="resume", first=40, bearings=2,
-            **{"from": tmp_path / "restart.20"})
+    succeed(
+        deck,
+        sanitized=True,
+        ranks=ranks,
+        out=tmp_path / "resumed",
+        begin="resume",
+        first=40,
+        bearings=2,
+        **{"from": tmp_path / "restart.20"},
+    )
     succeed(deck, out=tmp_path / "plain", **case)
     plain = frames(tmp_path / "plain" / "balls.dump")
     assert frames(tmp_path / "balls.dump") == plain
@@ -46,7 +67,17 @@ def test_implicit(tmp_path, ranks):
 @pytest.mark.parametrize("integrator, step", [("implicit", 2.5e-4), ("verlet", 4e-7)])
 def test_many(tmp_path, integrator, step):
     """Values and tables of several rings, the cut of two ranks through two bearings of six."""
-    case = {"bearings": 6, "columns": 3, "integrator": integrator, "step": step, "sample": 4 * step, "time": 12 * step, "ramp": step}
+    case = {
+        "bearings": 6,
+        "columns": 3,
+        "integrator": integrator,
+        "step": step,
+        "sample": 4 * step,
+        "time": 12 * step,
+        "ramp": step,
+    }
     succeed("inputs/in.many", sanitized=True, ranks=2, out=tmp_path / "checked", **case)
     succeed("inputs/in.many", out=tmp_path / "plain", **case)
-    assert frames(tmp_path / "checked" / "bearings.dump") == frames(tmp_path / "plain" / "bearings.dump")
+    assert frames(tmp_path / "checked" / "bearings.dump") == frames(
+        tmp_path / "plain" / "bearings.dump"
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway sweep` with the real program: points, failures, locks, kills, job arrays and the scripts of inputs/cluster."""
+"""`raceway sweep` with the real program: points, failures, locks, kills, job arrays and the scripts
+of inputs/cluster."""
 
 import json
 import os
@@ -17,7 +18,11 @@ from host import ENVIRONMENT, ROOT, frames, succeed
 from raceway.run import Run
 from raceway.summary import summary
 
-ENV = {**ENVIRONMENT, "PYTHONPATH": str(Path(raceway.__file__).parents[1]), "PYTHONDONTWRITEBYTECODE": "1"}
+ENV = {
+    **ENVIRONMENT,
+    "PYTHONPATH": str(Path(raceway.__file__).parents[1]),
+    "PYTHONDONTWRITEBYTECODE": "1",
+}
 TABLE = "load,rpm,lubricant,passes,samples\n5000,477.5,mineral,1,20\n2000,1000,dry,1,20\n2e7,1000,dry,1,20\n2000,477.5,pao48,1,20\n"
 COUNTER = """#!/bin/bash
 # counts the starts of a point, then is the program
@@ -31,7 +36,16 @@ def words(*arguments):
 
 
 def sweep(*arguments, **options):
-    return subprocess.run(words("sweep", *arguments), cwd=ROOT, env=ENV, text=True, capture_output=True, timeout=300, check=False, **options)
+    return subprocess.run(
+        words("sweep", *arguments),
+        cwd=ROOT,
+        env=ENV,
+        text=True,
+        capture_output=True,
+        timeout=300,
+        check=False,
+        **options,
+    )
 
 
 @pytest.fixture
@@ -51,7 +65,10 @@ def counter(tmp_path):
 
 
 def starts(folder):
-    return {path.name.removesuffix(".starts"): len(path.read_text().split()) for path in folder.glob("*.starts")}
+    return {
+        path.name.removesuffix(".starts"): len(path.read_text().split())
+        for path in folder.glob("*.starts")
+    }
 
 
 def test_sweep(table, tmp_path, counter):
@@ -61,9 +78,16 @@ def test_sweep(table, tmp_path, counter):
     assert "3 finished, 1 failed" in done.stdout
     assert "bearing_range: load is 2e+07, must be from 0.001 to 1e+06" in done.stderr
     results = pd.read_csv(out / "results.csv")
-    assert list(results["status"]) == ["finished", "finished", "finished", "failed"]  # sorted by load, then speed
+    assert list(results["status"]) == [
+        "finished",
+        "finished",
+        "finished",
+        "failed",
+    ]  # sorted by load, then speed
     assert "must be from 0.001" in results["message"][3]
-    one = results.set_index("point").loc["load=5000_rpm=477.5_lubricant=mineral_passes=1_samples=20"]
+    one = results.set_index("point").loc[
+        "load=5000_rpm=477.5_lubricant=mineral_passes=1_samples=20"
+    ]
     figures = summary(Run(out / one.name))
     assert {key for key in figures} <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
@@ -77,7 +101,9 @@ def test_sweep(table, tmp_path, counter):
     assert sorted(starts(out).values()) == [1, 1, 1, 2]
     # gathering is part of it, and a command
     (out / "results.csv").unlink()
-    gathered = subprocess.run(words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False)
+    gathered = subprocess.run(
+        words("gather", out), cwd=ROOT, env=ENV, text=True, capture_output=True, check=False
+    )
     assert gathered.stdout == f"{out / 'results.csv'}: 3 finished, 1 failed\n"
     pd.testing.assert_frame_equal(pd.read_csv(out / "results.csv"), results)
 
@@ -93,14 +119,28 @@ def test_finished_means_the_figures_of_these_variables(table, tmp_path, counter)
     # figures lost, run whole: they are computed again, the run is not
     (out / name / "summary.json").unlink()
     sweep(table, "--out", out, "--program", counter)
-    assert starts(out)[name] == 2 and json.loads((out / name / "summary.json").read_text())["load_N"] == 2000
+    assert (
+        starts(out)[name] == 2
+        and json.loads((out / name / "summary.json").read_text())["load_N"] == 2000
+    )
 
 
 def test_two_sweeps_share_the_work(tmp_path, counter):
     table, out = tmp_path / "table.csv", tmp_path / "out"
-    table.write_text("load,passes,samples\n" + "".join(f"{load},2,50\n" for load in range(1000, 13000, 1000)))
-    both = [subprocess.Popen(words("sweep", table, "--out", out, "--jobs", 1, "--program", counter), cwd=ROOT, env=ENV, text=True,
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT) for _ in range(2)]
+    table.write_text(
+        "load,passes,samples\n" + "".join(f"{load},2,50\n" for load in range(1000, 13000, 1000))
+    )
+    both = [
+        subprocess.Popen(
+            words("sweep", table, "--out", out, "--jobs", 1, "--program", counter),
+            cwd=ROOT,
+            env=ENV,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
+        for _ in range(2)
+    ]
     texts = [process.communicate(timeout=300)[0] for process in both]
     assert [process.returncode for process in both] == [0, 0], texts
     assert len(starts(out)) == 12 and set(starts(out).values()) == {1}
@@ -114,13 +154,29 @@ def wait_for(condition):
         time.sleep(0.01)
 
 
-@pytest.mark.parametrize("which, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGKILL, -9)], ids=lambda value: str(value))
+@pytest.mark.parametrize(
+    "which, code",
+    [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGKILL, -9)],
+    ids=lambda value: str(value),
+)
 def test_stopped_half_way(tmp_path, counter, which, code):
-    """Nothing is lost, nothing finished is done again, and a point in work goes on from its restart file."""
+    """Nothing is lost, nothing finished is done again, and a point in work goes on from its restart
+    file."""
     table, out = tmp_path / "table.csv", tmp_path / "out"
-    table.write_text("load,passes,samples\n" + "".join(f"{load},4,50\n" for load in range(1000, 9000, 1000)) + "9000,60,100\n")
-    process = subprocess.Popen(words("sweep", table, "--out", out, "--jobs", 2, "--program", counter), cwd=ROOT, env=ENV, start_new_session=True,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    table.write_text(
+        "load,passes,samples\n"
+        + "".join(f"{load},4,50\n" for load in range(1000, 9000, 1000))
+        + "9000,60,100\n"
+    )
+    process = subprocess.Popen(
+        words("sweep", table, "--out", out, "--jobs", 2, "--program", counter),
+        cwd=ROOT,
+        env=ENV,
+        start_new_session=True,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
     wait_for(lambda: len(list(out.glob("*/summary.json"))) >= 3)
     if which == signal.SIGINT:
         os.killpg(process.pid, which)  # as a terminal does
@@ -149,15 +205,21 @@ def in_work(folder):
     return False
 
 
-@pytest.mark.parametrize("arguments, complaint", [
-    (["--program", "nowhere/liggghts"], "there is no program 'nowhere/liggghts'"), (["--deck", "in.none"], "cannot read deck in.none"),
-])
+@pytest.mark.parametrize(
+    "arguments, complaint",
+    [
+        (["--program", "nowhere/liggghts"], "there is no program 'nowhere/liggghts'"),
+        (["--deck", "in.none"], "cannot read deck in.none"),
+    ],
+)
 def test_mistakes(table, arguments, complaint):
     done = sweep(table, *arguments)
     assert done.returncode == 1 and complaint in done.stderr and "Traceback" not in done.stderr
 
 
-@pytest.mark.parametrize("arguments", [["--jobs", "0"], ["--part", "3/2"], ["--part", "0/2"], ["--tasks", "-1"]])
+@pytest.mark.parametrize(
+    "arguments", [["--jobs", "0"], ["--part", "3/2"], ["--part", "0/2"], ["--tasks", "-1"]]
+)
 def test_wrong_options(table, arguments):
     assert sweep(table, *arguments).returncode == 2
 
@@ -170,7 +232,13 @@ def test_check_runs_nothing(table, tmp_path):
 
 def slurm(task, tasks, **more):
     """The variables that Slurm sets in a task of an array."""
-    return {**ENV, "SLURM_ARRAY_TASK_ID": str(task), "SLURM_ARRAY_TASK_COUNT": str(tasks), "SLURM_CPUS_PER_TASK": "1", **more}
+    return {
+        **ENV,
+        "SLURM_ARRAY_TASK_ID": str(task),
+        "SLURM_ARRAY_TASK_COUNT": str(tasks),
+        "SLURM_CPUS_PER_TASK": "1",
+        **more,
+    }
 
 
 def test_job_array(table, tmp_path, counter):
@@ -180,20 +248,44 @@ def test_job_array(table, tmp_path, counter):
     assert done.stdout == f"{script}: 4 points in 2 tasks\n" and not starts(out)
     assert "#SBATCH --array=1-2" in script.read_text()
     for task in (1, 2):
-        subprocess.run(["bash", script], cwd=ROOT, env=slurm(task, 2), capture_output=True, check=False)
+        subprocess.run(
+            ["bash", script], cwd=ROOT, env=slurm(task, 2), capture_output=True, check=False
+        )
         assert len(starts(out)) == 2 * task
-    assert sorted(pd.read_csv(out / "results.csv")["status"]) == ["failed", "finished", "finished", "finished"]
+    assert sorted(pd.read_csv(out / "results.csv")["status"]) == [
+        "failed",
+        "finished",
+        "finished",
+        "finished",
+    ]
 
 
 def test_array_script(table, tmp_path):
     tool = tmp_path / "raceway"
-    tool.write_text(f"#!/bin/bash\nexec {sys.executable} -m raceway \"$@\"\n")
+    tool.write_text(f'#!/bin/bash\nexec {sys.executable} -m raceway "$@"\n')
     tool.chmod(0o755)
     for task in (1, 2):
-        subprocess.run(["bash", "inputs/cluster/array.sh", table, tmp_path / "out"], cwd=ROOT, capture_output=True, check=False,
-                       env=slurm(task, 2, RACEWAY=str(tool)))
-    assert sorted(pd.read_csv(tmp_path / "out" / "results.csv")["status"]) == ["failed", "finished", "finished", "finished"]
-    refused = subprocess.run(["bash", "inputs/cluster/array.sh", table, tmp_path / "out"], cwd=ROOT, env=ENV, capture_output=True, text=True, check=False)
+        subprocess.run(
+            ["bash", "inputs/cluster/array.sh", table, tmp_path / "out"],
+            cwd=ROOT,
+            capture_output=True,
+            check=False,
+            env=slurm(task, 2, RACEWAY=str(tool)),
+        )
+    assert sorted(pd.read_csv(tmp_path / "out" / "results.csv")["status"]) == [
+        "failed",
+        "finished",
+        "finished",
+        "finished",
+    ]
+    refused = subprocess.run(
+        ["bash", "inputs/cluster/array.sh", table, tmp_path / "out"],
+        cwd=ROOT,
+        env=ENV,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert refused.returncode != 0 and "sbatch --array" in refused.stderr
 
 
@@ -202,24 +294,47 @@ def test_run_scripts(tmp_path, script, tasks):
     """Stopped as at the time limit, started again on one rank, started once more when finished."""
     out, settings = tmp_path / "run", ["-var", "passes", "30", "-var", "samples", "100"]
     command = ["bash", f"inputs/cluster/{script}", str(out), *settings]
-    environment = {**ENV, "SLURM_NTASKS": str(tasks), "KEEP": "20", "MPIRUN": "mpirun.openmpi --oversubscribe"}
-    process = subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    environment = {
+        **ENV,
+        "SLURM_NTASKS": str(tasks),
+        "KEEP": "20",
+        "MPIRUN": "mpirun.openmpi --oversubscribe",
+    }
+    process = subprocess.Popen(
+        command,
+        cwd=ROOT,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
     wait_for((out / "restart").exists)
     process.terminate()  # --signal=B:TERM@120 reaches the shell only
     text = process.communicate(timeout=60)[0]
     assert process.returncode == 138, text
     assert "the run goes on from" in text
-    resumed = subprocess.run(["bash", "inputs/cluster/run.sh", *command[2:]], cwd=ROOT, env=ENV, capture_output=True, text=True, check=False)
+    resumed = subprocess.run(
+        ["bash", "inputs/cluster/run.sh", *command[2:]],
+        cwd=ROOT,
+        env=ENV,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert resumed.returncode == 0 and "Going on from" in resumed.stdout
     succeed("inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100)
     for name in ("balls.dump", "rings.dat"):
         assert (out / name).read_bytes() == (tmp_path / "alone" / name).read_bytes()
     assert frames(out / "contacts.dump") == frames(tmp_path / "alone" / "contacts.dump")
-    finished = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    finished = subprocess.run(
+        command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False
+    )
     assert (finished.returncode, finished.stdout) == (0, "")
 
 
-@pytest.mark.parametrize("script", sorted((ROOT / "inputs" / "cluster").glob("*.sh")), ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "script", sorted((ROOT / "inputs" / "cluster").glob("*.sh")), ids=lambda path: path.name
+)
 def test_scripts_parse(script):
     subprocess.run(["bash", "-n", script], check=True)
     text = script.read_text()
@@ -228,12 +343,34 @@ def test_scripts_parse(script):
 
 def test_partition_deck(tmp_path):
     """inputs/in.partition: two partitions take four points in turn, each as it is alone."""
-    succeed("inputs/in.partition", ranks=2, extra=("-partition", "2x1", "-screen", "none"), to=tmp_path / "together", passes=1, samples=50)
-    points = [(1000, 477.5, "mineral"), (2000, 477.5, "mineral"), (5000, 477.5, "pao48"), (5000, 3000, "pao48")]
+    succeed(
+        "inputs/in.partition",
+        ranks=2,
+        extra=("-partition", "2x1", "-screen", "none"),
+        to=tmp_path / "together",
+        passes=1,
+        samples=50,
+    )
+    points = [
+        (1000, 477.5, "mineral"),
+        (2000, 477.5, "mineral"),
+        (5000, 477.5, "pao48"),
+        (5000, 3000, "pao48"),
+    ]
     for number, (load, rpm, oil) in enumerate(points, 1):
-        succeed("inputs/in.6208", out=tmp_path / "alone", load=load, rpm=rpm, lubricant=oil, passes=1, samples=50)
+        succeed(
+            "inputs/in.6208",
+            out=tmp_path / "alone",
+            load=load,
+            rpm=rpm,
+            lubricant=oil,
+            passes=1,
+            samples=50,
+        )
         for name in ("contacts.dump", "balls.dump", "rings.dat"):
-            assert (tmp_path / "together" / str(number) / name).read_bytes() == (tmp_path / "alone" / name).read_bytes()
+            assert (tmp_path / "together" / str(number) / name).read_bytes() == (
+                tmp_path / "alone" / name
+            ).read_bytes()
 
 
 def test_table_of_the_docs(tmp_path):

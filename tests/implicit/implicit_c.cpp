@@ -20,9 +20,9 @@ static RacewayPhysics outer_6208(double mu)
   return p;
 }
 
-// State of a ball (x, v, w: 9 numbers) on a 6208 outer ring that turns at `spin`: damping, mu and the friction's
-// denominator sqrt(s^2 + v_0^2) come from `frozen` (3 numbers) if its first is not negative, and are written there
-// otherwise. Force on the ball.
+// State of a ball (x, v, w: 9 numbers) on a 6208 outer ring that turns at `spin`: damping, mu and
+// the friction's denominator sqrt(s^2 + v_0^2) come from `frozen` (3 numbers) if its first is not
+// negative, and are written there otherwise. Force on the ball.
 static ContactState contact(const double *s, double spin, double mu, double *frozen, double *force)
 {
   const RacewayPhysics p = outer_6208(mu);
@@ -36,13 +36,17 @@ static ContactState contact(const double *s, double spin, double mu, double *fro
     frozen[1] = c.mu;
     frozen[2] = std::sqrt(c.sliding_t * c.sliding_t + c.sliding_w * c.sliding_w + c.v_0 * c.v_0);
   }
-  const double N = std::fmax(0.0, c.load + frozen[0] * c.overlap_rate), g = frozen[1] * N / frozen[2];
+  const double N = std::fmax(0.0, c.load + frozen[0] * c.overlap_rate),
+               g = frozen[1] * N / frozen[2];
   const Vec3 n = c.u * c.nu + ring.e * c.ne, w = ring.e * c.nu - c.u * c.ne;
   (n * -N - c.t * (g * c.sliding_t) - w * (g * c.sliding_w)).to(force);
   return c;
 }
 
-static Lane read(const double *p, int stride) { return Lane{p[0], p[stride], p[2 * stride], p[3 * stride]}; }
+static Lane read(const double *p, int stride)
+{
+  return Lane{p[0], p[stride], p[2 * stride], p[3 * stride]};
+}
 
 extern "C" {
 
@@ -52,7 +56,8 @@ void contact_force(const double *state, double spin, double mu, double *frozen, 
 }
 
 // D and K of contact_jacobian.h, rows of 3 by times() and columns by before(), and the normal
-void contact_derivatives(const double *state, double spin, double mu, double *D, double *K, double *D_before, double *n)
+void contact_derivatives(const double *state, double spin, double mu, double *D, double *K,
+                         double *D_before, double *n)
 {
   double frozen[3] = {-1, 0, 0}, force[3];
   const ContactState c = contact(state, spin, mu, frozen, force);
@@ -99,8 +104,10 @@ void dense(int n, const double *A, double *y)
   lu.solve(y);
 }
 
-// Links between bodies whose inverse blocks are given (9 numbers each); x: right-hand sides, then forces.
-int chain(int bodies, const double *inverse, int links, const int *pairs, const double *normals, const double *a, double *x)
+// Links between bodies whose inverse blocks are given (9 numbers each); x: right-hand sides, then
+// forces.
+int chain(int bodies, const double *inverse, int links, const int *pairs, const double *normals,
+          const double *a, double *x)
 {
   LinkChain c;
   c.resize(bodies);
@@ -113,7 +120,8 @@ int chain(int bodies, const double *inverse, int links, const int *pairs, const 
     for (LinkChain::Link &l : c.links)
       for (LinkChain::End &e : l.end) {
         const double *m = inverse + 9 * e.body;
-        e.answer = {dot(Vec3::from(m), e.n), dot(Vec3::from(m + 3), e.n), dot(Vec3::from(m + 6), e.n)};
+        e.answer = {dot(Vec3::from(m), e.n), dot(Vec3::from(m + 3), e.n),
+                    dot(Vec3::from(m + 6), e.n)};
       }
     c.factor();
   }
@@ -141,7 +149,8 @@ double cubic(double s, double h, double x_from, double v_from, double x_to, doub
   return Cubic(s, h)(x_from, v_from, x_to, v_to);
 }
 
-// The axis of a ring half-way between two instants h apart, which turns about `w` at a constant rate.
+// The axis of a ring half-way between two instants h apart, which turns about `w` at a constant
+// rate.
 void axis_between(const double *w, double h, double *e)
 {
   const Vec3 W = Vec3::from(w);
@@ -162,9 +171,10 @@ void turn(double angle, double *c, double *s)
   *s = sine[0];
 }
 
-// A ring alone, free but for its driven spin, under a constant force and moment: e (3), rate (2), x (3), v (3) after n steps.
-// order 0: dampers only.
-void lone_ring(int order, int n, double h, double spin, const double *inertia, const double *moment, double *out)
+// A ring alone, free but for its driven spin, under a constant force and moment: e (3), rate (2), x
+// (3), v (3) after n steps. order 0: dampers only.
+void lone_ring(int order, int n, double h, double spin, const double *inertia, const double *moment,
+               double *out)
 {
   BearingModel m;
   m.bodies.push_back({1.0, 5e-3, true});
@@ -199,5 +209,4 @@ void lone_ring(int order, int n, double h, double spin, const double *inertia, c
   rings[0].x.to(out + 5);
   rings[0].v.to(out + 8);
 }
-
 }

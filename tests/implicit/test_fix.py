@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit against velocity Verlet with the same friction, against statics, and against itself."""
+"""fix bearing/implicit against velocity Verlet with the same friction, against statics, and against
+itself."""
 
 import re
 
@@ -8,7 +9,6 @@ import pytest
 from host import ROOT, frames, liggghts, succeed
 from raceway.bearing import INNER, OUTER
 from raceway.run import Run
-
 from scenarios import closed_forms
 
 CASE = "tests/implicit/in.case"
@@ -26,7 +26,13 @@ def loads(folder):
 def error(tmp_path, control="", verlet_step=5e-8, after=0, **case):
     """Largest difference of any contact load from sample `after` on, over the largest load."""
     sample = float(case.get("sample", 1e-4))
-    succeed(CASE, out=tmp_path / "verlet", integrator="verlet", substeps=round(sample / verlet_step), **case)
+    succeed(
+        CASE,
+        out=tmp_path / "verlet",
+        integrator="verlet",
+        substeps=round(sample / verlet_step),
+        **case,
+    )
     succeed(CASE, out=tmp_path / "implicit", control=control, **case)
     truth, found = loads(tmp_path / "verlet"), loads(tmp_path / "implicit")
     return np.abs(found - truth)[after:].max() / truth.max()
@@ -36,28 +42,49 @@ def ring(motion):
     return f"x free y free {motion} ramp 3.0e-3"
 
 
-@pytest.mark.parametrize("name, bound, case", [
-    ("radial", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"))),
-    ("open", 1e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=44.1e-6)),
-    ("preload", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=-88.2e-6)),
-    ("axial", 1e-3, dict(inner=ring("z free spin speed 50 force 0 -2000 3000"))),
-    ("both rings free", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"),
-                                   outer="x free y free force 0 5000 0 ramp 3.0e-3")),
-    ("free spin", 3e-3, dict(inner=ring("spin free force 0 -5000 0 moment 0 0 0.5"))),
-    ("dry", 2e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), lubricant="dry")),
-    ("tight pockets", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"), cage_ball=8.4455e-3)),
-])
+@pytest.mark.parametrize(
+    "name, bound, case",
+    [
+        ("radial", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"))),
+        ("open", 1e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=44.1e-6)),
+        ("preload", 1e-4, dict(inner=ring("spin speed 50 force 0 -5000 0"), clearance=-88.2e-6)),
+        ("axial", 1e-3, dict(inner=ring("z free spin speed 50 force 0 -2000 3000"))),
+        (
+            "both rings free",
+            1e-4,
+            dict(
+                inner=ring("spin speed 50 force 0 -5000 0"),
+                outer="x free y free force 0 5000 0 ramp 3.0e-3",
+            ),
+        ),
+        ("free spin", 3e-3, dict(inner=ring("spin free force 0 -5000 0 moment 0 0 0.5"))),
+        ("dry", 2e-3, dict(inner=ring("spin speed 50 force 0 -5000 0"), lubricant="dry")),
+        (
+            "tight pockets",
+            1e-4,
+            dict(inner=ring("spin speed 50 force 0 -5000 0"), cage_ball=8.4455e-3),
+        ),
+    ],
+)
 def test_loads_against_verlet(tmp_path, name, bound, case):
     """After the ramp, one step a sample of 0.1 ms: 2000 times Verlet's."""
     assert error(tmp_path, samples=100, after=75, **case) < bound
 
 
 def test_transient_with_tilts_and_everything_free(tmp_path):
-    """Three free translations and two free tilts under a load that comes on in 3 ms: the error against Verlet of
-    12.5 ns falls with the step."""
-    case = dict(inner="x free y free z free rx free ry free spin speed 50 force 0 -2000 1000 moment 3 0 0 ramp 3.0e-3",
-                samples=50, verlet_step=1.25e-8)
-    errors = [error(tmp_path, control=f"tolerance 1e-6 largest {h}", **case) for h in (4e-6, 2e-6, 1e-6)]
+    """Three free translations and two free tilts under a load that comes on in 3 ms: the error
+    against Verlet of 12.5 ns falls with the step."""
+    case = dict(
+        inner=(
+            "x free y free z free rx free ry free spin speed 50 force 0 -2000 1000 moment 3 0 0"
+            " ramp 3.0e-3"
+        ),
+        samples=50,
+        verlet_step=1.25e-8,
+    )
+    errors = [
+        error(tmp_path, control=f"tolerance 1e-6 largest {h}", **case) for h in (4e-6, 2e-6, 1e-6)
+    ]
     assert errors[2] < 2e-3
     for coarse, fine in zip(errors, errors[1:]):
         assert coarse / fine > 1.7
@@ -65,14 +92,29 @@ def test_transient_with_tilts_and_everything_free(tmp_path):
 
 @pytest.mark.parametrize("order, steps", [(1, (4e-6, 2e-6, 1e-6)), (2, (4e-6, 2e-6, 1e-6))])
 def test_order(tmp_path, order, steps):
-    """A step of 3 kN at 1000 rad/s, where the film is thick and its damper soft: the error against the same scene with
-    an eighth of the smallest step falls with the order of the method."""
-    case = dict(start=1000, inner="x free y free spin speed 1000 force 0 -3000 0 ramp 3.0e-4", clearance=-20e-6,
-                samples=40, sample=4e-5)
-    succeed(CASE, out=tmp_path / "truth", control=f"order 2 tolerance 1e-6 largest {steps[-1] / 8}", **case)
+    """A step of 3 kN at 1000 rad/s, where the film is thick and its damper soft: the error against
+    the same scene with an eighth of the smallest step falls with the order of the method."""
+    case = dict(
+        start=1000,
+        inner="x free y free spin speed 1000 force 0 -3000 0 ramp 3.0e-4",
+        clearance=-20e-6,
+        samples=40,
+        sample=4e-5,
+    )
+    succeed(
+        CASE,
+        out=tmp_path / "truth",
+        control=f"order 2 tolerance 1e-6 largest {steps[-1] / 8}",
+        **case,
+    )
     truth, errors = loads(tmp_path / "truth"), []
     for h in steps:
-        succeed(CASE, out=tmp_path / "found", control=f"order {order} tolerance 1e-6 largest {h}", **case)
+        succeed(
+            CASE,
+            out=tmp_path / "found",
+            control=f"order {order} tolerance 1e-6 largest {h}",
+            **case,
+        )
         errors.append(np.abs(loads(tmp_path / "found") - truth).max() / truth.max())
     print(errors)
     for coarse, fine in zip(errors, errors[1:]):
@@ -81,8 +123,9 @@ def test_order(tmp_path, order, steps):
 
 @pytest.mark.parametrize("rpm", [47.75, 477.5, 9549])
 def test_deck_against_statics(tmp_path, rpm):
-    """in.6208 with the implicit integrator: ball loads at every azimuth, centrifugal load included, within 0.2 % of
-    the largest; at 9549 rpm the loads vibrate on the contact springs and 2 % is allowed."""
+    """in.6208 with the implicit integrator: ball loads at every azimuth, centrifugal load included,
+    within 0.2 % of the largest; at 9549 rpm the loads vibrate on the contact springs and 2 % is
+    allowed."""
     succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
     run = Run(tmp_path)
     contacts = run.contacts
@@ -91,7 +134,13 @@ def test_deck_against_statics(tmp_path, rpm):
         state = closed_forms.equilibrium(run, sample)
         rows = contacts[contacts["sample"] == sample]
         for side, theory in ((INNER, state.inner), (OUTER, state.outer)):
-            found = rows[rows["raceway"] == side].set_index("ball")["load"].reindex(range(1, 10)).fillna(0).to_numpy()
+            found = (
+                rows[rows["raceway"] == side]
+                .set_index("ball")["load"]
+                .reindex(range(1, 10))
+                .fillna(0)
+                .to_numpy()
+            )
             np.testing.assert_allclose(found, theory.load, rtol=0, atol=bound * theory.load.max())
 
 
@@ -100,15 +149,21 @@ def test_split_run_and_restart_are_bitwise(tmp_path):
     succeed(deck, out=tmp_path / "whole", first=60)
     succeed(deck, out=tmp_path / "split", first=40, second=20)
     succeed(deck, out=tmp_path / "half", first=40)
-    succeed(deck, out=tmp_path / "resumed", first=20, begin="resume", **{"from": tmp_path / "half" / "restart"})
+    succeed(
+        deck,
+        out=tmp_path / "resumed",
+        first=20,
+        begin="resume",
+        **{"from": tmp_path / "half" / "restart"},
+    )
     whole = frames(tmp_path / "whole" / "balls.dump")
     assert frames(tmp_path / "split" / "balls.dump") == whole
     assert frames(tmp_path / "resumed" / "balls.dump")[60] == whole[60]
 
 
 def test_cold_step_refines_by_itself(tmp_path):
-    """5 kN at once onto open clearance: substeps shrink far below the sample of 0.1 ms and grow back; what is left after
-    the impact agrees with Verlet."""
+    """5 kN at once onto open clearance: substeps shrink far below the sample of 0.1 ms and grow
+    back; what is left after the impact agrees with Verlet."""
     case = dict(inner="x free y free spin speed 50 force 0 -5000 0", clearance=44.1e-6, samples=100)
     assert error(tmp_path, after=75, verlet_step=2.5e-8, **case) < 2e-3
     text = succeed(CASE, out=tmp_path / "again", **case).text
@@ -118,16 +173,24 @@ def test_cold_step_refines_by_itself(tmp_path):
 
 def test_a_step_far_too_large_is_refined_not_wrong(tmp_path):
     """Samples 2 ms apart, 18 of them a ball pass."""
-    assert error(tmp_path, inner=ring("spin speed 50 force 0 -5000 0"), sample=2e-3, samples=20, after=3) < 1e-3
+    assert (
+        error(
+            tmp_path, inner=ring("spin speed 50 force 0 -5000 0"), sample=2e-3, samples=20, after=3
+        )
+        < 1e-3
+    )
 
 
-@pytest.mark.parametrize("control, message", [
-    ("tolerance -1", "tolerance (m) is -1"),
-    ("order 3", "order is 3, must be a whole number from 1 to 2"),
-    ("corrections 0", "corrections in a stage is 0"),
-    ("energy maybe", "energy"),
-    ("speed 3", "'speed'"),
-])
+@pytest.mark.parametrize(
+    "control, message",
+    [
+        ("tolerance -1", "tolerance (m) is -1"),
+        ("order 3", "order is 3, must be a whole number from 1 to 2"),
+        ("corrections 0", "corrections in a stage is 0"),
+        ("energy maybe", "energy"),
+        ("speed 3", "'speed'"),
+    ],
+)
 def test_mistakes_are_named(tmp_path, control, message):
     outcome = liggghts(CASE, out=tmp_path, control=control)
     assert outcome.code != 0 and message in outcome.error
@@ -136,18 +199,24 @@ def test_mistakes_are_named(tmp_path, control, message):
 def test_other_integrators_and_forces_are_refused(tmp_path):
     deck = tmp_path / "in.twice"
     text = (ROOT / CASE).read_text()
-    for line, message in (("fix nve moving nve/sphere", "moves them too"),
-                          ("fix g all gravity 9.81 vector 0 0 -1", "adds forces"),
-                          ("fix again moving bearing/implicit", "both move atom")):
+    for line, message in (
+        ("fix nve moving nve/sphere", "moves them too"),
+        ("fix g all gravity 9.81 vector 0 0 -1", "adds forces"),
+        ("fix again moving bearing/implicit", "both move atom"),
+    ):
         deck.write_text(text.replace("neigh_modify", line + "\nneigh_modify", 1))
         outcome = liggghts(deck, out=tmp_path / "out")
         assert outcome.code != 0 and message in outcome.error
 
 
 def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
-    """Host steps of 40 ms, 0.8 rad of orbit each, under preload, where nothing else would shorten them: the frames
-    turn by series that hold to 0.6 rad, so the control must. Every ball keeps its place on the pitch circle."""
-    case = dict(inner=ring("spin speed 50 force 0 -50 0"), clearance=-88.2e-6, samples=10, sample=4e-2)
+    """Host steps of 40 ms, 0.8 rad of orbit each, under preload, where nothing else would shorten
+    them: the frames turn by series that hold to 0.6 rad, so the control must. Every ball keeps its
+    place on the pitch circle.
+    """
+    case = dict(
+        inner=ring("spin speed 50 force 0 -50 0"), clearance=-88.2e-6, samples=10, sample=4e-2
+    )
     text = succeed(CASE, out=tmp_path, control="tolerance 1e-5", **case).text
     mean = float(re.search(r"CONTROL mean (\S+)", text).group(1))
     orbit = 0.5 * 50 * (1 - 6.3 / 30.3)
@@ -159,28 +228,44 @@ def test_a_step_that_turns_a_ball_too_far_is_refined(tmp_path):
 
 @pytest.mark.parametrize("speed, bound", [(50, 1e-4), (1000, 1e-3)])
 def test_only_dampers_implicit_against_verlet(tmp_path, speed, bound):
-    """`solve damping` at the step that its stability allows. At 50 rad/s nothing vibrates; at 1000 rad/s balls ring when they are
-    loaded, 1e-3 of the largest load, with a period wrong by (h omega)^2/24, up to a tenth."""
-    case = dict(start=speed, inner=ring(f"spin speed {speed} force 0 -5000 0"), clearance=44.1e-6, samples=100)
+    """`solve damping` at the step that its stability allows. At 50 rad/s nothing vibrates; at 1000
+    rad/s balls ring when they are loaded, 1e-3 of the largest load, with a period wrong by (h
+    omega)^2/24, up to a tenth."""
+    case = dict(
+        start=speed,
+        inner=ring(f"spin speed {speed} force 0 -5000 0"),
+        clearance=44.1e-6,
+        samples=100,
+    )
     assert error(tmp_path, control="solve damping", after=75, **case) < bound
 
 
 def test_only_dampers_implicit_keeps_its_step_stable(tmp_path):
-    """Host steps fifty times what the springs allow are cut to what they allow, h^2 k = 3 m + 1.5 h c, for the heaviest ball: k is the
-    stiffness of its two contacts (4.2e8 N/m under 5 kN), c adds little at this speed. While the load comes on, steps are shorter (drift)."""
+    """Host steps fifty times what the springs allow are cut to what they allow, h^2 k = 3 m + 1.5 h
+    c, for the heaviest ball: k is the stiffness of its two contacts (4.2e8 N/m under 5 kN), c adds
+    little at this speed. While the load comes on, steps are shorter (drift).
+    """
     case = dict(inner=ring("spin speed 1000 force 0 -5000 0"), start=1000, sample=4e-4, samples=40)
     text = succeed(CASE, out=tmp_path, control="solve damping", **case).text
     ball_mass = 7800 * 4 / 3 * np.pi * 6.3e-3**3
     limit = (3 * ball_mass / 4.2e8) ** 0.5
     assert 0.8 * limit < float(re.search(r"CONTROL mean (\S+)", text).group(1)) < 1.3 * limit
-    # 2436 N at rest with a ball on the load line; less between two; the centrifugal load of a ball is 38 N
+    # 2436 N at rest with a ball on the load line; less between two; the centrifugal load of a ball
+    # is 38 N
     assert 2200 < loads(tmp_path)[-20:].max() < 2600
 
 
 def test_only_dampers_implicit_keeps_a_swing(tmp_path):
-    """A dry ring under a sudden 5 kN swings on its balls, which dampers of the contacts take down slowly: in the last 3 of 15 ms its
-    swing is that of order 2 with steps of 0.25 us, another method. The springs' period is wrong by (h omega)^2/24 for balls, nothing for the ring."""
-    case = dict(lubricant="dry", inner="x free y free spin speed 50 force 0 -5000 0", sample=5e-5, samples=300)
+    """A dry ring under a sudden 5 kN swings on its balls, which dampers of the contacts take down
+    slowly: in the last 3 of 15 ms its swing is that of order 2 with steps of 0.25 us, another
+    method. The springs' period is wrong by (h omega)^2/24 for balls, nothing for the ring.
+    """
+    case = dict(
+        lubricant="dry",
+        inner="x free y free spin speed 50 force 0 -5000 0",
+        sample=5e-5,
+        samples=300,
+    )
     swing = []
     for control in ("tolerance 1e-6 largest 2.5e-7", "solve damping"):
         succeed(CASE, out=tmp_path, control=control, **case)

@@ -10,16 +10,22 @@ from raceway.bearing import Bearing
 CASE = "tests/implicit/in.case"
 PERMITTIVITY, BACKGROUND = 2.25, 5e-12
 RADIAL = "x free y free spin speed 50 force 0 -5000 0 ramp 3.0e-3"
-TILTED = "x free y free z free rx free ry free spin speed 50 force 0 -5000 1000 moment 5 0 0 ramp 3.0e-3"
+TILTED = (
+    "x free y free z free rx free ry free spin speed 50 force 0 -5000 1000 moment 5 0 0 ramp 3.0e-3"
+)
 
 
 def sampled(folder, within, **case):
-    """(rows of contacts, totals, what thermo would see) of a run of in.case with the capacitance at instants."""
+    """(rows of contacts, totals, what thermo would see) of a run of in.case with the capacitance at
+    instants."""
     folder.mkdir()
     more = folder / "more"
-    more.write_text(f"fix cap balls bearing/capacitance 1 permittivity {PERMITTIVITY} background {BACKGROUND} within {within} "
-                    f"file {folder}/totals.txt contacts {folder}/instants.txt\n"
-                    f"fix now all ave/time 1 1 1 f_cap[1] f_cap[2] f_cap[3] f_cap[4] f_cap[5] f_cap[6] file {folder}/now.txt\n")
+    more.write_text(
+        f"fix cap balls bearing/capacitance 1 permittivity {PERMITTIVITY} background {BACKGROUND}"
+        f" within {within} file {folder}/totals.txt contacts {folder}/instants.txt\nfix now all"
+        " ave/time 1 1 1 f_cap[1] f_cap[2] f_cap[3] f_cap[4] f_cap[5] f_cap[6] file"
+        f" {folder}/now.txt\n"
+    )
     succeed(CASE, out=folder, more=more, **case)
     return [np.loadtxt(folder / name) for name in ("instants.txt", "totals.txt", "now.txt")]
 
@@ -27,36 +33,51 @@ def sampled(folder, within, **case):
 def by_instant(rows, instants, column):
     """A column of contacts as (instants, raceways, balls); 0 without contact."""
     table = np.zeros((instants + 1, 2, 9))
-    table[np.rint(rows[:, 1] * instants / rows[-1, 1]).astype(int), rows[:, 3].astype(int), rows[:, 2].astype(int) - 1] = rows[:, column]
+    table[
+        np.rint(rows[:, 1] * instants / rows[-1, 1]).astype(int),
+        rows[:, 3].astype(int),
+        rows[:, 2].astype(int) - 1,
+    ] = rows[:, column]
     return table
 
 
 @pytest.mark.parametrize("inner", [RADIAL, TILTED], ids=["radial", "tilted"])
 def test_instants_are_what_finer_steps_give(inner, tmp_path):
-    """Host steps of 0.8 ms with 8 instants each, 1 degree of orbit, against host steps of 0.1 ms, both with an error of 1 nm an
-    internal step: 2e8 N/m make that 0.2 N, 1e-4 of the largest load, and a step has a few behind it that are not yet damped."""
+    """Host steps of 0.8 ms with 8 instants each, 1 degree of orbit, against host steps of 0.1 ms,
+    both with an error of 1 nm an internal step: 2e8 N/m make that 0.2 N, 1e-4 of the largest load,
+    and a step has a few behind it that are not yet damped.
+    """
     case = dict(inner=inner, control="tolerance 1e-9")
     coarse, _, _ = sampled(tmp_path / "coarse", 8, sample=8e-4, samples=20, **case)
     fine, _, _ = sampled(tmp_path / "fine", 1, sample=1e-4, samples=160, **case)
     found, truth = by_instant(coarse, 160, 4), by_instant(fine, 160, 4)
     assert np.abs(found - truth)[40:].max() < 5e-4 * truth.max()
-    # film and capacitance follow from load and speed; Q^0.7 at the edge of the zone magnifies what the load misses
+    # film and capacitance follow from load and speed; Q^0.7 at the edge of the zone magnifies what
+    # the load misses
     found, truth = by_instant(coarse, 160, 6), by_instant(fine, 160, 6)
     assert np.abs(found - truth)[40:].max() < 1e-3 * truth.max()
 
 
 def test_a_load_that_comes_on_within_steps(tmp_path):
-    """3 ms of ramp, seen from host steps of 1 ms: instants take part in every internal step, not in the host's ends alone."""
-    coarse, _, _ = sampled(tmp_path / "coarse", 10, sample=1e-3, samples=4, inner=RADIAL, control="tolerance 1e-9")
-    fine, _, _ = sampled(tmp_path / "fine", 1, sample=1e-4, samples=40, inner=RADIAL, control="tolerance 1e-9")
+    """3 ms of ramp, seen from host steps of 1 ms: instants take part in every internal step, not in
+    the host's ends alone."""
+    coarse, _, _ = sampled(
+        tmp_path / "coarse", 10, sample=1e-3, samples=4, inner=RADIAL, control="tolerance 1e-9"
+    )
+    fine, _, _ = sampled(
+        tmp_path / "fine", 1, sample=1e-4, samples=40, inner=RADIAL, control="tolerance 1e-9"
+    )
     found, truth = by_instant(coarse, 40, 4), by_instant(fine, 40, 4)
     assert np.abs(found - truth).max() < 2e-3 * truth.max()
-    ends = np.concatenate([np.linspace(truth[k], truth[k + 10], 10, endpoint=False) for k in range(0, 40, 10)])
+    ends = np.concatenate(
+        [np.linspace(truth[k], truth[k + 10], 10, endpoint=False) for k in range(0, 40, 10)]
+    )
     assert np.abs(ends - truth[:-1]).max() > 0.02 * truth.max()
 
 
 def test_columns(tmp_path):
-    """Capacitance from its own load and film by the package; totals, largest, active and the figures of a step from the rows."""
+    """Capacitance from its own load and film by the package; totals, largest, active and the
+    figures of a step from the rows."""
     rows, totals, now = sampled(tmp_path / "run", 5, sample=4e-4, samples=8, inner=RADIAL)
     bearing = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     for side in (0, 1):
@@ -65,20 +86,26 @@ def test_columns(tmp_path):
         a, b = hertz.semi_axes(ellipse, bearing.effective_modulus, load)
         pressure = hertz.pressure(ellipse, bearing.effective_modulus, load)
         # 12 digits were written
-        np.testing.assert_allclose(found, capacitance.contact(PERMITTIVITY, pressure, a, b, h_c), rtol=1e-10)
+        np.testing.assert_allclose(
+            found, capacitance.contact(PERMITTIVITY, pressure, a, b, h_c), rtol=1e-10
+        )
     sums = []
     for step, time, total, largest, active in totals:
         here = rows[np.isclose(rows[:, 0], step)]
         assert np.allclose(here[:, 1], time)
         inner, outer = ({int(r[2]): r[6] for r in here if r[3] == side} for side in (0, 1))
         series = [1 / (1 / inner[k] + 1 / outer[k]) for k in inner.keys() & outer.keys()]
-        assert [total, largest, active] == pytest.approx([sum(series) + BACKGROUND, max(series, default=0), len(series)], rel=1e-10)
+        assert [total, largest, active] == pytest.approx(
+            [sum(series) + BACKGROUND, max(series, default=0), len(series)], rel=1e-10
+        )
         sums.append(total)
     np.testing.assert_allclose(totals[:, 0], np.arange(41) / 5, atol=1e-9)
     np.testing.assert_allclose(totals[:, 1], np.arange(41) * 8e-5, atol=1e-12)
     for step, last, largest, active, mean, least, most in now:
-        of = sums[5 * int(step) - 4:5 * int(step) + 1] or sums[:1]
-        assert [last, mean, least, most] == pytest.approx([of[-1], np.mean(of), min(of), max(of)], rel=1e-5)
+        of = sums[5 * int(step) - 4 : 5 * int(step) + 1] or sums[:1]
+        assert [last, mean, least, most] == pytest.approx(
+            [of[-1], np.mean(of), min(of), max(of)], rel=1e-5
+        )
 
 
 def test_instants_do_not_change_the_motion(tmp_path):
@@ -99,14 +126,44 @@ timestep 1.0e-5
 """
 
 
-@pytest.mark.parametrize("fixes, message", [
-    ("fix m all bearing/implicit\nfix c balls bearing/capacitance 2 permittivity 2.2 within 4", "N must be 1, not 2"),
-    ("fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2 within 0", "instants a step is 0"),
-    ("fix m balls nve/sphere\nfix c balls bearing/capacitance 1 permittivity 2.2 within 4", "'within 4' needs fix bearing/implicit"),
-    ("fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2 within 4\n"
-     "fix d balls bearing/capacitance 1 permittivity 2.3 within 4", "two fixes want different things between its steps"),
-    ("fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2 file no/such/folder/f", "cannot write 'no/such/folder/f'"),
-], ids=["N", "range", "verlet", "two wishes", "file"])
+@pytest.mark.parametrize(
+    "fixes, message",
+    [
+        (
+            (
+                "fix m all bearing/implicit\nfix c balls bearing/capacitance 2 permittivity 2.2"
+                " within 4"
+            ),
+            "N must be 1, not 2",
+        ),
+        (
+            (
+                "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
+                " within 0"
+            ),
+            "instants a step is 0",
+        ),
+        (
+            "fix m balls nve/sphere\nfix c balls bearing/capacitance 1 permittivity 2.2 within 4",
+            "'within 4' needs fix bearing/implicit",
+        ),
+        (
+            (
+                "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
+                " within 4\nfix d balls bearing/capacitance 1 permittivity 2.3 within 4"
+            ),
+            "two fixes want different things between its steps",
+        ),
+        (
+            (
+                "fix m all bearing/implicit\nfix c balls bearing/capacitance 1 permittivity 2.2"
+                " file no/such/folder/f"
+            ),
+            "cannot write 'no/such/folder/f'",
+        ),
+    ],
+    ids=["N", "range", "verlet", "two wishes", "file"],
+)
 def test_mistakes_are_named(fixes, message, tmp_path):
     deck = tmp_path / "in.mistake"
     deck.write_text(BOX + FILM + fixes + "\nrun 1\n")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact derivatives against finite differences, the solvers against numpy, turning frames, a ring alone against scipy."""
+"""Contact derivatives against finite differences, the solvers against numpy, turning frames, a ring
+alone against scipy."""
 
 import ctypes
 import subprocess
@@ -16,14 +17,35 @@ ROOT = Path(__file__).resolve().parents[2]
 def lib():
     source, target = ROOT / "tests/implicit/implicit_c.cpp", ROOT / "build/test/libimplicit.so"
     target.parent.mkdir(parents=True, exist_ok=True)
-    step = [str(ROOT / f"src-package/implicit/bearing_{name}.cpp") for name in ("step", "forces", "instants", "solve")]
-    subprocess.run(["g++", "-std=c++17", "-O1", "-ffp-contract=off", "-Wall", "-Wextra", "-Wno-psabi", "-fPIC", "-shared",
-                    str(source), *step, "-o", str(target)], check=True)
+    step = [
+        str(ROOT / f"src-package/implicit/bearing_{name}.cpp")
+        for name in ("step", "forces", "instants", "solve")
+    ]
+    subprocess.run(
+        [
+            "g++",
+            "-std=c++17",
+            "-O1",
+            "-ffp-contract=off",
+            "-Wall",
+            "-Wextra",
+            "-Wno-psabi",
+            "-fPIC",
+            "-shared",
+            str(source),
+            *step,
+            "-o",
+            str(target),
+        ],
+        check=True,
+    )
     return ctypes.CDLL(str(target))
 
 
 def pointer(a):
-    return a.ctypes.data_as(ctypes.POINTER(ctypes.c_int if a.dtype == np.int32 else ctypes.c_double))
+    return a.ctypes.data_as(
+        ctypes.POINTER(ctypes.c_int if a.dtype == np.int32 else ctypes.c_double)
+    )
 
 
 def ball(overlap=20e-6, angle=0.0, v=(0, 0, 0), w=(0, 0, 0)):
@@ -37,20 +59,30 @@ def ball(overlap=20e-6, angle=0.0, v=(0, 0, 0), w=(0, 0, 0)):
 
 def force(lib, state, spin, mu, frozen):
     f = np.zeros(3)
-    lib.contact_force(pointer(state), ctypes.c_double(spin), ctypes.c_double(mu), pointer(frozen), pointer(f))
+    lib.contact_force(
+        pointer(state), ctypes.c_double(spin), ctypes.c_double(mu), pointer(frozen), pointer(f)
+    )
     return f
 
 
 def derivatives(lib, state, spin, mu):
     """D and K as matrices, D once more from products with rows, and the normal."""
     D, K, before, n = np.zeros(9), np.zeros(9), np.zeros(9), np.zeros(3)
-    lib.contact_derivatives(pointer(state), ctypes.c_double(spin), ctypes.c_double(mu), pointer(D), pointer(K),
-                            pointer(before), pointer(n))
+    lib.contact_derivatives(
+        pointer(state),
+        ctypes.c_double(spin),
+        ctypes.c_double(mu),
+        pointer(D),
+        pointer(K),
+        pointer(before),
+        pointer(n),
+    )
     return D.reshape(3, 3), K.reshape(3, 3), before.reshape(3, 3), n
 
 
 def differences(lib, state, spin, mu, first, step):
-    """-df/ds over three entries of the state from `first`, with C, mu and the friction's denominator held at their values here."""
+    """-df/ds over three entries of the state from `first`, with C, mu and the friction's
+    denominator held at their values here."""
     frozen = np.array([-1.0, 0, 0])
     force(lib, state, spin, mu, frozen)
     columns = []
@@ -58,7 +90,9 @@ def differences(lib, state, spin, mu, first, step):
         up, down = state.copy(), state.copy()
         up[first + k] += step
         down[first + k] -= step
-        columns.append((force(lib, down, spin, mu, frozen) - force(lib, up, spin, mu, frozen)) / (2 * step))
+        columns.append(
+            (force(lib, down, spin, mu, frozen) - force(lib, up, spin, mu, frozen)) / (2 * step)
+        )
     return np.array(columns).T
 
 
@@ -101,7 +135,8 @@ def test_turn_of_the_normal(lib):
 
 
 def test_friction_slope_is_a_dashpot(lib):
-    """A sliding contact resists in every direction: the slope has no negative one beyond the cross term mu C."""
+    """A sliding contact resists in every direction: the slope has no negative one beyond the cross
+    term mu C."""
     state = ball(v=(0, 0.65, 2e-3), w=(0, 0, -95.5))
     D = derivatives(lib, state, 0.0, 0.07)[0]
     assert np.linalg.eigvalsh(D + D.T).min() > -1e-3 * np.abs(D).max()
@@ -131,7 +166,7 @@ def test_dense_against_numpy(lib, n):
 @pytest.mark.parametrize("balls", [1, 2, 3, 9])
 def test_chain_against_dense(lib, balls, links):
     rng = np.random.default_rng(7)
-    n = 2 * balls    # ball, cage ball, ball, ...
+    n = 2 * balls  # ball, cage ball, ball, ...
     inverse = rng.normal(size=(n, 3, 3)) * 0.1 + np.eye(3)
     pairs = [(k, (k + 1) % n) if k % 2 == 0 else ((k + 1) % n, k) for k in range(n)]
     if links == "open":
@@ -150,9 +185,14 @@ def test_chain_against_dense(lib, balls, links):
             for end, body in enumerate(pairs[i]):
                 for other, same in enumerate(pairs[j]):
                     if body == same:
-                        matrix[i, j] += (1 if end == other else -1) * normals[i] @ inverse[body] @ normals[j]
+                        matrix[i, j] += (
+                            (1 if end == other else -1) * normals[i] @ inverse[body] @ normals[j]
+                        )
     expected = np.linalg.solve(matrix, x)
-    assert lib.chain(n, pointer(inverse), m, pointer(pairs), pointer(normals), pointer(a), pointer(x)) == 1
+    assert (
+        lib.chain(n, pointer(inverse), m, pointer(pairs), pointer(normals), pointer(a), pointer(x))
+        == 1
+    )
     np.testing.assert_allclose(x, expected, rtol=1e-11, atol=1e-12)
 
 
@@ -160,7 +200,10 @@ def test_a_third_link_is_no_chain(lib):
     pairs = np.array([[0, 1], [0, 2], [0, 3]], dtype=np.int32)
     inverse, normals = np.tile(np.eye(3), (4, 1, 1)), np.tile([1.0, 0, 0], (3, 1))
     a, x = np.ones(3), np.ones(3)
-    assert lib.chain(4, pointer(inverse), 3, pointer(pairs), pointer(normals), pointer(a), pointer(x)) == 0
+    assert (
+        lib.chain(4, pointer(inverse), 3, pointer(pairs), pointer(normals), pointer(a), pointer(x))
+        == 0
+    )
 
 
 @pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-3, -0.1, 0.37, -0.6, 0.6])
@@ -176,20 +219,29 @@ INERTIA, SPIN, MOMENT = np.array([3e-4, 1.6e-4]), 800.0, np.array([0.4, -0.2, 0.
 
 def lone_ring(lib, order, steps, time):
     out = np.zeros(11)
-    lib.lone_ring(order, steps, ctypes.c_double(time / steps), ctypes.c_double(SPIN), pointer(INERTIA), pointer(MOMENT),
-                  pointer(out))
+    lib.lone_ring(
+        order,
+        steps,
+        ctypes.c_double(time / steps),
+        ctypes.c_double(SPIN),
+        pointer(INERTIA),
+        pointer(MOMENT),
+        pointer(out),
+    )
     return out
 
 
 def gyroscope(time):
-    """Axis and its rate from L' = M + reaction along e, integrated by scipy with the full kinematics."""
+    """Axis and its rate from L' = M + reaction along e, integrated by scipy with the full
+    kinematics."""
     axial, transverse = INERTIA
 
     def slope(_, y):
         e, L = y[:3], y[3:]
         along = e * (L @ e)
         turn = np.cross((L - along) / transverse, e)
-        # spin held: the momentum along e stays I_a spin, what the moment would add there is the drive's
+        # spin held: the momentum along e stays I_a spin, what the moment would add there is the
+        # drive's
         return np.concatenate([turn, MOMENT - e * (MOMENT @ e)])
 
     start = np.array([0, 0, 1, 0, 0, axial * SPIN])
@@ -200,13 +252,19 @@ def gyroscope(time):
 
 @pytest.mark.parametrize("order, method", [(1, 1), (2, 2), (1, 0)], ids=["1", "2", "dampers only"])
 def test_gyroscope(lib, order, method):
-    """A spinning ring under a moment precesses and nutates as theory says, with the order of the method."""
+    """A spinning ring under a moment precesses and nutates as theory says, with the order of the
+    method."""
     time = 5e-3
     axis, rate = gyroscope(time)
     errors = []
     for steps in (400, 800, 1600):
         out = lone_ring(lib, method, steps, time)
-        errors.append(max(np.abs(out[:3] - axis).max() / np.abs(axis[:2]).max(), np.abs(out[3:5] - rate).max() / np.abs(rate).max()))
+        errors.append(
+            max(
+                np.abs(out[:3] - axis).max() / np.abs(axis[:2]).max(),
+                np.abs(out[3:5] - rate).max() / np.abs(rate).max(),
+            )
+        )
     for coarse, fine in zip(errors, errors[1:]):
         assert 0.85 * 2**order < coarse / fine < 1.15 * 2**order
     assert errors[-1] < (0.1, 1e-3)[order - 1]
@@ -214,7 +272,8 @@ def test_gyroscope(lib, order, method):
 
 @pytest.mark.parametrize("method", [2, 0], ids=["order 2", "dampers only"])
 def test_free_fall_is_exact(lib, method):
-    """A constant force: order 2 gives the parabola to rounding, and so do springs as in velocity Verlet."""
+    """A constant force: order 2 gives the parabola to rounding, and so do springs as in velocity
+    Verlet."""
     out, time = lone_ring(lib, method, 7, 2e-3), 2e-3
     acceleration = np.array([1.0, 2.0, 3.0]) / 0.5
     np.testing.assert_allclose(out[8:], acceleration * time, rtol=1e-12)
@@ -229,7 +288,9 @@ def test_turning_frame_keeps_a_circle(lib):
         x, v = x1.copy(), v1.copy()
     assert np.hypot(*x[:2]) == pytest.approx(30e-3, rel=1e-13)
     assert np.arctan2(x[1], x[0]) % (2 * np.pi) == pytest.approx(20.0 % (2 * np.pi), rel=1e-10)
-    assert v @ x == pytest.approx(0, abs=1e-15) and np.linalg.norm(v) == pytest.approx(0.6, rel=1e-13)
+    assert v @ x == pytest.approx(0, abs=1e-15) and np.linalg.norm(v) == pytest.approx(
+        0.6, rel=1e-13
+    )
 
 
 def test_between_steps_a_cubic_is_exact(lib):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/implicit: the same bits on any number of ranks, wherever they are cut, whoever else is in the box, and
-through a restart on another number of ranks.
+"""fix bearing/implicit: the same bits on any number of ranks, wherever they are cut, whoever else
+is in the box, and through a restart on another number of ranks.
 
-The scene (in.ranks) is a transient under a growing load, refused steps included. The inner ring starts on the cuts
-through the middle of the box and leaves them, so the bearing's home changes rank.
+The scene (in.ranks) is a transient under a growing load, refused steps included. The inner ring
+starts on the cuts through the middle of the box and leaves them, so the bearing's home changes
+rank.
 """
 
 import re
@@ -19,19 +20,24 @@ LAST = 60  # steps
 def state(folder):
     """Every bit that was written, step by step."""
     return [frames(folder / name) for name in ("balls.dump", "contacts.dump")] + [
-        (folder / name).read_text() for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt")]
+        (folder / name).read_text()
+        for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt")
+    ]
 
 
 def first_bearing(folder):
     """Rows of its atoms, 1 to 20."""
-    return {step: [row for row in rows if int(row.split()[0]) <= 20]
-            for step, rows in frames(folder / "balls.dump").items()}
+    return {
+        step: [row for row in rows if int(row.split()[0]) <= 20]
+        for step, rows in frames(folder / "balls.dump").items()
+    }
 
 
 def last(folder):
     """The last sample: atoms, contacts and ring."""
     return [frames(folder / name)[LAST] for name in ("balls.dump", "contacts.dump")] + [
-        (folder / "ring.txt").read_text().splitlines()[-1]]
+        (folder / "ring.txt").read_text().splitlines()[-1]
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -53,10 +59,12 @@ def both(tmp_path_factory):
 
 def test_scene_is_worth_comparing(whole):
     assert len(frames(whole / "balls.dump")[LAST]) == 20
-    rings = [list(map(float, row.split())) for row in (whole / "ring.txt").read_text().splitlines()[1:]]
-    assert all(r[2] < -1e-6 for r in rings)        # m, the ring has left the cut at y = 0
-    assert 1000 < rings[0][7] < 4500 < rings[-1][7]    # N, the load still grows at the first sample
-    assert abs(rings[0][8]) > 1e-4                 # rad, the outer ring wobbles
+    rings = [
+        list(map(float, row.split())) for row in (whole / "ring.txt").read_text().splitlines()[1:]
+    ]
+    assert all(r[2] < -1e-6 for r in rings)  # m, the ring has left the cut at y = 0
+    assert 1000 < rings[0][7] < 4500 < rings[-1][7]  # N, the load still grows at the first sample
+    assert abs(rings[0][8]) > 1e-4  # rad, the outer ring wobbles
     refused = float((whole / "control.txt").read_text().splitlines()[-1].split()[4])
     assert refused > 0
 
@@ -67,21 +75,26 @@ def test_ranks(whole, ranks, tmp_path):
     assert state(tmp_path) == state(whole)
 
 
-@pytest.mark.parametrize("cuts, ranks, box", [
-    ((2, 1, 1), 2, {}),
-    ((1, 2, 1), 2, {}),
-    ((1, 1, 2), 2, {}),
-    ((2, 1, 1), 2, {"xhi": 0.09}),                    # the cut misses the rings
-    ((1, 2, 2), 4, {"ylo": -0.1}),
-    ((3, 3, 1), 9, {"xhi": 0.06}),                    # the rank with the rings has no ball
-], ids=str)
+@pytest.mark.parametrize(
+    "cuts, ranks, box",
+    [
+        ((2, 1, 1), 2, {}),
+        ((1, 2, 1), 2, {}),
+        ((1, 1, 2), 2, {}),
+        ((2, 1, 1), 2, {"xhi": 0.09}),  # the cut misses the rings
+        ((1, 2, 2), 4, {"ylo": -0.1}),
+        ((3, 3, 1), 9, {"xhi": 0.06}),  # the rank with the rings has no ball
+    ],
+    ids=str,
+)
 def test_cuts(whole, cuts, ranks, box, tmp_path):
     succeed(DECK, ranks=ranks, out=tmp_path, cuts_x=cuts[0], cuts_y=cuts[1], cuts_z=cuts[2], **box)
     assert state(tmp_path) == state(whole)
 
 
 def test_a_cage_ball_between_strangers(tmp_path):
-    """Without rails a cage ball is joined to its bearing by balls alone, here by balls of other ranks."""
+    """Without rails a cage ball is joined to its bearing by balls alone, here by balls of other
+    ranks."""
     succeed(DECK, out=tmp_path / "one", rails=0)
     succeed(DECK, ranks=8, out=tmp_path / "eight", rails=0, cuts_x=8, cuts_y=1)
     assert state(tmp_path / "eight") == state(tmp_path / "one")
@@ -96,7 +109,9 @@ def test_two_bearings(both, ranks, tmp_path):
 def test_another_bearing_changes_no_bits(whole, both):
     """Though the other one needs finer steps and other neighbour lists."""
     assert first_bearing(both) == frames(whole / "balls.dump")
-    finest = [float((f / "control.txt").read_text().splitlines()[-1].split()[1]) for f in (whole, both)]
+    finest = [
+        float((f / "control.txt").read_text().splitlines()[-1].split()[1]) for f in (whole, both)
+    ]
     assert finest[1] < finest[0]
 
 
@@ -108,30 +123,48 @@ def test_a_fix_for_each_bearing(both, ranks, tmp_path):
 
 @pytest.mark.parametrize("bearings", [1, 2])
 def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
-    """Written by two ranks in the middle of a run, while the load grows and steps are refined; resumed by one and by
-    four."""
+    """Written by two ranks in the middle of a run, while the load grows and steps are refined;
+    resumed by one and by four."""
     case = TWO if bearings == 2 else {}
     unbroken = {1: whole, 2: both}[bearings]
     succeed(DECK, ranks=2, out=tmp_path, keep=22, first=22, second=38, **case)
     assert state(tmp_path)[:2] == state(unbroken)[:2]
     for ranks in (1, 4):
         out = tmp_path / str(ranks)
-        succeed(DECK, ranks=ranks, out=out, begin="resume", first=38, bearings=bearings,
-                **{"from": tmp_path / "restart.22"})
+        succeed(
+            DECK,
+            ranks=ranks,
+            out=out,
+            begin="resume",
+            first=38,
+            bearings=bearings,
+            **{"from": tmp_path / "restart.22"},
+        )
         assert last(out) == last(unbroken)
 
 
 def test_only_dampers_implicit(tmp_path):
-    """`solve damping` on two ranks, written in the middle and resumed by four: the bits of one rank."""
+    """`solve damping` on two ranks, written in the middle and resumed by four: the bits of one
+    rank."""
     words = dict(control="solve damping")
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)
     assert state(tmp_path / "two")[:2] == state(tmp_path / "one")[:2]
-    succeed(DECK, ranks=4, out=tmp_path / "resumed", begin="resume", first=38, **words, **{"from": tmp_path / "two/restart.22"})
+    succeed(
+        DECK,
+        ranks=4,
+        out=tmp_path / "resumed",
+        begin="resume",
+        first=38,
+        **words,
+        **{"from": tmp_path / "two/restart.22"},
+    )
     assert last(tmp_path / "resumed") == last(tmp_path / "one")
 
 
-BEARINGS = BOX.replace("box 4 box", "box 5 box").replace("0.06 -0.06 0.06 -0.06", "0.18 -0.06 0.06 -0.06") + """
+BEARINGS = (
+    BOX.replace("box 4 box", "box 5 box").replace("0.06 -0.06 0.06 -0.06", "0.18 -0.06 0.06 -0.06")
+    + """
 bearing_input inputs/bearings 6208
 pair_style bearing/hertz young 2.07e11 2.07e11 poisson 0.29 0.29
 pair_coeff 1 3 inner ${inner_radius} ${inner_groove}
@@ -147,18 +180,35 @@ group inner type 3
 group rings type 3 4
 timestep 1.0e-5
 """
+)
 
 
-@pytest.mark.parametrize("fixes, message", [
-    ("fix move all bearing/implicit\nfix r rings bearing/ring",
-     "atom 23 of its group is no ball, cage ball or ring of a bearing"),
-    ("group some id 1:10 12:22\nfix move some bearing/implicit\nfix r inner bearing/ring",
-     "atom 11 (type 4) belongs to a bearing of which other atoms are in the fix's group"),
-    ("group some id 9:22\nfix move some bearing/implicit\nfix r inner bearing/ring", "atom 1 (type 1) belongs to"),
-    ("fix move one bearing/implicit\nfix r inner bearing/ring", "some rings of fix r but not all of them"),
-    ("group some id 20:22\nfix a both bearing/implicit\nfix b some bearing/implicit", "both move atom"),
-    ("fix a both bearing/implicit\nfix b two nve/sphere", "moves them too"),
-])
+@pytest.mark.parametrize(
+    "fixes, message",
+    [
+        (
+            "fix move all bearing/implicit\nfix r rings bearing/ring",
+            "atom 23 of its group is no ball, cage ball or ring of a bearing",
+        ),
+        (
+            "group some id 1:10 12:22\nfix move some bearing/implicit\nfix r inner bearing/ring",
+            "atom 11 (type 4) belongs to a bearing of which other atoms are in the fix's group",
+        ),
+        (
+            "group some id 9:22\nfix move some bearing/implicit\nfix r inner bearing/ring",
+            "atom 1 (type 1) belongs to",
+        ),
+        (
+            "fix move one bearing/implicit\nfix r inner bearing/ring",
+            "some rings of fix r but not all of them",
+        ),
+        (
+            "group some id 20:22\nfix a both bearing/implicit\nfix b some bearing/implicit",
+            "both move atom",
+        ),
+        ("fix a both bearing/implicit\nfix b two nve/sphere", "moves them too"),
+    ],
+)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_mistakes_are_named(ranks, fixes, message, tmp_path):
     deck = tmp_path / "in.mistake"
@@ -170,7 +220,12 @@ def test_mistakes_are_named(ranks, fixes, message, tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_impossible_load_stops_all_ranks(ranks, tmp_path):
     deck = tmp_path / "in.stop"
-    deck.write_text(BEARINGS + "fix a both bearing/implicit\nfix r inner bearing/ring mass 0.2 x free force 1e9 0 0\n"
-                    "run 10\n")
+    deck.write_text(
+        BEARINGS
+        + "fix a both bearing/implicit\nfix r inner bearing/ring mass 0.2 x free force 1e9 0 0\n"
+        "run 10\n"
+    )
     outcome = liggghts(deck, ranks=ranks, timeout=60)
-    assert outcome.code != 0 and "no solution with substeps down to" in outcome.error, outcome.text[-2000:]
+    assert outcome.code != 0 and "no solution with substeps down to" in outcome.error, outcome.text[
+        -2000:
+    ]

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The physics headers as a library, made by `make build` (Makefile rule build/libraceway_physics.so)."""
+"""The physics headers as a library, made by `make build` (Makefile rule
+build/libraceway_physics.so)."""
 
 import sys
 from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))  # the helpers of this folder, from wherever pytest starts
+sys.path.insert(
+    0, str(Path(__file__).resolve().parent)
+)  # the helpers of this folder, from wherever pytest starts
 
 from physics_c import Physics  # noqa: E402
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A ball and a ring as moving rigid bodies in 40-digit arithmetic: what contact.h is compared with.
 
-Nothing is taken from the header's derivation. Points of the bodies are followed along the motion (constant
-velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath, so no step size enters.
+Nothing is taken from the header's derivation. Points of the bodies are followed along the motion
+(constant velocities, Rodrigues rotation) and differentiated in time; vectors are mpmath, so no step
+size enters.
 """
 
 import mpmath
@@ -47,7 +48,8 @@ def turn(a, w):
 def derivative(f):
     """df/dt at t = 0 of a vector function: central differences, Richardson.
 
-    Motions here change over T = 1e-5 s and more: truncation (h/T)^4 = 1e-36, rounding 1e-40 m/h = 1e-26 m/s.
+    Motions here change over T = 1e-5 s and more: truncation (h/T)^4 = 1e-36, rounding 1e-40 m/h =
+    1e-26 m/s.
     """
     h = mpf(10) ** -14  # s
 
@@ -58,7 +60,8 @@ def derivative(f):
 
 
 class Reference:
-    """Ball (x, v, w), ring (x, v, w, e) on a torus groove of centre circle `circle` (m) and ball radius `radius`."""
+    """Ball (x, v, w), ring (x, v, w, e) on a torus groove of centre circle `circle` (m) and ball
+    radius `radius`."""
 
     def __init__(self, ball, ring, circle, radius):
         self.ball, self.ring = [vector(q) for q in ball], [vector(q) for q in ring]
@@ -78,21 +81,38 @@ class Reference:
         s = length(arm)
         n = scale(arm, 1 / s)
         rolling = cross(e, u)
-        return dict(u=u, t=rolling, e=e, n=n, w=cross(n, rolling), s=s, point=add(x, n, self.radius), d=d)
+        return dict(
+            u=u, t=rolling, e=e, n=n, w=cross(n, rolling), s=s, point=add(x, n, self.radius), d=d
+        )
 
     def speeds(self):
         """overlap_rate, sliding_t, sliding_w, entrainment."""
         now = self.frame()
         arm = add(now["point"], self.ball[0], -1)
         lever = add(now["point"], self.ring[0], -1)
-        on_ball = derivative(lambda t: add(add(self.ball[0], self.ball[1], t), turn(arm, scale(self.ball[2], t))))
-        on_ring = derivative(lambda t: add(add(self.ring[0], self.ring[1], t), turn(lever, scale(self.ring[2], t))))
+        on_ball = derivative(
+            lambda t: add(add(self.ball[0], self.ball[1], t), turn(arm, scale(self.ball[2], t)))
+        )
+        on_ring = derivative(
+            lambda t: add(add(self.ring[0], self.ring[1], t), turn(lever, scale(self.ring[2], t)))
+        )
         point = derivative(lambda t: self.frame(t)["point"])
         sliding = add(on_ball, on_ring, -1)
         entrained = add(add(on_ball, on_ring), point, -2)
         rate = derivative(lambda t: [self.frame(t)["s"]])[0]
-        return [float(v) for v in (rate, dot(sliding, now["t"]), dot(sliding, now["w"]),
-                                   abs(dot(entrained, now["t"])) / 2)]
+        return [
+            float(v)
+            for v in (
+                rate,
+                dot(sliding, now["t"]),
+                dot(sliding, now["w"]),
+                abs(dot(entrained, now["t"])) / 2,
+            )
+        ]
 
     def vectors(self):
-        return {name: np.array([float(v) for v in value]) for name, value in self.frame().items() if name != "s"}
+        return {
+            name: np.array([float(v) for v in value])
+            for name, value in self.frame().items()
+            if name != "s"
+        }

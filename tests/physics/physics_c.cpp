@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The physics headers behind a C interface, for the tests in this folder (called through physics_c.py).
-// Every number, choices included, is a double; out arrays are filled in the order written beside them.
+// The physics headers behind a C interface, for the tests in this folder (called through
+// physics_c.py). Every number, choices included, is a double; out arrays are filled in the order
+// written beside them.
 #include "../../src-package/physics/capacitance.h"
 #include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/damped_hertz.h"
@@ -47,8 +48,17 @@ static RacewayPhysics raceway_from(const RacewayInput &in)
 // K a b p, minimum and central lnA p m, film_damper
 static void put(const RacewayConstants &c, double *out)
 {
-  const double values[] = {c.K, c.a, c.b, c.p, c.film.min.lnA, c.film.min.p, c.film.min.m,
-                           c.film.central.lnA, c.film.central.p, c.film.central.m, c.film_damper};
+  const double values[] = {c.K,
+                           c.a,
+                           c.b,
+                           c.p,
+                           c.film.min.lnA,
+                           c.film.min.p,
+                           c.film.min.m,
+                           c.film.central.lnA,
+                           c.film.central.p,
+                           c.film.central.m,
+                           c.film_damper};
   for (double v : values) *out++ = v;
 }
 
@@ -58,28 +68,32 @@ static void put(const ContactState &c, double *out)
 {
   c.u.to(out);
   c.t.to(out + 3);
-  const double values[] = {c.r, c.z, c.nu, c.ne, c.overlap, c.root, c.cos_angle, c.overlap_rate,
-                           c.load, c.stiffness, c.damping, c.normal, c.entrainment, c.sliding_t, c.sliding_w,
-                           c.h_min, c.lambda, c.mu, c.kt, c.ct, c.friction_t, c.friction_w};
+  const double values[] = {c.r,          c.z,         c.nu,           c.ne,        c.overlap,
+                           c.root,       c.cos_angle, c.overlap_rate, c.load,      c.stiffness,
+                           c.damping,    c.normal,    c.entrainment,  c.sliding_t, c.sliding_w,
+                           c.h_min,      c.lambda,    c.mu,           c.kt,        c.ct,
+                           c.friction_t, c.friction_w};
   out += 6;
   for (double v : values) *out++ = v;
 }
 
 template <bool film, Friction friction>
-static ContactForces forces_of(const RacewayPhysics &p, const BallState &b, const RingState &r, double dt, double *xi,
-                               ContactState &c)
+static ContactForces forces_of(const RacewayPhysics &p, const BallState &b, const RingState &r,
+                               double dt, double *xi, ContactState &c)
 {
   return p.creep > 0.0 ? contact_forces<film, friction>(p, b, r, FrictionSmoothed(), c)
                        : contact_forces<film, friction>(p, b, r, FrictionSpring{dt, xi}, c);
 }
 
-using ContactLaw = ContactForces (*)(const RacewayPhysics &, const BallState &, const RingState &, double, double *,
-                                     ContactState &);
+using ContactLaw = ContactForces (*)(const RacewayPhysics &, const BallState &, const RingState &,
+                                     double, double *, ContactState &);
 static ContactLaw contact_law(bool with_film, Friction friction)
 {
   static const ContactLaw laws[2][3] = {
-      {forces_of<false, Friction::none>, forces_of<false, Friction::constant>, forces_of<false, Friction::stribeck>},
-      {forces_of<true, Friction::none>, forces_of<true, Friction::constant>, forces_of<true, Friction::stribeck>}};
+      {forces_of<false, Friction::none>, forces_of<false, Friction::constant>,
+       forces_of<false, Friction::stribeck>},
+      {forces_of<true, Friction::none>, forces_of<true, Friction::constant>,
+       forces_of<true, Friction::stribeck>}};
   return laws[with_film][int(friction)];
 }
 
@@ -89,7 +103,8 @@ extern "C" {
 void elementary(double exponential_wanted, double n, const double *x, double *one, double *four)
 {
   const int count = int(n);
-  for (int i = 0; i < count; ++i) one[i] = exponential_wanted != 0.0 ? exponential(x[i]) : logarithm(x[i]);
+  for (int i = 0; i < count; ++i)
+    one[i] = exponential_wanted != 0.0 ? exponential(x[i]) : logarithm(x[i]);
   for (int i = 0; i < count; i += lanes) {
     Lane v = all_lanes(1.0);
     for (int k = 0; k < lanes && i + k < count; ++k) v[k] = x[i + k];
@@ -98,11 +113,18 @@ void elementary(double exponential_wanted, double n, const double *x, double *on
   }
 }
 
-// ---- vec3.h -----------------------------------------------------------------------------------------
-void vec3_cross(const double *a, const double *b, double *out) { cross(Vec3::from(a), Vec3::from(b)).to(out); }
+// ---- vec3.h
+// -----------------------------------------------------------------------------------------
+void vec3_cross(const double *a, const double *b, double *out)
+{
+  cross(Vec3::from(a), Vec3::from(b)).to(out);
+}
 double vec3_dot(const double *a, const double *b) { return dot(Vec3::from(a), Vec3::from(b)); }
 double vec3_norm(const double *a) { return norm(Vec3::from(a)); }
-void vec3_rotate(const double *a, const double *w, double *out) { rotate(Vec3::from(a), Vec3::from(w)).to(out); }
+void vec3_rotate(const double *a, const double *w, double *out)
+{
+  rotate(Vec3::from(a), Vec3::from(w)).to(out);
+}
 
 // a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to the numbers of a
 void vec3_algebra(const double *pa, const double *pb, double s, double *out)
@@ -120,7 +142,8 @@ void vec3_algebra(const double *pa, const double *pb, double s, double *out)
   b.add_to(out);
 }
 
-// ---- elliptic.h: K E D -------------------------------------------------------------------------------
+// ---- elliptic.h: K E D
+// -------------------------------------------------------------------------------
 void elliptic(double m1, double *out)
 {
   const EllipticIntegrals v = complete_elliptic(m1);
@@ -129,15 +152,20 @@ void elliptic(double m1, double *out)
   out[2] = v.D;
 }
 
-// ---- hertz.h -----------------------------------------------------------------------------------------
-// kappa Ebar Fbar R K a b p
+// ---- hertz.h
+// ----------------------------------------------------------------------------------------- kappa
+// Ebar Fbar R K a b p
 void hertz(double Rx, double Ry, double Eprime, double form, double *out)
 {
   const HertzContact h = hertz_contact(Rx, Ry, Eprime, Ellipse(int(form)));
-  const double values[] = {h.ellipse.kappa, h.ellipse.Ebar, h.ellipse.Fbar, h.R, h.K, h.a, h.b, h.p};
+  const double values[] = {
+      h.ellipse.kappa, h.ellipse.Ebar, h.ellipse.Fbar, h.R, h.K, h.a, h.b, h.p};
   for (double v : values) *out++ = v;
 }
-double modulus(double E1, double nu1, double E2, double nu2) { return reduced_modulus(E1, nu1, E2, nu2); }
+double modulus(double E1, double nu1, double E2, double nu2)
+{
+  return reduced_modulus(E1, nu1, E2, nu2);
+}
 void radii(double ball, double groove, double pitch, double inner, double cos_angle, double *out)
 {
   const EffectiveRadii r = groove_radii(ball, groove, pitch, inner != 0.0, cos_angle);
@@ -145,11 +173,16 @@ void radii(double ball, double groove, double pitch, double inner, double cos_an
   out[1] = r.y;
 }
 double sphere(double R1, double R2, double Eprime) { return sphere_stiffness(R1, R2, Eprime); }
-double mindlin(double E1, double nu1, double E2, double nu2) { return raceway::tangential_ratio(E1, nu1, E2, nu2); }
+double mindlin(double E1, double nu1, double E2, double nu2)
+{
+  return raceway::tangential_ratio(E1, nu1, E2, nu2);
+}
 
-// ---- film.h ------------------------------------------------------------------------------------------
+// ---- film.h
+// ------------------------------------------------------------------------------------------
 // minimum lnA p m, central lnA p m
-void film(double model, double kappa, double viscosity, double xi, double Eprime, double Rx, double *out)
+void film(double model, double kappa, double viscosity, double xi, double Eprime, double Rx,
+          double *out)
 {
   const FilmPair f = film_laws(FilmModel(int(model)), kappa, {viscosity, xi}, Eprime, Rx);
   const double values[] = {f.min.lnA, f.min.p, f.min.m, f.central.lnA, f.central.p, f.central.m};
@@ -161,16 +194,22 @@ double thickness(double lnA, double p, double m, double speed, double load)
 }
 double roughness(double s1, double s2) { return composite_roughness(s1, s2); }
 
-// ---- damping.h ---------------------------------------------------------------------------------------
+// ---- damping.h
+// ---------------------------------------------------------------------------------------
 double damper_prefactor(double viscosity, double radius, double length_factor)
 {
   return film_damping_prefactor(viscosity, radius, length_factor);
 }
-double film_damper(double prefactor, double a, double h, double floor) { return film_damping(prefactor, a, h, floor); }
+double film_damper(double prefactor, double a, double h, double floor)
+{
+  return film_damping(prefactor, a, h, floor);
+}
 double hysteretic(double alpha_e, double load) { return hysteretic_damping(alpha_e, load); }
 
-// ---- friction.h --------------------------------------------------------------------------------------
-double friction_coefficient(double mu_boundary, double mu_full, double lambda_1, double lambda_2, double lambda)
+// ---- friction.h
+// --------------------------------------------------------------------------------------
+double friction_coefficient(double mu_boundary, double mu_full, double lambda_1, double lambda_2,
+                            double lambda)
 {
   return stribeck({mu_boundary, mu_full, lambda_1, lambda_2}, lambda);
 }
@@ -184,12 +223,16 @@ void friction_spring(double k, double c, double cap, double vt, double vw, doubl
   tangential_force({k, c}, cap, vt, vw, xi, out[0], out[1]);
 }
 
-// ---- groove.h ----------------------------------------------------------------------------------------
+// ---- groove.h
+// ----------------------------------------------------------------------------------------
 double groove_circle(double side, double raceway_radius, double groove, double ball)
 {
   return Groove{Side(int(side)), raceway_radius, groove, ball}.centre_circle();
 }
-double groove_slack(double groove, double ball) { return Groove{Side::inner, 0.0, groove, ball}.slack(); }
+double groove_slack(double groove, double ball)
+{
+  return Groove{Side::inner, 0.0, groove, ball}.slack();
+}
 // u t r z s nu ne
 void groove_locate(const double *d, const double *e, double centre_circle, double *out)
 {
@@ -201,13 +244,18 @@ void groove_locate(const double *d, const double *e, double centre_circle, doubl
   for (double v : values) *out++ = v;
 }
 
-// ---- capacitance.h -----------------------------------------------------------------------------------
+// ---- capacitance.h
+// -----------------------------------------------------------------------------------
 double oil_density(double p) { return density_ratio(p); }
 double permittivity(double ambient, double p) { return permittivity_at(ambient, p); }
-double plate_capacitance(double eps_r, double a, double b, double h) { return contact_capacitance(eps_r, a, b, h); }
+double plate_capacitance(double eps_r, double a, double b, double h)
+{
+  return contact_capacitance(eps_r, a, b, h);
+}
 double ball_capacitance(double inner, double outer) { return series_capacitance(inner, outer); }
 
-// ---- damped_hertz.h: stiffness damping force ---------------------------------------------------------
+// ---- damped_hertz.h: stiffness damping force
+// ---------------------------------------------------------
 void cage_contact(double K, double overlap, double rate, double m, double *out)
 {
   const DampedHertz h = damped_hertz(K, overlap, rate, m);
@@ -216,7 +264,8 @@ void cage_contact(double K, double overlap, double rate, double m, double *out)
   out[2] = h.force;
 }
 
-// ---- rail.h: circle tube offset ----------------------------------------------------------------------
+// ---- rail.h: circle tube offset
+// ----------------------------------------------------------------------
 void rail_seat(double pitch, double ball, double tube, double gap, double sign, double *out)
 {
   const Rail r = seat_rail(pitch, ball, tube, gap, sign);
@@ -229,7 +278,8 @@ double rail_spring(const double *rail, double ball, double pitch, double Eprime)
   return rail_stiffness({rail[0], rail[1], rail[2]}, ball, pitch, Eprime);
 }
 
-// ---- ring_body.h -------------------------------------------------------------------------------------
+// ---- ring_body.h
+// -------------------------------------------------------------------------------------
 void ring_momentum(double axial, double transverse, const double *w, const double *e, double *out)
 {
   angular_momentum({axial, transverse}, Vec3::from(w), Vec3::from(e)).to(out);
@@ -238,12 +288,14 @@ void ring_velocity(double axial, double transverse, const double *L, const doubl
 {
   angular_velocity({axial, transverse}, Vec3::from(L), Vec3::from(e)).to(out);
 }
-void ring_drift(double axial, double transverse, const double *L, const double *e, double h, double *out)
+void ring_drift(double axial, double transverse, const double *L, const double *e, double h,
+                double *out)
 {
   drift_axis({axial, transverse}, Vec3::from(L), Vec3::from(e), h).to(out);
 }
 
-// ---- rolling.h: orbit spin ---------------------------------------------------------------------------
+// ---- rolling.h: orbit spin
+// ---------------------------------------------------------------------------
 void rolling(double ball, double pitch, double inner_speed, double outer_speed, double *out)
 {
   const Rolling r = pure_rolling(ball, pitch, inner_speed, outer_speed);
@@ -251,29 +303,39 @@ void rolling(double ball, double pitch, double inner_speed, double outer_speed, 
   out[1] = r.spin;
 }
 
-// ---- step_limit.h ------------------------------------------------------------------------------------
+// ---- step_limit.h
+// ------------------------------------------------------------------------------------
 double largest_step(double k, double c, double m) { return verlet_step_limit(k, c, m); }
 
-// ---- raceway_law.h and contact.h ---------------------------------------------------------------------
+// ---- raceway_law.h and contact.h
+// ---------------------------------------------------------------------
 double raceway_input_size() { return sizeof(RacewayInput) / sizeof(double); }
-RacewayPhysics *raceway_new(const RacewayInput *in) { return new RacewayPhysics(raceway_from(*in)); }
+RacewayPhysics *raceway_new(const RacewayInput *in)
+{
+  return new RacewayPhysics(raceway_from(*in));
+}
 void raceway_delete(RacewayPhysics *p) { delete p; }
 
 // centre_circle slack largest_overlap roughness inverse_roughness floor kt_ratio ct_factor Eprime
 void raceway_derived(const RacewayPhysics *p, double *out)
 {
-  const double values[] = {p->centre_circle, p->slack, p->largest_overlap, p->roughness, p->inverse_roughness,
-                           p->floor, p->kt_ratio, p->ct_factor, p->material.Eprime()};
+  const double values[] = {p->centre_circle,     p->slack, p->largest_overlap, p->roughness,
+                           p->inverse_roughness, p->floor, p->kt_ratio,        p->ct_factor,
+                           p->material.Eprime()};
   for (double v : values) *out++ = v;
 }
 void raceway_exact(const RacewayPhysics *p, double pitch_radius, double cos_angle, double *out)
 {
   put(raceway_constants(p->groove, pitch_radius, p->material, p->model, cos_angle), out);
 }
-void raceway_table(const RacewayPhysics *p, double cos_angle, double *out) { put(p->law.at(cos_angle), out); }
+void raceway_table(const RacewayPhysics *p, double cos_angle, double *out)
+{
+  put(p->law.at(cos_angle), out);
+}
 void raceway_radial(const RacewayPhysics *p, double *out) { put(p->law.radial(), out); }
 
-// Where there is no contact touch() leaves the frame unset; then it is filled in here, overlap <= 0.
+// Where there is no contact touch() leaves the frame unset; then it is filled in here, overlap <=
+// 0.
 double contact_touch(const RacewayPhysics *p, const double *d, const double *e, double *state)
 {
   ContactState c;
@@ -286,12 +348,14 @@ double contact_touch(const RacewayPhysics *p, const double *d, const double *e, 
   return touching;
 }
 
-// ball: x v w; ring: x v w e; xi (2) is updated; state as put() above; forces: force, ball and ring torque.
-void contact(const RacewayPhysics *p, double with_film, const double *ball, const double *ring, double dt, double *xi,
-             double *state, double *forces)
+// ball: x v w; ring: x v w e; xi (2) is updated; state as put() above; forces: force, ball and ring
+// torque.
+void contact(const RacewayPhysics *p, double with_film, const double *ball, const double *ring,
+             double dt, double *xi, double *state, double *forces)
 {
   const BallState b{Vec3::from(ball), Vec3::from(ball + 3), Vec3::from(ball + 6)};
-  const RingState r{Vec3::from(ring), Vec3::from(ring + 3), Vec3::from(ring + 6), Vec3::from(ring + 9)};
+  const RingState r{Vec3::from(ring), Vec3::from(ring + 3), Vec3::from(ring + 6),
+                    Vec3::from(ring + 9)};
   ContactState c;
   touch(*p, b.x - r.x, r.e, c);
   const ContactForces f = contact_law(with_film != 0.0, p->friction)(*p, b, r, dt, xi, c);

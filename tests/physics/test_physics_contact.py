@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""contact.h: one ball on one raceway, against moving rigid bodies in 40-digit arithmetic and the conservation laws.
+"""contact.h: one ball on one raceway, against moving rigid bodies in 40-digit arithmetic and the
+conservation laws.
 
-Rounding: places are known to 1e-17 m (an ulp of 0.03 m) and the ball is s = 0.2 mm from its circle of groove
-centres, so directions are right to 1e-13 and speeds (100 m/s here at most, cancelling) to 1e-12 of the largest one;
-the overlap (10 um) is right to 1e-12 of itself.
+Rounding: places are known to 1e-17 m (an ulp of 0.03 m) and the ball is s = 0.2 mm from its circle
+of groove centres, so directions are right to 1e-13 and speeds (100 m/s here at most, cancelling) to
+1e-12 of the largest one; the overlap (10 um) is right to 1e-12 of itself.
 """
 
 import mpmath
@@ -21,7 +22,11 @@ def unit(v):
     return np.array(v) / np.linalg.norm(v)
 
 
-AXES = {"straight": np.array([0.0, 0.0, 1.0]), "tilted": unit([0.03, -0.02, 1.0]), "aslant": unit([1.0, -2.0, 0.5])}
+AXES = {
+    "straight": np.array([0.0, 0.0, 1.0]),
+    "tilted": unit([0.03, -0.02, 1.0]),
+    "aslant": unit([1.0, -2.0, 0.5]),
+}
 
 
 def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.0, -35.0, 150.0)):
@@ -39,20 +44,25 @@ def scene(side, axis="tilted", angle=0.4, overlap=1e-5, azimuth=0.7, ring_w=(20.
     return (place, velocity, np.array([90.0, -60.0, -400.0])), ring
 
 
-SCENES = pytest.mark.parametrize("axis, angle, azimuth", [("straight", 0.0, 0.3), ("straight", 0.4, 2.0),
-                                                          ("tilted", -0.6, 4.0), ("aslant", 1.2, 1.0)])
+SCENES = pytest.mark.parametrize(
+    "axis, angle, azimuth",
+    [("straight", 0.0, 0.3), ("straight", 0.4, 2.0), ("tilted", -0.6, 4.0), ("aslant", 1.2, 1.0)],
+)
 
 
 def make(physics, side, friction=CONSTANT, **changes):
-    return physics.raceway_6208(side, **(OIL | dict(friction=friction, mu=0.08, mu_boundary=0.12, mu_full=0.02)
-                                         | changes))
+    return physics.raceway_6208(
+        side, **(OIL | dict(friction=friction, mu=0.08, mu_boundary=0.12, mu_full=0.02) | changes)
+    )
 
 
 def biggest_speed(ball, ring):
     return np.linalg.norm(ball[1]) + BALL * np.linalg.norm(ball[2]) + 0.04 * np.linalg.norm(ring[2])
 
 
-# ---- kinematics ---------------------------------------------------------------------------------------
+# ---- kinematics
+# ---------------------------------------------------------------------------------------
+
 
 @SIDES
 @SCENES
@@ -75,7 +85,9 @@ def test_turning_the_whole_world_changes_no_speed(physics, side, turning):
     moved = [(x, v + np.cross(spin, x - about), w + spin, *rest) for x, v, w, *rest in (ball, ring)]
     still, turned = make(physics, side).contact(ball, ring), make(physics, side).contact(*moved)
     for name in ("overlap_rate", "sliding_t", "sliding_w", "entrainment"):
-        assert getattr(turned, name) == pytest.approx(getattr(still, name), abs=1e-12 * biggest_speed(*moved)), name
+        assert getattr(turned, name) == pytest.approx(
+            getattr(still, name), abs=1e-12 * biggest_speed(*moved)
+        ), name
 
 
 @SIDES
@@ -83,9 +95,13 @@ def test_a_moving_observer_sees_the_same(physics, side):
     ball, ring = scene(side)
     drift = np.array([0.4, -0.7, 0.2])
     still = make(physics, side).contact(ball, ring)
-    moved = make(physics, side).contact((ball[0], ball[1] + drift, ball[2]), (ring[0], ring[1] + drift, *ring[2:]))
+    moved = make(physics, side).contact(
+        (ball[0], ball[1] + drift, ball[2]), (ring[0], ring[1] + drift, *ring[2:])
+    )
     for name in ("overlap_rate", "sliding_t", "sliding_w", "entrainment"):
-        assert getattr(moved, name) == pytest.approx(getattr(still, name), abs=1e-14)  # v - V, an ulp of 2 m/s
+        assert getattr(moved, name) == pytest.approx(
+            getattr(still, name), abs=1e-14
+        )  # v - V, an ulp of 2 m/s
 
 
 @SIDES
@@ -101,14 +117,19 @@ def test_overlap_rate_along_the_motion(physics, side):
     h = 3e-8
     found = (overlap(h) - overlap(-h)) / (2 * h)
     # truncation h^2 v^3/(6 s^2) with v across the normal below 1 m/s; rounding 2e-17 m/h
-    assert ring_model.contact(ball, ring).overlap_rate == pytest.approx(found, abs=h**2 / (6 * SLACK**2) + 2e-17 / h)
+    assert ring_model.contact(ball, ring).overlap_rate == pytest.approx(
+        found, abs=h**2 / (6 * SLACK**2) + 2e-17 / h
+    )
 
 
 @SIDES
 def test_tilting_ring_alone_closes_the_contact(physics, side):
     # ball at rest, ring turning about a line across its axis: d(overlap)/dt = -n.(W x arm)
     ball, ring = scene(side)
-    ball, ring = (ball[0], np.zeros(3), np.zeros(3)), (ring[0], np.zeros(3), np.cross(ring[3], [70.0, 0, 0]), ring[3])
+    ball, ring = (
+        (ball[0], np.zeros(3), np.zeros(3)),
+        (ring[0], np.zeros(3), np.cross(ring[3], [70.0, 0, 0]), ring[3]),
+    )
     state = make(physics, side).contact(ball, ring)
     normal = state.nu * state.u + state.ne * ring[3]
     expected = -normal @ np.cross(ring[2], ball[0] - ring[0])
@@ -120,17 +141,32 @@ def test_tilting_ring_alone_closes_the_contact(physics, side):
 @pytest.mark.parametrize("inner, outer", [(50.0, 0.0), (50.0, -20.0), (0.0, 30.0)])
 def test_pure_rolling_does_not_slide(physics, side, inner, outer):
     motion = physics.rolling(inner, outer)
-    ball = (np.array([0, -PITCH, 0]), np.array([motion.orbit * PITCH, 0, 0]), np.array([0, 0, motion.spin]))
-    ring = (np.zeros(3), np.zeros(3), np.array([0, 0, inner if side == INNER else outer]), AXES["straight"])
-    state = make(physics, side).contact((ball[0] * (1 + (1e-12 if side == OUTER else -1e-12)), *ball[1:]), ring)
+    ball = (
+        np.array([0, -PITCH, 0]),
+        np.array([motion.orbit * PITCH, 0, 0]),
+        np.array([0, 0, motion.spin]),
+    )
+    ring = (
+        np.zeros(3),
+        np.zeros(3),
+        np.array([0, 0, inner if side == INNER else outer]),
+        AXES["straight"],
+    )
+    state = make(physics, side).contact(
+        (ball[0] * (1 + (1e-12 if side == OUTER else -1e-12)), *ball[1:]), ring
+    )
     # the ball is 3e-14 m from the pitch circle, so that it touches at all
     assert state.sliding_t == pytest.approx(0, abs=1e-10)
     # the textbook's (1 - gamma^2)/2 omega r_pitch of the speed difference of the rings
     gamma = BALL / PITCH
-    assert state.entrainment == pytest.approx(abs(inner - outer) * PITCH * (1 - gamma**2) / 2, abs=1e-10)
+    assert state.entrainment == pytest.approx(
+        abs(inner - outer) * PITCH * (1 - gamma**2) / 2, abs=1e-10
+    )
 
 
-# ---- loads --------------------------------------------------------------------------------------------
+# ---- loads
+# --------------------------------------------------------------------------------------------
+
 
 @SIDES
 @pytest.mark.parametrize("angle", [0.0, 0.4, -1.1])
@@ -147,7 +183,9 @@ def test_load_and_stiffness(physics, side, angle):
     normal, h = state.nu * state.u + state.ne * ring[3], 2e-9
     loads = [raceway.contact((ball[0] + step * normal, *ball[1:]), ring).load for step in (h, -h)]
     # truncation (h/overlap)^2/24 of a 3/2 power, rounding 2e-17 m/h
-    assert state.stiffness == pytest.approx((loads[0] - loads[1]) / (2 * h), rel=(h / 1e-5) ** 2 / 24 + 2e-17 / h * 3)
+    assert state.stiffness == pytest.approx(
+        (loads[0] - loads[1]) / (2 * h), rel=(h / 1e-5) ** 2 / 24 + 2e-17 / h * 3
+    )
 
 
 @SIDES
@@ -157,7 +195,8 @@ def test_damping_is_the_slope_of_the_normal_force(physics, side):
     state = raceway.contact(ball, ring)
     normal, step = state.nu * state.u + state.ne * ring[3], 1e-3
     pushed = raceway.contact((ball[0], ball[1] + step * normal, ball[2]), ring)
-    # N is linear in the rate and a push along n leaves U_r alone; rounding: 1e-12 of forces of 1e3 N over C step
+    # N is linear in the rate and a push along n leaves U_r alone; rounding: 1e-12 of forces of 1e3
+    # N over C step
     found = (pushed.normal - state.normal) / step
     assert found == pytest.approx(state.damping, rel=1e-10 + 1e-9 / (state.damping * step))
     assert pushed.overlap_rate - state.overlap_rate == pytest.approx(step, abs=1e-12)
@@ -170,12 +209,22 @@ def test_damping_is_the_sum_of_both_laws(physics, side, angle):
     raceway = make(physics, side, film_floor=1e-9)
     state, c = raceway.contact(ball, ring), raceway.exact(np.cos(angle))
     h_min = np.exp(c.min_lnA) * state.entrainment**c.min_p * state.load**c.min_m
-    fluid = 3 * np.pi * OIL["viscosity"] * c.a * np.sqrt(state.overlap) / np.sqrt(2) * (BALL / h_min) ** 1.5
+    fluid = (
+        3
+        * np.pi
+        * OIL["viscosity"]
+        * c.a
+        * np.sqrt(state.overlap)
+        / np.sqrt(2)
+        * (BALL / h_min) ** 1.5
+    )
     assert state.h_min == pytest.approx(h_min, rel=1e-8)  # the table's promise, times ln U and ln Q
     assert state.lam == pytest.approx(h_min / 50e-9, rel=1e-8)
     assert state.damping == pytest.approx(1.5 * 0.08 * state.load + fluid, rel=3e-8)  # h^-1.5
     dry = make(physics, side, viscosity=0.0).contact(ball, ring)
-    assert [dry.damping, dry.h_min, dry.lam] == pytest.approx([1.5 * 0.08 * dry.load, 0, 0], rel=1e-14)
+    assert [dry.damping, dry.h_min, dry.lam] == pytest.approx(
+        [1.5 * 0.08 * dry.load, 0, 0], rel=1e-14
+    )
 
 
 @SIDES
@@ -185,7 +234,9 @@ def test_at_rest_the_film_is_gone_and_the_damper_stays_finite(physics, side):
     raceway = make(physics, side)
     state, c = raceway.contact(*still), raceway.radial()
     assert [state.entrainment, state.h_min, state.lam, state.overlap_rate] == [0] * 4
-    expected = 1.5 * 0.08 * state.load + c.film_damper * c.a * state.root * raceway.derived().floor ** -1.5
+    expected = (
+        1.5 * 0.08 * state.load + c.film_damper * c.a * state.root * raceway.derived().floor ** -1.5
+    )
     assert state.damping == pytest.approx(expected, rel=1e-14)
     assert state.normal == state.load
     assert make(physics, side, film_floor=1e-7).contact(*still).damping < state.damping
@@ -198,10 +249,16 @@ def test_no_adhesion(physics, side):
     normal = state.nu * state.u + state.ne * ring[3]
     critical = state.load / state.damping + state.overlap_rate  # added to the speed away, N is zero
     for factor, sign in ((0.99, 1), (1.01, 0), (100.0, 0)):
-        away = make(physics, side).contact((ball[0], ball[1] - factor * critical * normal, ball[2]), ring)
+        away = make(physics, side).contact(
+            (ball[0], ball[1] - factor * critical * normal, ball[2]), ring
+        )
         assert np.sign(away.normal) == sign
         assert away.load > 0
-    assert away.force.tolist() == [0, 0, 0] and away.ball_torque.tolist() == [0, 0, 0]  # nor friction
+    assert away.force.tolist() == [0, 0, 0] and away.ball_torque.tolist() == [
+        0,
+        0,
+        0,
+    ]  # nor friction
 
 
 @SIDES
@@ -213,23 +270,31 @@ def test_touch_ends_where_the_overlap_does(physics, side):
         assert touching is expected and state.overlap == pytest.approx(overlap, abs=3e-17)
 
 
-# ---- friction -----------------------------------------------------------------------------------------
+# ---- friction
+# -----------------------------------------------------------------------------------------
+
 
 @SIDES
 def test_friction_constants(physics, side):
     ball, ring = scene(side)
-    state = make(physics, side, tangential_ratio=0.8, tangential_zeta=0.25, mu=0.05).contact(ball, ring)
+    state = make(physics, side, tangential_ratio=0.8, tangential_zeta=0.25, mu=0.05).contact(
+        ball, ring
+    )
     assert [state.mu, state.kt] == pytest.approx([0.05, 0.8 * state.stiffness], rel=1e-15)
     mass = make(physics, side).data["ball_mass"]
     assert state.ct == pytest.approx(2 * 0.25 * np.sqrt(state.kt * 2 / 7 * mass), rel=1e-14)
-    assert np.hypot(state.friction_t, state.friction_w) == pytest.approx(0.05 * state.normal, rel=1e-13)  # sliding
+    assert np.hypot(state.friction_t, state.friction_w) == pytest.approx(
+        0.05 * state.normal, rel=1e-13
+    )  # sliding
 
 
 @SIDES
 @pytest.mark.parametrize("roughness", [20e-9, 120e-9, 900e-9])
 def test_stribeck_friction_follows_the_film(physics, side, roughness):
     ball, ring = scene(side)
-    state = make(physics, side, friction=STRIBECK, ring_roughness=roughness, ball_roughness=0.0).contact(ball, ring)
+    state = make(
+        physics, side, friction=STRIBECK, ring_roughness=roughness, ball_roughness=0.0
+    ).contact(ball, ring)
     assert state.lam == pytest.approx(state.h_min / roughness, rel=1e-15)
     assert state.mu == physics.scalar("friction_coefficient", 0.12, 0.02, 1.0, 3.0, state.lam)
 
@@ -241,7 +306,9 @@ def test_the_spring_is_wound_by_the_slip(physics, side):
     state = raceway.contact(ball, ring, dt=dt, xi=before)
     slip = np.array([state.sliding_t, state.sliding_w])
     assert state.xi == pytest.approx(before + dt * slip, rel=1e-14)
-    assert [state.friction_t, state.friction_w] == pytest.approx(state.kt * state.xi + state.ct * slip, rel=1e-14)
+    assert [state.friction_t, state.friction_w] == pytest.approx(
+        state.kt * state.xi + state.ct * slip, rel=1e-14
+    )
     assert raceway.contact(ball, ring, dt=0.0, xi=before).xi.tolist() == before.tolist()
 
 
@@ -254,11 +321,15 @@ def test_friction_opposes_the_slip(physics, side, direction):
     normal = state.nu * state.u + state.ne * ring[3]
     along = state.t if direction == "sliding_t" else np.cross(normal, state.t)
     slip, force = getattr(state, direction), (state.force - free.force) @ along
-    assert force == pytest.approx(-0.08 * state.normal * slip / np.hypot(state.sliding_t, state.sliding_w), rel=1e-9)
+    assert force == pytest.approx(
+        -0.08 * state.normal * slip / np.hypot(state.sliding_t, state.sliding_w), rel=1e-9
+    )
     assert [free.friction_t, free.friction_w, free.mu] == [0] * 3
 
 
-# ---- balances -----------------------------------------------------------------------------------------
+# ---- balances
+# -----------------------------------------------------------------------------------------
+
 
 @SIDES
 @SCENES
@@ -267,12 +338,18 @@ def test_force_and_torque_act_at_the_contact_point(physics, side, axis, angle, a
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     with mpmath.workdps(DIGITS):
         frame = Reference(ball, ring, CIRCLE[side], BALL).vectors()
-    force = -state.normal * frame["n"] - state.friction_t * frame["t"] - state.friction_w * frame["w"]
+    force = (
+        -state.normal * frame["n"] - state.friction_t * frame["t"] - state.friction_w * frame["w"]
+    )
     size = np.linalg.norm(force)
     assert size > 100 and np.linalg.norm(state.ball_torque) > 0
     assert state.force == pytest.approx(force, abs=1e-12 * size)
-    assert state.ball_torque == pytest.approx(np.cross(BALL * frame["n"], force), abs=1e-12 * size * BALL)
-    assert state.ring_torque == pytest.approx(np.cross(frame["point"] - ring[0], -force), abs=1e-12 * size * PITCH)
+    assert state.ball_torque == pytest.approx(
+        np.cross(BALL * frame["n"], force), abs=1e-12 * size * BALL
+    )
+    assert state.ring_torque == pytest.approx(
+        np.cross(frame["point"] - ring[0], -force), abs=1e-12 * size * PITCH
+    )
 
 
 @SIDES
@@ -282,9 +359,15 @@ def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
     for about in (np.zeros(3), np.array([0.2, -0.1, 0.4])):
-        moment = (state.ball_torque + np.cross(ball[0] - about, state.force)
-                  + state.ring_torque + np.cross(ring[0] - about, -state.force))
-        assert moment == pytest.approx(0, abs=1e-14 * np.linalg.norm(state.force))  # roundings of levers below 1 m
+        moment = (
+            state.ball_torque
+            + np.cross(ball[0] - about, state.force)
+            + state.ring_torque
+            + np.cross(ring[0] - about, -state.force)
+        )
+        assert moment == pytest.approx(
+            0, abs=1e-14 * np.linalg.norm(state.force)
+        )  # roundings of levers below 1 m
 
 
 @SIDES
@@ -293,9 +376,16 @@ def test_power_is_that_of_the_contact(physics, side, axis, angle, azimuth):
     # what both bodies receive is what spring, damper and friction take: ties rates to forces
     ball, ring = scene(side, axis, angle, azimuth=azimuth)
     state = make(physics, side).contact(ball, ring, dt=1e-7)
-    received = (state.force @ (ball[1] - ring[1]) + state.ball_torque @ ball[2] + state.ring_torque @ ring[2])
-    taken = (state.normal * state.overlap_rate + state.friction_t * state.sliding_t
-             + state.friction_w * state.sliding_w)
+    received = (
+        state.force @ (ball[1] - ring[1])
+        + state.ball_torque @ ball[2]
+        + state.ring_torque @ ring[2]
+    )
+    taken = (
+        state.normal * state.overlap_rate
+        + state.friction_t * state.sliding_t
+        + state.friction_w * state.sliding_w
+    )
     scale = np.linalg.norm(state.force) * biggest_speed(ball, ring)
     assert abs(taken) > 1e-4 * scale
     assert received == pytest.approx(-taken, abs=1e-12 * scale)
@@ -310,18 +400,27 @@ def test_direction_in_space_does_not_matter(physics, side):
         return physics.rotate(v, turn)
 
     one = make(physics, side).contact(ball, ring, dt=1e-7)
-    other = make(physics, side).contact([turned(v) for v in ball], [turned(v) for v in ring], dt=1e-7)
+    other = make(physics, side).contact(
+        [turned(v) for v in ball], [turned(v) for v in ring], dt=1e-7
+    )
     for name, lever in (("force", 1.0), ("ball_torque", BALL), ("ring_torque", PITCH)):
         # turning moves the ball by an ulp of its place, 1e-12 of the overlap
-        assert getattr(other, name) == pytest.approx(turned(getattr(one, name)),
-                                                     abs=1e-10 * np.linalg.norm(one.force) * lever)
+        assert getattr(other, name) == pytest.approx(
+            turned(getattr(one, name)), abs=1e-10 * np.linalg.norm(one.force) * lever
+        )
     assert other.load == pytest.approx(one.load, rel=1e-11)
 
 
 @SIDES
 def test_the_sense_of_the_axis_does_not_matter(physics, side):
     ball, ring = scene(side)
-    one, other = (make(physics, side).contact(ball, (*ring[:3], e), dt=1e-7) for e in (ring[3], -ring[3]))
+    one, other = (
+        make(physics, side).contact(ball, (*ring[:3], e), dt=1e-7) for e in (ring[3], -ring[3])
+    )
     for name in ("force", "ball_torque", "ring_torque"):
-        assert getattr(other, name) == pytest.approx(getattr(one, name), abs=1e-12 * np.linalg.norm(one.force))
-    assert [other.entrainment, other.overlap_rate] == pytest.approx([one.entrainment, one.overlap_rate], rel=1e-12)
+        assert getattr(other, name) == pytest.approx(
+            getattr(one, name), abs=1e-12 * np.linalg.norm(one.force)
+        )
+    assert [other.entrainment, other.overlap_rate] == pytest.approx(
+        [one.entrainment, one.overlap_rate], rel=1e-12
+    )

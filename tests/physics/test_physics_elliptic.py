@@ -13,7 +13,8 @@ def test_against_high_precision(physics, m1):
         first, second = mpmath.ellipk(m), mpmath.ellipe(m)
         expected = [float(first), float(second), float((first - second) / m)]
     v = physics.elliptic(m1)
-    # five or so averagings, each a rounding of 1e-16; E = K - m D loses the factor K/E, at most 36 here
+    # five or so averagings, each a rounding of 1e-16; E = K - m D loses the factor K/E, at most 36
+    # here
     assert [v.K, v.D] == pytest.approx([expected[0], expected[2]], rel=2e-15)
     assert v.E == pytest.approx(expected[1], rel=1e-15 * (1 + expected[0] / expected[1]))
 
@@ -27,4 +28,6 @@ def test_circle(physics):
 def test_legendre_relation(physics, m1):
     one, other = physics.elliptic(m1), physics.elliptic(1 - m1)
     # E K' + E' K - K K' = pi/2: terms of order three, each right to 2e-15
-    assert one.E * other.K + other.E * one.K - one.K * other.K == pytest.approx(np.pi / 2, abs=2e-14)
+    assert one.E * other.K + other.E * one.K - one.K * other.K == pytest.approx(
+        np.pi / 2, abs=2e-14
+    )

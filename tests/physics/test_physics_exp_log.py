@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""exp_log.h against mpmath, at the ends of its range, and lane by lane against one number at a time."""
+"""exp_log.h against mpmath, at the ends of its range, and lane by lane against one number at a
+time."""
 
 import mpmath
 import numpy as np
@@ -11,9 +12,31 @@ UNITS = 2.0
 
 def numbers():
     random = np.random.default_rng(20261121)
-    near_one = 1 + np.concatenate([random.uniform(-0.3, 0.42, 300), 10.0 ** random.uniform(-15, -2, 100), -(10.0 ** random.uniform(-15, -2, 100))])
-    return {"exponential": np.concatenate([random.uniform(-708, 709, 500), random.uniform(-40, 5, 500), random.uniform(-1e-3, 1e-3, 100), [0.0]]),
-            "logarithm": np.concatenate([near_one, 10.0 ** random.uniform(-307, 308, 500), 10.0 ** random.uniform(-9, 4, 500), [2.0**-1022, 1.0, 2.0]])}
+    near_one = 1 + np.concatenate(
+        [
+            random.uniform(-0.3, 0.42, 300),
+            10.0 ** random.uniform(-15, -2, 100),
+            -(10.0 ** random.uniform(-15, -2, 100)),
+        ]
+    )
+    return {
+        "exponential": np.concatenate(
+            [
+                random.uniform(-708, 709, 500),
+                random.uniform(-40, 5, 500),
+                random.uniform(-1e-3, 1e-3, 100),
+                [0.0],
+            ]
+        ),
+        "logarithm": np.concatenate(
+            [
+                near_one,
+                10.0 ** random.uniform(-307, 308, 500),
+                10.0 ** random.uniform(-9, 4, 500),
+                [2.0**-1022, 1.0, 2.0],
+            ]
+        ),
+    }
 
 
 @pytest.mark.parametrize("name, exact", [("exponential", mpmath.exp), ("logarithm", mpmath.log)])
@@ -21,7 +44,15 @@ def test_last_place(physics, name, exact):
     x = numbers()[name]
     found = physics.elementary(name, x)[0]
     with mpmath.workprec(160):
-        miss = [abs(float((mpmath.mpf(float(f)) - exact(mpmath.mpf(float(v)))) / mpmath.mpf(float(np.spacing(abs(f)))))) for f, v in zip(found, x)]
+        miss = [
+            abs(
+                float(
+                    (mpmath.mpf(float(f)) - exact(mpmath.mpf(float(v))))
+                    / mpmath.mpf(float(np.spacing(abs(f))))
+                )
+            )
+            for f, v in zip(found, x)
+        ]
     assert max(miss) < UNITS
 
 
@@ -33,7 +64,9 @@ def test_lanes_have_the_bits_of_one_number(physics, name):
 
 
 def test_ends_of_the_range(physics):
-    for found in physics.elementary("exponential", np.array([-709.0, -np.inf, 709.1, np.inf, np.nan, -0.0])):
+    for found in physics.elementary(
+        "exponential", np.array([-709.0, -np.inf, 709.1, np.inf, np.nan, -0.0])
+    ):
         np.testing.assert_array_equal(found, [0, 0, np.inf, np.inf, np.nan, 1])
     for found in physics.elementary("logarithm", np.array([0.0, 5e-324, 2.0**-1023, np.nan, 1.0])):
         np.testing.assert_array_equal(found, [-np.inf, -np.inf, -np.inf, np.nan, 0])

@@ -3,7 +3,6 @@
 
 import numpy as np
 import pytest
-
 from raceway import film as package
 
 CURVE = (0.12, 0.02, 0.8, 2.9)  # mu_boundary mu_full lambda_1 lambda_2
@@ -31,7 +30,9 @@ def test_stribeck_has_no_kink(physics, end):
     h = 1e-4
     inside, outside = (abs(mu(physics, end + side) - mu(physics, end)) / h for side in (-h, h))
     # one side is flat; on the other mu'' = 6 (mu_f - mu_b)/(l2 - l1)^2 makes the quotient mu'' h/2
-    assert sorted([inside, outside]) == pytest.approx([0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12)
+    assert sorted([inside, outside]) == pytest.approx(
+        [0, 0.5 * 6 * 0.10 / 2.1**2 * h], rel=1e-3, abs=1e-12
+    )
 
 
 def test_stribeck_falls_all_the_way(physics):

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""hertz.h against 40-digit arithmetic, the sphere, Hertz's own equations, the Python package and the errata."""
+"""hertz.h against 40-digit arithmetic, the sphere, Hertz's own equations, the Python package and
+the errata."""
 
 import mpmath
 import numpy as np
 import pytest
 from physics_c import BALL, EXACT, HAMROCK, INNER, OUTER, PITCH, PRINTED
-from scipy.integrate import quad
-
 from raceway import hertz as package
+from scipy.integrate import quad
 
 STEEL = 210e9 / (1 - 0.09)
 # Some tens of roundings of 1e-16 and a root found to rounding.
@@ -17,6 +17,7 @@ ROUNDING = 1e-13
 @pytest.mark.parametrize("alpha", [1.0 + 1e-9, 1.01, 1.5, 9.0, 33.0, 1e3, 1e6])
 def test_ellipse_against_high_precision(physics, alpha):
     with mpmath.workdps(40):
+
         def miss(kappa):
             m = 1 - 1 / kappa**2
             first, second = mpmath.ellipk(m), mpmath.ellipe(m)
@@ -31,15 +32,25 @@ def test_ellipse_against_high_precision(physics, alpha):
 
 
 def approach_and_curvatures(a, b, pressure, modulus):
-    """Displacement and curvatures of an elastic half-space pair under p sqrt(1 - x^2/a^2 - y^2/b^2).
+    """Displacement and curvatures of an elastic half-space pair under p sqrt(1 - x^2/a^2 -
+    y^2/b^2).
 
-    Hertz's potential integrals (Johnson 3.39, 4.19) by quadrature, with no elliptic integral in sight: the
-    displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2 + s)(b^2 + s)s), E* = E'/2.
+    Hertz's potential integrals (Johnson 3.39, 4.19) by quadrature, with no elliptic integral in
+    sight: the displacement is (p a b/E*)/2 int (1 - x^2/(a^2 + s) - y^2/(b^2 + s)) ds/sqrt((a^2 +
+    s)(b^2 + s)s), E* = E'/2.
     """
+
     def moment(power_a, power_b):  # s = b^2 t^2 takes the root at 0 away
         def f(t):
             s = (b * t) ** 2
-            return 2 * b / np.sqrt((a * a + s) * (b * b + s)) / (a * a + s) ** power_a / (b * b + s) ** power_b
+            return (
+                2
+                * b
+                / np.sqrt((a * a + s) * (b * b + s))
+                / (a * a + s) ** power_a
+                / (b * b + s) ** power_b
+            )
+
         return quad(f, 0, np.inf, epsabs=0, epsrel=1e-12, limit=400)[0]
 
     factor = pressure * a * b / modulus
@@ -65,22 +76,30 @@ def test_circle_is_the_sphere(physics, form):
     # the exact root is bracketed to 1e-12 in ln kappa, where K is stationary; the semi-axes are not
     assert h.K == pytest.approx(sphere, rel=ROUNDING)
     assert physics.scalar("sphere", r1, r2, STEEL) == pytest.approx(sphere, rel=1e-15)
-    assert [h.kappa, h.a, h.b] == pytest.approx([1, np.sqrt(2e-3), np.sqrt(2e-3)], rel=2e-12)  # a = sqrt(R overlap)
+    assert [h.kappa, h.a, h.b] == pytest.approx(
+        [1, np.sqrt(2e-3), np.sqrt(2e-3)], rel=2e-12
+    )  # a = sqrt(R overlap)
 
 
 @pytest.mark.parametrize("nearly", [1e-12, 1e-9, 1e-6, 1e-3])
 def test_the_sphere_is_approached_linearly(physics, nearly):
     # K depends on both curvatures alike at the circle: K(R, R(1+d)) = K(R, R)(1 + d/4 + O(d^2))
     h = physics.hertz(2e-3, 2e-3 * (1 + nearly), STEEL)
-    assert h.K == pytest.approx(2 / 3 * STEEL * np.sqrt(2e-3) * (1 + nearly / 4), rel=nearly**2 + ROUNDING)
+    assert h.K == pytest.approx(
+        2 / 3 * STEEL * np.sqrt(2e-3) * (1 + nearly / 4), rel=nearly**2 + ROUNDING
+    )
 
 
 @pytest.mark.parametrize("form", [EXACT, HAMROCK, PRINTED])
 @pytest.mark.parametrize("ratio", [1.7, 33.0])
 def test_below_one_the_axes_change_places(physics, ratio, form):
-    one, other = physics.hertz(2e-3, 2e-3 * ratio, STEEL, form), physics.hertz(2e-3 * ratio, 2e-3, STEEL, form)
+    one, other = (
+        physics.hertz(2e-3, 2e-3 * ratio, STEEL, form),
+        physics.hertz(2e-3 * ratio, 2e-3, STEEL, form),
+    )
     assert [other.kappa, other.K, other.a, other.b, other.p, other.R] == pytest.approx(
-        [1 / one.kappa, one.K, one.b, one.a, one.p, one.R], rel=ROUNDING)
+        [1 / one.kappa, one.K, one.b, one.a, one.p, one.R], rel=ROUNDING
+    )
     assert one.kappa > 1 and one.a / one.b == pytest.approx(one.kappa, rel=ROUNDING)
 
 
@@ -91,10 +110,14 @@ def test_a_conformal_groove_gives_no_number(physics):
 
 
 def test_nearly_conformal_is_stiffer_without_bound(physics):
-    # the package's ellipk(1 - 1/kappa^2) keeps twelve digits down to a gap of 1e-4 of the ball's radius
+    # the package's ellipk(1 - 1/kappa^2) keeps twelve digits down to a gap of 1e-4 of the ball's
+    # radius
     grooves = BALL * (1 + np.array([1e-1, 1e-2, 1e-3, 1e-4]))
     stiffness = [physics.hertz(*physics.radii(INNER, groove=groove), STEEL).K for groove in grooves]
-    expected = [package.stiffness(package.exact(*physics.radii(INNER, groove=groove)), STEEL) for groove in grooves]
+    expected = [
+        package.stiffness(package.exact(*physics.radii(INNER, groove=groove)), STEEL)
+        for groove in grooves
+    ]
     assert stiffness == pytest.approx(expected, rel=1e-12)
     assert np.all(np.diff(stiffness) > 0)
 
@@ -109,13 +132,16 @@ def test_fits_as_written(physics, form):
     curve = 5e-3 * alpha / (1 + alpha)
     # eq 2 in its own symbols: 2 pi kappa G/(1 - nu) sqrt(2 E R/(9 F^3)), G = E/(2(1 + nu))
     shear = 210e9 / 2.6
-    assert h.K == pytest.approx(2 * np.pi * kappa * shear / 0.7 * np.sqrt(2 * second * curve / (9 * first**3)),
-                                rel=ROUNDING)
+    assert h.K == pytest.approx(
+        2 * np.pi * kappa * shear / 0.7 * np.sqrt(2 * second * curve / (9 * first**3)), rel=ROUNDING
+    )
 
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_errata_the_printed_integral_is_32_per_cent_too_stiff(physics, side):
-    exact, fit, printed = (physics.hertz(*physics.radii(side), STEEL, form).K for form in (EXACT, HAMROCK, PRINTED))
+    exact, fit, printed = (
+        physics.hertz(*physics.radii(side), STEEL, form).K for form in (EXACT, HAMROCK, PRINTED)
+    )
     assert fit == pytest.approx(exact, rel=0.03)  # what Hamrock and Brewe claim
     assert printed / exact == pytest.approx(1.32, abs=0.02)
 
@@ -127,22 +153,27 @@ def test_errata_equation_3_has_an_extra_factor(physics):
     assert modulus == pytest.approx(2 * e_star, rel=1e-15)
     r_eq = 6.3e-3 * 4.19e-3 / (6.3e-3 + 4.19e-3)
     printed = 4 * e_star * np.sqrt(r_eq) / (3 * (1 - 0.3))
-    assert printed / physics.scalar("sphere", 6.3e-3, 4.19e-3, modulus) == pytest.approx(1 / 0.7, rel=1e-15)
+    assert printed / physics.scalar("sphere", 6.3e-3, 4.19e-3, modulus) == pytest.approx(
+        1 / 0.7, rel=1e-15
+    )
     assert 1 / 0.7 == pytest.approx(1.43, abs=0.005)
 
 
 def test_like_bodies_have_the_plane_strain_modulus(physics):
     assert physics.scalar("modulus", 210e9, 0.3, 210e9, 0.3) == pytest.approx(STEEL, rel=1e-15)
     # on a rigid body only the soft one gives
-    assert physics.scalar("modulus", 3.3e9, 0.41, 1e30, 0.3) == pytest.approx(2 * 3.3e9 / (1 - 0.41**2), rel=1e-15)
+    assert physics.scalar("modulus", 3.3e9, 0.41, 1e30, 0.3) == pytest.approx(
+        2 * 3.3e9 / (1 - 0.41**2), rel=1e-15
+    )
 
 
 @pytest.mark.parametrize("side, sign", [(INNER, -1), (OUTER, 1)])
 @pytest.mark.parametrize("angle", [0.0, 0.5, 1.4, np.pi / 2])
 def test_effective_radii_are_the_curvatures_of_the_surfaces(physics, side, sign, angle):
     r_x, r_y = physics.radii(side, np.cos(angle))
-    # along rolling a raceway's normal curvature is that of its parallel by Meusnier: cos(angle)/radius of the contact
-    # point, convex inside and concave outside; the contact point is R_b cos(angle) from the pitch circle
+    # along rolling a raceway's normal curvature is that of its parallel by Meusnier:
+    # cos(angle)/radius of the contact point, convex inside and concave outside; the contact point
+    # is R_b cos(angle) from the pitch circle
     contact = PITCH + sign * BALL * np.cos(angle)
     curvature = 1 / BALL - sign * np.cos(angle) / contact
     assert [1 / r_x, 1 / r_y] == pytest.approx([curvature, 1 / BALL - 1 / 6.552e-3], rel=1e-13)
@@ -150,7 +181,9 @@ def test_effective_radii_are_the_curvatures_of_the_surfaces(physics, side, sign,
 
 @pytest.mark.parametrize("nu", [0.0, 0.3, 0.5])
 def test_mindlin_of_like_bodies(physics, nu):
-    assert physics.scalar("mindlin", 2e11, nu, 2e11, nu) == pytest.approx(2 * (1 - nu) / (2 - nu), rel=1e-15)
+    assert physics.scalar("mindlin", 2e11, nu, 2e11, nu) == pytest.approx(
+        2 * (1 - nu) / (2 - nu), rel=1e-15
+    )
 
 
 def test_mindlin_of_unlike_bodies_adds_compliances(physics):
@@ -158,7 +191,9 @@ def test_mindlin_of_unlike_bodies_adds_compliances(physics):
     bodies = ((210e9, 0.3), (3.3e9, 0.41))
     tangential = sum((2 - nu) * 2 * (1 + nu) / (8 * young) for young, nu in bodies)
     normal = sum((1 - nu**2) / (2 * young) for young, nu in bodies)
-    assert physics.scalar("mindlin", *bodies[0], *bodies[1]) == pytest.approx(normal / tangential, rel=1e-14)
+    assert physics.scalar("mindlin", *bodies[0], *bodies[1]) == pytest.approx(
+        normal / tangential, rel=1e-14
+    )
 
 
 @pytest.mark.parametrize("ratio", [0.02, 0.4, 0.95, 1.0, 1.05, 3.0, 9.0, 33.0, 500.0])
@@ -170,7 +205,15 @@ def test_the_python_package_agrees(physics, ratio):
     a, b = package.semi_axes(ellipse, STEEL, load)
     root = np.sqrt(overlap)
     assert [h.K, h.R, h.a * root, h.b * root, h.p * root] == pytest.approx(
-        [package.stiffness(ellipse, STEEL), ellipse.radius, a, b, package.pressure(ellipse, STEEL, load)], rel=1e-12)
+        [
+            package.stiffness(ellipse, STEEL),
+            ellipse.radius,
+            a,
+            b,
+            package.pressure(ellipse, STEEL, load),
+        ],
+        rel=1e-12,
+    )
     assert h.kappa == pytest.approx(ellipse.kappa, rel=1e-12)
     if ratio >= 1:
         assert [h.Fbar, h.Ebar] == pytest.approx([ellipse.first, ellipse.second], rel=1e-12)
@@ -182,9 +225,11 @@ def test_the_python_package_agrees_on_the_fits(physics, ratio, form):
     ellipse = package.hamrock_brewe(5e-3, 5e-3 * ratio, printed=form == PRINTED)
     h = physics.hertz(5e-3, 5e-3 * ratio, STEEL, form)
     assert [h.kappa, h.Fbar, h.Ebar, h.K] == pytest.approx(
-        [ellipse.kappa, ellipse.first, ellipse.second, package.stiffness(ellipse, STEEL)], rel=1e-12)
+        [ellipse.kappa, ellipse.first, ellipse.second, package.stiffness(ellipse, STEEL)], rel=1e-12
+    )
 
 
 def test_the_python_package_agrees_on_spheres(physics):
     assert physics.scalar("sphere", 6.3e-3, 4.19e-3, 8e9) == pytest.approx(
-        package.sphere_stiffness(4e9, 1 / (1 / 6.3e-3 + 1 / 4.19e-3)), rel=1e-12)
+        package.sphere_stiffness(4e9, 1 / (1 / 6.3e-3 + 1 / 4.19e-3)), rel=1e-12
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""docs/theory, Numbers to reproduce and Table 3 of the paper from the headers' constants: static theory of a 6208 at 5 kN."""
+"""docs/theory, Numbers to reproduce and Table 3 of the paper from the headers' constants: static
+theory of a 6208 at 5 kN."""
 
 import numpy as np
 import pytest
@@ -19,9 +20,12 @@ def ball_loads(series, shift, clearance):
 
 
 def equilibrium(physics, load, clearance=0.0, form=EXACT):
-    """(shift, loads of the balls) of an inner ring pushed towards ball 0, balls in balance between the raceways."""
+    """(shift, loads of the balls) of an inner ring pushed towards ball 0, balls in balance between
+    the raceways."""
     series = np.sum(np.array(stiffness(physics, form)) ** (-2 / 3)) ** -1.5
-    shift = brentq(lambda s: ball_loads(series, s, clearance) @ np.cos(PSI) - load, 1e-7, 2e-4, xtol=1e-15)
+    shift = brentq(
+        lambda s: ball_loads(series, s, clearance) @ np.cos(PSI) - load, 1e-7, 2e-4, xtol=1e-15
+    )
     return shift, ball_loads(series, shift, clearance)
 
 
@@ -37,7 +41,9 @@ def test_5_kn(physics):
     assert shift == pytest.approx(34.87e-6, abs=0.005e-6)
 
 
-@pytest.mark.parametrize("side, a, b, p", [(INNER, 2.059, 0.2197, 2571), (OUTER, 1.993, 0.2749, 2123)])
+@pytest.mark.parametrize(
+    "side, a, b, p", [(INNER, 2.059, 0.2197, 2571), (OUTER, 1.993, 0.2749, 2123)]
+)
 def test_ellipse_and_pressure(physics, side, a, b, p):
     h = physics.hertz(*physics.radii(side), STEEL)
     root = (2436.2 / h.K) ** (1 / 3)  # of the overlap
@@ -57,24 +63,48 @@ def parameter(physics, ratio, form):
     return 0.5 * (1 - clearance / (2 * equilibrium(physics, 5000.0, clearance, form)[0]))
 
 
-# form: the load parameters of docs/errata at P_d/D, to the digits and ranges (ball phase) given there
-@pytest.mark.parametrize("form, expected", [
-    (EXACT, {-0.0045: (1.699, 5e-4), -0.0035: (1.317, 5e-4), 0.0: (0.5, 1e-12), 0.0035: (0.319, 1.5e-3),
-             0.0045: (0.292, 1.5e-3)}),
-    (PRINTED, {-0.0045: (2.09, 5e-3), -0.0035: (1.58, 5e-3), 0.0: (0.5, 1e-12), 0.0035: (0.30, 5e-3),
-               0.0045: (0.27, 5e-3)})])
+# form: the load parameters of docs/errata at P_d/D, to the digits and ranges (ball phase) given
+# there
+@pytest.mark.parametrize(
+    "form, expected",
+    [
+        (
+            EXACT,
+            {
+                -0.0045: (1.699, 5e-4),
+                -0.0035: (1.317, 5e-4),
+                0.0: (0.5, 1e-12),
+                0.0035: (0.319, 1.5e-3),
+                0.0045: (0.292, 1.5e-3),
+            },
+        ),
+        (
+            PRINTED,
+            {
+                -0.0045: (2.09, 5e-3),
+                -0.0035: (1.58, 5e-3),
+                0.0: (0.5, 1e-12),
+                0.0035: (0.30, 5e-3),
+                0.0045: (0.27, 5e-3),
+            },
+        ),
+    ],
+)
 def test_errata_load_parameters(physics, form, expected):
     for ratio, (value, digits) in expected.items():
         assert parameter(physics, ratio, form) == pytest.approx(value, abs=digits), ratio
 
 
 def test_errata_of_table_3(physics):
-    assert [parameter(physics, ratio, EXACT) for ratio in (-0.002, 0.002)] == pytest.approx([0.821, 0.373], abs=5e-3)
+    assert [parameter(physics, ratio, EXACT) for ratio in (-0.002, 0.002)] == pytest.approx(
+        [0.821, 0.373], abs=5e-3
+    )
 
 
 def test_the_contacts_themselves_balance_the_load(physics):
-    # geometry and all: each ball settles on its radius between the grooves, and the inner ring stays a circle, which
-    # the theory neglects off the load line (0.4 % of a ball 80 degrees away, raceway.static)
+    # geometry and all: each ball settles on its radius between the grooves, and the inner ring
+    # stays a circle, which the theory neglects off the load line (0.4 % of a ball 80 degrees away,
+    # raceway.static)
     shift, loads = equilibrium(physics, 5000.0)
     inner, outer = physics.raceway_6208(INNER), physics.raceway_6208(OUTER)
     axis, still = np.array([0.0, 0.0, 1.0]), np.zeros(3)
@@ -90,7 +120,10 @@ def test_the_contacts_themselves_balance_the_load(physics):
         direction = np.array([np.cos(psi), np.sin(psi), 0.0])
 
         def net(r):
-            return (push(inner, r * direction, ring) + push(outer, r * direction, still)) @ direction
+            return (
+                push(inner, r * direction, ring) + push(outer, r * direction, still)
+            ) @ direction
+
         r = brentq(net, PITCH - 5e-5, PITCH + 5e-5, xtol=1e-16)
         return push(inner, r * direction, ring)
 

@@ -3,15 +3,28 @@
 
 import numpy as np
 import pytest
-from physics_c import (BALL, CONSTANTS, EXACT, HAMROCK, HAMROCK_DOWSON, INNER, MASJEDI, MASJEDI_PRINTED, OIL, OUTER,
-                       PRINTED)
+from physics_c import (
+    BALL,
+    CONSTANTS,
+    EXACT,
+    HAMROCK,
+    HAMROCK_DOWSON,
+    INNER,
+    MASJEDI,
+    MASJEDI_PRINTED,
+    OIL,
+    OUTER,
+    PRINTED,
+)
 
 STEEL = 210e9 / (1 - 0.09)
 
 
 def compare(one, other, rel, ln_abs):
     for name in CONSTANTS:
-        bound = dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)  # ln A: its error is h's relative one
+        bound = (
+            dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)
+        )  # ln A: its error is h's relative one
         assert getattr(one, name) == pytest.approx(getattr(other, name), **bound), name
 
 
@@ -21,18 +34,33 @@ def compare(one, other, rel, ln_abs):
 def test_table_against_the_exact_constants(physics, side, ellipse, film):
     ring = physics.raceway_6208(side, ellipse=ellipse, film=film, damper_rolling_radius=1, **OIL)
     # off the nodes, where a four-point cubic is worst, and at both ends
-    for cosine in [0.0, 1e-9, 0.5 / 64, *(np.arange(0.37, 64, 1.33) / 64), 63.5 / 64, 1 - 1e-11, 1.0]:
+    for cosine in [
+        0.0,
+        1e-9,
+        0.5 / 64,
+        *(np.arange(0.37, 64, 1.33) / 64),
+        63.5 / 64,
+        1 - 1e-11,
+        1.0,
+    ]:
         found, exact = ring.table(cosine), ring.exact(cosine)
         compare(found, exact, rel=1e-9, ln_abs=1e-9)  # the header's promise
         for which in ("min", "central"):
-            h = [c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)
-                 for c in (vars(found), vars(exact))]
+            h = [
+                c[which + "_lnA"] + c[which + "_p"] * np.log(1e-3) + c[which + "_m"] * np.log(5e3)
+                for c in (vars(found), vars(exact))
+            ]
             assert h[0] == pytest.approx(h[1], abs=1e-8)  # of a film: ln u and ln Q magnify by ten
 
 
 def test_nodes_are_exact(physics):
     ring = physics.raceway_6208(INNER, **OIL)
-    for node in (1, 16, 32, 63):  # interpolation returns the node to rounding (ln A to that of numbers near 30)
+    for node in (
+        1,
+        16,
+        32,
+        63,
+    ):  # interpolation returns the node to rounding (ln A to that of numbers near 30)
         compare(ring.table(node / 64), ring.exact(node / 64), rel=1e-14, ln_abs=1e-14 * 30)
 
 
@@ -46,21 +74,41 @@ def test_radial_constants_are_those_at_angle_zero(physics):
 @pytest.mark.parametrize("angle", [0.0, 0.7, np.pi / 2])
 def test_constants_are_those_of_the_parts(physics, side, angle):
     cosine = np.cos(angle)
-    ring = physics.raceway_6208(side, film=MASJEDI_PRINTED, ball_young=300e9, ball_poisson=0.26, **OIL)
+    ring = physics.raceway_6208(
+        side, film=MASJEDI_PRINTED, ball_young=300e9, ball_poisson=0.26, **OIL
+    )
     modulus = physics.scalar("modulus", 300e9, 0.26, 210e9, 0.3)
     r_x, r_y = physics.radii(side, cosine)
     h = physics.hertz(r_x, r_y, modulus)
     c = ring.exact(cosine)
-    laws = physics.array("film", 6, MASJEDI_PRINTED, h.kappa, OIL["viscosity"], OIL["pressure_viscosity"], modulus, r_x)
-    expected = [h.K, h.a, h.b, h.p, *laws, physics.scalar("damper_prefactor", OIL["viscosity"], BALL, 1.0)]
+    laws = physics.array(
+        "film",
+        6,
+        MASJEDI_PRINTED,
+        h.kappa,
+        OIL["viscosity"],
+        OIL["pressure_viscosity"],
+        modulus,
+        r_x,
+    )
+    expected = [
+        h.K,
+        h.a,
+        h.b,
+        h.p,
+        *laws,
+        physics.scalar("damper_prefactor", OIL["viscosity"], BALL, 1.0),
+    ]
     assert list(vars(c).values()) == expected
     assert ring.derived().modulus == modulus
 
 
 def test_options_of_the_film_damper(physics):
     r_x, _ = physics.radii(INNER)
-    plain, full, rolling = (physics.raceway_6208(INNER, **OIL, **options).radial().film_damper
-                            for options in ({}, dict(damper_full_axis=1), dict(damper_rolling_radius=1)))
+    plain, full, rolling = (
+        physics.raceway_6208(INNER, **OIL, **options).radial().film_damper
+        for options in ({}, dict(damper_full_axis=1), dict(damper_rolling_radius=1))
+    )
     assert [full / plain, rolling / plain] == pytest.approx([2, (r_x / BALL) ** 1.5], rel=1e-14)
 
 
@@ -83,12 +131,20 @@ def test_prepared_constants(physics):
     ring = physics.raceway_6208(INNER, **OIL, overlap_limit=0.05)
     d = ring.derived()
     sigma = np.hypot(40e-9, 30e-9)
-    assert [d.centre_circle, d.slack, d.largest_overlap, d.roughness, d.inverse_roughness, d.floor] == pytest.approx(
-        [30.552e-3, 0.252e-3, 0.05 * BALL, sigma, 1 / sigma, sigma], rel=1e-13)
+    assert [
+        d.centre_circle,
+        d.slack,
+        d.largest_overlap,
+        d.roughness,
+        d.inverse_roughness,
+        d.floor,
+    ] == pytest.approx([30.552e-3, 0.252e-3, 0.05 * BALL, sigma, 1 / sigma, sigma], rel=1e-13)
     assert d.kt_ratio == pytest.approx(2 * (1 - 0.3) / (2 - 0.3), rel=1e-15)
     # a rolling solid sphere gives way as 1/m + R^2/(2/5 m R^2) = 7/(2 m)
     mass = ring.data["ball_mass"]
-    assert d.ct_factor == pytest.approx(2 * 0.3 * np.sqrt(1 / (1 / mass + 1 / (0.4 * mass))), rel=1e-14)
+    assert d.ct_factor == pytest.approx(
+        2 * 0.3 * np.sqrt(1 / (1 / mass + 1 / (0.4 * mass))), rel=1e-14
+    )
     given = physics.raceway_6208(INNER, **OIL, film_floor=1e-8, tangential_ratio=0.7).derived()
     assert [given.floor, given.kt_ratio] == [1e-8, 0.7]
     assert physics.raceway_6208(INNER).derived().inverse_roughness == 0

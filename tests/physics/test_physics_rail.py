@@ -4,9 +4,8 @@
 import numpy as np
 import pytest
 from physics_c import PITCH
-from scipy.optimize import brentq
-
 from raceway import hertz as package
+from scipy.optimize import brentq
 
 BALL, TUBE, MODULUS = 4.19e-3, 1.0e-3, 7.9e9
 
@@ -31,7 +30,8 @@ def test_a_centred_ball_is_a_gap_away(physics, gap, sign):
 
 
 def test_the_pair_of_rails_is_a_stable_seat(physics):
-    # energy of the springs of both rails along any push that goes outwards or sideways, and the neutral inward way
+    # energy of the springs of both rails along any push that goes outwards or sideways, and the
+    # neutral inward way
     rails = [seat(physics, 0.0, sign) for sign in (1.0, -1.0)]
 
     def squeeze(dr, dz):
@@ -44,46 +44,66 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
     for sign in (1, -1):
         up = squeeze(0.0, sign * step)
         assert up[::sign] == pytest.approx([step / np.sqrt(2), 0.0], abs=step**2 / (BALL + TUBE))
-    assert squeeze(-step, 0.0).tolist() == [0, 0]  # inwards the ball leaves, and the balls push it back
+    assert squeeze(-step, 0.0).tolist() == [
+        0,
+        0,
+    ]  # inwards the ball leaves, and the balls push it back
 
 
 def curvature_along(rail, angle):
-    """Curvature of the tube's surface about the ring axis at a point seen at `angle` from the seat, by differences.
+    """Curvature of the tube's surface about the ring axis at a point seen at `angle` from the seat,
+    by differences.
 
-    The gap between the torus and the tangent plane at the point nearest to the ball, along the parallel direction.
+    The gap between the torus and the tangent plane at the point nearest to the ball, along the
+    parallel direction.
     """
     direction = np.array([np.cos(angle), np.sin(angle)])  # from ball to rail in (r, z)
     foot = np.array([rail[0], rail[2]]) - rail[1] * direction
     point, normal = np.array([foot[0], 0.0, foot[1]]), np.array([direction[0], 0.0, direction[1]])
 
-    def height(y):  # where the surface is, along the normal, at y along the circle: |q - circle| = tube
+    def height(
+        y,
+    ):  # where the surface is, along the normal, at y along the circle: |q - circle| = tube
         def outside(t):
             q = point + y * np.array([0, 1, 0]) + t * normal
             return np.hypot(np.hypot(q[0], q[1]) - rail[0], q[2] - rail[2]) - rail[1]
+
         return brentq(outside, -0.2 * rail[1], 0.2 * rail[1], xtol=1e-18, rtol=1e-14)
 
     y = 2e-5
-    # height = c y^2/2 up to a relative y^2/(4 r tube), 7e-6 for the thinnest tube; rounding 1e-17/y^2 is less
+    # height = c y^2/2 up to a relative y^2/(4 r tube), 7e-6 for the thinnest tube; rounding
+    # 1e-17/y^2 is less
     return 2 * height(y) / y**2
 
 
 @pytest.mark.parametrize("tube", [0.5e-3, 1.0e-3, 3.0e-3])
 def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
     rail = seat(physics, tube=tube)
-    # towards positive heights along the normal the surface bends away from the ball: negative is towards it
+    # towards positive heights along the normal the surface bends away from the ball: negative is
+    # towards it
     along = 1 / BALL + curvature_along(rail, np.pi / 4)
     across = 1 / BALL + 1 / tube
     expected = package.stiffness(package.exact(1 / along, 1 / across), MODULUS)
-    assert 1 / BALL - along == pytest.approx(np.cos(np.pi / 4) / (PITCH + BALL * np.cos(np.pi / 4)), rel=2e-5)
+    assert 1 / BALL - along == pytest.approx(
+        np.cos(np.pi / 4) / (PITCH + BALL * np.cos(np.pi / 4)), rel=2e-5
+    )
     # the curvature's 7e-6 is a share of a tenth of `along`
-    assert physics.scalar("rail_spring", rail, BALL, PITCH, MODULUS) == pytest.approx(expected, rel=1e-5)
+    assert physics.scalar("rail_spring", rail, BALL, PITCH, MODULUS) == pytest.approx(
+        expected, rel=1e-5
+    )
 
 
 def test_a_rail_straight_overhead_and_one_at_the_side(physics):
-    for rail, curvature in (((PITCH + BALL + TUBE, TUBE, 0.0), 1 / BALL - 1 / (PITCH + BALL)),  # concave, by all of it
-                            ((PITCH, TUBE, BALL + TUBE), 1 / BALL)):  # above: the parallel does not bend
-        expected = package.stiffness(package.exact(1 / curvature, 1 / (1 / BALL + 1 / TUBE)), MODULUS)
-        assert physics.scalar("rail_spring", rail, BALL, PITCH, MODULUS) == pytest.approx(expected, rel=1e-12)
+    for rail, curvature in (
+        ((PITCH + BALL + TUBE, TUBE, 0.0), 1 / BALL - 1 / (PITCH + BALL)),  # concave, by all of it
+        ((PITCH, TUBE, BALL + TUBE), 1 / BALL),
+    ):  # above: the parallel does not bend
+        expected = package.stiffness(
+            package.exact(1 / curvature, 1 / (1 / BALL + 1 / TUBE)), MODULUS
+        )
+        assert physics.scalar("rail_spring", rail, BALL, PITCH, MODULUS) == pytest.approx(
+            expected, rel=1e-12
+        )
 
 
 def test_a_thin_ball_far_out_meets_a_straight_cylinder(physics):
@@ -91,4 +111,6 @@ def test_a_thin_ball_far_out_meets_a_straight_cylinder(physics):
     pitch = 1e6 * BALL
     rail = physics.array("rail_seat", 3, pitch, BALL, TUBE, 0.0, 1.0)
     expected = package.stiffness(package.exact(BALL, 1 / (1 / BALL + 1 / TUBE)), MODULUS)
-    assert physics.scalar("rail_spring", rail, BALL, pitch, MODULUS) == pytest.approx(expected, rel=2e-6)
+    assert physics.scalar("rail_spring", rail, BALL, pitch, MODULUS) == pytest.approx(
+        expected, rel=2e-6
+    )

@@ -41,7 +41,9 @@ def test_free_precession_is_of_second_order(physics):
     L, time = momentum(physics), 5e-3
     expected = precessed(physics, L, AXIS, time)
     assert np.linalg.norm(expected - AXIS) > 0.1
-    errors = [np.linalg.norm(drift(physics, L, AXIS, time / n, n) - expected) for n in (200, 400, 800)]
+    errors = [
+        np.linalg.norm(drift(physics, L, AXIS, time / n, n) - expected) for n in (200, 400, 800)
+    ]
     # ratios of 4 up to terms of the next orders, (w h)^2 = 1e-4
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
     assert errors[1] / errors[2] == pytest.approx(4, rel=0.01)
@@ -50,7 +52,10 @@ def test_free_precession_is_of_second_order(physics):
 
 def test_one_step_misses_by_the_third_power(physics):
     L = momentum(physics)
-    errors = [np.linalg.norm(drift(physics, L, AXIS, h) - precessed(physics, L, AXIS, h)) for h in (2e-5, 1e-5)]
+    errors = [
+        np.linalg.norm(drift(physics, L, AXIS, h) - precessed(physics, L, AXIS, h))
+        for h in (2e-5, 1e-5)
+    ]
     assert errors[0] / errors[1] == pytest.approx(8, rel=0.05)  # next order: w h = 1e-2
 
 
@@ -73,4 +78,6 @@ def test_drift_can_be_undone_to_third_order(physics):
 def test_a_sphere_turns_about_its_momentum(physics):
     L = np.array([1.0, 2.0, 3.0]) * 1e-2
     found = physics.array("ring_drift", 3, 2e-4, 2e-4, L, AXIS, 1e-3)
-    assert found == pytest.approx(physics.rotate(AXIS, L * 1e-3 / 2e-4), abs=2e-15)  # exact when I_a = I_t
+    assert found == pytest.approx(
+        physics.rotate(AXIS, L * 1e-3 / 2e-4), abs=2e-15
+    )  # exact when I_a = I_t

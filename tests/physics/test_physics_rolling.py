@@ -4,7 +4,6 @@
 import numpy as np
 import pytest
 from physics_c import BALL, PITCH
-
 from raceway.bearing import Bearing
 from raceway.kinematics import frequencies
 
@@ -25,9 +24,16 @@ def test_both_rings_together_carry_the_balls_along(physics):
     assert [motion.orbit, motion.spin] == pytest.approx([40, 40], rel=1e-14)
 
 
-def test_frequencies_of_the_6208(physics):  # docs/theory, Numbers to reproduce, to the digits given there
+def test_frequencies_of_the_6208(
+    physics,
+):  # docs/theory, Numbers to reproduce, to the digits given there
     motion = physics.rolling(1.0)
-    found = [motion.orbit, 9 * motion.orbit, 9 * (1 - motion.orbit), abs(motion.spin - motion.orbit)]
+    found = [
+        motion.orbit,
+        9 * motion.orbit,
+        9 * (1 - motion.orbit),
+        abs(motion.spin - motion.orbit),
+    ]
     assert found == pytest.approx([0.39604, 3.5644, 5.4356, 2.3008], abs=5e-5)
     assert found == pytest.approx(list(frequencies(SIX_TWO_0_8)), rel=1e-13)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""step_limit.h, proven by stepping: velocity Verlet as the host does it, just below and just above the limit."""
+"""step_limit.h, proven by stepping: velocity Verlet as the host does it, just below and just above
+the limit."""
 
 import numpy as np
 import pytest
@@ -9,7 +10,8 @@ SPRING, DAMPER = 4.19e8, 2 * 8.7e3
 
 
 def verlet(k, c, m, step, steps):
-    """Largest size of (x, v in natural units) near the end of a run; force from x and the half-step velocity."""
+    """Largest size of (x, v in natural units) near the end of a run; force from x and the half-step
+    velocity."""
     x, v, force, unit = 1.0, 0.0, -k * 1.0, step
     sizes = []
     for _ in range(steps):
@@ -23,28 +25,45 @@ def verlet(k, c, m, step, steps):
     return max(sizes[-20:])
 
 
-@pytest.mark.parametrize("k, c", [(SPRING, 0.0), (SPRING, 500.0), (SPRING, DAMPER), (1.0, DAMPER), (SPRING, 2e6)])
+@pytest.mark.parametrize(
+    "k, c", [(SPRING, 0.0), (SPRING, 500.0), (SPRING, DAMPER), (1.0, DAMPER), (SPRING, 2e6)]
+)
 def test_the_limit_divides_growth_from_decay(physics, k, c):
     limit = physics.scalar("largest_step", k, c, BALL_MASS)
-    # one per cent off the limit the multiplier is off one by about as much (its root for a spring alone)
+    # one per cent off the limit the multiplier is off one by about as much (its root for a spring
+    # alone)
     assert verlet(k, c, BALL_MASS, 0.99 * limit, 4000) < 100
     assert verlet(k, c, BALL_MASS, 1.01 * limit, 4000) > 1e6
 
 
 def test_closed_forms(physics):
     m = BALL_MASS
-    assert physics.scalar("largest_step", SPRING, 0.0, m) == pytest.approx(2 * np.sqrt(m / SPRING), rel=1e-15)
-    assert physics.scalar("largest_step", 0.0, DAMPER, m) == pytest.approx(2 * m / DAMPER, rel=1e-15)
+    assert physics.scalar("largest_step", SPRING, 0.0, m) == pytest.approx(
+        2 * np.sqrt(m / SPRING), rel=1e-15
+    )
+    assert physics.scalar("largest_step", 0.0, DAMPER, m) == pytest.approx(
+        2 * m / DAMPER, rel=1e-15
+    )
     h = physics.scalar("largest_step", SPRING, DAMPER, m)
     assert h**2 * SPRING / m + 2 * h * DAMPER / m == pytest.approx(4, rel=1e-14)
     # a spring too weak to matter must not cancel: (sqrt(c^2 + 4 k m) - c)/k would give 0
-    assert physics.scalar("largest_step", 1e-12, DAMPER, m) == pytest.approx(2 * m / DAMPER, rel=1e-15)
+    assert physics.scalar("largest_step", 1e-12, DAMPER, m) == pytest.approx(
+        2 * m / DAMPER, rel=1e-15
+    )
     assert physics.scalar("largest_step", 0.0, 0.0, m) == np.inf
 
 
-def test_numbers_of_the_6208(physics):  # docs/theory, Numbers to reproduce, to the digits given there
-    assert physics.scalar("largest_step", SPRING, 0.0, BALL_MASS) == pytest.approx(8.8e-6, abs=0.05e-6)
+def test_numbers_of_the_6208(
+    physics,
+):  # docs/theory, Numbers to reproduce, to the digits given there
+    assert physics.scalar("largest_step", SPRING, 0.0, BALL_MASS) == pytest.approx(
+        8.8e-6, abs=0.05e-6
+    )
     # both raceways' fluid dampers at h = 100 nm
     prefactor = physics.scalar("damper_prefactor", 0.04, 6.3e-3, 1.0)
-    both = sum(physics.scalar("film_damper", prefactor, a, 100e-9, 0.0) for a in (2.059e-3, 1.993e-3))
-    assert physics.scalar("largest_step", 0.0, both, BALL_MASS) == pytest.approx(0.94e-6, abs=0.02e-6)
+    both = sum(
+        physics.scalar("film_damper", prefactor, a, 100e-9, 0.0) for a in (2.059e-3, 1.993e-3)
+    )
+    assert physics.scalar("largest_step", 0.0, both, BALL_MASS) == pytest.approx(
+        0.94e-6, abs=0.02e-6
+    )

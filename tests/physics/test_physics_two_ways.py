@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One table of inputs through the C++ headers and through the Python package, and both against 40 digits of mpmath.
+"""One table of inputs through the C++ headers and through the Python package, and both against 40
+digits of mpmath.
 
-1e-12 relative: a film is the exponential of a sum of terms of at most 50, each rounded to 2e-16 of itself, so good to
-some 1e-14; ellipse and pressure carry the rounding of an iteration, a few 1e-15. The table's own rounding is in all three.
+1e-12 relative: a film is the exponential of a sum of terms of at most 50, each rounded to 2e-16 of
+itself, so good to some 1e-14; ellipse and pressure carry the rounding of an iteration, a few 1e-15.
+The table's own rounding is in all three.
 """
 
 import functools
@@ -22,7 +24,9 @@ BEARINGS = {
     "conformity 0.505": Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.363e-3, 6.363e-3),
     "nearly spherical": Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 1.0, 1.0),
 }
-CONTACTS = [(name, side, angle) for name in BEARINGS for side in (INNER, OUTER) for angle in (0.0, 0.6)]
+CONTACTS = [
+    (name, side, angle) for name in BEARINGS for side in (INNER, OUTER) for angle in (0.0, 0.6)
+]
 STATES = list(itertools.product([1e-3, 0.725, 25.0], [1e-3, 50.0, 2436.2, 3e4]))  # m/s, N
 OILS = [(0.040, 22e-9, 2.25), (1.0, 35e-9, 2.05), (0.005, 8e-9, 3.0)]  # Pa s, 1/Pa, permittivity
 MODELS = {MASJEDI: False, MASJEDI_PRINTED: True, HAMROCK_DOWSON: None}
@@ -48,22 +52,55 @@ def ellipse(r_x, r_y):
 def films(model, kappa, oil, r_x, speed, load):
     """(h_min, h_c) as the equations stand, in mpmath."""
     k, eta, xi, modulus, r_x, speed, load = map(mpmath.mpf, (kappa, *oil, STEEL, r_x, speed, load))
-    u, g, w, d, exp = eta * speed / (modulus * r_x), xi * modulus, load / (modulus * r_x**2), mpmath.mpf, mpmath.exp
+    u, g, w, d, exp = (
+        eta * speed / (modulus * r_x),
+        xi * modulus,
+        load / (modulus * r_x**2),
+        mpmath.mpf,
+        mpmath.exp,
+    )
     if model == HAMROCK_DOWSON:
-        return (r_x * d("3.63") * u ** d("0.68") * g ** d("0.49") * w ** d("-0.073") * (1 - exp(-d("0.68") * k)),
-                r_x * d("2.69") * u ** d("0.67") * g ** d("0.53") * w ** d("-0.067") * (1 - d("0.61") * exp(-d("0.73") * k)))
+        return (
+            r_x
+            * d("3.63")
+            * u ** d("0.68")
+            * g ** d("0.49")
+            * w ** d("-0.073")
+            * (1 - exp(-d("0.68") * k)),
+            r_x
+            * d("2.69")
+            * u ** d("0.67")
+            * g ** d("0.53")
+            * w ** d("-0.067")
+            * (1 - d("0.61") * exp(-d("0.73") * k)),
+        )
     s = -1 if model == MASJEDI_PRINTED else 1
-    return (r_x * d("1.637") * u ** (d("0.711") * k ** d("-0.023")) * g ** (d("0.65") * k ** d("-0.045"))
-            * w ** (-d("0.09") * k ** d("-0.15")) * (1 - d("0.974") * exp(-d("0.676") * k)),
-            r_x * d("3.672") * u ** (d("0.663") * k ** (s * d("0.025"))) * g ** (d("0.502") * k ** (s * d("0.064")))
-            * w ** (-d("0.045") * k ** (s * d("0.18"))) * (1 - d("0.573") * exp(-d("0.74") * k)))
+    return (
+        r_x
+        * d("1.637")
+        * u ** (d("0.711") * k ** d("-0.023"))
+        * g ** (d("0.65") * k ** d("-0.045"))
+        * w ** (-d("0.09") * k ** d("-0.15"))
+        * (1 - d("0.974") * exp(-d("0.676") * k)),
+        r_x
+        * d("3.672")
+        * u ** (d("0.663") * k ** (s * d("0.025")))
+        * g ** (d("0.502") * k ** (s * d("0.064")))
+        * w ** (-d("0.045") * k ** (s * d("0.18")))
+        * (1 - d("0.573") * exp(-d("0.74") * k)),
+    )
 
 
 def electric(ambient, pressure, a, b, h):
     """(permittivity, capacitance) of equations 8, 10, 11, in mpmath."""
     d = mpmath.mpf
     ambient, pressure, a, b, h = map(d, (ambient, pressure, a, b, h))
-    x = (ambient - 1) / (ambient + 2) * (d("0.59e9") + d("1.34") * pressure) / (d("0.59e9") + pressure)
+    x = (
+        (ambient - 1)
+        / (ambient + 2)
+        * (d("0.59e9") + d("1.34") * pressure)
+        / (d("0.59e9") + pressure)
+    )
     eps = (1 + 2 * x) / (1 - x)
     return eps, d("8.8541878128e-12") * eps * mpmath.pi * a * b / h
 
@@ -79,7 +116,15 @@ def agree(cpp, python, exact):
 def radii(physics, name, side, angle):
     """Effective radii, in both languages."""
     bearing = BEARINGS[name]
-    cpp = physics.array("radii", 2, bearing.ball_radius, bearing.groove(side), bearing.pitch_radius, side == INNER, np.cos(angle))
+    cpp = physics.array(
+        "radii",
+        2,
+        bearing.ball_radius,
+        bearing.groove(side),
+        bearing.pitch_radius,
+        side == INNER,
+        np.cos(angle),
+    )
     python = bearing.effective_radii(side, angle)
     np.testing.assert_allclose(cpp, python, rtol=EQUAL)
     return tuple(map(float, python))
@@ -92,15 +137,26 @@ def test_hertz(physics, name, side, angle):
     with mpmath.workdps(40):
         kappa, second, first, radius = ellipse(r_x, r_y)
         modulus = mpmath.mpf(STEEL)
-        stiffness = mpmath.pi * kappa * modulus * mpmath.sqrt(second * radius / (mpmath.mpf("4.5") * first**3))
-        # not E and F themselves: for an ellipse that is longer along rolling the headers take those of the other modulus
-        agree([cpp.kappa, cpp.K], [python.kappa, hertz.stiffness(python, STEEL)], [kappa, stiffness])
+        stiffness = (
+            mpmath.pi
+            * kappa
+            * modulus
+            * mpmath.sqrt(second * radius / (mpmath.mpf("4.5") * first**3))
+        )
+        # not E and F themselves: for an ellipse that is longer along rolling the headers take those
+        # of the other modulus
+        agree(
+            [cpp.kappa, cpp.K], [python.kappa, hertz.stiffness(python, STEEL)], [kappa, stiffness]
+        )
         for load in {load for _, load in STATES}:
             a = mpmath.cbrt(6 * kappa**2 * second * load * radius / (mpmath.pi * modulus))
             pressure = mpmath.mpf("1.5") * load / (mpmath.pi * a * a / kappa)
             root = (load / cpp.K) ** (1 / 3)  # of the overlap
-            agree([cpp.a * root, cpp.b * root, cpp.p * root],
-                  [*hertz.semi_axes(python, STEEL, load), hertz.pressure(python, STEEL, load)], [a, a / kappa, pressure])
+            agree(
+                [cpp.a * root, cpp.b * root, cpp.p * root],
+                [*hertz.semi_axes(python, STEEL, load), hertz.pressure(python, STEEL, load)],
+                [a, a / kappa, pressure],
+            )
 
 
 @pytest.mark.parametrize("name, side, angle", CONTACTS)
@@ -117,20 +173,36 @@ def test_film_and_capacitance(physics, name, side, angle, model):
             charge = electric(ambient, pressure, a, a / kappa, exact[1])
         h_cpp = physics.film(model, cpp.kappa, viscosity, xi, STEEL, r_x, speed, load)
         g = film.group(viscosity, xi, STEEL, r_x, python.kappa, speed, load)
-        h_python = ((film.hamrock_dowson_min(r_x, g), film.hamrock_dowson_c(r_x, g)) if MODELS[model] is None else
-                    (film.h_min(r_x, g), film.h_c(r_x, g, printed=MODELS[model])))
+        h_python = (
+            (film.hamrock_dowson_min(r_x, g), film.hamrock_dowson_c(r_x, g))
+            if MODELS[model] is None
+            else (film.h_min(r_x, g), film.h_c(r_x, g, printed=MODELS[model]))
+        )
         agree(h_cpp, h_python, exact)
         root = (load / cpp.K) ** (1 / 3)
         eps = physics.scalar("permittivity", ambient, cpp.p * root)
         p, (a, b) = hertz.pressure(python, STEEL, load), hertz.semi_axes(python, STEEL, load)
-        agree([eps, physics.scalar("plate_capacitance", eps, cpp.a * root, cpp.b * root, h_cpp[1])],
-              [capacitance.permittivity(ambient, p), capacitance.contact(ambient, p, a, b, h_python[1])], charge)
+        agree(
+            [eps, physics.scalar("plate_capacitance", eps, cpp.a * root, cpp.b * root, h_cpp[1])],
+            [
+                capacitance.permittivity(ambient, p),
+                capacitance.contact(ambient, p, a, b, h_python[1]),
+            ],
+            charge,
+        )
 
 
 def test_series_and_composite_roughness(physics):
     for one, other in itertools.product([1e-15, 3e-11, 7.7e-10], repeat=2):
         with mpmath.workdps(40):
             x, y = mpmath.mpf(one), mpmath.mpf(other)
-            agree([physics.scalar("ball_capacitance", one, other)], [capacitance.ball(one, other)], [1 / (1 / x + 1 / y)])
-            agree([2e-7 / physics.scalar("roughness", one, other)], [film.ratio(2e-7, one, other)],
-                  [mpmath.mpf(2e-7) / mpmath.sqrt(x * x + y * y)])
+            agree(
+                [physics.scalar("ball_capacitance", one, other)],
+                [capacitance.ball(one, other)],
+                [1 / (1 / x + 1 / y)],
+            )
+            agree(
+                [2e-7 / physics.scalar("roughness", one, other)],
+                [film.ratio(2e-7, one, other)],
+                [mpmath.mpf(2e-7) / mpmath.sqrt(x * x + y * y)],
+            )

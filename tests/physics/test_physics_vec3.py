@@ -24,7 +24,9 @@ def test_products(physics):
 def test_rotation_is_the_right_handed_one(physics, angle):
     w = angle * B / np.linalg.norm(B)
     # the angle itself is rounded before its sine is taken
-    assert physics.rotate(A, w) == pytest.approx(Rotation.from_rotvec(w).apply(A), abs=10 * ROUNDING * (1 + angle))
+    assert physics.rotate(A, w) == pytest.approx(
+        Rotation.from_rotvec(w).apply(A), abs=10 * ROUNDING * (1 + angle)
+    )
 
 
 def test_no_rotation_is_exact(physics):
@@ -34,4 +36,6 @@ def test_no_rotation_is_exact(physics):
 def test_derivative_of_a_rotation_is_the_cross_product(physics):
     h = 1e-5  # central difference: error h^2/6 |w|^3 |a| + rounding/h, both below 1e-10
     slope = (physics.rotate(A, h * B) - physics.rotate(A, -h * B)) / (2 * h)
-    assert slope == pytest.approx(np.cross(B, A), abs=h**2 * np.linalg.norm(B) ** 3 * np.linalg.norm(A) + 1e-10)
+    assert slope == pytest.approx(
+        np.cross(B, A), abs=h**2 * np.linalg.norm(B) ** 3 * np.linalg.norm(A) + 1e-10
+    )

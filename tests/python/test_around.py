@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What happens where around the ring: regimes, pressure, permittivity, losses, against sums over the rows of the run."""
+"""What happens where around the ring: regimes, pressure, permittivity, losses, against sums over
+the rows of the run."""
 
 import numpy as np
 import pytest
-import synthetic
-from test_run import spoil
-
 import raceway
+import synthetic
 from raceway import around, capacitance, electrical, losses, regimes
 from raceway.errors import RunError
+from test_run import spoil
 
 COLUMN = {name: i for i, name in enumerate(synthetic.LUBRICATED)}
 BINS = 12
@@ -22,7 +22,8 @@ def run(folder, monkeypatch):
 
 
 def rows_of(data, side, part):
-    """Rows of the contacts whose azimuth from the load line (-90 degrees) is in the part of the ring."""
+    """Rows of the contacts whose azimuth from the load line (-90 degrees) is in the part of the
+    ring."""
     for row in (row for frame in data["contacts"] for row in frame):
         psi = np.mod(row[COLUMN["azimuth"]] + np.pi / 2 + np.pi, 2 * np.pi) - np.pi
         if row[COLUMN["raceway"]] == side and part == int((psi + np.pi) / (2 * np.pi) * BINS):
@@ -37,11 +38,15 @@ def test_means_and_counts(run, lubricated):
             loads = [row["load"] for row in rows_of(lubricated, side, part)]
             one = result.sel(raceway=name).isel(from_load_line=part)
             assert int(one["contacts"]) == len(loads)
-            assert float(one["load"]) == pytest.approx(np.mean(loads) if loads else np.nan, rel=1e-13, nan_ok=True)
+            assert float(one["load"]) == pytest.approx(
+                np.mean(loads) if loads else np.nan, rel=1e-13, nan_ok=True
+            )
             counted += len(loads)
     assert counted == sum(map(len, lubricated["contacts"]))
     middle = result["from_load_line"].to_numpy()
-    assert middle == pytest.approx(-middle[::-1]) and middle[0] == pytest.approx(-np.pi + np.pi / BINS)
+    assert middle == pytest.approx(-middle[::-1]) and middle[0] == pytest.approx(
+        -np.pi + np.pi / BINS
+    )
 
 
 def test_bins(run):
@@ -57,14 +62,20 @@ def test_regime_shares(run, lubricated, limits):
             ratios = np.array([row["lambda"] for row in rows_of(lubricated, side, part)])
             if len(ratios):
                 low, high = limits
-                expected = [np.mean(ratios < low), np.mean((ratios >= low) & (ratios <= high)), np.mean(ratios > high)]
+                expected = [
+                    np.mean(ratios < low),
+                    np.mean((ratios >= low) & (ratios <= high)),
+                    np.mean(ratios > high),
+                ]
                 one = result.sel(raceway=name).isel(from_load_line=part)
                 assert one["share"].to_numpy() == pytest.approx(expected, rel=1e-13)
                 assert float(one["lambda"]) == pytest.approx(ratios.mean(), rel=1e-13)
     whole = regimes.totals(run, *limits)
     assert whole.sum("regime").to_numpy() == pytest.approx([1, 1], rel=1e-13)
     ratios = [row["lambda"] for part in range(BINS) for row in rows_of(lubricated, 1, part)]
-    assert float(whole.sel(raceway="outer", regime="boundary")) == pytest.approx(np.mean(np.array(ratios) < limits[0]))
+    assert float(whole.sel(raceway="outer", regime="boundary")) == pytest.approx(
+        np.mean(np.array(ratios) < limits[0])
+    )
 
 
 def test_pressure_and_permittivity_by_raceway(run, lubricated):
@@ -74,8 +85,12 @@ def test_pressure_and_permittivity_by_raceway(run, lubricated):
         one = result.sel(raceway=name).isel(from_load_line=BINS // 2)
         pressure = np.array([row["pressure"] for row in rows])
         assert float(one["pressure"]) == pytest.approx(pressure.mean(), rel=1e-13)
-        assert float(one["permittivity"]) == pytest.approx(capacitance.permittivity(2.2, pressure).mean(), rel=1e-13)
-        assert float(one["capacitance"]) == pytest.approx(np.mean([row["capacitance"] for row in rows]), rel=1e-13)
+        assert float(one["permittivity"]) == pytest.approx(
+            capacitance.permittivity(2.2, pressure).mean(), rel=1e-13
+        )
+        assert float(one["capacitance"]) == pytest.approx(
+            np.mean([row["capacitance"] for row in rows]), rel=1e-13
+        )
     top = result.isel(from_load_line=BINS // 2)
     assert top["pressure"].sel(raceway="inner") > top["pressure"].sel(raceway="outer")
     assert top["permittivity"].sel(raceway="inner") > top["permittivity"].sel(raceway="outer") > 2.2
@@ -92,32 +107,47 @@ def test_capacitance_over_time(run):
 def test_losses(run, lubricated):
     data = losses.losses(run)
     for part, each in (("friction_power", 1e-6), ("damping_power", 2e-6)):
-        loads = np.array([sum(row[COLUMN["load"]] for row in frame) for frame in lubricated["contacts"]])
+        loads = np.array(
+            [sum(row[COLUMN["load"]] for row in frame) for frame in lubricated["contacts"]]
+        )
         np.testing.assert_allclose(data[part], each * loads, rtol=1e-13)
-    np.testing.assert_allclose(data["power_in"], data["friction_power"] + data["damping_power"], rtol=1e-13)
+    np.testing.assert_allclose(
+        data["power_in"], data["friction_power"] + data["damping_power"], rtol=1e-13
+    )
     np.testing.assert_allclose(data["torque"] * 477.5 * np.pi / 30, data["power_in"], rtol=1e-13)
     ring = losses.losses_around(run, BINS)
-    total = sum(float((ring["contacts"] * ring[name]).sum()) for name in ("friction_power", "damping_power"))
+    total = sum(
+        float((ring["contacts"] * ring[name]).sum()) for name in ("friction_power", "damping_power")
+    )
     assert total == pytest.approx(float(data["power_in"].sum()), rel=1e-12)
 
 
 def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
-    """Seen in a mirror: spin and moment change sign, the torque that resists and the power do not."""
+    """Seen in a mirror: spin and moment change sign, the torque that resists and the power do
+    not."""
     mirrored = [[*ring[:8], -ring[8], *ring[9:14], -ring[14]] for ring in lubricated["rings"]]
     one = losses.losses(raceway.open(synthetic.write(tmp_path / "a", lubricated)))
-    two = losses.losses(raceway.open(synthetic.write(tmp_path / "b", dict(lubricated, rings=mirrored))))
-    assert np.array_equal(one["torque"], two["torque"]) and np.array_equal(one["power_in"], two["power_in"])
+    two = losses.losses(
+        raceway.open(synthetic.write(tmp_path / "b", dict(lubricated, rings=mirrored)))
+    )
+    assert np.array_equal(one["torque"], two["torque"]) and np.array_equal(
+        one["power_in"], two["power_in"]
+    )
     assert float(one["torque"].min()) > 0
 
 
 def test_losses_of_rows_that_both_have(folder):
     path = folder / "rings.dat"
     lines = path.read_text().splitlines(keepends=True)
-    path.write_text("".join([lines[0], *lines[2:-3]]))  # as a run that is still going, without its first sample
+    path.write_text(
+        "".join([lines[0], *lines[2:-3]])
+    )  # as a run that is still going, without its first sample
     assert losses.losses(raceway.open(folder)).sizes["time"] == 44
 
 
-@pytest.mark.parametrize("function", [regimes.shares, regimes.totals, electrical.over_time, electrical.by_raceway])
+@pytest.mark.parametrize(
+    "function", [regimes.shares, regimes.totals, electrical.over_time, electrical.by_raceway]
+)
 def test_dry(dry_folder, function):
     with pytest.raises(RunError, match="no film to look at"):
         function(raceway.open(dry_folder))

@@ -4,20 +4,25 @@
 import dataclasses
 
 import pytest
-
 from raceway.bearing import INNER, OUTER, Bearing
 
 
 def test_effective_radii_are_those_of_ball_and_ring(bearing):
     ball, groove = bearing.ball_radius, bearing.inner_groove
     across = 1 / (1 / ball - 1 / groove)
-    assert bearing.effective_radii(INNER) == pytest.approx((1 / (1 / ball + 1 / 24e-3), across), rel=1e-14)
-    assert bearing.effective_radii(OUTER) == pytest.approx((1 / (1 / ball - 1 / 36.6e-3), across), rel=1e-14)
+    assert bearing.effective_radii(INNER) == pytest.approx(
+        (1 / (1 / ball + 1 / 24e-3), across), rel=1e-14
+    )
+    assert bearing.effective_radii(OUTER) == pytest.approx(
+        (1 / (1 / ball - 1 / 36.6e-3), across), rel=1e-14
+    )
 
 
 def test_clearance_opens_the_outer_groove_only(bearing):
     assert bearing.groove_circle(INNER, 40e-6) == bearing.groove_circle(INNER)
-    assert bearing.groove_circle(OUTER, 40e-6) - bearing.groove_circle(OUTER) == pytest.approx(20e-6, rel=1e-11)
+    assert bearing.groove_circle(OUTER, 40e-6) - bearing.groove_circle(OUTER) == pytest.approx(
+        20e-6, rel=1e-11
+    )
 
 
 def test_touches_both_grooves_without_clearance(bearing):
@@ -25,10 +30,18 @@ def test_touches_both_grooves_without_clearance(bearing):
     assert apart == pytest.approx(bearing.groove_gap(INNER) + bearing.groove_gap(OUTER), rel=1e-11)
 
 
-@pytest.mark.parametrize("change, name", [
-    ({"inner_groove": 6.3e-3}, "inner_groove"), ({"outer_groove": 6e-3}, "outer_groove"), ({"balls": 0}, "balls"),
-    ({"young": -1.0}, "young"), ({"poisson": 0.5}, "poisson"), ({"ball_diameter": float("nan")}, "ball_diameter"),
-    ({"outer_radius": 20e-3}, "outer_radius")])
+@pytest.mark.parametrize(
+    "change, name",
+    [
+        ({"inner_groove": 6.3e-3}, "inner_groove"),
+        ({"outer_groove": 6e-3}, "outer_groove"),
+        ({"balls": 0}, "balls"),
+        ({"young": -1.0}, "young"),
+        ({"poisson": 0.5}, "poisson"),
+        ({"ball_diameter": float("nan")}, "ball_diameter"),
+        ({"outer_radius": 20e-3}, "outer_radius"),
+    ],
+)
 def test_impossible_sizes_are_named(bearing, change, name):
     with pytest.raises(ValueError, match=name):
         dataclasses.replace(bearing, **change)

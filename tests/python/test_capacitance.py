@@ -3,7 +3,6 @@
 
 import numpy as np
 import pytest
-
 from raceway import capacitance
 
 
@@ -21,7 +20,9 @@ def test_vacuum_stays_vacuum():
 
 
 def test_plate_capacitor():
-    assert capacitance.contact(1.0, 0.0, 2e-3, 1e-3, 1e-7) == pytest.approx(8.854e-12 * np.pi * 2e-6 / 1e-7, rel=1e-4)
+    assert capacitance.contact(1.0, 0.0, 2e-3, 1e-3, 1e-7) == pytest.approx(
+        8.854e-12 * np.pi * 2e-6 / 1e-7, rel=1e-4
+    )
 
 
 def test_series_and_parallel():

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Distance of balls from the inner groove's circle: closed geometry, derivatives by finite differences."""
+"""Distance of balls from the inner groove's circle: closed geometry, derivatives by finite
+differences."""
 
 import numpy as np
 import pytest
@@ -19,11 +20,14 @@ def axis(tilt):
 
 
 def test_exact_circle_is_the_nearest_of_its_points():
-    """Points of the circle turned by scipy, the nearest by a fine search and one parabola through three of them."""
+    """Points of the circle turned by scipy, the nearest by a fine search and one parabola through
+    three of them."""
     e = axis(PLACE[3:])
     turn, _ = Rotation.align_vectors([e], [[0, 0, 1]])
     phi = np.linspace(0, 2 * np.pi, 40001)
-    points = PLACE[:3] + turn.apply(RADIUS * np.stack([np.cos(phi), np.sin(phi), np.zeros_like(phi)], 1))
+    points = PLACE[:3] + turn.apply(
+        RADIUS * np.stack([np.cos(phi), np.sin(phi), np.zeros_like(phi)], 1)
+    )
     reach = circle.exact(BALL, PLACE, AZIMUTH, RADIUS)
     for ball, psi, distance, line in zip(BALL, AZIMUTH, reach.distance, reach.line):
         centre = np.array([ball[0] * np.cos(psi), ball[0] * np.sin(psi), ball[1]])
@@ -33,17 +37,22 @@ def test_exact_circle_is_the_nearest_of_its_points():
         least = mid - (high - low) ** 2 / (8 * (high - 2 * mid + low))
         # the parabola leaves (step r)^4/s^2 of the square, 1e-9 of it here
         assert distance**2 == pytest.approx(least, rel=1e-7)
-        assert line == pytest.approx((centre - points[k]) / np.sqrt(mid), abs=2 * np.pi / 40000 * RADIUS / distance)
+        assert line == pytest.approx(
+            (centre - points[k]) / np.sqrt(mid), abs=2 * np.pi / 40000 * RADIUS / distance
+        )
 
 
 def test_straight_circle_is_harris():
-    """A_1 = shift along z plus tilt times radius, A_2 = radius plus shift along the ball's radius (Harris, ch. 7)."""
+    """A_1 = shift along z plus tilt times radius, A_2 = radius plus shift along the ball's radius
+    (Harris, ch. 7)."""
     x, y, z, tx, ty = PLACE
     reach = circle.straight(BALL, PLACE, AZIMUTH, RADIUS)
     radial = BALL[:, 0] - (RADIUS + x * np.cos(AZIMUTH) + y * np.sin(AZIMUTH))
     axial = BALL[:, 1] - (z + RADIUS * (tx * np.sin(AZIMUTH) - ty * np.cos(AZIMUTH)))
     assert reach.distance == pytest.approx(np.hypot(radial, axial), rel=1e-12)
-    assert reach.section * reach.distance[:, None] == pytest.approx(np.stack([radial, axial], 1), rel=1e-12)
+    assert reach.section * reach.distance[:, None] == pytest.approx(
+        np.stack([radial, axial], 1), rel=1e-12
+    )
 
 
 def test_both_agree_without_shift_and_tilt():
@@ -59,18 +68,28 @@ def test_derivatives(reach):
     for k in range(7):
         step = np.zeros(7)
         step[k] = 1e-6 if k > 4 else 1e-7
-        ahead, back = (reach(BALL + sign * step[:2], PLACE + sign * step[2:], AZIMUTH, RADIUS) for sign in (1, -1))
+        ahead, back = (
+            reach(BALL + sign * step[:2], PLACE + sign * step[2:], AZIMUTH, RADIUS)
+            for sign in (1, -1)
+        )
         slope = (ahead.distance - back.distance) / (2 * step[k])
         curve = (ahead.slope - back.slope) / (2 * step[k])
-        assert now.slope[:, k] == pytest.approx(slope, rel=1e-6, abs=1e-6 * np.abs(now.slope[:, k]).max())
-        assert now.curve[:, :, k] == pytest.approx(curve, rel=1e-6, abs=1e-6 * np.abs(now.curve[:, :, k]).max())
+        assert now.slope[:, k] == pytest.approx(
+            slope, rel=1e-6, abs=1e-6 * np.abs(now.slope[:, k]).max()
+        )
+        assert now.curve[:, :, k] == pytest.approx(
+            curve, rel=1e-6, abs=1e-6 * np.abs(now.curve[:, :, k]).max()
+        )
 
 
 def test_conjugate_moment():
-    """The work of a fixed moment on a small turn of the axis, M . (e x de), for a step of one tilt."""
+    """The work of a fixed moment on a small turn of the axis, M . (e x de), for a step of one
+    tilt."""
     moment, tilt = np.array([3.0, -7.0, 0.0]), PLACE[3:]
     for k in range(2):
         step = 1e-6 * np.eye(2)[k]
         e, turned = axis(tilt), (axis(tilt + step) - axis(tilt - step)) / 2e-6
-        assert circle.conjugate(moment[:2], tilt)[k] == pytest.approx(moment @ np.cross(e, turned), rel=1e-8)
+        assert circle.conjugate(moment[:2], tilt)[k] == pytest.approx(
+            moment @ np.cross(e, turned), rel=1e-8
+        )
     assert circle.conjugate(moment[:2], np.zeros(2)) == pytest.approx(moment[:2])

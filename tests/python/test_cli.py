@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 
 import pytest
-
 import raceway
 from raceway.cli import _parser, main
 from raceway.run import Run
@@ -35,7 +34,10 @@ def test_plot(folder, tmp_path, capsys):
     assert (folder / "overview.png").read_bytes()[:4] == b"\x89PNG"
     assert main(["plot", str(folder), "--out", str(tmp_path / "other.png")]) == 0
     assert (tmp_path / "other.png").stat().st_size > 10_000
-    assert capsys.readouterr().out.split() == [str(folder / "overview.png"), str(tmp_path / "other.png")]
+    assert capsys.readouterr().out.split() == [
+        str(folder / "overview.png"),
+        str(tmp_path / "other.png"),
+    ]
 
 
 @pytest.mark.parametrize("command", ["summary", "plot"])
@@ -56,7 +58,9 @@ def test_cut_file_is_a_warning(folder, capsys):
     json.loads(printed.out)
 
 
-@pytest.mark.parametrize("arguments", [[], ["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]])
+@pytest.mark.parametrize(
+    "arguments", [[], ["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]]
+)
 def test_wrong_command_line(arguments, capsys):
     with pytest.raises(SystemExit) as stop:
         main(arguments)
@@ -66,14 +70,22 @@ def test_wrong_command_line(arguments, capsys):
 
 def subcommands():
     """{name: parser} of the subcommands."""
-    return next(action.choices for action in _parser()._actions if isinstance(action, argparse._SubParsersAction))
+    return next(
+        action.choices
+        for action in _parser()._actions
+        if isinstance(action, argparse._SubParsersAction)
+    )
 
 
 @pytest.mark.parametrize("name", subcommands())
 def test_help_teaches(name):
     """Every subcommand has examples that its parser takes, and tells its exit codes."""
     text = subcommands()[name].format_help()
-    examples = [re.split(r"  +|\|", line.strip())[0] for line in text.splitlines() if line.startswith(f"  raceway {name}")]
+    examples = [
+        re.split(r"  +|\|", line.strip())[0]
+        for line in text.splitlines()
+        if line.startswith(f"  raceway {name}")
+    ]
     assert examples and "Exit codes: 0 " in text
     for example in examples:
         _parser().parse_args(shlex.split(example)[1:])
@@ -81,13 +93,25 @@ def test_help_teaches(name):
 
 def test_help_names_every_command():
     text = _parser().format_help()
-    assert all(f"\n    {name} " in text for name in subcommands()) and "Exit codes: 0 done; 1 " in text
+    assert (
+        all(f"\n    {name} " in text for name in subcommands()) and "Exit codes: 0 done; 1 " in text
+    )
 
 
 def run_module(*arguments, **options):
-    environment = {**os.environ, "PYTHONPATH": str(Path(raceway.__file__).parents[1]), "PYTHONDONTWRITEBYTECODE": "1"}
-    return subprocess.run([sys.executable, "-m", "raceway", *arguments], env=environment, text=True, timeout=60,
-                          capture_output=True, **options)
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(Path(raceway.__file__).parents[1]),
+        "PYTHONDONTWRITEBYTECODE": "1",
+    }
+    return subprocess.run(
+        [sys.executable, "-m", "raceway", *arguments],
+        env=environment,
+        text=True,
+        timeout=60,
+        capture_output=True,
+        **options,
+    )
 
 
 def test_as_a_program(folder, tmp_path):
@@ -104,7 +128,12 @@ def test_nobody_listens(folder):
     reading, writing = os.pipe()
     os.close(reading)
     environment = {**os.environ, "PYTHONPATH": str(Path(raceway.__file__).parents[1])}
-    done = subprocess.run([sys.executable, "-B", "-m", "raceway", "summary", str(folder)], env=environment,
-                          stdout=writing, stderr=subprocess.PIPE, timeout=60)
+    done = subprocess.run(
+        [sys.executable, "-B", "-m", "raceway", "summary", str(folder)],
+        env=environment,
+        stdout=writing,
+        stderr=subprocess.PIPE,
+        timeout=60,
+    )
     os.close(writing)
     assert done.stderr == b""

@@ -2,7 +2,6 @@
 """Damping against the figures of docs/theory, Normal damping."""
 
 import pytest
-
 from raceway import damping
 
 

@@ -3,14 +3,13 @@
 
 import numpy as np
 import pytest
+import raceway
 import synthetic
 import xarray as xr
-from test_run import spoil
-
-import raceway
 from raceway import columns
 from raceway.errors import RunError, RunWarning
 from raceway.summary import summary
+from test_run import spoil
 
 SIDE = {"inner": 0, "outer": 1}
 
@@ -24,12 +23,15 @@ def test_contacts(folder, lubricated):
         for row in frame:
             one = data.sel(raceway=("inner", "outer")[row[2]], ball=row[0]).isel(time=sample)
             assert [float(one[name]) for name in place if name not in ("ball", "raceway")] == [
-                row[i] for name, i in place.items() if name not in ("ball", "raceway")]
+                row[i] for name, i in place.items() if name not in ("ball", "raceway")
+            ]
             seen[sample, row[2], row[0] - 1] = True
     assert not seen.all()  # the rest of a loaded zone: nothing there
     for name in data.data_vars:
         empty = data[name].to_numpy()[~seen]
-        assert np.isnan(empty).all() if np.isnan(columns.CONTACT[name].apart) else (empty == 0).all()
+        assert (
+            np.isnan(empty).all() if np.isnan(columns.CONTACT[name].apart) else (empty == 0).all()
+        )
 
 
 def test_coordinates(folder, lubricated):
@@ -72,7 +74,9 @@ def test_rings(folder, lubricated):
     for name, values in zip(synthetic.RING_COLUMNS, table.T):
         if name != "time":
             assert np.array_equal(rings[name], values)
-    assert np.array_equal(rings["shift"], -table[:, 3]) or np.allclose(rings["shift"], -table[:, 3], rtol=1e-14)
+    assert np.array_equal(rings["shift"], -table[:, 3]) or np.allclose(
+        rings["shift"], -table[:, 3], rtol=1e-14
+    )
 
 
 def test_bearing(folder, lubricated):
@@ -82,23 +86,31 @@ def test_bearing(folder, lubricated):
         one = bearing.isel(time=sample)
         loads = [[row[column["load"]] for row in frame if row[2] == side] for side in (0, 1)]
         assert int(one["contacts"]) == len(frame)
-        assert (float(one["load_inner"]), float(one["load_outer"])) == (max(loads[0]), max(loads[1]))
+        assert (float(one["load_inner"]), float(one["load_outer"])) == (
+            max(loads[0]),
+            max(loads[1]),
+        )
         for name, extreme in (("pressure", max), ("h_min", min), ("lambda", min)):
             assert float(one[name]) == extreme(row[column[name]] for row in frame)
         for name in ("friction_power", "damping_power"):
-            assert float(one[name]) == pytest.approx(sum(row[column[name]] for row in frame), rel=1e-13)
+            assert float(one[name]) == pytest.approx(
+                sum(row[column[name]] for row in frame), rel=1e-13
+            )
         sides = [{row[0]: row[-1] for row in frame if row[2] == side} for side in (0, 1)]
         both = sides[0].keys() & sides[1].keys()
         assert int(one["loaded_balls"]) == len(both)
         assert float(one["capacitance"]) == pytest.approx(
-            sum(1 / (1 / sides[0][ball] + 1 / sides[1][ball]) for ball in both), rel=1e-13)
+            sum(1 / (1 / sides[0][ball] + 1 / sides[1][ball]) for ball in both), rel=1e-13
+        )
 
 
 def test_a_sample_without_contacts(tmp_path, lubricated):
     data = dict(lubricated, contacts=[[], *lubricated["contacts"][1:]])
     run = raceway.open(synthetic.write(tmp_path / "run", data))
     first = run.bearing.isel(time=0)
-    assert [float(first[name]) for name in ("contacts", "load_inner", "capacitance", "friction_power")] == [0] * 4
+    assert [
+        float(first[name]) for name in ("contacts", "load_inner", "capacitance", "friction_power")
+    ] == [0] * 4
     assert np.isnan(first["h_min"])
     assert float(run.contacts["load"].isel(time=0).sum()) == 0
     assert run.bearing.sizes["time"] == 48
@@ -106,10 +118,17 @@ def test_a_sample_without_contacts(tmp_path, lubricated):
 
 def test_units(folder):
     run = raceway.open(folder)
-    for data, names in ((run.contacts, columns.CONTACT), (run.balls, columns.ATOM), (run.rings, columns.RING),
-                        (run.bearing, columns.BEARING)):
+    for data, names in (
+        (run.contacts, columns.CONTACT),
+        (run.balls, columns.ATOM),
+        (run.rings, columns.RING),
+        (run.bearing, columns.BEARING),
+    ):
         for name in data.data_vars:
-            assert data[name].attrs["units"] == (names[name].unit or "1") and data[name].attrs["long_name"]
+            assert (
+                data[name].attrs["units"] == (names[name].unit or "1")
+                and data[name].attrs["long_name"]
+            )
         for name in ("time", "passes"):
             assert data[name].attrs["units"]
     assert run.contacts["azimuth"].attrs["units"] == "rad"
@@ -167,17 +186,26 @@ def test_lammps_and_liggghts_look_alike(folder, tmp_path, lubricated):
     other = synthetic.write(tmp_path / "other", lubricated)
     spoil(other, "^host:.*", "host: LAMMPS 2026.3.4")
     for name in ("contacts.dump", "balls.dump"):
-        text = (other / name).read_text().replace("ITEM: TIMESTEP", "ITEM: TIME\n0.25\nITEM: TIMESTEP")
+        text = (
+            (other / name).read_text().replace("ITEM: TIMESTEP", "ITEM: TIME\n0.25\nITEM: TIMESTEP")
+        )
         (other / name).write_text("ITEM: UNITS\nsi\n" + text)
     one, two = raceway.open(folder), raceway.open(other)
     for name in ("contacts", "balls", "cage", "rings", "bearing"):
         xr.testing.assert_equal(getattr(one, name), getattr(two, name))
-    xr.testing.assert_equal(raceway.open(other, slice(5, 9)).contacts, one.contacts.isel(time=slice(5, 9)))
+    xr.testing.assert_equal(
+        raceway.open(other, slice(5, 9)).contacts, one.contacts.isel(time=slice(5, 9))
+    )
 
 
 def test_one_contact_twice(tmp_path, lubricated):
-    data = dict(lubricated, contacts=[[*lubricated["contacts"][0], lubricated["contacts"][0][0]],
-                                      *lubricated["contacts"][1:]])
+    data = dict(
+        lubricated,
+        contacts=[
+            [*lubricated["contacts"][0], lubricated["contacts"][0][0]],
+            *lubricated["contacts"][1:],
+        ],
+    )
     with pytest.raises(RunError, match="touches one raceway twice"):
         raceway.open(synthetic.write(tmp_path / "run", data)).contacts
 

@@ -4,7 +4,6 @@
 import mpmath
 import numpy as np
 import pytest
-
 from raceway import clearance, distribution
 
 
@@ -12,8 +11,16 @@ from raceway import clearance, distribution
 def test_radial_integral(parameter):
     with mpmath.workdps(30):
         edge = mpmath.pi if parameter >= 1 else mpmath.acos(1 - 2 * mpmath.mpf(parameter))
-        expected = mpmath.quad(lambda psi: mpmath.re((1 - (1 - mpmath.cos(psi)) / (2 * parameter)) ** 1.5)
-                               * mpmath.cos(psi), mpmath.linspace(0, edge, 9)) / mpmath.pi
+        expected = (
+            mpmath.quad(
+                lambda psi: (
+                    mpmath.re((1 - (1 - mpmath.cos(psi)) / (2 * parameter)) ** 1.5)
+                    * mpmath.cos(psi)
+                ),
+                mpmath.linspace(0, edge, 9),
+            )
+            / mpmath.pi
+        )
     assert distribution.radial_integral(parameter) == pytest.approx(float(expected), rel=1e-10)
 
 
@@ -22,14 +29,18 @@ def test_stribeck_number():
 
 
 def test_loaded_zone():
-    assert distribution.relative_load(np.array([0.0, np.pi / 2, np.pi]), 0.5).tolist() == pytest.approx([1, 0, 0])
+    assert distribution.relative_load(
+        np.array([0.0, np.pi / 2, np.pi]), 0.5
+    ).tolist() == pytest.approx([1, 0, 0])
     assert distribution.relative_load(np.pi, 2.0) == pytest.approx(0.5**1.5)
     with pytest.raises(ValueError, match="parameter"):
         distribution.relative_load(0.0, 0.0)
 
 
-@pytest.mark.parametrize("relative, expected", [(-0.0045, 1.699), (-0.0035, 1.317), (0, 0.5), (0.0035, 0.319),
-                                                (0.0045, 0.292)])
+@pytest.mark.parametrize(
+    "relative, expected",
+    [(-0.0045, 1.699), (-0.0035, 1.317), (0, 0.5), (0.0035, 0.319), (0.0045, 0.292)],
+)
 def test_load_parameters_of_the_paper(bearing, relative, expected):
     pd = relative * bearing.ball_diameter
     shift = distribution.shift(bearing, 5000.0, pd)

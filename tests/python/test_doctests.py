@@ -6,10 +6,13 @@ import importlib
 import pkgutil
 
 import pytest
-
 import raceway
 
-MODULES = [found.name for found in pkgutil.walk_packages(raceway.__path__, "raceway.") if not found.name.endswith("__main__")]
+MODULES = [
+    found.name
+    for found in pkgutil.walk_packages(raceway.__path__, "raceway.")
+    if not found.name.endswith("__main__")
+]
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -19,4 +22,11 @@ def test_examples(name):
 
 def test_there_are_some():
     finder = doctest.DocTestFinder(exclude_empty=True)
-    assert sum(len(test.examples) for name in MODULES for test in finder.find(importlib.import_module(name))) >= 10
+    assert (
+        sum(
+            len(test.examples)
+            for name in MODULES
+            for test in finder.find(importlib.import_module(name))
+        )
+        >= 10
+    )

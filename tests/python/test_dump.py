@@ -3,13 +3,14 @@
 
 import numpy as np
 import pytest
-
 from raceway import dump as module
 from raceway.dump import Index, blocks, frames, read_dump, read_table
 from raceway.errors import RunError, RunWarning
 
-HEAD = ("ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ENTRIES\n{n}\n"
-        "ITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES c_x[1]\n")
+HEAD = (
+    "ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ENTRIES\n{n}\n"
+    "ITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES c_x[1]\n"
+)
 FIRST = HEAD.format(step=10, n=2) + "1 0.5\n2 1e-05 \n"
 EMPTY = HEAD.format(step=20, n=0)
 LAST = HEAD.format(step=30, n=1) + "3 -inf\n"
@@ -44,18 +45,22 @@ def test_cut_anywhere_in_the_last_frame(tmp_path, end):
     assert table.attrs["samples"] == 1
 
 
-@pytest.mark.parametrize("text, said", [
-    ("", "no complete frame"),
-    ("hello\n", "line 1: expected the head of a frame, found 'hello'"),
-    (FIRST.replace("\n10\n", "\nten\n"), "line 2: expected a whole number, found 'ten'"),
-    (FIRST.replace("1e-05", "abc"), "line 11: load is not a number: 'abc'"),
-    (FIRST.replace("1e-05", "-nan"), "line 11: load is not a number: '-nan'"),
-    (FIRST.replace("0.5", "0.5 7"), r"line 10: 3 columns where 2 are named \(ball load\)"),
-    (FIRST.replace("1 0.5\n", "1\n") + LAST, "line 10: 1 columns where 2"),
-    (FIRST.replace("2 1e-05 \n", "") + LAST, "line 11: only 1 of 2 rows before the next frame"),
-    (FIRST + "4 0.1\n" + LAST, "line 12: expected the head of a frame, found '4 0.1'"),
-    ("ITEM: ENTRIES a\n1 2\n", "line 1: rows without TIMESTEP"),
-    (FIRST.replace("\n0 1\n0 1\n0 1", "\n0 1\n0 1"), "line 9: expected the head of a frame")])
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("", "no complete frame"),
+        ("hello\n", "line 1: expected the head of a frame, found 'hello'"),
+        (FIRST.replace("\n10\n", "\nten\n"), "line 2: expected a whole number, found 'ten'"),
+        (FIRST.replace("1e-05", "abc"), "line 11: load is not a number: 'abc'"),
+        (FIRST.replace("1e-05", "-nan"), "line 11: load is not a number: '-nan'"),
+        (FIRST.replace("0.5", "0.5 7"), r"line 10: 3 columns where 2 are named \(ball load\)"),
+        (FIRST.replace("1 0.5\n", "1\n") + LAST, "line 10: 1 columns where 2"),
+        (FIRST.replace("2 1e-05 \n", "") + LAST, "line 11: only 1 of 2 rows before the next frame"),
+        (FIRST + "4 0.1\n" + LAST, "line 12: expected the head of a frame, found '4 0.1'"),
+        ("ITEM: ENTRIES a\n1 2\n", "line 1: rows without TIMESTEP"),
+        (FIRST.replace("\n0 1\n0 1\n0 1", "\n0 1\n0 1"), "line 9: expected the head of a frame"),
+    ],
+)
 def test_broken_dump_names_its_line(tmp_path, text, said):
     with pytest.raises(RunError, match=said):
         read_dump(dump(tmp_path, text), COLUMNS)
@@ -76,9 +81,16 @@ def test_table_cut_in_its_last_line(tmp_path):
         assert len(read_table(dump(tmp_path, "# step x\n0 1.0\n100 2."))) == 1
 
 
-@pytest.mark.parametrize("text, said", [
-    ("", "no complete line"), ("# x\n", "no complete row"), ("0 1\n", "line 1: expected '#'"),
-    ("# a b\n0 1\n0\n", "line 3: 1 columns"), ("# a b\n0 1\n0 one\n", "line 3: b is not a number: 'one'")])
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("", "no complete line"),
+        ("# x\n", "no complete row"),
+        ("0 1\n", "line 1: expected '#'"),
+        ("# a b\n0 1\n0\n", "line 3: 1 columns"),
+        ("# a b\n0 1\n0 one\n", "line 3: b is not a number: 'one'"),
+    ],
+)
 def test_broken_table_names_its_line(tmp_path, text, said):
     with pytest.raises(RunError, match=said):
         read_table(dump(tmp_path, text))
@@ -89,7 +101,9 @@ def test_broken_table_names_its_line(tmp_path, text, said):
 def test_index_whatever_the_pieces_read(tmp_path, monkeypatch, size, newer):
     text = FIRST + EMPTY + LAST
     if newer:
-        text = "ITEM: UNITS\nsi\n" + text.replace("ITEM: TIMESTEP", "ITEM: TIME\n0.1\nITEM: TIMESTEP")
+        text = "ITEM: UNITS\nsi\n" + text.replace(
+            "ITEM: TIMESTEP", "ITEM: TIME\n0.1\nITEM: TIMESTEP"
+        )
     path = dump(tmp_path, text)
     monkeypatch.setattr(module, "BLOCK", size)
     index = Index(path)

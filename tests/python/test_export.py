@@ -7,7 +7,6 @@ import xml.etree.ElementTree as ElementTree
 import meshio
 import numpy as np
 import pytest
-
 from raceway import capacitance
 from raceway.bearing import INNER, OUTER
 from raceway.cli import main
@@ -17,8 +16,10 @@ from raceway.run import Run
 
 def entries(pvd):
     """(time, part, path) of a .pvd."""
-    return [(float(one.get("timestep")), int(one.get("part")), pvd.parent / one.get("file"))
-            for one in ElementTree.parse(pvd).getroot().iter("DataSet")]
+    return [
+        (float(one.get("timestep")), int(one.get("part")), pvd.parent / one.get("file"))
+        for one in ElementTree.parse(pvd).getroot().iter("DataSet")
+    ]
 
 
 def test_groove_lies_on_its_torus(bearing):
@@ -41,7 +42,9 @@ def test_paraview(folder, lubricated, tmp_path):
     assert len(listed) == 3 * 16 and all(path.exists() for *_, path in listed)
     times = [time for time, part, _ in listed if part == 0]
     assert times == pytest.approx(3 * np.arange(16) * lubricated["settings"]["sample_s"])
-    mesh = meshio.read(next(path for time, part, path in listed if part == 0 and time == times[2]))  # sample 6
+    mesh = meshio.read(
+        next(path for time, part, path in listed if part == 0 and time == times[2])
+    )  # sample 6
     rows = {row[0]: row for row in lubricated["balls"][6]}
     assert mesh.point_data["id"].tolist() == list(range(1, 19))
     assert mesh.points.tolist() == [rows[k][2:5] for k in range(1, 19)]  # to the bit
@@ -57,7 +60,9 @@ def test_paraview(folder, lubricated, tmp_path):
                     assert found[k - 1] == contact[k, side][names.index(name)]
                 else:
                     assert np.isnan(found[k - 1]) if name == "h_min" else found[k - 1] == 0
-    both = capacitance.ball(mesh.point_data["capacitance_inner"], mesh.point_data["capacitance_outer"])
+    both = capacitance.ball(
+        mesh.point_data["capacitance_inner"], mesh.point_data["capacitance_outer"]
+    )
     assert mesh.point_data["capacitance"] == pytest.approx(both) and both.max() > 0
 
 
@@ -67,11 +72,17 @@ def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
     for number, (time, _, path) in enumerate(one for one in listed if one[1] == 1):
         mesh = meshio.read(path)
         ring = next(row for row in lubricated["balls"][10 * number] if row[1] == 3)
-        way = np.arctan2(*(mesh.points[0, [1, 0]] - ring[2:4][::-1])) - np.arctan2(*at_rest[0, [1, 0]])
-        assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(0, abs=1e-4)  # single precision of 25 mm, twice
+        way = np.arctan2(*(mesh.points[0, [1, 0]] - ring[2:4][::-1])) - np.arctan2(
+            *at_rest[0, [1, 0]]
+        )
+        assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(
+            0, abs=1e-4
+        )  # single precision of 25 mm, twice
         assert mesh.points.astype(float).mean(axis=0)[:2] == pytest.approx(ring[2:4], abs=1e-8)
     still = meshio.read(listed[2][2])
-    assert np.hypot(*still.points[4, :2]) == pytest.approx(bearing.outer_radius + 5e-6, abs=4e-9)  # half of 10 um; float32
+    assert np.hypot(*still.points[4, :2]) == pytest.approx(
+        bearing.outer_radius + 5e-6, abs=4e-9
+    )  # half of 10 um; float32
 
 
 def test_a_shorter_export_leaves_nothing_of_a_longer(folder, tmp_path):
@@ -89,7 +100,7 @@ def read_xyz(path):
         rows = [next(lines).split() for _ in range(int(count))]
         data, at = {}, 0
         for name, kind, width in zip(names[::3], names[1::3], map(int, names[2::3])):
-            values = [row[at:at + width] for row in rows]
+            values = [row[at : at + width] for row in rows]
             data[name] = np.array(values, dtype={"S": str, "I": int, "R": float}[kind])
             at += width
         assert all(len(row) == at for row in rows)
@@ -108,27 +119,41 @@ def test_ovito(folder, lubricated, tmp_path):
     assert data["radius"].ravel()[:9] == pytest.approx(6.3e-3)
     frame = list(particles.frames(run, 1))[5]
     assert data["load"].ravel() == pytest.approx(frame.data["load"], rel=1e-11)
-    assert data["h_min_inner"].ravel() == pytest.approx(np.nan_to_num(frame.data["h_min_inner"], nan=-1), rel=1e-11)
-    assert float(re.search(r"Time=(\S+)", head).group(1)) == pytest.approx(5 * run.settings["sample_s"])
+    assert data["h_min_inner"].ravel() == pytest.approx(
+        np.nan_to_num(frame.data["h_min_inner"], nan=-1), rel=1e-11
+    )
+    assert float(re.search(r"Time=(\S+)", head).group(1)) == pytest.approx(
+        5 * run.settings["sample_s"]
+    )
     assert float(re.search(r"ring_y=(\S+)", head).group(1)) == pytest.approx(rows[19][3])
-    low, span = (np.array(re.search(rf'{name}="([^"]*)"', head).group(1).split(), float) for name in ("Origin", "Lattice"))
+    low, span = (
+        np.array(re.search(rf'{name}="([^"]*)"', head).group(1).split(), float)
+        for name in ("Origin", "Lattice")
+    )
     assert np.all(data["pos"] > low) and np.all(data["pos"] < low + span.reshape(3, 3).sum(axis=0))
     for name in ("inner", "outer"):
         surface = meshio.read(tmp_path / "xyz" / f"{name}_raceway.obj")
-        assert surface.cells[0].type == "quad" and surface.cells[0].data.max() == len(surface.points) - 1
+        assert (
+            surface.cells[0].type == "quad"
+            and surface.cells[0].data.max() == len(surface.points) - 1
+        )
 
 
 def test_so_many_samples_by_default(folder, monkeypatch):
     monkeypatch.setattr(particles, "FRAMES", 20)
     frames = list(particles.frames(Run(folder)))
-    assert [frame.sample for frame in frames] == list(range(0, 48, 3))  # 16, the most below 20 that are evenly spaced
+    assert [frame.sample for frame in frames] == list(
+        range(0, 48, 3)
+    )  # 16, the most below 20 that are evenly spaced
     part = list(particles.frames(Run(folder, slice(6, 12)), 2))
     assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0
 
 
 def test_dry_run_has_no_film_columns(dry_folder, tmp_path):
     frame = next(particles.frames(Run(dry_folder)))
-    assert "load_inner" in frame.data and not [name for name in frame.data if name.startswith(("h_", "lambda", "capacitance"))]
+    assert "load_inner" in frame.data and not [
+        name for name in frame.data if name.startswith(("h_", "lambda", "capacitance"))
+    ]
 
 
 @pytest.mark.parametrize("format, name", [("vtk", "bearing.pvd"), ("xyz", "bearing.xyz")])

@@ -3,22 +3,29 @@
 
 import numpy as np
 import pytest
-
 from raceway import film, hertz
 from raceway.bearing import INNER, OUTER
 
 
 def group(bearing, side=INNER, speed=0.725, load=2436.2):
     r_x, r_y = bearing.effective_radii(side)
-    return r_x, film.group(0.04, 20e-9, bearing.effective_modulus, r_x, hertz.exact(r_x, r_y).kappa, speed, load)
+    return r_x, film.group(
+        0.04, 20e-9, bearing.effective_modulus, r_x, hertz.exact(r_x, r_y).kappa, speed, load
+    )
 
 
 def test_by_hand():
-    g = film.Group(speed=1e-11, material=4500.0, load=1e-4, kappa=1.0)  # kappa = 1: the exponents are the printed ones
+    g = film.Group(
+        speed=1e-11, material=4500.0, load=1e-4, kappa=1.0
+    )  # kappa = 1: the exponents are the printed ones
     assert film.h_min(1.0, g) == pytest.approx(
-        1.637 * 10 ** (-11 * 0.711) * 4500**0.65 * 10 ** (4 * 0.09) * (1 - 0.974 * np.exp(-0.676)), rel=1e-13)
+        1.637 * 10 ** (-11 * 0.711) * 4500**0.65 * 10 ** (4 * 0.09) * (1 - 0.974 * np.exp(-0.676)),
+        rel=1e-13,
+    )
     assert film.h_c(1.0, g) == pytest.approx(
-        3.672 * 10 ** (-11 * 0.663) * 4500**0.502 * 10 ** (4 * 0.045) * (1 - 0.573 * np.exp(-0.74)), rel=1e-13)
+        3.672 * 10 ** (-11 * 0.663) * 4500**0.502 * 10 ** (4 * 0.045) * (1 - 0.573 * np.exp(-0.74)),
+        rel=1e-13,
+    )
     assert film.h_c(1.0, g) == film.h_c(1.0, g, printed=True)
 
 
@@ -44,8 +51,9 @@ def test_smallest_is_below_central(bearing):
 def test_dimensionless_group(bearing):
     r_x, g = group(bearing)
     modulus = 210e9 / 0.91
-    assert g[:3] == pytest.approx((0.04 * 0.725 / (modulus * r_x), 20e-9 * modulus, 2436.2 / (modulus * r_x**2)),
-                                  rel=1e-14)
+    assert g[:3] == pytest.approx(
+        (0.04 * 0.725 / (modulus * r_x), 20e-9 * modulus, 2436.2 / (modulus * r_x**2)), rel=1e-14
+    )
 
 
 def test_direction_of_rolling_does_not_matter_and_rest_has_no_film(bearing):

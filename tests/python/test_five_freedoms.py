@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Equilibrium under moments and with held degrees of freedom: its equations written anew and solved by scipy, balance in
-space, derivatives, symmetries. Published figures are in test_published_bearings.py."""
+"""Equilibrium under moments and with held degrees of freedom: its equations written anew and solved
+by scipy, balance in space, derivatives, symmetries. Published figures are in
+test_published_bearings.py."""
 
 import numpy as np
 import pytest
@@ -11,23 +12,54 @@ from raceway.errors import NoEquilibrium
 from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 
-LOADS = {"radial, axial, moment": dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6, load_azimuth=0.4, phase=0.1),
-         "moment alone": dict(moment=(0.0, 12.0), clearance=20e-6, phase=0.1),
-         "preload": dict(radial_load=3000.0, moment=(-5.0, 8.0), clearance=-30e-6, phase=0.2),
-         "thrown balls": dict(radial_load=1500.0, axial_load=-800.0, moment=(2.0, 6.0), clearance=5e-6, orbital_speed=900.0)}
+LOADS = {
+    "radial, axial, moment": dict(
+        radial_load=2000.0,
+        axial_load=1000.0,
+        moment=(10.0, -4.0),
+        clearance=10e-6,
+        load_azimuth=0.4,
+        phase=0.1,
+    ),
+    "moment alone": dict(moment=(0.0, 12.0), clearance=20e-6, phase=0.1),
+    "preload": dict(radial_load=3000.0, moment=(-5.0, 8.0), clearance=-30e-6, phase=0.2),
+    "thrown balls": dict(
+        radial_load=1500.0,
+        axial_load=-800.0,
+        moment=(2.0, 6.0),
+        clearance=5e-6,
+        orbital_speed=900.0,
+    ),
+}
 
 
-def harris(bearing, radial_load=0.0, axial_load=0.0, moment=(0, 0), clearance=0.0, load_azimuth=0.0, phase=0.0,
-           orbital_speed=0.0):
-    """(place (5,), Q_i (Z,)) of Harris's simultaneous equations (ch. 7 and 9, no gyroscopic moment), by scipy.
+def harris(
+    bearing,
+    radial_load=0.0,
+    axial_load=0.0,
+    moment=(0, 0),
+    clearance=0.0,
+    load_azimuth=0.0,
+    phase=0.0,
+    orbital_speed=0.0,
+):
+    """(place (5,), Q_i (Z,)) of Harris's simultaneous equations (ch. 7 and 9, no gyroscopic
+    moment), by scipy.
 
-    Unknown are the ring's place and each ball's X_1, X_2, the axial and radial distances of its centre from the outer
-    groove's centre. Lengths in units of 0.1 mm, forces of 1 kN, so that `root` sees numbers near one.
+    Unknown are the ring's place and each ball's X_1, X_2, the axial and radial distances of its
+    centre from the outer groove's centre. Lengths in units of 0.1 mm, forces of 1 kN, so that
+    `root` sees numbers near one.
     """
     psi = phase + 2 * np.pi * np.arange(bearing.balls) / bearing.balls
     c, s = np.cos(psi), np.sin(psi)
-    r_i, gap_i, gap_o = bearing.groove_circle(INNER), bearing.groove_gap(INNER), bearing.groove_gap(OUTER)
-    apart = bearing.groove_circle(INNER) - bearing.groove_circle(OUTER, clearance)  # of the centres, radially
+    r_i, gap_i, gap_o = (
+        bearing.groove_circle(INNER),
+        bearing.groove_gap(INNER),
+        bearing.groove_gap(OUTER),
+    )
+    apart = bearing.groove_circle(INNER) - bearing.groove_circle(
+        OUTER, clearance
+    )  # of the centres, radially
     thrown = 7800 * np.pi / 6 * bearing.ball_diameter**3 * bearing.pitch_radius * orbital_speed**2
 
     def contacts(unknown):
@@ -39,7 +71,10 @@ def harris(bearing, radial_load=0.0, axial_load=0.0, moment=(0, 0), clearance=0.
         alpha_i, alpha_o = np.arctan2(a1 - x1, a2 - x2), np.arctan2(x1, x2)
         q = []
         for side, d, alpha in ((INNER, d_i, alpha_i), (OUTER, d_o, alpha_o)):
-            k = hertz.stiffness(hertz.exact(*bearing.effective_radii(side, alpha, clearance)), bearing.effective_modulus)
+            k = hertz.stiffness(
+                hertz.exact(*bearing.effective_radii(side, alpha, clearance)),
+                bearing.effective_modulus,
+            )
             q.append(k * np.maximum(d, 0) ** 1.5)
         return place, *q, alpha_i, alpha_o
 
@@ -47,11 +82,13 @@ def harris(bearing, radial_load=0.0, axial_load=0.0, moment=(0, 0), clearance=0.
         _, q_i, q_o, alpha_i, alpha_o = contacts(unknown)
         axial = q_o * np.sin(alpha_o) - q_i * np.sin(alpha_i)
         radial = q_o * np.cos(alpha_o) - q_i * np.cos(alpha_i) - thrown
-        ring = [radial_load * np.cos(load_azimuth) - np.sum(q_i * np.cos(alpha_i) * c),
-                radial_load * np.sin(load_azimuth) - np.sum(q_i * np.cos(alpha_i) * s),
-                axial_load - np.sum(q_i * np.sin(alpha_i)),
-                (moment[0] - r_i * np.sum(q_i * np.sin(alpha_i) * s)) / 0.03,
-                (moment[1] + r_i * np.sum(q_i * np.sin(alpha_i) * c)) / 0.03]
+        ring = [
+            radial_load * np.cos(load_azimuth) - np.sum(q_i * np.cos(alpha_i) * c),
+            radial_load * np.sin(load_azimuth) - np.sum(q_i * np.cos(alpha_i) * s),
+            axial_load - np.sum(q_i * np.sin(alpha_i)),
+            (moment[0] - r_i * np.sum(q_i * np.sin(alpha_i) * s)) / 0.03,
+            (moment[1] + r_i * np.sum(q_i * np.sin(alpha_i) * c)) / 0.03,
+        ]
         return np.concatenate([ring, axial, radial]) / 1000
 
     return contacts, miss
@@ -64,10 +101,20 @@ def test_against_harris_equations(bearing, name):
     state = static.equilibrium(bearing, **case)
     contacts, miss = harris(bearing, **case)
     r_o = bearing.groove_gap(OUTER) + state.outer.overlap
-    start = np.concatenate([np.concatenate([state.shift, state.tilt]) / [1e-4, 1e-4, 1e-4, 1e-3, 1e-3],
-                            r_o * np.sin(state.outer.angle) / 1e-4, r_o * np.cos(state.outer.angle) / 1e-4])
+    start = np.concatenate(
+        [
+            np.concatenate([state.shift, state.tilt]) / [1e-4, 1e-4, 1e-4, 1e-3, 1e-3],
+            r_o * np.sin(state.outer.angle) / 1e-4,
+            r_o * np.cos(state.outer.angle) / 1e-4,
+        ]
+    )
     scatter = np.random.default_rng(1)
-    found = root(miss, start + 0.01 * scatter.uniform(-1, 1, len(start)), method="lm", options={"xtol": 1e-15, "ftol": 1e-15})
+    found = root(
+        miss,
+        start + 0.01 * scatter.uniform(-1, 1, len(start)),
+        method="lm",
+        options={"xtol": 1e-15, "ftol": 1e-15},
+    )
     place, q_i, q_o, alpha_i, _ = contacts(found.x)
     assert np.abs(found.fun).max() < 1e-9  # kN
     scale = state.outer.load.max()
@@ -75,15 +122,17 @@ def test_against_harris_equations(bearing, name):
     assert place[:3] == pytest.approx(state.shift, abs=1e-11)
     assert place[3:] == pytest.approx(state.tilt, abs=1e-9)
     assert q_i == pytest.approx(state.inner.load, abs=1e-6 * scale)
-    assert q_o[state.outer.load > 0] == pytest.approx(state.outer.load[state.outer.load > 0], abs=1e-6 * scale)
+    assert q_o[state.outer.load > 0] == pytest.approx(
+        state.outer.load[state.outer.load > 0], abs=1e-6 * scale
+    )
     live = state.inner.load > 0.01 * scale
     assert alpha_i[live] == pytest.approx(state.inner.angle[live], abs=1e-6)
 
 
 @pytest.mark.parametrize("name", LOADS)
 def test_exact_circle_balances_in_space(bearing, name):
-    """Contacts found anew from ball centres in the frame of the turned ring: overlaps, forces on ball and ring, moments
-    across the ring's axis."""
+    """Contacts found anew from ball centres in the frame of the turned ring: overlaps, forces on
+    ball and ring, moments across the ring's axis."""
     case = LOADS[name]
     state = static.equilibrium(bearing, finite_shift=True, **case)
     u = np.stack([np.cos(state.azimuth), np.sin(state.azimuth), 0 * state.azimuth], 1)
@@ -104,28 +153,56 @@ def test_exact_circle_balances_in_space(bearing, name):
     assert angle[live] == pytest.approx(state.inner.angle[live], abs=1e-9)
 
     unit = section / np.linalg.norm(section, axis=1)[:, None]
-    push = np.stack([unit[:, 0] * seen[:, 0] / radius, unit[:, 0] * seen[:, 1] / radius, unit[:, 1]], 1)
+    push = np.stack(
+        [unit[:, 0] * seen[:, 0] / radius, unit[:, 0] * seen[:, 1] / radius, unit[:, 1]], 1
+    )
     on_ring = turn.apply(state.inner.load[:, None] * push)
-    load = np.array([case.get("radial_load", 0) * np.cos(case.get("load_azimuth", 0)),
-                     case.get("radial_load", 0) * np.sin(case.get("load_azimuth", 0)), case.get("axial_load", 0)])
+    load = np.array(
+        [
+            case.get("radial_load", 0) * np.cos(case.get("load_azimuth", 0)),
+            case.get("radial_load", 0) * np.sin(case.get("load_azimuth", 0)),
+            case.get("axial_load", 0),
+        ]
+    )
     scale = state.outer.load.max()
     assert on_ring.sum(0) + load == pytest.approx(np.zeros(3), abs=1e-7 * scale)
     moment = np.cross(ball - state.shift, on_ring).sum(0)
-    assert np.cross(moment + [*case["moment"], 0.0], e) == pytest.approx(np.zeros(3), abs=1e-8 * scale)
+    assert np.cross(moment + [*case["moment"], 0.0], e) == pytest.approx(
+        np.zeros(3), abs=1e-8 * scale
+    )
     assert state.force == pytest.approx(on_ring.sum(0), abs=1e-7 * scale)
     assert state.moment == pytest.approx(moment, abs=1e-8 * scale)
-    thrown = 7800 * np.pi / 6 * bearing.ball_diameter**3 * bearing.pitch_radius * case.get("orbital_speed", 0) ** 2
+    thrown = (
+        7800
+        * np.pi
+        / 6
+        * bearing.ball_diameter**3
+        * bearing.pitch_radius
+        * case.get("orbital_speed", 0) ** 2
+    )
     balance = -on_ring - state.outer.load[:, None] * out + thrown * u
     touching = state.outer.load > 0
-    assert (balance * u).sum(1)[touching] == pytest.approx(np.zeros(touching.sum()), abs=1e-7 * scale)
+    assert (balance * u).sum(1)[touching] == pytest.approx(
+        np.zeros(touching.sum()), abs=1e-7 * scale
+    )
     assert (balance @ e_z)[touching] == pytest.approx(np.zeros(touching.sum()), abs=1e-7 * scale)
 
 
 @pytest.mark.parametrize("finite_shift", [False, True])
 def test_gradient_and_hessian(bearing, finite_shift):
-    """Central differences of the energy, the balls settled anew at every place: 10 nm steps of overlaps near 20 um."""
+    """Central differences of the energy, the balls settled anew at every place: 10 nm steps of
+    overlaps near 20 um."""
     azimuth = 0.1 + 2 * np.pi * np.arange(9) / 9
-    balance = Balance(bearing, np.array([2000.0, 300.0, 900.0]), (9.0, -5.0), np.full(5, np.nan), azimuth, 10e-6, 40.0, finite_shift)
+    balance = Balance(
+        bearing,
+        np.array([2000.0, 300.0, 900.0]),
+        (9.0, -5.0),
+        np.full(5, np.nan),
+        azimuth,
+        10e-6,
+        40.0,
+        finite_shift,
+    )
     place = np.array([25e-6, -8e-6, 110e-6, 40e-6, -50e-6])  # tilts as lengths
     gradient, hessian, _ = balance.derivatives(place)
     for k in range(5):
@@ -138,16 +215,22 @@ def test_gradient_and_hessian(bearing, finite_shift):
 
 
 def test_stiffness_is_load_per_displacement(bearing):
-    """One more newton, or newton metre, along each freedom moves the ring by the inverse of `stiffness`, up to the change of
-    contact stiffness with the angle, which it leaves out."""
+    """One more newton, or newton metre, along each freedom moves the ring by the inverse of
+    `stiffness`, up to the change of contact stiffness with the angle, which it leaves out."""
     base = dict(radial_load=2000.0, axial_load=1000.0, moment=(10.0, -4.0), clearance=10e-6)
     state = static.equilibrium(bearing, **base)
     compliance = np.linalg.inv(state.stiffness)
-    for k, more in ((0, dict(radial_load=2001.0)), (2, dict(axial_load=1001.0)), (3, dict(moment=(10.01, -4.0)))):
+    for k, more in (
+        (0, dict(radial_load=2001.0)),
+        (2, dict(axial_load=1001.0)),
+        (3, dict(moment=(10.01, -4.0))),
+    ):
         other = static.equilibrium(bearing, **{**base, **more})
         moved = np.concatenate([other.shift - state.shift, other.tilt - state.tilt])
         expected = compliance[:, k] * (0.01 if k == 3 else 1.0)
-        assert moved == pytest.approx(expected, rel=0.02, abs=0.02 * np.abs(expected[:3 if k == 3 else 5]).max())
+        assert moved == pytest.approx(
+            expected, rel=0.02, abs=0.02 * np.abs(expected[: 3 if k == 3 else 5]).max()
+        )
 
 
 def test_turning_and_mirroring(bearing):
@@ -160,7 +243,9 @@ def test_turning_and_mirroring(bearing):
     assert other.shift == pytest.approx(turn.apply(one.shift), abs=1e-13)
     assert np.append(other.tilt, 0) == pytest.approx(turn.apply(np.append(one.tilt, 0)), abs=1e-11)
     # in the bearing's plane: axial load, moments, tilts and angles change their signs
-    below = static.equilibrium(bearing, moment=(-10.0, 4.0), phase=0.1, **{**case, "axial_load": -1000.0})
+    below = static.equilibrium(
+        bearing, moment=(-10.0, 4.0), phase=0.1, **{**case, "axial_load": -1000.0}
+    )
     assert below.inner.load == pytest.approx(one.inner.load, rel=1e-7)
     assert below.shift == pytest.approx(one.shift * [1, 1, -1], abs=1e-13)
     assert below.tilt == pytest.approx(-one.tilt, abs=1e-11)
@@ -171,20 +256,30 @@ def test_held_tilt_gives_back_its_moment(bearing):
     """20 arc-minutes held need a moment; that moment, given, makes 20 arc-minutes."""
     tilt = np.radians(20 / 60)
     for finite_shift in (False, True):
-        held = static.equilibrium(bearing, 2000.0, 500.0, held={"rx": 0.2 * tilt, "ry": tilt}, clearance=10e-6, finite_shift=finite_shift)
+        held = static.equilibrium(
+            bearing,
+            2000.0,
+            500.0,
+            held={"rx": 0.2 * tilt, "ry": tilt},
+            clearance=10e-6,
+            finite_shift=finite_shift,
+        )
         assert held.tilt == pytest.approx([0.2 * tilt, tilt], rel=1e-12)
         e = np.array([np.sin(tilt), -np.sin(0.2 * tilt), 0])
         e[2] = np.sqrt(1 - e @ e)
         # only the part across the axis works; a moment in the plane of x and y with that part
         needed = -held.moment
         needed = (needed - needed[2] / e[2] * e)[:2] if finite_shift else needed[:2]
-        free = static.equilibrium(bearing, 2000.0, 500.0, moment=needed, clearance=10e-6, finite_shift=finite_shift)
+        free = static.equilibrium(
+            bearing, 2000.0, 500.0, moment=needed, clearance=10e-6, finite_shift=finite_shift
+        )
         assert free.tilt == pytest.approx(held.tilt, rel=1e-7)
         assert free.inner.load == pytest.approx(held.inner.load, rel=1e-6, abs=1e-5)
 
 
 def test_imposed_displacement(bearing):
-    """Held everywhere: the loads are those of Hertz at the displacement, the ball on the load line squeezed by 30 um."""
+    """Held everywhere: the loads are those of Hertz at the displacement, the ball on the load line
+    squeezed by 30 um."""
     state = static.equilibrium(bearing, held={"x": 30e-6, "y": 0, "z": 0, "rx": 0, "ry": 0})
     assert state.inner.overlap[0] + state.outer.overlap[0] == pytest.approx(30e-6, rel=1e-10)
     assert state.residual == 0
@@ -207,38 +302,85 @@ def test_pure_rolling_speed(bearing):
 
     state, speed = turning(bearing, 1000.0, 0.0, 2000.0, clearance=30e-6)
     assert orbit(bearing, state, 1000.0) == pytest.approx(speed, rel=1e-8)
-    mean = np.arccos((np.cos(state.inner.angle[0]) * state.inner.load[0] + np.cos(state.outer.angle[0]) * state.outer.load[0])
-                     / (state.inner.load[0] + state.outer.load[0]))
+    mean = np.arccos(
+        (
+            np.cos(state.inner.angle[0]) * state.inner.load[0]
+            + np.cos(state.outer.angle[0]) * state.outer.load[0]
+        )
+        / (state.inner.load[0] + state.outer.load[0])
+    )
     assert speed == pytest.approx(1000.0 * kinematics.frequencies(bearing, mean).cage, rel=1e-8)
-    assert np.all(state.inner.angle > state.outer.angle)  # thrown balls press the outer ring more squarely
+    assert np.all(
+        state.inner.angle > state.outer.angle
+    )  # thrown balls press the outer ring more squarely
 
 
-@pytest.mark.parametrize("arguments, said", [
-    (dict(moment=(float("nan"), 0)), "finite"),
-    (dict(moment=(0, 0), clearance=1e-5), "without a load"),
-    (dict(moment=(0, 5e4)), "groove|no place"),
-    (dict(held={"x": 1e-6, "rx": 0, "ry": 0}, clearance=1e-4), "no ball carries")])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (dict(moment=(float("nan"), 0)), "finite"),
+        (dict(moment=(0, 0), clearance=1e-5), "without a load"),
+        (dict(moment=(0, 5e4)), "groove|no place"),
+        (dict(held={"x": 1e-6, "rx": 0, "ry": 0}, clearance=1e-4), "no ball carries"),
+    ],
+)
 def test_no_equilibrium(bearing, arguments, said):
     with pytest.raises(NoEquilibrium, match=said):
         static.equilibrium(bearing, **arguments)
 
 
-@pytest.mark.parametrize("held, said", [({"phi": 0}, "phi is no degree of freedom"), ({"x": float("inf")}, "finite")])
+@pytest.mark.parametrize(
+    "held, said", [({"phi": 0}, "phi is no degree of freedom"), ({"x": float("inf")}, "finite")]
+)
 def test_wrong_hold(bearing, held, said):
     with pytest.raises(ValueError, match=said):
         static.equilibrium(bearing, 100.0, held=held)
 
 
-@pytest.mark.parametrize("case", [
-    dict(radial_load=1.0, clearance=5e-5, phase=0.6993181176267562, load_azimuth=1.572880777139937),
-    dict(radial_load=1.0, axial_load=1.0, phase=0.44263309053734035, load_azimuth=2.2868251944242615, orbital_speed=20.0),
-    dict(axial_load=1.0, clearance=1e-5, phase=0.2686148344495519, finite_shift=True),
-    dict(radial_load=1.0, clearance=1e-5, phase=0.1456511270822216, load_azimuth=2.8692457983051347, finite_shift=True),
-    dict(radial_load=1.0, moment=(0.0, 0.01), clearance=5e-5, phase=0.137, load_azimuth=5.977, finite_shift=True)])
+@pytest.mark.parametrize(
+    "case",
+    [
+        dict(
+            radial_load=1.0,
+            clearance=5e-5,
+            phase=0.6993181176267562,
+            load_azimuth=1.572880777139937,
+        ),
+        dict(
+            radial_load=1.0,
+            axial_load=1.0,
+            phase=0.44263309053734035,
+            load_azimuth=2.2868251944242615,
+            orbital_speed=20.0,
+        ),
+        dict(axial_load=1.0, clearance=1e-5, phase=0.2686148344495519, finite_shift=True),
+        dict(
+            radial_load=1.0,
+            clearance=1e-5,
+            phase=0.1456511270822216,
+            load_azimuth=2.8692457983051347,
+            finite_shift=True,
+        ),
+        dict(
+            radial_load=1.0,
+            moment=(0.0, 0.01),
+            clearance=5e-5,
+            phase=0.137,
+            load_azimuth=5.977,
+            finite_shift=True,
+        ),
+    ],
+)
 def test_light_loads(bearing, case):
-    """Under 1 N the last digits of distances are worth 1e-10 N: that ends the search, not the tolerance of the force."""
+    """Under 1 N the last digits of distances are worth 1e-10 N: that ends the search, not the
+    tolerance of the force."""
     state = static.equilibrium(bearing, **case)
     assert state.residual < 1e-8
-    load = np.array([case.get("radial_load", 0) * np.cos(case.get("load_azimuth", 0)),
-                     case.get("radial_load", 0) * np.sin(case.get("load_azimuth", 0)), case.get("axial_load", 0)])
+    load = np.array(
+        [
+            case.get("radial_load", 0) * np.cos(case.get("load_azimuth", 0)),
+            case.get("radial_load", 0) * np.sin(case.get("load_azimuth", 0)),
+            case.get("axial_load", 0),
+        ]
+    )
     assert state.force == pytest.approx(-load, abs=1e-8)

@@ -4,7 +4,6 @@
 from pathlib import Path
 
 import pytest
-
 from raceway import inputs
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -12,7 +11,10 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def test_values(tmp_path):
     path = tmp_path / "data"
-    path.write_text("# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\nvariable b equal 2\n")
+    path.write_text(
+        "# variable no index 1\nvariable film index film\n  variable  a index\t1.0e-7 # m\nvariable"
+        " b equal 2\n"
+    )
     assert inputs.values(path) == {"film": "film", "a": "1.0e-7"}
 
 
@@ -22,15 +24,37 @@ def test_bearing(bearing):
 
 def test_composite_roughness(tmp_path):
     path = tmp_path / "oil"
-    text = (ROOT / "inputs/lubricants/mineral").read_text().replace("ball_roughness     index 0", "ball_roughness index 7.5e-8")
+    text = (
+        (ROOT / "inputs/lubricants/mineral")
+        .read_text()
+        .replace("ball_roughness     index 0", "ball_roughness index 7.5e-8")
+    )
     path.write_text(text)
-    assert inputs.oil(path) == pytest.approx((0.040, 22e-9, 2.25, 1.25e-7), rel=1e-15)  # 100 and 75 nm: 3, 4, 5
+    assert inputs.oil(path) == pytest.approx(
+        (0.040, 22e-9, 2.25, 1.25e-7), rel=1e-15
+    )  # 100 and 75 nm: 3, 4, 5
 
 
-@pytest.mark.parametrize(("text", "message"), [
-    (None, "cannot read"), ("variable viscosity index 1\n", "has no variable pressure_viscosity, permittivity"),
-    ("".join(f"variable {name} index x\n" for name in ("viscosity", "pressure_viscosity", "permittivity", "roughness",
-                                                       "ball_roughness")), "could not convert")])
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (None, "cannot read"),
+        ("variable viscosity index 1\n", "has no variable pressure_viscosity, permittivity"),
+        (
+            "".join(
+                f"variable {name} index x\n"
+                for name in (
+                    "viscosity",
+                    "pressure_viscosity",
+                    "permittivity",
+                    "roughness",
+                    "ball_roughness",
+                )
+            ),
+            "could not convert",
+        ),
+    ],
+)
 def test_bad_file(tmp_path, text, message):
     path = tmp_path / "oil"
     if text is not None:

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Bearing frequencies against the figures of docs/theory, Numbers to reproduce and rolling without slip."""
+"""Bearing frequencies against the figures of docs/theory, Numbers to reproduce and rolling without
+slip."""
 
 import numpy as np
 import pytest
-
 from raceway import kinematics
 
 
 def test_frequencies_of_the_6208(bearing):  # to the digits printed
-    assert kinematics.frequencies(bearing) == pytest.approx((0.39604, 3.5644, 5.4356, 2.3008), rel=2e-5)
+    assert kinematics.frequencies(bearing) == pytest.approx(
+        (0.39604, 3.5644, 5.4356, 2.3008), rel=2e-5
+    )
 
 
 def test_every_ball_passes_both_rings(bearing):
@@ -18,7 +20,8 @@ def test_every_ball_passes_both_rings(bearing):
 
 
 def test_entrainment_from_the_surfaces(bearing):
-    """Seen from the contact, both surfaces of either raceway move at (ring - cage) times the raceway's radius."""
+    """Seen from the contact, both surfaces of either raceway move at (ring - cage) times the
+    raceway's radius."""
     spin = 50.0
     cage = spin * kinematics.frequencies(bearing).cage
     speed = kinematics.entrainment(bearing, spin)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance on statics: contact by contact against the formulas, and what the whole must do."""
+"""Film and capacitance on statics: contact by contact against the formulas, and what the whole must
+do."""
 
 import numpy as np
 import pytest
@@ -20,12 +21,32 @@ def test_each_contact(bearing):
     total = 0
     for ball in range(9):
         series = []
-        for side, contact, found in ((INNER, state.inner, films.inner), (OUTER, state.outer, films.outer)):
+        for side, contact, found in (
+            (INNER, state.inner, films.inner),
+            (OUTER, state.outer, films.outer),
+        ):
             r_x, r_y = bearing.effective_radii(side, contact.angle[ball], 10e-6)
-            ellipse, speed = hertz.exact(r_x, r_y), kinematics.entrainment(bearing, 50.0, contact.angle[ball])
-            g = film.group(0.04, 22e-9, bearing.effective_modulus, r_x, ellipse.kappa, speed, contact.load[ball])
+            ellipse, speed = (
+                hertz.exact(r_x, r_y),
+                kinematics.entrainment(bearing, 50.0, contact.angle[ball]),
+            )
+            g = film.group(
+                0.04,
+                22e-9,
+                bearing.effective_modulus,
+                r_x,
+                ellipse.kappa,
+                speed,
+                contact.load[ball],
+            )
             a, b = hertz.semi_axes(ellipse, bearing.effective_modulus, contact.load[ball])
-            c = capacitance.contact(2.25, hertz.pressure(ellipse, bearing.effective_modulus, contact.load[ball]), a, b, film.h_c(r_x, g))
+            c = capacitance.contact(
+                2.25,
+                hertz.pressure(ellipse, bearing.effective_modulus, contact.load[ball]),
+                a,
+                b,
+                film.h_c(r_x, g),
+            )
             expected = [speed, film.h_min(r_x, g), film.h_c(r_x, g), film.h_min(r_x, g) / 1e-7, c]
             assert [values[ball] for values in found] == pytest.approx(expected, rel=1e-12)
             series.append(c)
@@ -44,7 +65,8 @@ def test_unloaded_balls_add_nothing(bearing):
 
 
 def test_thrown_ball_touches_the_outer_raceway_only(bearing):
-    """At 1000 rad/s an unloaded ball has an outer film and no capacitance: the chain is open at the inner raceway."""
+    """At 1000 rad/s an unloaded ball has an outer film and no capacitance: the chain is open at the
+    inner raceway."""
     state, _ = turning(bearing, 1000.0, 1000.0, clearance=20e-6)
     films = lubricate(bearing, state, OIL, 1000.0, 20e-6)
     idle = (state.inner.load == 0) & (state.outer.load > 0)

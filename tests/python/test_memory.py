@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Memory does not grow with the run: every way of reading that says so, on a run and on one nine times as long.
+"""Memory does not grow with the run: every way of reading that says so, on a run and on one nine
+times as long.
 
 tests/bench/big_dump.py does the same with 2 GB.
 """
@@ -10,12 +11,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import raceway
 import synthetic
 
-import raceway
-
 SHORT, LONG = 20, 180  # times the 48 samples of the synthetic run
-BLOCK = 1 << 18  # bytes read at once, as much smaller than usual as the runs are: the short one has several
+BLOCK = (
+    1 << 18
+)  # bytes read at once, as much smaller than usual as the runs are: the short one has several
 TASKS = """
 from raceway import electrical, losses, regimes, spectrum
 raceway.open(folder).summary()
@@ -56,29 +58,42 @@ def folders(tmp_path_factory, lubricated):
 def peak(folder, task):
     """Largest resident memory in MB of a process that does `task`."""
     # VmHWM and not ru_maxrss, which a process inherits from the one that started it
-    code = (f"import sys, raceway, raceway.dump; raceway.dump.BLOCK = {BLOCK}; folder = sys.argv[1]\n{task}\n"
-            "print(next(line.split()[1] for line in open('/proc/self/status') if line.startswith('VmHWM')))")
-    environment = {"PYTHONPATH": str(Path(raceway.__file__).parents[1]), "PYTHONDONTWRITEBYTECODE": "1",
-                   "OPENBLAS_NUM_THREADS": "1"}
-    done = subprocess.run([sys.executable, "-c", code, str(folder)], env=environment, text=True, timeout=300,
-                          capture_output=True, check=False)
+    code = (
+        f"import sys, raceway, raceway.dump; raceway.dump.BLOCK = {BLOCK}; folder ="
+        f" sys.argv[1]\n{task}\nprint(next(line.split()[1] for line in open('/proc/self/status') if"
+        " line.startswith('VmHWM')))"
+    )
+    environment = {
+        "PYTHONPATH": str(Path(raceway.__file__).parents[1]),
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+    }
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(folder)],
+        env=environment,
+        text=True,
+        timeout=300,
+        capture_output=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     return float(done.stdout.splitlines()[-1]) / 1024
 
 
 def growth(folders, task):
-    """MB that the long run needs more than the short one, over the MB that its contacts.dump is longer."""
+    """MB that the long run needs more than the short one, over the MB that its contacts.dump is
+    longer."""
     sizes = [(folders[times] / "contacts.dump").stat().st_size / 2**20 for times in (SHORT, LONG)]
     return (peak(folders[LONG], task) - peak(folders[SHORT], task)) / (sizes[1] - sizes[0])
 
 
 def test_bounded(folders):
-    """A row a sample of totals, ring and spectrum stays: up to 1 KB for 2.9 KB of text in contacts.dump here, less where
-    there are more contacts."""
+    """A row a sample of totals, ring and spectrum stays: up to 1 KB for 2.9 KB of text in
+    contacts.dump here, less where there are more contacts."""
     assert growth(folders, TASKS) < 0.3
 
 
 def test_whole_run_is_not(folders):
-    """The measure can tell: a row is 23 numbers of 8 bytes for about as many words of 19 characters, and the parts are put
-    together."""
+    """The measure can tell: a row is 23 numbers of 8 bytes for about as many words of 19
+    characters, and the parts are put together."""
     assert growth(folders, WHOLE) > 0.5

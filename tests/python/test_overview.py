@@ -5,7 +5,6 @@ import matplotlib.image
 import numpy as np
 import pytest
 import synthetic
-
 from raceway.errors import RunError, RunWarning
 from raceway.pictures import overview as plot
 from raceway.pictures import part
@@ -37,11 +36,17 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
     height, width, _ = matplotlib.image.imread(out).shape
     assert width >= 1200 and height >= 1200
     panels = axes()
-    assert set(panels) == {"Contact load around the ring", "Film thickness around the ring", "Hertz pressure",
-                           "Capacitance"}
+    assert set(panels) == {
+        "Contact load around the ring",
+        "Film thickness around the ring",
+        "Hertz pressure",
+        "Capacitance",
+    }
     load = drawn(panels["Contact load around the ring"], plot.COLOUR[0])
     expected = [row[6] for frame in lubricated["contacts"] for row in frame if row[2] == 0]
-    assert np.sort(load[:, 1]) == pytest.approx(np.sort(expected) / 1e3)  # all samples of all balls, in kN
+    assert np.sort(load[:, 1]) == pytest.approx(
+        np.sort(expected) / 1e3
+    )  # all samples of all balls, in kN
     heaviest = load[np.argmax(load[:, 1])]
     assert np.cos(heaviest[0]) > 0.99  # on the load line
     total = drawn(panels["Capacitance"], plot.INK)
@@ -52,18 +57,25 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
 
 
 def test_lost_contact_breaks_the_line(tmp_path, axes):
-    """Twelve passes bring balls back into the loaded zone: no line leads across the zone without load."""
+    """Twelve passes bring balls back into the loaded zone: no line leads across the zone without
+    load."""
     data = synthetic.run(clearance=1e-5, passes=12, samples_per_pass=8)
     plot.overview(Run(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
     panel = axes()["Contact load around the ring"]
     steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
     assert np.isnan(steps).any()
-    assert np.nanmax(np.abs(steps)) == pytest.approx(2 * np.pi / 9 / 8, rel=1e-6)  # what a ball goes in one sample
+    assert np.nanmax(np.abs(steps)) == pytest.approx(
+        2 * np.pi / 9 / 8, rel=1e-6
+    )  # what a ball goes in one sample
 
 
 def test_dry(dry_folder, tmp_path, axes):
     plot.overview(Run(dry_folder), tmp_path / "dry.png")
-    assert set(axes()) == {"Contact load around the ring", "Hertz pressure", "Ring shift along the load"}
+    assert set(axes()) == {
+        "Contact load around the ring",
+        "Hertz pressure",
+        "Ring shift along the load",
+    }
 
 
 def test_ball_that_goes_round_more_than_once(tmp_path, axes):

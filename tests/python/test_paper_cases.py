@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from raceway.cli import main
 from raceway.inputs import InputError
 from raceway.paper import cases, runner
@@ -49,7 +48,9 @@ def ran(tree):
 
 def run_all(tree):
     plan, told = cases.plan(tree), []
-    outcome = runner.Runner(tree, tree / "store").run_all(plan.needed(plan.products), 2, lambda *what: told.append(what))
+    outcome = runner.Runner(tree, tree / "store").run_all(
+        plan.needed(plan.products), 2, lambda *what: told.append(what)
+    )
     return outcome, told
 
 
@@ -57,10 +58,18 @@ def test_names_become_the_decks(tree):
     plan = cases.plan(tree)
     few, free = plan.cases["few"], plan.cases["free"][0]
     assert [dict(case.settings)["load"] for case in few] == ["1000", "2000"]
-    spin = 2 * 0.41 / (30.3e-3 * (1 - (6.3 / 30.3) ** 2))  # rad/s, U_r = omega r_pitch (1 - gamma^2)/2
-    assert float(dict(few[0].settings)["rpm"]) == pytest.approx(spin * 30 / np.pi, rel=1e-11)  # 12 digits are given
+    spin = (
+        2 * 0.41 / (30.3e-3 * (1 - (6.3 / 30.3) ** 2))
+    )  # rad/s, U_r = omega r_pitch (1 - gamma^2)/2
+    assert float(dict(few[0].settings)["rpm"]) == pytest.approx(
+        spin * 30 / np.pi, rel=1e-11
+    )  # 12 digits are given
     # table A.1: B = 0.08 is a groove of 6.804 mm; table 3: P_d/D = 0.0035 is 44.1 um
-    assert dict(free.settings) == {"clearance": "4.41e-05", "inner_groove": "0.006804", "outer_groove": "0.006804"}
+    assert dict(free.settings) == {
+        "clearance": "4.41e-05",
+        "inner_groove": "0.006804",
+        "outer_groove": "0.006804",
+    }
 
 
 def test_same_settings_are_one_case(tree):
@@ -71,14 +80,35 @@ def test_same_settings_are_one_case(tree):
 
 def test_the_plan_of_the_repository():
     plan = cases.plan(ROOT)
-    assert {"6a", "6b", "8a", "8b", "9", "10a", "10b", "11", "12a", "12b", "A.2", "A.4", "table-3", "table-A.1"} <= set(plan.products)
+    assert {
+        "6a",
+        "6b",
+        "8a",
+        "8b",
+        "9",
+        "10a",
+        "10b",
+        "11",
+        "12a",
+        "12b",
+        "A.2",
+        "A.4",
+        "table-3",
+        "table-A.1",
+    } <= set(plan.products)
     for case in plan.needed(plan.products):
         assert (ROOT / case.deck).is_file()
 
 
-@pytest.mark.parametrize(("text", "message"), [
-    ("cases: {}", "'products'"), ("[1", "cases.yaml"), ("cases: {}\nproducts: {1: [none]}", "unknown cases: none"),
-    (PLAN.replace("load: [1000, 2000]", "bearing: 6299"), "cannot read .*6299")])
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("cases: {}", "'products'"),
+        ("[1", "cases.yaml"),
+        ("cases: {}\nproducts: {1: [none]}", "unknown cases: none"),
+        (PLAN.replace("load: [1000, 2000]", "bearing: 6299"), "cannot read .*6299"),
+    ],
+)
 def test_broken_plan(tree, text, message):
     (tree / "inputs/paper/cases.yaml").write_text(text)
     with pytest.raises(InputError, match=message):
@@ -106,9 +136,14 @@ def test_failure_is_named_and_the_rest_runs(tree):
     (tree / "bad").write_text("1000")
     outcome, told = run_all(tree)
     assert len(outcome.folders) == 2 and len(told) == 3
-    (case, message), = outcome.failures.items()
-    assert dict(case.settings)["load"] == "1000" and message == "exit code 1: ERROR: no such load (x.cpp:1)"
-    assert not [path for path in (tree / "store").rglob("*") if path.name.startswith(".")]  # nothing half-written
+    ((case, message),) = outcome.failures.items()
+    assert (
+        dict(case.settings)["load"] == "1000"
+        and message == "exit code 1: ERROR: no such load (x.cpp:1)"
+    )
+    assert not [
+        path for path in (tree / "store").rglob("*") if path.name.startswith(".")
+    ]  # nothing half-written
     (tree / "bad").unlink()
     assert not run_all(tree)[0].failures
 
@@ -124,7 +159,9 @@ def test_command_names_the_failure(tree, capsys):
 def test_command_lists(tree, capsys):
     assert main(["paper", "--list"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines] == ["8a", "9", "A.4"] and lines[0].endswith("(2 runs)")
+    assert [line.split()[0] for line in lines] == ["8a", "9", "A.4"] and lines[0].endswith(
+        "(2 runs)"
+    )
     assert ran(tree) == 0
 
 

@@ -3,7 +3,6 @@
 
 import numpy as np
 import pytest
-
 from raceway import capacitance, distribution, film, hertz
 from raceway.bearing import INNER, OUTER
 from raceway.inputs import Oil
@@ -21,13 +20,17 @@ def test_contact_is_the_formulas(bearing, printed):
     shape = hertz.hamrock_brewe(r_x, r_y, printed=True) if printed else hertz.exact(r_x, r_y)
     for at in (0, 2):
         a, b = hertz.semi_axes(shape, bearing.effective_modulus, load[at])
-        group = film.group(0.040, 22e-9, bearing.effective_modulus, r_x, shape.kappa, SPEED, load[at])
+        group = film.group(
+            0.040, 22e-9, bearing.effective_modulus, r_x, shape.kappa, SPEED, load[at]
+        )
         h_c = film.h_c(r_x, group, printed=printed)
         value = capacitance.contact(2.25, 1.5 * load[at] / (np.pi * a * b), a, b, h_c)
         assert found.capacitance[at] == pytest.approx(value, rel=1e-13)
         assert found.h_min[at] == pytest.approx(film.h_min(r_x, group), rel=1e-13)
     assert found.capacitance[1] == 0 and np.isnan(found.h_c[1])
-    assert found.pressure[0] == pytest.approx(hertz.pressure(shape, bearing.effective_modulus, 2436.2), rel=1e-12)
+    assert found.pressure[0] == pytest.approx(
+        hertz.pressure(shape, bearing.effective_modulus, 2436.2), rel=1e-12
+    )
 
 
 def test_loads_balance_the_ring(bearing):
@@ -35,19 +38,24 @@ def test_loads_balance_the_ring(bearing):
     assert psi.shape == load.shape == (theory.PHASES, bearing.balls)
     # 0.1 %: contacts of a displaced ring point a little off the radius
     assert (load * np.cos(np.radians(psi))).sum(1) == pytest.approx(5000.0, rel=1e-3)
-    assert theory.largest_load(bearing, 5000.0) == pytest.approx(2436.2, rel=1e-3)  # Harris, without the finite shift
+    assert theory.largest_load(bearing, 5000.0) == pytest.approx(
+        2436.2, rel=1e-3
+    )  # Harris, without the finite shift
 
 
 def test_mean_shift_is_stribecks(bearing):
     # 1 %: nine balls against evenly spread load
-    assert theory.loads(bearing, 5000.0, 44.1e-6)[2] == pytest.approx(distribution.shift(bearing, 5000.0, 44.1e-6), rel=1e-2)
+    assert theory.loads(bearing, 5000.0, 44.1e-6)[2] == pytest.approx(
+        distribution.shift(bearing, 5000.0, 44.1e-6), rel=1e-2
+    )
 
 
 def test_bearing_is_the_sum_of_balls(bearing):
     _, load, _ = theory.loads(bearing, 5000.0)
     sides = [theory.contact(bearing, OIL, side, load, SPEED).capacitance for side in (INNER, OUTER)]
     assert theory.bearing_capacitance(bearing, OIL, 5000.0, SPEED) == pytest.approx(
-        capacitance.bearing(*sides).mean(), rel=1e-13)
+        capacitance.bearing(*sides).mean(), rel=1e-13
+    )
 
 
 def test_speed_of_a_film(bearing):
@@ -60,4 +68,6 @@ def test_speed_of_a_film(bearing):
 @pytest.mark.parametrize("printed", [False, True])
 def test_roughness_of_a_capacitance(bearing, whole, printed):
     needed = passage.roughness(bearing, OIL, 5000.0, 60e-12, whole, printed)
-    assert passage.capacitance(bearing, OIL, 5000.0, needed, whole, printed) == pytest.approx(60e-12, rel=1e-7)
+    assert passage.capacitance(bearing, OIL, 5000.0, needed, whole, printed) == pytest.approx(
+        60e-12, rel=1e-7
+    )

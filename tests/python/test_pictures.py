@@ -8,25 +8,28 @@ import numpy as np
 import pytest
 import synthetic
 from PIL import Image
-
 from raceway import static
 from raceway.bearing import INNER, OUTER
 from raceway.cli import main
 from raceway.errors import RunError
-from raceway.pictures import animation, bearing as still, polar, waterfall
+from raceway.pictures import animation, polar, waterfall
+from raceway.pictures import bearing as still
 from raceway.pictures.scene import COLOURS, nice, scene
 from raceway.run import Run
 
 
 def test_polar_theory_is_the_static_solution(folder, lubricated, bearing):
-    """The run is made of static solutions, so the dots lie on its curves. The balls' centrifugal load, which it lacks, is 0.1 N."""
+    """The run is made of static solutions, so the dots lie on its curves. The balls' centrifugal
+    load, which it lacks, is 0.1 N."""
     dots = polar.theory(Run(folder))
     for side in (INNER, OUTER):
         loads = static.equilibrium(bearing, 5000.0, clearance=1e-5, phase=dots[side]["psi"][0])
         part = (loads.inner, loads.outer)[side]
         assert dots[side]["load"][0] == pytest.approx(part.load[0], abs=0.2)
         assert len(dots[side]["load"]) == len(dots[side]["h_c"]) > 10
-    assert dots[INNER]["load"].max() == pytest.approx(max(row[6] for frame in lubricated["contacts"] for row in frame), rel=0.02)
+    assert dots[INNER]["load"].max() == pytest.approx(
+        max(row[6] for frame in lubricated["contacts"] for row in frame), rel=0.02
+    )
 
 
 def test_polar_has_no_theory_for_an_unknown_load(folder):
@@ -58,16 +61,29 @@ def test_dry(dry_folder, kind):
 def test_run_that_is_still_going(folder, capsys, file):
     """Ahead in either file, and without the lines that come last."""
     text = (folder / file).read_text()
-    (folder / file).write_text(text[:2 * len(text) // 3])
+    (folder / file).write_text(text[: 2 * len(text) // 3])
     settings = (folder / "run.yaml").read_text().splitlines(keepends=True)
-    (folder / "run.yaml").write_text("".join(line for line in settings if not line.startswith(("step_s", "simulated_s", "wall_s"))))
-    for command in (["plot", "--kind", "polar"], ["plot", "--kind", "waterfall"], ["plot", "--kind", "bearing"],
-                    ["animate", "--frames", "2", "--width", "300"], ["export", "--format", "xyz"], ["export", "--format", "vtk"]):
+    (folder / "run.yaml").write_text(
+        "".join(
+            line for line in settings if not line.startswith(("step_s", "simulated_s", "wall_s"))
+        )
+    )
+    for command in (
+        ["plot", "--kind", "polar"],
+        ["plot", "--kind", "waterfall"],
+        ["plot", "--kind", "bearing"],
+        ["animate", "--frames", "2", "--width", "300"],
+        ["export", "--format", "xyz"],
+        ["export", "--format", "vtk"],
+    ):
         assert main([command[0], str(folder), *command[1:]]) == 0, capsys.readouterr().err
 
 
 def test_what_a_dry_run_lacks(dry_folder, capsys):
-    for command in (["plot", str(dry_folder), "--kind", "waterfall"], ["animate", str(dry_folder), "--colour", "film"]):
+    for command in (
+        ["plot", str(dry_folder), "--kind", "waterfall"],
+        ["animate", str(dry_folder), "--colour", "film"],
+    ):
         assert main(command) == 1
         assert "a dry run does not have" in capsys.readouterr().err
 
@@ -89,7 +105,8 @@ def test_bands_of_a_long_run_are_thinned(folder, monkeypatch):
 
 
 def test_scene(folder, lubricated, bearing):
-    """Bodies that touch with overlap d are drawn with overlap factor * d; colours are the contacts' values."""
+    """Bodies that touch with overlap d are drawn with overlap factor * d; colours are the contacts'
+    values."""
     run, samples, factor = Run(folder), np.array([3, 10, 20]), 20.0
     what = scene(run, samples, "load", factor)
     pitch = bearing.pitch_radius
@@ -101,20 +118,33 @@ def test_scene(folder, lubricated, bearing):
             radius = np.hypot(*place[:2])
             drawn = np.hypot(*what.balls[k, ball, :2])
             outer = radius + bearing.ball_radius - bearing.outer_radius - 5e-6
-            assert drawn + bearing.ball_radius - bearing.outer_radius - what.half_clearance == pytest.approx(factor * outer, abs=1e-12)
+            assert (
+                drawn + bearing.ball_radius - bearing.outer_radius - what.half_clearance
+                == pytest.approx(factor * outer, abs=1e-12)
+            )
             assert drawn == pytest.approx(pitch + factor * (radius - pitch))
         loads = {}
         for row in lubricated["contacts"][sample]:
             loads[row[0]] = max(loads.get(row[0], 0), row[6])
         for ball in range(9):
             assert what.load[k, ball] == loads.get(ball + 1, 0)
-            assert np.isnan(what.values[k, ball]) if ball + 1 not in loads else what.values[k, ball] == loads[ball + 1]
+            assert (
+                np.isnan(what.values[k, ball])
+                if ball + 1 not in loads
+                else what.values[k, ball] == loads[ball + 1]
+            )
     assert what.turned[1] == pytest.approx(-100.0 * 10 * run.settings["sample_s"])
     assert what.ring_turned[2] == pytest.approx(50.0 * 20 * run.settings["sample_s"])
 
 
 def test_factor_fits_the_largest_motion():
-    assert [nice(0.75e-3, largest) for largest in (34.8e-6, 0.75e-3, 1.0, 0.0, 7.5e-6)] == [20.0, 1.0, 1.0, 1.0, 100.0]
+    assert [nice(0.75e-3, largest) for largest in (34.8e-6, 0.75e-3, 1.0, 0.0, 7.5e-6)] == [
+        20.0,
+        1.0,
+        1.0,
+        1.0,
+        100.0,
+    ]
 
 
 @pytest.mark.parametrize("colour", COLOURS)
@@ -123,9 +153,15 @@ def test_colours(folder, colour):
     largest = {"load": "load", "pressure": "pressure", "capacitance": "capacitance"}
     run = Run(folder)
     if colour in ("load", "pressure"):
-        assert np.nanmax(what.values) == run.contacts[run.contacts["sample"] < 24][largest[colour]].max()
+        assert (
+            np.nanmax(what.values)
+            == run.contacts[run.contacts["sample"] < 24][largest[colour]].max()
+        )
     elif colour == "film":
-        loaded = run.contacts[(run.contacts["sample"] < 24) & (run.contacts["load"] > 0.01 * run.contacts["load"].max())]
+        loaded = run.contacts[
+            (run.contacts["sample"] < 24)
+            & (run.contacts["load"] > 0.01 * run.contacts["load"].max())
+        ]
         assert np.nanmin(what.values) == loaded["h_min"].min()
     else:
         assert np.nansum(what.values, axis=1) == pytest.approx(run.bearing_capacitance[:24])
@@ -164,9 +200,15 @@ def test_balls_of_a_gif_are_where_they_are(folder, tmp_path):
         x, y = sheet.balls[ball].get_center()
         spot = sheet.balls[ball].axes.transData.transform((x, y))
         seen = picture[round(picture.shape[0] - spot[1]), round(spot[0])]
-        expected = np.rint(255 * np.array(sheet.map(sheet.norm(sheet.scene.values[k, ball] * sheet.factor))[:3]))
+        expected = np.rint(
+            255 * np.array(sheet.map(sheet.norm(sheet.scene.values[k, ball] * sheet.factor))[:3])
+        )
         assert np.abs(seen - expected).max() <= 1
-        row = next(row for row in run.balls[run.balls["sample"] == sample].itertuples() if row.id == ball + 1)
+        row = next(
+            row
+            for row in run.balls[run.balls["sample"] == sample].itertuples()
+            if row.id == ball + 1
+        )
         assert np.arctan2(y, x) == pytest.approx(np.arctan2(row.y, row.x))
     assert np.abs(rgb - 255 * np.array(sheet.map(1.0)[:3])).max() <= 0.5
     plt.close(sheet.figure)
@@ -175,11 +217,19 @@ def test_balls_of_a_gif_are_where_they_are(folder, tmp_path):
 def test_run_of_full_complement(tmp_path):
     data = synthetic.run(passes=1, samples_per_pass=8)
     data["balls"] = [[row for row in frame if row[1] != 2] for frame in data["balls"]]
-    assert animation.animation(Run(synthetic.write(tmp_path / "run", data)), tmp_path / "a.gif", frames=2, width=300).exists()
+    assert animation.animation(
+        Run(synthetic.write(tmp_path / "run", data)), tmp_path / "a.gif", frames=2, width=300
+    ).exists()
 
 
-@pytest.mark.parametrize("options, said", [(["--passes", "3"], "holds 2 ball passes: 3 are not to be had"), (["--out", "a.avi"], "a .gif or an .mp4"),
-                                           (["--out", "no/where.gif"], "cannot write no/where.gif: No such file")])
+@pytest.mark.parametrize(
+    "options, said",
+    [
+        (["--passes", "3"], "holds 2 ball passes: 3 are not to be had"),
+        (["--out", "a.avi"], "a .gif or an .mp4"),
+        (["--out", "no/where.gif"], "cannot write no/where.gif: No such file"),
+    ],
+)
 def test_complaints(folder, capsys, options, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(["animate", str(folder), "--frames", "2", "--width", "300", *options]) == 1
@@ -188,14 +238,21 @@ def test_complaints(folder, capsys, options, said, tmp_path, monkeypatch):
 
 def test_without_ffmpeg(folder, tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(RunError, match="needs the program ffmpeg, which is not there: apt-get install ffmpeg, or name a .gif"):
+    with pytest.raises(
+        RunError,
+        match=(
+            "needs the program ffmpeg, which is not there: apt-get install ffmpeg, or name a .gif"
+        ),
+    ):
         animation.animation(Run(folder), tmp_path / "a.mp4")
 
 
 def test_ffmpeg_gets_every_picture(folder, tmp_path, monkeypatch):
     """A stand-in counts what it is fed: raw pictures of the size it was told, all different."""
     program = tmp_path / "ffmpeg"
-    program.write_text('#!/bin/sh\necho "$@" > said\ncat > fed\nfor last; do :; done\ncp fed "$last"\n')
+    program.write_text(
+        '#!/bin/sh\necho "$@" > said\ncat > fed\nfor last; do :; done\ncp fed "$last"\n'
+    )
     program.chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path}:{shutil.os.environ['PATH']}")
     monkeypatch.chdir(tmp_path)

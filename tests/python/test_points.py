@@ -4,7 +4,6 @@
 from pathlib import Path
 
 import pytest
-
 from raceway.points import LONGEST, TableError, deck_variables, folder_name, read_points
 
 DECK = Path(__file__).resolve().parents[2] / "inputs" / "in.6208"
@@ -24,8 +23,15 @@ def test_deck_variables():
 
 def test_points(tmp_path):
     found = points(tmp_path, "# a comment\nrpm,load,lubricant\n\n477.5,5e3,dry\n 100 , 20 ,pao48\n")
-    assert [point.name for point in found] == ["load=5e3_rpm=477.5_lubricant=dry", "load=20_rpm=100_lubricant=pao48"]
-    assert found[0].variables == {"load": "5e3", "rpm": "477.5", "lubricant": "dry"}  # as written, in the deck's order
+    assert [point.name for point in found] == [
+        "load=5e3_rpm=477.5_lubricant=dry",
+        "load=20_rpm=100_lubricant=pao48",
+    ]
+    assert found[0].variables == {
+        "load": "5e3",
+        "rpm": "477.5",
+        "lubricant": "dry",
+    }  # as written, in the deck's order
 
 
 def test_name_is_stable(tmp_path):
@@ -45,15 +51,24 @@ def test_mark_of_spreadsheets(tmp_path):
     assert read_points(tmp_path / "table.csv", VARIABLES)[0].variables == {"load": "1", "rpm": "2"}
 
 
-@pytest.mark.parametrize("text, complaint", [
-    ("", "is empty"), ("load,rpm\n", "no row below its columns"), ("load,rpn\n1,2\n", "column 'rpn' is no variable of the deck; there is: load, rpm"),
-    ("load,load\n1,2\n", "column 'load' is there 2 times"), ("load,out\n1,x\n", "column 'out' cannot be swept"),
-    ("load,\n1,2\n", "column '' is no variable"),
-    ("load,rpm\n1,\n", "line 2: rpm is empty"), ("load,rpm\n1,2\n1.0,2e0\n", "line 3: the same point as line 2"),
-    ("load,rpm\n1\n", "line 2: 1 cells, 2 columns"), ("load,rpm\n1,2,3\n", "line 2: 3 cells, 2 columns"),
-    ("bearing\nmy bearing\n", "line 2: bearing is 'my bearing', must be one word"), ("bearing\n../x\n", "line 2: bearing is '../x'"),
-    ("bearing\n${x}\n", "line 2: bearing is '${x}'"),
-])
+@pytest.mark.parametrize(
+    "text, complaint",
+    [
+        ("", "is empty"),
+        ("load,rpm\n", "no row below its columns"),
+        ("load,rpn\n1,2\n", "column 'rpn' is no variable of the deck; there is: load, rpm"),
+        ("load,load\n1,2\n", "column 'load' is there 2 times"),
+        ("load,out\n1,x\n", "column 'out' cannot be swept"),
+        ("load,\n1,2\n", "column '' is no variable"),
+        ("load,rpm\n1,\n", "line 2: rpm is empty"),
+        ("load,rpm\n1,2\n1.0,2e0\n", "line 3: the same point as line 2"),
+        ("load,rpm\n1\n", "line 2: 1 cells, 2 columns"),
+        ("load,rpm\n1,2,3\n", "line 2: 3 cells, 2 columns"),
+        ("bearing\nmy bearing\n", "line 2: bearing is 'my bearing', must be one word"),
+        ("bearing\n../x\n", "line 2: bearing is '../x'"),
+        ("bearing\n${x}\n", "line 2: bearing is '${x}'"),
+    ],
+)
 def test_mistakes(tmp_path, text, complaint):
     with pytest.raises(TableError) as error:
         points(tmp_path, text)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The line that tells how far a long file is read: on a terminal, from the command, and not otherwise."""
+"""The line that tells how far a long file is read: on a terminal, from the command, and not
+otherwise."""
 
 import io
 import sys
 
 import pytest
-
 from raceway import progress
 from raceway.cli import main
 from raceway.run import Run

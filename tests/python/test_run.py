@@ -7,7 +7,6 @@ import numpy as np
 import pandas as pd
 import pytest
 import synthetic
-
 from raceway.errors import RunError, RunWarning
 from raceway.run import Run
 from raceway.summary import summary
@@ -33,23 +32,32 @@ def test_dry_needs_no_lubricant(dry_folder, name):
     assert not Run(dry_folder).lubricated
 
 
-@pytest.mark.parametrize("pattern, replacement, said", [
-    ("^rpm:.*\n", "", "has no rpm"),
-    ("^viscosity_Pa_s:.*\n", "", "has no viscosity_Pa_s"),
-    ("^rpm:.*", "rpm: fast", "rpm is not a number: 'fast'"),
-    ("^rpm:.*", "rpm: .inf", "rpm is not a number: '.inf'"),
-    ("^rpm:.*", "rpm: [1, 2]", "rpm is not a number"),
-    ("^samples_per_pass:.*", "samples_per_pass: 0", "samples_per_pass = 0 must be positive"),
-    ("^rpm:.*", "rpm: [1", "line [0-9]+: "),
-    (r"\A[\s\S]*\Z", "words\n", "not a list of 'name: value'")])
+@pytest.mark.parametrize(
+    "pattern, replacement, said",
+    [
+        ("^rpm:.*\n", "", "has no rpm"),
+        ("^viscosity_Pa_s:.*\n", "", "has no viscosity_Pa_s"),
+        ("^rpm:.*", "rpm: fast", "rpm is not a number: 'fast'"),
+        ("^rpm:.*", "rpm: .inf", "rpm is not a number: '.inf'"),
+        ("^rpm:.*", "rpm: [1, 2]", "rpm is not a number"),
+        ("^samples_per_pass:.*", "samples_per_pass: 0", "samples_per_pass = 0 must be positive"),
+        ("^rpm:.*", "rpm: [1", "line [0-9]+: "),
+        (r"\A[\s\S]*\Z", "words\n", "not a list of 'name: value'"),
+    ],
+)
 def test_spoilt_settings(folder, pattern, replacement, said):
     spoil(folder, pattern, replacement)
     with pytest.raises(RunError, match=said):
         Run(folder)
 
 
-@pytest.mark.parametrize("pattern, said", [("^wall_s:.*\n", "no wall_s$"),
-                                           ("^wall_s:.*\nsimulated_s:.*\n", "no simulated_s and no wall_s$")])
+@pytest.mark.parametrize(
+    "pattern, said",
+    [
+        ("^wall_s:.*\n", "no wall_s$"),
+        ("^wall_s:.*\nsimulated_s:.*\n", "no simulated_s and no wall_s$"),
+    ],
+)
 def test_unfinished_run_gives_its_tables_and_no_figures(folder, pattern, said):
     whole = Run(folder)
     spoil(folder, pattern, "")
@@ -66,7 +74,7 @@ def test_growing_run(folder):
     """Every file may end anywhere; a later look sees more."""
     for name in ("contacts.dump", "balls.dump", "rings.dat"):
         path = folder / name
-        path.write_bytes(path.read_bytes()[:path.stat().st_size * 2 // 3])
+        path.write_bytes(path.read_bytes()[: path.stat().st_size * 2 // 3])
     with pytest.warns(RunWarning):
         tables = [getattr(Run(folder), name) for name in ("contacts", "balls", "rings")]
     assert all(0 < table["sample"].max() < 47 for table in tables)  # of 48
@@ -90,10 +98,12 @@ def test_window_of_samples(folder, window):
     for name in ("contacts", "balls", "rings"):
         table = getattr(whole, name)
         last = 48 if window.stop is None else window.stop
-        kept = table[(table["sample"] >= window.start) & (table["sample"] < last)].reset_index(drop=True)
+        kept = table[(table["sample"] >= window.start) & (table["sample"] < last)].reset_index(
+            drop=True
+        )
         assert getattr(some, name).equals(kept)
     assert some.contacts.attrs == {"first": window.start, "samples": last - window.start}
-    assert some.totals.equals(whole.totals.loc[window.start:last - 1])
+    assert some.totals.equals(whole.totals.loc[window.start : last - 1])
 
 
 def test_window_outside_the_run(folder):
@@ -135,14 +145,17 @@ def test_contacts(folder, lubricated):
 def test_azimuth_counts_from_the_load_line(folder):
     run = Run(folder)  # loaded towards -90 degrees
     assert run.from_load_line(np.array([-np.pi / 2, 0, np.pi - 0.1])) == pytest.approx(
-        [0, np.pi / 2, -np.pi / 2 - 0.1])
+        [0, np.pi / 2, -np.pi / 2 - 0.1]
+    )
     assert run.passes(24) == 1
 
 
 def test_pair_needs_both_raceways(tmp_path, lubricated):
     data = dict(lubricated, contacts=[list(frame) for frame in lubricated["contacts"]])
     before = Run(synthetic.write(tmp_path / "a", data))
-    first = next(i for i, row in enumerate(data["contacts"][0]) if row[2] == 1)  # one outer contact goes
+    first = next(
+        i for i, row in enumerate(data["contacts"][0]) if row[2] == 1
+    )  # one outer contact goes
     lost = data["contacts"][0].pop(first)
     after = Run(synthetic.write(tmp_path / "b", data))
     assert len(after.pairs) == len(before.pairs) - 1

@@ -6,10 +6,9 @@ import re
 
 import numpy as np
 import pytest
+import raceway
 import synthetic
 import xarray as xr
-
-import raceway
 from raceway import kinematics, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
@@ -23,7 +22,8 @@ def wave(frequency, amplitude=1.0, samples=4000, phase=0.3):
 
 @pytest.mark.parametrize("frequency", [17.3, 100.0, 100.06, 100.125, 333.33])
 def test_a_sine(frequency):
-    """Anywhere between two bins of 0.25 Hz. The parabola errs by 1e-3 of a bin in place and 3e-4 in height."""
+    """Anywhere between two bins of 0.25 Hz. The parabola errs by 1e-3 of a bin in place and 3e-4 in
+    height."""
     one = spectrum.spectrum(5.0 + 0.1 * np.arange(4000) * SAMPLE + wave(frequency, 2.0), SAMPLE)
     assert one.attrs["resolution"] == pytest.approx(0.25)
     found, difference, height, prominence, note = spectrum.find(one, frequency * 1.001)
@@ -34,7 +34,8 @@ def test_a_sine(frequency):
 
 
 def test_a_faint_line_beside_a_strong_one():
-    """5e-4 of it, 12 bins away. The side lobes there, 2.5e-5, are 5 % of the line and move it by 0.05 to 0.1 bins."""
+    """5e-4 of it, 12 bins away. The side lobes there, 2.5e-5, are 5 % of the line and move it by
+    0.05 to 0.1 bins."""
     one = spectrum.spectrum(wave(100.0) + wave(103.0, 5e-4), SAMPLE)
     assert spectrum.find(one, 103.0)[0] == pytest.approx(103.0, abs=0.1 * 0.25)
     assert spectrum.find(spectrum.spectrum(wave(100.0), SAMPLE), 103.0)[-1] != ""
@@ -47,10 +48,17 @@ def test_noise_has_no_lines():
         assert all(spectrum.find(one, hertz)[-1] for hertz in np.linspace(20, 400, 39))
 
 
-@pytest.mark.parametrize("signal, hertz, said", [
-    (wave(100.0), 1.2, "fewer than 5.5 periods"), (wave(100.0), 499.9, "above half the sampling rate"),
-    (wave(100.0), 130.0, "no peak|does not stand out"), (np.zeros(4000), 100.0, "no peak"),
-    (wave(100.0), 100.8, "nearest peak at 100 Hz"), (wave(100.0), 99.2, "nearest peak at 100 Hz")])
+@pytest.mark.parametrize(
+    "signal, hertz, said",
+    [
+        (wave(100.0), 1.2, "fewer than 5.5 periods"),
+        (wave(100.0), 499.9, "above half the sampling rate"),
+        (wave(100.0), 130.0, "no peak|does not stand out"),
+        (np.zeros(4000), 100.0, "no peak"),
+        (wave(100.0), 100.8, "nearest peak at 100 Hz"),
+        (wave(100.0), 99.2, "nearest peak at 100 Hz"),
+    ],
+)
 def test_nothing_there(signal, hertz, said):
     if said.startswith("nearest"):
         found = spectrum.find(spectrum.spectrum(signal[:1000], SAMPLE), hertz)
@@ -71,25 +79,42 @@ def write(tmp_path, lubricated, orders, passes=60, samples_per_pass=24):
     settings = lubricated["settings"]
     samples, shaft = passes * samples_per_pass, 477.5 / 60
     time = np.arange(1, samples + 1) * settings["sample_s"]
-    shift = 35e-6 + sum(a * np.cos(2 * np.pi * order * shaft * time + order) for order, a in orders.items())
-    rings = [[100 * (i + 1), t, 0, -s] + [0.0] * 4 + [50.0] + [0.0] * 6 for i, (t, s) in enumerate(zip(time, shift))]
+    shift = 35e-6 + sum(
+        a * np.cos(2 * np.pi * order * shaft * time + order) for order, a in orders.items()
+    )
+    rings = [
+        [100 * (i + 1), t, 0, -s] + [0.0] * 4 + [50.0] + [0.0] * 6
+        for i, (t, s) in enumerate(zip(time, shift))
+    ]
     return synthetic.write(tmp_path / "run", dict(lubricated, rings=rings))
 
 
 def test_lines_of_a_run(tmp_path, lubricated, bearing):
     orders = kinematics.frequencies(bearing)
     slip = 1 - 4e-4
-    given = {orders.outer * slip: 4e-7, 2 * orders.outer * slip: 4e-8, orders.inner: 1e-9, 2 * orders.spin: 2e-9}
+    given = {
+        orders.outer * slip: 4e-7,
+        2 * orders.outer * slip: 4e-8,
+        orders.inner: 1e-9,
+        2 * orders.spin: 2e-9,
+    }
     run = raceway.open(write(tmp_path, lubricated, given))
     found = {(line.name, line.harmonic): line for line in spectrum.lines(run, spectrum.of_run(run))}
     assert set(found) == {(name, n) for name in ("FTF", "BSF", "BPFO", "BPFI") for n in (1, 2, 3)}
-    expected = {("BPFO", 1): (-4e-4, 4e-7), ("BPFO", 2): (-4e-4, 4e-8), ("BPFI", 1): (0, 1e-9), ("BSF", 2): (0, 2e-9)}
+    expected = {
+        ("BPFO", 1): (-4e-4, 4e-7),
+        ("BPFO", 2): (-4e-4, 4e-8),
+        ("BPFI", 1): (0, 1e-9),
+        ("BSF", 2): (0, 2e-9),
+    }
     for key, line in found.items():
         if key in expected:
             difference, amplitude = expected[key]
             # 1e-3 of a bin, which is 1/60 of a ball pass, in at least 3.5 shaft orders
             assert line.difference == pytest.approx(difference, abs=2e-5) and line.note == ""
-            assert line.amplitude == pytest.approx(amplitude, rel=1e-2)  # leaks of the strong ones: 2.5e-5 of 4e-7
+            assert line.amplitude == pytest.approx(
+                amplitude, rel=1e-2
+            )  # leaks of the strong ones: 2.5e-5 of 4e-7
             assert line.found == pytest.approx(line.expected * (1 + line.difference), rel=1e-12)
             assert line.expected == pytest.approx(line.order * 477.5 / 60, rel=1e-15)
         else:
@@ -97,9 +122,15 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
 
 
 def test_a_line_is_not_taken_for_its_neighbour(tmp_path, lubricated, bearing):
-    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search as wide as that must not find one in the other."""
-    run = raceway.open(write(tmp_path, lubricated, {3 * kinematics.frequencies(bearing).outer: 4e-7}))
-    found = {(line.name, line.harmonic): line for line in spectrum.lines(run, spectrum.of_run(run), within=0.02)}
+    """BPFO x3 and BPFI x2 of a 6208 are 1.7 % apart; a search as wide as that must not find one in
+    the other."""
+    run = raceway.open(
+        write(tmp_path, lubricated, {3 * kinematics.frequencies(bearing).outer: 4e-7})
+    )
+    found = {
+        (line.name, line.harmonic): line
+        for line in spectrum.lines(run, spectrum.of_run(run), within=0.02)
+    }
     assert found["BPFO", 3].note == "" and found["BPFI", 2].note == "hidden by BPFO x 3"
 
 
@@ -107,7 +138,10 @@ def test_contact_angle_changes_the_lines(folder, bearing):
     run = raceway.open(folder)
     places = spectrum.expected(run.tables.geometry, 10.0, angle=0.5, harmonics=1)
     orders = kinematics.frequencies(bearing, 0.5)
-    assert places["BPFO", 1] == (orders.outer, 10 * orders.outer) and places["FTF", 1][0] == orders.cage
+    assert (
+        places["BPFO", 1] == (orders.outer, 10 * orders.outer)
+        and places["FTF", 1][0] == orders.cage
+    )
 
 
 def test_a_column_a_run_has_not(folder):
@@ -133,21 +167,37 @@ def test_units(folder):
     run = raceway.open(folder)
     for name, unit in (("shift", "m"), ("fy", "N"), ("mz", "N m")):
         one = spectrum.of_run(run, name)
-        assert one.attrs["units"] == unit and isinstance(one, xr.DataArray) and one["frequency"].attrs["units"] == "Hz"
+        assert (
+            one.attrs["units"] == unit
+            and isinstance(one, xr.DataArray)
+            and one["frequency"].attrs["units"] == "Hz"
+        )
 
 
 def test_command(tmp_path, lubricated, bearing, capsys):
     folder = write(tmp_path, lubricated, {kinematics.frequencies(bearing).outer * (1 - 4e-4): 4e-7})
-    assert main(["spectrum", str(folder), "--out", str(tmp_path / "x.png"), "--harmonics", "2"]) == 0
+    assert (
+        main(["spectrum", str(folder), "--out", str(tmp_path / "x.png"), "--harmonics", "2"]) == 0
+    )
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].startswith("displacement of the inner ring along the load; resolution ")
-    row, = (line.split() for line in lines if line.startswith("  BPFO  "))
-    assert row[0] == "BPFO" and row[1] == "3.5644" and row[6] == "-0.0400%" and row[7:] == ["400", "nm"]
-    assert (tmp_path / "x.png").read_bytes()[:4] == b"\x89PNG" and (tmp_path / "x.png").stat().st_size > 10_000
+    (row,) = (line.split() for line in lines if line.startswith("  BPFO  "))
+    assert (
+        row[0] == "BPFO"
+        and row[1] == "3.5644"
+        and row[6] == "-0.0400%"
+        and row[7:] == ["400", "nm"]
+    )
+    assert (tmp_path / "x.png").read_bytes()[:4] == b"\x89PNG" and (
+        tmp_path / "x.png"
+    ).stat().st_size > 10_000
     assert main(["spectrum", str(folder), "--json", "--harmonics", "1"]) == 0
     data = {line["name"]: line for line in json.loads(capsys.readouterr().out)}
     assert list(data) == ["FTF", "BSF", "BPFO", "BPFI"]
-    assert data["BPFO"]["difference"] == pytest.approx(-4e-4, abs=2e-5) and data["BPFI"]["found"] is None
+    assert (
+        data["BPFO"]["difference"] == pytest.approx(-4e-4, abs=2e-5)
+        and data["BPFI"]["found"] is None
+    )
 
 
 def test_command_refuses(folder, tmp_path, capsys):

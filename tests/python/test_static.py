@@ -1,47 +1,70 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing's equilibrium against the figures of docs/theory, closed forms, and its own equations written anew."""
+"""The bearing's equilibrium against the figures of docs/theory, closed forms, and its own equations
+written anew."""
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
-
 from raceway import clearance, hertz
 from raceway.bearing import INNER, OUTER
 from raceway.errors import NoEquilibrium
 from raceway.static import equilibrium
+from scipy.optimize import brentq
 
 
 def test_numbers_of_the_6208(bearing):  # docs/theory, Numbers to reproduce
     state = equilibrium(bearing, 5000.0)
-    assert state.inner.load[[0, 1, 2, 8]] == pytest.approx([2436.2, 1633.4, 176.3, 1633.4], abs=0.05)
+    assert state.inner.load[[0, 1, 2, 8]] == pytest.approx(
+        [2436.2, 1633.4, 176.3, 1633.4], abs=0.05
+    )
     assert state.inner.load[0] / 5000 == pytest.approx(0.48725, abs=5e-6)
     assert state.shift == pytest.approx([34.87e-6, 0, 0], abs=0.005e-6)
     assert [state.inner.a[0], state.inner.b[0]] == pytest.approx([2.059e-3, 0.2197e-3], rel=3e-4)
     assert [state.outer.a[0], state.outer.b[0]] == pytest.approx([1.993e-3, 0.2749e-3], rel=3e-4)
-    assert [state.inner.pressure[0], state.outer.pressure[0]] == pytest.approx([2571e6, 2123e6], abs=0.6e6)
+    assert [state.inner.pressure[0], state.outer.pressure[0]] == pytest.approx(
+        [2571e6, 2123e6], abs=0.6e6
+    )
     springs = sum(1.5 * side.load[0] / side.overlap[0] for side in (state.inner, state.outer))
     assert springs == pytest.approx(4.19e8, rel=2e-3)
 
 
-@pytest.mark.parametrize("relative, low, high", [(-0.0045, 1.699, 1.699), (-0.0035, 1.317, 1.317), (0, 0.5, 0.5),
-                                                 (0.0035, 0.318, 0.320), (0.0045, 0.291, 0.293)])
+@pytest.mark.parametrize(
+    "relative, low, high",
+    [
+        (-0.0045, 1.699, 1.699),
+        (-0.0035, 1.317, 1.317),
+        (0, 0.5, 0.5),
+        (0.0035, 0.318, 0.320),
+        (0.0045, 0.291, 0.293),
+    ],
+)
 def test_load_parameter_of_any_ball_phase(bearing, relative, low, high):  # docs/errata
     pd = relative * bearing.ball_diameter
-    found = [clearance.load_parameter(pd, equilibrium(bearing, 5000.0, clearance=pd, phase=phase).shift[0])
-             for phase in np.linspace(0, np.pi / 9, 4)]
+    found = [
+        clearance.load_parameter(
+            pd, equilibrium(bearing, 5000.0, clearance=pd, phase=phase).shift[0]
+        )
+        for phase in np.linspace(0, np.pi / 9, 4)
+    ]
     assert (min(found), max(found)) == pytest.approx((low, high), abs=6e-4)
 
 
 @pytest.mark.parametrize("axial", [50.0, -3000.0])
 @pytest.mark.parametrize("pd", [0.0, 30e-6])
 def test_thrust(bearing, axial, pd):
-    """All balls alike: F_a = Z Q sin(alpha), groove centres C (cos(alpha_0)/cos(alpha)) apart (Harris 7.33)."""
+    """All balls alike: F_a = Z Q sin(alpha), groove centres C (cos(alpha_0)/cos(alpha)) apart
+    (Harris 7.33)."""
     free, c = clearance.free_contact_angle(bearing, pd), clearance.groove_distance(bearing)
 
     def load(angle):
-        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle, pd)), bearing.effective_modulus)
-             for side in (INNER, OUTER)]
-        return (k[0] ** (-2 / 3) + k[1] ** (-2 / 3)) ** -1.5 * (c * (np.cos(free) / np.cos(angle) - 1)) ** 1.5
+        k = [
+            hertz.stiffness(
+                hertz.exact(*bearing.effective_radii(side, angle, pd)), bearing.effective_modulus
+            )
+            for side in (INNER, OUTER)
+        ]
+        return (k[0] ** (-2 / 3) + k[1] ** (-2 / 3)) ** -1.5 * (
+            c * (np.cos(free) / np.cos(angle) - 1)
+        ) ** 1.5
 
     angle = brentq(lambda a: 9 * load(a) * np.sin(a) - abs(axial), free + 1e-9, 1.2, xtol=1e-14)
     state = equilibrium(bearing, 0.0, axial, clearance=pd)
@@ -52,26 +75,52 @@ def test_thrust(bearing, axial, pd):
 
 
 @pytest.mark.parametrize("finite_shift", [False, True])
-@pytest.mark.parametrize("radial, axial, pd, orbit", [
-    (5000.0, 0.0, 0.0, 0.0), (5000.0, 0.0, -44.1e-6, 300.0), (800.0, 2000.0, 30e-6, 0.0),
-    (3000.0, -500.0, 15e-6, 900.0), (0.0, 700.0, 10e-6, 1500.0), (1.0, 0.0, 150e-6, 0.0)])
+@pytest.mark.parametrize(
+    "radial, axial, pd, orbit",
+    [
+        (5000.0, 0.0, 0.0, 0.0),
+        (5000.0, 0.0, -44.1e-6, 300.0),
+        (800.0, 2000.0, 30e-6, 0.0),
+        (3000.0, -500.0, 15e-6, 900.0),
+        (0.0, 700.0, 10e-6, 1500.0),
+        (1.0, 0.0, 150e-6, 0.0),
+    ],
+)
 def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
-    """Ball places from both sides coincide, loads follow Hertz, each ball and the ring are in balance."""
-    state = equilibrium(bearing, radial, axial, clearance=pd, load_azimuth=2.0, phase=0.3, orbital_speed=orbit,
-                        finite_shift=finite_shift)
+    """Ball places from both sides coincide, loads follow Hertz, each ball and the ring are in
+    balance."""
+    state = equilibrium(
+        bearing,
+        radial,
+        axial,
+        clearance=pd,
+        load_azimuth=2.0,
+        phase=0.3,
+        orbital_speed=orbit,
+        finite_shift=finite_shift,
+    )
     u = np.stack([np.cos(state.azimuth), np.sin(state.azimuth), np.zeros(9)], 1)
     e = np.array([0.0, 0.0, 1.0])
-    modulus, thrown = bearing.effective_modulus, 7800 * 4 / 3 * np.pi * 6.3e-3**3 * 30.3e-3 * orbit**2
+    modulus, thrown = (
+        bearing.effective_modulus,
+        7800 * 4 / 3 * np.pi * 6.3e-3**3 * 30.3e-3 * orbit**2,
+    )
 
     def direction(angle, outwards):
         return outwards * (np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * e)
 
     for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
-        k = [hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle, pd)), modulus) for angle in contact.angle]
+        k = [
+            hertz.stiffness(hertz.exact(*bearing.effective_radii(side, angle, pd)), modulus)
+            for angle in contact.angle
+        ]
         assert contact.load == pytest.approx(k * contact.overlap**1.5, rel=1e-7, abs=1e-9)
     out = direction(state.outer.angle, 1)
     live, both = state.outer.load > 0, state.inner.load > 0
-    ball = bearing.groove_circle(OUTER, pd) * u + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
+    ball = (
+        bearing.groove_circle(OUTER, pd) * u
+        + (bearing.groove_gap(OUTER) + state.outer.overlap)[:, None] * out
+    )
     d = ball - state.shift
     if finite_shift:  # the distance to the shifted circle itself, along the ring's own radius
         distance = np.hypot(np.hypot(d[:, 0], d[:, 1]) - bearing.groove_circle(INNER), d[:, 2])
@@ -86,7 +135,9 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
     into = -np.cos(state.inner.angle)[:, None] * u_ring - np.sin(state.inner.angle)[:, None] * e
     scale = max(radial, abs(axial), thrown)
     balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
-    in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[live]  # the cage takes what is across
+    in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[
+        live
+    ]  # the cage takes what is across
     assert in_plane == pytest.approx(np.zeros_like(in_plane), abs=1e-7 * scale)
 
     force = (state.inner.load[:, None] * into).sum(0)
@@ -118,7 +169,8 @@ def test_preload_without_load_is_centred(bearing):
 
 
 def test_circle_keeps_its_shape_under_a_finite_shift(bearing):
-    """A ball x_t off the ring's diameter is x_t^2/(2 r) further from its axis: that takes load off the ball at 80 degrees."""
+    """A ball x_t off the ring's diameter is x_t^2/(2 r) further from its axis: that takes load off
+    the ball at 80 degrees."""
     straight, circle = equilibrium(bearing, 5000.0), equilibrium(bearing, 5000.0, finite_shift=True)
     sideways = circle.shift[0] * np.sin(np.radians(80))
     squeeze = (circle.inner.overlap + circle.outer.overlap)[2]
@@ -132,11 +184,15 @@ def test_ring_on_one_ball_rolls_off(bearing):
     assert loaded.sum() == 2
 
 
-@pytest.mark.parametrize("arguments, said", [
-    ({"radial_load": 0.0, "clearance": 1e-5}, "without a load"),
-    ({"radial_load": float("nan")}, "finite"),
-    ({"radial_load": 1e7}, "groove|no place"),
-    ({"radial_load": 0.0, "axial_load": 1e7}, "groove|no place")])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        ({"radial_load": 0.0, "clearance": 1e-5}, "without a load"),
+        ({"radial_load": float("nan")}, "finite"),
+        ({"radial_load": 1e7}, "groove|no place"),
+        ({"radial_load": 0.0, "axial_load": 1e7}, "groove|no place"),
+    ],
+)
 def test_no_equilibrium(bearing, arguments, said):
     with pytest.raises(NoEquilibrium, match=said):
         equilibrium(bearing, **arguments)

@@ -11,7 +11,21 @@ from raceway.cli import main
 from raceway.lubrication import lubricate, turning
 
 ROOT = Path(__file__).resolve().parents[2]
-FULL = ["--load", "2000", "--axial", "1000", "--moment", "10", "-4e0", "--rpm", "477.5", "--lubricant", "mineral", "--clearance", "-5e-6"]
+FULL = [
+    "--load",
+    "2000",
+    "--axial",
+    "1000",
+    "--moment",
+    "10",
+    "-4e0",
+    "--rpm",
+    "477.5",
+    "--lubricant",
+    "mineral",
+    "--clearance",
+    "-5e-6",
+]
 
 
 @pytest.fixture(autouse=True)
@@ -28,12 +42,19 @@ def figures(capsys, *arguments):
 
 def test_figures_are_the_library_s(capsys):
     found = figures(capsys, *FULL)
-    bearing, oil = inputs.bearing(ROOT / "inputs/bearings/6208"), inputs.oil(ROOT / "inputs/lubricants/mineral")
+    bearing, oil = (
+        inputs.bearing(ROOT / "inputs/bearings/6208"),
+        inputs.oil(ROOT / "inputs/lubricants/mineral"),
+    )
     spin = 477.5 * np.pi / 30
     state, orbit = turning(bearing, spin, 2000.0, 1000.0, moment=(10.0, -4.0), clearance=-5e-6)
     films = lubricate(bearing, state, oil, spin, -5e-6)
-    assert [found["shift_x_m"], found["shift_y_m"], found["shift_z_m"]] == pytest.approx(state.shift.tolist(), rel=1e-12)
-    assert [found["tilt_x_rad"], found["tilt_y_rad"]] == pytest.approx(state.tilt.tolist(), rel=1e-12)
+    assert [found["shift_x_m"], found["shift_y_m"], found["shift_z_m"]] == pytest.approx(
+        state.shift.tolist(), rel=1e-12
+    )
+    assert [found["tilt_x_rad"], found["tilt_y_rad"]] == pytest.approx(
+        state.tilt.tolist(), rel=1e-12
+    )
     assert [ball["q_inner_N"] for ball in found["balls"]] == state.inner.load.tolist()
     assert [ball["h_min_outer_m"] for ball in found["balls"]] == films.outer.h_min.tolist()
     assert found["capacitance_F"] == films.total and found["orbital_speed_rad_s"] == orbit
@@ -52,7 +73,9 @@ def test_numbers_of_the_6208(capsys):  # docs/theory, Numbers to reproduce
 def test_tilt_units_and_hold(capsys):
     arcmin = figures(capsys, "--load", "2000", "--tilt", "0", "20arcmin")
     assert arcmin["tilt_y_rad"] == pytest.approx(20 / 60 * np.pi / 180)
-    assert figures(capsys, "--load", "2000", "--tilt", "0", f"{20 / 60}deg")["tilt_y_rad"] == pytest.approx(arcmin["tilt_y_rad"])
+    assert figures(capsys, "--load", "2000", "--tilt", "0", f"{20 / 60}deg")[
+        "tilt_y_rad"
+    ] == pytest.approx(arcmin["tilt_y_rad"])
     bearing = inputs.bearing(ROOT / "inputs/bearings/6208")
     held = figures(capsys, "--load", "100", "--hold", "x=2e-5", "--hold", "rx=-1mrad")
     state = static.equilibrium(bearing, 100.0, held={"x": 2e-5, "rx": -1e-3, "ry": 0.0})
@@ -64,10 +87,18 @@ def test_tilt_units_and_hold(capsys):
 def test_table(capsys):
     assert main(["static", *FULL]) == 0
     text = capsys.readouterr().out
-    for said in ("radial load                               2 kN", "tilt about y", "(eq 12)", "Balls", "lambda in."):
+    for said in (
+        "radial load                               2 kN",
+        "tilt about y",
+        "(eq 12)",
+        "Balls",
+        "lambda in.",
+    ):
         assert said in text
     balls = text.split("\nBalls\n")[1].splitlines()
-    assert len(balls) == 10 and len({len(line) for line in balls}) == 1  # a heading, nine balls, in columns
+    assert (
+        len(balls) == 10 and len({len(line) for line in balls}) == 1
+    )  # a heading, nine balls, in columns
 
 
 def test_dry_lubricant_has_no_film(capsys):
@@ -81,7 +112,14 @@ def test_own_bearing_from_elsewhere(capsys, tmp_path, monkeypatch):
     assert len(figures(capsys, "--load", "5000", "--bearing", "./mine")["balls"]) == 8
     # names are found in the source tree this package is installed from, or where --inputs says
     assert len(figures(capsys, "--load", "5000")["balls"]) == 9
-    assert len(figures(capsys, "--load", "5000", "--bearing", "6306", "--inputs", str(ROOT / "inputs"))["balls"]) == 8
+    assert (
+        len(
+            figures(
+                capsys, "--load", "5000", "--bearing", "6306", "--inputs", str(ROOT / "inputs")
+            )["balls"]
+        )
+        == 8
+    )
 
 
 def test_folder_here_comes_first(tmp_path, monkeypatch):
@@ -93,14 +131,18 @@ def test_folder_here_comes_first(tmp_path, monkeypatch):
     assert catalogue.folder() == tmp_path / "inputs"
 
 
-@pytest.mark.parametrize("arguments, said", [
-    ([], "without a load nothing says"),
-    (["--axial", "1e6"], "out of the inner groove"),
-    (["--load", "10", "--bearing", "6209"], "there is no bearing '6209' in "),
-    (["--load", "10", "--bearing", "6209"], "there is: 6206, 6208, 6306, harris209"),
-    (["--load", "10", "--bearing", "./none"], "there is no file ./none"),
-    (["--load", "10", "--lubricant", "oil", "--rpm", "1"], "there is no lubricant 'oil' in "),
-    (["--load", "10", "--inputs", "/none"], "there is no folder /none")])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        ([], "without a load nothing says"),
+        (["--axial", "1e6"], "out of the inner groove"),
+        (["--load", "10", "--bearing", "6209"], "there is no bearing '6209' in "),
+        (["--load", "10", "--bearing", "6209"], "there is: 6206, 6208, 6306, harris209"),
+        (["--load", "10", "--bearing", "./none"], "there is no file ./none"),
+        (["--load", "10", "--lubricant", "oil", "--rpm", "1"], "there is no lubricant 'oil' in "),
+        (["--load", "10", "--inputs", "/none"], "there is no folder /none"),
+    ],
+)
 def test_cannot(capsys, arguments, said):
     assert main(["static", *arguments]) == 1
     printed = capsys.readouterr()
@@ -114,17 +156,21 @@ def test_broken_data_file(capsys, tmp_path):
     assert str(path) in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("arguments, said", [
-    (["--load", "-5"], "-5 is out of range: must lie from 0 to 1e+06 N"),
-    (["--load", "many"], "'many' is not a number"),
-    (["--clearance", "1"], "must lie from -0.001 to 0.001 m"),
-    (["--moment", "nan", "0"], "nan is out of range"),
-    (["--tilt", "1", "0"], "must lie from -0.2 to 0.2 rad"),
-    (["--tilt", "20min", "0"], "'20min' is not an angle: give rad, or 20arcmin"),
-    (["--hold", "w=3"], "'w=3' is not NAME=VALUE with NAME one of x, y, z, rx, ry"),
-    (["--hold", "x=far"], "'far' is not a number"),
-    (["--load", "10", "--lubricant", "mineral"], "a film needs a speed; give --rpm"),
-    (["--load", "10", "--moment", "0", "0", "--tilt", "0", "0"], "--moment and --tilt")])
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (["--load", "-5"], "-5 is out of range: must lie from 0 to 1e+06 N"),
+        (["--load", "many"], "'many' is not a number"),
+        (["--clearance", "1"], "must lie from -0.001 to 0.001 m"),
+        (["--moment", "nan", "0"], "nan is out of range"),
+        (["--tilt", "1", "0"], "must lie from -0.2 to 0.2 rad"),
+        (["--tilt", "20min", "0"], "'20min' is not an angle: give rad, or 20arcmin"),
+        (["--hold", "w=3"], "'w=3' is not NAME=VALUE with NAME one of x, y, z, rx, ry"),
+        (["--hold", "x=far"], "'far' is not a number"),
+        (["--load", "10", "--lubricant", "mineral"], "a film needs a speed; give --rpm"),
+        (["--load", "10", "--moment", "0", "0", "--tilt", "0", "0"], "--moment and --tilt"),
+    ],
+)
 def test_wrong_command_line(capsys, arguments, said):
     with pytest.raises(SystemExit) as stop:
         main(["static", *arguments])

@@ -7,12 +7,11 @@ import re
 import numpy as np
 import pytest
 import synthetic
-from test_run import spoil
-
 from raceway import clearance, kinematics
 from raceway.errors import RunError
 from raceway.run import Run
 from raceway.summary import summary, table
+from test_run import spoil
 
 # the table of INTERFACE.md, in its order: a promise, so written out here a second time
 PROMISED = """bearing lubricant host integrator load_N rpm clearance_m step_s passes viscosity_Pa_s
@@ -20,8 +19,17 @@ pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter q
 p_max_inner_Pa p_max_outer_Pa loaded_balls_mean cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda
 capacitance_F capacitance_top_F wall_s simulated_s real_time_factor""".split()
 WORDS = {"bearing", "lubricant", "host", "integrator"}
-DRY_NULL = {"viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m", "h_min_m", "h_c_m", "lambda",
-            "capacitance_F", "capacitance_top_F"}
+DRY_NULL = {
+    "viscosity_Pa_s",
+    "pressure_viscosity_per_Pa",
+    "permittivity",
+    "roughness_m",
+    "h_min_m",
+    "h_c_m",
+    "lambda",
+    "capacitance_F",
+    "capacitance_top_F",
+}
 
 
 def test_promised_keys(folder, dry_folder):
@@ -29,32 +37,57 @@ def test_promised_keys(folder, dry_folder):
         figures = summary(Run(where))
         assert list(figures) == PROMISED
         assert {key for key, value in figures.items() if value is None} == null
-        assert all(isinstance(figures[key], str if key in WORDS else float) for key in set(PROMISED) - null)
+        assert all(
+            isinstance(figures[key], str if key in WORDS else float) for key in set(PROMISED) - null
+        )
         assert json.loads(json.dumps(figures, allow_nan=False)) == figures
 
 
 def test_figures(folder, lubricated, bearing):
     figures, settings = summary(Run(folder)), lubricated["settings"]
-    for key in ("load_N", "rpm", "clearance_m", "step_s", "passes", "viscosity_Pa_s", "pressure_viscosity_per_Pa",
-                "permittivity", "roughness_m", "wall_s", "simulated_s"):
+    for key in (
+        "load_N",
+        "rpm",
+        "clearance_m",
+        "step_s",
+        "passes",
+        "viscosity_Pa_s",
+        "pressure_viscosity_per_Pa",
+        "permittivity",
+        "roughness_m",
+        "wall_s",
+        "simulated_s",
+    ):
         assert figures[key] == settings[key]
     column = {name: i for i, name in enumerate(synthetic.LUBRICATED)}
     rows = [dict(zip(column, row)) for frame in lubricated["contacts"] for row in frame]
-    top = [max((row for row in rows if row["raceway"] == side), key=lambda row: row["load"]) for side in (0, 1)]
+    top = [
+        max((row for row in rows if row["raceway"] == side), key=lambda row: row["load"])
+        for side in (0, 1)
+    ]
     assert figures["q_inner_max_N"] == top[0]["load"]
     assert figures["q_outer_max_N"] == top[1]["load"]
     assert figures["q_max_N"] == max(top[0]["load"], top[1]["load"])
     assert figures["p_max_inner_Pa"] == top[0]["pressure"]
     assert figures["p_max_outer_Pa"] == top[1]["pressure"]
     assert figures["entrainment_speed_m_s"] == top[0]["entrainment"]
-    assert (figures["h_min_m"], figures["h_c_m"], figures["lambda"]) == (top[0]["h_min"], top[0]["h_c"],
-                                                                         top[0]["lambda"])
+    assert (figures["h_min_m"], figures["h_c_m"], figures["lambda"]) == (
+        top[0]["h_min"],
+        top[0]["h_c"],
+        top[0]["lambda"],
+    )
 
-    shift = np.mean([-ring[3] for ring in lubricated["rings"][1:]])  # the load points to -y; the start is not of the window
+    shift = np.mean(
+        [-ring[3] for ring in lubricated["rings"][1:]]
+    )  # the load points to -y; the start is not of the window
     assert figures["ring_shift_m"] == pytest.approx(shift, rel=1e-12)
-    assert figures["load_parameter"] == pytest.approx(clearance.load_parameter(1e-5, shift), rel=1e-12)
+    assert figures["load_parameter"] == pytest.approx(
+        clearance.load_parameter(1e-5, shift), rel=1e-12
+    )
     spin = 477.5 * np.pi / 30
-    assert figures["cage_speed_rad_s"] == pytest.approx(spin * kinematics.frequencies(bearing).cage, rel=1e-12)
+    assert figures["cage_speed_rad_s"] == pytest.approx(
+        spin * kinematics.frequencies(bearing).cage, rel=1e-12
+    )
     assert figures["real_time_factor"] == pytest.approx(settings["simulated_s"] / 2.5, rel=1e-15)
 
     singles, loaded = [], 0
@@ -64,32 +97,54 @@ def test_figures(folder, lubricated, bearing):
         loaded += len(both)
         singles.append([1 / (1 / side[0][ball] + 1 / side[1][ball]) for ball in both])
     assert figures["loaded_balls_mean"] == loaded / len(singles)
-    assert figures["capacitance_F"] == pytest.approx(np.mean([sum(one) for one in singles]), rel=1e-12)
-    assert figures["capacitance_top_F"] == pytest.approx(max(max(one) for one in singles), rel=1e-12)
+    assert figures["capacitance_F"] == pytest.approx(
+        np.mean([sum(one) for one in singles]), rel=1e-12
+    )
+    assert figures["capacitance_top_F"] == pytest.approx(
+        max(max(one) for one in singles), rel=1e-12
+    )
 
 
 def test_orbit_is_about_the_outer_ring(tmp_path, lubricated):
     """Moving the whole bearing sideways, and at a speed, changes no orbital speed."""
-    moved = [[[*row[:2], row[2] + 0.2, row[3] - 0.1, row[4], row[5] + 3.0, *row[6:]] for row in frame]
-             for frame in lubricated["balls"]]
+    moved = [
+        [[*row[:2], row[2] + 0.2, row[3] - 0.1, row[4], row[5] + 3.0, *row[6:]] for row in frame]
+        for frame in lubricated["balls"]
+    ]
     one = summary(Run(synthetic.write(tmp_path / "a", lubricated)))
     other = summary(Run(synthetic.write(tmp_path / "b", dict(lubricated, balls=moved))))
     assert other["cage_speed_rad_s"] == pytest.approx(one["cage_speed_rad_s"], rel=1e-12)
 
 
 def test_runs_without_film_columns(folder, lubricated):
-    kept = [name for name in synthetic.LUBRICATED if name not in ("h_min", "h_c", "lambda", "regime", "capacitance")]
+    kept = [
+        name
+        for name in synthetic.LUBRICATED
+        if name not in ("h_min", "h_c", "lambda", "regime", "capacitance")
+    ]
     places = [synthetic.LUBRICATED.index(name) for name in kept]
-    data = {**lubricated, "settings": {**lubricated["settings"], "contact_columns": " ".join(kept)},
-            "contacts": [[[row[i] for i in places] for row in frame] for frame in lubricated["contacts"]]}
+    data = {
+        **lubricated,
+        "settings": {**lubricated["settings"], "contact_columns": " ".join(kept)},
+        "contacts": [
+            [[row[i] for i in places] for row in frame] for frame in lubricated["contacts"]
+        ],
+    }
     figures = summary(Run(synthetic.write(folder, data)))
     assert {key for key, value in figures.items() if value is None} == DRY_NULL - {
-        "viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m"}
+        "viscosity_Pa_s",
+        "pressure_viscosity_per_Pa",
+        "permittivity",
+        "roughness_m",
+    }
 
 
 def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
     still = [[*ring[:2], 0.0, 0.0, *ring[4:]] for ring in lubricated["rings"]]
-    assert summary(Run(synthetic.write(folder, dict(lubricated, rings=still))))["load_parameter"] is None
+    assert (
+        summary(Run(synthetic.write(folder, dict(lubricated, rings=still))))["load_parameter"]
+        is None
+    )
 
 
 def test_no_contact_at_all(folder, lubricated):
@@ -106,7 +161,14 @@ def test_outer_ring_missing_from_the_dump(folder):
 
 def test_table(folder, dry_folder):
     text = table(summary(Run(folder)))
-    for topic in ("Operating point", "Loads and pressures", "Film", "Capacitance", "Kinematics", "Cost"):
+    for topic in (
+        "Operating point",
+        "Loads and pressures",
+        "Film",
+        "Capacitance",
+        "Kinematics",
+        "Cost",
+    ):
         assert re.search(f"^{topic}", text, re.MULTILINE)
     assert re.search(r"radial load +5 kN  \(as set\)", text)
     assert re.search(r"smallest thickness +[0-9.]+ nm  \(eq 6\)", text)

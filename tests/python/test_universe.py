@@ -1,22 +1,24 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run in MDAnalysis: every column with every frame in double precision, and what single precision would lose."""
+"""The run in MDAnalysis: every column with every frame in double precision, and what single
+precision would lose."""
 
 import pickle
 
 import MDAnalysis
 import numpy as np
 import pytest
+import raceway
 import synthetic
 from MDAnalysis.analysis.base import AnalysisFromFunction
-
-import raceway
 from raceway import universe as module
 from raceway.errors import RunError, RunWarning
 
 
 @pytest.fixture
 def run(folder, monkeypatch):
-    monkeypatch.setattr(module, "ROWS", 7 * 20)  # 7 frames at once: 48 are several readings and a rest
+    monkeypatch.setattr(
+        module, "ROWS", 7 * 20
+    )  # 7 frames at once: 48 are several readings and a rest
     return raceway.open(folder)
 
 
@@ -35,13 +37,25 @@ def test_every_frame_in_any_order(run):
         rows = balls[balls["sample"] == frame].sort_values("id")
         assert ts.frame == ts.data["sample"] == frame and ts.data["step"] == 100 * frame
         assert ts.time == pytest.approx(frame * run.settings["sample_s"], rel=1e-15)
-        for name, columns in (("position", "x y z"), ("velocity", "vx vy vz"), ("spin", "omegax omegay omegaz")):
+        for name, columns in (
+            ("position", "x y z"),
+            ("velocity", "vx vy vz"),
+            ("spin", "omegax omegay omegaz"),
+        ):
             assert np.array_equal(ts.data[name], rows[columns.split()])
         assert np.array_equal(u.atoms.positions, ts.data["position"].astype(np.float32))
         assert np.array_equal(u.atoms.velocities, ts.data["velocity"].astype(np.float32))
         for side in ("inner", "outer"):
             here = contacts.sel(raceway=side).isel(time=frame)
-            for name in ("load", "pressure", "h_min", "lambda", "capacitance", "azimuth", "overlap"):
+            for name in (
+                "load",
+                "pressure",
+                "h_min",
+                "lambda",
+                "capacitance",
+                "azimuth",
+                "overlap",
+            ):
                 values = ts.data[f"{name}_{side}"]
                 assert values.dtype == np.float64 and len(values) == 20
                 assert np.array_equal(values[:9], here[name], equal_nan=True)
@@ -49,52 +63,67 @@ def test_every_frame_in_any_order(run):
 
 
 def test_single_precision_is_not_enough(run, lubricated):
-    """What the docstring says: positions are off by up to 2 nm, so overlaps from them are wrong; the columns are not."""
+    """What the docstring says: positions are off by up to 2 nm, so overlaps from them are wrong;
+    the columns are not."""
     u, radius = run.universe(), synthetic.DEEP_GROOVE.pitch_radius
     off = max(np.abs(u.atoms.positions - ts.data["position"]).max() for ts in u.trajectory)
     assert np.finfo(np.float32).eps * radius / 8 < off < 2e-9
     smallest = min(row[5] for frame in lubricated["contacts"] for row in frame)
-    film = min(row[synthetic.LUBRICATED.index("h_min")] for frame in lubricated["contacts"] for row in frame)
+    film = min(
+        row[synthetic.LUBRICATED.index("h_min")]
+        for frame in lubricated["contacts"]
+        for row in frame
+    )
     assert smallest < 1e-5 and off / film > 1e-3
 
 
 def test_no_shift_and_no_box(run):
-    """MDAnalysis's own reader moves the corner of the box to the origin; this one leaves positions where they are."""
+    """MDAnalysis's own reader moves the corner of the box to the origin; this one leaves positions
+    where they are."""
     own = MDAnalysis.Universe.empty(20)
     path = run.tables.folder / "balls.dump"
-    text = path.read_text().replace("ITEM: ATOMS id type x", "ITEM: ATOMS " + " ".join(synthetic.BALL_COLUMNS))
+    text = path.read_text().replace(
+        "ITEM: ATOMS id type x", "ITEM: ATOMS " + " ".join(synthetic.BALL_COLUMNS)
+    )
     path.write_text(text)
     own.load_new(str(path), format="LAMMPSDUMP", dt=1.0)
     u = run.universe()
-    np.testing.assert_allclose(own.atoms.positions, u.atoms.positions + 0.05, atol=1e-8)  # the box begins at -0.05
+    np.testing.assert_allclose(
+        own.atoms.positions, u.atoms.positions + 0.05, atol=1e-8
+    )  # the box begins at -0.05
     assert u.trajectory.ts.dimensions is None
 
 
 def test_analysis_copies_and_pickles(run):
     u = run.universe()
-    largest = AnalysisFromFunction(lambda atoms: atoms.universe.trajectory.ts.data["load_inner"].max(), u.trajectory,
-                                   u.atoms).run(start=5, stop=45, step=4)
+    largest = AnalysisFromFunction(
+        lambda atoms: atoms.universe.trajectory.ts.data["load_inner"].max(), u.trajectory, u.atoms
+    ).run(start=5, stop=45, step=4)
     assert np.array_equal(largest.results["timeseries"], run.bearing["load_inner"][5:45:4])
     u.trajectory[11]
     for other in (u.copy(), pickle.loads(pickle.dumps(u))):
         assert other.trajectory.frame == 11
         other.trajectory[30]
         assert u.trajectory.frame == 11
-        assert np.array_equal(other.trajectory.ts.data["load_inner"][:9],
-                              run.contacts["load"].sel(raceway="inner").isel(time=30))
+        assert np.array_equal(
+            other.trajectory.ts.data["load_inner"][:9],
+            run.contacts["load"].sel(raceway="inner").isel(time=30),
+        )
 
 
 def test_window(folder):
     u = raceway.open(folder, slice(10, 20)).universe()
     assert len(u.trajectory) == 10
     assert [ts.data["sample"] for ts in u.trajectory] == list(range(10, 20))
-    assert u.trajectory[0].time == pytest.approx(10 * raceway.open(folder).settings["sample_s"], rel=1e-15)
+    assert u.trajectory[0].time == pytest.approx(
+        10 * raceway.open(folder).settings["sample_s"], rel=1e-15
+    )
 
 
 def test_growing_run(folder):
     for name, part in (("contacts.dump", 0.5), ("balls.dump", 0.8)):
         path = folder / name
-        path.write_bytes(path.read_bytes()[:int(part * path.stat().st_size)])
+        path.write_bytes(path.read_bytes()[: int(part * path.stat().st_size)])
     with pytest.warns(RunWarning, match="ends inside"):
         u = raceway.open(folder).universe()
     assert 15 < len(u.trajectory) < 33  # those that both have, about half of 48

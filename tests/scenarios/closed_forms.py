@@ -2,16 +2,22 @@
 """What a run ought to give, from kinematics and the static solver (written apart from the C++)."""
 
 import numpy as np
-
 from raceway import hertz, kinematics, static
 from raceway.bearing import INNER, OUTER, Bearing
 
 
 def bearing_of(settings):
     """The bearing a run was made with."""
-    return Bearing(int(settings["balls"]), settings["ball_diameter_m"], settings["inner_radius_m"],
-                   settings["outer_radius_m"], settings["inner_groove_m"], settings["outer_groove_m"],
-                   young=float(settings["ball_young_Pa"]), poisson=float(settings["ball_poisson"]))
+    return Bearing(
+        int(settings["balls"]),
+        settings["ball_diameter_m"],
+        settings["inner_radius_m"],
+        settings["outer_radius_m"],
+        settings["inner_groove_m"],
+        settings["outer_groove_m"],
+        young=float(settings["ball_young_Pa"]),
+        poisson=float(settings["ball_poisson"]),
+    )
 
 
 def shaft_speed(settings):
@@ -24,9 +30,15 @@ def equilibrium(run, sample):
     settings, balls = run.settings, run.balls
     now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
     orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)
-    return static.equilibrium(bearing_of(settings), settings["load_N"], clearance=settings["clearance_m"],
-                              load_azimuth=settings["load_azimuth_rad"], finite_shift=True, orbital_speed=orbit,
-                              phase=np.arctan2(now["y"], now["x"]).to_numpy())
+    return static.equilibrium(
+        bearing_of(settings),
+        settings["load_N"],
+        clearance=settings["clearance_m"],
+        load_azimuth=settings["load_azimuth_rad"],
+        finite_shift=True,
+        orbital_speed=orbit,
+        phase=np.arctan2(now["y"], now["x"]).to_numpy(),
+    )
 
 
 def _all(run):
@@ -37,7 +49,9 @@ def _all(run):
 def static_shift(run, _):
     """Mean shift of the inner ring along the load, m."""
     azimuth = run.settings["load_azimuth_rad"]
-    return np.mean([state.shift[0] * np.cos(azimuth) + state.shift[1] * np.sin(azimuth) for state in _all(run)])
+    return np.mean(
+        [state.shift[0] * np.cos(azimuth) + state.shift[1] * np.sin(azimuth) for state in _all(run)]
+    )
 
 
 def static_largest_load(run, _):

@@ -45,8 +45,11 @@ variable pe equal c_energy
 """
     measure = (ROOT / "inputs" / "modules" / "measure").read_text()
     head, tail = measure.split("variable now equal")
-    marker = 'fix totals all print ${every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure} ${thin} ${lam} ' \
-        '${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe} ${virial} ${volume} ${more} ${top} ${active} ${bare}" file ${out}/totals.txt screen no\n'
+    marker = (
+        'fix totals all print ${every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure}'
+        " ${thin} ${lam} ${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe} ${virial}"
+        ' ${volume} ${more} ${top} ${active} ${bare}" file ${out}/totals.txt screen no\n'
+    )
     (folder / "measure").write_text(head + extra + marker + "variable now equal" + tail)
     deck.write_text(text.replace("${inputs}/modules/measure", f"{folder}/measure"))
     succeed(deck, out=folder / "run", passes=1, samples=SAMPLES)
@@ -56,8 +59,23 @@ variable pe equal c_energy
 
 
 def test_totals_are_those_of_the_contacts(run):
-    """compute bearing/total, compute bearing/ball and the local rows read one table; dumps keep 12 digits."""
-    live, loaded, inner, outer, pressure, thin, lam, orbit, _, sum_inner, max_outer, mean_orbit, *_ = run.totals
+    """compute bearing/total, compute bearing/ball and the local rows read one table; dumps keep 12
+    digits."""
+    (
+        live,
+        loaded,
+        inner,
+        outer,
+        pressure,
+        thin,
+        lam,
+        orbit,
+        _,
+        sum_inner,
+        max_outer,
+        mean_orbit,
+        *_,
+    ) = run.totals
     by_sample = [rows for _, rows in run.contacts[run.contacts["sample"] > 0].groupby("sample")]
     assert len(by_sample) == len(live) == SAMPLES
     for k, rows in enumerate(by_sample):
@@ -84,7 +102,8 @@ def test_potential_energy_is_that_of_the_springs(run):
 
 
 def test_background_is_added_once(run):
-    """f_ID[1] is eq 12 plus the background; f_ID[2] the largest ball without it; f_ID[3] the balls in the sum."""
+    """f_ID[1] is eq 12 plus the background; f_ID[2] the largest ball without it; f_ID[3] the balls
+    in the sum."""
     more, top, active, bare = run.totals[15:19]
     np.testing.assert_allclose(more - bare, 30e-12, rtol=1e-9)  # 12 digits of 300 pF
     pairs = run.pairs[run.pairs["sample"] > 0].groupby("sample")["capacitance"]
@@ -93,14 +112,18 @@ def test_background_is_added_once(run):
 
 
 def test_virial_is_that_of_the_contact_forces(run):
-    """3 p V = sum of F.(x_ball - x_ring): every raceway contact of a radial scene adds -N (n.u) r, with the normal
-    n.u = -1 on the inner and +1 on the outer raceway. Cage contacts (below 1 N) and friction are left out here."""
+    """3 p V = sum of F.(x_ball - x_ring): every raceway contact of a radial scene adds -N (n.u) r,
+    with the normal n.u = -1 on the inner and +1 on the outer raceway. Cage contacts (below 1 N) and
+    friction are left out here.
+    """
     virial, volume = run.totals[13:15]
     for k in range(SAMPLES):
         rows = run.contacts[run.contacts["sample"] == k + 1]
         balls = run.balls[run.balls["sample"] == k + 1].set_index("id")
         expected, size = 0.0, 0.0
-        for raceway, ring, ball, normal in rows[["raceway", "ring", "ball", "normal"]].itertuples(index=False):
+        for raceway, ring, ball, normal in rows[["raceway", "ring", "ball", "normal"]].itertuples(
+            index=False
+        ):
             r = np.hypot(*(balls.loc[int(ball), ["x", "y"]] - balls.loc[int(ring), ["x", "y"]]))
             expected += normal * r * (1 if raceway == 0 else -1)
             size += normal * r
@@ -108,7 +131,8 @@ def test_virial_is_that_of_the_contact_forces(run):
 
 
 def test_cage_balls_stay_centred(run):
-    """On the pitch circle within the 190 um that pocket and chord leave them, and in the middle plane."""
+    """On the pitch circle within the 190 um that pocket and chord leave them, and in the middle
+    plane."""
     cage = run.balls[run.balls["type"] == 2]
     radius = np.hypot(cage["x"], cage["y"])
     assert np.all(np.abs(radius - 30.3e-3) < 190e-6)
@@ -116,19 +140,22 @@ def test_cage_balls_stay_centred(run):
 
 
 def test_rails_carry_the_centrifugal_load_at_least(run):
-    """m_c r w^2 of nine polyamide balls, divided by the cosine of the seat (45 degrees), is what pushes on the rails;
-    balls that push cage balls outwards add to it."""
+    """m_c r w^2 of nine polyamide balls, divided by the cosine of the seat (45 degrees), is what
+    pushes on the rails; balls that push cage balls outwards add to it."""
     mass = 4 / 3 * np.pi * 4.19e-3**3 * 1140
     orbit = 19.8
     assert run.totals[8].mean() > 0.99 * 9 * mass * 30.3e-3 * orbit**2 / np.cos(np.pi / 4)
 
 
 def test_step_limit_is_that_of_the_stiffest_ball(tmp_path):
-    """fix bearing/timestep: dry, so 2 sqrt(m/k) with k of both raceways (tangential modes are softer here: the
-    rolling sphere has 2/7 of the mass but the limit is checked against the smaller of both)."""
+    """fix bearing/timestep: dry, so 2 sqrt(m/k) with k of both raceways (tangential modes are
+    softer here: the rolling sphere has 2/7 of the mass but the limit is checked against the smaller
+    of both)."""
     deck = tmp_path / "in.limit"
     text = (ROOT / "inputs" / "in.dry").read_text()
-    deck.write_text(text.replace("include ${inputs}/modules/measure", "") + """
+    deck.write_text(
+        text.replace("include ${inputs}/modules/measure", "")
+        + """
 compute contact balls bearing/contact ball stiffness damping
 dump contact balls local 1 ${out}/stiffness.dump c_contact[1] c_contact[2] c_contact[3]
 dump_modify contact format "%.0f %.12g %.12g"
@@ -136,10 +163,22 @@ variable limit equal f_step[1]
 fix limit all print 1 "${limit}" file ${out}/limit.txt screen no
 fix step all bearing/timestep 1
 run 1
-""")
+"""
+    )
     succeed(deck, out=tmp_path, integrator="verlet")
-    rows = np.array([line.split() for line in (tmp_path / "stiffness.dump").read_text().split("c_contact[3]")[-1]
-                    .strip().splitlines()], float)
+    rows = np.array(
+        [
+            line.split()
+            for line in (
+                (tmp_path / "stiffness.dump")
+                .read_text()
+                .split("c_contact[3]")[-1]
+                .strip()
+                .splitlines()
+            )
+        ],
+        float,
+    )
     limit = np.loadtxt(tmp_path / "limit.txt")
     mass = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the reader finds in runs of the main deck: kinematic lines, where the power goes, MDAnalysis."""
+"""What the reader finds in runs of the main deck: kinematic lines, where the power goes,
+MDAnalysis."""
 
 import numpy as np
 import pytest
@@ -19,17 +20,24 @@ def long(tmp_path_factory):
 
 @pytest.mark.parametrize("signal", ["x", "y", "shift", "fx", "fy", "mz", "capacitance"])
 def test_ball_pass_frequency_and_harmonics(long, signal):
-    """Stiffness varies as balls pass the load. 0.2 %: slip makes the cage 4e-4 slower than kinematics, noise in the
-    weakest signal (fx, which the implicit step makes) moves a peak by 2e-4."""
-    found = {(line.name, line.harmonic): line for line in spectrum.lines(long, spectrum.of_run(long, signal))}
+    """Stiffness varies as balls pass the load. 0.2 %: slip makes the cage 4e-4 slower than
+    kinematics, noise in the weakest signal (fx, which the implicit step makes) moves a peak by
+    2e-4."""
+    found = {
+        (line.name, line.harmonic): line
+        for line in spectrum.lines(long, spectrum.of_run(long, signal))
+    }
     for harmonic in (1, 2, 3):
         line = found["BPFO", harmonic]
         assert line.note == "" and abs(line.difference) < 2e-3
 
 
 def test_displacement_shows_the_slip_of_the_cage(long):
-    """The line is where the balls are: BPFO is Z times their mean orbital speed. 1e-3 of a bin, 1/40 of a pass."""
-    line, = (line for line in spectrum.lines(long, spectrum.of_run(long, "x"), 1) if line.name == "BPFO")
+    """The line is where the balls are: BPFO is Z times their mean orbital speed. 1e-3 of a bin,
+    1/40 of a pass."""
+    (line,) = (
+        line for line in spectrum.lines(long, spectrum.of_run(long, "x"), 1) if line.name == "BPFO"
+    )
     orbit = long.summary()["cage_speed_rad_s"]
     assert line.found == pytest.approx(9 * orbit / (2 * np.pi), rel=5e-5)
     assert -6e-4 < line.difference < -2e-4
@@ -51,7 +59,9 @@ def test_datasets_agree_with_each_other(long):
     """Rings, contacts and balls are recorded at the same moments."""
     both = long.rings["capacitance"] - long.bearing["capacitance"]  # xarray matches the times
     assert both.sizes["time"] == 8000
-    assert float(np.abs(both / long.bearing["capacitance"]).max()) < 1e-6  # the dump is at the end of the step
+    assert (
+        float(np.abs(both / long.bearing["capacitance"]).max()) < 1e-6
+    )  # the dump is at the end of the step
     contact, ball = long.contacts["azimuth"].sel(raceway="outer"), long.balls["azimuth"]
     apart = np.abs(np.exp(1j * contact) - np.exp(1j * ball))
     assert float(apart.max()) < 1e-9 and int(np.isfinite(apart).sum()) > 8000 * 8
@@ -65,18 +75,27 @@ def test_universe(long):
 
 
 def test_smoothed_friction_takes_force_times_sliding(long):
-    """It acts against the sliding, so the power is the product of the magnitudes (12 digits in the dump)."""
+    """It acts against the sliding, so the power is the product of the magnitudes (12 digits in the
+    dump)."""
     contacts = long.contacts
-    np.testing.assert_allclose(contacts["friction_power"], (contacts["friction"] * contacts["sliding"]).fillna(0),
-                               rtol=1e-10, atol=1e-25)
+    np.testing.assert_allclose(
+        contacts["friction_power"],
+        (contacts["friction"] * contacts["sliding"]).fillna(0),
+        rtol=1e-10,
+        atol=1e-25,
+    )
     assert float(contacts["damping_power"].min()) > -1e-12
 
 
 def test_shaft_pays_what_the_contacts_lose(tmp_path):
-    """With velocity Verlet. Power in swings by 40 mW about a mean of 1.4 mW as springs load and unload; slip leaves 4e-4
-    of each of the 20 passes uncovered, 40 mW * 4e-4 = 1.2 % of the mean. Tolerance three times that."""
+    """With velocity Verlet. Power in swings by 40 mW about a mean of 1.4 mW as springs load and
+    unload; slip leaves 4e-4 of each of the 20 passes uncovered, 40 mW * 4e-4 = 1.2 % of the mean.
+    Tolerance three times that.
+    """
     succeed("inputs/in.6208", out=tmp_path / "run", passes=20, settle=4, integrator="verlet")
     mean = losses.losses(raceway.open(tmp_path / "run")).mean()
     lost = float(mean["friction_power"] + mean["damping_power"])
     assert float(mean["power_in"]) == pytest.approx(lost, rel=0.04)
-    assert float(mean["torque"]) * 477.5 * np.pi / 30 == pytest.approx(float(mean["power_in"]), rel=1e-6)
+    assert float(mean["torque"]) * 477.5 * np.pi / 30 == pytest.approx(
+        float(mean["power_in"]), rel=1e-6
+    )

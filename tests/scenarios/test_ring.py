@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""fix bearing/ring against the mechanics of a free body: fall, gyroscopic motion, driven motion, conservation."""
+"""fix bearing/ring against the mechanics of a free body: fall, gyroscopic motion, driven motion,
+conservation."""
 
 import numpy as np
-import pytest
 from host import BOX, succeed
 
 MASS, AXIAL, ACROSS = 0.2, 1.2e-4, 6.5e-5  # kg, kg m^2
 BALL_MASS = 4 / 3 * np.pi * 6.3e-3**3 * 7800
 
-# Balls wide apart from the rings (0.2 mm of radial play): nothing touches unless the clearance is changed.
-DECK = BOX + """
+# Balls wide apart from the rings (0.2 mm of radial play): nothing touches unless the clearance is
+# changed.
+DECK = (
+    BOX
+    + """
 variable play index 2.0e-4
 variable outer equal 36.6e-3+${play}
 pair_style bearing/hertz friction constant 0.1
@@ -24,6 +27,7 @@ fix move balls nve/sphere
 timestep 1.0e-6
 variable t equal step*dt
 """
+)
 REPORT = """
 variable x equal f_inner[1]
 variable y equal f_inner[2]
@@ -47,7 +51,9 @@ def motion(tmp_path, commands, steps, **variables):
 
 def test_constant_force_on_a_free_ring(tmp_path):
     """z = F t^2/(2 m): Verlet is exact for it, the columns keep 15 digits."""
-    t, x, y, z, vz, *_ = motion(tmp_path, f"fix inner inner bearing/ring mass {MASS} z free force 3.0 4.0 5.0\n", 2000)
+    t, x, y, z, vz, *_ = motion(
+        tmp_path, f"fix inner inner bearing/ring mass {MASS} z free force 3.0 4.0 5.0\n", 2000
+    )
     np.testing.assert_allclose(z, 5.0 / (2 * MASS) * t**2, rtol=1e-11)
     np.testing.assert_allclose(vz, 5.0 / MASS * t, rtol=1e-11)
     assert not x.any() and not y.any()  # fixed
@@ -55,17 +61,24 @@ def test_constant_force_on_a_free_ring(tmp_path):
 
 def test_moment_on_a_spinning_ring(tmp_path):
     """A moment M about x on a ring with spin W and free tilts, linear theory: with n = I_a W/I_t
-    tilt about x = M/(I_t n^2) (1 - cos n t), about y = -M/(I_t n^2) (n t - sin n t) ... the gyroscope gives way across.
-    Sign: dL/dt = M along +x turns the axis e (L = I_a W e) towards +x, which is a positive tilt about y.
-    Nonlinear terms are of the order of the tilt squared, 1e-5 relative; the step's of (n h)^2/12 = 3e-7."""
+    tilt about x = M/(I_t n^2) (1 - cos n t), about y = -M/(I_t n^2) (n t - sin n t) ... the
+    gyroscope gives way across. Sign: dL/dt = M along +x turns the axis e (L = I_a W e) towards +x,
+    which is a positive tilt about y. Nonlinear terms are of the order of the tilt squared, 1e-5
+    relative; the step's of (n h)^2/12 = 3e-7.
+    """
     spin, moment = 1000.0, 0.05
     t, *_, rx, ry, rate, angle = motion(
-        tmp_path, f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free ry free spin speed {spin} moment {moment} 0 0\n",
-        4000)
+        tmp_path,
+        f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free ry free spin speed {spin}"
+        f" moment {moment} 0 0\n",
+        4000,
+    )
     n = AXIAL * spin / ACROSS
     amplitude = moment / (ACROSS * n**2)
     np.testing.assert_allclose(rx, amplitude * (1 - np.cos(n * t)), rtol=0, atol=1e-4 * amplitude)
-    np.testing.assert_allclose(ry, amplitude * (n * t - np.sin(n * t)), rtol=0, atol=1e-4 * amplitude * n * t[-1])
+    np.testing.assert_allclose(
+        ry, amplitude * (n * t - np.sin(n * t)), rtol=0, atol=1e-4 * amplitude * n * t[-1]
+    )
     np.testing.assert_allclose(rate, spin, rtol=1e-12)
     np.testing.assert_allclose(angle, spin * t, rtol=1e-11)
 
@@ -73,7 +86,11 @@ def test_moment_on_a_spinning_ring(tmp_path):
 def test_one_free_tilt_has_no_gyroscope(tmp_path):
     """With the other tilt held, M t^2/(2 I_t)."""
     t, *_, rx, ry, _, _ = motion(
-        tmp_path, f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free spin speed 1000 moment 0.05 0.05 0\n", 400)
+        tmp_path,
+        f"fix inner inner bearing/ring inertia {AXIAL} {ACROSS} rx free spin speed 1000 moment 0.05"
+        " 0.05 0\n",
+        400,
+    )
     np.testing.assert_allclose(rx, 0.05 / (2 * ACROSS) * t**2, rtol=1e-9)
     assert not ry.any()
 
@@ -81,9 +98,12 @@ def test_one_free_tilt_has_no_gyroscope(tmp_path):
 def test_driven_degrees_of_freedom(tmp_path):
     """Displacements and tilts follow their variables exactly; so does a speed, integrated."""
     t, x, y, z, vz, rx, ry, spin, _ = motion(
-        tmp_path, "variable wx equal 1.0e-5*sin(2000*v_t)\nvariable wr equal 1.0e-3*sin(1000*v_t)\n"
-        "variable ws equal 100*v_t\n"
-        "fix inner inner bearing/ring x position v_wx y speed 2.0e-3 rx position v_wr spin speed v_ws\n", 2000)
+        tmp_path,
+        "variable wx equal 1.0e-5*sin(2000*v_t)\nvariable wr equal 1.0e-3*sin(1000*v_t)\nvariable"
+        " ws equal 100*v_t\nfix inner inner bearing/ring x position v_wx y speed 2.0e-3 rx position"
+        " v_wr spin speed v_ws\n",
+        2000,
+    )
     np.testing.assert_allclose(x, 1e-5 * np.sin(2000 * t), rtol=0, atol=1e-16)
     np.testing.assert_allclose(y, 2e-3 * t, rtol=1e-12)
     np.testing.assert_allclose(rx, 1e-3 * np.sin(1000 * t), rtol=0, atol=1e-15)
@@ -93,33 +113,51 @@ def test_driven_degrees_of_freedom(tmp_path):
 
 def test_load_ramp(tmp_path):
     """The load grows as 3 s^2 - 2 s^3: the momentum after the ramp is half of F T."""
-    t, *_, = rows = motion(tmp_path, f"fix inner inner bearing/ring mass {MASS} z free force 0 0 5.0 ramp 1.0e-3\n", 1000)
+    (
+        t,
+        *_,
+    ) = rows = motion(
+        tmp_path,
+        f"fix inner inner bearing/ring mass {MASS} z free force 0 0 5.0 ramp 1.0e-3\n",
+        1000,
+    )
     s = t / 1e-3
-    # the impulse by the trapezoidal rule of Verlet: h^2/12 F'(end) is below 1e-6 of it, plus half a step at the start
-    np.testing.assert_allclose(rows[4], 5.0 / MASS * 1e-3 * (s**3 - s**4 / 2), rtol=0, atol=1e-5 * 5.0 / MASS * 1e-3)
+    # the impulse by the trapezoidal rule of Verlet: h^2/12 F'(end) is below 1e-6 of it, plus half a
+    # step at the start
+    np.testing.assert_allclose(
+        rows[4], 5.0 / MASS * 1e-3 * (s**3 - s**4 / 2), rtol=0, atol=1e-5 * 5.0 / MASS * 1e-3
+    )
 
 
 def test_free_bearing_keeps_its_momentum(tmp_path):
-    """Two free rings and nine squeezed, rubbing balls: linear momentum and angular momentum about any axis stay.
+    """Two free rings and nine squeezed, rubbing balls: linear momentum and angular momentum about
+    any axis stay.
 
-    Every contact gives both bodies opposite forces at one point, so both hold to rounding: about 1e5 additions of
-    1e-16 relative to the largest single momenta."""
+    Every contact gives both bodies opposite forces at one point, so both hold to rounding: about
+    1e5 additions of 1e-16 relative to the largest single momenta."""
     free = "mass 0.2 inertia 1.2e-4 6.5e-5 x free y free z free rx free ry free spin free"
     deck = tmp_path / "in.free"
-    deck.write_text(DECK + "fix inner inner bearing/ring spin speed 300\nrun 0\nunfix inner\n"  # balls at rest: they slip
-                    f"fix inner inner bearing/ring {free}\nfix outer outer bearing/ring {free}\n"
-                    "velocity inner set 0.01 0.02 0.005\n"
-                    "dump all all custom 500 ${out} id type x y z vx vy vz omegax omegay omegaz\n"
-                    'dump_modify all format "%d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id\n'
-                    "timestep 2.0e-7\nrun 5000\n")
+    deck.write_text(
+        DECK
+        # balls at rest: they slip
+        + "fix inner inner bearing/ring spin speed 300\nrun 0\nunfix inner\nfix inner inner"
+        f" bearing/ring {free}\nfix outer outer bearing/ring {free}\nvelocity inner set 0.01 0.02"
+        " 0.005\ndump all all custom 500 ${out} id type x y z vx vy vz omegax omegay"
+        ' omegaz\ndump_modify all format "%d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g'
+        ' %.17g" sort id\ntimestep 2.0e-7\nrun 5000\n'
+    )
     succeed(deck, out=tmp_path / "all.dump", play=-1e-5)
     lines = (tmp_path / "all.dump").read_text().splitlines()
-    frames = [np.array([line.split() for line in lines[at + 9:at + 20]], float) for at in range(0, len(lines), 20)]
+    frames = [
+        np.array([line.split() for line in lines[at + 9 : at + 20]], float)
+        for at in range(0, len(lines), 20)
+    ]
     assert len(frames) == 11
     linear, angular = zip(*(_momenta(frame) for frame in frames))
     largest = 300 * AXIAL  # kg m^2/s, the inner ring's own at the start
     np.testing.assert_allclose(linear, np.tile(linear[0], (11, 1)), rtol=0, atol=1e-12)
-    # the spin about z; across it the rings' axes tilt and their dumped omega alone does not give I omega
+    # the spin about z; across it the rings' axes tilt and their dumped omega alone does not give I
+    # omega
     np.testing.assert_allclose(np.array(angular)[:, 2], angular[0][2], rtol=0, atol=1e-9 * largest)
     spins = [frame[9, 10] for frame in frames]
     assert spins[-1] < 0.999 * spins[0]  # friction did act

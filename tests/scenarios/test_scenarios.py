@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Every scenario of scenarios.yaml: run the deck, compare its summary with closed forms and references."""
+"""Every scenario of scenarios.yaml: run the deck, compare its summary with closed forms and
+references."""
 
 from pathlib import Path
 
@@ -21,7 +22,10 @@ def test_scenario(name, tmp_path):
     run = Run(tmp_path)
     figures = summary(run)
     for key, want in scenario["expect"].items():
-        value = want["value"] if "value" in want else getattr(closed_forms, want["form"])(run, figures)
+        value = (
+            want["value"] if "value" in want else getattr(closed_forms, want["form"])(run, figures)
+        )
         allowed = want["within"] if "within" in want else want["tolerance"] * abs(value)
         assert abs(figures[key] - value) <= allowed, (
-            f"{key} is {figures[key]}, should be {value} within {allowed} ({want['why']})")
+            f"{key} is {figures[key]}, should be {value} within {allowed} ({want['why']})"
+        )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The simulation against statics: ball loads at every azimuth of a ball pass; free contact angle and endplay."""
+"""The simulation against statics: ball loads at every azimuth of a ball pass; free contact angle
+and endplay."""
 
 import re
 
@@ -14,8 +15,10 @@ from scenarios import closed_forms
 
 
 def test_ball_loads_at_every_azimuth(tmp_path):
-    """Dry, 100 rpm, 5 kN: 0.1 % of the ball's own load, and 0.1 % of the largest for balls that carry less than
-    1.25 % of that (they are about to leave the loaded zone, where friction of 1e-4 of the largest load counts)."""
+    """Dry, 100 rpm, 5 kN: 0.1 % of the ball's own load, and 0.1 % of the largest for balls that
+    carry less than 1.25 % of that (they are about to leave the loaded zone, where friction of 1e-4
+    of the largest load counts).
+    """
     succeed("inputs/in.dry", out=tmp_path)
     run = Run(tmp_path)
     contacts = run.contacts
@@ -24,7 +27,13 @@ def test_ball_loads_at_every_azimuth(tmp_path):
         state = closed_forms.equilibrium(run, sample)
         rows = contacts[contacts["sample"] == sample]
         for side, theory in ((INNER, state.inner), (OUTER, state.outer)):
-            found = rows[rows["raceway"] == side].set_index("ball")["load"].reindex(range(1, 10)).fillna(0).to_numpy()
+            found = (
+                rows[rows["raceway"] == side]
+                .set_index("ball")["load"]
+                .reindex(range(1, 10))
+                .fillna(0)
+                .to_numpy()
+            )
             heavy = theory.load > 0.0125 * theory.load.max()
             np.testing.assert_allclose(found[heavy], theory.load[heavy], rtol=1e-3)
             np.testing.assert_allclose(found, theory.load, rtol=0, atol=1e-3 * theory.load.max())
@@ -33,9 +42,9 @@ def test_ball_loads_at_every_azimuth(tmp_path):
 
 
 def test_ball_loads_with_clearance(tmp_path):
-    """0.1 % of the largest load, at 30 rpm: a ball that enters the loaded zone sets the dry, hardly damped ring
-    swinging, by more the faster it comes (5e-4 of the largest load at 30 rpm, 2e-3 at 100, 5e-3 at 300), and statics
-    knows no swing."""
+    """0.1 % of the largest load, at 30 rpm: a ball that enters the loaded zone sets the dry, hardly
+    damped ring swinging, by more the faster it comes (5e-4 of the largest load at 30 rpm, 2e-3 at
+    100, 5e-3 at 300), and statics knows no swing."""
     succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6, rpm=30)
     run = Run(tmp_path)
     contacts = run.contacts
@@ -43,10 +52,14 @@ def test_ball_loads_with_clearance(tmp_path):
         state = closed_forms.equilibrium(run, sample)
         rows = contacts[(contacts["sample"] == sample) & (contacts["raceway"] == INNER)]
         found = rows.set_index("ball")["load"].reindex(range(1, 10)).fillna(0).to_numpy()
-        np.testing.assert_allclose(found, state.inner.load, rtol=0, atol=1e-3 * state.inner.load.max())
+        np.testing.assert_allclose(
+            found, state.inner.load, rtol=0, atol=1e-3 * state.inner.load.max()
+        )
 
 
-@pytest.mark.parametrize("groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3])  # table A.1 of the paper
+@pytest.mark.parametrize(
+    "groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3]
+)  # table A.1 of the paper
 def test_free_contact_angle_and_endplay(groove):
     """Eqs A.2-A.4 within 0.5 %."""
     text = succeed("inputs/in.axial", inner_groove=groove, outer_groove=groove).text

@@ -5,10 +5,13 @@ __version__ = "0.1.0"
 
 
 def open(folder, samples=slice(None)):
-    """The run in `folder` as one object, `raceway.datasets.Datasets`; `samples`, a slice, keeps to some of them.
+    """The run in `folder` as one object, `raceway.datasets.Datasets`; `samples`, a slice, keeps to
+    some of them.
 
     Raises `raceway.errors.RunError` when the folder is not that of a run.
     """
-    from raceway.datasets import Datasets  # xarray takes longer to load than a static bearing to solve
+    from raceway.datasets import (
+        Datasets,
+    )  # xarray takes longer to load than a static bearing to solve
 
     return Datasets(folder, samples)

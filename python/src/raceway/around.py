@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Means of a contact's quantities around the ring, by raceway and azimuth. Read in blocks: any size of run."""
+"""Means of a contact's quantities around the ring, by raceway and azimuth. Read in blocks: any size
+of run."""
 
 import numpy as np
 import xarray as xr
@@ -9,12 +10,13 @@ BINS = 72
 
 
 def around(run, quantities, bins=BINS):
-    """Mean of `quantities` over the contacts of `run` (from `raceway.open`) that fall into each of `bins` equal parts
-    of the ring: Dataset (raceway, from_load_line).
+    """Mean of `quantities` over the contacts of `run` (from `raceway.open`) that fall into each of
+    `bins` equal parts of the ring: Dataset (raceway, from_load_line).
 
-    `quantities` maps a name to a function that takes a table of contacts (`DataFrame`, columns of the dump) and gives an
-    array of one value a row. `from_load_line` is the middle of a part in rad from the centre of the loaded zone.
-    `contacts` counts, over all samples; where it is 0 the means are NaN. Raises `ValueError` for fewer than one bin.
+    `quantities` maps a name to a function that takes a table of contacts (`DataFrame`, columns of
+    the dump) and gives an array of one value a row. `from_load_line` is the middle of a part in rad
+    from the centre of the loaded zone. `contacts` counts, over all samples; where it is 0 the means
+    are NaN. Raises `ValueError` for fewer than one bin.
     """
     if bins < 1:
         raise ValueError(f"bins = {bins} must be at least 1")
@@ -30,8 +32,15 @@ def around(run, quantities, bins=BINS):
             sums[name] += np.bincount(place, weights=weights, minlength=counts.size).reshape(shape)
     dims = ("raceway", "from_load_line")
     middle = (np.arange(bins) + 0.5) / bins * 2 * np.pi - np.pi
-    result = xr.Dataset({"contacts": (dims, counts)}, coords={"raceway": list(SIDES), "from_load_line": middle})
-    result["from_load_line"].attrs.update(units="rad", long_name="azimuth from the centre of the loaded zone")
+    result = xr.Dataset(
+        {"contacts": (dims, counts)}, coords={"raceway": list(SIDES), "from_load_line": middle}
+    )
+    result["from_load_line"].attrs.update(
+        units="rad", long_name="azimuth from the centre of the loaded zone"
+    )
     for name, total in sums.items():
-        result[name] = (dims, np.divide(total, counts, out=np.full(shape, np.nan), where=counts > 0))
+        result[name] = (
+            dims,
+            np.divide(total, counts, out=np.full(shape, np.nan), where=counts > 0),
+        )
     return result

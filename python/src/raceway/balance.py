@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The inner ring's balance: energy of a bearing in the ring's five degrees of freedom, the balls following, and its minimum.
+"""The inner ring's balance: energy of a bearing in the ring's five degrees of freedom, the balls
+following, and its minimum.
 
-Inside, tilts are multiplied by a length and moments divided by it, so that all five are metres and newtons.
+Inside, tilts are multiplied by a length and moments divided by it, so that all five are metres and
+newtons.
 """
 
 from functools import partial
@@ -18,16 +20,25 @@ class Balance:
     """One bearing under one load, for contact stiffness given per raceway and ball."""
 
     def __init__(self, bearing, force, moment, held, azimuth, clearance, centrifugal, finite_shift):
-        """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed places in m and rad, NaN where the ring is free."""
+        """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed places in m and rad, NaN where the
+        ring is free."""
         self.bearing, self.clearance, self.azimuth = bearing, clearance, azimuth
-        self.centrifugal, self.moment, self.finite_shift = centrifugal, np.asarray(moment, float), finite_shift
-        self.metres = np.array([1.0, 1.0, 1.0, bearing.pitch_radius, bearing.pitch_radius])  # per unit of place
+        self.centrifugal, self.moment, self.finite_shift = (
+            centrifugal,
+            np.asarray(moment, float),
+            finite_shift,
+        )
+        self.metres = np.array(
+            [1.0, 1.0, 1.0, bearing.pitch_radius, bearing.pitch_radius]
+        )  # per unit of place
         self.free, self.held = np.isnan(held), np.nan_to_num(held) * self.metres
         self.loads = np.concatenate([force, self.moment]) / self.metres
         self.reach = circle.exact if finite_shift else circle.straight
         self.gap = np.array([bearing.groove_gap(side) for side in (INNER, OUTER)])
         self.outer = np.tile([bearing.groove_circle(OUTER, clearance), 0.0], (len(azimuth), 1))
-        self.digits = 8 * np.spacing(bearing.pitch_radius)  # m: distances are known to some last digits of the radius
+        self.digits = 8 * np.spacing(
+            bearing.pitch_radius
+        )  # m: distances are known to some last digits of the radius
         self.cap = 0.25 * self.gap.sum()  # longest Newton step, m: small against the groove
         self.stiffness = self._stiffness(np.zeros((2, len(azimuth))))
 
@@ -51,9 +62,12 @@ class Balance:
             place = self.settle(place)
             self._renew(place)
             settled = np.all(np.abs(self.stiffness / before - 1) < 1e-12)
-            if settled and np.all(np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)):
+            if settled and np.all(
+                np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)
+            ):
                 return place
-            # tilts can be so soft that what is left to rounding keeps the stiffness from repeating to the last digits
+            # tilts can be so soft that what is left to rounding keeps the stiffness from repeating
+            # to the last digits
             if np.all(np.abs(place - was) <= self.digits):
                 return place
         raise NoEquilibrium("contact angles and contact stiffness do not settle")
@@ -87,13 +101,17 @@ class Balance:
             if not np.linalg.norm(place[free]) < self.bearing.ball_radius:
                 break
         said = " and moment ({:g}, {:g}) N m".format(*self.moment) if free[3:].any() else ""
-        raise NoEquilibrium(f"no place of the ring balances radial and axial load {np.hypot(*self.loads[:2]):g} N, "
-                            f"{self.loads[2]:g} N{said} with clearance {self.clearance:g} m")
+        raise NoEquilibrium(
+            f"no place of the ring balances radial and axial load {np.hypot(*self.loads[:2]):g} N, "
+            f"{self.loads[2]:g} N{said} with clearance {self.clearance:g} m"
+        )
 
     def balls(self, place):
         """The balls' `Grooves` and `Touch` with the ring at a place."""
         ring = place / self.metres
-        inner = partial(self.reach, place=ring, azimuth=self.azimuth, radius=self.bearing.groove_circle(INNER))
+        inner = partial(
+            self.reach, place=ring, azimuth=self.azimuth, radius=self.bearing.groove_circle(INNER)
+        )
         grooves = seat.Grooves(inner, self.outer, self.gap, self.stiffness, self.centrifugal)
         ball = seat.settle(grooves)
         touch = seat.touch(grooves, ball)
@@ -107,7 +125,8 @@ class Balance:
         return seat.energy(grooves, ball).sum() - self.loads[self.free] @ place[self.free]
 
     def derivatives(self, place):
-        """Gradient (5,) and Hessian (5, 5) of the energy in the ring's place, the balls following; contact loads (2, Z)."""
+        """Gradient (5,) and Hessian (5, 5) of the energy in the ring's place, the balls following;
+        contact loads (2, Z)."""
         grooves, _, touch = self.balls(place)
         slope = touch.reach.slope[:, 2:] / self.metres
         gradient = np.einsum("z,za->a", touch.load[INNER], slope) - self.loads
@@ -121,18 +140,26 @@ class Balance:
     def angles(self, touch):
         """Contact angles (2, Z), rad, each against its own ring; no minus zero."""
         inner, outer = touch.reach.section, touch.direction[OUTER]
-        return np.array([np.arctan2(-inner[:, 1], -inner[:, 0]), np.arctan2(outer[:, 1], outer[:, 0])]) + 0.0
+        return (
+            np.array([np.arctan2(-inner[:, 1], -inner[:, 0]), np.arctan2(outer[:, 1], outer[:, 0])])
+            + 0.0
+        )
 
     def ellipse(self, side, angle):
         """`hertz.Ellipse` of the contacts of one raceway."""
         return hertz.exact(*self.bearing.effective_radii(side, angle, self.clearance))
 
     def _stiffness(self, angle):
-        return np.array([hertz.stiffness(self.ellipse(side, angle[side]), self.bearing.effective_modulus)
-                         for side in (INNER, OUTER)])
+        return np.array(
+            [
+                hertz.stiffness(self.ellipse(side, angle[side]), self.bearing.effective_modulus)
+                for side in (INNER, OUTER)
+            ]
+        )
 
     def _renew(self, place):
-        """Contact stiffness of the present angles; the moment's part along the tilts of the present axis."""
+        """Contact stiffness of the present angles; the moment's part along the tilts of the present
+        axis."""
         self.stiffness = self._stiffness(self.angles(self.balls(place)[2]))
         if self.finite_shift:
             tilt = (place / self.metres)[3:]
@@ -148,8 +175,10 @@ class Balance:
         here, slope, part = self.energy(place), gradient @ step, 1.0
         for _ in range(50):
             trial = place + self._whole(part * step)
-            if (self.energy(trial) <= here + 1e-4 * part * slope
-                    or np.linalg.norm(self.derivatives(trial)[0][self.free]) < 0.5 * size):
+            if (
+                self.energy(trial) <= here + 1e-4 * part * slope
+                or np.linalg.norm(self.derivatives(trial)[0][self.free]) < 0.5 * size
+            ):
                 return part
             part /= 2
         return 0.0

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The geometry and steel of one bearing.
 
-A raceway is a torus groove. The centres of curvature of its cross-sections lie on a circle about the ring's
-axis, of radius R_i + r_ci for the inner ring and R_e - r_co (+ P_d/2 with a diametral clearance) for the outer.
+A raceway is a torus groove. The centres of curvature of its cross-sections lie on a circle about
+the ring's axis, of radius R_i + r_ci for the inner ring and R_e - r_co (+ P_d/2 with a diametral
+clearance) for the outer.
 """
 
 from dataclasses import dataclass, fields
@@ -14,7 +15,8 @@ INNER, OUTER = 0, 1
 
 @dataclass(frozen=True)
 class Bearing:
-    """Deep-groove ball bearing; lengths in m, `young` in Pa. `outer_radius` is the value before clearance.
+    """Deep-groove ball bearing; lengths in m, `young` in Pa. `outer_radius` is the value before
+    clearance.
 
     Raises `ValueError` for a size that is not positive or a groove no wider than its ball.
     """
@@ -37,15 +39,20 @@ class Bearing:
             raise ValueError(f"poisson = {self.poisson} must lie between -1 and 0.5")
         for name in ("inner_groove", "outer_groove"):
             if getattr(self, name) <= self.ball_radius:
-                raise ValueError(f"{name} = {getattr(self, name)} m is conformal: the ball's radius is "
-                                 f"{self.ball_radius} m and the groove's must be larger")
+                raise ValueError(
+                    f"{name} = {getattr(self, name)} m is conformal: the ball's radius is "
+                    f"{self.ball_radius} m and the groove's must be larger"
+                )
         if self.outer_radius <= self.inner_radius:
-            raise ValueError(f"outer_radius = {self.outer_radius} m is not outside "
-                             f"inner_radius = {self.inner_radius} m")
+            raise ValueError(
+                f"outer_radius = {self.outer_radius} m is not outside "
+                f"inner_radius = {self.inner_radius} m"
+            )
 
     @classmethod
     def from_mapping(cls, data):
-        """From a mapping with the field names as keys. Raises `ValueError` for a missing or unknown key."""
+        """From a mapping with the field names as keys. Raises `ValueError` for a missing or unknown
+        key."""
         known = {field.name for field in fields(cls)}
         if unknown := sorted(set(data) - known):
             raise ValueError(f"unknown bearing data: {', '.join(unknown)}")
@@ -75,19 +82,23 @@ class Bearing:
         return self.inner_groove if raceway == INNER else self.outer_groove
 
     def groove_gap(self, raceway):
-        """r_c - R_b, m: how far a just-touching ball's centre is from the groove's centre of curvature."""
+        """r_c - R_b, m: how far a just-touching ball's centre is from the groove's centre of
+        curvature."""
         return self.groove(raceway) - self.ball_radius
 
     def groove_circle(self, raceway, clearance=0.0):
-        """Radius of the circle of centres of curvature, m; all the clearance goes to the outer groove."""
+        """Radius of the circle of centres of curvature, m; all the clearance goes to the outer
+        groove."""
         if raceway == INNER:
             return self.inner_radius + self.inner_groove
         return self.outer_radius + clearance / 2 - self.outer_groove
 
     def effective_radii(self, raceway, angle=0.0, clearance=0.0):
-        """(R_x along rolling, R_y across the groove) in m, the shape of `angle` (contact angle, rad).
+        """(R_x along rolling, R_y across the groove) in m, the shape of `angle` (contact angle,
+        rad).
 
-        gamma = R_b cos(angle)/r_pitch; R_x = R_b (1 - gamma) inner, R_b (1 + gamma) outer (eq 2, Harris 2.28).
+        gamma = R_b cos(angle)/r_pitch; R_x = R_b (1 - gamma) inner, R_b (1 + gamma) outer (eq 2,
+        Harris 2.28).
         """
         radius, groove = self.ball_radius, self.groove(raceway)
         # the pitch of a ball at rest on that raceway: clearance has gone into the outer ring

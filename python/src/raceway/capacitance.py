@@ -12,10 +12,11 @@ def density_ratio(pressure):
 
 
 def permittivity(ambient, pressure):
-    """Relative permittivity under `pressure` in Pa of an oil that has `ambient` at rest (eqs 10, 11).
+    """Relative permittivity under `pressure` in Pa of an oil that has `ambient` at rest (eqs 10,
+    11).
 
-    Clausius-Mossotti: (e - 1)/(e + 2) grows as the density. Raises `ValueError` for `ambient` below one, or so
-    large that no finite permittivity follows.
+    Clausius-Mossotti: (e - 1)/(e + 2) grows as the density. Raises `ValueError` for `ambient` below
+    one, or so large that no finite permittivity follows.
 
     >>> print(f"{permittivity(2.2, 0.0):.3f} at rest, {permittivity(2.2, 2.5e9):.3f} at 2.5 GPa")
     2.200 at rest, 2.719 at 2.5 GPa
@@ -24,7 +25,9 @@ def permittivity(ambient, pressure):
         raise ValueError(f"permittivity = {ambient} must be one or more")
     x = (ambient - 1) / (ambient + 2) * density_ratio(pressure)
     if np.any(x >= 1):
-        raise ValueError(f"permittivity = {ambient} is too large for Clausius-Mossotti at {pressure} Pa")
+        raise ValueError(
+            f"permittivity = {ambient} is too large for Clausius-Mossotti at {pressure} Pa"
+        )
     return (1 + 2 * x) / (1 - x)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finds data files by name: bearings and lubricants of the `inputs` folder, or a file of the user's own."""
+"""Finds data files by name: bearings and lubricants of the `inputs` folder, or a file of the user's
+own."""
 
 from pathlib import Path
 
@@ -9,8 +10,8 @@ KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 
 
 def folder(given=None):
-    """The inputs folder: `given`; else `inputs` here or in a folder above; else that of the source tree this package
-    is installed from. Raises `InputError` when there is none."""
+    """The inputs folder: `given`; else `inputs` here or in a folder above; else that of the source
+    tree this package is installed from. Raises `InputError` when there is none."""
     if given is not None:
         if not Path(given).is_dir():
             raise InputError(f"there is no folder {given}")
@@ -20,11 +21,14 @@ def folder(given=None):
     for place in (here, *here.parents, tree):
         if all((place / "inputs" / kind).is_dir() for kind in KINDS):
             return place / "inputs"
-    raise InputError(f"no folder inputs with bearings and lubricants in {here} or above: give --inputs DIR")
+    raise InputError(
+        f"no folder inputs with bearings and lubricants in {here} or above: give --inputs DIR"
+    )
 
 
 def find(kind, name, inputs=None):
-    """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is a path itself.
+    """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is a
+    path itself.
 
     `inputs` is a folder or None, see `folder`. Raises `InputError` with what is there.
     """
@@ -36,6 +40,10 @@ def find(kind, name, inputs=None):
     shelf = folder(inputs) / kind
     path = shelf / name
     if not path.is_file():
-        there = ", ".join(sorted(entry.name for entry in shelf.iterdir() if entry.is_file())) if shelf.is_dir() else "nothing"
+        there = (
+            ", ".join(sorted(entry.name for entry in shelf.iterdir() if entry.is_file()))
+            if shelf.is_dir()
+            else "nothing"
+        )
         raise InputError(f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {there}")
     return path

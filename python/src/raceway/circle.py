@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """How far balls are from the circle of an inner ring's groove centres, and how that changes.
 
-The ring's place is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two axes across in rad. Tilt
-turns the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y are what `fix bearing/ring` reports. A ball's place
-is (radial, axial) in m in the plane through the outer ring's axis at the ball's azimuth. Derivatives are taken in these
-seven: ball first, then ring.
+The ring's place is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two axes
+across in rad. Tilt turns the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y are what
+`fix bearing/ring` reports. A ball's place is (radial, axial) in m in the plane through the outer
+ring's axis at the ball's azimuth. Derivatives are taken in these seven: ball first, then ring.
 """
 
 from typing import NamedTuple
@@ -18,16 +18,27 @@ class Reach(NamedTuple):
     distance: np.ndarray  # (Z,), m
     slope: np.ndarray  # (Z, 7), first derivatives
     curve: np.ndarray  # (Z, 7, 7), second derivatives
-    section: np.ndarray  # (Z, 2), unit vector from circle to ball in the ring's own section (radial, axial)
+    section: (
+        np.ndarray
+    )  # (Z, 2), unit vector from circle to ball in the ring's own section (radial, axial)
     line: np.ndarray  # (Z, 3), the same in space: also the force's direction on the ring
     arm: np.ndarray  # (Z, 3), m, from the ring's centre to a point on that line
 
 
 def straight(ball, place, azimuth, radius):
-    """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of the ring's
-    displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were straight over the shift."""
-    c, s, zero, one = np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth), np.ones_like(azimuth)
-    moves = -np.array([[c, s, zero, zero, zero], [zero, zero, one, radius * s, -radius * c]]).transpose(2, 0, 1)
+    """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of
+    the ring's displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were
+    straight over the shift.
+    """
+    c, s, zero, one = (
+        np.cos(azimuth),
+        np.sin(azimuth),
+        np.zeros_like(azimuth),
+        np.ones_like(azimuth),
+    )
+    moves = -np.array(
+        [[c, s, zero, zero, zero], [zero, zero, one, radius * s, -radius * c]]
+    ).transpose(2, 0, 1)
     way = ball + moves @ place - [radius, 0.0]
     both = np.concatenate([np.broadcast_to(np.eye(2), (len(c), 2, 2)), moves], axis=2)
     distance = np.maximum(np.linalg.norm(way, axis=1), 1e-300)
@@ -35,12 +46,19 @@ def straight(ball, place, azimuth, radius):
     across = (np.eye(2) - unit[:, :, None] * unit[:, None, :]) / distance[:, None, None]
     line = np.stack([unit[:, 0] * c, unit[:, 0] * s, unit[:, 1]], 1)
     arm = radius * np.stack([c, s, zero], 1)
-    return Reach(distance, np.einsum("zi,zia->za", unit, both), np.einsum("zia,zij,zjb->zab", both, across, both),
-                 unit, line, arm)
+    return Reach(
+        distance,
+        np.einsum("zi,zia->za", unit, both),
+        np.einsum("zia,zij,zjb->zab", both, across, both),
+        unit,
+        line,
+        arm,
+    )
 
 
 def exact(ball, place, azimuth, radius):
-    """`Reach` of a circle that stays a circle, shifted and tilted, to its nearest point in space."""
+    """`Reach` of a circle that stays a circle, shifted and tilted, to its nearest point in
+    space."""
     c, s, zero = np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth)
     axis, turn, bend = _axis(*place[3:])
     d = np.stack([ball[:, 0] * c, ball[:, 0] * s, ball[:, 1]], 1) - place[:3]
@@ -58,20 +76,28 @@ def exact(ball, place, azimuth, radius):
 
     r = np.linalg.norm(d - height[:, None] * axis, axis=1)
     r1 = (np.einsum("zi,zia->za", d, d1) - height[:, None] * height1) / r[:, None]
-    r2 = (np.einsum("zia,zib->zab", d1, d1) - _outer(height1) - height[:, None, None] * height2 - _outer(r1)) / r[:, None, None]
+    r2 = (
+        np.einsum("zia,zib->zab", d1, d1)
+        - _outer(height1)
+        - height[:, None, None] * height2
+        - _outer(r1)
+    ) / r[:, None, None]
 
     distance = np.maximum(np.hypot(r - radius, height), 1e-300)
     unit = np.stack([r - radius, height], 1) / distance[:, None]
     slope = unit[:, :1] * r1 + unit[:, 1:] * height1
-    curve = ((_outer(r1) + _outer(height1) - _outer(slope)) / distance[:, None, None]
-             + unit[:, :1, None] * r2 + unit[:, 1:, None] * height2)
+    curve = (
+        (_outer(r1) + _outer(height1) - _outer(slope)) / distance[:, None, None]
+        + unit[:, :1, None] * r2
+        + unit[:, 1:, None] * height2
+    )
     line = unit[:, :1] * (d - height[:, None] * axis) / r[:, None] + unit[:, 1:] * axis
     return Reach(distance, slope, curve, unit, line, d)
 
 
 def conjugate(moment, tilt):
-    """The part (2,) of a moment (2,) or (3,) in N m, fixed in space, that works on the tilts (2,), rad. Its component
-    along the ring's axis works on none: the drive of the ring takes it."""
+    """The part (2,) of a moment (2,) or (3,) in N m, fixed in space, that works on the tilts (2,),
+    rad. Its component along the ring's axis works on none: the drive of the ring takes it."""
     axis, turn, _ = _axis(*tilt)
     return np.append(moment, 0.0)[:3] @ np.cross(axis, turn.T).T
 

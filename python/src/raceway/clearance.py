@@ -5,7 +5,8 @@ import numpy as np
 
 
 def load_parameter(clearance, shift):
-    """epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError` without a shift."""
+    """epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError` without
+    a shift."""
     if np.any(np.asarray(shift) == 0):
         raise ValueError("the load parameter of a ring that has not moved is undefined")
     return (1 - clearance / (2 * shift)) / 2
@@ -20,8 +21,10 @@ def free_contact_angle(bearing, clearance):
     """alpha_0 = acos(1 - P_d/(2C)) in rad (eq A.3). Raises `ValueError` unless 0 <= P_d <= 2C."""
     cosine = 1 - np.asarray(clearance) / (2 * groove_distance(bearing))
     if not np.all((cosine >= 0) & (cosine <= 1)):
-        raise ValueError(f"clearance = {clearance} m has no free contact angle: it must lie between 0 and "
-                         f"{2 * groove_distance(bearing)} m")
+        raise ValueError(
+            f"clearance = {clearance} m has no free contact angle: it must lie between 0 and "
+            f"{2 * groove_distance(bearing)} m"
+        )
     return np.arccos(cosine)[()]
 
 

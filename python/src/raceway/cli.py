@@ -29,14 +29,18 @@ def main(argv=None):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", RunWarning)
-            warnings.showwarning = lambda message, *_, **__: print(f"raceway: warning: {message}", file=sys.stderr)
+            warnings.showwarning = lambda message, *_, **__: print(
+                f"raceway: warning: {message}", file=sys.stderr
+            )
             progress.on = True
             arguments.command(arguments)
         sys.stdout.flush()
     except RacewayError as error:
         print(f"raceway: {error}", file=sys.stderr)
         return 1
-    except BrokenPipeError:  # the reader had enough: leave nothing for the interpreter to flush at exit
+    except (
+        BrokenPipeError
+    ):  # the reader had enough: leave nothing for the interpreter to flush at exit
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except KeyboardInterrupt:
@@ -45,8 +49,12 @@ def main(argv=None):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="raceway", description="Ball bearings: figures, spectra and pictures of runs, and theory.",
-                                     epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="raceway",
+        description="Ball bearings: figures, spectra and pictures of runs, and theory.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("--version", action="version", version=f"raceway {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     for module in (summary, plot, animate, export, spectrum, static, sweep, gather, paper):

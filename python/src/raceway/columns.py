@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the columns of a run's files are: meaning, unit, and what a ball has that touches no raceway."""
+"""What the columns of a run's files are: meaning, unit, and what a ball has that touches no
+raceway."""
 
 from typing import NamedTuple
 
 
 class Column(NamedTuple):
-    """`unit` in SI, "" for a plain number. `apart`: the value of a contact that is not: 0 for what vanishes with the
-    contact, NaN for what it does not have."""
+    """`unit` in SI, "" for a plain number. `apart`: the value of a contact that is not: 0 for what
+    vanishes with the contact, NaN for what it does not have."""
 
     meaning: str
     unit: str

@@ -5,15 +5,17 @@ import numpy as np
 
 
 def hysteretic(load, restitution=0.08):
-    """1.5 alpha_e Q for an elastic `load` Q in N and alpha_e = `restitution` in s/m (eq 4, Hunt-Crossley)."""
+    """1.5 alpha_e Q for an elastic `load` Q in N and alpha_e = `restitution` in s/m (eq 4,
+    Hunt-Crossley)."""
     return 1.5 * restitution * load
 
 
 def film(viscosity, length, radius, h_min):
     """Squeeze film, 3 pi eta a/sqrt(2) (R/h)^1.5 (eq 5, Walford-Stone).
 
-    `viscosity` in Pa s, `length` the semi-axis a across the groove (eq 5) or 2a, `radius` the ball's R_b (eq 5)
-    or the effective R_x, `h_min` in m. Raises `ValueError` where there is no film.
+    `viscosity` in Pa s, `length` the semi-axis a across the groove (eq 5) or 2a, `radius` the
+    ball's R_b (eq 5) or the effective R_x, `h_min` in m. Raises `ValueError` where there is no
+    film.
     """
     if np.any(np.asarray(h_min) <= 0):
         raise ValueError(f"h_min = {h_min} m must be positive")

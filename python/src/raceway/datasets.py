@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run as labelled arrays: `raceway.open` gives one object with a dataset for each thing a bearing is made of."""
+"""A run as labelled arrays: `raceway.open` gives one object with a dataset for each thing a bearing
+is made of."""
 
 from functools import cached_property
 
@@ -16,24 +17,30 @@ SIDES = {INNER: "inner", OUTER: "outer"}
 
 
 class Datasets:
-    """The run in `folder`. Every dataset is read when first asked for; all values are SI units and say so in `attrs`.
+    """The run in `folder`. Every dataset is read when first asked for; all values are SI units and
+    say so in `attrs`.
 
-    - `contacts`: (time, raceway, ball) what the dump has of each contact; `azimuth` and `from_load_line` (rad, the
+    - `contacts`: (time, raceway, ball) what the dump has of each contact; `azimuth` and
+    `from_load_line` (rad, the
       latter counted from the centre of the loaded zone) are coordinates
-    - `balls`, `cage`: (time, ball) position (m), velocity (m/s), spin (rad/s) of balls and cage balls; `azimuth` and
+    - `balls`, `cage`: (time, ball) position (m), velocity (m/s), spin (rad/s) of balls and cage
+    balls; `azimuth` and
       `from_load_line` about the outer ring
-    - `rings`: (time) displacement, velocity and spin of the inner ring, force and moment of the balls on it
-    - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded, largest loads, losses
+    - `rings`: (time) displacement, velocity and spin of the inner ring, force and moment of the
+    balls on it - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded,
+    largest loads, losses
 
-    `time` is in s from the start of the measured window, the same values in all of them; `passes` beside it counts ball
-    passes. `ball` is the atom number, `raceway` "inner" or "outer". Where a ball does not touch a raceway, what
-    vanishes with the contact (load, pressure, capacitance ...) is 0 and what it does not have (film, angle ...) NaN.
+    `time` is in s from the start of the measured window, the same values in all of them; `passes`
+    beside it counts ball passes. `ball` is the atom number, `raceway` "inner" or "outer". Where a
+    ball does not touch a raceway, what vanishes with the contact (load, pressure, capacitance ...)
+    is 0 and what it does not have (film, angle ...) NaN.
 
-    `samples`, a slice without step, keeps to some samples: `blocks` and `bearing` need no more memory for a large run,
-    the other datasets do.
+    `samples`, a slice without step, keeps to some samples: `blocks` and `bearing` need no more
+    memory for a large run, the other datasets do.
 
-    Raises `RunError` when the folder has no `run.yaml` or a broken one; the datasets do when their file is broken, and
-    warn when it ends inside a frame. A run that is still going can be read as far as it is.
+    Raises `RunError` when the folder has no `run.yaml` or a broken one; the datasets do when their
+    file is broken, and warn when it ends inside a frame. A run that is still going can be read as
+    far as it is.
     """
 
     def __init__(self, folder, samples=slice(None)):
@@ -42,13 +49,16 @@ class Datasets:
     def __repr__(self):
         settings = self.settings
         state = "" if self.tables.finished else ", not finished"
-        return (f"<raceway run {self.tables.folder}: {settings['bearing']}, {settings['lubricant']}, "
-                f"{settings['load_N']:g} N, {settings['rpm']:g} rpm, clearance {settings['clearance_m']:g} m, "
-                f"{settings['host']}{state}>")
+        return (
+            f"<raceway run {self.tables.folder}: {settings['bearing']}, {settings['lubricant']},"
+            f" {settings['load_N']:g} N, {settings['rpm']:g} rpm, clearance"
+            f" {settings['clearance_m']:g} m, {settings['host']}{state}>"
+        )
 
     @property
     def settings(self):
-        """What was run, `run.yaml` as a dict: names as text, the rest as numbers in the units their names end with."""
+        """What was run, `run.yaml` as a dict: names as text, the rest as numbers in the units their
+        names end with."""
         return self.tables.settings
 
     @cached_property
@@ -79,15 +89,23 @@ class Datasets:
     def bearing(self):
         """Dataset (time), worked out in blocks."""
         table = self.tables.totals
-        return self._label({name: ("time", table[name].to_numpy()) for name in table}, table.index.to_numpy(), BEARING)
+        return self._label(
+            {name: ("time", table[name].to_numpy()) for name in table},
+            table.index.to_numpy(),
+            BEARING,
+        )
 
     def blocks(self, name):
-        """Yield the dataset `name`, "contacts", "balls" or "cage", in pieces of some thousand samples.
+        """Yield the dataset `name`, "contacts", "balls" or "cage", in pieces of some thousand
+        samples.
 
         Raises `ValueError` for another name.
         """
-        makers = {"contacts": self._contacts, "balls": lambda table: self._atoms(table, BALL),
-                  "cage": lambda table: self._atoms(table, CAGE)}
+        makers = {
+            "contacts": self._contacts,
+            "balls": lambda table: self._atoms(table, BALL),
+            "cage": lambda table: self._atoms(table, CAGE),
+        }
         if name not in makers:
             raise ValueError(f"no dataset '{name}' comes in blocks: {', '.join(makers)} do")
         for table in self.tables.blocks("contacts" if name == "contacts" else "balls"):
@@ -104,13 +122,22 @@ class Datasets:
         return universe(self.tables)
 
     def _label(self, data, samples, columns):
-        data = xr.Dataset(data, coords={"time": samples * self.settings["sample_s"]}, attrs=self._attrs())
-        data["time"].attrs.update(units="s", long_name="time since the start of the measured window")
-        data.coords["passes"] = ("time", self.tables.passes(samples),
-                                 {"units": "1", "long_name": "ball passes since the start of the measured window"})
+        data = xr.Dataset(
+            data, coords={"time": samples * self.settings["sample_s"]}, attrs=self._attrs()
+        )
+        data["time"].attrs.update(
+            units="s", long_name="time since the start of the measured window"
+        )
+        data.coords["passes"] = (
+            "time",
+            self.tables.passes(samples),
+            {"units": "1", "long_name": "ball passes since the start of the measured window"},
+        )
         for name in data.data_vars:
             if name in columns:
-                data[name].attrs.update(units=columns[name].unit or "1", long_name=columns[name].meaning)
+                data[name].attrs.update(
+                    units=columns[name].unit or "1", long_name=columns[name].meaning
+                )
         return data
 
     def _attrs(self):
@@ -118,22 +145,35 @@ class Datasets:
         return {key: self.settings[key] for key in keys}
 
     def _azimuths(self, data, azimuth):
-        dims = tuple(data.sizes)[:azimuth.ndim]
-        for name, values, meaning in (("azimuth", azimuth, CONTACT["azimuth"].meaning),
-                                      ("from_load_line", self.tables.from_load_line(azimuth),
-                                       "azimuth from the centre of the loaded zone")):
+        dims = tuple(data.sizes)[: azimuth.ndim]
+        for name, values, meaning in (
+            ("azimuth", azimuth, CONTACT["azimuth"].meaning),
+            (
+                "from_load_line",
+                self.tables.from_load_line(azimuth),
+                "azimuth from the centre of the loaded zone",
+            ),
+        ):
             data.coords[name] = (dims, values, {"units": "rad", "long_name": meaning})
         return data
 
     def _contacts(self, table):
         first, samples = table.attrs["first"], table.attrs["samples"]
-        # balls have the first atom numbers; a table may hold others (many bearings) or not all (clearance)
+        # balls have the first atom numbers; a table may hold others (many bearings) or not all
+        # (clearance)
         balls = np.union1d(table["ball"], np.arange(1, self.settings["balls"] + 1))
         shape = (samples, len(SIDES), len(balls))
-        place = (table["sample"].to_numpy() - first, table["raceway"].to_numpy(), np.searchsorted(balls, table["ball"]))
+        place = (
+            table["sample"].to_numpy() - first,
+            table["raceway"].to_numpy(),
+            np.searchsorted(balls, table["ball"]),
+        )
         flat = np.ravel_multi_index(place, shape, mode="raise")
         if len(np.unique(flat)) != len(flat):
-            raise RunError(f"{self.tables.folder / 'contacts.dump'}: a ball touches one raceway twice in a sample")
+            raise RunError(
+                f"{self.tables.folder / 'contacts.dump'}: a ball touches one raceway twice in a"
+                " sample"
+            )
         data, azimuth = {}, None
         for name in table:
             if name in ("ball", "raceway", "sample"):
@@ -155,9 +195,17 @@ class Datasets:
         ids = np.unique(rows["id"])
         axis = table[table["id"] == self.settings["outer_ring"]]
         if len(rows) != samples * len(ids) or len(axis) != samples:
-            raise RunError(f"{self.tables.folder / 'balls.dump'}: not every sample has the same atoms")
+            raise RunError(
+                f"{self.tables.folder / 'balls.dump'}: not every sample has the same atoms"
+            )
         names = [name for name in table if name not in ("id", "type", "sample")]
-        data = {name: (("time", "ball"), rows[name].to_numpy().reshape(samples, len(ids))) for name in names}
+        data = {
+            name: (("time", "ball"), rows[name].to_numpy().reshape(samples, len(ids)))
+            for name in names
+        }
         data = self._label(data, np.arange(first, first + samples), ATOM).assign_coords(ball=ids)
-        x, y = (data[name].to_numpy() - axis.sort_values("sample")[name].to_numpy()[:, None] for name in "xy")
+        x, y = (
+            data[name].to_numpy() - axis.sort_values("sample")[name].to_numpy()[:, None]
+            for name in "xy"
+        )
         return self._azimuths(data, np.arctan2(y, x))

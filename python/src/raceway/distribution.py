@@ -25,7 +25,9 @@ def relative_load(azimuth, parameter):
 def radial_integral(parameter):
     """J_r(epsilon) = 1/(2 pi) integral of Q/Q_max cos psi over the loaded zone (Harris 7.24)."""
     if parameter >= 1:
-        value, _ = quad(lambda psi: relative_load(psi, parameter) * np.cos(psi), 0, np.pi, epsrel=1e-11)
+        value, _ = quad(
+            lambda psi: relative_load(psi, parameter) * np.cos(psi), 0, np.pi, epsrel=1e-11
+        )
         return value / np.pi
 
     def smooth(t):  # sin(psi/2) = sqrt(epsilon) sin(t) leaves no root at the edge of the zone
@@ -46,14 +48,18 @@ def largest_load(balls, radial_load, parameter):
 
 
 def series_stiffness(bearing):
-    """K in N/m^1.5 of inner and outer contact of one ball in series, contact angle zero (Harris 7.5)."""
-    inner, outer = (hertz.stiffness(hertz.exact(*bearing.effective_radii(side)), bearing.effective_modulus)
-                    for side in (INNER, OUTER))
+    """K in N/m^1.5 of inner and outer contact of one ball in series, contact angle zero (Harris
+    7.5)."""
+    inner, outer = (
+        hertz.stiffness(hertz.exact(*bearing.effective_radii(side)), bearing.effective_modulus)
+        for side in (INNER, OUTER)
+    )
     return (inner ** (-2 / 3) + outer ** (-2 / 3)) ** -1.5
 
 
 def shift(bearing, radial_load, clearance=0.0):
-    """Radial shift delta_r in m under `radial_load` > 0 N: F_r = Z K (delta_r - P_d/2)^1.5 J_r(epsilon)."""
+    """Radial shift delta_r in m under `radial_load` > 0 N: F_r = Z K (delta_r - P_d/2)^1.5
+    J_r(epsilon)."""
     if not radial_load > 0:
         raise ValueError(f"radial load = {radial_load} N must be positive")
     stiffness = bearing.balls * series_stiffness(bearing)

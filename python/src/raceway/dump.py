@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The text a run writes: dumps of LIGGGHTS and LAMMPS (`dump custom`, `dump local`) and tables with a `#` header.
+"""The text a run writes: dumps of LIGGGHTS and LAMMPS (`dump custom`, `dump local`) and tables with
+a `#` header.
 
-Read a block of frames at a time, so memory does not grow with the file. A file cut off in its last frame loses that
-frame with a warning: a run may still be writing. Anything else out of place raises `RunError` naming file and line.
+Read a block of frames at a time, so memory does not grow with the file. A file cut off in its last
+frame loses that frame with a warning: a run may still be writing. Anything else out of place raises
+`RunError` naming file and line.
 """
 
 import warnings
@@ -35,9 +37,12 @@ class Block(NamedTuple):
     end: int  # bytes of the file up to here
 
     def table(self, columns):
-        """As a `DataFrame` with `columns` and `sample`, the frame's number; `attrs` as `read_dump` sets them."""
+        """As a `DataFrame` with `columns` and `sample`, the frame's number; `attrs` as `read_dump`
+        sets them."""
         table = pd.DataFrame(self.values, columns=list(columns))
-        table["sample"] = np.repeat(np.arange(self.first, self.first + len(self.counts)), self.counts)
+        table["sample"] = np.repeat(
+            np.arange(self.first, self.first + len(self.counts)), self.counts
+        )
         table.attrs.update(first=self.first, samples=len(self.counts))
         return table
 
@@ -71,10 +76,11 @@ class _Lines:
 
 
 class Index:
-    """Where the frames of a dump begin: `offsets` in bytes and `lines` before each, arrays of one value a frame.
+    """Where the frames of a dump begin: `offsets` in bytes and `lines` before each, arrays of one
+    value a frame.
 
-    Found in one pass over the bytes, without reading numbers. A frame that the file ends inside is not counted,
-    with a warning.
+    Found in one pass over the bytes, without reading numbers. A frame that the file ends inside is
+    not counted, with a warning.
     """
 
     def __init__(self, path):
@@ -88,10 +94,16 @@ class Index:
                     here = found + 1
                     offsets.append(base + here)
                     lines.append(seen)
-                tail = text[-len(START):]  # a byte too short to hold a start that was found already
+                tail = text[
+                    -len(START) :
+                ]  # a byte too short to hold a start that was found already
                 seen += text.count(b"\n", here, len(text) - len(tail))
                 base += len(text) - len(tail)
-        self.path, self.offsets, self.lines = path, np.array(offsets, dtype=int), np.array(lines, dtype=int)
+        self.path, self.offsets, self.lines = (
+            path,
+            np.array(offsets, dtype=int),
+            np.array(lines, dtype=int),
+        )
         if offsets and self._cut():
             self.offsets, self.lines = self.offsets[:-1], self.lines[:-1]
 
@@ -119,8 +131,8 @@ class Index:
 def blocks(path, columns, start=0, stop=None, index=None):
     """Yield the frames `start` to `stop` of the dump at `path` as `Block`s of about `BLOCK` bytes.
 
-    The rows hold `columns` (names) in that order. An `Index` of the file is needed to begin anywhere but at frame
-    0; without one it is made. Raises `RunError` where there are no frames.
+    The rows hold `columns` (names) in that order. An `Index` of the file is needed to begin
+    anywhere but at frame 0; without one it is made. Raises `RunError` where there are no frames.
     """
     if start and start >= len(index := Index(path) if index is None else index):
         raise RunError(f"{path} holds {len(index)} complete frames, none from number {start} on")
@@ -150,7 +162,9 @@ def _gather(lines, columns, first, stop):
         except _Cut:
             cut = start
             break
-        except RunError:  # the frame before may have had too few rows, and taken this one's head for its own
+        except (
+            RunError
+        ):  # the frame before may have had too few rows, and taken this one's head for its own
             if parts:
                 _look_for_head(lines, parts[-1], begins[-1], len(parts[-1]))
             raise
@@ -172,15 +186,20 @@ def frames(path, columns):
 
 
 def read_dump(path, columns, start=0, stop=None, index=None):
-    """The frames `start` to `stop` (default all) as one `DataFrame` with `columns` and `sample`, the frame's number
-    from 0.
+    """The frames `start` to `stop` (default all) as one `DataFrame` with `columns` and `sample`,
+    the frame's number from 0.
 
-    Its `attrs["samples"]` is the number of frames, empty ones included, `attrs["first"]` the number of the first.
-    Raises `RunError` where there are none.
+    Its `attrs["samples"]` is the number of frames, empty ones included, `attrs["first"]` the number
+    of the first. Raises `RunError` where there are none.
     """
     parts = list(blocks(path, columns, start, stop, index))
-    return Block(parts[0].first, [], sum((part.counts for part in parts), []),
-                 np.concatenate([part.values for part in parts]), parts[-1].end).table(columns)
+    return Block(
+        parts[0].first,
+        [],
+        sum((part.counts for part in parts), []),
+        np.concatenate([part.values for part in parts]),
+        parts[-1].end,
+    ).table(columns)
 
 
 def read_table(path):
@@ -197,8 +216,12 @@ def read_table(path):
         while rows := file.readlines(BLOCK):
             cut = not rows[-1].endswith(b"\n")
             if cut:
-                warnings.warn(f"{path}, line {first + len(rows) - 1}: the file ends inside this last line, which is "
-                              "left out", RunWarning, stacklevel=2)
+                warnings.warn(
+                    f"{path}, line {first + len(rows) - 1}: the file ends inside this last line,"
+                    " which is left out",
+                    RunWarning,
+                    stacklevel=2,
+                )
                 rows.pop()
             parts.append(_numbers(rows, columns))
             if parts[-1] is None:
@@ -219,8 +242,11 @@ def _open(path):
 
 
 def _warn_cut(path, line):
-    warnings.warn(f"{path}, line {line}: the file ends inside this last frame, which is left out", RunWarning,
-                  stacklevel=3)
+    warnings.warn(
+        f"{path}, line {line}: the file ends inside this last frame, which is left out",
+        RunWarning,
+        stacklevel=3,
+    )
 
 
 def _frame(lines):
@@ -259,7 +285,9 @@ def _numbers(rows, columns):
         values = np.loadtxt(rows, ndmin=2, comments=None)
     except ValueError:
         return None
-    return values if values.shape == (len(rows), len(columns)) and not np.isnan(values).any() else None
+    return (
+        values if values.shape == (len(rows), len(columns)) and not np.isnan(values).any() else None
+    )
 
 
 def _look_for_head(lines, rows, first, count):
@@ -270,12 +298,15 @@ def _look_for_head(lines, rows, first, count):
 
 
 def _blame(lines, rows, columns, first):
-    """Fail with the row that is not a row of numbers, if one of these, from line `first` on, is not."""
+    """Fail with the row that is not a row of numbers, if one of these, from line `first` on, is
+    not."""
     _look_for_head(lines, rows, first, len(rows))
     for number, row in enumerate(rows, first):
         words = row.split()
         if len(words) != len(columns):
-            lines.fail(f"{len(words)} columns where {len(columns)} are named ({' '.join(columns)})", number)
+            lines.fail(
+                f"{len(words)} columns where {len(columns)} are named ({' '.join(columns)})", number
+            )
         for word, name in zip(words, columns):
             try:
                 bad = np.isnan(float(word))

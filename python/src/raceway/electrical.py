@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance of contact, ball and bearing over time; pressure and permittivity of the oil by raceway (eqs 8-12)."""
+"""Capacitance of contact, ball and bearing over time; pressure and permittivity of the oil by
+raceway (eqs 8-12)."""
 
 import xarray as xr
 
@@ -9,33 +10,49 @@ from raceway.regimes import need_film
 
 
 def over_time(run, background=0.0):
-    """Dataset: `contact` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time), capacitances in F.
+    """Dataset: `contact` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time),
+    capacitances in F.
 
-    Inner and outer contact of a ball are in series, balls in parallel, `background` (F) beside them when asked (eq 12).
-    `run` from `raceway.open`; it needs memory for all samples of the run. Raises `RunError` for a run without film.
+    Inner and outer contact of a ball are in series, balls in parallel, `background` (F) beside them
+    when asked (eq 12). `run` from `raceway.open`; it needs memory for all samples of the run.
+    Raises `RunError` for a run without film.
     """
     need_film(run, "capacitance")
     contact = run.contacts["capacitance"].drop_vars(("azimuth", "from_load_line"))
     inner, outer = (contact.sel(raceway=side, drop=True) for side in ("inner", "outer"))
     one = inner.copy(data=capacitance.ball(inner.to_numpy(), outer.to_numpy()))
-    data = xr.Dataset({"contact": contact, "one_ball": one, "bearing": one.sum("ball") + background})
-    for name, what in (("contact", "of one contact"), ("one_ball", "of one ball, inner and outer in series"),
-                       ("bearing", "of the bearing")):
+    data = xr.Dataset(
+        {"contact": contact, "one_ball": one, "bearing": one.sum("ball") + background}
+    )
+    for name, what in (
+        ("contact", "of one contact"),
+        ("one_ball", "of one ball, inner and outer in series"),
+        ("bearing", "of the bearing"),
+    ):
         data[name].attrs = {"units": "F", "long_name": f"capacitance {what}"}
     return data
 
 
 def by_raceway(run, bins=BINS):
-    """Dataset (raceway, from_load_line) of means over the contacts in each part of the ring: largest Hertz `pressure`
-    (Pa), relative `permittivity` of the oil under it (eqs 10, 11), `capacitance` of a contact (F); and `contacts`.
+    """Dataset (raceway, from_load_line) of means over the contacts in each part of the ring:
+    largest Hertz `pressure` (Pa), relative `permittivity` of the oil under it (eqs 10, 11),
+    `capacitance` of a contact (F); and `contacts`.
 
     `run` from `raceway.open`. Read in blocks. Raises `RunError` for a run without film.
     """
     need_film(run, "capacitance")
     ambient = run.settings["permittivity"]
-    result = around(run, {"pressure": lambda table: table["pressure"],
-                          "permittivity": lambda table: capacitance.permittivity(ambient, table["pressure"].to_numpy()),
-                          "capacitance": lambda table: table["capacitance"]}, bins)
+    result = around(
+        run,
+        {
+            "pressure": lambda table: table["pressure"],
+            "permittivity": lambda table: capacitance.permittivity(
+                ambient, table["pressure"].to_numpy()
+            ),
+            "capacitance": lambda table: table["capacitance"],
+        },
+        bins,
+    )
     for name, unit in (("pressure", "Pa"), ("permittivity", "1"), ("capacitance", "F")):
         result[name].attrs["units"] = unit
     return result

@@ -25,7 +25,8 @@ def whole(path, write):
 
 
 def folder(path):
-    """Make the folder `path` and those above it; return it as a `Path`. Raises `RunError` when that cannot be done."""
+    """Make the folder `path` and those above it; return it as a `Path`. Raises `RunError` when that
+    cannot be done."""
     try:
         Path(path).mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Thickness of the elastohydrodynamic film (eqs 6, 7, 9), m. Numbers or arrays of one shape, SI units.
+"""Thickness of the elastohydrodynamic film (eqs 6, 7, 9), m. Numbers or arrays of one shape, SI
+units.
 
-Every formula is R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E' R_x^2), where U_r is the
-entrainment speed, half the sum of both surface speeds. No film where the speed is zero; no load is an error,
-because the film of an unloaded contact is not an elastohydrodynamic one.
+Every formula is R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E' R_x^2),
+where U_r is the entrainment speed, half the sum of both surface speeds. No film where the speed is
+zero; no load is an error, because the film of an unloaded contact is not an elastohydrodynamic one.
 """
 
 from typing import NamedTuple
@@ -24,15 +25,25 @@ def group(viscosity, pressure_viscosity, modulus, r_x, kappa, speed, load):
     """`Group` from eta (Pa s), xi (1/Pa), E' (Pa), R_x (m), kappa, |U_r| (m/s) and Q (N)."""
     if np.any(np.asarray(load) <= 0):
         raise ValueError(f"load = {load} N must be positive")
-    return Group(viscosity * np.abs(speed) / (modulus * r_x), pressure_viscosity * modulus,
-                 load / (modulus * r_x**2), kappa)
+    return Group(
+        viscosity * np.abs(speed) / (modulus * r_x),
+        pressure_viscosity * modulus,
+        load / (modulus * r_x**2),
+        kappa,
+    )
 
 
 def h_min(r_x, g):
     """Smallest thickness after Masjedi and Khonsari (eq 6); R_x in m, `g` a `Group`."""
     k = g.kappa
-    return (r_x * 1.637 * g.speed ** (0.711 * k**-0.023) * g.material ** (0.65 * k**-0.045)
-            * g.load ** (-0.09 * k**-0.15) * (1 - 0.974 * np.exp(-0.676 * k)))
+    return (
+        r_x
+        * 1.637
+        * g.speed ** (0.711 * k**-0.023)
+        * g.material ** (0.65 * k**-0.045)
+        * g.load ** (-0.09 * k**-0.15)
+        * (1 - 0.974 * np.exp(-0.676 * k))
+    )
 
 
 def h_c(r_x, g, printed=False):
@@ -42,19 +53,38 @@ def h_c(r_x, g, printed=False):
     Hamrock-Dowson and tends to the line contact as kappa grows. `printed` takes the minus.
     """
     k, sign = g.kappa, -1 if printed else 1
-    return (r_x * 3.672 * g.speed ** (0.663 * k ** (sign * 0.025)) * g.material ** (0.502 * k ** (sign * 0.064))
-            * g.load ** (-0.045 * k ** (sign * 0.18)) * (1 - 0.573 * np.exp(-0.74 * k)))
+    return (
+        r_x
+        * 3.672
+        * g.speed ** (0.663 * k ** (sign * 0.025))
+        * g.material ** (0.502 * k ** (sign * 0.064))
+        * g.load ** (-0.045 * k ** (sign * 0.18))
+        * (1 - 0.573 * np.exp(-0.74 * k))
+    )
 
 
 def hamrock_dowson_min(r_x, g):
     """Smallest thickness after Hamrock and Dowson (1977)."""
-    return (r_x * 3.63 * g.speed**0.68 * g.material**0.49 * g.load**-0.073 * (1 - np.exp(-0.68 * g.kappa)))
+    return (
+        r_x
+        * 3.63
+        * g.speed**0.68
+        * g.material**0.49
+        * g.load**-0.073
+        * (1 - np.exp(-0.68 * g.kappa))
+    )
 
 
 def hamrock_dowson_c(r_x, g):
     """Central thickness after Hamrock and Dowson (1977)."""
-    return (r_x * 2.69 * g.speed**0.67 * g.material**0.53 * g.load**-0.067
-            * (1 - 0.61 * np.exp(-0.73 * g.kappa)))
+    return (
+        r_x
+        * 2.69
+        * g.speed**0.67
+        * g.material**0.53
+        * g.load**-0.067
+        * (1 - 0.61 * np.exp(-0.73 * g.kappa))
+    )
 
 
 def ratio(h_min, roughness, ball_roughness=0.0):

@@ -15,8 +15,10 @@ KEYS = ("point", "status", "message")
 
 
 def gather(folder):
-    """A `DataFrame`, a row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending), `message`, the variables
-    that were set, and every key of `raceway.summary.summary` (SI units). Sorted by the variables. Raises `RacewayError` for no point."""
+    """A `DataFrame`, a row per point of the sweep in `folder`: `point`, `status` (finished, failed,
+    pending), `message`, the variables that were set, and every key of `raceway.summary.summary` (SI
+    units). Sorted by the variables. Raises `RacewayError` for no point.
+    """
     rows, variables = [], {}
     for path in sorted(Path(folder).glob("*/point.yaml")):
         try:
@@ -25,8 +27,12 @@ def gather(folder):
             raise RacewayError(f"cannot read {path}: {error}") from None
         variables.update(asked)
         status, message = state(path.parent, asked)
-        figures = json.loads((path.parent / "summary.json").read_text()) if status == FINISHED else {}
-        rows.append({"point": path.parent.name, "status": status, "message": message, **asked, **figures})
+        figures = (
+            json.loads((path.parent / "summary.json").read_text()) if status == FINISHED else {}
+        )
+        rows.append(
+            {"point": path.parent.name, "status": status, "message": message, **asked, **figures}
+        )
     if not rows:
         raise RacewayError(f"{folder} holds no point of a sweep (no */point.yaml)")
     table = pd.DataFrame(rows)
@@ -36,7 +42,9 @@ def gather(folder):
         except (ValueError, TypeError):
             pass
     rest = [name for name in table if name not in KEYS and name not in variables]
-    return table.sort_values(list(variables), kind="stable", ignore_index=True)[[*KEYS, *variables, *rest]]
+    return table.sort_values(list(variables), kind="stable", ignore_index=True)[
+        [*KEYS, *variables, *rest]
+    ]
 
 
 def write_results(folder):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Elliptical Hertz contact (eq 2).
 
-The ellipse has semi-axis a across the groove and b along rolling; kappa = a/b may be below one. Everything takes
-and returns numbers or arrays of one shape, SI units.
+The ellipse has semi-axis a across the groove and b along rolling; kappa = a/b may be below one.
+Everything takes and returns numbers or arrays of one shape, SI units.
 """
 
 from typing import NamedTuple
@@ -23,9 +23,9 @@ class Ellipse(NamedTuple):
 def ellipticity(ratio):
     """kappa = a/b for R_y/R_x = `ratio` (any positive number or array). Exact to rounding.
 
-    Hertz gives R_y/R_x = (kappa^2 E - F)/(F - E). Both differences vanish for a circle, so they are taken in
-    Carlson's form (DLMF 19.25.1), where the quotient is R_D(0,1,q)/R_D(0,q,1) with q = 1/kappa^2.
-    Raises `ValueError` if a ratio is not positive.
+    Hertz gives R_y/R_x = (kappa^2 E - F)/(F - E). Both differences vanish for a circle, so they are
+    taken in Carlson's form (DLMF 19.25.1), where the quotient is R_D(0,1,q)/R_D(0,q,1) with q =
+    1/kappa^2. Raises `ValueError` if a ratio is not positive.
     """
     ratio = np.asarray(ratio, dtype=float)
     if not np.all(np.isfinite(ratio) & (ratio > 0)):
@@ -61,8 +61,10 @@ def exact(r_x, r_y):
 
 
 def hamrock_brewe(r_x, r_y, printed=False):
-    """`Ellipse` by Hamrock and Brewe's fit for alpha = R_y/R_x >= 1: kappa = alpha^(2/pi), E = 1 + q/alpha,
-    F = pi/2 + q ln(alpha), q = pi/2 - 1. `printed` takes the paper's F = 1 + q ln(alpha) (eq 2 as printed)."""
+    """`Ellipse` by Hamrock and Brewe's fit for alpha = R_y/R_x >= 1: kappa = alpha^(2/pi), E = 1 +
+    q/alpha, F = pi/2 + q ln(alpha), q = pi/2 - 1. `printed` takes the paper's F = 1 + q ln(alpha)
+    (eq 2 as printed).
+    """
     alpha, q = r_y / r_x, np.pi / 2 - 1
     if np.any(alpha < 1):
         raise ValueError(f"R_y/R_x = {alpha}: the Hamrock-Brewe fit is for values of one and more")
@@ -72,7 +74,12 @@ def hamrock_brewe(r_x, r_y, printed=False):
 
 def stiffness(ellipse, modulus):
     """K in N/m^1.5 of Q = K overlap^1.5, for E' = `modulus` in Pa (eq 2)."""
-    return np.pi * ellipse.kappa * modulus * np.sqrt(ellipse.second * ellipse.radius / (4.5 * ellipse.first**3))
+    return (
+        np.pi
+        * ellipse.kappa
+        * modulus
+        * np.sqrt(ellipse.second * ellipse.radius / (4.5 * ellipse.first**3))
+    )
 
 
 def load(stiffness, overlap):

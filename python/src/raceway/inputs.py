@@ -24,18 +24,30 @@ class Oil(NamedTuple):
 
 
 def values(path):
-    """The index variables of a data file as {name: text}. Raises `InputError` when it cannot be read."""
+    """The index variables of a data file as {name: text}. Raises `InputError` when it cannot be
+    read."""
     try:
         lines = path.read_text().splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"cannot read {path}: {getattr(error, 'strerror', None) or error}") from None
+        raise InputError(
+            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+        ) from None
     return dict(match.groups() for match in map(LINE.match, lines) if match)
 
 
 def bearing(path):
     """`Bearing` of a file of inputs/bearings. Raises `InputError`."""
-    data = _numbers(path, "balls", "ball_diameter", "inner_radius", "outer_radius", "inner_groove", "outer_groove",
-                    "ball_young", "ball_poisson")
+    data = _numbers(
+        path,
+        "balls",
+        "ball_diameter",
+        "inner_radius",
+        "outer_radius",
+        "inner_groove",
+        "outer_groove",
+        "ball_young",
+        "ball_poisson",
+    )
     data["balls"] = int(data["balls"])
     young, poisson = data.pop("ball_young"), data.pop("ball_poisson")
     try:
@@ -46,7 +58,9 @@ def bearing(path):
 
 def oil(path):
     """`Oil` of a file of inputs/lubricants. Raises `InputError`, for the dry one too."""
-    data = _numbers(path, "viscosity", "pressure_viscosity", "permittivity", "roughness", "ball_roughness")
+    data = _numbers(
+        path, "viscosity", "pressure_viscosity", "permittivity", "roughness", "ball_roughness"
+    )
     composite = (data.pop("roughness") ** 2 + data.pop("ball_roughness") ** 2) ** 0.5
     return Oil(**data, roughness=composite)
 

@@ -24,8 +24,12 @@ def frequencies(bearing, angle=0.0):
     [0.396, 3.5644, 5.4356, 2.3008]
     """
     gamma = bearing.ball_radius * np.cos(angle) / bearing.pitch_radius
-    return Frequencies((1 - gamma) / 2, bearing.balls * (1 - gamma) / 2, bearing.balls * (1 + gamma) / 2,
-                       (1 - gamma**2) / (2 * gamma))
+    return Frequencies(
+        (1 - gamma) / 2,
+        bearing.balls * (1 - gamma) / 2,
+        bearing.balls * (1 + gamma) / 2,
+        (1 - gamma**2) / (2 * gamma),
+    )
 
 
 def entrainment(bearing, spin, angle=0.0):
@@ -38,7 +42,8 @@ def entrainment(bearing, spin, angle=0.0):
 
 
 def orbital_speed(x, y, vx, vy):
-    """(x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the axis. Raises `ValueError` on the axis."""
+    """(x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the axis. Raises `ValueError` on
+    the axis."""
     squared = np.square(x) + np.square(y)
     if np.any(squared == 0):
         raise ValueError("a ball sits on the bearing's axis")

@@ -10,30 +10,37 @@ from raceway.totals import SUMS
 
 
 def losses(run):
-    """Dataset (time) of `run` (from `raceway.open`), from the samples that both rings and contacts have:
+    """Dataset (time) of `run` (from `raceway.open`), from the samples that both rings and contacts
+    have:
 
-    - `torque` (N m): what the balls hold against the inner ring's spin, and `power_in` (W), torque times spin
-    - `friction_power`, `damping_power` (W): lost in the contacts to tangential force and to normal damping
+    - `torque` (N m): what the balls hold against the inner ring's spin, and `power_in` (W), torque
+    times spin - `friction_power`, `damping_power` (W): lost in the contacts to tangential force and
+    to normal damping
 
-    Power in and power lost differ at any moment by what springs and moving balls store, and on average over whole ball
-    passes by what the integrator adds or takes. The bearing's axis is z and the ring not tilted much: the torque is
-    the moment about z. Raises `RunError` when the run did not record the losses of its contacts.
+    Power in and power lost differ at any moment by what springs and moving balls store, and on
+    average over whole ball passes by what the integrator adds or takes. The bearing's axis is z and
+    the ring not tilted much: the torque is the moment about z. Raises `RunError` when the run did
+    not record the losses of its contacts.
     """
     _need(run)
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
         raise RunError(f"{run.tables.folder / 'rings.dat'} has no columns mz and spin")
     torque = -rings["mz"] * np.sign(rings["spin"])
-    data = xr.merge([{"torque": torque, "power_in": -rings["mz"] * rings["spin"]}, bearing[list(SUMS)]], join="inner",
-                    combine_attrs="drop_conflicts", compat="override")
+    data = xr.merge(
+        [{"torque": torque, "power_in": -rings["mz"] * rings["spin"]}, bearing[list(SUMS)]],
+        join="inner",
+        combine_attrs="drop_conflicts",
+        compat="override",
+    )
     data["torque"].attrs = {"units": "N m", "long_name": "friction torque on the inner ring"}
     data["power_in"].attrs = {"units": "W", "long_name": "power the shaft puts in"}
     return data
 
 
 def losses_around(run, bins=BINS):
-    """Dataset (raceway, from_load_line): mean `friction_power` and `damping_power` (W) of a contact in each part of the
-    ring, and `contacts`. Read in blocks. Raises as `losses` does."""
+    """Dataset (raceway, from_load_line): mean `friction_power` and `damping_power` (W) of a contact
+    in each part of the ring, and `contacts`. Read in blocks. Raises as `losses` does."""
     _need(run)
     result = around(run, {name: lambda table, name=name: table[name] for name in SUMS}, bins)
     for name in SUMS:
@@ -43,4 +50,7 @@ def losses_around(run, bins=BINS):
 
 def _need(run):
     if missing := [name for name in SUMS if name not in run.settings["contact_columns"].split()]:
-        raise RunError(f"{run.tables.folder / 'contacts.dump'} has no column {' '.join(missing)}: run the deck again")
+        raise RunError(
+            f"{run.tables.folder / 'contacts.dump'} has no column {' '.join(missing)}: run the deck"
+            " again"
+        )

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film and capacitance of a bearing at rest in its loads and rolling without slip: statics, kinematics and film together.
+"""Film and capacitance of a bearing at rest in its loads and rolling without slip: statics,
+kinematics and film together.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle (`kinematics.entrainment`), the film
-of its elastic load after Masjedi and Khonsari (eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
+Each contact has the entrainment speed of pure rolling at its own contact angle
+(`kinematics.entrainment`), the film of its elastic load after Masjedi and Khonsari (eqs 6, 7, 9)
+and the capacitance of eqs 8, 10-12.
 """
 
 from typing import NamedTuple
@@ -34,7 +36,8 @@ class Lubrication(NamedTuple):
 
 
 def lubricate(bearing, state, oil, spin, clearance=0.0):
-    """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s; `clearance` as there, m.
+    """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s;
+    `clearance` as there, m.
 
     >>> from raceway.bearing import Bearing
     >>> from raceway.inputs import Oil
@@ -44,7 +47,10 @@ def lubricate(bearing, state, oil, spin, clearance=0.0):
     >>> (1e9 * films.inner.h_min).round(1).tolist()[:3], round(1e12 * float(films.total), 1)  # nm, pF
     ([140.7, 144.4, 166.7], 303.5)
     """
-    sides = [_film(bearing, side, contact, oil, spin, clearance) for side, contact in ((INNER, state.inner), (OUTER, state.outer))]
+    sides = [
+        _film(bearing, side, contact, oil, spin, clearance)
+        for side, contact in ((INNER, state.inner), (OUTER, state.outer))
+    ]
     ball = capacitance.ball(sides[INNER].capacitance, sides[OUTER].capacitance)
     return Lubrication(*sides, ball, float(np.sum(ball)))
 
@@ -55,25 +61,37 @@ def _film(bearing, side, contact, oil, spin, clearance):
     angle = contact.angle[live]
     r_x, r_y = bearing.effective_radii(side, angle, clearance)
     speed = kinematics.entrainment(bearing, spin, angle)
-    group = film.group(oil.viscosity, oil.pressure_viscosity, bearing.effective_modulus, r_x, hertz.exact(r_x, r_y).kappa,
-                       speed, contact.load[live])
+    group = film.group(
+        oil.viscosity,
+        oil.pressure_viscosity,
+        bearing.effective_modulus,
+        r_x,
+        hertz.exact(r_x, r_y).kappa,
+        speed,
+        contact.load[live],
+    )
     h_min, h_c = film.h_min(r_x, group), film.h_c(r_x, group)
-    electric = capacitance.contact(oil.permittivity, contact.pressure[live], contact.a[live], contact.b[live], h_c)
+    electric = capacitance.contact(
+        oil.permittivity, contact.pressure[live], contact.a[live], contact.b[live], h_c
+    )
     values[:, live] = speed, h_min, h_c, film.ratio(h_min, oil.roughness), electric
     return Film(*values)
 
 
 def orbit(bearing, state, spin):
-    """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean contact angle, weighted
-    with the loads of both raceways, since one cage carries all balls (Harris, ch. 10)."""
+    """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean
+    contact angle, weighted with the loads of both raceways, since one cage carries all balls
+    (Harris, ch. 10)."""
     load = np.concatenate([state.inner.load, state.outer.load])
     cosine = np.cos(np.concatenate([state.inner.angle, state.outer.angle]))
     return spin * kinematics.frequencies(bearing, np.arccos(np.average(cosine, weights=load))).cage
 
 
 def turning(bearing, spin, *loads, **options):
-    """(`Equilibrium`, orbital speed in rad/s) with the centrifugal load of balls that roll at `spin` rad/s of the inner
-    ring; loads and options as `static.equilibrium`'s. The contact angles decide the speed and the speed the angles."""
+    """(`Equilibrium`, orbital speed in rad/s) with the centrifugal load of balls that roll at
+    `spin` rad/s of the inner ring; loads and options as `static.equilibrium`'s. The contact angles
+    decide the speed and the speed the angles.
+    """
     speed = spin * kinematics.frequencies(bearing).cage
     for _ in range(30):
         state = equilibrium(bearing, *loads, orbital_speed=speed, **options)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of a bearing at one operating point from theory: `figures` as a mapping, `table` as text.
+"""The figures of a bearing at one operating point from theory: `figures` as a mapping, `table` as
+text.
 
-The mapping's keys are a promise to scripts; where `summary` has the same figure it has the same key.
+The mapping's keys are a promise to scripts; where `summary` has the same figure it has the same
+key.
 """
 
 import math
@@ -67,40 +69,95 @@ TOPICS = {
     ),
 }
 COLUMNS = (  # of the table of balls: key, heading, SI unit
-    ("azimuth_rad", "azimuth, °", "deg"), ("q_inner_N", "Q inner", "N"), ("q_outer_N", "Q outer", "N"),
-    ("angle_inner_rad", "angle in., °", "deg"), ("angle_outer_rad", "angle out., °", "deg"), ("p_inner_Pa", "p inner", "Pa"),
-    ("p_outer_Pa", "p outer", "Pa"), ("h_min_inner_m", "h_min in.", "m"), ("lambda_inner", "lambda in.", ""),
-    ("h_min_outer_m", "h_min out.", "m"), ("lambda_outer", "lambda out.", ""), ("capacitance_F", "C", "F"))
+    ("azimuth_rad", "azimuth, °", "deg"),
+    ("q_inner_N", "Q inner", "N"),
+    ("q_outer_N", "Q outer", "N"),
+    ("angle_inner_rad", "angle in., °", "deg"),
+    ("angle_outer_rad", "angle out., °", "deg"),
+    ("p_inner_Pa", "p inner", "Pa"),
+    ("p_outer_Pa", "p outer", "Pa"),
+    ("h_min_inner_m", "h_min in.", "m"),
+    ("lambda_inner", "lambda in.", ""),
+    ("h_min_outer_m", "h_min out.", "m"),
+    ("lambda_outer", "lambda out.", ""),
+    ("capacitance_F", "C", "F"),
+)
 
 
-def figures(bearing, lubricant=None, folder=None, *, load=0.0, axial=0.0, moment=(0.0, 0.0), held=None, clearance=0.0,
-            rpm=0.0, phase=0.0, density=None, exact_circle=False):
+def figures(
+    bearing,
+    lubricant=None,
+    folder=None,
+    *,
+    load=0.0,
+    axial=0.0,
+    moment=(0.0, 0.0),
+    held=None,
+    clearance=0.0,
+    rpm=0.0,
+    phase=0.0,
+    density=None,
+    exact_circle=False,
+):
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
-    `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder` (`catalogue.find`);
-    the other arguments are those of `static.equilibrium`, with `rpm` of the inner ring and the load along x. What is not
-    `held` is free. Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file.
+    `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
+    (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
+    inner ring and the load along x. What is not `held` is free. Raises `RacewayError`:
+    `NoEquilibrium`, or `InputError` for a data file.
     """
     path = catalogue.find("bearings", bearing, folder)
     body, oil = inputs.bearing(path), _oil(lubricant, folder)
     spin, held = rpm * math.pi / 30, held or {}
     density = float(inputs.values(path).get("ball_density", 7800.0)) if density is None else density
-    state, orbit = turning(body, spin, load, axial, moment=moment, held=held, clearance=clearance, phase=phase,
-                           ball_density=density, finite_shift=exact_circle)
-    result = dict(bearing=path.name, lubricant=None if oil is None else str(lubricant), load_N=load, axial_N=axial,
-                  moment_x_N_m=moment[0], moment_y_N_m=moment[1], clearance_m=clearance, rpm=rpm,
-                  orbital_speed_rad_s=orbit, exact_circle=exact_circle,
-                  centrifugal_N=4 / 3 * math.pi * body.ball_radius**3 * density * body.pitch_radius * orbit**2)
+    state, orbit = turning(
+        body,
+        spin,
+        load,
+        axial,
+        moment=moment,
+        held=held,
+        clearance=clearance,
+        phase=phase,
+        ball_density=density,
+        finite_shift=exact_circle,
+    )
+    result = dict(
+        bearing=path.name,
+        lubricant=None if oil is None else str(lubricant),
+        load_N=load,
+        axial_N=axial,
+        moment_x_N_m=moment[0],
+        moment_y_N_m=moment[1],
+        clearance_m=clearance,
+        rpm=rpm,
+        orbital_speed_rad_s=orbit,
+        exact_circle=exact_circle,
+        centrifugal_N=4
+        / 3
+        * math.pi
+        * body.ball_radius**3
+        * density
+        * body.pitch_radius
+        * orbit**2,
+    )
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
     result.update(_loads(state))
     films = None
     if oil is not None and spin:
         films = lubricate(body, state, oil, spin, clearance)
         top = int(np.argmax(state.inner.load))
-        result.update(viscosity_Pa_s=oil.viscosity, pressure_viscosity_per_Pa=oil.pressure_viscosity,
-                      permittivity=oil.permittivity, roughness_m=oil.roughness,
-                      entrainment_speed_m_s=films.inner.entrainment[top], h_min_m=films.inner.h_min[top],
-                      h_c_m=films.inner.h_c[top], capacitance_F=films.total, capacitance_top_F=films.ball.max())
+        result.update(
+            viscosity_Pa_s=oil.viscosity,
+            pressure_viscosity_per_Pa=oil.pressure_viscosity,
+            permittivity=oil.permittivity,
+            roughness_m=oil.roughness,
+            entrainment_speed_m_s=films.inner.entrainment[top],
+            h_min_m=films.inner.h_min[top],
+            h_c_m=films.inner.h_c[top],
+            capacitance_F=films.total,
+            capacitance_top_F=films.ball.max(),
+        )
         result["lambda"] = films.inner.ratio[top]
     result = {key: _plain(value) for key, value in result.items()}
     result["balls"] = _balls(state, films)
@@ -113,12 +170,18 @@ def table(result):
     filled["angle_max_rad"] = math.degrees(filled["angle_max_rad"])
     if not filled["rpm"]:
         filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
-    shown = [(key, heading, unit) for key, heading, unit in COLUMNS if result["balls"][0].get(key) is not None]
+    shown = [
+        (key, heading, unit)
+        for key, heading, unit in COLUMNS
+        if result["balls"][0].get(key) is not None
+    ]
     rows = [["ball", *(heading for _, heading, _ in shown)]]
     for number, ball in enumerate(result["balls"], 1):
         rows.append([str(number), *(_cell(ball[key], unit) for key, _, unit in shown)])
     widths = [max(map(len, column)) for column in zip(*rows)]
-    block = ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+    block = [
+        "  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows
+    ]
     return "\n".join([*lines(filled, TOPICS), "", "Balls", *block])
 
 
@@ -135,24 +198,42 @@ def _ring(state, load, axial, moment, held, play, reach):
     result.update(zip(("tilt_x_rad", "tilt_y_rad"), _rounded(state.tilt)))
     radial = load and not axial and not (result["tilt_x_rad"] or result["tilt_y_rad"])
     result["load_parameter"] = clearance.load_parameter(play, state.shift[0]) if radial else None
-    given, carried = np.array([load, 0.0, axial, *moment]), np.array([*state.force, *state.moment[:2]])
+    given, carried = (
+        np.array([load, 0.0, axial, *moment]),
+        np.array([*state.force, *state.moment[:2]]),
+    )
     support = -(given + carried)
-    for part, scale in ((slice(3), state.inner.load.sum()), (slice(3, 5), state.inner.load.sum() * reach)):
+    for part, scale in (
+        (slice(3), state.inner.load.sum()),
+        (slice(3, 5), state.inner.load.sum() * reach),
+    ):
         support[part] = np.where(np.abs(support[part]) > 1e-9 * scale, support[part], 0.0)
     for key, name, value in zip(SUPPORT, FREEDOMS, support):
         result[key] = value if name in held else None
-    result.update(stiffness_x_N_m=state.stiffness[0, 0], stiffness_z_N_m=state.stiffness[2, 2],
-                  stiffness_ry_N_m_rad=state.stiffness[4, 4], stiffness=state.stiffness.tolist(), residual_N=state.residual)
+    result.update(
+        stiffness_x_N_m=state.stiffness[0, 0],
+        stiffness_z_N_m=state.stiffness[2, 2],
+        stiffness_ry_N_m_rad=state.stiffness[4, 4],
+        stiffness=state.stiffness.tolist(),
+        residual_N=state.residual,
+    )
     return result
 
 
 def _loads(state):
     live = (state.inner.load > 0) & (state.outer.load > 0)
-    angles = np.abs(np.concatenate([side.angle[side.load > 0] for side in (state.inner, state.outer)]))
-    return dict(loaded_balls=int(live.sum()), q_max_N=max(state.inner.load.max(), state.outer.load.max()),
-                q_inner_max_N=state.inner.load.max(), q_outer_max_N=state.outer.load.max(),
-                p_max_inner_Pa=state.inner.pressure.max(), p_max_outer_Pa=state.outer.pressure.max(),
-                angle_max_rad=angles.max() if len(angles) else 0.0)
+    angles = np.abs(
+        np.concatenate([side.angle[side.load > 0] for side in (state.inner, state.outer)])
+    )
+    return dict(
+        loaded_balls=int(live.sum()),
+        q_max_N=max(state.inner.load.max(), state.outer.load.max()),
+        q_inner_max_N=state.inner.load.max(),
+        q_outer_max_N=state.outer.load.max(),
+        p_max_inner_Pa=state.inner.pressure.max(),
+        p_max_outer_Pa=state.outer.pressure.max(),
+        angle_max_rad=angles.max() if len(angles) else 0.0,
+    )
 
 
 def _balls(state, films):
@@ -161,12 +242,23 @@ def _balls(state, films):
         live = side.load > 0
         columns[f"q_{name}_N"] = side.load
         columns[f"angle_{name}_rad"] = np.where(live, side.angle, 0.0)
-        columns[f"p_{name}_Pa"], columns[f"a_{name}_m"], columns[f"b_{name}_m"] = side.pressure, side.a, side.b
+        columns[f"p_{name}_Pa"], columns[f"a_{name}_m"], columns[f"b_{name}_m"] = (
+            side.pressure,
+            side.a,
+            side.b,
+        )
     if films is not None:
         for name, side in (("inner", films.inner), ("outer", films.outer)):
-            columns[f"h_min_{name}_m"], columns[f"h_c_{name}_m"], columns[f"lambda_{name}"] = side.h_min, side.h_c, side.ratio
+            columns[f"h_min_{name}_m"], columns[f"h_c_{name}_m"], columns[f"lambda_{name}"] = (
+                side.h_min,
+                side.h_c,
+                side.ratio,
+            )
         columns["capacitance_F"] = films.ball
-    return [{key: float(values[ball]) for key, values in columns.items()} for ball in range(len(state.azimuth))]
+    return [
+        {key: float(values[ball]) for key, values in columns.items()}
+        for ball in range(len(state.azimuth))
+    ]
 
 
 def _rounded(values):

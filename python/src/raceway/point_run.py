@@ -29,12 +29,21 @@ FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "bus
 STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
 PATIENCE = 20.0  # s that a stopped run has for its restart file
 # variables of the deck and what `run.yaml` calls them
-RECORDED = {"load": "load_N", "rpm": "rpm", "clearance": "clearance_m", "passes": "passes", "samples": "samples_per_pass",
-            "bearing": "bearing", "lubricant": "lubricant", "integrator": "integrator"}
+RECORDED = {
+    "load": "load_N",
+    "rpm": "rpm",
+    "clearance": "clearance_m",
+    "passes": "passes",
+    "samples": "samples_per_pass",
+    "bearing": "bearing",
+    "lubricant": "lubricant",
+    "integrator": "integrator",
+}
 
 
 def state(folder, variables):
-    """(status, message) of the point in `folder`: finished only if its figures are of these `variables`."""
+    """(status, message) of the point in `folder`: finished only if its figures are of these
+    `variables`."""
     folder = Path(folder)
     if _read(folder / "point.yaml", yaml.safe_load) != dict(variables):
         return PENDING, ""
@@ -47,8 +56,10 @@ def state(folder, variables):
 def run_point(folder, variables, command, *, retry=False, stop=None):
     """Run one point unless it is finished (or failed, without `retry`); return (status, message).
 
-    `command` is the program, its own options and the deck, a list; `stop` a file descriptor that ends the run when it becomes readable.
-    `BUSY` when another process has the point, also one whose sweep was killed and left it running."""
+    `command` is the program, its own options and the deck, a list; `stop` a file descriptor that
+    ends the run when it becomes readable. `BUSY` when another process has the point, also one whose
+    sweep was killed and left it running.
+    """
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -76,7 +87,10 @@ def run_point(folder, variables, command, *, retry=False, stop=None):
                 return _fail(folder, str(error))
             if wrong := _differs(figures, variables):
                 return _fail(folder, f"the run is not what was asked for: {wrong}")
-            _write(folder / "summary.json", json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False))
+            _write(
+                folder / "summary.json",
+                json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False),
+            )
             return FINISHED, ""
     except OSError as error:
         return FAILED, f"{error.filename or folder}: {error.strerror}"
@@ -84,7 +98,8 @@ def run_point(folder, variables, command, *, retry=False, stop=None):
 
 @contextmanager
 def _locked(folder):
-    """A descriptor that holds the folder's lock, or None. The run inherits it: the lock lasts as long as anyone writes there."""
+    """A descriptor that holds the folder's lock, or None. The run inherits it: the lock lasts as
+    long as anyone writes there."""
     lock = os.open(folder / ".lock", os.O_RDWR | os.O_CREAT, 0o666)
     try:
         try:
@@ -103,8 +118,14 @@ def _execute(folder, variables, command, lock, stop):
     for name, value in variables.items():
         words += ["-var", name, value]
     with open(folder / "log.txt", "wb") as log:
-        process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT, pass_fds=(lock,),
-                                   start_new_session=True)  # Ctrl-C is ours to hand on
+        process = subprocess.Popen(
+            words,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            pass_fds=(lock,),
+            start_new_session=True,
+        )  # Ctrl-C is ours to hand on
     done = os.pidfd_open(process.pid)
     try:
         ready = select.select([done] + ([stop] if stop is not None else []), [], [])[0]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The points of a sweep: rows of a table whose columns are variables of a deck, checked before anything runs."""
+"""The points of a sweep: rows of a table whose columns are variables of a deck, checked before
+anything runs."""
 
 import csv
 import hashlib
@@ -10,9 +11,15 @@ from typing import NamedTuple
 from raceway.errors import RacewayError
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
-WORD = re.compile(r"[A-Za-z0-9_.+-]+")  # what a value may be: nothing that a deck, a shell or a path could take for more
-OURS = {"out": "the sweep gives every point its folder", "resume": "the sweep resumes points by itself", "resumed": "the deck sets it",
-        "inputs": "it says where the deck's files are; start from the folder that holds them"}
+WORD = re.compile(
+    r"[A-Za-z0-9_.+-]+"
+)  # what a value may be: nothing that a deck, a shell or a path could take for more
+OURS = {
+    "out": "the sweep gives every point its folder",
+    "resume": "the sweep resumes points by itself",
+    "resumed": "the deck sets it",
+    "inputs": "it says where the deck's files are; start from the folder that holds them",
+}
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
 SHOWN = 20  # complaints in one message
 
@@ -22,35 +29,48 @@ class TableError(RacewayError):
 
 
 class Point(NamedTuple):
-    """One point: its folder's name and the deck's variables, in the deck's order, as written in the table."""
+    """One point: its folder's name and the deck's variables, in the deck's order, as written in the
+    table."""
 
     name: str
     variables: dict
 
 
 def deck_variables(deck):
-    """Names (in order) and defaults of the variables a user may set: the `variable NAME index` lines of the deck at path `deck`
-    and of the `modules` and `integrators` beside it. Raises `TableError` when the deck cannot be read."""
+    """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
+    lines of the deck at path `deck` and of the `modules` and `integrators` beside it. Raises
+    `TableError` when the deck cannot be read.
+    """
     deck = Path(deck)
-    files = [deck] + [path for folder in ("modules", "integrators") for path in sorted((deck.parent / folder).glob("*"))]
+    files = [deck] + [
+        path
+        for folder in ("modules", "integrators")
+        for path in sorted((deck.parent / folder).glob("*"))
+    ]
     found = {}
     for path in files:
         try:
             text = path.read_text()
         except (OSError, UnicodeDecodeError) as error:
-            raise TableError(f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}") from None
+            raise TableError(
+                f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}"
+            ) from None
         for name, default in INDEX.findall(text):
             found.setdefault(name, default)
     if not found:
-        raise TableError(f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary")
+        raise TableError(
+            f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary"
+        )
     return found
 
 
 def read_points(table, variables):
     """The `Point`s of the CSV file `table` (path), in its order; `variables` from `deck_variables`.
 
-    Lines that are empty or start with # are skipped. Raises `TableError` for unknown or repeated columns, rows of another length, empty cells,
-    values that are no single word, and rows that ask for the same point twice ("5000" and "5e3" are the same)."""
+    Lines that are empty or start with # are skipped. Raises `TableError` for unknown or repeated
+    columns, rows of another length, empty cells, values that are no single word, and rows that ask
+    for the same point twice ("5000" and "5e3" are the same).
+    """
     lines = _lines(table)
     if not lines:
         raise TableError(f"{table} is empty: the first line must name variables of the deck")
@@ -59,7 +79,10 @@ def read_points(table, variables):
         if name in OURS:
             wrong.append(f"column '{name}' cannot be swept: {OURS[name]}")
         elif name not in variables:
-            wrong.append(f"column '{name}' is no variable of the deck; there is: " + ", ".join(v for v in variables if v not in OURS))
+            wrong.append(
+                f"column '{name}' is no variable of the deck; there is: "
+                + ", ".join(v for v in variables if v not in OURS)
+            )
         if columns.count(name) > 1:
             wrong.append(f"column '{name}' is there {columns.count(name)} times")
     if wrong:
@@ -75,7 +98,10 @@ def read_points(table, variables):
         row = dict(zip(columns, cells))
         bad = [name for name in order if not WORD.fullmatch(row[name])]
         for name in bad:
-            wrong.append(f"line {number}: {name} is " + (f"'{row[name]}', must be one word or number" if row[name] else "empty"))
+            wrong.append(
+                f"line {number}: {name} is "
+                + (f"'{row[name]}', must be one word or number" if row[name] else "empty")
+            )
         if bad:
             continue
         same = tuple(_value(row[name]) for name in order)
@@ -92,20 +118,29 @@ def read_points(table, variables):
 
 
 def folder_name(variables):
-    """A readable name that depends on the variables only: load=5000_rpm=477.5. Long ones end in a digest instead."""
+    """A readable name that depends on the variables only: load=5000_rpm=477.5. Long ones end in a
+    digest instead."""
     name = "_".join(f"{key}={value}" for key, value in variables.items())
     if len(name) <= LONGEST:
         return name
-    return name[:LONGEST - 17] + "_" + hashlib.sha256(name.encode()).hexdigest()[:16]
+    return name[: LONGEST - 17] + "_" + hashlib.sha256(name.encode()).hexdigest()[:16]
 
 
 def _lines(table):
     try:
-        with open(table, newline="", encoding="utf-8-sig") as file:  # spreadsheets put a mark in front
+        with open(
+            table, newline="", encoding="utf-8-sig"
+        ) as file:  # spreadsheets put a mark in front
             reader = csv.reader(file)
-            return [(reader.line_num, cells) for cells in reader if any(cells) and not cells[0].lstrip().startswith("#")]
+            return [
+                (reader.line_num, cells)
+                for cells in reader
+                if any(cells) and not cells[0].lstrip().startswith("#")
+            ]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise TableError(f"cannot read {table}: {getattr(error, 'strerror', None) or error}") from None
+        raise TableError(
+            f"cannot read {table}: {getattr(error, 'strerror', None) or error}"
+        ) from None
 
 
 def _value(text):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A line on the terminal while something takes long. Off in the library; the `raceway` command turns it on."""
+"""A line on the terminal while something takes long. Off in the library; the `raceway` command
+turns it on."""
 
 import sys
 import time
@@ -9,7 +10,8 @@ on = False
 
 
 def reading(path, blocks):
-    """Yield `blocks` (`dump.Block`s of the file at `path`), with the share read on standard error if that is a terminal."""
+    """Yield `blocks` (`dump.Block`s of the file at `path`), with the share read on standard error
+    if that is a terminal."""
     if not (on and sys.stderr.isatty()):
         yield from blocks
         return
@@ -18,7 +20,12 @@ def reading(path, blocks):
         for block in blocks:
             yield block
             if time.monotonic() > last:
-                print(f"\rreading {path.name}: {min(block.end / size, 1):4.0%}", end="", file=sys.stderr, flush=True)
+                print(
+                    f"\rreading {path.name}: {min(block.end / size, 1):4.0%}",
+                    end="",
+                    file=sys.stderr,
+                    flush=True,
+                )
                 last, shown = time.monotonic() + 0.2, True
     finally:
         if shown:
@@ -26,6 +33,7 @@ def reading(path, blocks):
 
 
 def line(text, last):
-    """Show `text` on the terminal in place of the line before it; after the `last`, the line goes away."""
+    """Show `text` on the terminal in place of the line before it; after the `last`, the line goes
+    away."""
     if on and sys.stderr.isatty():
         print("\r\033[K" + ("" if last else text), end="", file=sys.stderr, flush=True)

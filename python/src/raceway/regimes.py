@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film regimes around the ring: which share of the contacts runs in boundary, mixed and full film."""
+"""Film regimes around the ring: which share of the contacts runs in boundary, mixed and full
+film."""
 
 import xarray as xr
 
@@ -11,14 +12,18 @@ REGIMES = ("boundary", "mixed", "full")
 
 
 def shares(run, bins=BINS, boundary=1.0, full=3.0):
-    """Dataset (raceway, from_load_line): `share` (regime, raceway, from_load_line) of the contacts in each part of the
-    ring, adding up to 1, mean film parameter `lambda`, and `contacts`, their number.
+    """Dataset (raceway, from_load_line): `share` (regime, raceway, from_load_line) of the contacts
+    in each part of the ring, adding up to 1, mean film parameter `lambda`, and `contacts`, their
+    number.
 
-    `run` from `raceway.open`; the limits are film parameters (eq 7). Raises `RunError` for a run without film.
+    `run` from `raceway.open`; the limits are film parameters (eq 7). Raises `RunError` for a run
+    without film.
     """
     need_film(run, "lambda")
-    quantities = {name: lambda table, k=k: film.regime(table["lambda"].to_numpy(), boundary, full) == k
-                  for k, name in enumerate(REGIMES)}
+    quantities = {
+        name: lambda table, k=k: film.regime(table["lambda"].to_numpy(), boundary, full) == k
+        for k, name in enumerate(REGIMES)
+    }
     result = around(run, quantities | {"lambda": lambda table: table["lambda"]}, bins)
     share = xr.concat([result[name] for name in REGIMES], xr.Variable("regime", list(REGIMES)))
     result = result.drop_vars(REGIMES).assign(share=share)
@@ -34,4 +39,7 @@ def totals(run, boundary=1.0, full=3.0):
 def need_film(run, column):
     """Raise `RunError` when the contacts of `run` have no `column` of the film."""
     if not run.tables.lubricated or column not in run.settings["contact_columns"].split():
-        raise RunError(f"{run.tables.folder}: a run without lubricant or without the column {column} has no film to look at")
+        raise RunError(
+            f"{run.tables.folder}: a run without lubricant or without the column {column} has no"
+            " film to look at"
+        )

@@ -15,27 +15,53 @@ from raceway.errors import RunError
 from raceway.totals import pairs, totals
 
 WORDS = ("bearing", "lubricant", "host", "integrator", "contact_columns", "ball_columns")
-NUMBERS = ("load_N", "rpm", "clearance_m", "passes", "balls", "ball_diameter_m", "inner_radius_m",
-           "outer_radius_m", "inner_groove_m", "outer_groove_m", "load_azimuth_rad", "sample_s", "samples_per_pass",
-           "inner_ring", "outer_ring")
-AT_THE_END = ("step_s", "simulated_s", "wall_s")  # written last: without them the run has not finished
+NUMBERS = (
+    "load_N",
+    "rpm",
+    "clearance_m",
+    "passes",
+    "balls",
+    "ball_diameter_m",
+    "inner_radius_m",
+    "outer_radius_m",
+    "inner_groove_m",
+    "outer_groove_m",
+    "load_azimuth_rad",
+    "sample_s",
+    "samples_per_pass",
+    "inner_ring",
+    "outer_ring",
+)
+AT_THE_END = (
+    "step_s",
+    "simulated_s",
+    "wall_s",
+)  # written last: without them the run has not finished
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
 EXTRA = ("ball_young_Pa", "ball_poisson", "cage_ball_diameter_m")  # some runs do not have them
 BALL, CAGE = 1, 2  # atom types
 NO_LUBRICANT = ("dry", "none")
-DUMPS = {"contacts": ("contacts.dump", "contact_columns", ("ball", "raceway", "azimuth", "load", "pressure")),
-         "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy"))}
+DUMPS = {
+    "contacts": (
+        "contacts.dump",
+        "contact_columns",
+        ("ball", "raceway", "azimuth", "load", "pressure"),
+    ),
+    "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy")),
+}
 WHOLE = ("ball", "raceway", "id", "type")
 
 
 class Run:
     """What a run says of itself (`settings`) and, read when first asked for, what it wrote.
 
-    Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured window from 0.
-    `samples`, a slice without step, keeps to some of them: the way to look into a run larger than memory. The other
-    is `blocks`. A run that is still going, or was stopped, can be read as far as it is; `finished` tells.
+    Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
+    window from 0. `samples`, a slice without step, keeps to some of them: the way to look into a
+    run larger than memory. The other is `blocks`. A run that is still going, or was stopped, can be
+    read as far as it is; `finished` tells.
 
-    Raises `RunError` when the folder has no `run.yaml` or a broken one; so do the tables when their file is broken.
+    Raises `RunError` when the folder has no `run.yaml` or a broken one; so do the tables when their
+    file is broken.
     """
 
     def __init__(self, folder, samples=slice(None)):
@@ -50,25 +76,39 @@ class Run:
 
     @property
     def finished(self):
-        """Whether the run came to its end; until then `settings` has no `step_s`, `simulated_s` and `wall_s`."""
+        """Whether the run came to its end; until then `settings` has no `step_s`, `simulated_s` and
+        `wall_s`."""
         return all(key in self.settings for key in AT_THE_END)
 
     def need_finished(self):
         """Raise `RunError` for a run that has not come to its end."""
         if missing := [key for key in AT_THE_END if key not in self.settings]:
-            raise RunError(f"run has not finished: {self.folder / 'run.yaml'} has no {' and no '.join(missing)}")
+            raise RunError(
+                f"run has not finished: {self.folder / 'run.yaml'} has no"
+                f" {' and no '.join(missing)}"
+            )
 
     @property
     def geometry(self):
         """The `Bearing` that was simulated; steel where the run does not say."""
-        names = {"balls": "balls", "ball_diameter_m": "ball_diameter", "inner_radius_m": "inner_radius",
-                 "outer_radius_m": "outer_radius", "inner_groove_m": "inner_groove",
-                 "outer_groove_m": "outer_groove", "ball_young_Pa": "young", "ball_poisson": "poisson"}
-        return Bearing.from_mapping({name: self.settings[key] for key, name in names.items() if key in self.settings})
+        names = {
+            "balls": "balls",
+            "ball_diameter_m": "ball_diameter",
+            "inner_radius_m": "inner_radius",
+            "outer_radius_m": "outer_radius",
+            "inner_groove_m": "inner_groove",
+            "outer_groove_m": "outer_groove",
+            "ball_young_Pa": "young",
+            "ball_poisson": "poisson",
+        }
+        return Bearing.from_mapping(
+            {name: self.settings[key] for key, name in names.items() if key in self.settings}
+        )
 
     @property
     def cage_ball_radius(self):
-        """m; of a run that does not say, that of cage balls without pocket gap. A run without cage has one, too."""
+        """m; of a run that does not say, that of cage balls without pocket gap. A run without cage
+        has one, too."""
         if "cage_ball_diameter_m" in self.settings:
             return self.settings["cage_ball_diameter_m"] / 2
         bearing = self.geometry
@@ -93,7 +133,9 @@ class Run:
         table["sample"] = np.rint(table["time"] / self.settings["sample_s"]).astype(int)
         if (self.first, self.stop) == (0, None):
             return table
-        kept = (table["sample"] >= self.first) & (table["sample"] < (np.inf if self.stop is None else self.stop))
+        kept = (table["sample"] >= self.first) & (
+            table["sample"] < (np.inf if self.stop is None else self.stop)
+        )
         return table[kept].reset_index(drop=True)
 
     @cached_property
@@ -114,18 +156,22 @@ class Run:
     def blocks(self, name):
         """Yield the table `name`, "contacts" or "balls", in pieces of whole samples and a few MB.
 
-        Their `attrs` say which: `first` and how many `samples`. Raises `RunError` where there are none.
+        Their `attrs` say which: `first` and how many `samples`. Raises `RunError` where there are
+        none.
         """
         if name in self.__dict__:  # read already
             yield self.__dict__[name]
             return
         file, columns = self._columns(name)
         path = self.folder / file
-        for block in progress.reading(path, blocks(path, columns, self.first, self.stop, self._index(name))):
+        for block in progress.reading(
+            path, blocks(path, columns, self.first, self.stop, self._index(name))
+        ):
             yield _whole(block.table(columns))
 
     def passes(self, sample):
-        """Time of a sample (number or array) in ball passes since the start of the measured window."""
+        """Time of a sample (number or array) in ball passes since the start of the measured
+        window."""
         return np.asarray(sample) / self.settings["samples_per_pass"]
 
     def from_load_line(self, azimuth):
@@ -134,7 +180,9 @@ class Run:
 
     def _dump(self, name):
         file, columns = self._columns(name)
-        return _whole(read_dump(self.folder / file, columns, self.first, self.stop, self._index(name)))
+        return _whole(
+            read_dump(self.folder / file, columns, self.first, self.stop, self._index(name))
+        )
 
     def _index(self, name):
         return self.index(name) if self.first else None
@@ -173,7 +221,9 @@ def _window(samples):
     """(first, stop) of a slice of samples."""
     first, stop = samples.start or 0, samples.stop
     if samples.step not in (None, 1) or first < 0 or (stop is not None and stop <= first):
-        raise ValueError(f"samples = {samples} must be slice(first, stop) with 0 <= first < stop and no step")
+        raise ValueError(
+            f"samples = {samples} must be slice(first, stop) with 0 <= first < stop and no step"
+        )
     return first, stop
 
 
@@ -196,7 +246,7 @@ def _settings(folder):
         begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
         raise RunError(f"{begun}{path} has no {', '.join(missing)}")
     settings = dict(data)
-    for key in (*needed[len(WORDS):], *(key for key in (*EXTRA, *AT_THE_END) if key in data)):
+    for key in (*needed[len(WORDS) :], *(key for key in (*EXTRA, *AT_THE_END) if key in data)):
         try:
             settings[key] = float(data[key])
             if not np.isfinite(settings[key]):

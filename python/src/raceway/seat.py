@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where a ball settles between an inner and an outer groove, in the plane through the bearing's axis (Jones 1960).
+"""Where a ball settles between an inner and an outer groove, in the plane through the bearing's
+axis (Jones 1960).
 
-Coordinates are (radial, axial) in m; raceways are counted `INNER`, `OUTER`; Z balls at once. Each contact is a
-spring Q = K overlap^1.5 whose energy is convex in the ball's place, and so is their sum with the centrifugal load.
+Coordinates are (radial, axial) in m; raceways are counted `INNER`, `OUTER`; Z balls at once. Each
+contact is a spring Q = K overlap^1.5 whose energy is convex in the ball's place, and so is their
+sum with the centrifugal load.
 """
 
 from collections.abc import Callable
@@ -40,7 +42,9 @@ def touch(grooves, ball):
     length = np.linalg.norm(arm, axis=-1)
     distance = np.stack([reach.distance, length])
     direction = np.stack([reach.slope[:, :2], arm / np.maximum(length, 1e-300)[:, None]])
-    return Touch(distance, direction, hertz.load(grooves.stiffness, distance - grooves.gap[:, None]), reach)
+    return Touch(
+        distance, direction, hertz.load(grooves.stiffness, distance - grooves.gap[:, None]), reach
+    )
 
 
 def along(grooves, touch):
@@ -52,7 +56,9 @@ def energy(grooves, ball):
     """Energy (Z,) in J: 2/5 Q overlap of each spring, less the centrifugal load's work."""
     now = touch(grooves, ball)
     squeeze = np.maximum(now.distance - grooves.gap[:, None], 0)
-    return 0.4 * (now.load * squeeze).sum(0) - grooves.centrifugal * (ball[:, 0] - grooves.outer[:, 0])
+    return 0.4 * (now.load * squeeze).sum(0) - grooves.centrifugal * (
+        ball[:, 0] - grooves.outer[:, 0]
+    )
 
 
 def gradient(grooves, touch):
@@ -63,28 +69,48 @@ def gradient(grooves, touch):
 
 
 def inner_hessian(grooves, touch):
-    """Second derivative (Z, 7, 7) of the inner contacts' energy, N/m, in ball and ring: see `circle`."""
+    """Second derivative (Z, 7, 7) of the inner contacts' energy, N/m, in ball and ring: see
+    `circle`."""
     slope, curve = touch.reach.slope, touch.reach.curve
     line = slope[:, :, None] * slope[:, None, :]
-    return along(grooves, touch)[INNER, :, None, None] * line + touch.load[INNER, :, None, None] * curve
+    return (
+        along(grooves, touch)[INNER, :, None, None] * line
+        + touch.load[INNER, :, None, None] * curve
+    )
 
 
 def outer_hessian(grooves, touch):
-    """Second derivative (Z, 2, 2) of the outer contacts' energy, N/m: the spring along its line of action, Q/s across."""
+    """Second derivative (Z, 2, 2) of the outer contacts' energy, N/m: the spring along its line of
+    action, Q/s across."""
     direction = touch.direction[OUTER]
     line = direction[:, :, None] * direction[:, None, :]
     across = touch.load[OUTER] / np.maximum(touch.distance[OUTER], 1e-300)
-    return along(grooves, touch)[OUTER, :, None, None] * line + across[:, None, None] * (np.eye(2) - line)
+    return along(grooves, touch)[OUTER, :, None, None] * line + across[:, None, None] * (
+        np.eye(2) - line
+    )
 
 
 def settle(grooves):
-    """Places (Z, 2) where every ball is in balance. Raises `NoEquilibrium` should Newton's method not find one."""
-    outer, gap, stiffness, centrifugal = grooves.outer, grooves.gap, grooves.stiffness, grooves.centrifugal
+    """Places (Z, 2) where every ball is in balance. Raises `NoEquilibrium` should Newton's method
+    not find one."""
+    outer, gap, stiffness, centrifugal = (
+        grooves.outer,
+        grooves.gap,
+        grooves.stiffness,
+        grooves.centrifugal,
+    )
     seen = grooves.inner(outer)
-    line = -seen.distance[:, None] * seen.slope[:, :2]  # to the inner centre, exact where the circle lies in the plane
-    squeeze, play = np.maximum(seen.distance - gap.sum(), 0), np.minimum(seen.distance - gap.sum(), 0)
+    line = (
+        -seen.distance[:, None] * seen.slope[:, :2]
+    )  # to the inner centre, exact where the circle lies in the plane
+    squeeze, play = (
+        np.maximum(seen.distance - gap.sum(), 0),
+        np.minimum(seen.distance - gap.sum(), 0),
+    )
     # equal and opposite loads on one line; a ball with play in the middle of it
-    share = squeeze / (1 + (stiffness[INNER] / stiffness[OUTER]) ** (2 / 3)) + play / 2  # of the inner contact
+    share = (
+        squeeze / (1 + (stiffness[INNER] / stiffness[OUTER]) ** (2 / 3)) + play / 2
+    )  # of the inner contact
     between = outer + line * (1 - (gap[INNER] + share) / seen.distance)[:, None]
     thrown = outer.copy()
     thrown[:, 0] += gap[OUTER] + (centrifugal / stiffness[OUTER]) ** (2 / 3)
@@ -98,8 +124,13 @@ def settle(grooves):
         now = touch(grooves, ball)
         slope = gradient(grooves, now)
         size = np.linalg.norm(slope, axis=-1)
-        # distances are known to some last digits of the circle's radius; also where a contact has just closed
-        rounding = 1.5 * (stiffness * np.sqrt(np.maximum(now.distance - gap[:, None], 0) + digits)).sum(0) * digits
+        # distances are known to some last digits of the circle's radius; also where a contact has
+        # just closed
+        rounding = (
+            1.5
+            * (stiffness * np.sqrt(np.maximum(now.distance - gap[:, None], 0) + digits)).sum(0)
+            * digits
+        )
         if np.all(size <= 1e-12 * scale + rounding):
             break
         curvature = inner_hessian(grooves, now)[:, :2, :2] + outer_hessian(grooves, now)
@@ -116,8 +147,13 @@ def settle(grooves):
 
 
 def _part(grooves, ball, step, slope):
-    """How much (Z,) of each ball's step to take: halved until the energy, or the force left, comes down."""
-    here, descent, size = energy(grooves, ball), (slope * step).sum(-1), np.linalg.norm(slope, axis=-1)
+    """How much (Z,) of each ball's step to take: halved until the energy, or the force left, comes
+    down."""
+    here, descent, size = (
+        energy(grooves, ball),
+        (slope * step).sum(-1),
+        np.linalg.norm(slope, axis=-1),
+    )
     part = np.ones(len(ball))
     for _ in range(40):
         trial = ball + part[:, None] * step

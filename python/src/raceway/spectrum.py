@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spectra of what a run recorded evenly in time, and the lines that the bearing's kinematics puts into them.
+"""Spectra of what a run recorded evenly in time, and the lines that the bearing's kinematics puts
+into them.
 
-A perfect bearing shows BPFO and its harmonics: its stiffness varies as the balls pass the load. The others (FTF, BSF,
-BPFI) need something uneven, a ball or a flaw, and are reported as not found where there is nothing.
+A perfect bearing shows BPFO and its harmonics: its stiffness varies as the balls pass the load. The
+others (FTF, BSF, BPFI) need something uneven, a ball or a flaw, and are reported as not found where
+there is nothing.
 """
 
 import math
@@ -16,9 +18,9 @@ from raceway import kinematics
 from raceway.columns import RING
 from raceway.errors import RunError
 
-# Four-term Blackman-Harris: what a line leaks is 92 dB below it, so a faint line shows beside a strong one; near its top
-# the logarithm is a parabola to 1e-3 of a bin. In exchange a line is 8 bins wide from foot to foot (Harris, Proc. IEEE
-# 66 (1978) 51).
+# Four-term Blackman-Harris: what a line leaks is 92 dB below it, so a faint line shows beside a
+# strong one; near its top the logarithm is a parabola to 1e-3 of a bin. In exchange a line is 8
+# bins wide from foot to foot (Harris, Proc. IEEE 66 (1978) 51).
 WINDOW, HALF_WIDTH = "blackmanharris", 4
 PAD = 8  # values per bin of 1/duration, at least
 RESOLVED = HALF_WIDTH + 1.5  # periods in the record from which on a line is apart from the mean
@@ -42,10 +44,12 @@ class Line(NamedTuple):
 
 
 def spectrum(values, sample_s):
-    """One-sided amplitude spectrum of evenly sampled `values` (array), `sample_s` apart: `DataArray` (frequency) in Hz.
+    """One-sided amplitude spectrum of evenly sampled `values` (array), `sample_s` apart:
+    `DataArray` (frequency) in Hz.
 
-    A straight line is taken off and a Blackman-Harris window put on; a sine of amplitude A has a peak of A. The
-    frequencies are finer than the record resolves (`attrs["resolution"]`, Hz) by zeros added behind it.
+    A straight line is taken off and a Blackman-Harris window put on; a sine of amplitude A has a
+    peak of A. The frequencies are finer than the record resolves (`attrs["resolution"]`, Hz) by
+    zeros added behind it.
 
     Raises `ValueError` for fewer than 32 values or any that is not finite.
 
@@ -62,15 +66,19 @@ def spectrum(values, sample_s):
     size = fft.next_fast_len(PAD * len(values), real=True)
     amplitude = np.abs(fft.rfft(signal.detrend(values) * window, size)) * 2 / window.sum()
     frequency = fft.rfftfreq(size, sample_s)
-    result = xr.DataArray(amplitude, {"frequency": ("frequency", frequency, {"units": "Hz"})}, name="amplitude")
+    result = xr.DataArray(
+        amplitude, {"frequency": ("frequency", frequency, {"units": "Hz"})}, name="amplitude"
+    )
     result.attrs["resolution"] = 1 / (len(values) * sample_s)
     return result
 
 
 def of_run(run, name="shift"):
-    """`spectrum` of a column of the rings of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`, `capacitance` ...
+    """`spectrum` of a column of the rings of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
+    `capacitance` ...
 
-    Raises `RunError` when the run has no such column, too few samples, or the samples are not evenly spaced.
+    Raises `RunError` when the run has no such column, too few samples, or the samples are not
+    evenly spaced.
     """
     rings, where = run.rings, run.tables.folder / "rings.dat"
     if name not in rings:
@@ -81,23 +89,31 @@ def of_run(run, name="shift"):
         raise RunError(f"{where} has {rings.sizes['time']} samples: a spectrum needs 32")
     result = spectrum(rings[name], run.settings["sample_s"])
     column = RING.get(name)
-    result.attrs.update(units=column.unit if column else "", long_name=column.meaning if column else name)
+    result.attrs.update(
+        units=column.unit if column else "", long_name=column.meaning if column else name
+    )
     return result
 
 
 def expected(bearing, shaft, angle=0.0, harmonics=3):
-    """{(name, harmonic): order} and their frequencies in Hz for a shaft at `shaft` Hz: kinematics, balls rolling."""
+    """{(name, harmonic): order} and their frequencies in Hz for a shaft at `shaft` Hz: kinematics,
+    balls rolling."""
     orders = kinematics.frequencies(bearing, angle)._asdict()
-    return {(short, n): (n * orders[name], n * orders[name] * abs(shaft)) for name, short in NAMES.items()
-            for n in range(1, harmonics + 1)}
+    return {
+        (short, n): (n * orders[name], n * orders[name] * abs(shaft))
+        for name, short in NAMES.items()
+        for n in range(1, harmonics + 1)
+    }
 
 
 def lines(run, found_in, harmonics=3, angle=0.0, within=0.005):
-    """The kinematic lines of `run` (from `raceway.open`) in its spectrum `found_in`: a list of `Line`.
+    """The kinematic lines of `run` (from `raceway.open`) in its spectrum `found_in`: a list of
+    `Line`.
 
-    A line is found where a peak no further than `within` (of the frequency; or a tenth of the resolution) stands out of
-    the median around it by a factor of ten, is not 80 dB below the strongest, and is nearer to this than to another
-    kinematic line. Kinematics take the run's speed and a contact `angle` in rad; clearance is left out.
+    A line is found where a peak no further than `within` (of the frequency; or a tenth of the
+    resolution) stands out of the median around it by a factor of ten, is not 80 dB below the
+    strongest, and is nearer to this than to another kinematic line. Kinematics take the run's speed
+    and a contact `angle` in rad; clearance is left out.
     """
     places = expected(run.tables.geometry, run.settings["rpm"] / 60, angle, harmonics)
     result = []
@@ -107,13 +123,16 @@ def lines(run, found_in, harmonics=3, angle=0.0, within=0.005):
         if not line.note:
             other = min(places, key=lambda key: abs(places[key][1] - line.found))
             if other != (name, n):
-                line = line._replace(found=math.nan, difference=math.nan, note=f"hidden by {other[0]} x {other[1]}")
+                line = line._replace(
+                    found=math.nan, difference=math.nan, note=f"hidden by {other[0]} x {other[1]}"
+                )
         result.append(line)
     return result
 
 
 def find(found_in, hertz, within=0.005):
-    """(frequency in Hz, difference from `hertz`, amplitude, prominence, note) of the line of a `spectrum` near `hertz`."""
+    """(frequency in Hz, difference from `hertz`, amplitude, prominence, note) of the line of a
+    `spectrum` near `hertz`."""
     frequency, amplitude = found_in["frequency"].to_numpy(), found_in.to_numpy()
     resolution, step = found_in.attrs["resolution"], frequency[1]
     nothing = (math.nan, math.nan)
@@ -122,22 +141,39 @@ def find(found_in, hertz, within=0.005):
     here = amplitude[int(round(hertz / step))]
     if hertz < RESOLVED * resolution:
         return *nothing, here, math.nan, f"fewer than {RESOLVED:g} periods in the record"
-    reach = max(within * hertz, resolution)  # a record that ends within a period moves no peak further
+    reach = max(
+        within * hertz, resolution
+    )  # a record that ends within a period moves no peak further
     low, high = int(np.ceil((hertz - reach) / step)), int(np.floor((hertz + reach) / step))
-    top = low + int(np.argmax(amplitude[low:high + 1]))
+    top = low + int(np.argmax(amplitude[low : high + 1]))
     # the floor: to both sides of the peak's foot, as far again as three times its width
     foot = int(round(HALF_WIDTH * resolution / step))
     far = 4 * foot
-    floor = np.median(np.concatenate([amplitude[max(top - far, foot):max(top - foot, foot)],
-                                      amplitude[top + foot:top + far]]))
+    floor = np.median(
+        np.concatenate(
+            [
+                amplitude[max(top - far, foot) : max(top - foot, foot)],
+                amplitude[top + foot : top + far],
+            ]
+        )
+    )
     prominence = amplitude[top] / floor if floor > 0 else math.inf
     if amplitude[top] == 0 or not amplitude[top - 1] <= amplitude[top] >= amplitude[top + 1]:
         return *nothing, here, prominence, "no peak"
-    if prominence < STANDS_OUT or amplitude[top] < FAINT * amplitude[int(RESOLVED * resolution / step):].max():
+    if (
+        prominence < STANDS_OUT
+        or amplitude[top] < FAINT * amplitude[int(RESOLVED * resolution / step) :].max()
+    ):
         return *nothing, here, prominence, "does not stand out"
-    left, middle, right = np.log(amplitude[top - 1:top + 2])
+    left, middle, right = np.log(amplitude[top - 1 : top + 2])
     offset = 0.5 * (left - right) / (left - 2 * middle + right)
     found = (top + offset) * step
     if abs(found - hertz) > max(within * hertz, resolution / 10):
         return *nothing, here, prominence, f"nearest peak at {found:.4g} Hz"
-    return found, found / hertz - 1, math.exp(middle - 0.25 * (left - right) * offset), prominence, ""
+    return (
+        found,
+        found / hertz - 1,
+        math.exp(middle - 0.25 * (left - right) * offset),
+        prominence,
+        "",
+    )

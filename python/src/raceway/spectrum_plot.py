@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Picture of a spectrum with the kinematic lines marked: found ones by name, the others by a dotted line."""
+"""Picture of a spectrum with the kinematic lines marked: found ones by name, the others by a dotted
+line."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,7 +14,8 @@ DECADES = 6  # shown below the strongest line
 
 
 def picture(run, spectrum, found, path):
-    """Draw `spectrum` of `run` (from `raceway.open`) and the `Line`s `found` in it to the PNG `path`.
+    """Draw `spectrum` of `run` (from `raceway.open`) and the `Line`s `found` in it to the PNG
+    `path`.
 
     Raises `RunError` when the picture cannot be written.
     """
@@ -24,21 +26,59 @@ def picture(run, spectrum, found, path):
     top = amplitude[shown].max() * factor
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(12, 5.6), dpi=130, layout="constrained")
-        axes.semilogy(frequency[shown], np.maximum(amplitude[shown] * factor, 1e-30), color=INK, lw=1.1)
-        axes.set(xlim=(0, last), ylim=(top / 10**DECADES, 12 * top), xlabel="frequency (Hz)",
-                 ylabel=f"amplitude ({unit})" if unit else "amplitude")
+        axes.semilogy(
+            frequency[shown], np.maximum(amplitude[shown] * factor, 1e-30), color=INK, lw=1.1
+        )
+        axes.set(
+            xlim=(0, last),
+            ylim=(top / 10**DECADES, 12 * top),
+            xlabel="frequency (Hz)",
+            ylabel=f"amplitude ({unit})" if unit else "amplitude",
+        )
         for line in found:
-            axes.axvline(line.expected, color=FAINT if line.note else COLOUR[line.name], lw=1, zorder=0.5,
-                         ls=(0, (1, 2)) if line.note else "-")
+            axes.axvline(
+                line.expected,
+                color=FAINT if line.note else COLOUR[line.name],
+                lw=1,
+                zorder=0.5,
+                ls=(0, (1, 2)) if line.note else "-",
+            )
             label = line.name if line.harmonic == 1 else f"{line.harmonic}·{line.name}"
             if line.note:
-                axes.annotate(label, (line.expected, 1.5 * top / 10**DECADES), ha="center", va="bottom", fontsize=8.5,
-                              color=SOFT, rotation=90, bbox=PAPER)
+                axes.annotate(
+                    label,
+                    (line.expected, 1.5 * top / 10**DECADES),
+                    ha="center",
+                    va="bottom",
+                    fontsize=8.5,
+                    color=SOFT,
+                    rotation=90,
+                    bbox=PAPER,
+                )
             else:
-                axes.plot(line.found, line.amplitude * factor, "o", ms=6, mfc="none", mec=COLOUR[line.name], mew=2)
-                axes.annotate(f"{label}\n{line.difference:+.3%}".replace("-", "−"), (line.expected, 9 * top),
-                              ha="center", va="top", fontsize=9, color=INK, fontweight="bold", bbox=PAPER)
+                axes.plot(
+                    line.found,
+                    line.amplitude * factor,
+                    "o",
+                    ms=6,
+                    mfc="none",
+                    mec=COLOUR[line.name],
+                    mew=2,
+                )
+                axes.annotate(
+                    f"{label}\n{line.difference:+.3%}".replace("-", "−"),
+                    (line.expected, 9 * top),
+                    ha="center",
+                    va="top",
+                    fontsize=9,
+                    color=INK,
+                    fontweight="bold",
+                    bbox=PAPER,
+                )
         settings = run.settings
-        axes.set_title(f"{settings['bearing']}, {settings['load_N']:g} N, {settings['rpm']:g} rpm: "
-                       f"{spectrum.attrs['long_name']}", pad=10)
+        axes.set_title(
+            f"{settings['bearing']}, {settings['load_N']:g} N, {settings['rpm']:g} rpm: "
+            f"{spectrum.attrs['long_name']}",
+            pad=10,
+        )
         save(figure, path)

@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Quasi-static equilibrium of a whole bearing in five degrees of freedom (Jones 1960; Harris 2006, ch. 7).
+"""Quasi-static equilibrium of a whole bearing in five degrees of freedom (Jones 1960; Harris 2006,
+ch. 7).
 
 Written from theory, without a look at the simulation it is compared with.
 
-The outer ring is fixed. The inner ring carries a force and two moments and is free in, or held along, each of three
-displacements (x, y, z) and two tilts (rx, ry). Each ball stays at its azimuth (the cage's work) and is free in the
-plane through the outer ring's axis, between an outer and an inner groove; the contact angles follow. Every contact is
-an elastic spring in a convex distance, so the balls and then the ring minimise a convex energy, and Newton's method
-with a line search needs no luck in its start. Contact stiffness depends weakly on the contact angle and is renewed
-outside that minimisation.
+The outer ring is fixed. The inner ring carries a force and two moments and is free in, or held
+along, each of three displacements (x, y, z) and two tilts (rx, ry). Each ball stays at its azimuth
+(the cage's work) and is free in the plane through the outer ring's axis, between an outer and an
+inner groove; the contact angles follow. Every contact is an elastic spring in a convex distance, so
+the balls and then the ring minimise a convex energy, and Newton's method with a line search needs
+no luck in its start. Contact stiffness depends weakly on the contact angle and is renewed outside
+that minimisation.
 
-The theory moves each inner groove by the components of shift and tilt in the ball's plane (Harris, ch. 7), as if
-its circle were straight over the shift. With `finite_shift` the circle stays a circle, shifted and tilted, as in a
-simulation: at 5 kN that takes 0.4 % off the load of a 6208's ball 80 degrees from the load line and adds 0.07 % on it.
-A ring resting on one ball is then unstable and rolls sideways.
+The theory moves each inner groove by the components of shift and tilt in the ball's plane (Harris,
+ch. 7), as if its circle were straight over the shift. With `finite_shift` the circle stays a
+circle, shifted and tilted, as in a simulation: at 5 kN that takes 0.4 % off the load of a 6208's
+ball 80 degrees from the load line and adds 0.07 % on it. A ring resting on one ball is then
+unstable and rolls sideways.
 
 Left out: friction, gyroscopic moments, bending of rings.
 """
@@ -51,25 +54,41 @@ class Equilibrium:
     azimuth: np.ndarray  # (Z,), rad
     inner: Contacts
     outer: Contacts
-    residual: float  # N, what is left of the balance of the free degrees of freedom, moments over the pitch radius
+    # N, what is left of the balance of the free degrees of freedom, moments over the pitch radius
+    residual: float
     tilt: np.ndarray  # (2,), rad: arcsines of -e_y and e_x of the ring's axis e, about x and y
     force: np.ndarray  # (3,), N: of the balls on the inner ring
     moment: np.ndarray  # (3,), N m: of the same about the ring's centre
-    stiffness: np.ndarray  # (5, 5), N/m, N/rad, N m/rad: d(load)/d(place) in x, y, z, rx, ry at the present contact ellipses
+    # (5, 5), N/m, N/rad, N m/rad: d(load)/d(place) in x, y, z, rx, ry at the present contact
+    # ellipses
+    stiffness: np.ndarray
 
 
-def equilibrium(bearing, radial_load=0.0, axial_load=0.0, *, moment=None, held=None, clearance=0.0, load_azimuth=0.0,
-                phase=0.0, orbital_speed=0.0, ball_density=7800.0, finite_shift=False):
-    """`Equilibrium` of `bearing` under loads in N on the inner ring, toward `load_azimuth` (rad) and +z.
+def equilibrium(
+    bearing,
+    radial_load=0.0,
+    axial_load=0.0,
+    *,
+    moment=None,
+    held=None,
+    clearance=0.0,
+    load_azimuth=0.0,
+    phase=0.0,
+    orbital_speed=0.0,
+    ball_density=7800.0,
+    finite_shift=False,
+):
+    """`Equilibrium` of `bearing` under loads in N on the inner ring, toward `load_azimuth` (rad)
+    and +z.
 
-    `moment` is (M_x, M_y) in N m on the inner ring; `held` maps degrees of freedom (x, y, z in m, rx, ry in rad) to
-    the values they are held at, the others are free. Without `held` the ring is held straight (rx = ry = 0), or free
-    to tilt when a `moment`, zero perhaps, is given.
-    `clearance` is diametral, m; `phase` the azimuth of the first ball, rad, or of every ball when they are not evenly
-    spaced (Z,); `orbital_speed` of the balls, rad/s, gives each the centrifugal load m r omega^2 with m from
-    `ball_density` in kg/m^3; `finite_shift` see above.
-    Raises `NoEquilibrium` when the ring is free to move or the balls are forced out of their grooves, `ValueError`
-    for an unknown degree of freedom.
+    `moment` is (M_x, M_y) in N m on the inner ring; `held` maps degrees of freedom (x, y, z in m,
+    rx, ry in rad) to the values they are held at, the others are free. Without `held` the ring is
+    held straight (rx = ry = 0), or free to tilt when a `moment`, zero perhaps, is given.
+    `clearance` is diametral, m; `phase` the azimuth of the first ball, rad, or of every ball when
+    they are not evenly spaced (Z,); `orbital_speed` of the balls, rad/s, gives each the centrifugal
+    load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift` see above. Raises
+    `NoEquilibrium` when the ring is free to move or the balls are forced out of their grooves,
+    `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -79,7 +98,9 @@ def equilibrium(bearing, radial_load=0.0, axial_load=0.0, *, moment=None, held=N
     >>> (1e6 * rest.shift).round(2).tolist(), (1e3 * rest.tilt).round(4).tolist()  # um, mrad
     ([23.82, -11.44, 120.01], [1.6603, 2.2876])
     """
-    force = np.array([radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float)
+    force = np.array(
+        [radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float
+    )
     if held is None:
         held = STRAIGHT if moment is None else {}
     couple = np.zeros(2) if moment is None else np.asarray(moment, float)
@@ -98,7 +119,10 @@ def equilibrium(bearing, radial_load=0.0, axial_load=0.0, *, moment=None, held=N
 def _imposed(held):
     """(5,) imposed places, NaN where free."""
     if unknown := sorted(set(held) - set(FREEDOMS)):
-        raise ValueError(f"held: {', '.join(map(str, unknown))} is no degree of freedom; there are {', '.join(FREEDOMS)}")
+        raise ValueError(
+            f"held: {', '.join(map(str, unknown))} is no degree of freedom; there are"
+            f" {', '.join(FREEDOMS)}"
+        )
     place = np.array([held.get(name, np.nan) for name in FREEDOMS], float)
     if not all(np.isfinite(value) for value in held.values()):
         raise ValueError(f"held = {held}: values must be finite")
@@ -107,8 +131,10 @@ def _imposed(held):
 
 def _check(bearing, loads, place, clearance, orbital_speed):
     if not (np.all(np.isfinite(loads)) and np.isfinite(clearance) and np.isfinite(orbital_speed)):
-        raise NoEquilibrium(f"loads {loads[:3]} N, moments {loads[3:]} N m, clearance {clearance} m and orbital speed "
-                            f"{orbital_speed} rad/s must be finite")
+        raise NoEquilibrium(
+            f"loads {loads[:3]} N, moments {loads[3:]} N m, clearance {clearance} m and orbital"
+            f" speed {orbital_speed} rad/s must be finite"
+        )
     free = np.isnan(place)
     if free.any() and not np.any(loads[free]) and not np.any(place[~free]) and clearance >= 0:
         raise NoEquilibrium("without a load nothing says where a ring with clearance sits")
@@ -124,14 +150,29 @@ def _state(balance, place):
     for side in (INNER, OUTER):
         ellipse, modulus = balance.ellipse(side, angle[side]), bearing.effective_modulus
         a, b = hertz.semi_axes(ellipse, modulus, load[side])
-        if np.any(a >= bearing.groove(side)) or np.any((load[side] > 0) & (np.cos(angle[side]) <= 0)):
-            raise NoEquilibrium(f"the load forces balls out of the {('inner', 'outer')[side]} groove: contact "
-                                f"angle {np.degrees(np.abs(angle[side]).max()):.0f} degrees, contact half-width "
-                                f"{a.max():.2g} m in a groove of radius {bearing.groove(side):g} m")
+        if np.any(a >= bearing.groove(side)) or np.any(
+            (load[side] > 0) & (np.cos(angle[side]) <= 0)
+        ):
+            raise NoEquilibrium(
+                f"the load forces balls out of the {('inner', 'outer')[side]} groove: contact "
+                f"angle {np.degrees(np.abs(angle[side]).max()):.0f} degrees, contact half-width "
+                f"{a.max():.2g} m in a groove of radius {bearing.groove(side):g} m"
+            )
         overlap = np.where(load[side] > 0, touch.distance[side] - balance.gap[side], 0.0)
-        sides.append(Contacts(overlap, load[side], angle[side], a, b, hertz.pressure(ellipse, modulus, load[side])))
+        sides.append(
+            Contacts(
+                overlap, load[side], angle[side], a, b, hertz.pressure(ellipse, modulus, load[side])
+            )
+        )
     gradient, hessian, _ = balance.derivatives(place)
     ring, each = place / balance.metres, load[INNER, :, None] * touch.reach.line
-    return Equilibrium(ring[:3], balance.azimuth, *sides, float(np.linalg.norm(gradient[balance.free])), ring[3:],
-                       each.sum(0), np.cross(touch.reach.arm, each).sum(0),
-                       hessian * np.outer(balance.metres, balance.metres))
+    return Equilibrium(
+        ring[:3],
+        balance.azimuth,
+        *sides,
+        float(np.linalg.norm(gradient[balance.free])),
+        ring[3:],
+        each.sum(0),
+        np.cross(touch.reach.arm, each).sum(0),
+        hessian * np.outer(balance.metres, balance.metres),
+    )

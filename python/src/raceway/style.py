@@ -11,7 +11,8 @@ import numpy as np
 from raceway import files
 from raceway.bearing import INNER, OUTER
 
-# Okabe and Ito's palette, told apart by colour-blind readers; the two raceways differ in lightness as well
+# Okabe and Ito's palette, told apart by colour-blind readers; the two raceways differ in lightness
+# as well
 PALETTE = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 COLOUR = {INNER: PALETTE[0], OUTER: PALETTE[1]}
 NAME = {INNER: "inner raceway", OUTER: "outer raceway"}
@@ -19,16 +20,34 @@ SIDES = (INNER, OUTER)
 MAP = "cividis"  # of a scale: made for colour-blind readers, even in lightness
 INK, SOFT, FAINT, BALL = "#222222", "#555555", "#bbbbbb", "#009E73"
 STYLE = {
-    "font.family": "DejaVu Sans", "font.size": 11, "axes.titlesize": 13, "axes.titleweight": "bold",
-    "axes.titlelocation": "left", "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": FAINT,
-    "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK, "grid.color": "#dddddd",
-    "grid.linewidth": 0.8, "axes.axisbelow": True, "legend.frameon": False, "lines.solid_capstyle": "round",
+    "font.family": "DejaVu Sans",
+    "font.size": 11,
+    "axes.titlesize": 13,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": FAINT,
+    "axes.labelcolor": INK,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.8,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "lines.solid_capstyle": "round",
 }
-REGIMES = ((0, 1, "boundary", "#f9e3da"), (1, 3, "mixed", "#fdf6e0"), (3, np.inf, "full film", "#e8f4ee"))
+REGIMES = (
+    (0, 1, "boundary", "#f9e3da"),
+    (1, 3, "mixed", "#fdf6e0"),
+    (3, np.inf, "full film", "#e8f4ee"),
+)
 
 
 def save(figure, path):
-    """Write `figure` to the PNG `path` and forget it. Raises `RunError` when that cannot be done."""
+    """Write `figure` to the PNG `path` and forget it. Raises `RunError` when that cannot be
+    done."""
     try:
         files.whole(path, lambda part: figure.savefig(part, format="png", facecolor="white"))
     finally:

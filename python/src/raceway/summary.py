@@ -59,8 +59,12 @@ TOPICS = {
         Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
     ),
     "Kinematics": (
-        Row("cage_speed_rad_s", "orbital speed of the balls", "rad/s", "mean of (x v_y - y v_x)/r^2"),
-        Row("entrainment_speed_m_s", "entrainment at the largest load", "m/s", "U_r of eq 6, inner"),
+        Row(
+            "cage_speed_rad_s", "orbital speed of the balls", "rad/s", "mean of (x v_y - y v_x)/r^2"
+        ),
+        Row(
+            "entrainment_speed_m_s", "entrainment at the largest load", "m/s", "U_r of eq 6, inner"
+        ),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -75,22 +79,38 @@ TOPICS = {
 
 
 def summary(run):
-    """The figures of `run` (a `Run`) by name, SI units, text or numbers; None where the run has none.
+    """The figures of `run` (a `Run`) by name, SI units, text or numbers; None where the run has
+    none.
 
-    Reads the files once, in blocks: memory does not grow with the run. Raises `RunError` when the run has not
-    finished, a file is broken or no ball ever touched a raceway.
+    Reads the files once, in blocks: memory does not grow with the run. Raises `RunError` when the
+    run has not finished, a file is broken or no ball ever touched a raceway.
     """
     run.need_finished()
     settings = run.settings
-    result = {key: settings.get(key) for key in
-              ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearance_m", "step_s", "passes")}
+    result = {
+        key: settings.get(key)
+        for key in (
+            "bearing",
+            "lubricant",
+            "host",
+            "integrator",
+            "load_N",
+            "rpm",
+            "clearance_m",
+            "step_s",
+            "passes",
+        )
+    }
     result.update({key: settings[key] if run.lubricated else None for key in LUBRICANT})
     contacts = _Contacts(run)
     result.update(_mechanics(run, contacts))
     result["cage_speed_rad_s"] = _cage_speed(run)
     result.update(_film(run, contacts))
-    result.update(wall_s=settings["wall_s"], simulated_s=settings["simulated_s"],
-                  real_time_factor=settings["simulated_s"] / settings["wall_s"])
+    result.update(
+        wall_s=settings["wall_s"],
+        simulated_s=settings["simulated_s"],
+        real_time_factor=settings["simulated_s"] / settings["wall_s"],
+    )
     return {key: _plain(value) for key, value in result.items()}
 
 
@@ -106,12 +126,17 @@ class _Contacts:
     def __init__(self, run):
         self.top = {}  # raceway: row of the contact with the largest load
         self.samples = self.pairs = 0
-        self.total = self.best = None  # capacitance of all pairs and of the best, F; None without the column
+        self.total = self.best = (
+            None  # capacitance of all pairs and of the best, F; None without the column
+        )
         for block in run.blocks("contacts"):
             self._add(block)
         for side, name in NAME.items():
             if side not in self.top:
-                raise RunError(f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any sample")
+                raise RunError(
+                    f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any"
+                    " sample"
+                )
 
     def _add(self, block):
         for side in NAME:
@@ -147,8 +172,10 @@ def _cage_speed(run):
         rings = balls.loc[balls["id"] == ring].set_index("sample")
         rolling = balls[balls["type"] == BALL]
         if rings.empty or rolling.empty:
-            raise RunError(f"{run.folder / 'balls.dump'} has no "
-                           f"{'atom ' + str(ring) if rings.empty else 'ball (type 1)'}")
+            raise RunError(
+                f"{run.folder / 'balls.dump'} has no "
+                f"{'atom ' + str(ring) if rings.empty else 'ball (type 1)'}"
+            )
         axis = rings.loc[rolling["sample"], ["x", "y", "vx", "vy"]].to_numpy()
         relative = rolling[["x", "y", "vx", "vy"]].to_numpy() - axis
         total += kinematics.orbital_speed(*relative.T).sum()
@@ -177,7 +204,8 @@ def _plain(value):
 
 
 def table(figures):
-    """The mapping of `summary` as text, a topic a block; figures the run has none of are left out."""
+    """The mapping of `summary` as text, a topic a block; figures the run has none of are left
+    out."""
     return "\n".join(lines(figures, TOPICS))
 
 

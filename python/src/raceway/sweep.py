@@ -21,11 +21,13 @@ from raceway.point_run import FAILED, FINISHED, run_point, state
 
 
 def sweep(points, folder, command, *, jobs=1, retry=False):
-    """Run `points` (of `raceway.points`) into `folder`, `jobs` at a time; return (number by status, points that were finished before,
-    path of the table).
+    """Run `points` (of `raceway.points`) into `folder`, `jobs` at a time; return (number by status,
+    points that were finished before, path of the table).
 
-    `command` is a list: program, options, deck. A bar shows progress where there is a terminal. On KeyboardInterrupt or SystemExit runs are
-    stopped (they leave a restart file), the table is written and the exception goes on. Raises `RacewayError` when a worker is killed."""
+    `command` is a list: program, options, deck. A bar shows progress where there is a terminal. On
+    KeyboardInterrupt or SystemExit runs are stopped (they leave a restart file), the table is
+    written and the exception goes on. Raises `RacewayError` when a worker is killed.
+    """
     folder, counts, todo = Path(folder), Counter(), []
     for point in points:
         status, _ = state(folder / point.name, point.variables)
@@ -34,11 +36,24 @@ def sweep(points, folder, command, *, jobs=1, retry=False):
         else:
             todo.append(point)
     before = counts[FINISHED]
-    reading, writing = os.pipe()  # only this process holds `writing`: however it ends, the workers see it
-    pool = ProcessPoolExecutor(min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing))
+    reading, writing = (
+        os.pipe()
+    )  # only this process holds `writing`: however it ends, the workers see it
+    pool = ProcessPoolExecutor(
+        min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing)
+    )
     try:
-        futures = {pool.submit(_Worker.work, folder / point.name, point.variables, command, retry): point for point in todo}
-        with tqdm(total=len(points), initial=len(points) - len(todo), unit="point", disable=None, smoothing=0.0) as bar:
+        futures = {
+            pool.submit(_Worker.work, folder / point.name, point.variables, command, retry): point
+            for point in todo
+        }
+        with tqdm(
+            total=len(points),
+            initial=len(points) - len(todo),
+            unit="point",
+            disable=None,
+            smoothing=0.0,
+        ) as bar:
             for future in as_completed(futures):
                 status, message = future.result()
                 counts[status] += 1
@@ -46,14 +61,20 @@ def sweep(points, folder, command, *, jobs=1, retry=False):
                 if status == FAILED:
                     bar.write(f"{futures[future].name}: {message}", file=sys.stderr)
     except BrokenProcessPool:
-        raise RacewayError("a worker of the sweep was killed (out of memory?); start the sweep again to go on") from None
+        raise RacewayError(
+            "a worker of the sweep was killed (out of memory?); start the sweep again to go on"
+        ) from None
     finally:
         os.close(writing)
         pool.shutdown(cancel_futures=True)
         os.close(reading)
         if any(folder.glob("*/point.yaml")):
             write_results(folder)
-    return {status: number for status, number in counts.items() if number}, before, folder / "results.csv"
+    return (
+        {status: number for status, number in counts.items() if number},
+        before,
+        folder / "results.csv",
+    )
 
 
 class _Worker:
@@ -65,7 +86,11 @@ class _Worker:
 
     @classmethod
     def begin(cls, reading, writing):
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # reach the whole group; the sweep decides
+        for number in (
+            signal.SIGINT,
+            signal.SIGTERM,
+            signal.SIGHUP,
+        ):  # reach the whole group; the sweep decides
             signal.signal(number, lambda *_: None)  # not SIG_IGN, which the runs would inherit
         os.close(writing)
         cls.stop, cls.parent = reading, os.getppid()

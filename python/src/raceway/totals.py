@@ -11,22 +11,27 @@ SUMS = ("friction_power", "damping_power")
 
 
 def pairs(contacts):
-    """A row per sample and ball loaded on both raceways, from a table of contacts: `load_inner`, `load_outer` and, if
-    the contacts have them, `capacitance_inner`, `capacitance_outer` and `capacitance`, both in series."""
+    """A row per sample and ball loaded on both raceways, from a table of contacts: `load_inner`,
+    `load_outer` and, if the contacts have them, `capacitance_inner`, `capacitance_outer` and
+    `capacitance`, both in series.
+    """
     names = ["sample", "ball"] + [name for name in ("load", "capacitance") if name in contacts]
     live = contacts.loc[contacts["load"] > 0, [*names, "raceway"]]
     sides = [live.loc[live["raceway"] == side, names] for side in (INNER, OUTER)]
     table = sides[0].merge(sides[1], on=["sample", "ball"], suffixes=("_inner", "_outer"))
     if "capacitance_inner" in table:
-        table["capacitance"] = capacitance.ball(table["capacitance_inner"], table["capacitance_outer"])
+        table["capacitance"] = capacitance.ball(
+            table["capacitance_inner"], table["capacitance_outer"]
+        )
     return table
 
 
 def totals(contacts):
-    """A row per sample (the index), from a table of contacts with `attrs` as `dump.read_dump` sets them.
+    """A row per sample (the index), from a table of contacts with `attrs` as `dump.read_dump` sets
+    them.
 
-    Columns as `columns.BEARING` has them, as far as the contacts have what they need: largest loads, pressure and sums are
-    0 in a sample without contacts, the thinnest film is NaN.
+    Columns as `columns.BEARING` has them, as far as the contacts have what they need: largest
+    loads, pressure and sums are 0 in a sample without contacts, the thinnest film is NaN.
     """
     first, samples = contacts.attrs["first"], contacts.attrs["samples"]
     table = pd.DataFrame(index=pd.RangeIndex(first, first + samples, name="sample"))
@@ -46,4 +51,6 @@ def totals(contacts):
     for name in ("h_min", "lambda"):
         if name in contacts:
             table[name] = each[name].min()
-    return table.astype({name: np.float64 for name in table if name not in ("contacts", "loaded_balls")})
+    return table.astype(
+        {name: np.float64 for name in table if name not in ("contacts", "loaded_balls")}
+    )

@@ -7,7 +7,8 @@ PREFIX = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M",
 
 
 def prefixed(value, unit, digits=4):
-    """`value` in `unit` as text with `digits` significant digits and an SI prefix: 2.571e9, "Pa" -> 2.571 GPa.
+    """`value` in `unit` as text with `digits` significant digits and an SI prefix: 2.571e9, "Pa" ->
+    2.571 GPa.
 
     A value without a unit gets no prefix either.
 

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run for MDAnalysis (optional: `pip install raceway[mdanalysis]`).
 
-MDAnalysis keeps positions and velocities in single precision. Of a 6208 that leaves 2 nm, the overlap of an unloaded
-ball and one per cent of a film, so nothing should be worked out from them but pictures and neighbours.
-What needs more digits comes in double precision with every frame, in `trajectory.ts.data`:
+MDAnalysis keeps positions and velocities in single precision. Of a 6208 that leaves 2 nm, the
+overlap of an unloaded ball and one per cent of a film, so nothing should be worked out from them
+but pictures and neighbours. What needs more digits comes in double precision with every frame, in
+`trajectory.ts.data`:
 
-- `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
-- every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ... (SI): (atoms,),
+- `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3) - every column of the contacts for the
+inner and the outer raceway, `load_inner`, `h_min_outer` ... (SI): (atoms,),
   with 0 or NaN where an atom has no such contact, as in `Datasets.contacts`
 - `step`, `time` (s), `sample`
 
-Lengths are metres and times seconds, whatever MDAnalysis calls them; there is no box, and positions are those of the
-dump (MDAnalysis's own reader of such dumps moves them by the corner of the box).
+Lengths are metres and times seconds, whatever MDAnalysis calls them; there is no box, and positions
+are those of the dump (MDAnalysis's own reader of such dumps moves them by the corner of the box).
 """
 
 import numpy as np
@@ -30,7 +31,8 @@ except ImportError:
     raise RunError("MDAnalysis is not installed: pip install 'raceway[mdanalysis]'") from None
 
 NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
-ROWS = 5000  # atoms of consecutive frames read together: neighbours in time are what an analysis asks for next
+# atoms of consecutive frames read together: neighbours in time are what an analysis asks for next
+ROWS = 5000
 
 
 class RunReader(ReaderBase):
@@ -45,12 +47,19 @@ class RunReader(ReaderBase):
     @store_init_arguments
     def __init__(self, filename, first=0, stop=None, **kwargs):
         self._run = Run(filename, slice(first, stop))
-        self._columns = {name: self._run.settings[key].split() for name, (_, key, _) in DUMPS.items()}
-        super().__init__(filename, **{"convert_units": False, "dt": self._run.settings["sample_s"], **kwargs})
+        self._columns = {
+            name: self._run.settings[key].split() for name, (_, key, _) in DUMPS.items()
+        }
+        super().__init__(
+            filename, **{"convert_units": False, "dt": self._run.settings["sample_s"], **kwargs}
+        )
         ends = [len(self._run.index(name)) for name in DUMPS] + ([] if stop is None else [stop])
         self.n_frames = min(ends) - first
         if self.n_frames < 1:
-            raise RunError(f"{self._run.folder}: no sample from number {first} on that both dumps have complete")
+            raise RunError(
+                f"{self._run.folder}: no sample from number {first} on that both dumps have"
+                " complete"
+            )
         self._loaded = None
         atoms, _ = self._table("balls", 0, 1)
         self.ids, self.types = atoms["id"].to_numpy(int), atoms["type"].to_numpy(int)
@@ -73,7 +82,9 @@ class RunReader(ReaderBase):
     def _read_next_timestep(self):
         frame = self.ts.frame + 1
         if not 0 <= frame < self.n_frames:
-            raise OSError(f"no frame {frame} of {self.n_frames}")  # MDAnalysis ends an iteration on this
+            raise OSError(
+                f"no frame {frame} of {self.n_frames}"
+            )  # MDAnalysis ends an iteration on this
         part, data = frame // self._together, self.ts.data
         if self._loaded != part:
             self._load(part)
@@ -82,45 +93,75 @@ class RunReader(ReaderBase):
         for name, values in self._atoms.items():
             data[name] = values[here]
         data["sample"] = self._run.first + frame
-        data["step"], data["time"] = self._steps[here], data["sample"] * self._run.settings["sample_s"]
+        data["step"], data["time"] = (
+            self._steps[here],
+            data["sample"] * self._run.settings["sample_s"],
+        )
         self.ts.positions, self.ts.velocities = data["position"], data["velocity"]
         return self.ts
 
     def _table(self, name, start, stop):
         """(table of frames `start` to `stop`, sorted by sample and atom; their steps)"""
         columns, first = self._columns[name], self._run.first
-        parts = list(blocks(self._run.folder / DUMPS[name][0], columns, first + start, first + stop,
-                            self._run.index(name)))
+        parts = list(
+            blocks(
+                self._run.folder / DUMPS[name][0],
+                columns,
+                first + start,
+                first + stop,
+                self._run.index(name),
+            )
+        )
         table = pd.concat([part.table(columns) for part in parts])
-        return table.sort_values(["sample", "id" if name == "balls" else "ball"]), sum((part.steps for part in parts), [])
+        return table.sort_values(["sample", "id" if name == "balls" else "ball"]), sum(
+            (part.steps for part in parts), []
+        )
 
     def _load(self, part):
         start, stop = part * self._together, min((part + 1) * self._together, self.n_frames)
         table, self._steps = self._table("balls", start, stop)
         if len(table) != (stop - start) * self.n_atoms or not np.array_equal(
-                table["id"].to_numpy(int), np.tile(self.ids, stop - start)):
-            raise RunError(f"{self._run.folder / 'balls.dump'}: not every sample has the same atoms")
+            table["id"].to_numpy(int), np.tile(self.ids, stop - start)
+        ):
+            raise RunError(
+                f"{self._run.folder / 'balls.dump'}: not every sample has the same atoms"
+            )
         self._atoms = {}
-        for name, columns in (("position", "x y z"), ("velocity", "vx vy vz"), ("spin", "omegax omegay omegaz")):
+        for name, columns in (
+            ("position", "x y z"),
+            ("velocity", "vx vy vz"),
+            ("spin", "omegax omegay omegaz"),
+        ):
             if set(columns.split()) <= set(table):
-                self._atoms[name] = table[columns.split()].to_numpy().reshape(stop - start, self.n_atoms, 3)
+                self._atoms[name] = (
+                    table[columns.split()].to_numpy().reshape(stop - start, self.n_atoms, 3)
+                )
         contacts, _ = self._table("contacts", start, stop)
         frame = contacts["sample"].to_numpy() - self._run.first - start
-        atom, raceway = np.searchsorted(self.ids, contacts["ball"]), contacts["raceway"].to_numpy(int)
+        atom, raceway = (
+            np.searchsorted(self.ids, contacts["ball"]),
+            contacts["raceway"].to_numpy(int),
+        )
         for name in contacts:
             if name in ("ball", "raceway", "sample"):
                 continue
             for side, word in enumerate(("inner", "outer")):
-                values = np.full((stop - start, self.n_atoms), CONTACT[name].apart if name in CONTACT else np.nan)
-                values[frame[raceway == side], atom[raceway == side]] = contacts[name][raceway == side]
+                values = np.full(
+                    (stop - start, self.n_atoms), CONTACT[name].apart if name in CONTACT else np.nan
+                )
+                values[frame[raceway == side], atom[raceway == side]] = contacts[name][
+                    raceway == side
+                ]
                 self._atoms[f"{name}_{word}"] = values
         self._loaded = part
 
 
 def universe(run):
-    """MDAnalysis `Universe` of `run` (a `Run`): atoms named ball, cage, inner, outer, with their host's ids and types.
+    """MDAnalysis `Universe` of `run` (a `Run`): atoms named ball, cage, inner, outer, with their
+    host's ids and types.
 
-    The trajectory is a `RunReader`. Raises `RunError` when a file is broken or MDAnalysis is not installed.
+    The trajectory is a `RunReader`. Raises `RunError` when a file is broken or MDAnalysis is not
+    installed.
     """
     reader = RunReader(str(run.folder), run.first, run.stop)
     result = MDAnalysis.Universe.empty(reader.n_atoms)

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Subcommands of `raceway`, a module each: `add(commands)` adds its parser, `run(arguments)` does the work."""
+"""Subcommands of `raceway`, a module each: `add(commands)` adds its parser, `run(arguments)` does
+the work."""

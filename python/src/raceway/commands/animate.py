@@ -23,29 +23,74 @@ COLOURS = ("load", "pressure", "film", "capacitance")
 
 def add(commands):
     """Put the command into the parser's `commands`."""
-    one = commands.add_parser("animate", help="a GIF or MP4 of the bearing in motion", description=DESCRIPTION, epilog=EXAMPLES,
-                              formatter_class=argparse.RawDescriptionHelpFormatter)
+    one = commands.add_parser(
+        "animate",
+        help="a GIF or MP4 of the bearing in motion",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument("--colour", choices=COLOURS, default="load", help="of the balls (default: %(default)s)")
-    one.add_argument("--passes", type=number(0.001, 1e6, "ball passes"), metavar="P",
-                     help="ball passes shown (default: all that were measured, at most 4)")
-    one.add_argument("--frames", type=_whole(1, 2000), default=80, metavar="N", help="pictures in all (default: %(default)s)")
-    one.add_argument("--rate", type=number(1, 60, "pictures a second"), default=20, metavar="R",
-                     help="pictures a second (default: %(default)s)")
-    one.add_argument("--exaggerate", type=number(1, 1e6, ""), metavar="X", help="factor on small motions (default: chosen by their size)")
-    one.add_argument("--width", type=_whole(200, 4000), default=800, metavar="PX", help="width, about (default: %(default)s)")
+    one.add_argument(
+        "--colour", choices=COLOURS, default="load", help="of the balls (default: %(default)s)"
+    )
+    one.add_argument(
+        "--passes",
+        type=number(0.001, 1e6, "ball passes"),
+        metavar="P",
+        help="ball passes shown (default: all that were measured, at most 4)",
+    )
+    one.add_argument(
+        "--frames",
+        type=_whole(1, 2000),
+        default=80,
+        metavar="N",
+        help="pictures in all (default: %(default)s)",
+    )
+    one.add_argument(
+        "--rate",
+        type=number(1, 60, "pictures a second"),
+        default=20,
+        metavar="R",
+        help="pictures a second (default: %(default)s)",
+    )
+    one.add_argument(
+        "--exaggerate",
+        type=number(1, 1e6, ""),
+        metavar="X",
+        help="factor on small motions (default: chosen by their size)",
+    )
+    one.add_argument(
+        "--width",
+        type=_whole(200, 4000),
+        default=800,
+        metavar="PX",
+        help="width, about (default: %(default)s)",
+    )
     one.add_argument("--out", metavar="FILE", help="a .gif or .mp4 (default: DIR/animation.gif)")
     one.set_defaults(command=run)
 
 
 def run(arguments):
     """Write the animation and print its path."""
-    from raceway.pictures.animation import animation  # matplotlib takes longer to load than --help to print
+    from raceway.pictures.animation import (
+        animation,
+    )  # matplotlib takes longer to load than --help to print
     from raceway.run import Run
 
     out = Path(arguments.out or Path(arguments.folder) / "animation.gif")
-    print(animation(Run(arguments.folder), out, arguments.colour, arguments.passes, arguments.frames, arguments.rate,
-                    arguments.exaggerate, arguments.width))
+    print(
+        animation(
+            Run(arguments.folder),
+            out,
+            arguments.colour,
+            arguments.passes,
+            arguments.frames,
+            arguments.rate,
+            arguments.exaggerate,
+            arguments.width,
+        )
+    )
 
 
 def _whole(low, high):

@@ -21,11 +21,23 @@ Exit codes: 0 done, 1 the run is broken or the folder cannot be written, 2 wrong
 
 def add(commands):
     """Put the command into the parser's `commands`."""
-    one = commands.add_parser("export", help="files for ParaView and OVITO", description=DESCRIPTION, epilog=EXAMPLES,
-                              formatter_class=argparse.RawDescriptionHelpFormatter)
+    one = commands.add_parser(
+        "export",
+        help="files for ParaView and OVITO",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument("--format", choices=("vtk", "xyz"), required=True, help="vtk for ParaView, xyz for OVITO")
-    one.add_argument("--every", type=_every, metavar="N", help="every Nth sample (default: so that at most 200 are left)")
+    one.add_argument(
+        "--format", choices=("vtk", "xyz"), required=True, help="vtk for ParaView, xyz for OVITO"
+    )
+    one.add_argument(
+        "--every",
+        type=_every,
+        metavar="N",
+        help="every Nth sample (default: so that at most 200 are left)",
+    )
     one.add_argument("--out", metavar="DIR", help="folder to write into (default: DIR/FORMAT)")
     one.set_defaults(command=run)
 
@@ -36,7 +48,13 @@ def run(arguments):
     from raceway.run import Run
 
     write = {"vtk": paraview.write, "xyz": ovito.write}[arguments.format]
-    print(write(Run(arguments.folder), arguments.out or Path(arguments.folder) / arguments.format, arguments.every))
+    print(
+        write(
+            Run(arguments.folder),
+            arguments.out or Path(arguments.folder) / arguments.format,
+            arguments.every,
+        )
+    )
 
 
 def _every(text):

@@ -14,9 +14,16 @@ Exit codes: 0 done, also while points are missing or failed, 1 there is no sweep
 
 
 def add(commands):
-    parser = commands.add_parser("gather", help=HELP, description="Write DIR/results.csv: a row per point, with the variables that were set, "
-                                 "all figures of `raceway summary`, and the message of points that failed.",
-                                 epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = commands.add_parser(
+        "gather",
+        help=HELP,
+        description=(
+            "Write DIR/results.csv: a row per point, with the variables that were set, "
+            "all figures of `raceway summary`, and the message of points that failed."
+        ),
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("folder", metavar="DIR", help="folder of the sweep")
     parser.set_defaults(command=run)
 
@@ -24,4 +31,11 @@ def add(commands):
 def run(arguments):
     path, table = write_results(arguments.folder)
     counts = table["status"].value_counts()
-    print(f"{path}: " + ", ".join(f"{counts[status]} {status}" for status in ("finished", "failed", "pending") if status in counts))
+    print(
+        f"{path}: "
+        + ", ".join(
+            f"{counts[status]} {status}"
+            for status in ("finished", "failed", "pending")
+            if status in counts
+        )
+    )

@@ -23,23 +23,46 @@ Exit codes: 0 done, 1 a case failed (it is named, and what does not need it is m
 
 def add(commands):
     """Put the subcommand under `commands`."""
-    one = commands.add_parser("paper", help="figures, tables and statements of the paper", description=DESCRIPTION,
-                              epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
-    one.add_argument("--out", metavar="DIR", type=Path,
-                     help="where figures and tables go (default: build/paper)")
-    one.add_argument("--runs", metavar="DIR", type=Path,
-                     help="where runs are kept (default: build/paper/runs)")
-    one.add_argument("--jobs", metavar="N", type=_jobs, default=len(os.sched_getaffinity(0)),
-                     help="runs at a time (default: one a core, %(default)s)")
-    one.add_argument("--figure", metavar="NAME", action="append", dest="products", default=[],
-                     help="only this one, as in --list; may be given again")
+    one = commands.add_parser(
+        "paper",
+        help="figures, tables and statements of the paper",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument(
+        "--out", metavar="DIR", type=Path, help="where figures and tables go (default: build/paper)"
+    )
+    one.add_argument(
+        "--runs", metavar="DIR", type=Path, help="where runs are kept (default: build/paper/runs)"
+    )
+    one.add_argument(
+        "--jobs",
+        metavar="N",
+        type=_jobs,
+        default=len(os.sched_getaffinity(0)),
+        help="runs at a time (default: one a core, %(default)s)",
+    )
+    one.add_argument(
+        "--figure",
+        metavar="NAME",
+        action="append",
+        dest="products",
+        default=[],
+        help="only this one, as in --list; may be given again",
+    )
     one.add_argument("--list", action="store_true", help="name the figures and tables, run nothing")
     one.set_defaults(command=run)
 
 
 def run(arguments):
-    """Make the products asked for. Raises `RacewayError` for a wrong name, a failed case or a product not made."""
-    from raceway.paper import cases, press, runner  # matplotlib and scipy take longer to load than `--help` should
+    """Make the products asked for. Raises `RacewayError` for a wrong name, a failed case or a
+    product not made."""
+    from raceway.paper import (
+        cases,
+        press,
+        runner,
+    )  # matplotlib and scipy take longer to load than `--help` should
 
     tree = runner.root()
     plan = cases.plan(tree)
@@ -48,7 +71,9 @@ def run(arguments):
             print(f"{name:12} {press.title(name)} ({len(plan.needed([name]))} runs)")
         return
     if unknown := [name for name in arguments.products if name not in plan.products]:
-        raise RacewayError(f"no figure or table {', '.join(unknown)}; there are {', '.join(plan.products)}")
+        raise RacewayError(
+            f"no figure or table {', '.join(unknown)}; there are {', '.join(plan.products)}"
+        )
     products = arguments.products or list(plan.products)
     wanted = plan.needed(products)
     runs = runner.Runner(tree, arguments.runs or tree / "build/paper/runs")
@@ -56,8 +81,10 @@ def run(arguments):
     outcome = runs.run_all(wanted, arguments.jobs, _progress(len(wanted)))
     missing = _make(products, plan, tree, outcome, arguments.out or tree / "build/paper")
     if outcome.failures or missing:
-        raise RacewayError(f"{len(outcome.failures)} of {len(wanted)} cases failed"
-                           + (f"; not made: {', '.join(missing)}" if missing else ""))
+        raise RacewayError(
+            f"{len(outcome.failures)} of {len(wanted)} cases failed"
+            + (f"; not made: {', '.join(missing)}" if missing else "")
+        )
 
 
 def _make(products, plan, tree, outcome, out):
@@ -89,7 +116,12 @@ def _progress(total):
         if error:
             print(f"{again}raceway: {case.label}: {error}", file=sys.stderr)
         if live:
-            print(f"{again}{done}/{total} {case.label[:70]}", end="\n" if done == total else "", file=sys.stderr, flush=True)
+            print(
+                f"{again}{done}/{total} {case.label[:70]}",
+                end="\n" if done == total else "",
+                file=sys.stderr,
+                flush=True,
+            )
         elif done % 10 == 0 or done == total:
             print(f"{done}/{total} cases", file=sys.stderr, flush=True)
 

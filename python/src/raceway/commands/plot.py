@@ -21,10 +21,17 @@ Exit codes: 0 done, 1 the run is broken or has not what the picture shows, 2 wro
 
 def add(commands):
     """Put the command into the parser's `commands`."""
-    one = commands.add_parser("plot", help="a picture of a run", description=DESCRIPTION, epilog=EXAMPLES,
-                              formatter_class=argparse.RawDescriptionHelpFormatter)
+    one = commands.add_parser(
+        "plot",
+        help="a picture of a run",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument("--kind", choices=KINDS, default="overview", help="what to draw (default: %(default)s)")
+    one.add_argument(
+        "--kind", choices=KINDS, default="overview", help="what to draw (default: %(default)s)"
+    )
     one.add_argument("--out", metavar="PNG", help="where to put it (default: DIR/KIND.png)")
     one.set_defaults(command=run)
 

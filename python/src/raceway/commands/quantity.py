@@ -5,7 +5,14 @@ import argparse
 import math
 import re
 
-ANGLES = {"": 1.0, "rad": 1.0, "mrad": 1e-3, "deg": math.pi / 180, "arcmin": math.pi / 10800, "'": math.pi / 10800}
+ANGLES = {
+    "": 1.0,
+    "rad": 1.0,
+    "mrad": 1e-3,
+    "deg": math.pi / 180,
+    "arcmin": math.pi / 10800,
+    "'": math.pi / 10800,
+}
 
 
 def number(low, high, unit):
@@ -22,14 +29,17 @@ def number(low, high, unit):
 
 
 def angle(low, high):
-    """An argparse type: an angle in rad, or with one of the suffixes of `ANGLES`; from `low` to `high` rad."""
+    """An argparse type: an angle in rad, or with one of the suffixes of `ANGLES`; from `low` to
+    `high` rad."""
 
     def convert(text):
         match = re.fullmatch(r"([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)([a-z']*)", text)
         try:
             value = float(match.group(1)) * ANGLES[match.group(2)]
         except (AttributeError, KeyError, ValueError):
-            raise argparse.ArgumentTypeError(f"'{text}' is not an angle: give rad, or 20arcmin, 0.3deg, 5mrad") from None
+            raise argparse.ArgumentTypeError(
+                f"'{text}' is not an angle: give rad, or 20arcmin, 0.3deg, 5mrad"
+            ) from None
         return inside(value, text, low, high, "rad")
 
     return convert
@@ -38,10 +48,13 @@ def angle(low, high):
 def inside(value, text, low, high, unit):
     """`value`, or the complaint that it is not between `low` and `high`."""
     if not low <= value <= high:
-        raise argparse.ArgumentTypeError(f"{text} is out of range: must lie from {low:g} to {high:g} {unit}".rstrip())
+        raise argparse.ArgumentTypeError(
+            f"{text} is out of range: must lie from {low:g} to {high:g} {unit}".rstrip()
+        )
     return value
 
 
 def takes_negative(parser):
-    """Let `parser` read -20e-6 as a number: until Python 3.14 argparse knows only negative numbers without exponent."""
+    """Let `parser` read -20e-6 as a number: until Python 3.14 argparse knows only negative numbers
+    without exponent."""
     parser._negative_number_matcher = re.compile(r"-\.?[0-9]")

@@ -22,13 +22,29 @@ Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command l
 def add(commands):
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
-        "spectrum", help="kinematic lines (FTF, BSF, BPFO, BPFI) in the motion and force of the inner ring",
-        description=DESCRIPTION, epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+        "spectrum",
+        help="kinematic lines (FTF, BSF, BPFO, BPFI) in the motion and force of the inner ring",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument("--signal", default="shift", metavar="NAME",
-                     help="shift (displacement along the load, the default), x, y, fx, fy, mz, capacitance ...")
-    one.add_argument("--harmonics", type=_count, default=3, metavar="N", help="of each line (default 3)")
-    one.add_argument("--angle", type=float, default=0.0, metavar="DEG", help="contact angle of the kinematics (default 0)")
+    one.add_argument(
+        "--signal",
+        default="shift",
+        metavar="NAME",
+        help="shift (displacement along the load, the default), x, y, fx, fy, mz, capacitance ...",
+    )
+    one.add_argument(
+        "--harmonics", type=_count, default=3, metavar="N", help="of each line (default 3)"
+    )
+    one.add_argument(
+        "--angle",
+        type=float,
+        default=0.0,
+        metavar="DEG",
+        help="contact angle of the kinematics (default 0)",
+    )
     one.add_argument("--json", action="store_true", help="a JSON list instead of a table")
     one.add_argument("--out", metavar="PNG", help="draw the spectrum with its lines marked")
     one.set_defaults(command=run)
@@ -43,28 +59,47 @@ def run(arguments):
     spectrum = of_run(opened, arguments.signal)
     found = lines(opened, spectrum, arguments.harmonics, math.radians(arguments.angle))
     if arguments.out:
-        from raceway.spectrum_plot import picture  # matplotlib takes longer to load than a spectrum to compute
+        from raceway.spectrum_plot import (
+            picture,
+        )  # matplotlib takes longer to load than a spectrum to compute
 
         picture(opened, spectrum, found, arguments.out)
-    print(json.dumps([_plain(line) for line in found], indent=2) if arguments.json else table(spectrum, found))
+    print(
+        json.dumps([_plain(line) for line in found], indent=2)
+        if arguments.json
+        else table(spectrum, found)
+    )
 
 
 def table(spectrum, found):
     """The `Line`s `found` in `spectrum` as text."""
     unit, resolution = spectrum.attrs["units"], spectrum.attrs["resolution"]
-    rows = [f"{spectrum.attrs['long_name']}; resolution {prefixed(resolution, 'Hz', 3)}", "",
-            f"  {'line':<8}{'order':>9}{'kinematics':>14}{'found':>12}{'difference':>12}{'amplitude':>12}"]
+    rows = [
+        f"{spectrum.attrs['long_name']}; resolution {prefixed(resolution, 'Hz', 3)}",
+        "",
+        (
+            f"  {'line':<8}{'order':>9}{'kinematics':>14}{'found':>12}{'difference':>12}{'amplitude':>12}"
+        ),
+    ]
     for line in found:
         name = line.name if line.harmonic == 1 else f"{line.name} x{line.harmonic}"
         start = f"  {name:<8}{line.order:>9.4f}{line.expected:>11.4f} Hz"
-        rows.append(f"{start}  {line.note}" if line.note else
-                    f"{start}{line.found:>9.4f} Hz{line.difference:>+10.4%}  {prefixed(line.amplitude, unit, 3):>12}")
+        rows.append(
+            f"{start}  {line.note}"
+            if line.note
+            else (
+                f"{start}{line.found:>9.4f} Hz{line.difference:>+10.4%} "
+                f" {prefixed(line.amplitude, unit, 3):>12}"
+            )
+        )
     return "\n".join(rows)
 
 
 def _plain(line):
-    return {key: None if isinstance(value, float) and not math.isfinite(value) else value
-            for key, value in line._asdict().items()}
+    return {
+        key: None if isinstance(value, float) and not math.isfinite(value) else value
+        for key, value in line._asdict().items()
+    }
 
 
 def _count(text):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway static`: loads, displacements, film and capacitance of a bearing without a simulation."""
+"""`raceway static`: loads, displacements, film and capacitance of a bearing without a
+simulation."""
 
 import argparse
 import json
@@ -24,62 +25,154 @@ examples:
 
 Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash is a file of your
 own, written as those are. Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
-HOLD = {"x": number(-1e-2, 1e-2, "m"), "y": number(-1e-2, 1e-2, "m"), "z": number(-1e-2, 1e-2, "m"),
-        "rx": angle(-0.2, 0.2), "ry": angle(-0.2, 0.2)}
+HOLD = {
+    "x": number(-1e-2, 1e-2, "m"),
+    "y": number(-1e-2, 1e-2, "m"),
+    "z": number(-1e-2, 1e-2, "m"),
+    "rx": angle(-0.2, 0.2),
+    "ry": angle(-0.2, 0.2),
+}
 
 
 def add(commands):
     """Add the parser to those of the `raceway` command."""
-    one = commands.add_parser("static", help=HELP, description=DESCRIPTION, epilog=EXAMPLES,
-                              formatter_class=argparse.RawDescriptionHelpFormatter)
+    one = commands.add_parser(
+        "static",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     takes_negative(one)
-    one.add_argument("--bearing", default="6208", metavar="NAME", help="a file of inputs/bearings, or a path (6208)")
-    one.add_argument("--inputs", metavar="DIR", help="the inputs folder (default: here or above, else that of the source tree)")
+    one.add_argument(
+        "--bearing",
+        default="6208",
+        metavar="NAME",
+        help="a file of inputs/bearings, or a path (6208)",
+    )
+    one.add_argument(
+        "--inputs",
+        metavar="DIR",
+        help="the inputs folder (default: here or above, else that of the source tree)",
+    )
     loads = one.add_argument_group("loads on the inner ring")
-    loads.add_argument("--load", type=number(0, 1e6, "N"), default=0.0, metavar="N", help="radial, along x, newtons (0)")
-    loads.add_argument("--axial", type=number(-1e6, 1e6, "N"), default=0.0, metavar="N", help="along z, newtons (0)")
-    loads.add_argument("--moment", type=number(-1e5, 1e5, "N m"), nargs=2, metavar=("MX", "MY"),
-                       help="about x and y, newton metres; frees the tilts, 0 0 too")
+    loads.add_argument(
+        "--load",
+        type=number(0, 1e6, "N"),
+        default=0.0,
+        metavar="N",
+        help="radial, along x, newtons (0)",
+    )
+    loads.add_argument(
+        "--axial",
+        type=number(-1e6, 1e6, "N"),
+        default=0.0,
+        metavar="N",
+        help="along z, newtons (0)",
+    )
+    loads.add_argument(
+        "--moment",
+        type=number(-1e5, 1e5, "N m"),
+        nargs=2,
+        metavar=("MX", "MY"),
+        help="about x and y, newton metres; frees the tilts, 0 0 too",
+    )
     ring = one.add_argument_group("the ring")
-    ring.add_argument("--clearance", type=number(-1e-3, 1e-3, "m"), default=0.0, metavar="M",
-                      help="diametral clearance, metres; negative is preload (0)")
-    ring.add_argument("--tilt", type=angle(-0.2, 0.2), nargs=2, metavar=("RX", "RY"),
-                      help="hold these tilts about x and y: rad, or 20arcmin, 0.3deg, 5mrad")
-    ring.add_argument("--hold", type=_hold, action="append", default=[], metavar="NAME=VALUE",
-                      help="hold a degree of freedom: x, y, z in metres, rx, ry as --tilt; may be repeated")
-    ring.add_argument("--exact-circle", action="store_true",
-                      help="shift and tilt the groove's circle as a circle (a simulation does); default: its components in "
-                           "each ball's plane, as Jones and Harris do")
+    ring.add_argument(
+        "--clearance",
+        type=number(-1e-3, 1e-3, "m"),
+        default=0.0,
+        metavar="M",
+        help="diametral clearance, metres; negative is preload (0)",
+    )
+    ring.add_argument(
+        "--tilt",
+        type=angle(-0.2, 0.2),
+        nargs=2,
+        metavar=("RX", "RY"),
+        help="hold these tilts about x and y: rad, or 20arcmin, 0.3deg, 5mrad",
+    )
+    ring.add_argument(
+        "--hold",
+        type=_hold,
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="hold a degree of freedom: x, y, z in metres, rx, ry as --tilt; may be repeated",
+    )
+    ring.add_argument(
+        "--exact-circle",
+        action="store_true",
+        help=(
+            "shift and tilt the groove's circle as a circle (a simulation does); default: its"
+            " components in each ball's plane, as Jones and Harris do"
+        ),
+    )
     balls = one.add_argument_group("balls, speed, film")
-    balls.add_argument("--phase", type=angle(-2 * math.pi, 2 * math.pi), default=0.0, metavar="ANGLE",
-                       help="azimuth of the first ball from the load line: rad, or 20deg (0)")
-    balls.add_argument("--rpm", type=number(0, 1e5, "rpm"), default=0.0, metavar="R",
-                       help="speed of the inner ring; brings the centrifugal load of the balls (0)")
-    balls.add_argument("--density", type=number(100, 3e4, "kg/m^3"), metavar="RHO",
-                       help="of the balls, kg/m^3 (the bearing's ball_density, or 7800)")
-    balls.add_argument("--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm")
+    balls.add_argument(
+        "--phase",
+        type=angle(-2 * math.pi, 2 * math.pi),
+        default=0.0,
+        metavar="ANGLE",
+        help="azimuth of the first ball from the load line: rad, or 20deg (0)",
+    )
+    balls.add_argument(
+        "--rpm",
+        type=number(0, 1e5, "rpm"),
+        default=0.0,
+        metavar="R",
+        help="speed of the inner ring; brings the centrifugal load of the balls (0)",
+    )
+    balls.add_argument(
+        "--density",
+        type=number(100, 3e4, "kg/m^3"),
+        metavar="RHO",
+        help="of the balls, kg/m^3 (the bearing's ball_density, or 7800)",
+    )
+    balls.add_argument(
+        "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm"
+    )
     one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
     one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments):
     """Print the figures. Raises `RacewayError`."""
-    from raceway.operating_point import figures, table  # scipy takes longer to load than --help to print
+    from raceway.operating_point import (
+        figures,
+        table,
+    )  # scipy takes longer to load than --help to print
 
     if arguments.moment and arguments.tilt:
-        arguments.complain("--moment and --tilt: a tilt is either free under a moment or held; give one of them, or --hold")
+        arguments.complain(
+            "--moment and --tilt: a tilt is either free under a moment or held; give one of them,"
+            " or --hold"
+        )
     if arguments.lubricant not in (None, "dry") and not arguments.rpm:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
-    result = figures(arguments.bearing, arguments.lubricant, arguments.inputs, load=arguments.load, axial=arguments.axial,
-                     moment=arguments.moment or (0.0, 0.0), held=held, clearance=arguments.clearance, rpm=arguments.rpm,
-                     phase=arguments.phase, density=arguments.density, exact_circle=arguments.exact_circle)
+    result = figures(
+        arguments.bearing,
+        arguments.lubricant,
+        arguments.inputs,
+        load=arguments.load,
+        axial=arguments.axial,
+        moment=arguments.moment or (0.0, 0.0),
+        held=held,
+        clearance=arguments.clearance,
+        rpm=arguments.rpm,
+        phase=arguments.phase,
+        density=arguments.density,
+        exact_circle=arguments.exact_circle,
+    )
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
 
 
 def _hold(text):
     name, equals, value = text.partition("=")
     if not equals or name not in HOLD:
-        raise argparse.ArgumentTypeError(f"'{text}' is not NAME=VALUE with NAME one of {', '.join(HOLD)}")
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is not NAME=VALUE with NAME one of {', '.join(HOLD)}"
+        )
     return name, HOLD[name](value)

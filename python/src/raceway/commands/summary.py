@@ -14,11 +14,20 @@ Exit codes: 0 done, 1 the folder holds no finished run or a broken one, 2 wrong 
 
 def add(commands):
     """Put the command into the parser's `commands`."""
-    one = commands.add_parser("summary", help="the figures of a run, with units and equations",
-                              description="Loads, pressures, film, capacitance and speed of a finished run, each with its unit and equation.",
-                              epilog=EXAMPLES, formatter_class=argparse.RawDescriptionHelpFormatter)
+    one = commands.add_parser(
+        "summary",
+        help="the figures of a run, with units and equations",
+        description=(
+            "Loads, pressures, film, capacitance and speed of a finished run, each with its unit"
+            " and equation."
+        ),
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument("--json", action="store_true", help="one JSON object in SI units instead of a table")
+    one.add_argument(
+        "--json", action="store_true", help="one JSON object in SI units instead of a table"
+    )
     one.set_defaults(command=run)
 
 
@@ -28,4 +37,8 @@ def run(arguments):
     from raceway.summary import summary, table
 
     figures = summary(Run(arguments.folder))
-    print(json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False) if arguments.json else table(figures))
+    print(
+        json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False)
+        if arguments.json
+        else table(figures)
+    )

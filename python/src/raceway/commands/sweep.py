@@ -46,20 +46,61 @@ exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_
 
 
 def add(commands):
-    parser = commands.add_parser("sweep", help=HELP, description=DESCRIPTION, epilog=EXAMPLES,
-                                 formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("table", metavar="TABLE", help="CSV file: variables of the deck in the first line, a point in each other line")
-    parser.add_argument("--out", metavar="DIR", help="folder of the sweep (default: build/sweep/NAME for NAME.csv)")
-    parser.add_argument("--jobs", metavar="N", type=_positive, default=len(os.sched_getaffinity(0)),
-                        help="points at a time (default: the cores, %(default)s)")
-    parser.add_argument("--deck", metavar="FILE", default="inputs/in.6208", help="deck to run (default: %(default)s)")
-    parser.add_argument("--program", metavar="COMMAND", default="build/liggghts",
-                        help="program that runs it, with its own words if any: 'mpirun -np 2 build/liggghts' (default: %(default)s)")
+    parser = commands.add_parser(
+        "sweep",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "table",
+        metavar="TABLE",
+        help="CSV file: variables of the deck in the first line, a point in each other line",
+    )
+    parser.add_argument(
+        "--out", metavar="DIR", help="folder of the sweep (default: build/sweep/NAME for NAME.csv)"
+    )
+    parser.add_argument(
+        "--jobs",
+        metavar="N",
+        type=_positive,
+        default=len(os.sched_getaffinity(0)),
+        help="points at a time (default: the cores, %(default)s)",
+    )
+    parser.add_argument(
+        "--deck",
+        metavar="FILE",
+        default="inputs/in.6208",
+        help="deck to run (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--program",
+        metavar="COMMAND",
+        default="build/liggghts",
+        help=(
+            "program that runs it, with its own words if any: 'mpirun -np 2 build/liggghts'"
+            " (default: %(default)s)"
+        ),
+    )
     parser.add_argument("--retry", action="store_true", help="run failed points again")
-    parser.add_argument("--part", metavar="I/N", type=_part, default=(1, 1), help="only the points I, I+N, I+2N, ... of the table")
+    parser.add_argument(
+        "--part",
+        metavar="I/N",
+        type=_part,
+        default=(1, 1),
+        help="only the points I, I+N, I+2N, ... of the table",
+    )
     parser.add_argument("--check", action="store_true", help="check the table, run nothing")
-    parser.add_argument("--slurm", metavar="SCRIPT", help="run nothing, write a Slurm job array to SCRIPT")
-    parser.add_argument("--tasks", metavar="N", type=_positive, help="with --slurm: tasks in the array (default: a point each, 1000 at most)")
+    parser.add_argument(
+        "--slurm", metavar="SCRIPT", help="run nothing, write a Slurm job array to SCRIPT"
+    )
+    parser.add_argument(
+        "--tasks",
+        metavar="N",
+        type=_positive,
+        help="with --slurm: tasks in the array (default: a point each, 1000 at most)",
+    )
     parser.set_defaults(command=run)
 
 
@@ -67,7 +108,10 @@ def run(arguments):
     points = read_points(arguments.table, deck_variables(arguments.deck))
     program = shlex.split(arguments.program)
     if not program or shutil.which(program[0]) is None:
-        raise RacewayError(f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start from the repository's root")
+        raise RacewayError(
+            f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
+            " from the repository's root"
+        )
     out = Path(arguments.out or Path("build/sweep") / Path(arguments.table).stem)
     if arguments.check:
         print(f"{arguments.table}: {len(points)} points")
@@ -79,11 +123,26 @@ def run(arguments):
         first, step = arguments.part
         signal.signal(signal.SIGTERM, _terminated)
         signal.signal(signal.SIGHUP, _terminated)
-        counts, before, path = sweep(points[first - 1::step], out, [*program, "-in", arguments.deck], jobs=arguments.jobs, retry=arguments.retry)
-        print(", ".join(f"{number} {what}" + (f" ({before} before)" if what == "finished" and before else "") for what, number in counts.items()) +
-              f": {path}")
+        counts, before, path = sweep(
+            points[first - 1 :: step],
+            out,
+            [*program, "-in", arguments.deck],
+            jobs=arguments.jobs,
+            retry=arguments.retry,
+        )
+        print(
+            ", ".join(
+                f"{number} {what}"
+                + (f" ({before} before)" if what == "finished" and before else "")
+                for what, number in counts.items()
+            )
+            + f": {path}"
+        )
         if counts.get("failed"):
-            raise RacewayError(f"{counts['failed']} points failed: their messages are in {path}; --retry runs them again")
+            raise RacewayError(
+                f"{counts['failed']} points failed: their messages are in {path}; --retry runs them"
+                " again"
+            )
 
 
 def _terminated(number, _):
@@ -93,9 +152,25 @@ def _terminated(number, _):
 
 def _write_array(arguments, out, points):
     tasks = min(arguments.tasks or 1000, points)
-    words = [sys.executable, "-m", "raceway", "sweep", arguments.table, "--out", str(out), "--deck", arguments.deck, "--program", arguments.program]
-    text = SLURM.format(script=shlex.quote(arguments.slurm), folder=shlex.quote(str(out)), tasks=tasks,
-                        command=shlex.join(words + ["--retry"] * arguments.retry))
+    words = [
+        sys.executable,
+        "-m",
+        "raceway",
+        "sweep",
+        arguments.table,
+        "--out",
+        str(out),
+        "--deck",
+        arguments.deck,
+        "--program",
+        arguments.program,
+    ]
+    text = SLURM.format(
+        script=shlex.quote(arguments.slurm),
+        folder=shlex.quote(str(out)),
+        tasks=tasks,
+        command=shlex.join(words + ["--retry"] * arguments.retry),
+    )
     try:
         out.mkdir(parents=True, exist_ok=True)  # Slurm does not make the folder of its output
         Path(arguments.slurm).write_text(text)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The raceway tori as meshes: the strip of the groove between shoulders as high as a fifth of a ball."""
+"""The raceway tori as meshes: the strip of the groove between shoulders as high as a fifth of a
+ball."""
 
 import numpy as np
 
@@ -10,7 +11,8 @@ AROUND, ACROSS = 96, 9  # cells, points
 
 
 def mesh(bearing, raceway, clearance=0.0):
-    """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, axis z; normals towards the balls.
+    """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, axis
+    z; normals towards the balls.
 
     Points are `AROUND` rows of `ACROSS`, so a point's azimuth is that of its row.
     """
@@ -19,7 +21,14 @@ def mesh(bearing, raceway, clearance=0.0):
     half = np.arccos(max(1 - SHOULDER * bearing.ball_diameter / groove, 0.0))
     angle, azimuth = np.linspace(-half, half, ACROSS), np.arange(AROUND) * 2 * np.pi / AROUND
     radius, z = bottom + sign * groove * (1 - np.cos(angle)), groove * np.sin(angle)
-    points = np.stack([np.outer(np.cos(azimuth), radius), np.outer(np.sin(azimuth), radius), np.tile(z, (AROUND, 1))], axis=-1)
+    points = np.stack(
+        [
+            np.outer(np.cos(azimuth), radius),
+            np.outer(np.sin(azimuth), radius),
+            np.tile(z, (AROUND, 1)),
+        ],
+        axis=-1,
+    )
     row, column = np.meshgrid(np.arange(AROUND), np.arange(ACROSS - 1), indexing="ij")
     here, there = row * ACROSS + column, (row + 1) % AROUND * ACROSS + column
     quads = np.stack([here, there, there + 1, here + 1], axis=-1).reshape(-1, 4)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run for OVITO: a folder with `bearing.xyz`, an extended XYZ file of all samples, and the raceways as `.obj` surfaces.
+"""A run for OVITO: a folder with `bearing.xyz`, an extended XYZ file of all samples, and the
+raceways as `.obj` surfaces.
 
-Columns have the names that OVITO knows (species, id, pos, radius, velo); the others become properties of their own. Where a
-ball has no film, -1 is written: not every reader of text takes a NaN.
+Columns have the names that OVITO knows (species, id, pos, radius, velo); the others become
+properties of their own. Where a ball has no film, -1 is written: not every reader of text takes a
+NaN.
 """
 
 import numpy as np
@@ -20,8 +22,8 @@ FIRST = ("id", "type", "radius")
 def write(run, out, every=None):
     """Write `run` (a `Run`) into the folder `out`; return the path of `bearing.xyz`.
 
-    A frame's comment line has the cell, `Time` (s), `sample`, `ring_x`, `ring_y`, `ring_z` (m, where the inner ring is). The raceways are
-    drawn at rest, the outer one with its clearance.
+    A frame's comment line has the cell, `Time` (s), `sample`, `ring_x`, `ring_y`, `ring_z` (m,
+    where the inner ring is). The raceways are drawn at rest, the outer one with its clearance.
     Raises `RunError` when the run's files are broken or `out` cannot be written.
     """
     out = files.folder(out)
@@ -43,16 +45,23 @@ def _frame(frame, half):
     table = np.column_stack([frame.position, frame.data["radius"], *data.values()])
     table[np.isnan(table)] = -1
     columns = "species:S:1:id:I:1:pos:R:3:radius:R:1" + "".join(
-        f":{KNOWN.get(name, name)}:R:{1 if values.ndim == 1 else values.shape[1]}" for name, values in data.items())
+        f":{KNOWN.get(name, name)}:R:{1 if values.ndim == 1 else values.shape[1]}"
+        for name, values in data.items()
+    )
     cell = f"{2 * half:.6g} 0 0 0 {2 * half:.6g} 0 0 0 {2 * half:.6g}"
     ring = " ".join(f"ring_{x}={value:.12g}" for x, value in zip("xyz", frame.ring))
-    head = (f'Lattice="{cell}" Origin="{-half:.6g} {-half:.6g} {-half:.6g}" pbc="F F F" Properties={columns} '
-            f"Time={frame.time:.12g} sample={frame.sample} {ring}")
-    rows = (f"{NAMES[int(kind)]} {int(number)} " + " ".join(f"{value:.12g}" for value in row)
-            for kind, number, row in zip(frame.data["type"], frame.data["id"], table))
+    head = (
+        f'Lattice="{cell}" Origin="{-half:.6g} {-half:.6g} {-half:.6g}" pbc="F F F"'
+        f" Properties={columns} Time={frame.time:.12g} sample={frame.sample} {ring}"
+    )
+    rows = (
+        f"{NAMES[int(kind)]} {int(number)} " + " ".join(f"{value:.12g}" for value in row)
+        for kind, number, row in zip(frame.data["type"], frame.data["id"], table)
+    )
     return f"{len(table)}\n{head}\n" + "\n".join(rows) + "\n"
 
 
 def _surface(points, quads):
     return "".join(f"v {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in points) + "".join(
-        "f " + " ".join(str(number + 1) for number in quad) + "\n" for quad in quads)
+        "f " + " ".join(str(number + 1) for number in quad) + "\n" for quad in quads
+    )

@@ -10,26 +10,37 @@ from raceway.export.particles import frames
 
 
 def write(run, out, every=None):
-    """Write `run` (a `Run`) into the folder `out`; return the path of `bearing.pvd`, which is written last.
+    """Write `run` (a `Run`) into the folder `out`; return the path of `bearing.pvd`, which is
+    written last.
 
-    Balls are points with the `data` of `particles.frames` (part 0), raceways surfaces with the `azimuth` of their points in the
-    ring (rad; parts 1 inner, 2 outer). The inner one moves and turns; `balls.dump` does not have its tilt.
-    Raises `RunError` when the run's files are broken or `out` cannot be written.
+    Balls are points with the `data` of `particles.frames` (part 0), raceways surfaces with the
+    `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner one moves and
+    turns; `balls.dump` does not have its tilt. Raises `RunError` when the run's files are broken or
+    `out` cannot be written.
     """
     out, entries, clearance = files.folder(out), [], run.settings["clearance_m"]
-    azimuth = np.repeat(np.arange(groove.AROUND) * 2 * np.pi / groove.AROUND, groove.ACROSS).astype("f4")
+    azimuth = np.repeat(np.arange(groove.AROUND) * 2 * np.pi / groove.AROUND, groove.ACROSS).astype(
+        "f4"
+    )
     points, quads = groove.mesh(run.geometry, OUTER, clearance)
     _text(out / "outer_raceway.vtu", vtu.grid(points.astype("f4"), quads, {"azimuth": azimuth}))
     points, quads = groove.mesh(run.geometry, INNER)
     for number, frame in enumerate(frames(run, every)):
         names = f"balls_{number:05d}.vtu", f"inner_raceway_{number:05d}.vtu"
-        _text(out / names[0], vtu.grid(frame.position, np.arange(len(frame.position))[:, None], frame.data))
+        _text(
+            out / names[0],
+            vtu.grid(frame.position, np.arange(len(frame.position))[:, None], frame.data),
+        )
         c, s = np.cos(frame.ring_turned), np.sin(frame.ring_turned)
         moved = points @ [[c, s, 0], [-s, c, 0], [0, 0, 1]] + frame.ring
         _text(out / names[1], vtu.grid(moved.astype("f4"), quads, {"azimuth": azimuth}))
-        entries += [(frame.time, part, name) for part, name in enumerate((*names, "outer_raceway.vtu"))]
+        entries += [
+            (frame.time, part, name) for part, name in enumerate((*names, "outer_raceway.vtu"))
+        ]
     kept = {name for *_, name in entries}
-    for old in (path for pattern in ("balls_*.vtu", "inner_raceway_*.vtu") for path in out.glob(pattern)):
+    for old in (
+        path for pattern in ("balls_*.vtu", "inner_raceway_*.vtu") for path in out.glob(pattern)
+    ):
         if old.name not in kept:  # of an earlier, longer export
             old.unlink()
     return _text(out / "bearing.pvd", vtu.series(entries))

@@ -28,35 +28,53 @@ class Frame(NamedTuple):
 
 
 def frames(run, every=None):
-    """Yield every `every`th sample of `run` (a `Run`) as a `Frame`, in bounded memory; None: so many that at most
-    `FRAMES` are left.
+    """Yield every `every`th sample of `run` (a `Run`) as a `Frame`, in bounded memory; None: so
+    many that at most `FRAMES` are left.
 
-    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's two), for each column of
-    `CARRIED` that the run has its value on either raceway (`load_inner` ...), and capacitance (both in series). Where there is no
-    contact: 0 for what vanishes with it, NaN for what it does not have.
-    Raises `RunError` when a file is broken.
+    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's
+    two), for each column of `CARRIED` that the run has its value on either raceway (`load_inner`
+    ...), and capacitance (both in series). Where there is no contact: 0 for what vanishes with it,
+    NaN for what it does not have. Raises `RunError` when a file is broken.
     """
     if every is None:
-        last = len(run.index("balls")) if run.stop is None else min(run.stop, len(run.index("balls")))
+        last = (
+            len(run.index("balls")) if run.stop is None else min(run.stop, len(run.index("balls")))
+        )
         every = max(1, -(-(last - run.first) // FRAMES))
     turned = before = 0.0
     for (sample, atoms), (_, contacts) in zip(_samples(run, "balls"), _samples(run, "contacts")):
         inner = atoms[atoms["id"] == run.settings["inner_ring"]]
         if len(inner) != 1:
-            raise RunError(f"{run.folder / 'balls.dump'}: sample {sample} has no atom {run.settings['inner_ring']}, the inner ring")
-        spin = float(inner["omegaz"].iloc[0]) if "omegaz" in inner else run.settings["rpm"] * np.pi / 30
+            raise RunError(
+                f"{run.folder / 'balls.dump'}: sample {sample} has no atom"
+                f" {run.settings['inner_ring']}, the inner ring"
+            )
+        spin = (
+            float(inner["omegaz"].iloc[0])
+            if "omegaz" in inner
+            else run.settings["rpm"] * np.pi / 30
+        )
         if sample > run.first:
             turned += (before + spin) / 2 * run.settings["sample_s"]
         before = spin
         if (sample - run.first) % every == 0:
-            yield _frame(run, sample, atoms[atoms["type"].isin((BALL, CAGE))].sort_values("id"), contacts,
-                         _vectors(inner, "")[0], turned)
+            yield _frame(
+                run,
+                sample,
+                atoms[atoms["type"].isin((BALL, CAGE))].sort_values("id"),
+                contacts,
+                _vectors(inner, "")[0],
+                turned,
+            )
 
 
 def _frame(run, sample, atoms, contacts, ring, turned):
     ids = atoms["id"].to_numpy()
-    data = {"id": ids, "type": atoms["type"].to_numpy(),
-            "radius": np.where(atoms["type"] == BALL, run.geometry.ball_radius, run.cage_ball_radius)}
+    data = {
+        "id": ids,
+        "type": atoms["type"].to_numpy(),
+        "radius": np.where(atoms["type"] == BALL, run.geometry.ball_radius, run.cage_ball_radius),
+    }
     for name, prefix in (("velocity", "v"), ("spin", "omega")):
         if f"{prefix}x" in atoms:
             data[name] = _vectors(atoms, prefix)
@@ -77,7 +95,7 @@ def _samples(run, name):
         first = table.attrs["first"]
         ends = np.searchsorted(table["sample"], first + np.arange(table.attrs["samples"] + 1))
         for k in range(table.attrs["samples"]):
-            yield first + k, table.iloc[ends[k]:ends[k + 1]]
+            yield first + k, table.iloc[ends[k] : ends[k + 1]]
 
 
 def _vectors(table, prefix):

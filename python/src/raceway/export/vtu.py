@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""VTK's XML format for points and quads, and the list of a time series (VTK User's Guide, "VTK File Formats").
+"""VTK's XML format for points and quads, and the list of a time series (VTK User's Guide, "VTK File
+Formats").
 
-Written here because it is these few lines; the libraries that write it bring a mesh database or a renderer. The tests
-read it with meshio.
+Written here because it is these few lines; the libraries that write it bring a mesh database or a
+renderer. The tests read it with meshio.
 """
 
 import base64
@@ -16,26 +17,45 @@ ORDER = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
 
 
 def grid(points, cells, data):
-    """The text of a .vtu file: `points` (n, 3), `cells` (m, 1) vertices or (m, 4) quads of point numbers, `data` {name: (n,)
-    or (n, 3)} of the points."""
+    """The text of a .vtu file: `points` (n, 3), `cells` (m, 1) vertices or (m, 4) quads of point
+    numbers, `data` {name: (n,) or (n, 3)} of the points."""
     cells = np.asarray(cells)
     kind = QUAD if cells.shape[1] == 4 else VERTEX
-    parts = ["<PointData>", *(_array(values, name) for name, values in data.items()), "</PointData>",
-             "<Points>", _array(points, "Points"), "</Points>", "<Cells>", _array(cells.astype("i4").ravel(), "connectivity"),
-             _array(cells.shape[1] * np.arange(1, len(cells) + 1, dtype="i4"), "offsets"),
-             _array(np.full(len(cells), kind, dtype="u1"), "types"), "</Cells>"]
+    parts = [
+        "<PointData>",
+        *(_array(values, name) for name, values in data.items()),
+        "</PointData>",
+        "<Points>",
+        _array(points, "Points"),
+        "</Points>",
+        "<Cells>",
+        _array(cells.astype("i4").ravel(), "connectivity"),
+        _array(cells.shape[1] * np.arange(1, len(cells) + 1, dtype="i4"), "offsets"),
+        _array(np.full(len(cells), kind, dtype="u1"), "types"),
+        "</Cells>",
+    ]
     piece = f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">'
-    return _file("UnstructuredGrid", "\n".join([piece, *parts, "</Piece>"]), ' header_type="UInt32"')
+    return _file(
+        "UnstructuredGrid", "\n".join([piece, *parts, "</Piece>"]), ' header_type="UInt32"'
+    )
 
 
 def series(entries):
     """The text of a .pvd file: `entries` are (time, part number, file name)."""
-    return _file("Collection", "\n".join(f'<DataSet timestep="{time:.12g}" part="{part}" file="{name}"/>' for time, part, name in entries))
+    return _file(
+        "Collection",
+        "\n".join(
+            f'<DataSet timestep="{time:.12g}" part="{part}" file="{name}"/>'
+            for time, part, name in entries
+        ),
+    )
 
 
 def _file(kind, inside, options=""):
-    return (f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="0.1" byte_order="{ORDER}"{options}>\n<{kind}>\n{inside}\n'
-            f"</{kind}>\n</VTKFile>\n")
+    return (
+        f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="0.1"'
+        f' byte_order="{ORDER}"{options}>\n<{kind}>\n{inside}\n</{kind}>\n</VTKFile>\n'
+    )
 
 
 def _array(values, name):
@@ -45,4 +65,7 @@ def _array(values, name):
     raw = values.tobytes()
     text = base64.b64encode(np.uint32(len(raw)).tobytes() + raw).decode()
     width = f' NumberOfComponents="{values.shape[1]}"' if values.ndim > 1 else ""
-    return f'<DataArray type="{TYPES[values.dtype.str[1:]]}" Name="{name}"{width} format="binary">{text}</DataArray>'
+    return (
+        f'<DataArray type="{TYPES[values.dtype.str[1:]]}" Name="{name}"{width}'
+        f' format="binary">{text}</DataArray>'
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `raceway paper` runs: inputs/paper/cases.yaml, its lists multiplied out and its names turned into the decks'."""
+"""What `raceway paper` runs: inputs/paper/cases.yaml, its lists multiplied out and its names turned
+into the decks'."""
 
 import itertools
 from dataclasses import dataclass, field
@@ -26,7 +27,9 @@ class Case:
     def label(self):
         """What the case is, for people."""
         given = {key: value for key, value in self.given.items() if key != "passes"}
-        return f"{Path(self.deck).name} " + " ".join(f"{key}={value}" for key, value in given.items())
+        return f"{Path(self.deck).name} " + " ".join(
+            f"{key}={value}" for key, value in given.items()
+        )
 
 
 @dataclass(frozen=True)
@@ -47,15 +50,19 @@ def plan(root):
     path = root / FILE
     try:
         data = yaml.safe_load(path.read_text())
-        sets = {name: [_case(root, entry["deck"], one) for one in _combinations(entry["with"])]
-                for name, entry in data["cases"].items()}
+        sets = {
+            name: [_case(root, entry["deck"], one) for one in _combinations(entry["with"])]
+            for name, entry in data["cases"].items()
+        }
         products = {str(name): list(needs) for name, needs in data["products"].items()}
     except OSError as error:
         raise InputError(f"cannot read {path}: {error.strerror or error}") from None
     except yaml.YAMLError as error:
         raise InputError(f"{path}: {error}") from None
     except (KeyError, TypeError, AttributeError) as error:
-        raise InputError(f"{path}: {error!r} where cases (deck, with) and products were expected") from None
+        raise InputError(
+            f"{path}: {error!r} where cases (deck, with) and products were expected"
+        ) from None
     if unknown := sorted({need for needs in products.values() for need in needs} - set(sets)):
         raise InputError(f"{path}: products ask for unknown cases: {', '.join(unknown)}")
     return Plan(sets, products)
@@ -69,16 +76,26 @@ def _combinations(settings):
 def _case(root, deck, given):
     """Turn entrainment, clearance_ratio and total_curvature into what the decks take."""
     own = dict(given)
-    ours = {name: own.pop(name) for name in ("entrainment", "clearance_ratio", "total_curvature") if name in own}
+    ours = {
+        name: own.pop(name)
+        for name in ("entrainment", "clearance_ratio", "total_curvature")
+        if name in own
+    }
     bearing = inputs.bearing(root / "inputs/bearings" / str(own.get("bearing", 6208)))
     if "entrainment" in ours:
         own["rpm"] = rpm(bearing, ours["entrainment"])
-    if ours.get("clearance_ratio"):  # none is the decks' default: the same run as a case that does not name it
+    if ours.get(
+        "clearance_ratio"
+    ):  # none is the decks' default: the same run as a case that does not name it
         own["clearance"] = ours["clearance_ratio"] * bearing.ball_diameter
     if "total_curvature" in ours:
         own["inner_groove"] = own["outer_groove"] = groove(bearing, ours["total_curvature"])
-    settings = tuple(sorted((name, f"{value:.12g}" if isinstance(value, float) else str(value))
-                            for name, value in own.items()))
+    settings = tuple(
+        sorted(
+            (name, f"{value:.12g}" if isinstance(value, float) else str(value))
+            for name, value in own.items()
+        )
+    )
     return Case(deck, settings, given)
 
 

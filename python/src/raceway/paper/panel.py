@@ -13,9 +13,16 @@ AZIMUTH = "azimuth ψ from the load line (°)"
 
 def page(title, note, columns=1):
     """(figure, axes) with a title and a line on what was run."""
-    figure, axes = plt.subplots(1, columns, figsize=(SIZE[0] * (1.55 if columns > 1 else 1), SIZE[1]), dpi=DPI,
-                                squeeze=False)
-    figure.subplots_adjust(left=0.13 if columns == 1 else 0.085, right=0.965, top=0.83, bottom=0.13, wspace=0.24)
+    figure, axes = plt.subplots(
+        1,
+        columns,
+        figsize=(SIZE[0] * (1.55 if columns > 1 else 1), SIZE[1]),
+        dpi=DPI,
+        squeeze=False,
+    )
+    figure.subplots_adjust(
+        left=0.13 if columns == 1 else 0.085, right=0.965, top=0.83, bottom=0.13, wspace=0.24
+    )
     left = figure.subplotpars.left
     figure.text(left, 0.945, title, fontsize=13, fontweight="bold", va="center")
     figure.text(left, 0.88, note, fontsize=9.5, color=SOFT, va="center")
@@ -36,8 +43,16 @@ def ring_axis(axes):
 
 def legend(axes, where, **options):
     """A legend on white, so that the grid does not cross it."""
-    return axes.legend(loc=where, frameon=True, facecolor="white", edgecolor="none", framealpha=1, borderaxespad=0.3,
-                       handlelength=1.7, **options)
+    return axes.legend(
+        loc=where,
+        frameon=True,
+        facecolor="white",
+        edgecolor="none",
+        framealpha=1,
+        borderaxespad=0.3,
+        handlelength=1.7,
+        **options,
+    )
 
 
 def regimes(axes, top, at):
@@ -45,8 +60,16 @@ def regimes(axes, top, at):
     for low, high, name, colour in REGIMES:
         if low < top:
             axes.axhspan(low, min(high, top), color=colour, lw=0, zorder=0.1)
-            axes.text(at, min(high, top) - 0.03 * top, name, transform=axes.get_yaxis_transform(), ha="right", va="top",
-                      fontsize=10, color=SOFT)
+            axes.text(
+                at,
+                min(high, top) - 0.03 * top,
+                name,
+                transform=axes.get_yaxis_transform(),
+                ha="right",
+                va="top",
+                fontsize=10,
+                color=SOFT,
+            )
             if low:
                 axes.axhline(low, color=FAINT, lw=1, zorder=0.2)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where the film parameter passes a value, by theory: speed and capacitance there, and the roughness a capacitance asks for.
+"""Where the film parameter passes a value, by theory: speed and capacitance there, and the
+roughness a capacitance asks for.
 
 The contact is that of the inner raceway under a ball on the load line, which has the thinnest film.
 """
@@ -12,22 +13,38 @@ from raceway.paper import theory
 
 
 def speed(bearing, oil, radial_load, h_min, printed=False):
-    """Entrainment speed in m/s at which the smallest film is `h_min` in m; `h_min` grows as a power of the speed."""
+    """Entrainment speed in m/s at which the smallest film is `h_min` in m; `h_min` grows as a power
+    of the speed."""
     q = theory.largest_load(bearing, radial_load)
-    first, second = (theory.contact(bearing, oil, INNER, q, one, printed=printed).h_min for one in (0.5, 1.0))
+    first, second = (
+        theory.contact(bearing, oil, INNER, q, one, printed=printed).h_min for one in (0.5, 1.0)
+    )
     power = np.log(second / first) / np.log(2.0)
     return float((h_min / second) ** (1 / power))
 
 
 def capacitance(bearing, oil, radial_load, h_min, whole=True, printed=False):
-    """Capacitance in F where the smallest film is `h_min` in m: of the bearing (`whole`) or of the ball on the load line."""
+    """Capacitance in F where the smallest film is `h_min` in m: of the bearing (`whole`) or of the
+    ball on the load line."""
     at = speed(bearing, oil, radial_load, h_min, printed)
     if whole:
         return theory.bearing_capacitance(bearing, oil, radial_load, at, printed=printed)
-    return float(theory.ball(bearing, oil, theory.largest_load(bearing, radial_load), at, printed=printed))
+    return float(
+        theory.ball(bearing, oil, theory.largest_load(bearing, radial_load), at, printed=printed)
+    )
 
 
 def roughness(bearing, oil, radial_load, value, whole=True, printed=False):
     """Composite roughness in m for which the capacitance is `value` in F where Lambda = 1."""
-    return float(np.exp(brentq(lambda log: capacitance(bearing, oil, radial_load, np.exp(log), whole, printed) - value,
-                               np.log(1e-9), np.log(1e-4), xtol=1e-8)))
+    return float(
+        np.exp(
+            brentq(
+                lambda log: (
+                    capacitance(bearing, oil, radial_load, np.exp(log), whole, printed) - value
+                ),
+                np.log(1e-9),
+                np.log(1e-4),
+                xtol=1e-8,
+            )
+        )
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Makes the products and writes them: PNG and CSV of a figure, CSV and reStructuredText of a table, CSV and reStructuredText of the statements.
+"""Makes the products and writes them: PNG and CSV of a figure, CSV and reStructuredText of a table,
+CSV and reStructuredText of the statements.
 
 A file appears whole or not at all.
 """
@@ -13,11 +14,18 @@ import pandas as pd
 from raceway import files, style
 from raceway.paper import quantities, statements
 from raceway.paper.figures import FIGURES
-from raceway.paper.shown import list_table, markup, plain, table as shown_table
+from raceway.paper.shown import list_table, markup, plain
+from raceway.paper.shown import table as shown_table
 from raceway.paper.tables import TABLES
 
 STATEMENTS = "statements"
-HEAD = (("where", 8), ("the paper says", 24), ("corrected formulas", 26), ("printed formulas", 20), ("why", 24))
+HEAD = (
+    ("where", 8),
+    ("the paper says", 24),
+    ("corrected formulas", 26),
+    ("printed formulas", 20),
+    ("why", 24),
+)
 
 
 def title(product):
@@ -43,33 +51,60 @@ def make(product, book, out):
 def _statements(book, out):
     corrected, printed = quantities.measure(book), quantities.measure(book, printed=True)
     judged = [statements.judge(one, corrected, printed) for one in statements.read()]
-    numbers = pd.DataFrame([(form, name, one.value, one.unit, plain(one.label))
-                            for form, some in (("corrected", corrected), ("printed", printed)) for name, one in some.items()],
-                           columns=["formulas", "quantity", "value", "unit", "label"])
+    numbers = pd.DataFrame(
+        [
+            (form, name, one.value, one.unit, plain(one.label))
+            for form, some in (("corrected", corrected), ("printed", printed))
+            for name, one in some.items()
+        ],
+        columns=["formulas", "quantity", "value", "unit", "label"],
+    )
     table = pd.DataFrame(judged).map(plain)
-    return [_csv(out / "statements.csv", table), _csv(out / "quantities.csv", numbers),
-            _text(out / "statements.inc", rst(judged))]
+    return [
+        _csv(out / "statements.csv", table),
+        _csv(out / "quantities.csv", numbers),
+        _text(out / "statements.inc", rst(judged)),
+    ]
 
 
 def rst(judged):
     """The statements as a list-table."""
     rows = [[name for name, _ in HEAD]]
     for one in judged:
-        verdicts = [" – ".join(part for part in (name if name == statements.SAME else f"**{name}**", markup(numbers)) if part)
-                    for name, numbers in ((one.corrected, one.corrected_numbers), (one.printed, one.printed_numbers))]
+        verdicts = [
+            " – ".join(
+                part
+                for part in (name if name == statements.SAME else f"**{name}**", markup(numbers))
+                if part
+            )
+            for name, numbers in (
+                (one.corrected, one.corrected_numbers),
+                (one.printed, one.printed_numbers),
+            )
+        ]
         rows.append([markup(one.where), markup(one.says), *verdicts, markup(one.why)])
     return f"{_count(judged)}\n\n" + list_table(rows, [width for _, width in HEAD])
 
 
 def _count(judged):
     totals = Counter(one.corrected for one in judged)
-    printed = Counter(one.corrected if one.printed == statements.SAME else one.printed for one in judged)
-    return (f"{len(judged)} statements. From the corrected formulas " + _listing(totals)
-            + "; from the formulas as printed " + _listing(printed) + ".")
+    printed = Counter(
+        one.corrected if one.printed == statements.SAME else one.printed for one in judged
+    )
+    return (
+        f"{len(judged)} statements. From the corrected formulas "
+        + _listing(totals)
+        + "; from the formulas as printed "
+        + _listing(printed)
+        + "."
+    )
 
 
 def _listing(totals):
-    return ", ".join(f"{totals[name]} {name}" for name in (statements.AGREE, statements.DIFFER, statements.UNKNOWN))
+    return ", ".join(
+        f"{totals[name]} {name}"
+        for name in (statements.AGREE, statements.DIFFER, statements.UNKNOWN)
+    )
 
 
 def _csv(path, table):

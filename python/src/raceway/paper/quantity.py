@@ -19,5 +19,7 @@ class Quantity(NamedTuple):
         if self.unit == "%":
             return f"{100 * self.value:.3g} %".replace("-", "−")
         plain = not self.unit or self.unit in ("°", "rpm", "rad/s")
-        shown = f"{self.value:.4g} {self.unit}".strip() if plain else prefixed(self.value, self.unit)
+        shown = (
+            f"{self.value:.4g} {self.unit}".strip() if plain else prefixed(self.value, self.unit)
+        )
         return shown.replace("-", "−").replace(" °", "°")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Numbers out of finished runs: the one place where the paper's products look into a run's tables.
 
-Azimuths are degrees from the load line, -180 to 180. In one ball pass the nine balls of a 6208 sweep the whole ring, so
-a quantity of one ball around the ring is that of all balls side by side.
+Azimuths are degrees from the load line, -180 to 180. In one ball pass the nine balls of a 6208
+sweep the whole ring, so a quantity of one ball around the ring is that of all balls side by side.
 """
 
 import re
@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from raceway.bearing import INNER, OUTER
+from raceway.bearing import INNER
 from raceway.capacitance import VACUUM
 from raceway.errors import RunError
 from raceway.paper.runner import LOG
@@ -36,15 +36,20 @@ class Reading:
     def _azimuths(self):
         contacts = self.run.contacts
         return contacts[["sample", "ball", "raceway"]].assign(
-            psi=np.degrees(self.run.from_load_line(contacts["azimuth"].to_numpy())))
+            psi=np.degrees(self.run.from_load_line(contacts["azimuth"].to_numpy()))
+        )
 
     def around(self, raceway, column):
-        """(psi in degrees, values), sorted: a column of the contacts of one raceway, where there is contact."""
+        """(psi in degrees, values), sorted: a column of the contacts of one raceway, where there is
+        contact."""
         rows = self.run.contacts["raceway"].to_numpy() == raceway
-        return _sorted(self._azimuths["psi"].to_numpy()[rows], self.run.contacts[column].to_numpy()[rows])
+        return _sorted(
+            self._azimuths["psi"].to_numpy()[rows], self.run.contacts[column].to_numpy()[rows]
+        )
 
     def ball_capacitance(self):
-        """(psi in degrees, F), sorted: inner and outer in series of each ball loaded on both raceways."""
+        """(psi in degrees, F), sorted: inner and outer in series of each ball loaded on both
+        raceways."""
         place = self._azimuths[self._azimuths["raceway"] == INNER]
         rows = self.run.pairs.merge(place, on=["sample", "ball"])
         return _sorted(rows["psi"].to_numpy(), rows["capacitance"].to_numpy())
@@ -58,7 +63,8 @@ class Reading:
         return float(np.interp(0.0, *self.ball_capacitance()))
 
     def permittivity(self, raceway):
-        """(psi, relative permittivity) of contacts, from their capacitance, film and area (eq 8)."""
+        """(psi, relative permittivity) of contacts, from their capacitance, film and area (eq
+        8)."""
         psi, value = self.around(raceway, "capacitance")
         area = np.pi * self.around(raceway, "a")[1] * self.around(raceway, "b")[1]
         return psi, value * self.around(raceway, "h_c")[1] / (VACUUM * area)
@@ -71,8 +77,14 @@ class Reading:
     def cage_contact_share(self, ball_radius, cage_radius):
         """Share of all neighbouring pairs of ball and cage ball, over all samples, that touch."""
         balls = self.run.balls
-        places = {kind: balls[balls["type"] == kind].sort_values(["sample", "id"])[["x", "y", "z"]].to_numpy()
-                  for kind in (BALL, CAGE_BALL)}
+        places = {
+            kind: (
+                balls[balls["type"] == kind]
+                .sort_values(["sample", "id"])[["x", "y", "z"]]
+                .to_numpy()
+            )
+            for kind in (BALL, CAGE_BALL)
+        }
         count = int(self.run.settings["balls"])
         ball, cage = (places[kind].reshape(-1, count, 1, 3) for kind in (BALL, CAGE_BALL))
         gap = np.linalg.norm(ball - np.swapaxes(cage, 1, 2), axis=-1) - ball_radius - cage_radius
@@ -102,12 +114,15 @@ def _sorted(psi, values):
     return psi[order], values[order]
 
 
-ENDPLAY = {"angle": re.compile(r"^free contact angle (\S+) degrees", re.M),
-           "endplay": re.compile(r"^free endplay (\S+) m", re.M)}
+ENDPLAY = {
+    "angle": re.compile(r"^free contact angle (\S+) degrees", re.M),
+    "endplay": re.compile(r"^free endplay (\S+) m", re.M),
+}
 
 
 def endplay(folder):
-    """(free contact angle in degrees, free endplay in m) that inputs/in.axial printed. Raises `RunError`."""
+    """(free contact angle in degrees, free endplay in m) that inputs/in.axial printed. Raises
+    `RunError`."""
     path = folder / LOG
     text = path.read_text(errors="replace")
     found = [pattern.search(text) for pattern in ENDPLAY.values()]
@@ -132,7 +147,11 @@ class Readings:
 
     def some(self, name, **given):
         """The `Reading`s of a set whose settings are as given."""
-        return [one for one in self.all(name) if all(one.given[key] == value for key, value in given.items())]
+        return [
+            one
+            for one in self.all(name)
+            if all(one.given[key] == value for key, value in given.items())
+        ]
 
     def one(self, name, **given):
         """The only `Reading` of a set with these settings."""

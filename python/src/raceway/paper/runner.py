@@ -23,7 +23,8 @@ class CaseError(RacewayError):
 
 
 def root():
-    """The source tree around the present folder. Raises `RacewayError` when there is none or it is not built."""
+    """The source tree around the present folder. Raises `RacewayError` when there is none or it is
+    not built."""
     here = Path.cwd()
     for folder in (here, *here.parents):
         if (folder / "inputs/paper/cases.yaml").is_file():
@@ -31,7 +32,9 @@ def root():
                 if not (folder / part).is_file():
                     raise RacewayError(f"{folder / part} is missing: run `make build` there")
             return folder
-    raise RacewayError(f"no inputs/paper/cases.yaml in {here} or above: run this in Raceway's source tree")
+    raise RacewayError(
+        f"no inputs/paper/cases.yaml in {here} or above: run this in Raceway's source tree"
+    )
 
 
 @dataclass
@@ -43,7 +46,8 @@ class Outcome:
 
 
 class Runner:
-    """Runs the cases of one source tree; results stay in `store`, a folder for each state of program and inputs."""
+    """Runs the cases of one source tree; results stay in `store`, a folder for each state of
+    program and inputs."""
 
     def __init__(self, tree, store):
         self.tree, self.state = tree, _digest(tree)[:16]
@@ -80,7 +84,8 @@ class Runner:
         return final
 
     def run_all(self, cases, jobs, progress):
-        """Run `cases`, `jobs` at a time; `progress(done, case, error)` after each. Returns an `Outcome`."""
+        """Run `cases`, `jobs` at a time; `progress(done, case, error)` after each. Returns an
+        `Outcome`."""
         outcome, lock = Outcome({}, {}), threading.Lock()
 
         def one(case):
@@ -105,29 +110,54 @@ class Runner:
         return outcome
 
     def _execute(self, case, folder):
-        command = [str(self.tree / PROGRAM), "-in", case.deck, "-log", "none", "-var", "out", str(folder)]
+        command = [
+            str(self.tree / PROGRAM),
+            "-in",
+            case.deck,
+            "-log",
+            "none",
+            "-var",
+            "out",
+            str(folder),
+        ]
         for name, value in case.settings:
             command += ["-var", name, value]
-        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+        environment = dict(
+            os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1"
+        )
         log = folder / LOG
         try:
             with log.open("w") as screen:
-                code = subprocess.run(command, cwd=self.tree, env=environment, stdin=subprocess.DEVNULL, stdout=screen,
-                                      stderr=subprocess.STDOUT, timeout=TIMEOUT, check=False).returncode
+                code = subprocess.run(
+                    command,
+                    cwd=self.tree,
+                    env=environment,
+                    stdin=subprocess.DEVNULL,
+                    stdout=screen,
+                    stderr=subprocess.STDOUT,
+                    timeout=TIMEOUT,
+                    check=False,
+                ).returncode
         except subprocess.TimeoutExpired:
             raise CaseError(f"stopped after {TIMEOUT} s") from None
         except OSError as error:
             raise CaseError(f"cannot start {command[0]}: {error.strerror or error}") from None
         if code:
             lines = log.read_text(errors="replace").splitlines()
-            message = next((line for line in lines if "ERROR" in line), lines[-1] if lines else "no message")
+            message = next(
+                (line for line in lines if "ERROR" in line), lines[-1] if lines else "no message"
+            )
             raise CaseError(f"exit code {code}: {message}")
 
 
 def _digest(tree):
     """Changes when the program, a deck or a data file does: old results are not taken for new."""
     state = hashlib.sha256()
-    decks = (path for path in sorted((tree / "inputs").rglob("*")) if path.is_file() and path.name != "cases.yaml")
+    decks = (
+        path
+        for path in sorted((tree / "inputs").rglob("*"))
+        if path.is_file() and path.name != "cases.yaml"
+    )
     for path in (tree / PROGRAM, tree / LIBRARY, *decks):
         state.update(str(path.relative_to(tree)).encode() + b"\0" + path.read_bytes())
     return state.hexdigest()

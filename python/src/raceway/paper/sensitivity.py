@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far results move over the plausible range of what the paper's text has lost: its oils (table 2) and the roughness.
+"""How far results move over the plausible range of what the paper's text has lost: its oils (table
+2) and the roughness.
 
-By theory, at 5 kN, 0.41 m/s, no clearance; two runs with other oils show that the simulation moves alike.
+By theory, at 5 kN, 0.41 m/s, no clearance; two runs with other oils show that the simulation moves
+alike.
 """
 
 import itertools
@@ -17,8 +19,12 @@ from raceway.paper.book import OILS
 
 LOAD, SPEED = 5000.0, 0.41
 # the properties of `Oil` as columns of a table
-COLUMN = {"viscosity": "viscosity_Pa_s", "pressure_viscosity": "pressure_viscosity_per_Pa", "permittivity": "permittivity",
-          "roughness": "roughness_m"}
+COLUMN = {
+    "viscosity": "viscosity_Pa_s",
+    "pressure_viscosity": "pressure_viscosity_per_Pa",
+    "permittivity": "permittivity",
+    "roughness": "roughness_m",
+}
 FILE = "inputs/paper/ranges.yaml"
 
 
@@ -27,11 +33,16 @@ def ranges(book):
     path = book.root / FILE
     try:
         data = yaml.safe_load(path.read_text())
-        return {oil: {name: tuple(float(end) for end in data[oil][name]) for name in COLUMN} for oil in OILS}
+        return {
+            oil: {name: tuple(float(end) for end in data[oil][name]) for name in COLUMN}
+            for oil in OILS
+        }
     except OSError as error:
         raise InputError(f"cannot read {path}: {error.strerror or error}") from None
     except (yaml.YAMLError, KeyError, TypeError, ValueError) as error:
-        raise InputError(f"{path}: {error!r} where low and high of every property were expected") from None
+        raise InputError(
+            f"{path}: {error!r} where low and high of every property were expected"
+        ) from None
 
 
 def outcome(book, oil):
@@ -39,8 +50,11 @@ def outcome(book, oil):
     bearing = book.bearing
     inner = theory.contact(bearing, oil, INNER, theory.largest_load(bearing, LOAD), SPEED)
     return {
-        "inner_film_m": float(inner.h_min), "film_parameter": float(inner.h_min / oil.roughness),
-        "ball_capacitance_F": float(theory.ball(bearing, oil, theory.largest_load(bearing, LOAD), SPEED)),
+        "inner_film_m": float(inner.h_min),
+        "film_parameter": float(inner.h_min / oil.roughness),
+        "ball_capacitance_F": float(
+            theory.ball(bearing, oil, theory.largest_load(bearing, LOAD), SPEED)
+        ),
         "bearing_capacitance_F": theory.bearing_capacitance(bearing, oil, LOAD, SPEED),
         "speed_at_lambda_1_m_s": passage.speed(bearing, oil, LOAD, oil.roughness),
         "capacitance_at_lambda_1_F": passage.capacitance(bearing, oil, LOAD, oil.roughness),
@@ -54,35 +68,58 @@ def table(book):
     """
     rows = []
     for name, oil in book.oils.items():
-        rows.append({"oil": name, "property": "as used", "value": np.nan, "by": "theory"} | outcome(book, oil))
+        rows.append(
+            {"oil": name, "property": "as used", "value": np.nan, "by": "theory"}
+            | outcome(book, oil)
+        )
         for what, ends in ranges(book)[name].items():
-            rows += [{"oil": name, "property": COLUMN[what], "value": end, "by": "theory"}
-                     | outcome(book, oil._replace(**{what: end})) for end in ends]
+            rows += [
+                {"oil": name, "property": COLUMN[what], "value": end, "by": "theory"}
+                | outcome(book, oil._replace(**{what: end}))
+                for end in ends
+            ]
     for run in book.readings.all("sensitivity"):
         figures = run.figures
-        rows.append({"oil": run.given["lubricant"], "property": COLUMN["pressure_viscosity"],
-                     "value": run.given["pressure_viscosity"], "by": "simulation", "inner_film_m": run.top(INNER, "h_min"),
-                     "film_parameter": run.top(INNER, "lambda"), "ball_capacitance_F": run.top_capacitance(),
-                     "bearing_capacitance_F": figures["capacitance_F"]})
+        rows.append(
+            {
+                "oil": run.given["lubricant"],
+                "property": COLUMN["pressure_viscosity"],
+                "value": run.given["pressure_viscosity"],
+                "by": "simulation",
+                "inner_film_m": run.top(INNER, "h_min"),
+                "film_parameter": run.top(INNER, "lambda"),
+                "ball_capacitance_F": run.top_capacitance(),
+                "bearing_capacitance_F": figures["capacitance_F"],
+            }
+        )
     return pd.DataFrame(rows)
 
 
 def power(book, what):
-    """How a ball's capacitance goes with one property of the mineral oil: d log C/d log property."""
+    """How a ball's capacitance goes with one property of the mineral oil: d log C/d log
+    property."""
     oil, step = book.oils["mineral"], 1.01
     q = theory.largest_load(book.bearing, LOAD)
-    more, less = (theory.ball(book.bearing, oil._replace(**{what: getattr(oil, what) * factor}), q, SPEED)
-                  for factor in (step, 1 / step))
+    more, less = (
+        theory.ball(book.bearing, oil._replace(**{what: getattr(oil, what) * factor}), q, SPEED)
+        for factor in (step, 1 / step)
+    )
     return float(np.log(more / less) / (2 * np.log(step)))
 
 
 def oils_ratio(book, first, second):
-    """(least, largest) ratio of the oils' capacitances of a ball on the load line over all corners of their ranges."""
+    """(least, largest) ratio of the oils' capacitances of a ball on the load line over all corners
+    of their ranges."""
     q, ends = theory.largest_load(book.bearing, LOAD), ranges(book)
 
     def corners(name):
         kept = [ends[name][what] for what in ("viscosity", "pressure_viscosity", "permittivity")]
-        return np.array([theory.ball(book.bearing, Oil(*corner, 1e-7), q, SPEED) for corner in itertools.product(*kept)])
+        return np.array(
+            [
+                theory.ball(book.bearing, Oil(*corner, 1e-7), q, SPEED)
+                for corner in itertools.product(*kept)
+            ]
+        )
 
     over, under = corners(first), corners(second)
     return float(over.min() / under.max()), float(over.max() / under.min())

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Tables for the documentation: numbers with units and prefixes, as reStructuredText.
 
-The unit of a column is the end of its name, as in all tables of this package: h_min_m, capacitance_F.
+The unit of a column is the end of its name, as in all tables of this package: h_min_m,
+capacitance_F.
 """
 
 import re
@@ -10,7 +11,14 @@ import pandas as pd
 
 from raceway.units import prefixed
 
-UNITS = (("_per_Pa", "1/Pa"), ("_Pa_s", "Pa s"), ("_m_s", "m/s"), ("_m", "m"), ("_F", "F"), ("_deg", "°"))
+UNITS = (
+    ("_per_Pa", "1/Pa"),
+    ("_Pa_s", "Pa s"),
+    ("_m_s", "m/s"),
+    ("_m", "m"),
+    ("_F", "F"),
+    ("_deg", "°"),
+)
 
 
 def split(column):
@@ -37,7 +45,8 @@ def number(value, unit):
 
 
 def table(data):
-    """`DataFrame` as a list-table. Where rows have a `property` and its `value`, the unit is the property's."""
+    """`DataFrame` as a list-table. Where rows have a `property` and its `value`, the unit is the
+    property's."""
     rows = [[split(column)[0] for column in data.columns]]
     for _, row in data.iterrows():
         cells = {column: number(row[column], split(column)[1]) for column in data.columns}
@@ -50,7 +59,12 @@ def table(data):
 
 def list_table(rows, widths=None):
     """Rows of cells, the first the head, as reStructuredText."""
-    lines = [".. written by `raceway paper`; do not edit", "", ".. list-table::", "   :header-rows: 1"]
+    lines = [
+        ".. written by `raceway paper`; do not edit",
+        "",
+        ".. list-table::",
+        "   :header-rows: 1",
+    ]
     if widths:
         lines.append(f"   :widths: {' '.join(map(str, widths))}")
     for row in rows:

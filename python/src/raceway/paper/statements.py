@@ -37,13 +37,22 @@ class Judged(NamedTuple):
 def read():
     """The `Statement`s, in the order of the paper."""
     text = resources.files("raceway.paper").joinpath("statements.yaml").read_text(encoding="utf-8")
-    return [Statement(str(one["where"]), one["says"], one.get("about", ""), tuple(one.get("rules", ())),
-                      tuple(one.get("show", ())), one["why"])
-            for one in yaml.safe_load(text)]
+    return [
+        Statement(
+            str(one["where"]),
+            one["says"],
+            one.get("about", ""),
+            tuple(one.get("rules", ())),
+            tuple(one.get("show", ())),
+            one["why"],
+        )
+        for one in yaml.safe_load(text)
+    ]
 
 
 def holds(rule, numbers):
-    """Whether a rule, "name > number or name" or "name = number or name within tolerance", holds for {name: value}.
+    """Whether a rule, "name > number or name" or "name = number or name within tolerance", holds
+    for {name: value}.
 
     Raises `ValueError` for a rule of another form and `KeyError` for an unknown name."""
     match = RULE.match(rule)
@@ -63,7 +72,8 @@ def names(rule):
 
 
 def judge(statement, corrected, printed):
-    """`Judged` of a statement, from {name: `Quantity`} of the corrected and of the printed formulas."""
+    """`Judged` of a statement, from {name: `Quantity`} of the corrected and of the printed
+    formulas."""
     used = {name for rule in statement.rules for name in names(rule)} | set(statement.show)
     words = {name: quantity.text for name, quantity in corrected.items()}
     first, shown = _verdict(statement, corrected)
@@ -73,7 +83,15 @@ def judge(statement, corrected, printed):
         second, other = SAME, ""
     if statement.about == "print":
         first = second
-    return Judged(statement.where, statement.says, first, shown, second, other, statement.why.format_map(words))
+    return Judged(
+        statement.where,
+        statement.says,
+        first,
+        shown,
+        second,
+        other,
+        statement.why.format_map(words),
+    )
 
 
 def _verdict(statement, quantities):
@@ -82,7 +100,9 @@ def _verdict(statement, quantities):
         verdict = AGREE if all(holds(rule, numbers) for rule in statement.rules) else DIFFER
     else:
         verdict = UNKNOWN
-    return verdict, "; ".join(f"{quantities[name].label}: {quantities[name].text}" for name in statement.show)
+    return verdict, "; ".join(
+        f"{quantities[name].label}: {quantities[name].text}" for name in statement.show
+    )
 
 
 def _number(text, numbers):

@@ -17,19 +17,43 @@ def oils(book):
     rows = []
     for name, oil in book.oils.items():
         low, high = zip(*sensitivity.ranges(book)[name].values())
-        rows += [(OILS[name], "as used", *oil), (OILS[name], "low end of the plausible", *low), (OILS[name], "high end", *high)]
+        rows += [
+            (OILS[name], "as used", *oil),
+            (OILS[name], "low end of the plausible", *low),
+            (OILS[name], "high end", *high),
+        ]
     return pd.DataFrame(rows, columns=["oil", "values", *sensitivity.COLUMN.values()])
 
 
 def load_parameters(book):
     """Table 3: clearance and load parameter: paper, simulation, theory, printed formulas."""
     rows = []
-    for run, printed in zip(book.readings.all("clearances"), book.readings.all("clearances_printed")):
+    for run, printed in zip(
+        book.readings.all("clearances"), book.readings.all("clearances_printed")
+    ):
         ratio = run.given["clearance_ratio"]
         gap = ratio * book.bearing.ball_diameter
-        rows.append((gap, ratio, EPSILON[ratio], run.figures["load_parameter"], stribeck(book.bearing, 5000.0, gap, 0.0)[1],
-                     printed.figures["load_parameter"]))
-    return pd.DataFrame(rows, columns=["clearance_m", "P_d/D", "paper", "simulation", "stribeck_harris", "simulation_printed"])
+        rows.append(
+            (
+                gap,
+                ratio,
+                EPSILON[ratio],
+                run.figures["load_parameter"],
+                stribeck(book.bearing, 5000.0, gap, 0.0)[1],
+                printed.figures["load_parameter"],
+            )
+        )
+    return pd.DataFrame(
+        rows,
+        columns=[
+            "clearance_m",
+            "P_d/D",
+            "paper",
+            "simulation",
+            "stribeck_harris",
+            "simulation_printed",
+        ],
+    )
 
 
 def grooves(book):
@@ -43,4 +67,9 @@ def grooves(book):
     return free
 
 
-TABLES = {"table-2": oils, "table-3": load_parameters, "table-A.1": grooves, "sensitivity": sensitivity.table}
+TABLES = {
+    "table-2": oils,
+    "table-3": load_parameters,
+    "table-A.1": grooves,
+    "sensitivity": sensitivity.table,
+}

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What theory says of a radially loaded bearing with oil: static loads, film at rolling speed, capacitance on top.
+"""What theory says of a radially loaded bearing with oil: static loads, film at rolling speed,
+capacitance on top.
 
-No run is needed: `raceway.static` gives the loads, `film` and `capacitance` the rest. `printed` takes eqs 2 and 9 as the
-paper prints them (docs/errata.rst).
+No run is needed: `raceway.static` gives the loads, `film` and `capacitance` the rest. `printed`
+takes eqs 2 and 9 as the paper prints them (docs/errata.rst).
 """
 
 from functools import lru_cache
@@ -13,7 +14,9 @@ import numpy as np
 from raceway import capacitance, film, hertz, static
 from raceway.bearing import INNER, OUTER
 
-PHASES = 20  # places of the first ball between two balls: the mean over a ball pass to better than 1e-3
+PHASES = (
+    20  # places of the first ball between two balls: the mean over a ball pass to better than 1e-3
+)
 
 
 class Contact(NamedTuple):
@@ -28,34 +31,61 @@ class Contact(NamedTuple):
 
 
 def contact(bearing, oil, raceway, load, speed, clearance=0.0, printed=False):
-    """`Contact` of loads in N at an entrainment speed in m/s; unloaded ones have no film (nan) and no capacitance."""
+    """`Contact` of loads in N at an entrainment speed in m/s; unloaded ones have no film (nan) and
+    no capacitance."""
     r_x, r_y = bearing.effective_radii(raceway, clearance=clearance)
     ellipse = hertz.hamrock_brewe(r_x, r_y, printed=True) if printed else hertz.exact(r_x, r_y)
     load = np.asarray(load, float)
     live = np.where(load > 0, load, np.nan)
     a, b = hertz.semi_axes(ellipse, bearing.effective_modulus, live)
     pressure = 1.5 * live / (np.pi * a * b)
-    group = film.group(oil.viscosity, oil.pressure_viscosity, bearing.effective_modulus, r_x, ellipse.kappa, speed, live)
+    group = film.group(
+        oil.viscosity,
+        oil.pressure_viscosity,
+        bearing.effective_modulus,
+        r_x,
+        ellipse.kappa,
+        speed,
+        live,
+    )
     h_c = film.h_c(r_x, group, printed=printed)
     value = capacitance.contact(oil.permittivity, pressure, a, b, h_c)
-    return Contact(pressure, np.pi * a * b, film.h_min(r_x, group), h_c,
-                   capacitance.permittivity(oil.permittivity, pressure), np.where(load > 0, value, 0.0)[()])
+    return Contact(
+        pressure,
+        np.pi * a * b,
+        film.h_min(r_x, group),
+        h_c,
+        capacitance.permittivity(oil.permittivity, pressure),
+        np.where(load > 0, value, 0.0)[()],
+    )
 
 
 def ball(bearing, oil, load, speed, clearance=0.0, printed=False):
     """Capacitance in F of balls under loads in N, the same on both raceways (eq 12)."""
-    sides = (contact(bearing, oil, side, load, speed, clearance, printed).capacitance for side in (INNER, OUTER))
+    sides = (
+        contact(bearing, oil, side, load, speed, clearance, printed).capacitance
+        for side in (INNER, OUTER)
+    )
     return capacitance.ball(*sides)
 
 
 @lru_cache(maxsize=64)
 def loads(bearing, radial_load, clearance=0.0):
-    """(psi in degrees, load in N, shift in m) of all balls over a ball pass, `PHASES` places of Z balls, and the mean
-    shift along the load. The load is that of both raceways: no centrifugal load."""
-    turns = [static.equilibrium(bearing, radial_load, clearance=clearance, phase=phase, finite_shift=True)
-             for phase in 2 * np.pi / bearing.balls * np.arange(PHASES) / PHASES]
+    """(psi in degrees, load in N, shift in m) of all balls over a ball pass, `PHASES` places of Z
+    balls, and the mean shift along the load. The load is that of both raceways: no centrifugal
+    load."""
+    turns = [
+        static.equilibrium(
+            bearing, radial_load, clearance=clearance, phase=phase, finite_shift=True
+        )
+        for phase in 2 * np.pi / bearing.balls * np.arange(PHASES) / PHASES
+    ]
     psi = np.degrees(np.mod(np.array([turn.azimuth for turn in turns]) + np.pi, 2 * np.pi) - np.pi)
-    return psi, np.array([turn.inner.load for turn in turns]), float(np.mean([turn.shift[0] for turn in turns]))
+    return (
+        psi,
+        np.array([turn.inner.load for turn in turns]),
+        float(np.mean([turn.shift[0] for turn in turns])),
+    )
 
 
 def largest_load(bearing, radial_load, clearance=0.0):
@@ -65,7 +95,7 @@ def largest_load(bearing, radial_load, clearance=0.0):
 
 
 def bearing_capacitance(bearing, oil, radial_load, speed, clearance=0.0, printed=False):
-    """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` keeps the loads: at no clearance a
-    stiffness that differs by one factor everywhere shares the load alike."""
+    """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` keeps the loads:
+    at no clearance a stiffness that differs by one factor everywhere shares the load alike."""
     _, load, _ = loads(bearing, radial_load, clearance)
     return float(ball(bearing, oil, load, speed, clearance, printed).sum(axis=1).mean())

@@ -24,20 +24,28 @@ COLOURS, GREYS = 32, 24  # of a GIF
 def animation(run, path, colour="load", passes=None, frames=80, rate=20, factor=None, width=800):
     """Animate `run` (a `Run`) to `path`, which ends in .gif or .mp4; return the `Path`.
 
-    `passes` ball passes (None: all measured, at most 4) in `frames` pictures, `rate` a second, `width` dots wide; `colour` and
-    `factor` as `scene.scene`'s. The same run gives the same GIF to the bit.
-    Raises `RunError` when the run's files are broken, hold fewer passes, or the animation cannot be written.
+    `passes` ball passes (None: all measured, at most 4) in `frames` pictures, `rate` a second,
+    `width` dots wide; `colour` and `factor` as `scene.scene`'s. The same run gives the same GIF to
+    the bit. Raises `RunError` when the run's files are broken, hold fewer passes, or the animation
+    cannot be written.
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
         raise RunError(f"{path}: an animation is a .gif or an .mp4")
     if kind == "mp4" and not shutil.which("ffmpeg"):
-        raise RunError(f"{path}: writing an MP4 needs the program ffmpeg, which is not there: apt-get install ffmpeg, or name a .gif")
+        raise RunError(
+            f"{path}: writing an MP4 needs the program ffmpeg, which is not there: apt-get install"
+            " ffmpeg, or name a .gif"
+        )
     run, samples = _window(run, passes, frames)
     with plt.rc_context(style.STYLE):
-        sheet = Sheet(run, scene(run, samples, colour, factor), colour, dpi=2 * round(width / INCHES / 2))
+        sheet = Sheet(
+            run, scene(run, samples, colour, factor), colour, dpi=2 * round(width / INCHES / 2)
+        )
         try:
-            return files.whole(path, lambda part: WRITERS[kind](part, _pictures(sheet, len(samples)), rate))
+            return files.whole(
+                path, lambda part: WRITERS[kind](part, _pictures(sheet, len(samples)), rate)
+            )
         finally:
             plt.close(sheet.figure)
 
@@ -48,7 +56,9 @@ def _window(run, passes, frames):
     have = min(len(there), len(run.index("contacts"))) - run.first
     wanted = int(round((min(have / each, 4.0) if passes is None else passes) * each))
     if not 1 <= wanted <= have:
-        raise RunError(f"{run.folder} holds {have / each:.3g} ball passes: {passes:g} are not to be had")
+        raise RunError(
+            f"{run.folder} holds {have / each:.3g} ball passes: {passes:g} are not to be had"
+        )
     part = Run(run.folder, slice(run.first, run.first + wanted))
     return part, run.first + np.unique(np.arange(frames) * wanted // frames)
 
@@ -59,17 +69,31 @@ def _pictures(sheet, count):
         sheet.show(k)
         sheet.figure.canvas.draw()
         progress.line(f"frame {k + 1} of {count}", k + 1 == count)
-        yield np.array(sheet.figure.canvas.buffer_rgba())[..., :3]  # a copy: the canvas draws over it
+        yield np.array(sheet.figure.canvas.buffer_rgba())[
+            ..., :3
+        ]  # a copy: the canvas draws over it
 
 
 def _gif(part, pictures, rate):
     palette = _palette()
-    first, *rest = (Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures)
-    first.save(part, format="GIF", save_all=True, append_images=rest, duration=round(1000 / rate), loop=0, optimize=True)
+    first, *rest = (
+        Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE)
+        for picture in pictures
+    )
+    first.save(
+        part,
+        format="GIF",
+        save_all=True,
+        append_images=rest,
+        duration=round(1000 / rate),
+        loop=0,
+        optimize=True,
+    )
 
 
 def _palette():
-    """One for all pictures: what is unchanged from one to the next then costs nothing. Pictures are in few colours."""
+    """One for all pictures: what is unchanged from one to the next then costs nothing. Pictures are
+    in few colours."""
     scale = plt.get_cmap(style.MAP)(np.linspace(0, 1, COLOURS))[:, :3]
     grey = np.repeat(np.linspace(0, 1, GREYS)[:, None], 3, axis=1)
     flat = to_rgba_array([STEEL, CAGE, IDLE, style.INK, style.SOFT, style.FAINT])[:, :3]
@@ -80,9 +104,30 @@ def _palette():
 
 def _mp4(part, pictures, rate):
     first = next(pictures)
-    height, width = (size - size % 2 for size in first.shape[:2])  # the usual colour format needs even sizes
-    command = ["ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", f"{rate:g}",
-               "-i", "-", "-pix_fmt", "yuv420p", "-f", "mp4", str(part)]
+    height, width = (
+        size - size % 2 for size in first.shape[:2]
+    )  # the usual colour format needs even sizes
+    command = [
+        "ffmpeg",
+        "-v",
+        "error",
+        "-y",
+        "-f",
+        "rawvideo",
+        "-pix_fmt",
+        "rgb24",
+        "-s",
+        f"{width}x{height}",
+        "-r",
+        f"{rate:g}",
+        "-i",
+        "-",
+        "-pix_fmt",
+        "yuv420p",
+        "-f",
+        "mp4",
+        str(part),
+    ]
     with tempfile.TemporaryFile() as said:
         with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said) as program:
             try:
@@ -93,7 +138,10 @@ def _mp4(part, pictures, rate):
                 pass  # it has stopped, and said why
         if program.returncode:
             said.seek(0)
-            raise RunError(f"ffmpeg could not write the animation: {said.read().decode(errors='replace').strip()[-300:]}")
+            raise RunError(
+                "ffmpeg could not write the animation:"
+                f" {said.read().decode(errors='replace').strip()[-300:]}"
+            )
 
 
 WRITERS = {"gif": _gif, "mp4": _mp4}

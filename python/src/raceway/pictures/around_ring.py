@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Panels around the ring: load and film of every ball against its azimuth, the load line pointing down."""
+"""Panels around the ring: load and film of every ball against its azimuth, the load line pointing
+down."""
 
 import numpy as np
 from matplotlib.patches import Patch
@@ -23,15 +24,25 @@ def loads(axes, run):
             axes.plot(psi, load * factor, color=COLOUR[side], lw=width[side])
     _polar(axes, "Contact load around the ring", unit, 1.08 * largest * factor)
     _above(axes, [key(NAME[side], color=COLOUR[side], lw=width[side]) for side in (INNER, OUTER)])
-    axes.annotate("", (0.5, -0.155), (0.5, -0.075), xycoords="axes fraction",
-                  arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 1.8})
-    axes.text(0.525, -0.115, "load on the inner ring", transform=axes.transAxes, ha="left", va="center")
+    axes.annotate(
+        "",
+        (0.5, -0.155),
+        (0.5, -0.075),
+        xycoords="axes fraction",
+        arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 1.8},
+    )
+    axes.text(
+        0.525, -0.115, "load on the inner ring", transform=axes.transAxes, ha="left", va="center"
+    )
     return factor
 
 
 def film(axes, run):
-    """Film thickness of `run` and the regimes of lubrication on polar `axes`; returns the factor from metres."""
-    loaded = run.contacts[run.contacts["load"] > 5 * LIGHT * run.contacts["load"].max()]  # these set the scale
+    """Film thickness of `run` and the regimes of lubrication on polar `axes`; returns the factor
+    from metres."""
+    loaded = run.contacts[
+        run.contacts["load"] > 5 * LIGHT * run.contacts["load"].max()
+    ]  # these set the scale
     factor, unit = axis(loaded["h_c"].max(), "m")
     unity = run.settings["roughness_m"] * factor  # the thickness at which lambda is one
     edge = thickest = 1.12 * loaded["h_c"].max() * factor
@@ -39,35 +50,74 @@ def film(axes, run):
         if mark * unity < 3 * thickest:
             edge = max(edge, 1.12 * mark * unity)
     around = np.linspace(0, 2 * np.pi, 361)
-    regimes = [(low, high, name, colour) for low, high, name, colour in REGIMES if low * unity < edge]
+    regimes = [
+        (low, high, name, colour) for low, high, name, colour in REGIMES if low * unity < edge
+    ]
     for low, high, name, colour in regimes:
-        axes.fill_between(around, low * unity, min(high * unity, edge), color=colour, lw=0, zorder=0.1)
+        axes.fill_between(
+            around, low * unity, min(high * unity, edge), color=colour, lw=0, zorder=0.1
+        )
         if low:
-            axes.plot(around, np.full_like(around, low * unity), color=SOFT, lw=1.2, ls=(0, (1, 1.6)))
-            axes.text(np.radians(225), low * unity, f"Λ = {low}", ha="center", va="center", fontweight="bold",
-                      zorder=5, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.75})
-    width = {"h_c": 3.2, "h_min": 1.3}  # not dashes: those of many balls would fill each other's gaps
+            axes.plot(
+                around, np.full_like(around, low * unity), color=SOFT, lw=1.2, ls=(0, (1, 1.6))
+            )
+            axes.text(
+                np.radians(225),
+                low * unity,
+                f"Λ = {low}",
+                ha="center",
+                va="center",
+                fontweight="bold",
+                zorder=5,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.75},
+            )
+    width = {
+        "h_c": 3.2,
+        "h_min": 1.3,
+    }  # not dashes: those of many balls would fill each other's gaps
     for column in width:
         for side in (OUTER, INNER):
             for psi, thickness in tracks(run, side, column, above=LIGHT):
                 axes.plot(psi, thickness * factor, color=COLOUR[side], lw=width[column])
     _polar(axes, "Film thickness around the ring", unit, edge)
-    _above(axes, [key(f"{side} ${column[0]}_{{{column[2:]}}}$", color=COLOUR[raceway], lw=width[column])
-                  for raceway, side in ((INNER, "inner"), (OUTER, "outer")) for column in width])
+    _above(
+        axes,
+        [
+            key(f"{side} ${column[0]}_{{{column[2:]}}}$", color=COLOUR[raceway], lw=width[column])
+            for raceway, side in ((INNER, "inner"), (OUTER, "outer"))
+            for column in width
+        ],
+    )
     axes.add_artist(axes.get_legend())
-    axes.legend(handles=[Patch(fc=colour, ec=FAINT, label=name) for *_, name, colour in regimes], loc="upper center",
-                bbox_to_anchor=(0.5, -0.085), ncols=len(regimes), handlelength=1.2, columnspacing=1.5,
-                borderaxespad=0)
-    axes.text(0.5, -0.165, f"contacts above {LIGHT:.0%} of the largest load", transform=axes.transAxes, ha="center",
-              va="center", fontsize=9.5, color=SOFT)
+    axes.legend(
+        handles=[Patch(fc=colour, ec=FAINT, label=name) for *_, name, colour in regimes],
+        loc="upper center",
+        bbox_to_anchor=(0.5, -0.085),
+        ncols=len(regimes),
+        handlelength=1.2,
+        columnspacing=1.5,
+        borderaxespad=0,
+    )
+    axes.text(
+        0.5,
+        -0.165,
+        f"contacts above {LIGHT:.0%} of the largest load",
+        transform=axes.transAxes,
+        ha="center",
+        va="center",
+        fontsize=9.5,
+        color=SOFT,
+    )
     return factor
 
 
 def _polar(axes, title, unit, edge):
     axes.set_title(title, pad=54, x=-0.06)
     axes.set_theta_zero_location("S")  # the load line points down, as a weight does
-    axes.set_thetagrids(range(0, 360, 45), [f"{angle}°".replace("-", "−")
-                                            for angle in (0, 45, 90, 135, 180, -135, -90, -45)])
+    axes.set_thetagrids(
+        range(0, 360, 45),
+        [f"{angle}°".replace("-", "−") for angle in (0, 45, 90, 135, 180, -135, -90, -45)],
+    )
     axes.tick_params(axis="x", pad=3, labelcolor=SOFT)
     axes.spines["polar"].set_color(FAINT)
     axes.set_ylim(0, edge)
@@ -75,10 +125,28 @@ def _polar(axes, title, unit, edge):
     axes.set_rgrids(ticks, [""] * len(ticks))
     for tick in ticks:  # written over the curves, not under them
         if tick < 0.97 * edge:
-            axes.text(np.radians(157.5), tick, f"{tick:g} {unit}", ha="center", va="center", fontsize=10, color=SOFT,
-                      zorder=5, bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75})
+            axes.text(
+                np.radians(157.5),
+                tick,
+                f"{tick:g} {unit}",
+                ha="center",
+                va="center",
+                fontsize=10,
+                color=SOFT,
+                zorder=5,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75},
+            )
 
 
 def _above(axes, handles):
-    return axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(-0.06, 1.075), ncols=len(handles),
-                       handlelength=1.5, handletextpad=0.5, columnspacing=1.3, borderaxespad=0, borderpad=0)
+    return axes.legend(
+        handles=handles,
+        loc="lower left",
+        bbox_to_anchor=(-0.06, 1.075),
+        ncols=len(handles),
+        handlelength=1.5,
+        handletextpad=0.5,
+        columnspacing=1.3,
+        borderaxespad=0,
+        borderpad=0,
+    )

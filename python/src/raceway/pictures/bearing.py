@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearing itself: from the front, cut in its middle plane so that the grooves are seen, and in section.
+"""The bearing itself: from the front, cut in its middle plane so that the grooves are seen, and in
+section.
 
-The grooves are the simulated tori; how thick and wide the rings are beyond them and how high their shoulders, no run
-says: they are drawn in proportion to the balls.
+The grooves are the simulated tori; how thick and wide the rings are beyond them and how high their
+shoulders, no run says: they are drawn in proportion to the balls.
 """
 
 import matplotlib.pyplot as plt
@@ -17,19 +18,26 @@ from raceway.pictures.scene import COLOURS, scene
 from raceway.style import FAINT, INK, MAP, SOFT
 from raceway.units import axis, prefixed
 
-THICK, WIDE, SHOULDER = 0.3, 0.72, 0.2  # of a ball's diameter: rings behind the grooves, half their width, their shoulders
+THICK, WIDE, SHOULDER = (
+    0.3,
+    0.72,
+    0.2,
+)  # of a ball's diameter: rings behind the grooves, half their width, their shoulders
 STEEL, DARK, LIGHT, CAGE, IDLE = "#c9ced6", 0.52, 0.92, "#efe9dc", "#f4f4f4"
 SHADES = 12  # of a groove
 MM = 1e3
 
 
 def bearing(run, path, colour="load", factor=None):
-    """Draw `run` (a `Run`) at the sample with the largest contact load to the PNG `path`; `colour` and `factor` as `scene`'s.
+    """Draw `run` (a `Run`) at the sample with the largest contact load to the PNG `path`; `colour`
+    and `factor` as `scene`'s.
 
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
     run = shown(run)
-    contacts = run.contacts[run.contacts["sample"] <= run.balls["sample"].max()]  # a run that is still going may be ahead in one file
+    contacts = run.contacts[
+        run.contacts["sample"] <= run.balls["sample"].max()
+    ]  # a run that is still going may be ahead in one file
     sample = int(contacts.loc[contacts["load"].idxmax(), "sample"])
     with plt.rc_context(style.STYLE):
         sheet = Sheet(run, scene(run, np.array([sample]), colour, factor), colour)
@@ -38,18 +46,27 @@ def bearing(run, path, colour="load", factor=None):
 
 
 class Sheet:
-    """A figure of the `Scene` `what` of `run`; `show(k)` puts everything where it is at the k-th of its samples."""
+    """A figure of the `Scene` `what` of `run`; `show(k)` puts everything where it is at the k-th of
+    its samples."""
 
     def __init__(self, run, what, colour, dpi=110):
         self.run, self.scene, self.geometry = run, what, run.geometry
         self.factor, self.unit = axis(np.nanmax(what.values, initial=0.0), COLOURS[colour][2])
-        low = np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0  # thin films are never near zero
-        self.norm = plt.Normalize(low * self.factor if np.isfinite(low) else 0, np.nanmax(what.values, initial=0.0) * self.factor or 1)
+        low = (
+            np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0
+        )  # thin films are never near zero
+        self.norm = plt.Normalize(
+            low * self.factor if np.isfinite(low) else 0,
+            np.nanmax(what.values, initial=0.0) * self.factor or 1,
+        )
         self.map = plt.get_cmap(MAP).with_extremes(bad=IDLE)
         self.figure = plt.figure(figsize=(9.6, 6.0), dpi=dpi)
         self._head()
         self._front(self.figure.add_axes((0.01, 0.02, 0.56, 0.85)))
-        bar = self.figure.colorbar(plt.cm.ScalarMappable(self.norm, self.map), cax=self.figure.add_axes((0.60, 0.12, 0.014, 0.62)))
+        bar = self.figure.colorbar(
+            plt.cm.ScalarMappable(self.norm, self.map),
+            cax=self.figure.add_axes((0.60, 0.12, 0.014, 0.62)),
+        )
         bar.set_label(f"{COLOURS[colour][1]} ({self.unit})", fontsize=9.5)
         bar.ax.tick_params(labelsize=9)
         bar.outline.set_edgecolor(FAINT)
@@ -57,16 +74,32 @@ class Sheet:
         self._around(self.figure.add_axes((0.755, 0.115, 0.21, 0.25)))
 
     def _head(self):
-        fit(self.figure.text(0.03, 0.955, title(self.run), fontsize=12.5, fontweight="bold", va="center"), 0.94)
-        self.figure.text(0.03, 0.91, f"motions, clearance and overlaps drawn × {self.scene.factor:g}", fontsize=9.5, color=SOFT,
-                         va="center")
+        fit(
+            self.figure.text(
+                0.03, 0.955, title(self.run), fontsize=12.5, fontweight="bold", va="center"
+            ),
+            0.94,
+        )
+        self.figure.text(
+            0.03,
+            0.91,
+            f"motions, clearance and overlaps drawn × {self.scene.factor:g}",
+            fontsize=9.5,
+            color=SOFT,
+            va="center",
+        )
         self.clock = self.figure.text(0.03, 0.03, "", fontsize=9.5, color=SOFT, va="bottom")
 
-    # ---- from the front -----------------------------------------------------------------------------
+    # ---- from the front
+    # -----------------------------------------------------------------------------
     def _front(self, axes):
         geometry, what, size = self.geometry, self.scene, self.geometry.ball_diameter
         outside = geometry.outer_radius + THICK * size + max(what.half_clearance, 0)
-        axes.set(xlim=np.array([-1.04, 1.04]) * outside * MM, ylim=np.array([-1.04, 1.04]) * outside * MM, aspect="equal")
+        axes.set(
+            xlim=np.array([-1.04, 1.04]) * outside * MM,
+            ylim=np.array([-1.04, 1.04]) * outside * MM,
+            aspect="equal",
+        )
         axes.axis("off")
         race = geometry.outer_radius + what.half_clearance
         _disc(axes, outside, STEEL, INK)
@@ -74,54 +107,108 @@ class Sheet:
             _disc(axes, radius, shade)
         _disc(axes, race, "none", INK)
         _disc(axes, race - SHOULDER * size, "white", SOFT)
-        self.inner = [_disc(axes, radius, shade) for radius, shade in
-                      reversed(list(_groove(geometry.inner_radius, 1, geometry, INNER)))]
-        self.inner += [_disc(axes, geometry.inner_radius + SHOULDER * size, "none", SOFT),
-                       _disc(axes, geometry.inner_radius, STEEL, INK), _disc(axes, geometry.inner_radius - THICK * size, "white", INK)]
+        self.inner = [
+            _disc(axes, radius, shade)
+            for radius, shade in reversed(list(_groove(geometry.inner_radius, 1, geometry, INNER)))
+        ]
+        self.inner += [
+            _disc(axes, geometry.inner_radius + SHOULDER * size, "none", SOFT),
+            _disc(axes, geometry.inner_radius, STEEL, INK),
+            _disc(axes, geometry.inner_radius - THICK * size, "white", INK),
+        ]
         self.mark = _mark(axes)
-        self.cage = [_disc(axes, self.run.cage_ball_radius, CAGE, SOFT) for _ in range(what.cage.shape[1])]
-        self.balls = [_disc(axes, geometry.ball_radius, IDLE, INK) for _ in range(what.balls.shape[1])]
+        self.cage = [
+            _disc(axes, self.run.cage_ball_radius, CAGE, SOFT) for _ in range(what.cage.shape[1])
+        ]
+        self.balls = [
+            _disc(axes, geometry.ball_radius, IDLE, INK) for _ in range(what.balls.shape[1])
+        ]
         self.marks = [_mark(axes) for _ in self.balls]
         bore = (geometry.inner_radius - THICK * size) * MM
         way = self._down()
-        axes.annotate("", 0.72 * bore * way, -0.05 * bore * way, arrowprops={"arrowstyle": "-|>", "color": INK, "lw": 2.2,
-                                                                             "mutation_scale": 18, "shrinkA": 0, "shrinkB": 0})
-        axes.text(*(-0.32 * bore * way), f"{prefixed(self.run.settings['load_N'], 'N')}\n{self.run.settings['rpm']:g} rpm",
-                  ha="center", va="center", fontsize=11)
+        axes.annotate(
+            "",
+            0.72 * bore * way,
+            -0.05 * bore * way,
+            arrowprops={
+                "arrowstyle": "-|>",
+                "color": INK,
+                "lw": 2.2,
+                "mutation_scale": 18,
+                "shrinkA": 0,
+                "shrinkB": 0,
+            },
+        )
+        axes.text(
+            *(-0.32 * bore * way),
+            f"{prefixed(self.run.settings['load_N'], 'N')}\n{self.run.settings['rpm']:g} rpm",
+            ha="center",
+            va="center",
+            fontsize=11,
+        )
 
     def _down(self):
         azimuth = self.run.settings["load_azimuth_rad"]
         return np.array([np.cos(azimuth), np.sin(azimuth)])
 
-    # ---- in section ---------------------------------------------------------------------------------
+    # ---- in section
+    # ---------------------------------------------------------------------------------
     def _section(self, axes):
         geometry, size = self.geometry, self.geometry.ball_diameter
-        axes.set_title("section through the most loaded ball", fontsize=9.5, fontweight="normal", loc="center", pad=4)
+        axes.set_title(
+            "section through the most loaded ball",
+            fontsize=9.5,
+            fontweight="normal",
+            loc="center",
+            pad=4,
+        )
         outside = geometry.outer_radius + (THICK + 0.06) * size
         inside = geometry.inner_radius - (THICK + 0.06) * size
-        axes.set(xlim=np.array([-0.8, 0.8]) * size * MM, ylim=(-outside * MM, -inside * MM), aspect="equal")  # outwards is down
+        axes.set(
+            xlim=np.array([-0.8, 0.8]) * size * MM,
+            ylim=(-outside * MM, -inside * MM),
+            aspect="equal",
+        )  # outwards is down
         axes.axis("off")
         self.profiles = []
-        for race, sign, groove in ((geometry.inner_radius, 1, geometry.inner_groove),
-                                   (geometry.outer_radius + self.scene.half_clearance, -1, geometry.outer_groove)):
+        for race, sign, groove in (
+            (geometry.inner_radius, 1, geometry.inner_groove),
+            (geometry.outer_radius + self.scene.half_clearance, -1, geometry.outer_groove),
+        ):
             half = np.arccos(max(1 - SHOULDER * size / groove, -1.0))
             angle = np.linspace(-half, half, 41)
             z, r = groove * np.sin(angle), race + sign * groove * (1 - np.cos(angle))
             back = race - sign * THICK * size
-            profile = np.column_stack([np.concatenate([[-WIDE * size], z, [WIDE * size, WIDE * size, -WIDE * size]]),
-                                       np.concatenate([[r[0]], r, [r[-1], back, back]])])
-            self.profiles.append((profile, axes.add_patch(Polygon(profile, fc=STEEL, ec=INK, lw=1))))
-        self.cut = axes.add_patch(Circle((0, 0), geometry.ball_radius * MM, fc=IDLE, ec=INK, lw=1, zorder=3))
+            profile = np.column_stack(
+                [
+                    np.concatenate([[-WIDE * size], z, [WIDE * size, WIDE * size, -WIDE * size]]),
+                    np.concatenate([[r[0]], r, [r[-1], back, back]]),
+                ]
+            )
+            self.profiles.append(
+                (profile, axes.add_patch(Polygon(profile, fc=STEEL, ec=INK, lw=1)))
+            )
+        self.cut = axes.add_patch(
+            Circle((0, 0), geometry.ball_radius * MM, fc=IDLE, ec=INK, lw=1, zorder=3)
+        )
 
-    # ---- around the ring ------------------------------------------------------------------------------
+    # ---- around the ring
+    # ------------------------------------------------------------------------------
     def _around(self, axes):
         top = self.run.contacts["load"].max()
         factor, unit = axis(top, "N")
         for psi, load in tracks(self.run, OUTER, "load"):
             turn = 2 * np.pi * np.round(psi / (2 * np.pi))
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
-            axes.plot(np.insert(np.degrees(psi - turn), breaks, np.nan), np.insert(load * factor, breaks, np.nan), color=FAINT, lw=2.5)
-        self.dots = axes.scatter([], [], s=42, edgecolors=INK, linewidths=1, zorder=3, clip_on=False)
+            axes.plot(
+                np.insert(np.degrees(psi - turn), breaks, np.nan),
+                np.insert(load * factor, breaks, np.nan),
+                color=FAINT,
+                lw=2.5,
+            )
+        self.dots = axes.scatter(
+            [], [], s=42, edgecolors=INK, linewidths=1, zorder=3, clip_on=False
+        )
         self.load_factor = factor
         axes.set(xlim=(-180, 180), xticks=(-180, -90, 0, 90, 180), ylim=(0, 1.1 * top * factor))
         axes.set_xlabel("azimuth from the load line (°)", fontsize=9.5)
@@ -141,7 +228,9 @@ class Sheet:
         self.mark.set_data([shift[0] + middle * np.cos(turn)], [shift[1] + middle * np.sin(turn)])
         for disc, place in zip(self.cage, what.cage[k]):
             disc.set_center(place[:2] * MM)
-        for disc, mark, place, angle, colour in zip(self.balls, self.marks, what.balls[k], what.turned[k], colours):
+        for disc, mark, place, angle, colour in zip(
+            self.balls, self.marks, what.balls[k], what.turned[k], colours
+        ):
             disc.set_center(place[:2] * MM)
             disc.set_facecolor(colour)
             spot = place[:2] + 0.6 * radius * np.array([np.cos(angle), np.sin(angle)])
@@ -149,10 +238,16 @@ class Sheet:
         azimuth = np.arctan2(what.balls[k, :, 1], what.balls[k, :, 0])
         heaviest = int(np.argmax(what.load[k]))
         self._show_section(k, heaviest, azimuth[heaviest], colours[heaviest])
-        self.dots.set_offsets(np.column_stack([np.degrees(self.run.from_load_line(azimuth)), what.load[k] * self.load_factor]))
+        self.dots.set_offsets(
+            np.column_stack(
+                [np.degrees(self.run.from_load_line(azimuth)), what.load[k] * self.load_factor]
+            )
+        )
         self.dots.set_facecolors(colours)
         time = what.samples[k] * self.run.settings["sample_s"]
-        self.clock.set_text(f"{prefixed(time, 's', 3)}, {float(self.run.passes(what.samples[k])):.2f} ball passes")
+        self.clock.set_text(
+            f"{prefixed(time, 's', 3)}, {float(self.run.passes(what.samples[k])):.2f} ball passes"
+        )
 
     def _show_section(self, k, ball, azimuth, colour):
         what = self.scene
@@ -173,8 +268,11 @@ def _mark(axes):
 
 
 def _groove(race, sign, geometry, side):
-    """(radius, shade) down the groove's wall as seen from the front, from its bottom `race` to its shoulder; `sign` 1 outwards."""
+    """(radius, shade) down the groove's wall as seen from the front, from its bottom `race` to its
+    shoulder; `sign` 1 outwards."""
     groove = geometry.groove(side)
     for height in np.linspace(0, SHOULDER * geometry.ball_diameter, SHADES):
-        facing = np.sqrt(1 - (1 - min(height / groove, 1)) ** 2)  # of the wall's normal towards the eye
+        facing = np.sqrt(
+            1 - (1 - min(height / groove, 1)) ** 2
+        )  # of the wall's normal towards the eye
         yield race + sign * height, str(DARK + (LIGHT - DARK) * facing)

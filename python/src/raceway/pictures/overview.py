@@ -15,7 +15,8 @@ from raceway.units import axis, prefixed
 
 
 def overview(run, path):
-    """Draw `run` (a `Run`) to the PNG `path`: loads, pressures, and film and capacitance or the ring's path.
+    """Draw `run` (a `Run`) to the PNG `path`: loads, pressures, and film and capacitance or the
+    ring's path.
 
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
@@ -36,16 +37,21 @@ def _compose(figure, run, figures, film):
     head(figure, run, _subtitle(figures))
     edges = {"left": LEFT, "right": RIGHT, "bottom": 0.65 / height}
     if film:
-        above = figure.add_gridspec(1, 2, **edges | {"bottom": 5.35 / height}, top=1 - 2.15 / height, wspace=0.16)
+        above = figure.add_gridspec(
+            1, 2, **edges | {"bottom": 5.35 / height}, top=1 - 2.15 / height, wspace=0.16
+        )
         below = figure.add_gridspec(1, 2, **edges, top=4.1 / height, wspace=0.16)
         around_ring.loads(figure.add_subplot(above[0], projection="polar"), run)
         around_ring.film(figure.add_subplot(above[1], projection="polar"), run)
         _pressures(figure.add_subplot(below[0]), run)
         last = figure.add_subplot(below[1])
     else:
-        left = figure.add_gridspec(1, 1, left=LEFT, right=0.5, top=1 - 2.15 / height, bottom=1.0 / height)
-        right = figure.add_gridspec(2, 1, left=0.6, right=RIGHT, top=1 - 1.6 / height, bottom=0.65 / height,
-                                    hspace=0.46)
+        left = figure.add_gridspec(
+            1, 1, left=LEFT, right=0.5, top=1 - 2.15 / height, bottom=1.0 / height
+        )
+        right = figure.add_gridspec(
+            2, 1, left=0.6, right=RIGHT, top=1 - 1.6 / height, bottom=0.65 / height, hspace=0.46
+        )
         around_ring.loads(figure.add_subplot(left[0], projection="polar"), run)
         _pressures(figure.add_subplot(right[0]), run)
         last = figure.add_subplot(right[1])
@@ -53,11 +59,19 @@ def _compose(figure, run, figures, film):
 
 
 def _subtitle(figures):
-    parts = (("largest contact load", "q_max_N", "N"), ("inner pressure", "p_max_inner_Pa", "Pa"),
-             ("ring shift", "ring_shift_m", "m"), ("inner $h_{min}$", "h_min_m", "m"), ("Λ", "lambda", ""),
-             ("mean capacitance", "capacitance_F", "F"))
-    return "    ".join(f"{name} {prefixed(figures[field], unit, 3)}" for name, field, unit in parts
-                       if figures[field] is not None)
+    parts = (
+        ("largest contact load", "q_max_N", "N"),
+        ("inner pressure", "p_max_inner_Pa", "Pa"),
+        ("ring shift", "ring_shift_m", "m"),
+        ("inner $h_{min}$", "h_min_m", "m"),
+        ("Λ", "lambda", ""),
+        ("mean capacitance", "capacitance_F", "F"),
+    )
+    return "    ".join(
+        f"{name} {prefixed(figures[field], unit, 3)}"
+        for name, field, unit in parts
+        if figures[field] is not None
+    )
 
 
 def _pressures(axes, run):
@@ -65,14 +79,28 @@ def _pressures(axes, run):
     factor, unit = axis(largest, "Pa")
     for side in (OUTER, INNER):
         for psi, pressure in tracks(run, side, "pressure"):
-            turn = 2 * np.pi * np.round(psi / (2 * np.pi))  # back to one turn, without a line across the panel
+            turn = (
+                2 * np.pi * np.round(psi / (2 * np.pi))
+            )  # back to one turn, without a line across the panel
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
-            axes.plot(np.insert(np.degrees(psi - turn), breaks, np.nan),
-                      np.insert(pressure * factor, breaks, np.nan), color=COLOUR[side], lw=2)
-    axes.set(xlabel="azimuth from the load line (°)", ylabel=f"largest contact pressure ({unit})", xlim=(-180, 180),
-             xticks=range(-180, 181, 45))
-    finish(axes, "Hertz pressure", 1.22 * largest * factor,
-           [key(NAME[side], color=COLOUR[side], lw=2.2) for side in (INNER, OUTER)])
+            axes.plot(
+                np.insert(np.degrees(psi - turn), breaks, np.nan),
+                np.insert(pressure * factor, breaks, np.nan),
+                color=COLOUR[side],
+                lw=2,
+            )
+    axes.set(
+        xlabel="azimuth from the load line (°)",
+        ylabel=f"largest contact pressure ({unit})",
+        xlim=(-180, 180),
+        xticks=range(-180, 181, 45),
+    )
+    finish(
+        axes,
+        "Hertz pressure",
+        1.22 * largest * factor,
+        [key(NAME[side], color=COLOUR[side], lw=2.2) for side in (INNER, OUTER)],
+    )
 
 
 def _capacitance(axes, run):
@@ -84,8 +112,15 @@ def _capacitance(axes, run):
     axes.plot(run.passes(samples), total * factor, color=INK, lw=2.4)
     axes.set_ylabel(f"capacitance ({unit})")
     against_time(axes, run, len(total))
-    finish(axes, "Capacitance", 1.22 * total.max() * factor,
-           [key("bearing", color=INK, lw=2.4), key("one ball, inner and outer in series", color=BALL, lw=1.6)])
+    finish(
+        axes,
+        "Capacitance",
+        1.22 * total.max() * factor,
+        [
+            key("bearing", color=INK, lw=2.4),
+            key("one ball, inner and outer in series", color=BALL, lw=1.6),
+        ],
+    )
 
 
 def _ring(axes, run):

@@ -15,19 +15,40 @@ def title(run):
     settings = run.settings
     oil = f"{settings['lubricant']} lubricant" if run.lubricated else "dry"
     clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")
-    return "  ·  ".join((f"{settings['bearing']} ball bearing", f"{prefixed(settings['load_N'], 'N')} radial",
-                         f"{settings['rpm']:g} rpm", oil, f"clearance {clearance}"))
+    return "  ·  ".join(
+        (
+            f"{settings['bearing']} ball bearing",
+            f"{prefixed(settings['load_N'], 'N')} radial",
+            f"{settings['rpm']:g} rpm",
+            oil,
+            f"clearance {clearance}",
+        )
+    )
 
 
 def head(figure, run, below, size=17):
     """Write the title of `run` and, under it, the text `below` at the top of `figure`."""
     height, scale = figure.get_figheight(), size / 17
-    fit(figure.text(LEFT, 1 - 0.45 * scale / height, title(run), fontsize=size, fontweight="bold", va="center"), RIGHT - LEFT)
-    fit(figure.text(LEFT, 1 - 0.82 * scale / height, below, fontsize=11, color=SOFT, va="center"), RIGHT - LEFT)
+    fit(
+        figure.text(
+            LEFT,
+            1 - 0.45 * scale / height,
+            title(run),
+            fontsize=size,
+            fontweight="bold",
+            va="center",
+        ),
+        RIGHT - LEFT,
+    )
+    fit(
+        figure.text(LEFT, 1 - 0.82 * scale / height, below, fontsize=11, color=SOFT, va="center"),
+        RIGHT - LEFT,
+    )
 
 
 def fit(text, share):
-    """Let a long `text` shrink to that `share` of its figure's width: it does not run off the page."""
+    """Let a long `text` shrink to that `share` of its figure's width: it does not run off the
+    page."""
     width = text.get_window_extent(text.figure.canvas.get_renderer()).width
     text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
 
@@ -50,5 +71,14 @@ def finish(axes, title, top, handles):
     if top is not None:
         axes.set_ylim(0, top or 1)
     if handles:
-        axes.legend(handles=handles, loc="upper left", ncols=len(handles), handlelength=1.6, borderaxespad=0.2,
-                    frameon=True, facecolor="white", edgecolor="none", framealpha=1)
+        axes.legend(
+            handles=handles,
+            loc="upper left",
+            ncols=len(handles),
+            handlelength=1.6,
+            borderaxespad=0.2,
+            frameon=True,
+            facecolor="white",
+            edgecolor="none",
+            framealpha=1,
+        )

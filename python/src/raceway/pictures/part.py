@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What part of a run a picture shows, and the tracks of its balls around the ring.
 
-Every ball is drawn as it passes the sampled places, so a curve around the ring is all balls on top of each other; the
-width of the band shows how much it matters where the other balls happen to be.
+Every ball is drawn as it passes the sampled places, so a curve around the ring is all balls on top
+of each other; the width of the band shows how much it matters where the other balls happen to be.
 """
 
 import warnings
@@ -13,17 +13,26 @@ from raceway.errors import RunError, RunWarning
 from raceway.run import Run
 
 LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, and tells nothing
-LARGE, PASSES = 200 << 20, 20  # bytes of contacts.dump from which on only so many ball passes are drawn
+LARGE, PASSES = (
+    200 << 20,
+    20,
+)  # bytes of contacts.dump from which on only so many ball passes are drawn
 
 
 def shown(run, note=""):
-    """The part of `run` that is drawn: all, unless that would be more curves than memory or paper hold. A warning
-    says so, and `note`."""
+    """The part of `run` that is drawn: all, unless that would be more curves than memory or paper
+    hold. A warning says so, and `note`."""
     path = run.folder / "contacts.dump"
     if run.stop is not None or not path.exists() or path.stat().st_size < LARGE:
         return run
-    warnings.warn(f"{path} is large: the picture shows its first {PASSES} ball passes{note}", RunWarning, stacklevel=3)
-    return Run(run.folder, slice(run.first, run.first + int(PASSES * run.settings["samples_per_pass"])))
+    warnings.warn(
+        f"{path} is large: the picture shows its first {PASSES} ball passes{note}",
+        RunWarning,
+        stacklevel=3,
+    )
+    return Run(
+        run.folder, slice(run.first, run.first + int(PASSES * run.settings["samples_per_pass"]))
+    )
 
 
 def filmed(run):
@@ -33,17 +42,26 @@ def filmed(run):
 
 def need(run, column, what):
     """Raise `RunError` unless the contacts of `run` have `column`, which `what` needs."""
-    if column not in run.contacts or not run.lubricated and column in ("h_min", "h_c", "capacitance"):
-        raise RunError(f"{run.folder}: {what} needs the column {column} of contacts.dump, which "
-                       + ("this run does not have" if run.lubricated else "a dry run does not have"))
+    if (
+        column not in run.contacts
+        or not run.lubricated
+        and column in ("h_min", "h_c", "capacitance")
+    ):
+        raise RunError(
+            f"{run.folder}: {what} needs the column {column} of contacts.dump, which "
+            + ("this run does not have" if run.lubricated else "a dry run does not have")
+        )
 
 
 def tracks(run, raceway, column, above=0.0):
-    """(psi, values) of each ball's way past one raceway; psi in rad, unwrapped; NaN where it lost contact.
+    """(psi, values) of each ball's way past one raceway; psi in rad, unwrapped; NaN where it lost
+    contact.
 
     Contacts that carry no more than `above` of the largest load count as lost."""
     contacts = run.contacts
-    rows = contacts[(contacts["raceway"] == raceway) & (contacts["load"] > above * contacts["load"].max())]
+    rows = contacts[
+        (contacts["raceway"] == raceway) & (contacts["load"] > above * contacts["load"].max())
+    ]
     for _, ball in rows.groupby("ball"):
         psi = np.unwrap(run.from_load_line(ball["azimuth"].to_numpy()))
         gaps = np.flatnonzero(np.diff(ball["sample"].to_numpy()) > 1) + 1

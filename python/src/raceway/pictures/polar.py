@@ -14,13 +14,17 @@ from raceway.pictures.part import LIGHT, filmed, shown
 from raceway.style import COLOUR, SIDES
 
 PHASES = 4  # positions of the set of balls within one ball pass at which theory is asked
-STRAIGHT = 0.01  # rad: contacts at larger angles carry more than the radial load that `run.yaml` tells
+STRAIGHT = (
+    0.01  # rad: contacts at larger angles carry more than the radial load that `run.yaml` tells
+)
 
 
 def polar(run, path):
-    """Draw `run` (a `Run`) to the PNG `path`: contact load and, with a lubricant, film thickness against azimuth.
+    """Draw `run` (a `Run`) to the PNG `path`: contact load and, with a lubricant, film thickness
+    against azimuth.
 
-    Dots: `theory`. Raises `RunError` when the run's files are broken or the picture cannot be written.
+    Dots: `theory`. Raises `RunError` when the run's files are broken or the picture cannot be
+    written.
     """
     run = shown(run)
     film = filmed(run)
@@ -28,9 +32,22 @@ def polar(run, path):
         figure = plt.figure(figsize=(12, 7.4) if film else (7, 7.4), dpi=110)
         try:
             dots = theory(run)
-            head(figure, run, "curves: simulation, all balls and samples" + ("    dots: quasi-static theory, as raceway static"
-                                                                             if dots else ""), size=15)
-            grid = figure.add_gridspec(1, 2 if film else 1, left=LEFT, right=RIGHT, bottom=1.0 / 7.4, top=1 - 2.05 / 7.4, wspace=0.16)
+            head(
+                figure,
+                run,
+                "curves: simulation, all balls and samples"
+                + ("    dots: quasi-static theory, as raceway static" if dots else ""),
+                size=15,
+            )
+            grid = figure.add_gridspec(
+                1,
+                2 if film else 1,
+                left=LEFT,
+                right=RIGHT,
+                bottom=1.0 / 7.4,
+                top=1 - 2.05 / 7.4,
+                wspace=0.16,
+            )
             axes = figure.add_subplot(grid[0], projection="polar")
             factor = around_ring.loads(axes, run)
             _dots(axes, dots, "load", factor)
@@ -45,18 +62,38 @@ def polar(run, path):
 
 
 def theory(run):
-    """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES` positions of the balls; no
-    films when dry. Empty where theory does not know the load: contacts at an angle, or no equilibrium."""
+    """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES`
+    positions of the balls; no films when dry. Empty where theory does not know the load: contacts
+    at an angle, or no equilibrium.
+    """
     if "angle" in run.contacts and np.abs(run.contacts["angle"]).max() > STRAIGHT:
         return {}
     settings, bearing, spin = run.settings, run.geometry, run.settings["rpm"] * np.pi / 30
-    oil = Oil(*(settings[name] for name in ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m"))) \
-        if filmed(run) else None
+    oil = (
+        Oil(
+            *(
+                settings[name]
+                for name in (
+                    "viscosity_Pa_s",
+                    "pressure_viscosity_per_Pa",
+                    "permittivity",
+                    "roughness_m",
+                )
+            )
+        )
+        if filmed(run)
+        else None
+    )
     found = {side: {"psi": [], "load": [], "h_min": [], "h_c": []} for side in SIDES}
     for k in range(PHASES):
         try:
-            rest, _ = turning(bearing, spin, settings["load_N"], clearance=settings["clearance_m"],
-                              phase=2 * np.pi * (k + 0.5) / PHASES / bearing.balls)
+            rest, _ = turning(
+                bearing,
+                spin,
+                settings["load_N"],
+                clearance=settings["clearance_m"],
+                phase=2 * np.pi * (k + 0.5) / PHASES / bearing.balls,
+            )
         except NoEquilibrium:
             return {}
         films = lubricate(bearing, rest, oil, spin, settings["clearance_m"]) if oil else None
@@ -66,9 +103,21 @@ def theory(run):
             found[side]["load"].append(contact.load[loaded])
             for name in ("h_min", "h_c") if films else ():
                 found[side][name].append(getattr(films[side], name)[loaded])
-    return {side: {name: np.concatenate(parts) for name, parts in columns.items() if parts} for side, columns in found.items()}
+    return {
+        side: {name: np.concatenate(parts) for name, parts in columns.items() if parts}
+        for side, columns in found.items()
+    }
 
 
 def _dots(axes, dots, name, factor):
     for side, columns in dots.items():
-        axes.plot(columns["psi"], columns[name] * factor, "o", ms=5.5, mfc="white", mec=COLOUR[side], mew=1.3, zorder=4)
+        axes.plot(
+            columns["psi"],
+            columns[name] * factor,
+            "o",
+            ms=5.5,
+            mfc="white",
+            mec=COLOUR[side],
+            mew=1.3,
+            zorder=4,
+        )

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where everything of a bearing is at chosen samples, with its small motions exaggerated so that they can be seen.
+"""Where everything of a bearing is at chosen samples, with its small motions exaggerated so that
+they can be seen.
 
-The rule: what the bearing would have without clearance and load, at rest and concentric, stays as it is. Every departure
-from that (displacement of the inner ring, balls off the pitch circle, half the clearance) is multiplied by one factor. An
-overlap or a gap between two drawn bodies is the real one times the factor.
+The rule: what the bearing would have without clearance and load, at rest and concentric, stays as
+it is. Every departure from that (displacement of the inner ring, balls off the pitch circle, half
+the clearance) is multiplied by one factor. An overlap or a gap between two drawn bodies is the real
+one times the factor.
 """
 
 from dataclasses import dataclass
@@ -14,8 +16,12 @@ from raceway.errors import RunError
 from raceway.pictures.part import LIGHT, need
 from raceway.run import BALL, CAGE
 
-COLOURS = {"load": ("load", "larger contact load of a ball", "N"), "pressure": ("pressure", "larger Hertz pressure of a ball", "Pa"),
-           "film": ("h_min", "thinner film of a ball", "m"), "capacitance": ("capacitance", "capacitance of a ball", "F")}
+COLOURS = {
+    "load": ("load", "larger contact load of a ball", "N"),
+    "pressure": ("pressure", "larger Hertz pressure of a ball", "Pa"),
+    "film": ("h_min", "thinner film of a ball", "m"),
+    "capacitance": ("capacitance", "capacitance of a ball", "F"),
+}
 VISIBLE = 0.12  # of a ball's radius: what the largest motion is drawn as, at most
 
 
@@ -36,17 +42,23 @@ class Scene:
 
 
 def scene(run, samples, colour="load", factor=None):
-    """`Scene` of `run` (a `Run`) at `samples`, an array of numbers of its samples in ascending order; balls have the values
-    of `colour`, a key of `COLOURS`. `factor` None: `nice` of the largest motion.
+    """`Scene` of `run` (a `Run`) at `samples`, an array of numbers of its samples in ascending
+    order; balls have the values of `colour`, a key of `COLOURS`. `factor` None: `nice` of the
+    largest motion.
 
     Raises `RunError` when the run's files are broken or have not what `colour` needs.
     """
     need(run, COLOURS[colour][0], f"colour {colour}")
-    table = run.balls[run.balls["sample"] <= samples[-1]].sort_values(["sample", "id"], kind="stable")
+    table = run.balls[run.balls["sample"] <= samples[-1]].sort_values(
+        ["sample", "id"], kind="stable"
+    )
     count = table["sample"].nunique()
     axis = _places(table[table["id"] == run.settings["outer_ring"]], count)[:, 0]
     if not np.isin(samples, np.unique(table["sample"])).all():
-        raise RunError(f"{run.folder / 'balls.dump'}: no sample {samples[-1]}, the last is {table['sample'].max()}")
+        raise RunError(
+            f"{run.folder / 'balls.dump'}: no sample {samples[-1]}, the last is"
+            f" {table['sample'].max()}"
+        )
     first = int(table["sample"].min())
     kept = samples - first
     pitch, ring = run.geometry.pitch_radius, table[table["id"] == run.settings["inner_ring"]]
@@ -55,13 +67,29 @@ def scene(run, samples, colour="load", factor=None):
     way, cage_way = _places(balls, count) - axis[:, None], _places(cage, count) - axis[:, None]
     if factor is None:
         off = np.abs(np.hypot(way[..., 0], way[..., 1]) - pitch).max()
-        factor = nice(VISIBLE * run.geometry.ball_radius, max(off, np.abs(shift).max(), abs(run.settings["clearance_m"]) / 2,
-                                                             np.abs(way[..., 2]).max()))
+        factor = nice(
+            VISIBLE * run.geometry.ball_radius,
+            max(
+                off,
+                np.abs(shift).max(),
+                abs(run.settings["clearance_m"]) / 2,
+                np.abs(way[..., 2]).max(),
+            ),
+        )
     values, load = _values(run, colour, samples, np.unique(balls["id"]))
     step = run.settings["sample_s"]
-    return Scene(samples, factor, _exaggerated(way[kept], pitch, factor), _exaggerated(cage_way[kept], pitch, factor),
-                 factor * shift[kept], factor * run.settings["clearance_m"] / 2, _turned(balls, step)[kept],
-                 _turned(ring, step)[kept, 0], values, load)
+    return Scene(
+        samples,
+        factor,
+        _exaggerated(way[kept], pitch, factor),
+        _exaggerated(cage_way[kept], pitch, factor),
+        factor * shift[kept],
+        factor * run.settings["clearance_m"] / 2,
+        _turned(balls, step)[kept],
+        _turned(ring, step)[kept, 0],
+        values,
+        load,
+    )
 
 
 def nice(seen, largest):
@@ -88,7 +116,9 @@ def _places(table, samples):
 
 def _turned(table, step):
     spin = table["omegaz"].to_numpy().reshape(table["sample"].nunique(), -1)
-    return step * np.concatenate([np.zeros((1, spin.shape[1])), np.cumsum((spin[1:] + spin[:-1]) / 2, axis=0)])
+    return step * np.concatenate(
+        [np.zeros((1, spin.shape[1])), np.cumsum((spin[1:] + spin[:-1]) / 2, axis=0)]
+    )
 
 
 def _values(run, colour, samples, ids):
@@ -105,5 +135,8 @@ def _values(run, colour, samples, ids):
     if colour == "capacitance":
         return grid(run.pairs[run.pairs["sample"].isin(samples)], "capacitance", "max"), load
     if colour == "film":
-        return grid(contacts[contacts["load"] > LIGHT * run.contacts["load"].max()], "h_min", "min"), load
+        return (
+            grid(contacts[contacts["load"] > LIGHT * run.contacts["load"].max()], "h_min", "min"),
+            load,
+        )
     return grid(contacts, "pressure", "max"), load

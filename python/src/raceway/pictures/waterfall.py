@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitance over azimuth and time: a band a ball, beside it the bearing's total, above it one ball's way around."""
+"""Capacitance over azimuth and time: a band a ball, beside it the bearing's total, above it one
+ball's way around."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -18,9 +19,11 @@ IDLE = "#ececec"  # a ball that is not loaded on both raceways
 
 
 def waterfall(run, path):
-    """Draw the capacitance of every ball of `run` (a `Run`) over azimuth and time to the PNG `path`.
+    """Draw the capacitance of every ball of `run` (a `Run`) over azimuth and time to the PNG
+    `path`.
 
-    Raises `RunError` for a run without capacitance or with broken files, or when the picture cannot be written.
+    Raises `RunError` for a run without capacitance or with broken files, or when the picture cannot
+    be written.
     """
     need(run, "capacitance", "the waterfall")
     run = shown(run)
@@ -31,42 +34,90 @@ def waterfall(run, path):
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 8.4), dpi=110)
         try:
-            head(figure, run, "capacitance of the contacts' Hertz areas, inner and outer of a ball in series, balls in parallel", size=15)
-            grid = figure.add_gridspec(2, 3, left=0.075, right=0.94, bottom=0.085, top=0.86, width_ratios=(1, 0.3, 0.022),
-                                       height_ratios=(0.3, 1), wspace=0.09, hspace=0.1)
+            head(
+                figure,
+                run,
+                "capacitance of the contacts' Hertz areas, inner and outer of a ball in series,"
+                " balls in parallel",
+                size=15,
+            )
+            grid = figure.add_gridspec(
+                2,
+                3,
+                left=0.075,
+                right=0.94,
+                bottom=0.085,
+                top=0.86,
+                width_ratios=(1, 0.3, 0.022),
+                height_ratios=(0.3, 1),
+                wspace=0.09,
+                hspace=0.1,
+            )
             main = figure.add_subplot(grid[1, 0])
             mesh = _bands(main, times, psi, each * factor, run.settings["balls"])
-            main.set(xlabel="azimuth from the load line (°)", ylabel="time (ball passes)", xlim=(-180, 180), ylim=(times[0], times[-1]),
-                     xticks=range(-180, 181, 45))
-            figure.legend(handles=[Patch(fc=IDLE, ec=FAINT, label="none: not loaded\non both raceways")], loc="upper right",
-                          bbox_to_anchor=(0.965, 0.87), handlelength=1.4)
+            main.set(
+                xlabel="azimuth from the load line (°)",
+                ylabel="time (ball passes)",
+                xlim=(-180, 180),
+                ylim=(times[0], times[-1]),
+                xticks=range(-180, 181, 45),
+            )
+            figure.legend(
+                handles=[Patch(fc=IDLE, ec=FAINT, label="none: not loaded\non both raceways")],
+                loc="upper right",
+                bbox_to_anchor=(0.965, 0.87),
+                handlelength=1.4,
+            )
             above = figure.add_subplot(grid[0, 0], sharex=main)
             _around(above, psi, each * factor)
-            above.set(ylim=(0, 1.12 * np.nanmax(each, initial=0.0) * factor or 1), ylabel=f"one ball ({unit})")
+            above.set(
+                ylim=(0, 1.12 * np.nanmax(each, initial=0.0) * factor or 1),
+                ylabel=f"one ball ({unit})",
+            )
             above.tick_params(labelbottom=False)
             beside = figure.add_subplot(grid[1, 1], sharey=main)
             factor, unit_all = axis(total.max(), "F")
             beside.plot(total * factor, times, color=INK, lw=1.8)
-            half = max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1  # a ripple of a per cent can be seen, and is small
-            beside.set(xlabel=f"bearing ({unit_all})", xlim=(total.min() + total.max()) / 2 * factor + np.array([-half, half]))
+            half = (
+                max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
+            )  # a ripple of a per cent can be seen, and is small
+            beside.set(
+                xlabel=f"bearing ({unit_all})",
+                xlim=(total.min() + total.max()) / 2 * factor + np.array([-half, half]),
+            )
             beside.tick_params(labelleft=False)
             for axes in (above, beside):
                 axes.grid(True)
-            figure.colorbar(mesh, cax=figure.add_subplot(grid[1, 2]), label=f"one ball ({unit})").outline.set_edgecolor(FAINT)
+            figure.colorbar(
+                mesh, cax=figure.add_subplot(grid[1, 2]), label=f"one ball ({unit})"
+            ).outline.set_edgecolor(FAINT)
             style.save(figure, path)
         finally:
             plt.close(figure)
 
 
 def bands(run):
-    """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of `run`: azimuth from the load line in rad, unwrapped; F,
-    NaN for a ball that is not loaded on both raceways. At most about `ROWS` samples, evenly spaced."""
-    there = run.balls[run.balls["sample"].isin(run.totals.index)]  # a run that is still going may be ahead in one file
+    """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of `run`: azimuth from the load
+    line in rad, unwrapped; F, NaN for a ball that is not loaded on both raceways. At most about
+    `ROWS` samples, evenly spaced.
+    """
+    there = run.balls[
+        run.balls["sample"].isin(run.totals.index)
+    ]  # a run that is still going may be ahead in one file
     table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])
     ids, samples = np.unique(table["id"]), np.unique(table["sample"])
-    centre = there[there["id"] == run.settings["outer_ring"]].sort_values("sample")[["x", "y"]].to_numpy()
-    x, y = (table[name].to_numpy().reshape(len(samples), len(ids)) - centre[:, [k]] for k, name in enumerate("xy"))
-    each = run.pairs.pivot(index="sample", columns="ball", values="capacitance").reindex(index=samples, columns=ids)
+    centre = (
+        there[there["id"] == run.settings["outer_ring"]]
+        .sort_values("sample")[["x", "y"]]
+        .to_numpy()
+    )
+    x, y = (
+        table[name].to_numpy().reshape(len(samples), len(ids)) - centre[:, [k]]
+        for k, name in enumerate("xy")
+    )
+    each = run.pairs.pivot(index="sample", columns="ball", values="capacitance").reindex(
+        index=samples, columns=ids
+    )
     kept = slice(None, None, -(-len(samples) // ROWS))
     psi = np.unwrap(run.from_load_line(np.arctan2(y, x)), axis=0)
     return samples[kept], psi[kept], each.to_numpy()[kept]
@@ -78,17 +129,26 @@ def _bands(axes, times, psi, each, balls):
     colours = plt.get_cmap(MAP).with_extremes(bad=IDLE)
     rows = np.repeat(_edges(times)[:, None], 2, 1)
     for way, values in zip(np.degrees(psi).T, np.ma.masked_invalid(each).T):
-        for turn in range(round(way.min() / 360), round(way.max() / 360) + 1):  # the same ball, back after a turn
+        for turn in range(
+            round(way.min() / 360), round(way.max() / 360) + 1
+        ):  # the same ball, back after a turn
             columns = _edges(way)[:, None] - 360 * turn + [-half, half]
-            mesh = axes.pcolormesh(columns, rows, values[:, None], norm=norm, cmap=colours, rasterized=True)
+            mesh = axes.pcolormesh(
+                columns, rows, values[:, None], norm=norm, cmap=colours, rasterized=True
+            )
     return mesh
 
 
 def _edges(values):
     """(n + 1,) between and beyond `values` (n,)."""
     inner = (values[1:] + values[:-1]) / 2
-    return np.concatenate([[1.5 * values[0] - 0.5 * values[1]], inner, [1.5 * values[-1] - 0.5 * values[-2]]]) if len(inner) else \
-        values[0] + np.array([-0.5, 0.5])
+    return (
+        np.concatenate(
+            [[1.5 * values[0] - 0.5 * values[1]], inner, [1.5 * values[-1] - 0.5 * values[-2]]]
+        )
+        if len(inner)
+        else values[0] + np.array([-0.5, 0.5])
+    )
 
 
 def _around(axes, psi, each):
@@ -96,4 +156,9 @@ def _around(axes, psi, each):
     for way, values in zip(degrees.T, each.T):
         turn = 360 * np.round(way / 360)
         breaks = np.flatnonzero(np.diff(turn)) + 1
-        axes.plot(np.insert(way - turn, breaks, np.nan), np.insert(np.nan_to_num(values), breaks, np.nan), color=BALL, lw=1.6)
+        axes.plot(
+            np.insert(way - turn, breaks, np.nan),
+            np.insert(np.nan_to_num(values), breaks, np.nan),
+            color=BALL,
+            lw=1.6,
+        )

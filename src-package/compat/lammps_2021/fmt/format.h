@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Debian's liblammps-dev of 29Sep2021 leaves fmt out, which its headers include. Declarations are enough: nothing in
-// this package calls a function of LAMMPS that takes a type of fmt.
+// Debian's liblammps-dev of 29Sep2021 leaves fmt out, which its headers include. Declarations are
+// enough: nothing in this package calls a function of LAMMPS that takes a type of fmt.
 #ifndef BEARING_FMT_FORMAT_H
 #define BEARING_FMT_FORMAT_H
 
@@ -16,7 +16,10 @@ class format_args {
  public:
   format_args();
 };
-template <class Text, class... Args> format_args make_args_checked(const Text &, Args &&...) { return format_args(); }
+template <class Text, class... Args> format_args make_args_checked(const Text &, Args &&...)
+{
+  return format_args();
+}
 template <class... Args> format_args make_format_args(Args &&...) { return format_args(); }
 }    // namespace fmt
 

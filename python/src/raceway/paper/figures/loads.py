@@ -12,31 +12,50 @@ from raceway.style import PALETTE
 
 
 def stribeck(bearing, radial_load, gap, psi):
-    """(loads in N at `psi` in degrees, load parameter) after Stribeck and Harris (eq A.1) for a clearance in m."""
+    """(loads in N at `psi` in degrees, load parameter) after Stribeck and Harris (eq A.1) for a
+    clearance in m."""
     parameter = clearance.load_parameter(gap, distribution.shift(bearing, radial_load, gap))
-    return (distribution.largest_load(bearing.balls, radial_load, parameter)
-            * distribution.relative_load(np.radians(psi), parameter), parameter)
+    return (
+        distribution.largest_load(bearing.balls, radial_load, parameter)
+        * distribution.relative_load(np.radians(psi), parameter),
+        parameter,
+    )
 
 
 def distribution_curves(book):
-    """[(P_d/D, load parameter of the run, simulated Q on `GRID` in N, Q of eq A.1, its load parameter)]."""
+    """[(P_d/D, load parameter of the run, simulated Q on `GRID` in N, Q of eq A.1, its load
+    parameter)]."""
     result = []
     for run in book.readings.all("distribution"):
         ratio = run.given["clearance_ratio"]
         load, parameter = stribeck(book.bearing, 5000.0, ratio * book.bearing.ball_diameter, GRID)
-        result.append((ratio, run.figures["load_parameter"], gridded(*run.around(INNER, "load")), load, parameter))
+        result.append(
+            (
+                ratio,
+                run.figures["load_parameter"],
+                gridded(*run.around(INNER, "load")),
+                load,
+                parameter,
+            )
+        )
     return result
 
 
 def distribution_page(book):
     """Fig A.2: load of a ball over the radial load around the ring."""
-    figure, (axes,) = panel.page("Load of a ball around the ring", "6208, dry, 5 kN, 1 rad/s, inner raceway")
+    figure, (axes,) = panel.page(
+        "Load of a ball around the ring", "6208, dry, 5 kN, 1 rad/s, inner raceway"
+    )
     table = pd.DataFrame({"psi_deg": GRID})
-    for (ratio, seen, load, rest, _), colour, marker in zip(distribution_curves(book), PALETTE[:2] + PALETTE[5:], "osD"):
+    for (ratio, seen, load, rest, _), colour, marker in zip(
+        distribution_curves(book), PALETTE[:2] + PALETTE[5:], "osD"
+    ):
         some = slice(0, None, 10)
         label = f"simulation, $P_d/D$ = {ratio:g}, ε = {seen:.2f}".replace("-", "−")
         panel.marks(axes, GRID[some], load[some] / 5000, colour, label, marker)
-        panel.theory(axes, GRID, rest / 5000, "Stribeck-Harris (eq A.1)" if ratio > 0 else None, colour)
+        panel.theory(
+            axes, GRID, rest / 5000, "Stribeck-Harris (eq A.1)" if ratio > 0 else None, colour
+        )
         table[f"ratio_{ratio:+g}"], table[f"ratio_{ratio:+g}_stribeck"] = load / 5000, rest / 5000
     panel.ring_axis(axes)
     axes.set(ylabel="$Q_ψ/F_r$", ylim=(0, 1.52 * float(table.iloc[:, 1:].max().max())))

@@ -14,13 +14,20 @@ PASSAGE = 60e-12  # F, boundary to mixed, as the paper says (section 4.2)
 
 
 def curves(book, printed=False):
-    """{oil: DataFrame} of the runs at 5 kN: entrainment_m_s, lambda at psi = 0 (inner), capacitance_F (bearing)."""
+    """{oil: DataFrame} of the runs at 5 kN: entrainment_m_s, lambda at psi = 0 (inner),
+    capacitance_F (bearing)."""
     result = {}
     for name in OILS:
-        runs = book.readings.some("speeds_printed" if printed else "speeds", lubricant=name, load=5000)
-        result[name] = pd.DataFrame({"entrainment_m_s": [run.given["entrainment"] for run in runs],
-                                     "lambda": [run.top(INNER, "lambda") for run in runs],
-                                     "capacitance_F": [run.figures["capacitance_F"] for run in runs]})
+        runs = book.readings.some(
+            "speeds_printed" if printed else "speeds", lubricant=name, load=5000
+        )
+        result[name] = pd.DataFrame(
+            {
+                "entrainment_m_s": [run.given["entrainment"] for run in runs],
+                "lambda": [run.top(INNER, "lambda") for run in runs],
+                "capacitance_F": [run.figures["capacitance_F"] for run in runs],
+            }
+        )
     return result
 
 
@@ -31,9 +38,21 @@ def by_speed(book):
     panel.regimes(axes, top, 0.985)
     for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
         speed = np.geomspace(0.005, 1.25, 120)
-        panel.marks(axes, rows["entrainment_m_s"], rows["lambda"], colour, f"simulation, {OILS[name]}", marker)
+        panel.marks(
+            axes,
+            rows["entrainment_m_s"],
+            rows["lambda"],
+            colour,
+            f"simulation, {OILS[name]}",
+            marker,
+        )
         panel.theory(axes, speed, _ratio(book, name, speed), f"static theory, {OILS[name]}", colour)
-    axes.set(xlabel="entrainment speed $U_r$ (m/s)", ylabel="film parameter $Λ_f$", xlim=(0, 1.25), ylim=(0, top))
+    axes.set(
+        xlabel="entrainment speed $U_r$ (m/s)",
+        ylabel="film parameter $Λ_f$",
+        xlim=(0, 1.25),
+        ylim=(0, top),
+    )
     axes.legend(loc="upper left", handlelength=1.7)
     return figure, _table(book)
 
@@ -45,22 +64,53 @@ def by_capacitance(book):
     panel.regimes(axes, top, 0.985)
     for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
         speed = np.geomspace(0.018, 1.25, 30)
-        value = [theory.bearing_capacitance(book.bearing, book.oils[name], 5000.0, one) for one in speed]
-        panel.marks(axes, rows["capacitance_F"] * 1e12, rows["lambda"], colour, f"simulation, {OILS[name]}", marker)
-        panel.theory(axes, np.array(value) * 1e12, _ratio(book, name, speed), f"static theory, {OILS[name]}", colour)
+        value = [
+            theory.bearing_capacitance(book.bearing, book.oils[name], 5000.0, one) for one in speed
+        ]
+        panel.marks(
+            axes,
+            rows["capacitance_F"] * 1e12,
+            rows["lambda"],
+            colour,
+            f"simulation, {OILS[name]}",
+            marker,
+        )
+        panel.theory(
+            axes,
+            np.array(value) * 1e12,
+            _ratio(book, name, speed),
+            f"static theory, {OILS[name]}",
+            colour,
+        )
     for (name, rows), marker in zip(curves(book, printed=True).items(), "os"):
-        axes.plot(rows["capacitance_F"] * 1e12, rows["lambda"], marker + "--", ms=4, color=SOFT, lw=1,
-                  label=f"as printed, {OILS[name]}", zorder=2)
+        axes.plot(
+            rows["capacitance_F"] * 1e12,
+            rows["lambda"],
+            marker + "--",
+            ms=4,
+            color=SOFT,
+            lw=1,
+            label=f"as printed, {OILS[name]}",
+            zorder=2,
+        )
     axes.axvline(PASSAGE * 1e12, color=INK, lw=1.2, ls=":")
     axes.text(PASSAGE * 1e12 + 12, 0.08 * top, "60 pF", fontsize=10)
-    axes.set(xlabel="capacitance of the bearing (pF)", ylabel="film parameter $Λ_f$", xlim=(0, 1500), ylim=(0, top))
+    axes.set(
+        xlabel="capacitance of the bearing (pF)",
+        ylabel="film parameter $Λ_f$",
+        xlim=(0, 1500),
+        ylim=(0, top),
+    )
     axes.legend(loc="upper right", bbox_to_anchor=(0.83, 1.0), handlelength=1.7)
     return figure, _table(book)
 
 
 def _note(book):
     roughness = book.oils["mineral"].roughness
-    return f"6208, 5 kN, no clearance; inner raceway, ψ = 0; roughness {roughness * 1e6:g} µm is assumed"
+    return (
+        f"6208, 5 kN, no clearance; inner raceway, ψ = 0; roughness {roughness * 1e6:g} µm is"
+        " assumed"
+    )
 
 
 def _top(book):
@@ -74,6 +124,9 @@ def _ratio(book, name, speed):
 
 
 def _table(book):
-    both = [rows.assign(oil=name, formulas=form) for form, printed in (("corrected", False), ("printed", True))
-            for name, rows in curves(book, printed).items()]
+    both = [
+        rows.assign(oil=name, formulas=form)
+        for form, printed in (("corrected", False), ("printed", True))
+        for name, rows in curves(book, printed).items()
+    ]
     return pd.concat(both)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The numbers the paper's statements are judged by.
 
-Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed` it returns those that eqs 2, 3 and 9
-change, from the formulas as printed; the others are the same either way.
+Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed` it returns those
+that eqs 2, 3 and 9 change, from the formulas as printed; the others are the same either way.
 """
 
 from raceway.paper.quantities import capacitance, formulas, loads, motion, oil

@@ -21,37 +21,76 @@ def measure(book, printed):
         "top_5": Quantity(by_load[5000], "F", "5 kN"),
         "top_7": Quantity(by_load[7000], "F", "7 kN"),
         "load_step": Quantity(np.diff(tops).min(), "F", "smallest rise per kN"),
-        "load_power": Quantity(np.polyfit(np.log(loads), np.log(tops), 1)[0], "", "power of the load"),
-        "ring_mean": Quantity(runs.one("loads" + form, load=5000).figures["capacitance_F"], "F", "bearing, 5 kN, 0.41 m/s")}
-    curve = {(oil, load): [(run.given["entrainment"], run.top_capacitance(), run.figures["capacitance_F"],
-                            run.top(INNER, "h_min")) for run in runs.some("speeds" + form, lubricant=oil, load=load)]
-             for oil in book.oils for load in (1000, 5000)}
+        "load_power": Quantity(
+            np.polyfit(np.log(loads), np.log(tops), 1)[0], "", "power of the load"
+        ),
+        "ring_mean": Quantity(
+            runs.one("loads" + form, load=5000).figures["capacitance_F"],
+            "F",
+            "bearing, 5 kN, 0.41 m/s",
+        ),
+    }
+    curve = {
+        (oil, load): [
+            (
+                run.given["entrainment"],
+                run.top_capacitance(),
+                run.figures["capacitance_F"],
+                run.top(INNER, "h_min"),
+            )
+            for run in runs.some("speeds" + form, lubricant=oil, load=load)
+        ]
+        for oil in book.oils
+        for load in (1000, 5000)
+    }
     curve = {key: np.array(rows).T for key, rows in curve.items()}
     speed, top, _, _ = curve["mineral", 5000]
     slopes = np.diff(top) / np.diff(speed)
     over = [curve["pao48", load][1] / curve["mineral", load][1] for load in (1000, 5000)]
     result |= {
-        "speed_step": Quantity(max(np.diff(rows[1]).max() for rows in curve.values()), "F",
-                               "largest change from speed to speed (all fall)"),
-        "slow_slope": Quantity(-slopes[0], "F s/m", "fall per m/s from 0.02 to 0.05 m/s, mineral, 5 kN"),
+        "speed_step": Quantity(
+            max(np.diff(rows[1]).max() for rows in curve.values()),
+            "F",
+            "largest change from speed to speed (all fall)",
+        ),
+        "slow_slope": Quantity(
+            -slopes[0], "F s/m", "fall per m/s from 0.02 to 0.05 m/s, mineral, 5 kN"
+        ),
         "fast_slope": Quantity(-slopes[-1], "F s/m", "from 1.0 to 1.2 m/s"),
         "slow_share": Quantity(slopes[0] / slopes[-1], "", "slope at low over slope at high speed"),
-        "load_ratio": Quantity(min((curve[oil, 5000][1] / curve[oil, 1000][1]).min() for oil in book.oils), "",
-                               "smallest ratio 5 kN over 1 kN"),
-        "pao_least": Quantity(min(one.min() for one in over), "", "smallest ratio PAO over mineral"),
+        "load_ratio": Quantity(
+            min((curve[oil, 5000][1] / curve[oil, 1000][1]).min() for oil in book.oils),
+            "",
+            "smallest ratio 5 kN over 1 kN",
+        ),
+        "pao_least": Quantity(
+            min(one.min() for one in over), "", "smallest ratio PAO over mineral"
+        ),
         "pao_most": Quantity(max(one.max() for one in over), "", "largest"),
     }
     for load in (1000, 5000):
         _, _, value, thick = curve["mineral", load]
-        result[f"film_power_{load}"] = Quantity(np.polyfit(np.log(thick), np.log(value), 1)[0], "",
-                                                f"power of $h_{{min}}$ at {load // 1000} kN")
-    result["collapse"] = Quantity(_collapse(book, curve), "%", "largest difference of the oils at the same $h_{min}$")
+        result[f"film_power_{load}"] = Quantity(
+            np.polyfit(np.log(thick), np.log(value), 1)[0],
+            "",
+            f"power of $h_{{min}}$ at {load // 1000} kN",
+        )
+    result["collapse"] = Quantity(
+        _collapse(book, curve), "%", "largest difference of the oils at the same $h_{min}$"
+    )
     return result if printed else result | _same(book, curve)
 
 
 def _collapse(book, curve):
-    """How far C/eps_r of the oils lie apart at one film thickness, 5 kN: relative, where both have films."""
-    lines = {oil: (np.log(curve[oil, 5000][3]), np.log(curve[oil, 5000][2] / book.oils[oil].permittivity)) for oil in book.oils}
+    """How far C/eps_r of the oils lie apart at one film thickness, 5 kN: relative, where both have
+    films."""
+    lines = {
+        oil: (
+            np.log(curve[oil, 5000][3]),
+            np.log(curve[oil, 5000][2] / book.oils[oil].permittivity),
+        )
+        for oil in book.oils
+    }
     (x, y), (u, v) = lines["mineral"], lines["pao48"]
     inside = (x >= u.min()) & (x <= u.max())
     return float(np.abs(np.expm1(y[inside] - np.interp(x[inside], u, v))).max())
@@ -63,36 +102,88 @@ def _same(book, curve):
     psi, value = run.ball_capacitance()
     around = gridded(psi, value)
     area = np.pi * run.around(INNER, "a")[1] * run.around(INNER, "b")[1]
-    plates = (run.around(INNER, "capacitance")[1] * run.around(INNER, "h_c")[1]
-              / (VACUUM * theory.contact(b, book.oils["mineral"], INNER, run.around(INNER, "load")[1], 0.41).permittivity * area))
+    plates = (
+        run.around(INNER, "capacitance")[1]
+        * run.around(INNER, "h_c")[1]
+        / (
+            VACUUM
+            * theory.contact(
+                b, book.oils["mineral"], INNER, run.around(INNER, "load")[1], 0.41
+            ).permittivity
+            * area
+        )
+    )
     # all balls on one pass make each azimuth's curve; mirror images come from different balls
     mirrored = np.abs(around - around[::-1]).max() / around.max()
-    other = {load: runs.one("measured_bearing", load=load).top_capacitance() for load in (1000, 5000)}
-    pair = [runs.one("speeds", lubricant=oil, load=5000, entrainment=0.41) for oil in ("pao48", "mineral")]
-    oils = {run.given["lubricant"]: theory.contact(b, book.oils[run.given["lubricant"]], INNER, run.top(INNER, "load"), 0.41)
-            for run in pair}
+    other = {
+        load: runs.one("measured_bearing", load=load).top_capacitance() for load in (1000, 5000)
+    }
+    pair = [
+        runs.one("speeds", lubricant=oil, load=5000, entrainment=0.41)
+        for oil in ("pao48", "mineral")
+    ]
+    oils = {
+        run.given["lubricant"]: theory.contact(
+            b, book.oils[run.given["lubricant"]], INNER, run.top(INNER, "load"), 0.41
+        )
+        for run in pair
+    }
     low, high = sensitivity.oils_ratio(book, "pao48", "mineral")
-    swept = [(run, book.oils[run.given["lubricant"]], float(run.given["load"]), run.given["entrainment"])
-             for run in runs.all("speeds")]
-    tops = [run.top_capacitance() / float(theory.ball(b, oil, theory.largest_load(b, load), speed)) - 1
-            for run, oil, load, speed in swept]
-    means = [run.figures["capacitance_F"] / theory.bearing_capacitance(b, oil, load, speed) - 1 for run, oil, load, speed in swept]
+    swept = [
+        (run, book.oils[run.given["lubricant"]], float(run.given["load"]), run.given["entrainment"])
+        for run in runs.all("speeds")
+    ]
+    tops = [
+        run.top_capacitance() / float(theory.ball(b, oil, theory.largest_load(b, load), speed)) - 1
+        for run, oil, load, speed in swept
+    ]
+    means = [
+        run.figures["capacitance_F"] / theory.bearing_capacitance(b, oil, load, speed) - 1
+        for run, oil, load, speed in swept
+    ]
     return {
-        "theory_ball": Quantity(np.abs(tops).max(), "%", "one ball at ψ = 0, simulation against static theory, at most"),
-        "theory_bearing": Quantity(np.abs(means).max(), "%", "bearing, simulation against static theory, at most"),
-        "pao_low": Quantity(low, "", "over the plausible ranges of both oils at 5 kN, 0.41 m/s: from"),
-        "viscosity_power": Quantity(sensitivity.power(book, "viscosity"), "", "power of the viscosity in C"),
-        "permittivity_power": Quantity(sensitivity.power(book, "permittivity"), "", "of the permittivity"),
+        "theory_ball": Quantity(
+            np.abs(tops).max(), "%", "one ball at ψ = 0, simulation against static theory, at most"
+        ),
+        "theory_bearing": Quantity(
+            np.abs(means).max(), "%", "bearing, simulation against static theory, at most"
+        ),
+        "pao_low": Quantity(
+            low, "", "over the plausible ranges of both oils at 5 kN, 0.41 m/s: from"
+        ),
+        "viscosity_power": Quantity(
+            sensitivity.power(book, "viscosity"), "", "power of the viscosity in C"
+        ),
+        "permittivity_power": Quantity(
+            sensitivity.power(book, "permittivity"), "", "of the permittivity"
+        ),
         "pao_high": Quantity(high, "", "to"),
-        "plates": Quantity(np.abs(plates - 1).max(), "%", "$C h_c/(ε_0 ε_r π a b)$ off one, at most"),
-        "mirror": Quantity(mirrored, "%", "one ball's curve against its mirror image from other balls"),
-        "loaded_zone": Quantity(np.abs(psi[value > 0]).max(), "°", "largest |ψ| with capacitance, no clearance"),
-        "top_place": Quantity(abs(GRID[around.argmax()]), "°", "azimuth of the largest capacitance"),
-        "other_bearing_1": Quantity(other[1000] / curve["mineral", 1000][1][5], "", "6306 over 6208, 1 kN, 0.41 m/s"),
-        "other_bearing_5": Quantity(other[5000] / curve["mineral", 5000][1][5], "", "6306 over 6208, 5 kN, 0.41 m/s"),
-        "from_permittivity": Quantity(oils["pao48"].permittivity / oils["mineral"].permittivity, "",
-                                      "PAO over mineral from $ε_r$"),
+        "plates": Quantity(
+            np.abs(plates - 1).max(), "%", "$C h_c/(ε_0 ε_r π a b)$ off one, at most"
+        ),
+        "mirror": Quantity(
+            mirrored, "%", "one ball's curve against its mirror image from other balls"
+        ),
+        "loaded_zone": Quantity(
+            np.abs(psi[value > 0]).max(), "°", "largest |ψ| with capacitance, no clearance"
+        ),
+        "top_place": Quantity(
+            abs(GRID[around.argmax()]), "°", "azimuth of the largest capacitance"
+        ),
+        "other_bearing_1": Quantity(
+            other[1000] / curve["mineral", 1000][1][5], "", "6306 over 6208, 1 kN, 0.41 m/s"
+        ),
+        "other_bearing_5": Quantity(
+            other[5000] / curve["mineral", 5000][1][5], "", "6306 over 6208, 5 kN, 0.41 m/s"
+        ),
+        "from_permittivity": Quantity(
+            oils["pao48"].permittivity / oils["mineral"].permittivity,
+            "",
+            "PAO over mineral from $ε_r$",
+        ),
         "from_film": Quantity(oils["mineral"].h_c / oils["pao48"].h_c, "", "from the thinner film"),
-        "background_share": Quantity(30e-12 / curve["mineral", 5000][1][5], "%", "30 pF over one ball at 5 kN, 0.41 m/s"),
+        "background_share": Quantity(
+            30e-12 / curve["mineral", 5000][1][5], "%", "30 pF over one ball at 5 kN, 0.41 m/s"
+        ),
         "background_share_light": Quantity(30e-12 / curve["mineral", 1000][1][5], "%", "at 1 kN"),
     }

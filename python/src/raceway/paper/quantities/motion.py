@@ -18,11 +18,20 @@ def measure(book, printed):
     spin = run.spin() / shaft + cage  # relative to the cage
     return {
         "ftf": Quantity(cage / orders.cage - 1, "%", f"FTF against {orders.cage:.4f} of the shaft"),
-        "bpfo": Quantity(b.balls * cage / orders.outer - 1, "%", f"BPFO against {orders.outer:.4f}"),
-        "bpfi": Quantity(b.balls * (1 - cage) / orders.inner - 1, "%", f"BPFI against {orders.inner:.4f}"),
+        "bpfo": Quantity(
+            b.balls * cage / orders.outer - 1, "%", f"BPFO against {orders.outer:.4f}"
+        ),
+        "bpfi": Quantity(
+            b.balls * (1 - cage) / orders.inner - 1, "%", f"BPFI against {orders.inner:.4f}"
+        ),
         "bsf": Quantity(spin / orders.spin - 1, "%", f"BSF against {orders.spin:.4f}"),
-        "cage_contact": Quantity(run.cage_contact_share(b.ball_radius, CAGE_BALL), "%",
-                                 "neighbouring balls and cage balls in touch"),
+        "cage_contact": Quantity(
+            run.cage_contact_share(b.ball_radius, CAGE_BALL),
+            "%",
+            "neighbouring balls and cage balls in touch",
+        ),
         "coulomb": Quantity(run.coulomb_use(), "", "largest friction over μ $F_n$"),
-        "entrainment_run": Quantity(run.figures["entrainment_speed_m_s"], "m/s", "$U_r$ of the run at 477.5 rpm"),
+        "entrainment_run": Quantity(
+            run.figures["entrainment_speed_m_s"], "m/s", "$U_r$ of the run at 477.5 rpm"
+        ),
     }

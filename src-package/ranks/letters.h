@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Messages between ranks that have something for each other: letters with a rank and a text of numbers. Nobody else waits.
+// Messages between ranks that have something for each other: letters with a rank and a text of
+// numbers. Nobody else waits.
 #ifndef BEARING_LETTERS_H
 #define BEARING_LETTERS_H
 
@@ -17,11 +18,13 @@ void deliver(std::vector<Letter> &from, std::vector<Letter> &to, int message, MP
   std::vector<MPI_Request> under_way;
   for (Letter &l : to) {
     under_way.emplace_back();
-    MPI_Irecv(l.text.data(), static_cast<int>(l.text.size()), MPI_DOUBLE, l.rank, message, world, &under_way.back());
+    MPI_Irecv(l.text.data(), static_cast<int>(l.text.size()), MPI_DOUBLE, l.rank, message, world,
+              &under_way.back());
   }
   for (Letter &l : from) {
     under_way.emplace_back();
-    MPI_Isend(l.text.data(), static_cast<int>(l.text.size()), MPI_DOUBLE, l.rank, message, world, &under_way.back());
+    MPI_Isend(l.text.data(), static_cast<int>(l.text.size()), MPI_DOUBLE, l.rank, message, world,
+              &under_way.back());
   }
   MPI_Waitall(static_cast<int>(under_way.size()), under_way.data(), MPI_STATUSES_IGNORE);
 }

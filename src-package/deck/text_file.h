@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A table that a fix writes: opened by rank 0, with an error on all ranks if that fails; nothing without a name.
+// A table that a fix writes: opened by rank 0, with an error on all ranks if that fails; nothing
+// without a name.
 #ifndef BEARING_TEXT_FILE_H
 #define BEARING_TEXT_FILE_H
 
@@ -12,13 +13,16 @@ namespace bearing {
 
 class TextFile {
  public:
-  ~TextFile() { if (file_) fclose(file_); }
+  ~TextFile()
+  {
+    if (file_) fclose(file_);
+  }
   TextFile() = default;
   TextFile(const TextFile &) = delete;
   TextFile &operator=(const TextFile &) = delete;
 
-  bool wanted() const { return wanted_; }       // on every rank
-  FILE *file() const { return file_; }          // of rank 0, else null
+  bool wanted() const { return wanted_; }    // on every rank
+  FILE *file() const { return file_; }       // of rank 0, else null
   void open(const Arguments &args, const std::string &name, const char *head, MPI_Comm world)
   {
     int rank, trouble = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one idea in the middle: a row per ball and raceway that may touch, filled once a step by the pair
-// style. Forces, step control, capacitance and every output read it; nobody computes a contact twice.
+// The one idea in the middle: a row per ball and raceway that may touch, filled once a step by the
+// pair style. Forces, step control, capacitance and every output read it; nobody computes a contact
+// twice.
 #ifndef BEARING_CONTACT_TABLE_H
 #define BEARING_CONTACT_TABLE_H
 
@@ -16,20 +17,21 @@ struct RacewayContact {
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
   int claim = -1;                  // in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
-  double *spring = nullptr;        // tangential history of this ball on this ring, 2 values (m)
-  bool live = false;               // surfaces overlap
-  raceway::ContactState state;     // of this step; beyond the frame only where live
+  double *spring = nullptr;       // tangential history of this ball on this ring, 2 values (m)
+  bool live = false;              // surfaces overlap
+  raceway::ContactState state;    // of this step; beyond the frame only where live
 
   raceway::Side side() const { return raceway->groove.side; }
 };
 
-// Two spheres that touch each other frictionless: ball and cage ball, or ball and ball without a cage.
+// Two spheres that touch each other frictionless: ball and cage ball, or ball and ball without a
+// cage.
 struct SphereContact {
   tag_t tag_i = 0, tag_j = 0;    // tag_i < tag_j
   int i = -1, j = -1;
-  double K = 0.0;                // N/m^1.5
-  double reach = 0.0;            // m, sum of the radii
-  double mass = 0.0;             // kg, reduced
+  double K = 0.0;                                        // N/m^1.5
+  double reach = 0.0;                                    // m, sum of the radii
+  double mass = 0.0;                                     // kg, reduced
   double stiffness = 0.0, damping = 0.0, force = 0.0;    // of this step
 };
 

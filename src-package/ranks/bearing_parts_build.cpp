@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// After a neighbour build: which bearings there are, where their homes are, and what they are made of.
+// After a neighbour build: which bearings there are, where their homes are, and what they are made
+// of.
 #include "bearing_parts.h"
 
+#include "../styles/fix_bearing_cage.h"
+#include "../styles/fix_bearing_ring.h"
+#include "../styles/pair_bearing_hertz.h"
 #include "exchange.h"
-#include "fix_bearing_cage.h"
-#include "fix_bearing_ring.h"
 #include "gather.h"
-#include "pair_bearing_hertz.h"
 #include "union_find.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ using namespace LAMMPS_NS;
 
 namespace bearing {
 
-// What a rank tells all others about what hangs together: `tag` is in a piece of bearing with the atom `piece`.
+// What a rank tells all others about what hangs together: `tag` is in a piece of bearing with the
+// atom `piece`.
 struct Node {
   tag_t piece, tag;
   int owner;     // rank, -1: another one's
@@ -25,11 +27,12 @@ struct Node {
 
 struct BearingParts::Piece {
   enum Kind { body, ring, value, groove, pocket, seat } kind;
-  tag_t name;                   // of the bearing
+  tag_t name;    // of the bearing
   tag_t a, b;
-  int first, second;            // types of ball and ring; or the number of a fix, or of a ring's own value, in `first`
-  int inside;                   // the atom is of the group
-  double radius, mass, K;       // a pocket's reach is in `radius`, a ring's own value in K
+  int first, second;    // types of ball and ring; or the number of a fix, or of a ring's own value,
+                        // in `first`
+  int inside;           // the atom is of the group
+  double radius, mass, K;    // a pocket's reach is in `radius`, a ring's own value in K
 };
 
 void BearingParts::build(PairBearingHertz *pair, int groupbit)
@@ -40,8 +43,9 @@ void BearingParts::build(PairBearingHertz *pair, int groupbit)
   assemble(exchange(cut(bearing_of, bearings, groupbit), world));
 }
 
-// Number of the bearing of each owned atom, -1: of none with atoms of the group. Every rank joins what its own balls
-// may touch; rings, and balls that touch across a cut, say which of these pieces belong together.
+// Number of the bearing of each owned atom, -1: of none with atoms of the group. Every rank joins
+// what its own balls may touch; rings, and balls that touch across a cut, say which of these pieces
+// belong together.
 std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> &bearings)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
@@ -63,8 +67,8 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   std::vector<Node> nodes;
   auto tell = [&](int i) {
     const int root = local.find(i);
-    nodes.push_back({piece[root], atom->tag[i], i < nlocal ? comm->me : -1, pair_->is_ring_type(atom->type[i]),
-                     inside[root]});
+    nodes.push_back({piece[root], atom->tag[i], i < nlocal ? comm->me : -1,
+                     pair_->is_ring_type(atom->type[i]), inside[root]});
   };
   for (int i = 0; i < nall; ++i)
     if (pair_->is_ring_type(atom->type[i])) tell(i);
@@ -109,9 +113,11 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   return bearing_of;
 }
 
-// Everything this rank owns of the bearings, by home; the lists of atoms whose state goes there follow that order.
-std::vector<std::vector<BearingParts::Piece>> BearingParts::cut(const std::vector<int> &bearing_of,
-                                                                const std::vector<Bearing> &bearings, int groupbit)
+// Everything this rank owns of the bearings, by home; the lists of atoms whose state goes there
+// follow that order.
+std::vector<std::vector<BearingParts::Piece>>
+BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing> &bearings,
+                  int groupbit)
 {
   std::vector<std::vector<Piece>> to(comm->nprocs);
   std::vector<Letter> letter(comm->nprocs);
@@ -143,7 +149,8 @@ std::vector<std::vector<BearingParts::Piece>> BearingParts::cut(const std::vecto
     Letter &l = letter[bearings[bearing_of[i]].home];
     (ring ? l.ring_atom : l.body_atom).push_back(i);
     if (ring && mover[i] >= 0)
-      for (const FixBearingRing::OwnValue &v : dynamic_cast<FixBearingRing *>(modify->fix[mover[i]])->own_values(i)) {
+      for (const FixBearingRing::OwnValue &v :
+           dynamic_cast<FixBearingRing *>(modify->fix[mover[i]])->own_values(i)) {
         Piece &own = add(i, Piece::value, atom->tag[i], 0);
         own.first = v.which;
         own.K = v.value;
@@ -156,7 +163,8 @@ std::vector<std::vector<BearingParts::Piece>> BearingParts::cut(const std::vecto
     p.second = atom->type[c.i_ring];
   }
   for (const SphereContact &s : pair_->table().sphere) {
-    if (s.i >= atom->nlocal || bearing_of[s.i] < 0) continue;    // two ranks know it: the owner of the first tells
+    if (s.i >= atom->nlocal || bearing_of[s.i] < 0)
+      continue;    // two ranks know it: the owner of the first tells
     Piece &p = add(s.i, Piece::pocket, s.tag_i, s.tag_j);
     p.radius = s.reach;
     p.mass = s.mass;
@@ -197,27 +205,33 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
   const Piece *outsider = nullptr;
   for (const Piece &p : pieces) {
     PartModel &m = parts_[part_of[p.name]].model;
-    if (p.kind == Piece::body) m.bodies.push_back({p.a, p.mass, p.radius, pair_->is_ball_type(p.second)});
+    if (p.kind == Piece::body)
+      m.bodies.push_back({p.a, p.mass, p.radius, pair_->is_ball_type(p.second)});
     else if (p.kind == Piece::ring)
-      m.rings.push_back({p.a, p.first < 0 ? nullptr : dynamic_cast<FixBearingRing *>(modify->fix[p.first]), {}});
+      m.rings.push_back(
+          {p.a, p.first < 0 ? nullptr : dynamic_cast<FixBearingRing *>(modify->fix[p.first]), {}});
     else continue;
     if (!p.inside && (!outsider || p.a < outsider->a)) outsider = &p;
   }
   if (outsider)
-    BRG_ONE(command_ + ": atom " + std::to_string(outsider->a) + " (type " + std::to_string(outsider->second) +
-            ") belongs to a bearing of which other atoms are in the fix's group; put balls, cage balls and rings in "
+    BRG_ONE(command_ + ": atom " + std::to_string(outsider->a) + " (type " +
+            std::to_string(outsider->second) +
+            ") belongs to a bearing of which other atoms are in the fix's group; put balls, cage "
+            "balls and rings in "
             "the group");
 
   std::vector<std::unordered_map<tag_t, int>> at(parts_.size());    // of bodies and rings
   for (size_t k = 0; k < parts_.size(); ++k) {
     PartModel &m = parts_[k].model;
-    std::sort(m.bodies.begin(), m.bodies.end(), [](const PartModel::Body &a, const PartModel::Body &b) {
-      return a.spins != b.spins ? a.spins : a.tag < b.tag;
-    });
+    std::sort(m.bodies.begin(), m.bodies.end(),
+              [](const PartModel::Body &a, const PartModel::Body &b) {
+                return a.spins != b.spins ? a.spins : a.tag < b.tag;
+              });
     std::sort(m.rings.begin(), m.rings.end(),
               [](const PartModel::Ring &a, const PartModel::Ring &b) { return a.tag < b.tag; });
     if (m.bodies.empty())
-      BRG_ONE(command_ + ": atom " + std::to_string(m.name()) + " of its group is no ball, cage ball or ring of a "
+      BRG_ONE(command_ + ": atom " + std::to_string(m.name()) +
+              " of its group is no ball, cage ball or ring of a "
               "bearing");
     for (size_t b = 0; b < m.bodies.size(); ++b) at[k][m.bodies[b].tag] = static_cast<int>(b);
     for (size_t r = 0; r < m.rings.size(); ++r) at[k][m.rings[r].tag] = static_cast<int>(r);
@@ -246,10 +260,14 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
 }
 
 // The contacts of the models.
-void BearingParts::finish(const std::vector<Piece> &pieces, const std::unordered_map<tag_t, int> &part_of,
+void BearingParts::finish(const std::vector<Piece> &pieces,
+                          const std::unordered_map<tag_t, int> &part_of,
                           const std::vector<std::unordered_map<tag_t, int>> &at)
 {
-  struct CageSeat { int fix; PartModel::Seat seat; };
+  struct CageSeat {
+    int fix;
+    PartModel::Seat seat;
+  };
   std::vector<std::vector<CageSeat>> seats(parts_.size());
   for (const Piece &p : pieces) {
     if (p.kind == Piece::body || p.kind == Piece::ring) continue;
@@ -267,13 +285,15 @@ void BearingParts::finish(const std::vector<Piece> &pieces, const std::unordered
   }
   for (size_t k = 0; k < parts_.size(); ++k) {
     PartModel &m = parts_[k].model;
-    std::sort(m.grooves.begin(), m.grooves.end(), [](const PartModel::Groove &a, const PartModel::Groove &b) {
-      return a.body != b.body ? a.body < b.body : a.ring < b.ring;
-    });
+    std::sort(m.grooves.begin(), m.grooves.end(),
+              [](const PartModel::Groove &a, const PartModel::Groove &b) {
+                return a.body != b.body ? a.body < b.body : a.ring < b.ring;
+              });
     auto tag = [&m](int body) { return m.bodies[body].tag; };
-    std::sort(m.pockets.begin(), m.pockets.end(), [&](const PartModel::Pocket &a, const PartModel::Pocket &b) {
-      return a.a != b.a ? tag(a.a) < tag(b.a) : tag(a.b) < tag(b.b);
-    });
+    std::sort(m.pockets.begin(), m.pockets.end(),
+              [&](const PartModel::Pocket &a, const PartModel::Pocket &b) {
+                return a.a != b.a ? tag(a.a) < tag(b.a) : tag(a.b) < tag(b.b);
+              });
     std::sort(seats[k].begin(), seats[k].end(), [](const CageSeat &a, const CageSeat &b) {
       return a.fix != b.fix ? a.fix < b.fix : a.seat.body < b.seat.body;
     });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "step_check.h"
 
+#include "../deck/arguments.h"
 #include "../physics/step_limit.h"
-#include "arguments.h"
-#include "pair_bearing_hertz.h"
+#include "../styles/pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
 using raceway::verlet_step_limit;
@@ -12,11 +12,13 @@ namespace bearing {
 
 std::string StepLimit::why() const
 {
-  static const char *names[] = {"the contact spring at 1 um overlap", "the contact spring", "the film damper",
-                                "the tangential spring and dashpot", "a cage contact"};
+  static const char *names[] = {"the contact spring at 1 um overlap", "the contact spring",
+                                "the film damper", "the tangential spring and dashpot",
+                                "a cage contact"};
   std::string s = names[cause];
   if (cause != unloaded)
-    s += " of atom " + std::to_string(ball) + " (" + text(stiffness) + " N/m, " + text(damping) + " N s/m)";
+    s += " of atom " + std::to_string(ball) + " (" + text(stiffness) + " N/m, " + text(damping) +
+         " N s/m)";
   return s;
 }
 
@@ -25,11 +27,13 @@ static void keep_smaller(StepLimit &limit, double k, double c, double m, int cau
   const double step = verlet_step_limit(k, c, m);
   if (step >= limit.step) return;
   // a damper is to blame when the spring alone would allow twice as much
-  if (cause == StepLimit::spring && verlet_step_limit(k, 0.0, m) > 2.0 * step) cause = StepLimit::film_damper;
+  if (cause == StepLimit::spring && verlet_step_limit(k, 0.0, m) > 2.0 * step)
+    cause = StepLimit::film_damper;
   limit = StepLimit{step, cause, ball, k, c};
 }
 
-// N s/m. Smoothed friction is steepest where nothing slides; at the present sliding an instability would hide itself.
+// N s/m. Smoothed friction is steepest where nothing slides; at the present sliding an instability
+// would hide itself.
 static double steepest_friction(const raceway::ContactState &c)
 {
   return c.v_0 > 0.0 ? c.mu * c.normal / c.v_0 : c.ct;
@@ -58,11 +62,15 @@ StepLimit step_limit(LAMMPS *lmp, const PairBearingHertz &pair)
     unloaded = std::fmin(unloaded, verlet_step_limit(k0, 0.0, m));
   }
   for (const SphereContact &s : pair.table().sphere)
-    if (s.stiffness > 0.0) keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
+    if (s.stiffness > 0.0)
+      keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
   if (unloaded < limit.step) limit = StepLimit{unloaded, StepLimit::unloaded, 0, 0.0, 0.0};
 
   // the rank with the smallest step tells the others (lowest rank on a tie)
-  struct { double step; int rank; } mine = {limit.step, lmp->comm->me}, best;
+  struct {
+    double step;
+    int rank;
+  } mine = {limit.step, lmp->comm->me}, best;
   MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE_INT, MPI_MINLOC, lmp->world);
   MPI_Bcast(&limit, sizeof limit, MPI_BYTE, best.rank, lmp->world);
   return limit;

@@ -33,7 +33,8 @@ static bool read_film_keyword(Arguments &args, RacewayPhysics &p)
     p.curve.lambda_1 = args.positive("film parameter at the end of the boundary regime");
     p.curve.lambda_2 = args.positive("film parameter at the start of the full film");
     if (p.curve.lambda_2 <= p.curve.lambda_1)
-      args.fail("regimes " + text(p.curve.lambda_1) + " " + text(p.curve.lambda_2) + ": the second must be larger");
+      args.fail("regimes " + text(p.curve.lambda_1) + " " + text(p.curve.lambda_2) +
+                ": the second must be larger");
   } else {
     return false;
   }
@@ -65,7 +66,8 @@ bool read_raceway_keyword(Arguments &args, bool with_film, RacewayPhysics &p)
       p.curve.mu_full = args.within("full-film friction coefficient", 0.0, 2.0);
     } else {
       args.fail("friction '" + args.word("friction law") + "', must be one of: none, constant MU" +
-                (with_film ? ", stribeck MU_BOUNDARY MU_FULL" : " (stribeck needs pair_style bearing/ehd)"));
+                (with_film ? ", stribeck MU_BOUNDARY MU_FULL"
+                           : " (stribeck needs pair_style bearing/ehd)"));
     }
     if (args.take("smoothed")) p.creep = args.within("creep of the smoothed friction", 1e-6, 1.0);
   } else if (args.take("tangential")) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What every rank has for every other one, delivered: the p-th list of the result is what rank p had for this rank.
+// What every rank has for every other one, delivered: the p-th list of the result is what rank p
+// had for this rank.
 #ifndef BEARING_EXCHANGE_H
 #define BEARING_EXCHANGE_H
 
@@ -10,7 +11,8 @@
 
 namespace bearing {
 
-template <class T> std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>> &to, MPI_Comm world)
+template <class T>
+std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>> &to, MPI_Comm world)
 {
   static_assert(std::is_trivially_copyable<T>::value, "sent as bytes");
   const size_t np = to.size();
@@ -25,8 +27,8 @@ template <class T> std::vector<std::vector<T>> exchange(const std::vector<std::v
   MPI_Alltoall(sent.data(), 1, MPI_INT, got.data(), 1, MPI_INT, world);
   for (size_t p = 1; p < np; ++p) got_at[p] = got_at[p - 1] + got[p - 1];
   std::vector<T> in((got_at.back() + got.back()) / sizeof(T));
-  MPI_Alltoallv(out.data(), sent.data(), sent_at.data(), MPI_BYTE, in.data(), got.data(), got_at.data(), MPI_BYTE,
-                world);
+  MPI_Alltoallv(out.data(), sent.data(), sent_at.data(), MPI_BYTE, in.data(), got.data(),
+                got_at.data(), MPI_BYTE, world);
   std::vector<std::vector<T>> from(np);
   for (size_t p = 0; p < np; ++p) {
     const auto first = in.begin() + got_at[p] / sizeof(T);

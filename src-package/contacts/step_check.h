@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The largest step that velocity Verlet stands, from the stiffness and damping in the contact table.
+// The largest step that velocity Verlet stands, from the stiffness and damping in the contact
+// table.
 #ifndef BEARING_STEP_CHECK_H
 #define BEARING_STEP_CHECK_H
 
 #include "bearing_compat.h"
 
-namespace LAMMPS_NS { class PairBearingHertz; }
+namespace LAMMPS_NS {
+class PairBearingHertz;
+}
 
 namespace bearing {
 
@@ -13,7 +16,7 @@ struct StepLimit {
   enum Cause { unloaded, spring, film_damper, tangential, cage };
   double step = HUGE_VAL;    // s
   int cause = unloaded;
-  tag_t ball = 0;            // whose contacts set it
+  tag_t ball = 0;                           // whose contacts set it
   double stiffness = 0.0, damping = 0.0;    // N/m and N s/m of that ball, all contacts together
 
   std::string why() const;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact_attribute.h"
 
-#include "fix_bearing_capacitance.h"
-#include "fix_bearing_state.h"
-#include "pair_bearing_hertz.h"
+#include "../styles/fix_bearing_capacitance.h"
+#include "../styles/fix_bearing_state.h"
+#include "../styles/pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
 using namespace raceway;
@@ -42,20 +42,28 @@ static const ContactAttribute attributes[] = {
     {"normal", [](Row c, Context) { return c.state.normal; }, false, false},
     {"stiffness", [](Row c, Context) { return c.state.stiffness; }, false, false},
     {"damping", [](Row c, Context) { return c.state.damping; }, false, false},
-    {"a", [](Row c, Context) { return c.raceway->law.at(c.state.cos_angle).a * c.state.root; }, false, false},
-    {"b", [](Row c, Context) { return c.raceway->law.at(c.state.cos_angle).b * c.state.root; }, false, false},
-    {"pressure", [](Row c, Context) { return c.raceway->law.at(c.state.cos_angle).p * c.state.root; }, false, false},
+    {"a", [](Row c, Context) { return c.raceway->law.at(c.state.cos_angle).a * c.state.root; },
+     false, false},
+    {"b", [](Row c, Context) { return c.raceway->law.at(c.state.cos_angle).b * c.state.root; },
+     false, false},
+    {"pressure",
+     [](Row c, Context) { return c.raceway->law.at(c.state.cos_angle).p * c.state.root; }, false,
+     false},
     {"entrainment", [](Row c, Context) { return c.state.entrainment; }, false, false},
-    {"sliding", [](Row c, Context) { return std::hypot(c.state.sliding_t, c.state.sliding_w); }, false, false},
+    {"sliding", [](Row c, Context) { return std::hypot(c.state.sliding_t, c.state.sliding_w); },
+     false, false},
     {"h_min", [](Row c, Context) { return c.state.h_min; }, true, false},
     {"h_c", [](Row c, Context x) { return x.capacitor(c).h_c; }, true, true},
     {"lambda", [](Row c, Context) { return c.state.lambda; }, true, false},
-    {"regime", [](Row c, Context) { return double(regime(c.raceway->curve, c.state.lambda)); }, true, false},
+    {"regime", [](Row c, Context) { return double(regime(c.raceway->curve, c.state.lambda)); },
+     true, false},
     {"mu", [](Row c, Context) { return c.state.mu; }, false, false},
-    {"friction", [](Row c, Context) { return std::hypot(c.state.friction_t, c.state.friction_w); }, false, false},
+    {"friction", [](Row c, Context) { return std::hypot(c.state.friction_t, c.state.friction_w); },
+     false, false},
     {"friction_t", [](Row c, Context) { return c.state.friction_t; }, false, false},
     {"friction_w", [](Row c, Context) { return c.state.friction_w; }, false, false},
-    {"friction_power", [](Row c, Context) { return bearing::friction_power(c.state); }, false, false},
+    {"friction_power", [](Row c, Context) { return bearing::friction_power(c.state); }, false,
+     false},
     {"damping_power", [](Row c, Context) { return bearing::damping_power(c.state); }, false, false},
     {"capacitance", [](Row c, Context x) { return x.capacitor(c).capacitance; }, true, true},
 };
@@ -104,7 +112,8 @@ std::vector<const ContactAttribute *> read_attributes(Arguments &args, const Pai
 }
 
 AttributeContext attribute_context(LAMMPS *lmp, const PairBearingHertz &pair,
-                                   const std::vector<const ContactAttribute *> &list, const std::string &asked_by)
+                                   const std::vector<const ContactAttribute *> &list,
+                                   const std::string &asked_by)
 {
   AttributeContext context;
   context.axis = pair.axis_index();

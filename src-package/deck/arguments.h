@@ -17,16 +17,17 @@ std::string text(double value);
 class Arguments : protected LAMMPS_NS::Pointers {
  public:
   Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);
-  Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, const std::vector<std::string> &words);
+  Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command,
+            const std::vector<std::string> &words);
 
   bool more() const { return next_ < words_.size(); }
   size_t left() const { return words_.size() - next_; }
-  bool take(const char *keyword);                 // true and consumed if the next word is this
+  bool take(const char *keyword);    // true and consumed if the next word is this
   bool next_is_number() const;
-  std::string word(const std::string &what);      // next word; error if there is none
+  std::string word(const std::string &what);    // next word; error if there is none
   double number(const std::string &what);
-  double positive(const std::string &what);       // > 0
-  double non_negative(const std::string &what);   // >= 0
+  double positive(const std::string &what);        // > 0
+  double non_negative(const std::string &what);    // >= 0
   double within(const std::string &what, double lo, double hi);
   int integer(const std::string &what, int lo, int hi);
   int choice(const std::string &what, std::initializer_list<const char *> allowed);

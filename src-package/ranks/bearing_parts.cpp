@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings: from the owners of the atoms to the homes and back, every step. The finding of bearings is
-// in bearing_parts_build.cpp.
+// State of the bearings: from the owners of the atoms to the homes and back, every step. The
+// finding of bearings is in bearing_parts_build.cpp.
 #include "bearing_parts.h"
 
+#include "../styles/pair_bearing_hertz.h"
 #include "letters.h"
-#include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
 using raceway::Vec3;
@@ -17,7 +17,8 @@ static constexpr int letters = 6208;    // message tag of this file alone
 static constexpr size_t body_numbers = sizeof(BodyState) / sizeof(double);
 static constexpr size_t ring_numbers = sizeof(RingFullState) / sizeof(double);
 static_assert(body_numbers == 9 && ring_numbers == 19, "states are made of doubles");
-static_assert(std::is_trivially_copyable<BodyState>::value && std::is_trivially_copyable<RingFullState>::value,
+static_assert(std::is_trivially_copyable<BodyState>::value &&
+                  std::is_trivially_copyable<RingFullState>::value,
               "sent as they are");
 
 template <class State> static void put(double *&at, const State &s)
@@ -36,7 +37,8 @@ template <class State> static State take(const double *&at)
 
 void BearingParts::Letter::size_text()
 {
-  const size_t bodies = body_atom.size() + body_place.size(), rings = ring_atom.size() + ring_place.size();
+  const size_t bodies = body_atom.size() + body_place.size(),
+               rings = ring_atom.size() + ring_place.size();
   text.resize(bodies * body_numbers + rings * ring_numbers);
 }
 
@@ -47,7 +49,8 @@ BodyState BearingParts::read_body(int i) const
 
 RingFullState BearingParts::read_ring(int i) const
 {
-  return {Vec3::from(atom->x[i]), Vec3::from(atom->v[i]), Vec3::from(atom->omega[i]), pair_->state()->ring(i)};
+  return {Vec3::from(atom->x[i]), Vec3::from(atom->v[i]), Vec3::from(atom->omega[i]),
+          pair_->state()->ring(i)};
 }
 
 void BearingParts::write_body(int i, const BodyState &b) const

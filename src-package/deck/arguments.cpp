@@ -17,7 +17,8 @@ Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **a
 {
 }
 
-Arguments::Arguments(LAMMPS *lmp, const std::string &command, const std::vector<std::string> &words) :
+Arguments::Arguments(LAMMPS *lmp, const std::string &command,
+                     const std::vector<std::string> &words) :
     Pointers(lmp), command_(command), words_(words)
 {
 }
@@ -79,7 +80,8 @@ double Arguments::non_negative(const std::string &what)
 double Arguments::within(const std::string &what, double lo, double hi)
 {
   const double v = number(what);
-  if (!(v >= lo && v <= hi)) fail(what + " is " + text(v) + ", must be from " + text(lo) + " to " + text(hi));
+  if (!(v >= lo && v <= hi))
+    fail(what + " is " + text(v) + ", must be from " + text(lo) + " to " + text(hi));
   return v;
 }
 

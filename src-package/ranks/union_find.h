@@ -9,7 +9,10 @@ namespace bearing {
 
 class UnionFind {
  public:
-  explicit UnionFind(int n = 0) { while (size() < n) add(); }
+  explicit UnionFind(int n = 0)
+  {
+    while (size() < n) add();
+  }
   int size() const { return static_cast<int>(parent_.size()); }
   int add()
   {

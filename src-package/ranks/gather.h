@@ -25,12 +25,14 @@ template <class T> std::vector<T> gather_all(const std::vector<T> &mine, MPI_Com
     total += count[p];
   }
   std::vector<T> all(total / sizeof(T));
-  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), count.data(), offset.data(), MPI_BYTE, world);
+  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), count.data(), offset.data(), MPI_BYTE,
+                 world);
   return all;
 }
 
 // The same without a copy where there is one rank; `space` is used otherwise.
-template <class T> const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &space, MPI_Comm world)
+template <class T>
+const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &space, MPI_Comm world)
 {
   int np;
   MPI_Comm_size(world, &np);

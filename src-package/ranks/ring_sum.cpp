@@ -22,7 +22,10 @@ void RingSum::reset()
   ways_known_ = false;
 }
 
-void RingSum::own(int i_ring, tag_t ring) { rings_.push_back({i_ring, ring, true, {}, Vec3(), Vec3(), {}}); }
+void RingSum::own(int i_ring, tag_t ring)
+{
+  rings_.push_back({i_ring, ring, true, {}, Vec3(), Vec3(), {}});
+}
 
 int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
 {
@@ -36,18 +39,22 @@ int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
 void RingSum::find_ways()
 {
   const int np = comm->nprocs, me = comm->me;
-  std::sort(rings_.begin(), rings_.end(), [](const Ring &a, const Ring &b) { return a.tag < b.tag; });
+  std::sort(rings_.begin(), rings_.end(),
+            [](const Ring &a, const Ring &b) { return a.tag < b.tag; });
   auto ring_of = [this](tag_t tag) {
-    const auto r = std::lower_bound(rings_.begin(), rings_.end(), tag, [](const Ring &a, tag_t t) { return a.tag < t; });
+    const auto r = std::lower_bound(rings_.begin(), rings_.end(), tag,
+                                    [](const Ring &a, tag_t t) { return a.tag < t; });
     if (r == rings_.end() || r->tag != tag)
-      BRG_ONE("ring " + std::to_string(tag) + " is not on the rank it should be on: please report this");
+      BRG_ONE("ring " + std::to_string(tag) +
+              " is not on the rank it should be on: please report this");
     return static_cast<int>(r - rings_.begin());
   };
   std::vector<std::vector<Claim>> to(np);
   std::vector<std::vector<int>> numbers(np);
   for (int k = 0; k < claims(); ++k) {
     if (owner_[k] == me) {
-      rings_[ring_of(claims_[k].ring)].terms.push_back({claims_[k].partner, claims_[k].source, -1, k});
+      rings_[ring_of(claims_[k].ring)].terms.push_back(
+          {claims_[k].partner, claims_[k].source, -1, k});
     } else {
       to[owner_[k]].push_back(claims_[k]);
       numbers[owner_[k]].push_back(k);
@@ -58,11 +65,13 @@ void RingSum::find_ways()
   in_.clear();
   for (int p = 0; p < np; ++p) {
     if (p == me) continue;
-    if (!numbers[p].empty()) out_.push_back({p, numbers[p], static_cast<int>(numbers[p].size()), {}});
+    if (!numbers[p].empty())
+      out_.push_back({p, numbers[p], static_cast<int>(numbers[p].size()), {}});
     if (from[p].empty()) continue;
     for (size_t at = 0; at < from[p].size(); ++at) {
       Ring &r = rings_[ring_of(from[p][at].ring)];
-      r.terms.push_back({from[p][at].partner, from[p][at].source, static_cast<int>(in_.size()), static_cast<int>(at)});
+      r.terms.push_back({from[p][at].partner, from[p][at].source, static_cast<int>(in_.size()),
+                         static_cast<int>(at)});
       r.local = false;
     }
     in_.push_back({p, {}, static_cast<int>(from[p].size()), {}});
@@ -98,7 +107,8 @@ void RingSum::flush()
     Ring &r = rings_[n];
     if (first || !r.local)
       for (const Term &t : r.terms) {
-        const double *said = t.letter < 0 ? parts_[t.at].said : &in_[t.letter].text[t.at * force_and_torque];
+        const double *said =
+            t.letter < 0 ? parts_[t.at].said : &in_[t.letter].text[t.at * force_and_torque];
         r.force += Vec3::from(said);
         r.torque += Vec3::from(said + 3);
       }
@@ -125,7 +135,8 @@ void RingSum::collect(int width, const std::vector<double> &said,
   for (int n = 0; n < rings(); ++n)
     for (const Term &t : rings_[n].terms)
       heard(n, static_cast<Source>(t.source),
-            (t.letter < 0 ? said.data() : in_[t.letter].text.data()) + static_cast<size_t>(t.at) * width);
+            (t.letter < 0 ? said.data() : in_[t.letter].text.data()) +
+                static_cast<size_t>(t.at) * width);
 }
 
 }    // namespace bearing

@@ -4,13 +4,14 @@
 #ifndef BEARING_RACEWAY_OPTIONS_H
 #define BEARING_RACEWAY_OPTIONS_H
 
+#include "../deck/arguments.h"
 #include "../physics/contact.h"
-#include "arguments.h"
 
 namespace bearing {
 
 // Consume one keyword with its values. False if the next word is none of them.
-// with_film: accept the keywords of bearing/ehd (lubricant, film, roughness, floor, damper, stribeck).
+// with_film: accept the keywords of bearing/ehd (lubricant, film, roughness, floor, damper,
+// stribeck).
 bool read_raceway_keyword(Arguments &args, bool with_film, raceway::RacewayPhysics &p);
 
 // For error messages.

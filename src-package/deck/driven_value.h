@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A number, an equal-style variable v_NAME evaluated once a step, or an atom-style one with a value for every ring.
+// A number, an equal-style variable v_NAME evaluated once a step, or an atom-style one with a value
+// for every ring.
 #ifndef BEARING_DRIVEN_VALUE_H
 #define BEARING_DRIVEN_VALUE_H
 
@@ -9,7 +10,8 @@ namespace bearing {
 
 class DrivenValue {
  public:
-  // The next word of a command: a number or v_NAME; with `each_ring` that may be an atom-style variable.
+  // The next word of a command: a number or v_NAME; with `each_ring` that may be an atom-style
+  // variable.
   static DrivenValue read(Arguments &args, const std::string &what, bool each_ring = false)
   {
     DrivenValue d;
@@ -20,7 +22,8 @@ class DrivenValue {
     }
     const std::string w = args.word(what);
     if (w.compare(0, 2, "v_") != 0 || w.size() < 3)
-      args.fail(what + " must be a number or an " + d.style() + " variable v_NAME, not '" + w + "'");
+      args.fail(what + " must be a number or an " + d.style() + " variable v_NAME, not '" + w +
+                "'");
     d.name_ = w.substr(2);
     return d;
   }
