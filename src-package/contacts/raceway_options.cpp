@@ -1,82 +1,106 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "raceway_options.h"
 
+#include "../physics/part_table.h"
+
 using namespace raceway;
 
 namespace bearing {
 
-std::string raceway_keywords(bool with_film)
+namespace {
+
+std::vector<const KeywordEntry *> keywords_of(bool with_film)
 {
-  std::string s = "young, poisson, ellipse, hysteresis, friction, tangential";
-  if (with_film) s += ", lubricant, film, roughness, floor, damper, regimes";
+  std::vector<const KeywordEntry *> list;
+  for (const PartEntry &part : part_table())
+    for (const KeywordEntry &k : part.keywords)
+      if (with_film || !part.film) list.push_back(&k);
+  return list;
+}
+
+std::vector<std::string> split(const std::string &text, char at)
+{
+  std::vector<std::string> words(1);
+  for (char c : text) {
+    if (c == at) words.emplace_back();
+    else words.back() += c;
+  }
+  return words;
+}
+
+double read(Arguments &args, const Parameter &p)
+{
+  if (p.choices) return args.choice(p.meaning, split(p.choices, '|'));
+  if (std::isfinite(p.most)) return args.within(p.meaning, p.least, p.most);
+  return p.open ? args.positive(p.meaning) : args.non_negative(p.meaning);
+}
+
+void read_values(Arguments &args, const KeywordEntry &k, RacewayPhysics &p)
+{
+  std::vector<double> values;
+  std::string said = k.name;
+  for (const Parameter &parameter : k.parameters) {
+    values.push_back(read(args, parameter));
+    said += " " + text(values.back());
+  }
+  if (const char *why = k.wrong ? k.wrong(values.data()) : nullptr) args.fail(said + ": " + why);
+  k.set(p, values.data());
+}
+
+// "constant MU"
+std::string form_text(const KeywordEntry &k)
+{
+  std::string s = k.form;
+  for (const Parameter &p : k.parameters) s += std::string(" ") + p.symbol;
   return s;
 }
 
-static bool read_film_keyword(Arguments &args, RacewayPhysics &p)
+// A keyword whose next word is one of several: "friction none|constant MU|...".
+void read_form(Arguments &args, const std::string &name, bool with_film, RacewayPhysics &p)
 {
-  if (args.take("lubricant")) {
-    p.model.lubricant.viscosity = args.positive("viscosity (Pa s)");
-    p.model.lubricant.pressure_viscosity = args.positive("pressure-viscosity coefficient (1/Pa)");
-  } else if (args.take("film")) {
-    const FilmModel models[] = {FilmModel::masjedi_khonsari, FilmModel::masjedi_khonsari_printed,
-                                FilmModel::hamrock_dowson};
-    p.model.film = models[args.choice("film", {"masjedi", "masjedi/printed", "hamrock"})];
-  } else if (args.take("roughness")) {
-    p.ring_roughness = args.positive("roughness of the raceway (m)");
-    p.ball_roughness = args.non_negative("roughness of the ball (m)");
-  } else if (args.take("floor")) {
-    p.film_floor = args.positive("film floor of the damper (m)");
-  } else if (args.take("damper")) {
-    p.model.damper_full_axis = args.choice("damper length", {"a", "2a"}) == 1;
-    p.model.damper_rolling_radius = args.choice("damper radius", {"Rb", "Rx"}) == 1;
-  } else if (args.take("regimes")) {
-    p.curve.lambda_1 = args.positive("film parameter at the end of the boundary regime");
-    p.curve.lambda_2 = args.positive("film parameter at the start of the full film");
-    if (p.curve.lambda_2 <= p.curve.lambda_1)
-      args.fail("regimes " + text(p.curve.lambda_1) + " " + text(p.curve.lambda_2) +
-                ": the second must be larger");
-  } else {
-    return false;
+  if (args.take("none")) {    // a slot with the name of the keyword is left empty
+    for (size_t k = 0; k < part_table().size(); ++k)
+      if (part_table()[k].slot == name) p.parts &= ~(1u << k);
+    return;
   }
-  return true;
+  std::string allowed = "none", more;
+  for (const PartEntry &part : part_table())
+    for (const KeywordEntry &k : part.keywords) {
+      if (k.name != name || k.form.empty()) continue;
+      if (part.film && !with_film) {
+        more += " (" + k.form + " needs pair_style bearing/ehd)";
+        continue;
+      }
+      if (args.take(k.form.c_str())) {
+        read_values(args, k, p);
+        return;
+      }
+      allowed += ", " + form_text(k);
+    }
+  args.fail(name + " '" + args.word(name + " law") + "', must be one of: " + allowed + more);
+}
+
+}    // namespace
+
+std::string raceway_keywords(bool with_film)
+{
+  std::string s, last;
+  for (const KeywordEntry *k : keywords_of(with_film)) {
+    if (k->name != last) s += (s.empty() ? "" : ", ") + k->name;
+    last = k->name;
+  }
+  return s;
 }
 
 bool read_raceway_keyword(Arguments &args, bool with_film, RacewayPhysics &p)
 {
-  if (args.take("young")) {
-    p.material.ball_young = args.positive("Young's modulus of the ball (Pa)");
-    p.material.ring_young = args.positive("Young's modulus of the ring (Pa)");
-  } else if (args.take("poisson")) {
-    p.material.ball_poisson = args.within("Poisson's ratio of the ball", 0.0, 0.5);
-    p.material.ring_poisson = args.within("Poisson's ratio of the ring", 0.0, 0.5);
-  } else if (args.take("ellipse")) {
-    const Ellipse forms[] = {Ellipse::exact, Ellipse::hamrock, Ellipse::printed};
-    p.model.ellipse = forms[args.choice("ellipse", {"exact", "hamrock", "printed"})];
-  } else if (args.take("hysteresis")) {
-    p.hysteresis = args.non_negative("hysteretic damping alpha_e (s/m)");
-  } else if (args.take("friction")) {
-    if (args.take("none")) {
-      p.friction = Friction::none;
-    } else if (args.take("constant")) {
-      p.friction = Friction::constant;
-      p.mu = args.within("friction coefficient", 0.0, 2.0);
-    } else if (with_film && args.take("stribeck")) {
-      p.friction = Friction::stribeck;
-      p.curve.mu_boundary = args.within("boundary friction coefficient", 0.0, 2.0);
-      p.curve.mu_full = args.within("full-film friction coefficient", 0.0, 2.0);
-    } else {
-      args.fail("friction '" + args.word("friction law") + "', must be one of: none, constant MU" +
-                (with_film ? ", stribeck MU_BOUNDARY MU_FULL"
-                           : " (stribeck needs pair_style bearing/ehd)"));
-    }
-    if (args.take("smoothed")) p.creep = args.within("creep of the smoothed friction", 1e-6, 1.0);
-  } else if (args.take("tangential")) {
-    p.tangential_ratio = args.positive("tangential over normal stiffness");
-    p.tangential_zeta = args.within("tangential damping over critical", 0.0, 2.0);
-  } else {
-    return with_film && read_film_keyword(args, p);
+  for (const KeywordEntry *k : keywords_of(with_film)) {
+    if (!args.take(k->name.c_str())) continue;
+    if (k->form.empty()) read_values(args, *k, p);
+    else read_form(args, k->name, with_film, p);
+    return true;
   }
-  return true;
+  return false;
 }
 
 }    // namespace bearing

@@ -94,14 +94,14 @@ int Arguments::integer(const std::string &what, int lo, int hi)
   return static_cast<int>(v);
 }
 
-int Arguments::choice(const std::string &what, std::initializer_list<const char *> allowed)
+int Arguments::choice(const std::string &what, const std::vector<std::string> &allowed)
 {
   const std::string s = word(what);
   int n = 0;
   std::string list;
-  for (const char *a : allowed) {
+  for (const std::string &a : allowed) {
     if (s == a) return n;
-    list += (n++ ? ", " : "") + std::string(a);
+    list += (n++ ? ", " : "") + a;
   }
   fail(what + " is '" + s + "', must be one of: " + list);
 }

@@ -6,7 +6,6 @@
 
 #include "bearing_compat.h"
 
-#include <initializer_list>
 #include <vector>
 
 namespace bearing {
@@ -30,7 +29,7 @@ class Arguments : protected LAMMPS_NS::Pointers {
   double non_negative(const std::string &what);    // >= 0
   double within(const std::string &what, double lo, double hi);
   int integer(const std::string &what, int lo, int hi);
-  int choice(const std::string &what, std::initializer_list<const char *> allowed);
+  int choice(const std::string &what, const std::vector<std::string> &allowed);
   [[noreturn]] void unknown(const std::string &allowed);    // the next word is no keyword
   [[noreturn]] void fail(const std::string &why) const;
 

@@ -15,17 +15,17 @@ namespace raceway {
 struct BearingModel {
   struct Body {
     double mass, radius;
-    bool spins;
-  };    // rolling balls spin, cage balls do not
-  struct Groove {
+    bool spins;    // rolling balls spin, cage balls do not
+  };
+  struct Groove {    // a ball that may touch a raceway
     int body, ring;
     const RacewayPhysics *physics;
-  };    // a ball that may touch a raceway
-  struct Pocket {
+  };
+  struct Pocket {    // two bodies that may touch, as spheres
     int a, b;
     double K, reach, mass;
-  };    // two bodies that may touch, as spheres
-  struct Seat {
+  };
+  struct Seat {    // a cage ball on the rails of a ring
     int body, ring;
     const std::vector<Rail> *rails;
     const std::vector<double> *stiffness;
@@ -35,8 +35,7 @@ struct BearingModel {
   std::vector<Groove> grooves;
   std::vector<Pocket> pockets;
   std::vector<Seat> seats;
-  bool lubricated = false;
-  Friction friction = Friction::none;    // all raceways; smoothed (creep > 0)
+  unsigned parts = dry_parts;    // of the contact law of all raceways
 };
 
 struct BodyPose {

@@ -59,10 +59,10 @@ inline void tangential_force(const TangentialSpring &s, double cap, double vt, d
 // N/v_0 at small s: a loaded contact creeps a little where the spring would stick. In a rolling
 // contact that is what a traction curve looks like: with v_0 = c u (u entrainment speed) f depends
 // on the slide-roll ratio s/u only and bends at s/u = c. Returns f/s, N s/m; cap = mu N.
-template <class T>
-RACEWAY_INLINE T smoothed_friction(const T &cap, const T &slip_t, const T &slip_w, const T &v_0)
+template <class T, class S>
+RACEWAY_INLINE T smoothed_friction(const T &cap, const S &slip_t, const S &slip_w, const S &v_0)
 {
-  return cap / square_root(slip_t * slip_t + slip_w * slip_w + v_0 * v_0);
+  return cap / square_root(S(slip_t * slip_t + slip_w * slip_w + v_0 * v_0));
 }
 
 }    // namespace raceway

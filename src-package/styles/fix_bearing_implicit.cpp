@@ -132,7 +132,7 @@ void FixBearingImplicit::build()
   for (int p = 0; p < bearings_.size(); ++p) {
     parts_.push_back({ImplicitBearing(*pair_, bearings_.model(p)), 0.0});
     parts_.back().bearing.step().keep_energy(energy_wanted_);
-    parts_.back().bearing.step().want(instants_);
+    parts_.back().bearing.step().instants().want(instants_);
   }
 }
 
@@ -183,9 +183,9 @@ void FixBearingImplicit::advance(Part &p)
     // over what is allowed; grows like h^2
     const double excess = std::max(o.error / tolerance_, o.stability);
     const double fit = 0.9 / std::sqrt(std::max(excess, 1e-6));
-    if (!o.solved || !(excess <= 1.0)) {
+    if (!o.solved() || !(excess <= 1.0)) {
       refused_ += 1.0;
-      p.step = h * std::min(0.5, std::max(0.2, o.solved ? fit : 0.25));
+      p.step = h * std::min(0.5, std::max(0.2, o.solved() ? fit : 0.25));
       if (p.step < smallest_step) give_up(p, h, o);
       continue;
     }
@@ -224,25 +224,37 @@ void FixBearingImplicit::add_instants(const std::vector<tag_t> &of,
         wanted.push_back(g);
     for (int k = 1; k < instants_.number; ++k)
       for (int g : wanted) {
-        const raceway::BearingStep::Contact c = parts_[p].bearing.step().at_instant(k, g);
+        const raceway::InstantLoad c = parts_[p].bearing.step().instants().at(k, g);
         if (c.load > 0.0)
           add.push_back({k, m.bodies[m.grooves[g].body].tag, m.grooves[g].physics->groove.side, c});
       }
   }
 }
 
+static std::string cause(raceway::Failure f, const std::string &who)
+{
+  using raceway::Failure;
+  switch (f) {
+    case Failure::not_a_number: return "the velocity of " + who + " is not a number";
+    case Failure::outside_groove: return "the overlap of " + who + " is beyond the overlap limit";
+    case Failure::turned_too_far: return "a body turns too far for one stage";
+    case Failure::other_links: return "cage contacts open and close between corrections";
+    default: return "corrections do not converge";
+  }
+}
+
 void FixBearingImplicit::give_up(Part &p, double h, const raceway::BearingStep::Outcome &o)
 {
-  const int body = p.bearing.step().worst(), links = p.bearing.step().overlinked();
   const std::string where =
       std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
-  if (links >= 0)
-    BRG_ONE(where + ": atom " + std::to_string(p.bearing.tag(links)) +
-            " touches more than two balls or cage balls");
+  const std::string who =
+      o.body >= 0 ? "atom " + std::to_string(p.bearing.tag(o.body)) : std::string("a body");
+  if (o.failure == raceway::Failure::overlinked)
+    BRG_ONE(where + ": " + who + " touches more than two balls or cage balls");
   BRG_ONE(where + ": no solution with substeps down to " + text(h) + " s; last correction " +
           text(o.last) + " m, estimated error " + text(o.error) + " m, tolerance " +
-          text(tolerance_) + " m" +
-          (body >= 0 ? "; worst is atom " + std::to_string(p.bearing.tag(body)) : std::string()) +
+          text(tolerance_) + " m; " +
+          (o.solved() ? "the error is too large" : cause(o.failure, who)) +
           ". Load too high, rings apart, or the start overlaps");
   std::abort();
 }

@@ -31,12 +31,12 @@ class FixBearingImplicit : public Fix {
   double compute_vector(int) override;
 
   // Contacts between host steps: asked for in another fix's setup(), there after every step.
-  using Instants = raceway::BearingStep::Instants;
+  using Instants = raceway::Instants;
   struct InstantContact {
     int instant;    // k of number, 1 to number - 1
     bearing::tag_t ball;
     raceway::Side side;
-    raceway::BearingStep::Contact contact;
+    raceway::InstantLoad contact;
   };
   void want_instants(const Instants &);    // one set of wishes a fix
   // Those of the balls `of` (sorted) in bearings at home here.

@@ -6,6 +6,8 @@
 #include "fix_bearing_ring.h"
 #include "pair_bearing_hertz.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::text;
@@ -108,17 +110,19 @@ void FixBearingState::save_forces()
 
 void FixBearingState::post_run() { save_forces(); }
 
-double *FixBearingState::spring(int i, bearing::tag_t ring)
+double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
 {
   PerAtom &p = per_atom_[i];
-  for (int k = 0; k < p.n_springs; ++k)
-    if (p.spring_ring[k] == ring) return p.spring[k];
-  if (p.n_springs == max_rings)
+  for (int k = 0; k < p.n_grooves; ++k)
+    if (p.kept_ring[k] == ring && p.kept_groove[k] == groove) return p.kept[k];
+  if (p.n_grooves == max_grooves)
     BRG_ONE("ball " + std::to_string(atom->tag[i]) + " has met more than " +
-            std::to_string(max_rings) + " rings");
-  p.spring_ring[p.n_springs] = ring;
-  p.spring[p.n_springs][0] = p.spring[p.n_springs][1] = 0.0;
-  return p.spring[p.n_springs++];
+            std::to_string(max_grooves) + " grooves");
+  const int n = p.n_grooves++;
+  p.kept_ring[n] = ring;
+  p.kept_groove[n] = groove;
+  std::fill(p.kept[n], p.kept[n] + room, 0.0);
+  return p.kept[n];
 }
 
 // Rails ask before the pair style does; the second in a step finds them sent. Axes that no fix
@@ -146,11 +150,11 @@ int FixBearingState::pack_exchange(int i, double *buf)
 {
   const PerAtom &p = per_atom_[i];
   int m = 0;
-  buf[m++] = p.n_springs;
-  for (int k = 0; k < max_rings; ++k) {
-    buf[m++] = static_cast<double>(p.spring_ring[k]);
-    buf[m++] = p.spring[k][0];
-    buf[m++] = p.spring[k][1];
+  buf[m++] = p.n_grooves;
+  for (int k = 0; k < max_grooves; ++k) {
+    buf[m++] = static_cast<double>(p.kept_ring[k]);
+    buf[m++] = p.kept_groove[k];
+    for (double value : p.kept[k]) buf[m++] = value;
   }
   p.ring.axis.to(buf + m);
   p.ring.origin.to(buf + m + 3);
@@ -170,11 +174,11 @@ int FixBearingState::unpack_exchange(int i, double *buf)
 {
   PerAtom &p = per_atom_[i];
   int m = 0;
-  p.n_springs = static_cast<int>(buf[m++]);
-  for (int k = 0; k < max_rings; ++k) {
-    p.spring_ring[k] = static_cast<bearing::tag_t>(buf[m++]);
-    p.spring[k][0] = buf[m++];
-    p.spring[k][1] = buf[m++];
+  p.n_grooves = static_cast<int>(buf[m++]);
+  for (int k = 0; k < max_grooves; ++k) {
+    p.kept_ring[k] = static_cast<bearing::tag_t>(buf[m++]);
+    p.kept_groove[k] = static_cast<int>(buf[m++]);
+    for (double &value : p.kept[k]) value = buf[m++];
   }
   p.ring.axis = Vec3::from(buf + m);
   p.ring.origin = Vec3::from(buf + m + 3);
@@ -204,7 +208,12 @@ void FixBearingState::unpack_restart(int i, int nth)
   double **extra = atom->extra;
   int m = 0;
   for (int k = 0; k < nth; ++k) m += static_cast<int>(extra[i][m]);
-  unpack_exchange(i, &extra[i][m + 1]);
+  const int size = static_cast<int>(extra[i][m]);
+  const int read = 1 + unpack_exchange(i, &extra[i][m + 1]);
+  if (size != read)
+    BRG_ONE("the restart file keeps " + std::to_string(size) + " numbers of atom " +
+            std::to_string(atom->tag[i]) + ", this program " + std::to_string(read) +
+            ": it was written by a version with other contact laws");
 }
 
 int FixBearingState::size_restart(int) { return packed_size; }

@@ -2,17 +2,18 @@
 // Internal fix of the bearing pair styles: what a ball or ring carries from step to step beyond
 // position and velocity, across ranks and restarts. Made by the pair style; users need not name it.
 //
-//   ball: tangential springs, keyed by the ring's tag;   ring: axis, spin angle, origin, imposed
-//   tilt; all:  force and torque at the end of a run, so that the next run (or a restart) starts
-//   its first half
-//         kick with the bits of the step before instead of forces from full-step velocities.
+//   ball: what the contact law keeps, by ring and groove
+//   ring: axis, spin angle, origin, imposed tilt
+//   all:  force and torque at the end of a run, so that the next run (or a restart) starts its
+//   first
+//         half kick with the bits of the step before instead of forces from full-step velocities
 #ifdef FIX_CLASS
 FixStyle(bearing/state,FixBearingState)
 #else
 #ifndef LMP_FIX_BEARING_STATE_H
 #define LMP_FIX_BEARING_STATE_H
 
-#include "../physics/vec3.h"
+#include "../physics/contact.h"
 #include "bearing_compat.h"
 
 #include <vector>
@@ -25,7 +26,8 @@ class FixBearingState : public Fix {
  public:
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
-  static constexpr int max_rings = 4;    // springs per ball
+  static constexpr int max_grooves = 4;    // that a ball keeps something of
+  static constexpr int room = raceway::most_states > 0 ? raceway::most_states : 1;
 
   struct RingMotion {
     raceway::Vec3 axis;
@@ -48,8 +50,9 @@ class FixBearingState : public Fix {
 
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
   RingMotion &ring(int i) { return per_atom_[i].ring; }
-  double *spring(int i_ball, bearing::tag_t ring);    // 2 values, a new slot starts at 0
-  void forward_axes();                                // and owners, of rings to ghosts, once a step
+  // What the contact law keeps of a ball in a groove; new ones start at 0.
+  double *kept(int i_ball, bearing::tag_t ring, int groove);
+  void forward_axes();    // and owners, of rings to ghosts, once a step
   int owner(int i) const
   {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
@@ -77,9 +80,10 @@ class FixBearingState : public Fix {
   double memory_usage() override;
 
   struct PerAtom {
-    int n_springs = 0;
-    bearing::tag_t spring_ring[max_rings] = {};
-    double spring[max_rings][2] = {};
+    int n_grooves = 0;
+    bearing::tag_t kept_ring[max_grooves] = {};
+    int kept_groove[max_grooves] = {};
+    double kept[max_grooves][room] = {};
     RingMotion ring;
     bool saved = false;    // force and torque below belong to saved_step
     double saved_step = -1.0;
@@ -88,7 +92,7 @@ class FixBearingState : public Fix {
   };
 
  private:
-  static constexpr int packed_size = 2 + 3 * max_rings + 10 + 8;
+  static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 8;
 
   void save_forces();
   void check_step();

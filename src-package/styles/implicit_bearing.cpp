@@ -22,14 +22,13 @@ static BearingModel model_of(const PairBearingHertz &pair, const PartModel &part
     m.pockets.push_back({p.a, p.b, p.K, p.reach, p.mass});
   for (const PartModel::Seat &s : part.seats)
     m.seats.push_back({s.body, s.ring, &s.cage->rails(), &s.cage->stiffness()});
-  m.lubricated = pair.lubricated();
-  m.friction = pair.friction();
+  m.parts = pair.law();
   return m;
 }
 
 ImplicitBearing::ImplicitBearing(const PairBearingHertz &pair, const PartModel &part) :
-    axis_(pair.axis_index()), step_(model_of(pair, part)), bodies_(part.bodies.size()),
-    rings_(part.rings.size())
+    axis_(pair.axis_index()), step_(new raceway::BearingStep(model_of(pair, part))),
+    bodies_(part.bodies.size()), rings_(part.rings.size())
 {
   for (const PartModel::Body &b : part.bodies) tags_.push_back(b.tag);
   for (const PartModel::Ring &r : part.rings) {
@@ -53,14 +52,14 @@ void ImplicitBearing::load(const std::vector<BodyState> &bodies,
     p.angle = r.motion.angle;
     for (int i = 0; i < 2; ++i) p.tilt[i] = r.motion.tilt[i];
     p.set_angular_velocity(in(r.w));
-    if (fixes_[k]) step_.set_program(static_cast<int>(k), fixes_[k]->program(own_[k]));
+    if (fixes_[k]) step_->set_program(static_cast<int>(k), fixes_[k]->program(own_[k]));
   }
-  step_.load(bodies_, rings_);
+  step_->load(bodies_, rings_);
 }
 
 void ImplicitBearing::store(std::vector<BodyState> &bodies, std::vector<RingFullState> &rings) const
 {
-  step_.store(bodies_, rings_);
+  step_->store(bodies_, rings_);
   for (size_t k = 0; k < bodies.size(); ++k)
     bodies[k] = {out(bodies_[k].x), out(bodies_[k].v), out(bodies_[k].w)};
   for (size_t k = 0; k < rings.size(); ++k) {

@@ -7,6 +7,8 @@
 #include "../implicit/bearing_step.h"
 #include "../ranks/bearing_parts.h"
 
+#include <memory>
+
 namespace bearing {
 
 class ImplicitBearing {
@@ -15,8 +17,8 @@ class ImplicitBearing {
 
   void load(const std::vector<BodyState> &, const std::vector<RingFullState> &);
   void store(std::vector<BodyState> &, std::vector<RingFullState> &) const;
-  raceway::BearingStep &step() { return step_; }
-  const raceway::BearingStep &step() const { return step_; }
+  raceway::BearingStep &step() { return *step_; }
+  const raceway::BearingStep &step() const { return *step_; }
   tag_t tag(int body) const { return tags_[body]; }
 
  private:
@@ -34,7 +36,7 @@ class ImplicitBearing {
   std::vector<tag_t> tags_;
   std::vector<const LAMMPS_NS::FixBearingRing *> fixes_;
   std::vector<std::vector<LAMMPS_NS::FixBearingRing::OwnValue>> own_;    // by ring
-  raceway::BearingStep step_;
+  std::unique_ptr<raceway::BearingStep> step_;
   mutable std::vector<raceway::BodyPose> bodies_;
   mutable std::vector<raceway::RingPose> rings_;
 };

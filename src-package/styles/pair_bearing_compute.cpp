@@ -7,6 +7,8 @@
 #include "../physics/damped_hertz.h"
 #include "fix_bearing_state.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 using namespace raceway;
 using bearing::RacewayContact;
@@ -18,27 +20,21 @@ void PairBearingHertz::compute(int eflag, int vflag)
   BRG_EV_INIT(eflag, vflag);
   state_->forward_axes();
   if (neighbor->ago == 0 || rebuild_) rebuild_contacts();
-  if (evflag) choose_friction<true>();
-  else choose_friction<false>();
+  if (evflag) raceway_forces<true>();
+  else raceway_forces<false>();
   sphere_forces(evflag);
   ring_sum_.flush();
 }
 
-template <bool tally> void PairBearingHertz::choose_friction()
+template <bool tally> void PairBearingHertz::raceway_forces()
 {
-  if (with_film_) switch (friction_) {
-      case Friction::none: raceway_forces<true, Friction::none, tally>(); break;
-      case Friction::constant: raceway_forces<true, Friction::constant, tally>(); break;
-      case Friction::stribeck: raceway_forces<true, Friction::stribeck, tally>(); break;
-    }
-  else if (friction_ == Friction::none) raceway_forces<false, Friction::none, tally>();
-  else raceway_forces<false, Friction::constant, tally>();
+  with_law(law_, [this](auto law) { raceway_forces<decltype(law), tally>(); });
 }
 
-template <bool film, Friction friction, bool tally> void PairBearingHertz::raceway_forces()
+template <class L, bool tally> void PairBearingHertz::raceway_forces()
 {
   double **x = atom->x, **v = atom->v, **w = atom->omega, **f = atom->f, **torque = atom->torque;
-  // the forces of a set-up belong to a step already made: they must not advance the springs
+  // the forces of a set-up belong to a step already made: they must not advance what contacts keep
   const bool advance = !update->setupflag;
   const double dt = advance ? update->dt : 0.0;
   BallState ball;
@@ -50,7 +46,7 @@ template <bool film, Friction friction, bool tally> void PairBearingHertz::racew
     ring.e = state_->axis(c.i_ring);
     c.live = touch(p, ball.x - ring.x, ring.e, c.state);
     if (!c.live) {
-      if (friction != Friction::none && advance) c.spring[0] = c.spring[1] = 0.0;
+      if (L::states > 0 && advance) std::fill(c.kept, c.kept + L::states, 0.0);
       continue;
     }
     if (!(c.state.overlap < p.largest_overlap)) lost(c);
@@ -58,15 +54,10 @@ template <bool film, Friction friction, bool tally> void PairBearingHertz::racew
     ball.w = Vec3::from(w[c.i_ball]);
     ring.v = Vec3::from(v[c.i_ring]);
     ring.w = Vec3::from(w[c.i_ring]);
-    double xi[2] = {c.spring[0], c.spring[1]};
-    const ContactForces forces =
-        p.creep > 0.0
-            ? contact_forces<film, friction>(p, ball, ring, FrictionSmoothed(), c.state)
-            : contact_forces<film, friction>(p, ball, ring, FrictionSpring{dt, xi}, c.state);
-    if (friction != Friction::none && advance) {
-      c.spring[0] = xi[0];
-      c.spring[1] = xi[1];
-    }
+    double after[L::states > 0 ? L::states : 1];
+    const LawStates<double> memory = {dt, c.kept, after};
+    const ContactForces forces = contact_forces<L>(p, ball, ring, memory, c.state);
+    if (L::states > 0 && advance) std::copy(after, after + L::states, c.kept);
     if (!std::isfinite(c.state.normal)) lost(c);
     forces.force.add_to(f[c.i_ball]);
     forces.ball_torque.add_to(torque[c.i_ball]);

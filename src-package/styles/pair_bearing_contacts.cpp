@@ -61,7 +61,8 @@ void PairBearingHertz::rebuild_contacts()
   }
   std::sort(table_.raceway.begin(), table_.raceway.end(),
             [](const RacewayContact &a, const RacewayContact &b) {
-              return a.ball != b.ball ? a.ball < b.ball : a.ring < b.ring;
+              if (a.ball != b.ball) return a.ball < b.ball;
+              return a.ring != b.ring ? a.ring < b.ring : a.groove() < b.groove();
             });
   std::sort(table_.sphere.begin(), table_.sphere.end(),
             [](const SphereContact &a, const SphereContact &b) {
@@ -78,7 +79,7 @@ void PairBearingHertz::add_raceway_contacts()
   std::vector<int> sides(atom->nlocal, 0);
   for (RacewayContact &c : table_.raceway) {
     c.claim = ring_sum_.claim(c.ring, state_->owner(c.i_ring), bearing::RingSum::ball, c.ball);
-    c.spring = state_->spring(c.i_ball, c.ring);
+    c.kept = state_->kept(c.i_ball, c.ring, c.groove());
     const int bit = c.side() == Side::inner ? 1 : 2;
     if (sides[c.i_ball] & bit)
       BRG_ONE("ball " + std::to_string(c.ball) + " sits in the grooves of two " +

@@ -5,6 +5,7 @@
 
 #include "../contacts/raceway_options.h"
 #include "../deck/arguments.h"
+#include "../physics/part_table.h"
 #include "fix_bearing_state.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ void PairBearingHertz::settings(int narg, char **arg)
 {
   said_.assign(1, std::vector<std::string>(arg, arg + narg));
   defaults_ = RacewayPhysics();
+  if (with_film_) defaults_.parts = lubricated_parts;
   raceways_.clear();
   spheres_.clear();
   axis_ = 2;
@@ -160,11 +162,14 @@ const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type) co
 bool PairBearingHertz::smooth_friction(double creep)
 {
   bool changed = false;
-  for (auto &entry : raceways_)
-    if (entry.second.friction != Friction::none && entry.second.creep == 0.0) {
-      entry.second.creep = creep;
-      changed = true;
-    }
+  for (auto &entry : raceways_) {
+    RacewayPhysics &p = entry.second;
+    if (!p.has<TangentialSpringPart>()) continue;
+    p.choose<SmoothedFrictionPart>();
+    p.of<SmoothedFrictionPart>().creep = creep;
+    law_ = p.parts;
+    changed = true;
+  }
   return changed;
 }
 
@@ -245,9 +250,13 @@ void PairBearingHertz::prepare_raceways()
       BRG_ALL(who + ": raceway radius " + text(p.groove.raceway_radius) +
               " m leaves no pitch circle for balls of " + "radius " + text(hi[ball]) + " m");
     p.prepare(pitch, mass[ball], overlap_limit_);
-    if (!first && p.friction != friction_)
-      BRG_ALL(who + ": all raceways of a run share one friction law (its numbers may differ)");
-    friction_ = p.friction;
+    if (!first && p.parts != law_)
+      BRG_ALL(who +
+              ": all raceways of a run share one contact law (its numbers may differ); here " +
+              law_text(p.parts) + ", before " + law_text(law_));
+    law_ = p.parts;
+    if (!with_law(law_, [](auto) {}))
+      BRG_ALL(who + ": the contact law " + law_text(law_) + " is not among those compiled");
     first = false;
   }
 }

@@ -47,7 +47,10 @@ class PairBearingHertz : public Pair {
   // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no
   // ring.
   double pitch_radius(int ring_type) const;
-  raceway::Friction friction() const { return friction_; }
+  unsigned law() const
+  {
+    return law_;
+  }    // its parts (physics/contact.h), one law for all raceways
   bool smooth_friction(
       double creep);    // raceways with a tangential spring take this creep instead: true
   int table_build() const
@@ -75,8 +78,8 @@ class PairBearingHertz : public Pair {
   void check_ghosts();
   void rebuild_contacts();
   void add_raceway_contacts();
-  template <bool film, raceway::Friction friction, bool tally> void raceway_forces();
-  template <bool tally> void choose_friction();
+  template <bool tally> void raceway_forces();
+  template <class L, bool tally> void raceway_forces();
   void sphere_forces(bool tally);
   [[noreturn]] void lost(const bearing::RacewayContact &);
 
@@ -87,7 +90,7 @@ class PairBearingHertz : public Pair {
   std::map<TypePair, Sphere> spheres_;                      // (smaller type, larger type)
   std::vector<char> ring_type_, ball_type_;
   std::vector<double> type_radius_;
-  raceway::Friction friction_ = raceway::Friction::none;    // the law of all raceways of a run
+  unsigned law_ = raceway::dry_parts;
 
   // the words of every command so far: what a restart file keeps and replays
   std::vector<std::vector<std::string>> said_;

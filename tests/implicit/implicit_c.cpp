@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The mathematics of the implicit step behind a C interface, for test_mathematics.py.
 #include "../../src-package/implicit/bearing_step.h"
+#include "../../src-package/implicit/contact_rows.h"
 #include "../../src-package/implicit/lane_blocks.h"
 
 #include <algorithm>
 
 using namespace raceway;
+
+using SmoothedLaw = LubricatedLaw<ConstantFrictionPart, SmoothedFrictionPart>;
 
 static RacewayPhysics outer_6208(double mu)
 {
@@ -13,9 +16,10 @@ static RacewayPhysics outer_6208(double mu)
   p.groove = {Side::outer, 36.6e-3, 6.552e-3, 6.3e-3};
   p.model.lubricant = {0.04, 22e-9};
   p.ring_roughness = 1e-7;
-  p.friction = Friction::constant;
-  p.mu = mu;
-  p.creep = 0.01;
+  p.parts = lubricated_parts;
+  p.choose<ConstantFrictionPart>();
+  p.choose<SmoothedFrictionPart>();
+  p.of<ConstantFrictionPart>().mu = mu;
   p.prepare(30.3e-3, 8.17e-3, 0.05);
   return p;
 }
@@ -30,7 +34,7 @@ static ContactState contact(const double *s, double spin, double mu, double *fro
   const RingState ring = {{0, 0, 0}, {0, 0, 0}, {0, 0, spin}, {0, 0, 1}};
   ContactState c;
   if (!touch(p, ball.x, ring.e, c)) return c;
-  contact_forces<true, Friction::constant>(p, ball, ring, FrictionSmoothed(), c);
+  contact_forces<SmoothedLaw>(p, ball, ring, LawStates<double>(), c);
   if (frozen[0] < 0) {
     frozen[0] = c.damping;
     frozen[1] = c.mu;
@@ -55,27 +59,48 @@ void contact_force(const double *state, double spin, double mu, double *frozen, 
   contact(state, spin, mu, frozen, force);
 }
 
-// D and K of contact_jacobian.h, rows of 3 by times() and columns by before(), and the normal
-void contact_derivatives(const double *state, double spin, double mu, double *D, double *K,
-                         double *D_before, double *n)
+// What a stage of 1 s has as the derivative of the force in the velocity, where positions follow
+// for the time `follows`: 3 x 3 in the lab, and the normal.
+static void lab_derivative(const ContactState &c, const RacewayPhysics &p, double follows,
+                           double *D, double *normal)
 {
-  double frozen[3] = {-1, 0, 0}, force[3];
-  const ContactState c = contact(state, spin, mu, frozen, force);
-  const auto d = contact_jacobian(c, Vec3{0, 0, 1}, true, 1.0, 0.0);
-  const auto k = contact_jacobian(c, Vec3{0, 0, 1}, true, 0.0, 1.0);
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 unit = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
-    double column[3], row[3];
-    d.times(unit).to(column);
-    d.before(unit).to(row);
-    for (int m = 0; m < 3; ++m) {
-      D[3 * m + i] = column[m];
-      D_before[3 * i + m] = row[m];
-    }
-    k.times(unit).to(column);
-    for (int m = 0; m < 3; ++m) K[3 * m + i] = column[m];
+  ContactState copy = c;
+  ContactSlopesT<double, 3> slopes;
+  act_with_slopes<SmoothedLaw>(p, LawStates<double>(), follows, copy, slopes);
+  ContactStateT<Lane> four;
+  ContactSlopesT<Lane, 3> wide;
+  four.u = {all_lanes(c.u.x), all_lanes(c.u.y), all_lanes(c.u.z)};
+  four.t = {all_lanes(c.t.x), all_lanes(c.t.y), all_lanes(c.t.z)};
+  four.nu = all_lanes(c.nu);
+  four.ne = all_lanes(c.ne);
+  four.r = all_lanes(c.r);
+  four.s = all_lanes(c.s);
+  four.normal = all_lanes(copy.normal);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) wide.of[i][k] = all_lanes(slopes.of[i][k]);
+  const Vec3L e = {Lane{}, Lane{}, all_lanes(1.0)};
+  const ScaledSlopes<3> s = scaled(1.0, follows, four, e, LaneMask{-1, -1, -1, -1}, wide);
+  Lane row[3][6];
+  ball_rows(s, p.groove.ball_radius, row);
+  for (int k = 0; k < 3; ++k) {
+    Lane motion[3] = {row[0][k], row[1][k], row[2][k]}, force[3];
+    local_forces(s, motion, true, force);
+    for (int m = 0; m < 3; ++m)
+      D[3 * m + k] = (row[0][m] * force[0] + row[1][m] * force[1] + row[2][m] * force[2])[0];
+    normal[k] = row[0][k][0];
   }
-  d.n.to(n);
+}
+
+// D in the velocity at a given place and K in the place, and the normal.
+void contact_derivatives(const double *state, double spin, double mu, double *D, double *K,
+                         double *n)
+{
+  double frozen[3] = {-1, 0, 0}, force[3], both[9];
+  const ContactState c = contact(state, spin, mu, frozen, force);
+  const RacewayPhysics p = outer_6208(mu);
+  lab_derivative(c, p, 0.0, D, n);
+  lab_derivative(c, p, 1.0, both, n);
+  for (int k = 0; k < 9; ++k) K[k] = both[k] - D[k];
 }
 
 // Four systems of size 6 or 3; A[4][36] with rows 6 apart, r[4][6] becomes the solution.

@@ -10,6 +10,8 @@
 #include "../../src-package/physics/rolling.h"
 #include "../../src-package/physics/step_limit.h"
 
+#include <algorithm>
+
 using namespace raceway;
 
 // One raceway as the tests describe it; physics_c.py names the same fields in the same order.
@@ -32,15 +34,18 @@ static RacewayPhysics raceway_from(const RacewayInput &in)
   p.model.lubricant = {in.viscosity, in.pressure_viscosity};
   p.model.damper_full_axis = in.damper_full_axis != 0.0;
   p.model.damper_rolling_radius = in.damper_rolling_radius != 0.0;
-  p.friction = Friction(int(in.friction));
-  p.mu = in.mu;
-  p.curve = {in.mu_boundary, in.mu_full, in.lambda_1, in.lambda_2};
-  p.hysteresis = in.hysteresis;
+  if (in.friction == 1.0) p.choose<ConstantFrictionPart>();
+  if (in.friction == 2.0) p.choose<StribeckFrictionPart>();
+  p.of<ConstantFrictionPart>().mu = in.mu;
+  p.of<StribeckFrictionPart>().curve = {in.mu_boundary, in.mu_full, 0.0, 0.0};
+  p.lambda_1 = in.lambda_1;
+  p.lambda_2 = in.lambda_2;
+  p.of<HysteresisPart>().alpha_e = in.hysteresis;
   p.ring_roughness = in.ring_roughness;
   p.ball_roughness = in.ball_roughness;
-  p.film_floor = in.film_floor;
-  p.tangential_ratio = in.tangential_ratio;
-  p.tangential_zeta = in.tangential_zeta;
+  p.of<FilmDamperPart>().film_floor = in.film_floor;
+  p.of<TangentialSpringPart>().ratio = in.tangential_ratio;
+  p.of<TangentialSpringPart>().zeta = in.tangential_zeta;
   p.prepare(in.pitch_radius, in.ball_mass, in.overlap_limit);
   return p;
 }
@@ -75,26 +80,6 @@ static void put(const ContactState &c, double *out)
                            c.friction_t, c.friction_w};
   out += 6;
   for (double v : values) *out++ = v;
-}
-
-template <bool film, Friction friction>
-static ContactForces forces_of(const RacewayPhysics &p, const BallState &b, const RingState &r,
-                               double dt, double *xi, ContactState &c)
-{
-  return p.creep > 0.0 ? contact_forces<film, friction>(p, b, r, FrictionSmoothed(), c)
-                       : contact_forces<film, friction>(p, b, r, FrictionSpring{dt, xi}, c);
-}
-
-using ContactLaw = ContactForces (*)(const RacewayPhysics &, const BallState &, const RingState &,
-                                     double, double *, ContactState &);
-static ContactLaw contact_law(bool with_film, Friction friction)
-{
-  static const ContactLaw laws[2][3] = {
-      {forces_of<false, Friction::none>, forces_of<false, Friction::constant>,
-       forces_of<false, Friction::stribeck>},
-      {forces_of<true, Friction::none>, forces_of<true, Friction::constant>,
-       forces_of<true, Friction::stribeck>}};
-  return laws[with_film][int(friction)];
 }
 
 extern "C" {
@@ -319,8 +304,14 @@ void raceway_delete(RacewayPhysics *p) { delete p; }
 // centre_circle slack largest_overlap roughness inverse_roughness floor kt_ratio ct_factor Eprime
 void raceway_derived(const RacewayPhysics *p, double *out)
 {
-  const double values[] = {p->centre_circle,     p->slack, p->largest_overlap, p->roughness,
-                           p->inverse_roughness, p->floor, p->kt_ratio,        p->ct_factor,
+  const double values[] = {p->centre_circle,
+                           p->slack,
+                           p->largest_overlap,
+                           p->roughness,
+                           p->inverse_roughness,
+                           p->of<FilmDamperPart>().floor,
+                           p->of<TangentialSpringPart>().kt_ratio,
+                           p->of<TangentialSpringPart>().ct_factor,
                            p->material.Eprime()};
   for (double v : values) *out++ = v;
 }
@@ -358,7 +349,15 @@ void contact(const RacewayPhysics *p, double with_film, const double *ball, cons
                     Vec3::from(ring + 9)};
   ContactState c;
   touch(*p, b.x - r.x, r.e, c);
-  const ContactForces f = contact_law(with_film != 0.0, p->friction)(*p, b, r, dt, xi, c);
+  const unsigned film = lubricated_parts & ~dry_parts;
+  const unsigned parts = with_film != 0.0 ? p->parts | film : p->parts & ~film;
+  ContactForces f;
+  with_law(parts, [&](auto law) {
+    using L = decltype(law);
+    double after[most_states] = {xi[0], xi[1]};
+    f = contact_forces<L>(*p, b, r, LawStates<double>{dt, xi, after}, c);
+    std::copy(after, after + 2, xi);
+  });
   put(c, state);
   f.force.to(forces);
   f.ball_torque.to(forces + 3);

@@ -1,24 +1,53 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The linear system of one Newton correction:
-//   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k of a body, s_ik = +1 first, -1 second
-//   body of link i sum_k C_k x_k + D y                  = r_y        y of the free degrees of
-//   freedom of the rings l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
-// solved block by block, link by link, then y, and back. factor() keeps what solve() needs, so that
-// later corrections with the same derivatives cost one right-hand side.
-#include "bearing_step.h"
+#include "bearing_system.h"
+
 #include "lane_blocks.h"
 
 #include <algorithm>
 
 namespace raceway {
 
-// Residual of the rings, and the part of D that no contact brings.
-void BearingStep::border_rhs(double h, double s)
+void BearingSystem::resize()
 {
-  const int nf = static_cast<int>(free_.size());
+  const size_t nf = b_.free.size();
+  if (y_.size() == nf && B_.size() == b_.groups.size() * nf) return;
+  B_.assign(b_.groups.size() * nf, Column());
+  C_.assign(b_.groups.size() * nf, Column());
+  border_.resize(static_cast<int>(nf));
+  y_.assign(nf, 0.0);
+}
+
+RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
+{
+  if (fresh) resize();
+  for (BodyGroup &g : b_.groups) {
+    const Lane rate = g.v.y / g.now.r;
+    const Vec3L dv = (g.v_base - g.v + frame_acceleration(rate, g.v) * h) * g.mass;
+    dv.to(g.rhs);
+    if (g.spins) {
+      const Vec3L dw = (g.w_base - g.w + frame_acceleration(rate, g.w) * h) * g.inertia;
+      dw.to(g.rhs + 3);
+    }
+    if (!fresh) continue;
+    for (Lane &a : g.A) a = Lane{};
+    for (int m = 0; m < 3; ++m) g.A[7 * m] = g.mass;
+    for (int m = 3; m < 6; ++m) g.A[7 * m] = g.inertia;
+    g.coupled = g.linked = false;
+    g.spring = g.damper = Lane{};
+  }
+  if (!fresh) return;
+  for (RingBody &r : b_.rings) r.spring = 0.0;
+  for (Column &c : B_) c = Column();
+  for (Column &c : C_) c = Column();
+  std::fill(border_.a.begin(), border_.a.end(), 0.0);
+}
+
+void BearingSystem::add_rings(double h, double s)
+{
+  const int nf = static_cast<int>(b_.free.size());
   for (int f = 0; f < nf; ++f) {
-    const int dof = free_[f].dof;
-    const Ring &r = rings_[free_[f].ring];
+    const int dof = b_.free[f].dof;
+    const RingBody &r = b_.rings[b_.free[f].ring];
     const RingPose &now = r.now;
     const double inertia = r.program.inertia_of(dof);
     border_.a[f * nf + f] += inertia;
@@ -45,11 +74,11 @@ void BearingStep::border_rhs(double h, double s)
   }
 }
 
-RACEWAY_LANES void BearingStep::factor_groups()
+RACEWAY_LANES void BearingSystem::factor_groups()
 {
-  const size_t nf = free_.size();
-  for (size_t k = 0; k < groups_.size(); ++k) {
-    Group &g = groups_[k];
+  const size_t nf = b_.free.size();
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    BodyGroup &g = b_.groups[k];
     if (g.spins) raceway::factor<6>(g.A);
     else raceway::factor<3>(g.A);
     if (g.coupled)
@@ -65,15 +94,15 @@ RACEWAY_LANES void BearingStep::factor_groups()
   }
 }
 
-void BearingStep::factor()
+void BearingSystem::factor()
 {
-  const int nf = static_cast<int>(free_.size());
-  for (Group &g : groups_)
+  const int nf = static_cast<int>(b_.free.size());
+  for (BodyGroup &g : b_.groups)
     if (g.linked)
       for (Lane(&column)[6] : g.link) std::fill(column, column + 6, Lane{});
   for (const LinkChain::Link &l : chain_.links)
     for (const LinkChain::End &e : l.end) {
-      Lane *column = groups_[e.body / lanes].link[e.slot];
+      Lane *column = b_.groups[e.body / lanes].link[e.slot];
       const int i = e.body % lanes;
       column[0][i] = e.n.x;
       column[1][i] = e.n.y;
@@ -83,7 +112,7 @@ void BearingStep::factor()
   if (!chain_.links.empty()) {
     for (LinkChain::Link &l : chain_.links)
       for (LinkChain::End &e : l.end) {
-        const Lane *column = groups_[e.body / lanes].link[e.slot];
+        const Lane *column = b_.groups[e.body / lanes].link[e.slot];
         const int i = e.body % lanes;
         e.answer = {column[0][i], column[1][i], column[2][i]};
       }
@@ -91,8 +120,8 @@ void BearingStep::factor()
     for (int f = 0; f < nf; ++f)
       condense_links([&](int group) { return B_[group * nf + f].a; }, true);
   }
-  for (size_t k = 0; k < groups_.size(); ++k) {
-    const Group &g = groups_[k];
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    const BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
     for (int i = 0; i < nf; ++i)
@@ -106,7 +135,7 @@ void BearingStep::factor()
 }
 
 // Takes the links' forces out of columns that are already A^-1 times something.
-template <class ColumnOf> void BearingStep::condense_links(ColumnOf column, bool mark)
+template <class ColumnOf> void BearingSystem::condense_links(ColumnOf column, bool mark)
 {
   forces_.resize(chain_.links.size());
   for (size_t i = 0; i < chain_.links.size(); ++i) {
@@ -124,7 +153,7 @@ template <class ColumnOf> void BearingStep::condense_links(ColumnOf column, bool
   for (size_t i = 0; i < chain_.links.size(); ++i)
     for (int k = 0; k < 2; ++k) {
       const LinkChain::End &e = chain_.links[i].end[k];
-      Group &g = groups_[e.body / lanes];
+      BodyGroup &g = b_.groups[e.body / lanes];
       if (mark) g.coupled = true;
       Lane *x = column(e.body / lanes);
       const int lane = e.body % lanes, n = g.spins ? 6 : 3;
@@ -133,18 +162,18 @@ template <class ColumnOf> void BearingStep::condense_links(ColumnOf column, bool
     }
 }
 
-RACEWAY_LANES void BearingStep::solve()
+RACEWAY_LANES void BearingSystem::solve()
 {
-  const int nf = static_cast<int>(free_.size());
-  for (Group &g : groups_) {
+  const int nf = static_cast<int>(b_.free.size());
+  for (BodyGroup &g : b_.groups) {
     if (g.spins) substitute<6>(g.A, g.rhs);
     else substitute<3>(g.A, g.rhs);
   }
   if (!chain_.links.empty())
-    condense_links([this](int group) { return groups_[group].rhs; }, false);
+    condense_links([this](int group) { return b_.groups[group].rhs; }, false);
   if (nf == 0) return;
-  for (size_t k = 0; k < groups_.size(); ++k) {
-    const Group &g = groups_[k];
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    const BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
     for (int i = 0; i < nf; ++i) {
@@ -154,45 +183,13 @@ RACEWAY_LANES void BearingStep::solve()
     }
   }
   border_.solve(y_.data());
-  for (size_t k = 0; k < groups_.size(); ++k) {
-    Group &g = groups_[k];
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
     for (int f = 0; f < nf; ++f)
       for (int m = 0; m < n; ++m) g.rhs[m] -= B_[k * nf + f].a[m] * y_[f];
   }
-}
-
-// Adds the correction; returns its size, m: largest over balls across the raceways and over the
-// rings.
-RACEWAY_LANES double BearingStep::apply(double h)
-{
-  Lane off = {};
-  bool finite = true;
-  for (size_t k = 0; k < groups_.size(); ++k) {
-    Group &g = groups_[k];
-    const Vec3L dv = Vec3L::from(g.rhs);
-    g.v += dv;
-    const Lane all = magnitude(dv.x) + magnitude(dv.y) + magnitude(dv.z);
-    const LaneMask bad = g.used & ~(all < HUGE_VAL);
-    if (any(bad)) {
-      finite = false;
-      for (int i = 0; i < lanes; ++i)
-        if (bad[i]) worst_ = body_at_[lanes * k + i];
-    }
-    if (g.spins) g.w += Vec3L::from(g.rhs + 3);
-    const Lane worse = where(magnitude(dv.x) > magnitude(dv.z), magnitude(dv.x), magnitude(dv.z));
-    off = where(g.used & (worse > off), worse, off);
-  }
-  double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
-  for (size_t f = 0; f < free_.size(); ++f) {
-    rings_[free_[f].ring].gained[free_[f].dof] += y_[f];
-    finite = finite && std::fabs(y_[f]) < HUGE_VAL;
-    if (free_[f].dof == RingProgram::SPIN) continue;
-    const double lever = free_[f].dof < RingProgram::TILT ? 1.0 : groups_.front().now.r[0];
-    largest = std::max(largest, std::fabs(y_[f]) * lever);
-  }
-  return finite ? h * largest : HUGE_VAL;
 }
 
 }    // namespace raceway

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bearing_bodies.h"
+
+#include <algorithm>
+
+namespace raceway {
+
+BearingBodies::BearingBodies(const BearingModel &of) : model(of)
+{
+  place();
+  rings.resize(model.rings);
+  with_law(model.parts, [this](auto law) { states_ = decltype(law)::states; });
+  if (states_ > 0) kept.resize(n_contacts);
+}
+
+// Balls on the same raceways stand side by side, and so do cage balls on the same rails.
+void BearingBodies::place()
+{
+  using Key = std::vector<std::pair<int, const void *>>;
+  std::vector<Key> key(model.bodies.size());
+  for (const BearingModel::Groove &g : model.grooves) key[g.body].push_back({g.ring, g.physics});
+  for (const BearingModel::Seat &s : model.seats) key[s.body].push_back({s.ring, s.rails});
+  // in order of their first body: addresses must not order anything
+  std::vector<std::vector<int>> rows;
+  for (int k = 0; k < static_cast<int>(key.size()); ++k) {
+    auto same = [&](const std::vector<int> &row) {
+      return key[row[0]] == key[k] && model.bodies[row[0]].spins == model.bodies[k].spins;
+    };
+    auto row = std::find_if(rows.begin(), rows.end(), same);
+    if (row == rows.end()) rows.push_back({k});
+    else row->push_back(k);
+  }
+  slot.assign(key.size(), -1);
+  for (const std::vector<int> &row : rows) {
+    const int first = static_cast<int>(groups.size());
+    const int n = static_cast<int>(row.size()), padded = (n + lanes - 1) / lanes * lanes;
+    for (int i = 0; i < padded; ++i) {
+      const int k = row[std::min(i, n - 1)];    // padding repeats the last body, without forces
+      if (i % lanes == 0) {
+        groups.emplace_back();
+        groups.back().spins = model.bodies[k].spins;
+      }
+      BodyGroup &g = groups.back();
+      const BearingModel::Body &b = model.bodies[k];
+      g.mass[i % lanes] = b.mass;
+      g.inertia[i % lanes] = 0.4 * b.mass * b.radius * b.radius;
+      g.radius[i % lanes] = b.radius;
+      g.used[i % lanes] = i < n ? -1 : 0;
+      if (i < n) slot[k] = static_cast<int>(body_at.size());
+      body_at.push_back(i < n ? k : -1);
+    }
+    const int end = static_cast<int>(groups.size());
+    for (const BearingModel::Groove &g : model.grooves)
+      if (g.body == row[0]) tracks.push_back({g.ring, first, end, g.physics});
+    for (const BearingModel::Seat &s : model.seats)
+      if (s.body == row[0]) rail_tracks.push_back({s.ring, first, end, s.rails, s.stiffness});
+  }
+  for (const Track &t : tracks) n_contacts += t.end - t.first;
+  for (const BearingModel::Groove &g : model.grooves) {
+    const int at = slot[g.body];
+    int contact = 0;
+    for (const Track &t : tracks) {
+      if (t.ring == g.ring && t.physics == g.physics && at / lanes >= t.first && at / lanes < t.end)
+        contact_at.push_back(lanes * (contact + at / lanes - t.first) + at % lanes);
+      contact += t.end - t.first;
+    }
+  }
+}
+
+// They do not change while a run lasts.
+void BearingBodies::find_unknowns()
+{
+  unknowns_known_ = true;
+  free.clear();
+  for (size_t k = 0; k < rings.size(); ++k) {
+    rings[k].loose = false;
+    for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+      rings[k].unknown[dof] = -1;
+      if (!rings[k].program.free(dof)) continue;
+      rings[k].loose = true;
+      rings[k].unknown[dof] = static_cast<int>(free.size());
+      free.push_back({static_cast<int>(k), dof});
+    }
+  }
+}
+
+void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<RingPose> &poses)
+{
+  if (!unknowns_known_) find_unknowns();
+  for (size_t k = 0; k < rings.size(); ++k) rings[k].from = poses[k];
+  // balls circle the ring that is not free, the last one if there is a choice
+  centre = rings.front().from.x;
+  for (const RingBody &r : rings)
+    if (!r.program.free(0) && !r.program.free(1) && !r.program.free(2)) centre = r.from.x;
+  int last = 0;
+  for (size_t at = 0; at < body_at.size(); ++at) {
+    if (body_at[at] >= 0) last = body_at[at];
+    const BodyPose &b = bodies[last];
+    BodyGroup &g = groups[at / lanes];
+    const int i = static_cast<int>(at % lanes);
+    g.from.set(i, b.x - centre);
+    const double c = g.from.c[i], s = g.from.s[i];
+    for (auto one : {std::make_pair(&g.v_from, b.v), std::make_pair(&g.w_from, b.w)}) {
+      one.first->x[i] = one.second.x * c + one.second.y * s;
+      one.first->y[i] = one.second.y * c - one.second.x * s;
+      one.first->z[i] = one.second.z;
+    }
+  }
+}
+
+void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &poses) const
+{
+  for (size_t k = 0; k < rings.size(); ++k) poses[k] = rings[k].from;
+  for (size_t at = 0; at < body_at.size(); ++at) {
+    if (body_at[at] < 0) continue;
+    const BodyGroup &g = groups[at / lanes];
+    const int i = static_cast<int>(at % lanes);
+    const Vec3L x = g.from.place(), v = g.from.lab(g.v_from), w = g.from.lab(g.w_from);
+    BodyPose &b = bodies[body_at[at]];
+    b.x = Vec3{x.x[i], x.y[i], x.z[i]} + centre;
+    b.v = {v.x[i], v.y[i], v.z[i]};
+    if (g.spins) b.w = {w.x[i], w.y[i], w.z[i]};
+  }
+}
+
+void BearingBodies::load_states(const double *values)
+{
+  for (size_t g = 0; g < contact_at.size(); ++g)
+    for (int k = 0; k < states_; ++k) {
+      States &s = kept[contact_at[g] / lanes];
+      const int lane = contact_at[g] % lanes;
+      s.from[k][lane] = s.now[k][lane] = values[g * states_ + k];
+    }
+}
+
+void BearingBodies::store_states(double *values) const
+{
+  for (size_t g = 0; g < contact_at.size(); ++g)
+    for (int k = 0; k < states_; ++k)
+      values[g * states_ + k] = kept[contact_at[g] / lanes].from[k][contact_at[g] % lanes];
+}
+
+void BearingBodies::accept()
+{
+  for (BodyGroup &g : groups) {
+    g.from = g.now;
+    g.v_from = g.v;
+    g.w_from = g.w;
+  }
+  for (RingBody &r : rings) r.from = r.now;
+  for (States &s : kept) std::copy(s.now, s.now + states_, s.from);
+}
+
+}    // namespace raceway

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Bodies and rings of one bearing, laid out for the implicit step: four bodies side by side, balls
+// on the same raceways and cage balls on the same rails next to each other.
+#ifndef RACEWAY_BEARING_BODIES_H
+#define RACEWAY_BEARING_BODIES_H
+
+#include "bearing_model.h"
+#include "lane_frame.h"
+
+namespace raceway {
+
+// What holds lanes is aligned for the widest instructions and has its lanes first.
+struct alignas(32) BodyGroup {    // four bodies side by side
+  Lane mass, inertia, radius;
+  LaneMask used;
+  LaneFrame from, base, now;
+  Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
+  Lane turn = {};      // rad, base to now
+  Lane turned = {};    // rad, from to base
+  // the linear system: block, right-hand side, columns of the links (bearing_system.h)
+  Lane A[36], rhs[6], link[2][6];
+  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; with dampers_only
+  bool spins;
+  bool coupled = false;    // to the border
+  bool linked = false;
+};
+
+struct alignas(32) RingBody {
+  Vec3L force_lanes, moment_lanes;
+  RingProgram program;
+  RingPose from, base, now, first;
+  double gained[RingProgram::N_DOF] = {};
+  int unknown[RingProgram::N_DOF];    // number of a free degree of freedom, else -1
+  bool loose = false;                 // some degree of freedom is free
+  double spring = 0.0;                // N/m, sum over contacts; with dampers_only
+  Vec3 force, moment;                 // of the contacts: sums of the lanes
+};
+
+class BearingBodies {
+ public:
+  explicit BearingBodies(const BearingModel &);
+
+  void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
+  void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
+  void accept();    // what is now is the start of the next step
+
+  // What contacts keep (part.h), groove by groove of the model, `states` numbers each.
+  int states() const { return states_; }
+  void load_states(const double *);
+  void store_states(double *) const;
+
+  struct Track {    // groups of balls on one raceway
+    int ring, first, end;
+    const RacewayPhysics *physics;
+  };
+  struct RailTrack {    // groups of cage balls on the rails of one ring
+    int ring, first, end;
+    const std::vector<Rail> *rails;
+    const std::vector<double> *stiffness;
+  };
+  struct Free {
+    int ring, dof;
+  };
+  struct alignas(32) States {    // of four contacts: numbers of a contact at four instants
+    Lane from[most_states > 0 ? most_states : 1], base[most_states > 0 ? most_states : 1],
+        now[most_states > 0 ? most_states : 1], first[most_states > 0 ? most_states : 1];
+  };
+
+  BearingModel model;
+  std::vector<int> slot, body_at;    // of a body; of a slot (group 4 k + lane), -1: padding
+  std::vector<BodyGroup> groups;
+  std::vector<Track> tracks;
+  std::vector<RailTrack> rail_tracks;
+  int n_contacts = 0;             // groups of contacts: the sum over the tracks
+  std::vector<int> contact_at;    // of a groove of the model: lanes * group of contacts + lane
+  std::vector<States> kept;       // by group of contacts, where the law keeps any
+  std::vector<RingBody> rings;
+  std::vector<Free> free;    // degrees of freedom of the rings: the border
+  Vec3 centre;               // of the turning frames
+
+ private:
+  void place();
+  void find_unknowns();
+  bool unknowns_known_ = false;
+  int states_ = 0;
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The energy of a bearing and what a step does to it.
+#include "bearing_step.h"
+
+namespace raceway {
+
+// What loads and drives put in and contacts took out at the end of a stage, times its weight in
+// seconds.
+void BearingStep::add_energy(double weight, double s)
+{
+  forces_.evaluate(Stage());
+  double power = 0.0;
+  for (const RingBody &r : bodies_.rings) {
+    double push[3], pull[3], v[3];
+    r.program.force_at(s).to(push);
+    r.force.to(pull);
+    r.now.v.to(v);
+    for (int k = 0; k < 3; ++k) power += v[k] * (r.program.free(k) ? push[k] : -pull[k]);
+    const Vec3 load = r.program.moment_at(s), W = r.now.across();
+    const double w[3] = {W.x, W.y, r.now.spin};
+    const double given[3] = {load.x, load.y, dot(load, r.now.e)};
+    const double met[3] = {r.moment.x, r.moment.y, dot(r.moment, r.now.e)};
+    for (int k = 0; k < 3; ++k)
+      power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
+  }
+  pending_.work += weight * power;
+  pending_.dissipated += weight * forces_.power_lost();
+}
+
+const BearingStep::Energy &BearingStep::energy()
+{
+  energy_.stored = stored_energy();
+  return energy_;
+}
+
+// At the present state: motion of bodies and of what is free of the rings, and the springs of the
+// contacts.
+double BearingStep::stored_energy()
+{
+  Lane motion = {};
+  for (BodyGroup &g : bodies_.groups) {
+    g.now = g.from;
+    g.v = g.v_from;
+    g.w = g.w_from;
+    Lane e = 0.5 * g.mass * dot(g.v, g.v);
+    if (g.spins) e += 0.5 * g.inertia * dot(g.w, g.w);
+    motion += where(g.used, e, 0.0);
+  }
+  double total = sum(motion);
+  for (RingBody &r : bodies_.rings) {
+    r.now = r.from;
+    double v[3];
+    r.now.v.to(v);
+    for (int k = 0; k < 3; ++k)
+      if (r.program.free(k)) total += 0.5 * r.program.mass * v[k] * v[k];
+    for (int k = 0; k < 2; ++k)
+      if (r.program.free(RingProgram::TILT + k))
+        total += 0.5 * r.program.inertia.transverse * r.now.rate[k] * r.now.rate[k];
+    if (r.program.free(RingProgram::SPIN))
+      total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
+  }
+  forces_.evaluate(Stage());
+  return total + forces_.contact_energy();
+}
+
+}    // namespace raceway

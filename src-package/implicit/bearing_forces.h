@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Forces of one bearing, and on request their derivatives, at the present state of its bodies:
+// raceway contacts (raceway_contacts.cpp) and cage contacts (cage_contacts.cpp).
+#ifndef RACEWAY_BEARING_FORCES_H
+#define RACEWAY_BEARING_FORCES_H
+
+#include "bearing_system.h"
+
+namespace raceway {
+
+enum class Evaluate {
+  only,          // forces on rings, power, energy; the linear system is left alone
+  residual,      // and the right-hand side of the linear system
+  derivatives    // and its matrix
+};
+
+// Why there is no result.
+enum class Failure {
+  none,
+  not_a_number,      // a velocity is no number
+  outside_groove,    // a ball is farther in or out than the overlap limit
+  turned_too_far,    // a body turns too far for one stage
+  overlinked,        // a body has more than two closed cage contacts
+  other_links,       // other cage contacts are closed than at the last factorisation
+  not_converged      // more corrections than allowed
+};
+
+// What is evaluated.
+struct Stage {
+  double h = 0.0;               // s, its length
+  bool dampers_only = false;    // positions are given: springs have no derivative
+  Evaluate evaluate = Evaluate::only;
+
+  double follows() const { return dampers_only ? 0.0 : h; }    // s, positions follow velocities
+};
+
+class BearingForces {
+ public:
+  BearingForces(BearingBodies &, BearingSystem &);
+
+  Failure evaluate(const Stage &);
+
+  int body() const { return body_; }                           // that a failure is about, or -1
+  double power_lost() const { return power_lost_; }            // W, in contacts
+  double contact_energy() const { return contact_energy_; }    // J, of their springs
+
+ private:
+  template <class L> RACEWAY_INLINE Failure raceways(const Stage &);
+  Failure all_raceways(const Stage &);
+  void rails(const Stage &);
+  Failure pockets(const Stage &);
+
+  struct Place {
+    double x[3], v[3];
+  };
+
+  BearingBodies &b_;
+  BearingSystem &system_;
+  double power_lost_ = 0.0, contact_energy_ = 0.0;
+  int body_ = -1;
+  std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
+  std::vector<Place> place_;               // lab, by slot; only bodies with pockets
+  std::vector<char> in_pocket_;            // groups
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Balls on raceways, four side by side, in each ball's own turning frame. The law of the contacts
+// is a list of parts (physics/contact.h); nothing here knows what is in it.
+#include "bearing_forces.h"
+
+#include "contact_rows.h"
+#include "ring_motions.h"
+
+namespace raceway {
+
+// Matrix of the linear system: the ball's block, the ring's columns and rows, and the border.
+template <int n>
+static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int group,
+                                      const RingBody &ring, double R, const Vec3L &d,
+                                      const Vec3L &e, const ScaledSlopes<n> &s)
+{
+  Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
+  ball_rows(s, R, row);
+  for (int k = 0; k < 6; ++k) {
+    Lane motion[n];
+    for (int i = 0; i < n; ++i) motion[i] = row[i][k];
+    local_forces(s, motion, k < 3, column[k]);
+    for (int m = 0; m < 6; ++m) {
+      Lane a = row[m < 3 ? 0 : 1][m] * column[k][m < 3 ? 0 : 1];
+      for (int i = m < 3 ? 1 : 2; i < n; ++i) a += row[i][m] * column[k][i];
+      g.A[6 * m + k] += a;
+    }
+  }
+  if (!ring.loose) return;
+  g.coupled = true;
+  const Vec3L lever = d + s.normal * R;
+  Lane motions[RingProgram::N_DOF][n];
+  int dofs[RingProgram::N_DOF], free = 0;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    if (ring.unknown[dof] < 0) continue;
+    const Vec3L v = motion_of(dof, g.now, e, lever);
+    Lane(&m)[n] = motions[free];
+    dofs[free++] = dof;
+    m[0] = dot(s.normal, v);
+    m[1] = dot(s.along, v);
+    m[2] = dot(s.across, v);
+    if constexpr (n == 6) {
+      const Vec3L w = rotation_of(dof, g.now, e);
+      m[3] = dot(s.normal, w);
+      m[4] = dot(s.along, w);
+      m[5] = dot(s.across, w);
+    }
+  }
+  for (int j = 0; j < free; ++j) {
+    const int u = ring.unknown[dofs[j]];
+    Lane force[n];    // the groove is a surface of revolution: its spin displaces nothing
+    local_forces(s, motions[j], dofs[j] != RingProgram::SPIN, force);
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < 6; ++k)
+      for (int i = 0; i < n; ++i) {
+        if ((i == 0 && k >= 3) || (i >= 3 && k < 3)) continue;    // rows that are 0 there
+        B[k] -= row[i][k] * force[i];
+      }
+    for (int k = 0; k < 6; ++k)
+      for (int i = 0; i < n; ++i) C[k] -= motions[j][i] * column[k][i];
+    for (int o = 0; o < free; ++o) {
+      Lane a = motions[o][0] * force[0];
+      for (int i = 1; i < n; ++i) a += motions[o][i] * force[i];
+      system.D(ring.unknown[dofs[o]], u) += sum(a);
+    }
+  }
+}
+
+template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &stage)
+{
+  int contact = 0;
+  for (const BearingBodies::Track &track : b_.tracks) {
+    RingBody &ring = b_.rings[track.ring];
+    const RacewayPhysics &p = *track.physics;
+    const Vec3 centre = ring.now.x - b_.centre, spin = ring.now.angular_velocity();
+    for (int k = track.first; k < track.end; ++k, ++contact) {
+      BodyGroup &g = b_.groups[k];
+      const LaneFrame &f = g.now;
+      const Vec3L at = f.local(centre);
+      const Vec3L d = {f.r - at.x, -at.y, f.z - at.z};
+      RingStateT<Lane> r;
+      r.e = f.local(ring.now.e);
+      ContactStateT<Lane> c;
+      locate(d, r.e, p.centre_circle, c);
+      c.overlap = c.s - p.slack;
+      // what is not a number must not pass for a gap
+      const LaneMask live = g.used & ~(c.overlap <= 0.0);
+      Lane unused[L::states > 0 ? L::states : 1];
+      if constexpr (L::states > 0)
+        for (int m = 0; m < L::states && stage.evaluate != Evaluate::only; ++m)
+          b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
+      if (!any(live)) continue;
+      if (any(live & ~(c.overlap < p.largest_overlap))) {
+        for (int i = 0; i < lanes; ++i)
+          if (live[i] && !(c.overlap[i] < p.largest_overlap)) body_ = b_.body_at[lanes * k + i];
+        return Failure::outside_groove;
+      }
+      c.overlap = where(live, c.overlap, 1e-9);
+      r.v = f.local(ring.now.v);
+      r.w = f.local(spin);
+      const BallStateT<Lane> ball = {d, g.v, g.w};
+      find_motions<L::couples>(p, ball, r, c);
+      LawStates<Lane> memory;
+      if constexpr (L::states > 0) {
+        BearingBodies::States &kept = b_.kept[contact];
+        memory = stage.evaluate == Evaluate::only ? LawStates<Lane>{0.0, kept.now, unused}
+                                                  : LawStates<Lane>{stage.h, kept.base, kept.now};
+      }
+      ContactSlopesT<Lane, L::motions> slopes;
+      if (stage.evaluate == Evaluate::derivatives)
+        act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
+      else L::act(p, p.law.at(c.cos_angle), memory, c);
+      if constexpr (L::states > 0)
+        for (int m = 0; m < L::states && stage.evaluate != Evaluate::only; ++m)
+          b_.kept[contact].now[m] = where(live, b_.kept[contact].now[m], 0.0);
+      ContactForcesT<Lane> q = assemble<L::couples>(p, r.e, c);
+      for (Vec3L *v : {&q.force, &q.ball_torque, &q.ring_torque})
+        *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
+      ring.force_lanes -= f.lab(q.force);
+      ring.moment_lanes += f.lab(q.ring_torque);
+      if (stage.evaluate == Evaluate::only) {
+        power_lost_ += sum(where(live, L::loss(c), 0.0));
+        contact_energy_ += sum(where(live, Lane(0.4 * c.load * c.overlap), 0.0));
+        continue;
+      }
+      g.rhs[0] += stage.h * q.force.x;
+      g.rhs[1] += stage.h * q.force.y;
+      g.rhs[2] += stage.h * q.force.z;
+      g.rhs[3] += stage.h * q.ball_torque.x;
+      g.rhs[4] += stage.h * q.ball_torque.y;
+      g.rhs[5] += stage.h * q.ball_torque.z;
+      if (stage.evaluate != Evaluate::derivatives) continue;
+      if (stage.dampers_only) {
+        const Lane spring = where(live, c.stiffness, 0.0);
+        g.spring += spring;
+        g.damper += where(live, c.damping, 0.0);
+        ring.spring += sum(spring);
+      }
+      add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e,
+                 scaled(stage.h, stage.follows(), c, r.e, live, slopes));
+    }
+  }
+  return Failure::none;
+}
+
+RACEWAY_LANES Failure BearingForces::all_raceways(const Stage &stage)
+{
+  Failure failure = Failure::none;
+  with_law(b_.model.parts, [&](auto law) __attribute__((always_inline)) {
+    using L = decltype(law);
+    if constexpr (!L::explicit_step) failure = raceways<L>(stage);
+  });
+  return failure;
+}
+
+}    // namespace raceway

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a contact is at one instant: motions, and what the parts of the law make of them.
+//
+// T is double, Lane, or a Dual of one of them; what no derivative follows is of T's plain type.
+// Frame of groove.h: n from ball to raceway, t along rolling, w = n x t across. Units are SI.
+#ifndef RACEWAY_CONTACT_STATE_H
+#define RACEWAY_CONTACT_STATE_H
+
+#include "dual.h"
+#include "groove.h"
+
+namespace raceway {
+
+template <class T> struct ContactStateT : GroovePositionT<Value<T>> {
+  using Plain = Value<T>;
+  // motions of the ball against the raceway (kinematics.h)
+  T overlap = T();                               // m
+  Plain cos_angle = Plain();                     // of the contact angle
+  T overlap_rate = T();                          // m/s
+  Plain entrainment = Plain();                   // m/s
+  T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; if the law has couples
+  // what parts leave for one another and for output
+  T root = T();                               // sqrt(m), of the overlap
+  T load = T();                               // N, Q, elastic
+  Plain stiffness = Plain();                  // N/m, dQ/d(overlap)
+  Plain damping = Plain();                    // N s/m, C
+  T normal = T();                             // N, max(0, Q + C d(overlap)/dt)
+  Plain h_min = Plain(), lambda = Plain();    // m; film parameter
+  Plain mu = Plain();                         // friction coefficient
+  Plain kt = Plain();                         // N/m, tangential spring
+  T ct = T();                                 // N s/m, tangential dashpot
+  Plain v_0 = Plain();                        // m/s, of the smoothed Coulomb law
+  // the force of the ring on the ball is -normal n - friction_t t - friction_w w
+  T friction_t = T(), friction_w = T();    // N
+  // the couple of the ring on the ball is -couple_n n - couple_t t - couple_w w
+  T couple_n = T(), couple_t = T(), couple_w = T();    // N m
+};
+using ContactState = ContactStateT<double>;
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From the motion of a ball and a ring to the local motions of their contact, and from local forces
+// back to forces and torques. The law between the two (law.h) knows neither.
+//
+// The contact point is R_b along the normal from the ball centre; both bodies are taken rigid
+// there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h), its
+// opposite acts on the ring at the same point, so linear and angular momentum are conserved to
+// rounding.
+//
+// Entrainment speed (docs/theory, Film): half the sum of both surface velocities relative to the
+// moving contact point, along t. The contact point rc u + zc e turns about the ring axis with the
+// ball centre, at phi' = ((v_b - v_r).t + z W.u)/r, and tilts with the axis:
+//   u'.t = phi', e'.t = -W.u.
+#ifndef RACEWAY_KINEMATICS_H
+#define RACEWAY_KINEMATICS_H
+
+#include "contact_state.h"
+#include "raceway.h"
+
+namespace raceway {
+
+template <class T> struct BallStateT {
+  Vec3T<T> x, v, w;
+};
+using BallState = BallStateT<double>;
+
+template <class T> struct RingStateT {
+  Vec3T<T> x, v, w;
+  Vec3T<T> e;    // unit axis
+};
+using RingState = RingStateT<double>;
+
+template <class T> struct ContactForcesT {
+  Vec3T<T> force;          // on the ball
+  Vec3T<T> ball_torque;    // about the ball centre
+  Vec3T<T> ring_torque;    // about the ring centre
+};
+using ContactForces = ContactForcesT<double>;
+
+// Geometry only. True where the surfaces overlap (or a position is not a number); only then the
+// frame is set.
+inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &c)
+{
+  if (!locate_beyond(d, e, p.centre_circle, p.slack, c)) return false;
+  c.overlap = c.s - p.slack;
+  return !(c.overlap <= 0.0);
+}
+
+// Local motions of a contact whose position is known; `rotations` asks for those about n, t, w too.
+template <bool rotations, class T>
+RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
+                                 const RingStateT<T> &ring, ContactStateT<T> &c)
+{
+  const double Rb = p.groove.ball_radius;
+  c.cos_angle = magnitude(c.nu);
+  // velocities in (u, t, e), relative to the ring centre
+  const Vec3T<T> dv = ball.v - ring.v;
+  const T vu = dot(dv, c.u), vt = dot(dv, c.t), ve = dot(dv, ring.e);
+  const T wu = dot(ball.w, c.u), wt = dot(ball.w, c.t), we = dot(ball.w, ring.e);
+  const T Wu = dot(ring.w, c.u), Wt = dot(ring.w, c.t), We = dot(ring.w, ring.e);
+  const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;             // contact point in the ring
+  const T Vu = Wt * zc, Vt = We * rc - Wu * zc, Ve = -Wt * rc;    // its surface, W x (rc u + zc e)
+
+  c.overlap_rate = (vu - Vu) * c.nu + (ve - Ve) * c.ne;
+  const T roll = Rb * (we * c.nu - wu * c.ne);    // ball surface along t, from its spin
+  c.sliding_t = vt + roll - Vt;
+  c.sliding_w = (ve - Ve) * c.nu - (vu - Vu) * c.ne - Rb * wt;
+  const T turn = (vt + c.z * Wu) / c.r * rc - Wu * zc;    // contact point along t
+  c.entrainment = 0.5 * magnitude(T((vt + roll - turn) + (Vt - turn)));
+  if constexpr (rotations) {
+    c.spin_n = (wu - Wu) * c.nu + (we - We) * c.ne;
+    c.turn_t = wt - Wt;
+    c.roll_w = (we - We) * c.nu - (wu - Wu) * c.ne;    // w = n x t = nu e - ne u
+  }
+}
+
+// Forces and torques of a contact whose local forces are known; T is a plain type, S has it below.
+template <bool couples, class T, class S>
+RACEWAY_INLINE ContactForcesT<T> assemble(const Raceway &p, const Vec3T<T> &e,
+                                          const ContactStateT<S> &c)
+{
+  const double Rb = p.groove.ball_radius;
+  const T rc = c.r + Rb * c.nu, zc = c.z + Rb * c.ne;
+  // w = n x t = nu e - ne u; lever of the ball Rb n, of the ring rc u + zc e
+  const T ft = held(c.friction_t), fw = held(c.friction_w), normal = held(c.normal);
+  const T fu = -normal * c.nu + fw * c.ne, fe = -normal * c.ne - fw * c.nu;
+  ContactForcesT<T> f;
+  f.force = c.u * fu + c.t * T(-ft) + e * fe;
+  // n x t = w, n x w = -t
+  f.ball_torque = c.u * T(Rb * ft * c.ne) + e * T(-Rb * ft * c.nu) + c.t * T(Rb * fw);
+  // -(rc u + zc e) x F with u x t = e, t x e = u, e x u = t
+  f.ring_torque = c.u * T(-zc * ft) + c.t * T(rc * fe - zc * fu) + e * T(rc * ft);
+  if constexpr (couples) {
+    const T mn = held(c.couple_n), mt = held(c.couple_t), mw = held(c.couple_w);
+    const Vec3T<T> couple =
+        c.u * T(mn * c.nu - mw * c.ne) + c.t * mt + e * T(mn * c.ne + mw * c.nu);
+    f.ball_torque -= couple;
+    f.ring_torque += couple;
+  }
+  return f;
+}
+
+}    // namespace raceway
+
+#endif

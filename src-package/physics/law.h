@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A contact law as a compile-time list of parts (part.h), each in a file of its own: what a scene
+// does not ask for is not in its list and costs nothing.
+#ifndef RACEWAY_LAW_H
+#define RACEWAY_LAW_H
+
+#include "part.h"
+
+#include <tuple>
+
+namespace raceway {
+
+// All parts there are; a set of them is a word of bits, in the order of the list.
+template <class... P> struct PartList {
+  using Parameters = std::tuple<typename P::Parameters...>;
+  static constexpr int size = sizeof...(P);
+
+  template <class Part> static constexpr int place()
+  {
+    const bool same[] = {std::is_same<P, Part>::value...};
+    for (int k = 0; k < size; ++k)
+      if (same[k]) return k;
+    return -1;
+  }
+  template <class Part> static constexpr unsigned bit() { return 1u << place<Part>(); }
+};
+
+// A law: its parts act in this order. All is the list of all parts.
+template <class All, class... P> struct LawOf {
+  static constexpr unsigned parts = (All::template bit<P>() | ...);
+  static constexpr int states = (P::states + ...);
+  static constexpr bool couples = (P::couples || ...);
+  static constexpr bool explicit_step = (P::explicit_step || ...);
+  static constexpr int motions = couples ? 6 : 3;    // that forces depend on
+
+  // Everything that the law makes of the motions in c. Physics gives each part its own numbers.
+  template <class Physics, class T>
+  static RACEWAY_INLINE void act(const Physics &p, const RacewayConstantsT<Value<T>> &k,
+                                 LawStates<T> m, ContactStateT<T> &c)
+  {
+    c.friction_t = c.friction_w = T();
+    if constexpr (couples) c.couple_n = c.couple_t = c.couple_w = T();
+    (one<P>(p, k, m, c), ...);
+  }
+
+  // W, lost to damping, friction and whatever else a part takes
+  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
+  {
+    Value<T> sum = Value<T>();
+    ((sum += P::loss(c)), ...);
+    return sum;
+  }
+
+ private:
+  template <class Part, class Physics, class T>
+  static RACEWAY_INLINE void one(const Physics &p, const RacewayConstantsT<Value<T>> &k,
+                                 LawStates<T> &m, ContactStateT<T> &c)
+  {
+    Part::act(p.template of<Part>(), p, k, m, c);
+    if constexpr (Part::states > 0) {
+      m.before += Part::states;
+      m.after += Part::states;
+    }
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Normal damping of the paper: hysteresis, the film damper, and the sum N = max(0, Q + C rate)
+// (damping.h). The derivative holds C.
+#ifndef RACEWAY_PART_DAMPING_H
+#define RACEWAY_PART_DAMPING_H
+
+#include "part.h"
+
+namespace raceway {
+
+struct HysteresisPart : PartBase {
+  static constexpr const char *name = "hysteresis";
+  static constexpr When when = When::always;
+  struct Parameters {
+    double alpha_e = 0.08;    // s/m
+  };
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    return {{"hysteresis",
+             "",
+             false,
+             {non_negative("ALPHA_E", "hysteretic damping alpha_e (s/m)")},
+             [](Raceway &, Parameters &own, const double *v) { own.alpha_e = v[0]; }}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
+                                 const RacewayConstantsT<Value<T>> &, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    c.damping = hysteretic_damping(own.alpha_e, held(c.load));
+  }
+};
+
+struct FilmDamperPart : PartBase {
+  static constexpr const char *name = "film_damper";
+  static constexpr When when = When::with_film;
+  struct Parameters {
+    double film_floor = -1.0;    // m, as set; < 0: composite roughness
+    double floor = 0.0;          // m, as used
+    void prepare(const Raceway &p) { floor = film_floor >= 0.0 ? film_floor : p.roughness; }
+  };
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    return {{"floor",
+             "",
+             false,
+             {positive("H", "film floor of the damper (m)")},
+             [](Raceway &, Parameters &own, const double *v) { own.film_floor = v[0]; }},
+            {"damper",
+             "",
+             false,
+             {one_of("damper length", "a|2a"), one_of("damper radius", "Rb|Rx")},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.model.damper_full_axis = v[0] == 1.0;
+               p.model.damper_rolling_radius = v[1] == 1.0;
+             }}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    c.damping += film_damping(k.film_damper, Value<T>(k.a * held(c.root)), c.h_min, own.floor);
+  }
+};
+
+struct NormalForcePart : PartBase {
+  static constexpr const char *name = "normal_force";
+  static constexpr When when = When::always;
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &, const Raceway &,
+                                 const RacewayConstantsT<Value<T>> &, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    const T N = c.load + c.damping * c.overlap_rate;
+    c.normal = where(N > 0.0, N, 0.0);
+  }
+
+  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
+  {
+    return (held(c.normal) - held(c.load)) * held(c.overlap_rate);
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Film thickness and film parameter at the present load and entrainment speed (film.h). The
+// derivative holds both: they change the rate of a Newton iteration, not its result.
+#ifndef RACEWAY_PART_FILM_H
+#define RACEWAY_PART_FILM_H
+
+#include "part.h"
+
+namespace raceway {
+
+struct FilmThicknessPart : PartBase {
+  static constexpr const char *name = "film_thickness";
+  static constexpr When when = When::with_film;
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    return {{"lubricant",
+             "",
+             false,
+             {positive("ETA", "viscosity (Pa s)"),
+              positive("XI", "pressure-viscosity coefficient (1/Pa)")},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.model.lubricant.viscosity = v[0];
+               p.model.lubricant.pressure_viscosity = v[1];
+             }},
+            {"film",
+             "",
+             false,
+             {one_of("film", "masjedi|masjedi/printed|hamrock")},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.model.film = static_cast<FilmModel>(static_cast<int>(v[0]));
+             }},
+            {"roughness",
+             "",
+             false,
+             {positive("S_RING", "roughness of the raceway (m)"),
+              non_negative("S_BALL", "roughness of the ball (m)")},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.ring_roughness = v[0];
+               p.ball_roughness = v[1];
+             }},
+            {"regimes",
+             "",
+             false,
+             {positive("LAMBDA_1", "film parameter at the end of the boundary regime"),
+              positive("LAMBDA_2", "film parameter at the start of the full film")},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.lambda_1 = v[0];
+               p.lambda_2 = v[1];
+             },
+             [](const double *v) -> const char * {
+               return v[1] <= v[0] ? "the second must be larger" : nullptr;
+             }}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &, const Raceway &p,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    c.h_min = film_thickness(k.film.min, film_point(c.entrainment, held(c.load)));
+    c.lambda = c.h_min * p.inverse_roughness;
+  }
+};
+
+}    // namespace raceway
+
+#endif

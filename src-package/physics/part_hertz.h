@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The elastic contact: Q = K overlap^1.5 (hertz.h).
+#ifndef RACEWAY_PART_HERTZ_H
+#define RACEWAY_PART_HERTZ_H
+
+#include "part.h"
+
+namespace raceway {
+
+struct HertzContactPart : PartBase {
+  static constexpr const char *name = "hertz";
+  static constexpr When when = When::always;
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    return {{"young",
+             "",
+             false,
+             {positive("E_BALL", "Young's modulus of the ball (Pa)"),
+              positive("E_RING", "Young's modulus of the ring (Pa)")},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.material.ball_young = v[0];
+               p.material.ring_young = v[1];
+             }},
+            {"poisson",
+             "",
+             false,
+             {within("NU_BALL", "Poisson's ratio of the ball", 0.0, 0.5),
+              within("NU_RING", "Poisson's ratio of the ring", 0.0, 0.5)},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.material.ball_poisson = v[0];
+               p.material.ring_poisson = v[1];
+             }},
+            {"ellipse",
+             "",
+             false,
+             {one_of("ellipse", "exact|hamrock|printed")},
+             [](Raceway &p, Parameters &, const double *v) {
+               p.model.ellipse = static_cast<Ellipse>(static_cast<int>(v[0]));
+             }}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &, const Raceway &,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    c.root = square_root(c.overlap);
+    c.load = k.K * c.overlap * c.root;
+    c.stiffness = 1.5 * k.K * held(c.root);
+  }
+};
+
+}    // namespace raceway
+
+#endif

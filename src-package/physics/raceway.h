@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A raceway as every part of the contact law sees it: groove, materials, lubricant, surfaces, and
+// the constants that follow from them. What belongs to one part alone is with that part (law.h).
+#ifndef RACEWAY_RACEWAY_H
+#define RACEWAY_RACEWAY_H
+
+#include "raceway_law.h"
+
+namespace raceway {
+
+struct Raceway {
+  int number = 0;    // of the grooves that a ring has for one ball, 0 unless there are several
+  Groove groove;
+  RacewayMaterial material;
+  RacewayModel model;
+  double ring_roughness = 0.0;    // m
+  double ball_roughness = 0.0;    // m
+  // film parameter at the end of the boundary regime and at the start of the full film
+  double lambda_1 = 1.0, lambda_2 = 3.0;
+
+  // derived by prepare()
+  RacewayLaw law;
+  double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
+  double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
+  double ball_mass = 0.0;                                            // kg
+
+  // pitch_radius (m) sets gamma; overlap_limit is a fraction of the ball's radius.
+  void prepare(double pitch_radius, double mass, double overlap_limit)
+  {
+    law = RacewayLaw(groove, pitch_radius, material, model);
+    centre_circle = groove.centre_circle();
+    slack = groove.slack();
+    largest_overlap = overlap_limit * groove.ball_radius;
+    roughness = composite_roughness(ring_roughness, ball_roughness);
+    inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
+    ball_mass = mass;
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Every compiled contact law behind a C interface, for test_physics_laws.py: its slopes in duals
+// and by differences, its values one by one and four side by side.
+#include "../../src-package/physics/contact_slopes.h"
+#include "../../src-package/physics/part_table.h"
+
+#include <cstring>
+#include <random>
+
+namespace raceway {
+
+// A number and the same number after a small change of the motions. held() keeps the first: what a
+// law holds in its derivative does not change in the difference either.
+struct Shifted {
+  double value = 0.0, moved = 0.0;
+  Shifted() = default;
+  Shifted(double a) : value(a), moved(a) {}
+  Shifted(double a, double b) : value(a), moved(b) {}
+  Shifted &operator+=(const Shifted &b) { return *this = {value + b.value, moved + b.moved}; }
+};
+namespace detail {
+template <> struct ValueOf<Shifted> {
+  using type = double;
+};
+}    // namespace detail
+inline double held(const Shifted &a) { return a.value; }
+inline Shifted operator+(const Shifted &a, const Shifted &b)
+{
+  return {a.value + b.value, a.moved + b.moved};
+}
+inline Shifted operator-(const Shifted &a, const Shifted &b)
+{
+  return {a.value - b.value, a.moved - b.moved};
+}
+inline Shifted operator*(const Shifted &a, const Shifted &b)
+{
+  return {a.value * b.value, a.moved * b.moved};
+}
+inline Shifted operator/(const Shifted &a, const Shifted &b)
+{
+  return {a.value / b.value, a.moved / b.moved};
+}
+inline Shifted operator-(const Shifted &a) { return {-a.value, -a.moved}; }
+// the branch that the number itself takes: a law is differentiated within its branches
+inline bool operator<(const Shifted &a, double b) { return a.value < b; }
+inline bool operator>(const Shifted &a, double b) { return a.value > b; }
+inline Shifted square_root(const Shifted &a) { return {std::sqrt(a.value), std::sqrt(a.moved)}; }
+inline Shifted exponential(const Shifted &a)
+{
+  return {exponential(a.value), exponential(a.moved)};
+}
+inline Shifted logarithm(const Shifted &a) { return {logarithm(a.value), logarithm(a.moved)}; }
+inline Shifted magnitude(const Shifted &a) { return a.value < 0.0 ? -a : a; }
+inline Shifted where(bool test, const Shifted &yes, const Shifted &no) { return test ? yes : no; }
+}    // namespace raceway
+
+using namespace raceway;
+
+namespace {
+
+struct Scene {
+  RacewayPhysics p;
+  BallState ball;
+  RingState ring;
+  double before[most_states > 0 ? most_states : 1];
+  double dt, follows;
+};
+
+// A loaded contact of a 6208 under some angle, with some sliding, the n-th of its kind.
+Scene scene(unsigned parts, int n)
+{
+  std::mt19937 random(n);
+  auto between = [&](double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(random);
+  };
+  Scene s;
+  const bool inner = n % 2;
+  s.p.groove = {inner ? Side::inner : Side::outer, inner ? 24e-3 : 36.6e-3, 6.552e-3, 6.3e-3};
+  s.p.model.lubricant = {0.04, 22e-9};
+  s.p.ring_roughness = 1e-7;
+  s.p.parts = parts;
+  s.p.of<ConstantFrictionPart>().mu = 0.1;
+  s.p.of<StribeckFrictionPart>().curve = {0.12, 0.05, 0.0, 0.0};
+  s.p.prepare(30.3e-3, 8.17e-3, 0.05);
+  const double overlap = between(1e-6, 30e-6), distance = s.p.slack + overlap;
+  const double angle = n % 3 ? between(-0.6, 0.6) : 0.0, azimuth = between(-3.0, 3.0);
+  const double side = inner ? -1.0 : 1.0;
+  const double r = s.p.centre_circle + side * distance * std::cos(angle);
+  const Vec3 u = {std::cos(azimuth), std::sin(azimuth), 0.0}, t = {-u.y, u.x, 0.0};
+  s.ring.e = {0.0, 0.0, 1.0};
+  s.ball.x = u * r + s.ring.e * (distance * std::sin(angle));
+  s.ball.v = u * between(-5e-3, 5e-3) + t * between(0.3, 1.5) + s.ring.e * between(-5e-3, 5e-3);
+  s.ball.w = {between(-5.0, 5.0), between(-5.0, 5.0), between(-120.0, -60.0)};
+  s.ring.w = {0.0, 0.0, between(0.0, 50.0)};
+  for (double &b : s.before) b = between(-1e-7, 1e-7);
+  s.dt = between(1e-6, 1e-4);
+  s.follows = s.dt;
+  return s;
+}
+
+template <class T> void take_motions(const ContactState &c, ContactStateT<T> &x)
+{
+  static_cast<GroovePosition &>(x) = c;
+  x.cos_angle = c.cos_angle;
+  x.entrainment = c.entrainment;
+  x.overlap = c.overlap;
+  x.overlap_rate = c.overlap_rate;
+  x.sliding_t = c.sliding_t;
+  x.sliding_w = c.sliding_w;
+  x.spin_n = c.spin_n;
+  x.turn_t = c.turn_t;
+  x.roll_w = c.roll_w;
+}
+
+template <class T> const T *force_of(const ContactStateT<T> &c, int i)
+{
+  const T *forces[] = {&c.normal,   &c.friction_t, &c.friction_w,
+                       &c.couple_n, &c.couple_t,   &c.couple_w};
+  return forces[i];
+}
+
+// Local forces after the k-th motion has changed by `step` of its own size, held quantities as
+// before.
+template <class L>
+void shifted_forces(const Scene &s, const ContactState &c, int k, double step, double *change,
+                    double &size)
+{
+  ContactStateT<Shifted> x;
+  take_motions(c, x);
+  Shifted *motions[] = {&x.overlap_rate, &x.sliding_t, &x.sliding_w,
+                        &x.spin_n,       &x.turn_t,    &x.roll_w};
+  Shifted &motion = *motions[k];
+  size = step * (k == 0 ? c.overlap / s.follows : k < 3 ? 0.1 : 1.0);
+  motion.moved += size;
+  if (k == 0) x.overlap.moved += s.follows * size;
+  Shifted after[L::states > 0 ? L::states : 1];
+  L::act(s.p, s.p.law.at(c.cos_angle), LawStates<Shifted>{s.dt, s.before, after}, x);
+  for (int i = 0; i < L::motions; ++i) {
+    const Shifted &f = *force_of(x, i);
+    change[i] = f.moved - f.value;
+  }
+}
+
+template <class L> int slopes_of(const Scene &s, double *dual, double *difference, double *forces)
+{
+  constexpr int n = L::motions;
+  ContactState c;
+  touch(s.p, s.ball.x, s.ring.e, c);
+  find_motions<L::couples>(s.p, s.ball, s.ring, c);
+  const ContactState start = c;
+  double after[L::states > 0 ? L::states : 1];
+  ContactSlopesT<double, n> slopes;
+  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after}, s.follows, c, slopes);
+  for (int i = 0; i < n; ++i) {
+    forces[i] = *force_of(c, i);
+    for (int k = 0; k < n; ++k) dual[n * i + k] = slopes.of[i][k];
+  }
+  const double step = 1e-5;
+  for (int k = 0; k < n; ++k) {
+    double up[n], down[n], size;
+    shifted_forces<L>(s, start, k, step, up, size);
+    shifted_forces<L>(s, start, k, -step, down, size);
+    for (int i = 0; i < n; ++i) difference[n * i + k] = (up[i] - down[i]) / (-2.0 * size);
+  }
+  return n;
+}
+
+template <class T> RACEWAY_INLINE Vec3T<T> spread(const Vec3 &v)
+{
+  return {T() + v.x, T() + v.y, T() + v.z};
+}
+
+// Number of values that differ in their bits: doubles, lanes, duals of doubles, duals of lanes.
+template <class L> int bit_differences(const Scene &s)
+{
+  ContactState one;
+  touch(s.p, s.ball.x, s.ring.e, one);
+  double after[L::states > 0 ? L::states : 1];
+  act<L>(s.p, s.ball, s.ring, LawStates<double>{s.dt, s.before, after}, one);
+
+  ContactState dual = one;
+  double after_dual[L::states > 0 ? L::states : 1];
+  ContactSlopesT<double, L::motions> slopes;
+  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after_dual}, s.follows, dual, slopes);
+
+  int different = 0;
+  for (bool with_slopes : {false, true}) {
+    ContactStateT<Lane> four;
+    const BallStateT<Lane> ball = {spread<Lane>(s.ball.x), spread<Lane>(s.ball.v),
+                                   spread<Lane>(s.ball.w)};
+    const RingStateT<Lane> ring = {spread<Lane>(s.ring.x), spread<Lane>(s.ring.v),
+                                   spread<Lane>(s.ring.w), spread<Lane>(s.ring.e)};
+    locate(ball.x, ring.e, s.p.centre_circle, four);
+    four.overlap = four.s - s.p.slack;
+    Lane before[L::states > 0 ? L::states : 1], later[L::states > 0 ? L::states : 1];
+    for (int k = 0; k < L::states; ++k) before[k] = all_lanes(s.before[k]);
+    const LawStates<Lane> states = {s.dt, before, later};
+    if (with_slopes) {
+      ContactSlopesT<Lane, L::motions> lane_slopes;
+      find_motions<L::couples>(s.p, ball, ring, four);
+      act_with_slopes<L>(s.p, states, s.follows, four, lane_slopes);
+    } else {
+      act<L>(s.p, ball, ring, states, four);
+    }
+    for (int i = 0; i < L::motions; ++i)
+      for (int lane = 0; lane < lanes; ++lane)
+        different += (*force_of(four, i))[lane] != *force_of(one, i);
+    for (int k = 0; k < L::states; ++k) different += later[k][0] != after[k];
+  }
+  for (int i = 0; i < L::motions; ++i) different += *force_of(dual, i) != *force_of(one, i);
+  for (int k = 0; k < L::states; ++k) different += after_dual[k] != after[k];
+  return different;
+}
+
+}    // namespace
+
+extern "C" {
+
+int laws() { return static_cast<int>(compiled_laws().size()); }
+void law_name(int law, char *text, int room)
+{
+  std::strncpy(text, law_text(compiled_laws()[law]).c_str(), room);
+}
+int law_explicit(int law)
+{
+  int is = 0;
+  with_law(compiled_laws()[law], [&](auto l) { is = decltype(l)::explicit_step; });
+  return is;
+}
+
+// n x n slopes by duals and by differences, n forces; returns n
+int law_slopes(int law, int sample, double *dual, double *difference, double *forces)
+{
+  const unsigned parts = compiled_laws()[law];
+  int n = 0;
+  with_law(parts, [&](auto l) {
+    using L = decltype(l);
+    if constexpr (!L::explicit_step)
+      n = slopes_of<L>(scene(parts, sample), dual, difference, forces);
+  });
+  return n;
+}
+
+int law_bits(int law, int sample)
+{
+  const unsigned parts = compiled_laws()[law];
+  int different = -1;
+  with_law(parts, [&](auto l) {
+    using L = decltype(l);
+    if constexpr (!L::explicit_step) different = bit_differences<L>(scene(parts, sample));
+  });
+  return different;
+}
+}
