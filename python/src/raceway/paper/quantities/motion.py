@@ -28,7 +28,7 @@ def measure(book, printed):
         "cage_contact": Quantity(
             run.cage_contact_share(b.ball_radius, CAGE_BALL),
             "%",
-            "neighbouring balls and cage balls in touch",
+            "neighbouring balls and cage balls in contact",
         ),
         "coulomb": Quantity(run.coulomb_use(), "", "largest friction over μ $F_n$"),
         "entrainment_run": Quantity(
