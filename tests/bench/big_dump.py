@@ -138,11 +138,10 @@ def main():
     lines += [f"- {fact}" for fact in machine()]
     lines += [
         "",
-        (
-            "Each task in a process of its own, files in the page cache or not as it comes. Memory"
-            " is the largest resident size of"
-        ),
-        "the process.",
+        *"""\
+Each task runs in a process of its own. Files are in the page cache or not, as it happens. Memory
+is the largest resident size of the process.
+""".splitlines(),
         "",
         ".. list-table::",
         "   :header-rows: 1",

@@ -176,11 +176,11 @@ def main():
     lines += [f"- {fact}" for fact in machine()]
     lines += [
         "",
-        (
-            "A 6208 (5 kN, 477.5 rpm, mineral oil) with host steps of 0.1 ms and a tolerance of 0.1"
-            " µm. *Adds* is the difference to the scene that a row builds on,"
-        ),
-        "in the same round. Medians; in brackets the range of the rounds.",
+        *"""\
+The bearing is a 6208 (5 kN, 477.5 rpm, mineral oil). Host steps are 0.1 ms, the tolerance is 0.1
+µm. *Adds* is the difference to the scene that a row builds on, in the same round. Figures are
+medians, with the range of the rounds in brackets.
+""".splitlines(),
         "",
         "Feature by feature",
         "------------------",
@@ -208,8 +208,8 @@ def main():
     if shares:
         lines += [
             (
-                "Everything on, order 2, capacitance at 10 instants of a step; share of the"
-                " processor's time in a long run (perf record)."
+                "Everything is on, with order 2 and the capacitance at 10 instants of a step. The"
+                " share is of the processor's time in a long run (perf record)."
             ),
             "",
         ]
@@ -223,8 +223,8 @@ def main():
         "------------------------",
         "",
         (
-            "Bearings with a wider pitch circle and as many times more balls and load; film, cage,"
-            " free ring, order 1."
+            "The bearings have a wider pitch circle and as many times more balls and load. They"
+            " have film, cage and free ring, and order 1."
         ),
         "",
     ]
@@ -247,12 +247,12 @@ def main():
     lines += [
         (
             "The time of a host step with one correction grows with the number of balls to the"
-            f" power {spread(orders, '{:.2f}')}: the blocks of four balls, the chain of"
+            f" power {spread(orders, '{:.2f}')}."
         ),
-        (
-            "cage contacts and the border of the rings each cost a time proportional to it, the"
-            " host's step has a part that does not depend on it."
-        ),
+        *"""\
+The blocks of four balls, the chain of cage contacts and the border of the rings each cost a time
+proportional to it. The host's step has a part that does not depend on it.
+""".splitlines(),
         "",
     ]
     PAGE.write_text("\n".join(lines))

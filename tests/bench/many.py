@@ -225,14 +225,11 @@ def page(results, equal, set_ups, rounds):
         "Many bearings",
         "=============",
         "",
-        (
-            f"``inputs/in.many`` with {MANY} bearings 6208 under 5 kN at 477.5 rpm, all alike, with"
-            " film, friction and cage, in a square grid."
-        ),
-        (
-            f"Measured on {date.today()}, {rounds} rounds; medians, in brackets the range of the"
-            " rounds; ratios are formed within a round."
-        ),
+        *f"""\
+``inputs/in.many`` with {MANY} bearings 6208 under 5 kN at 477.5 rpm, all alike, with film,
+friction and cage, in a square grid. Measured on {date.today()}, {rounds} rounds. Figures are
+medians, with the range of the rounds in brackets. Ratios are formed within a round.
+""".splitlines(),
         "",
     ]
     lines += [f"- {fact}" for fact in machine()]
@@ -241,15 +238,12 @@ def page(results, equal, set_ups, rounds):
         "One rank and two",
         "----------------",
         "",
-        (
-            "*bearing-step*: wall time of the run over the steps and bearings in it: steps of 0.4"
-            " µs with velocity Verlet, internal steps of the"
-        ),
-        (
-            "implicit integrator (some 200 µs; host steps of 250 µs, without output). *ratio*: many"
-            " over one bearing in a box, both on one rank."
-        ),
-        "*efficiency*: of two ranks, time on one over twice the time on two.",
+        *"""\
+*bearing-step*: wall time of the run over the steps and bearings in it. Steps of velocity Verlet
+are 0.4 µs. Internal steps of the implicit integrator are some 200 µs, with host steps of 250 µs
+and without output. *ratio*: many over one bearing in a box, both on one rank. *efficiency*: of
+two ranks, time on one over twice the time on two.
+""".splitlines(),
         "",
     ]
     rows = []
@@ -278,60 +272,48 @@ def page(results, equal, set_ups, rounds):
         rows,
     )
     lines += [
-        (
-            "What a ratio above 1 is made of: a single bearing lives in the caches of its core;"
-            " many are fetched from farther away once a host step"
-        ),
-        (
-            "(their memory is in the table), against which a single one bears the fixed cost of a"
-            " host step alone."
-        ),
+        *"""\
+A ratio above 1 has two parts. A single bearing stays in the caches of its core. Many bearings
+are fetched from farther away once a host step (their memory is in the table). On the other hand
+a single one bears the fixed cost of a host step alone.
+""".splitlines(),
         "",
-        (
-            f"The last state of {MANY} bearings that differ in load, speed, azimuth and lubricant,"
-            " on 1, 2 and 4 ranks (4 on two cores), every bit:"
-        ),
+        *f"""\
+The last state of {MANY} bearings that differ in load, speed, azimuth and lubricant was compared.
+Every bit on 1, 2 and 4 ranks (4 on two cores):
+""".splitlines(),
         "; ".join(f"{name}: {'equal' if same else '**different**'}" for name, same in equal.items())
         + ".",
         "",
         "Set-up, one rank: "
         + "; ".join(f"{n} bearing{'s' if n > 1 else ''} {seconds:.2g} s" for n, seconds in set_ups)
-        + ". Every ``create_bearing`` looks at all atoms of its rank and sets up the",
-        (
-            "host's map of atoms anew, so set-up grows with the square of the number of bearings;"
-            " below some ten thousand it does not matter."
-        ),
+        + ".",
+        *"""\
+Every ``create_bearing`` looks at all atoms of its rank and sets up the host's map of atoms anew.
+So set-up grows with the square of the number of bearings. Below some ten thousand it does not
+matter.
+
+Clusters: a model
+-----------------
+
+All ranks act together only in two cases: the host checks for new neighbour lists, and output
+asks for it. A rank computes its bearings and talks to its neighbours, four in a plane grid. With
+:math:`n = N/P` bearings on a rank,
+
+.. math::
+
+   t = n\\,c + 4 L + 4 \\sqrt{n}\\, g\\, (b/B + p)
+""".splitlines(),
         "",
-        "Clusters: a model",
-        "-----------------",
-        "",
-        (
-            "Nothing in a step is done by all ranks together but what the host does itself (a check"
-            " for new neighbour lists) and what output asks for. A"
-        ),
-        (
-            "rank computes its bearings and talks to its neighbours, four in a plane grid. With"
-            " :math:`n = N/P` bearings on a rank,"
-        ),
-        "",
-        ".. math::",
-        "",
-        "   t = n\\,c + 4 L + 4 \\sqrt{n}\\, g\\, (b/B + p)",
-        "",
-        (
-            "with the measured cost :math:`c` of a bearing in a host step, among many, and the"
-            " measured number :math:`g` of ghost atoms a bearing along a cut, and"
-        ),
-        (
-            f"assumed, not measured: latency :math:`L` = {LATENCY * 1e6:.0f} µs, bandwidth"
-            f" :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, {PACK * 1e9:.0f} ns to pack and unpack a"
-            " ghost;"
-        ),
-        (
-            f":math:`b` = {GHOST_BYTES} bytes a ghost (position, velocity, spin). A bearing that a"
-            " cut goes through costs, on top, one or two short messages"
-        ),
-        "(its ring's sums; with the implicit step the state of its bodies, there and back).",
+        *f"""\
+Two numbers are measured: the cost :math:`c` of a bearing in a host step, among many, and the
+number :math:`g` of ghost atoms a bearing along a cut. These are assumed, not measured: latency
+:math:`L` = {LATENCY * 1e6:.0f} µs, bandwidth :math:`B` = {BANDWIDTH / 1e9:.0f} GB/s, and
+:math:`p` = {PACK * 1e9:.0f} ns to pack and unpack a ghost. A ghost has :math:`b` = {GHOST_BYTES}
+bytes (position, velocity, spin). A bearing that a cut goes through costs one or two short
+messages more. They are its ring's sums; with the implicit step the state of its bodies, there
+and back.
+""".splitlines(),
         "",
     ]
     for name, got in results.items():
@@ -374,36 +356,22 @@ def page(results, equal, set_ups, rounds):
         "What the model leaves out",
         "-------------------------",
         "",
-        (
-            "- Ranks get equal volumes: where bearings differ in cost (the implicit step refines"
-            " some more than others), the slowest rank sets the pace,"
-        ),
-        "  and a grid that ranks do not divide evenly costs as much.",
-        (
-            "- Messages inside a rank are free and every bearing costs the same; a network shared"
-            " with others is slower."
-        ),
-        (
-            "- After every new neighbour list (with the implicit step every few host steps, with"
-            " Verlet every few thousand) each rank tells every other"
-        ),
-        (
-            "  how much it will send, a few bytes for each; with the implicit step all ranks learn"
-            " which rings hang together, about 24 bytes a ring and"
-        ),
-        (
-            "  rank that sees it, so that above some 10\\ :sup:`5` bearings these lists, not the"
-            " bearings, set the pace there."
-        ),
-        (
-            "- The host's map of atoms takes 4 bytes for every atom of the box on every rank (80 MB"
-            " at 10\\ :sup:`6` bearings), each fix bearing/ring 4 bytes"
-        ),
-        "  for every ring.",
-        (
-            "- ``thermo`` with compute bearing/total gathers all balls on all ranks; the table of"
-            " compute bearing/ring does not."
-        ),
+        *"""\
+- Ranks get equal volumes. Where bearings differ in cost (the implicit step refines some more
+  than others), the slowest rank sets the pace. A grid that ranks do not divide evenly costs as
+  much.
+- Messages inside a rank are free and every bearing costs the same. A network shared with others
+  is slower.
+- After every new neighbour list each rank tells every other how much it will send, a few bytes
+  for each. With the implicit step that is every few host steps, with Verlet every few thousand.
+- With the implicit step all ranks learn which rings belong together: about 24 bytes a ring and
+  rank that sees it. So above some 10\\ :sup:`5` bearings these lists, not the bearings, set the
+  pace there.
+- The host's map of atoms takes 4 bytes for every atom of the box on every rank. That is 80 MB at
+  10\\ :sup:`6` bearings. Each fix bearing/ring takes 4 bytes for every ring.
+- ``thermo`` with compute bearing/total gathers all balls on all ranks. The table of compute
+  bearing/ring does not.
+""".splitlines(),
         "",
     ]
     return "\n".join(lines)

@@ -95,7 +95,7 @@ def attempt(call):
         return f"stopped: ``{failure}``"
     if isinstance(found, Outcome):
         return (
-            f"ran; {found.left} of {BEARING.balls} balls left, load error at the same shift "
+            f"ran; {found.left} of {BEARING.balls} balls left, load error at the same displacement "
             f"{percent(found.same_shift)} ({percent(found.low)} to {percent(found.high)})"
         )
     return "ran"

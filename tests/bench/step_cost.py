@@ -74,11 +74,10 @@ def main():
     lines += [f"- {fact}" for fact in machine()]
     lines += [
         "",
-        (
-            'A loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. "Ratio" is to the'
-            " empty step of the"
-        ),
-        "same round. Medians; in brackets the range of the rounds.",
+        *"""\
+The bearing is a loaded 6208 (5 kN, 477.5 rpm, mineral oil) with velocity Verlet. "Ratio" is to
+the empty step of the same round. Figures are medians, with the range of the rounds in brackets.
+""".splitlines(),
         "",
         ".. list-table::",
         "   :header-rows: 1",
@@ -99,11 +98,10 @@ def main():
         ]
     lines += [
         "",
-        (
-            "The stock scene has no groove, no ellipse, no ring that gives way under a load and no"
-            " film; it is here as"
-        ),
-        "the nearest thing that an unmodified host offers.",
+        *"""\
+The stock scene has no groove, no ellipse, no ring that gives way under a load and no film. It is
+the nearest thing that an unmodified host offers.
+""".splitlines(),
         "",
     ]
     text = "\n".join(lines)

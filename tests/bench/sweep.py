@@ -40,9 +40,11 @@ A sweep on two cores
 
 Written by ``tests/bench/sweep.py`` (``make bench``), {today}.
 
-{points} points: {loads} loads from {load_low} to {load_high} N, {speeds} speeds from {rpm_low:g} to {rpm_high:g} rpm, {clearances} clearances from
-{clearance_low:g} to {clearance_high:g} m, {oils} lubricants; {passes} ball passes each, with all output and figures (:doc:`../sweep`). One and two
-processes in turn, {rounds} rounds:
+The sweep has {points} points: {loads} loads from {load_low} to {load_high} N,
+{speeds} speeds from {rpm_low:g} to {rpm_high:g} rpm,
+{clearances} clearances from {clearance_low:g} to {clearance_high:g} m, and {oils} lubricants.
+A point has {passes} ball passes, with all output and figures (:doc:`../sweep`). One and two
+processes ran in turn. Rounds: {rounds}.
 
 .. list-table::
    :header-rows: 1
@@ -53,10 +55,12 @@ processes in turn, {rounds} rounds:
      - points a second
 {rows}
 
-Two processes do {ratio:.2f} times the work of one (the rounds: {ratios}); at least {wanted} is asked for.
+Two processes do {ratio:.2f} times the work of one (the rounds: {ratios}). At least {wanted} is
+asked for.
 
-Killed half-way (``kill -9`` to the sweep with {killed} points done, two in work) and started again: {finished} of {points} points finished, none lost,
-{again} of the points that were done had been run again, {same} tables of results with the figures of the undisturbed sweep.
+A sweep was killed half-way (``kill -9`` with {killed} points done, two in work) and started
+again. {finished} of {points} points finished, none lost. Of the points that were done, {again}
+had been run again. Of the tables of results, {same} have the figures of the undisturbed sweep.
 
 {machine}
 """

@@ -344,20 +344,18 @@ def page(results):
         "Speed against error",
         "===================",
         "",
-        (
-            "A 6208 at 5 kN in mineral oil: film, friction, cage, free ring, capacitance at 200"
-            " instants of a ball pass (:doc:`../fix_bearing_capacitance`,"
-        ),
-        (
-            "*within*), nothing written. Error: largest over balls and instants of one ball pass of"
-            " inner and outer load (over the largest load), orbital speed (over its mean) and film"
-            " of balls that carry"
-        ),
-        "more than 1 % of the largest load, against a reference with the same friction. One core;",
-        (
-            f"median of {ROUNDS} rounds, in which all settings of a scene take turns. Measured on"
-            f" {date.today()}:"
-        ),
+        *f"""\
+The bearing is a 6208 at 5 kN in mineral oil, with film, friction, cage and free ring. Its
+capacitance is computed at 200 instants of a ball pass (:doc:`../fix_bearing_capacitance`,
+*within*). Nothing is written.
+
+The error is the largest over balls and instants of one ball pass, against a reference with the
+same friction. It is taken of inner and outer load (over the largest load), cage speed (over its
+mean) and film. The film counts for balls that carry more than 1 % of the largest load.
+
+All runs use one core. Figures are the median of {ROUNDS} rounds, in which all settings of a
+scene take turns. Measured on {date.today()}:
+""".splitlines(),
         "",
     ]
     lines += [f"- {fact}" for fact in machine()]
@@ -367,8 +365,8 @@ def page(results):
         "------------------",
         "",
         (
-            "Real-time factors (simulated over wall time) of :doc:`../fix_bearing_implicit` in this"
-            " run."
+            "The table has real-time factors (simulated over wall time) of"
+            " :doc:`../fix_bearing_implicit` in this run."
         ),
         "",
     ] + targets(results)
@@ -380,8 +378,8 @@ def page(results):
         "   :alt: error against wall time per simulated second",
         "",
         (
-            "Left and low is better. Dotted: how far two reference methods are apart; errors below"
-            " it say nothing. Grey: 1e-3."
+            "Left and low is better. The dotted line is the difference of two reference methods."
+            " Errors below it say nothing. The grey line is 1e-3."
         ),
         "",
     ]
@@ -401,7 +399,12 @@ def page(results):
             "",
         ]
         lines += table(rows)
-    lines += (ROOT / "tests/bench/work_precision_notes.txt").read_text().splitlines()
+    lines += [
+        "What failed",
+        "-----------",
+        "",
+        ":doc:`../notes/integrator` has what was tried and not used.",
+    ]
     PAGE.write_text("\n".join(lines) + "\n")
 
 

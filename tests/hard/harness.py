@@ -173,7 +173,7 @@ class Figures(NamedTuple):
     """Largest differences over balls, raceways and samples."""
 
     load: float  # over the peak load
-    orbit: float  # over the largest orbital speed
+    orbit: float  # over the largest cage speed
     # relative (below 0.1 um over that: the roughness), where both carry over 1 % of the peak; nan
     # if dry
     film: float
@@ -221,7 +221,7 @@ def averages(course, after=0, every=1):
     series = {
         "sum of inner loads": load[:, 0].sum(1),
         "outer load": load[:, 1].mean(1),
-        "orbital speed": orbit.mean(1),
+        "cage speed": orbit.mean(1),
         "share of balls on the inner ring": inner.mean(1),
         "share of balls on no ring": (~inner & ~outer).mean(1),
     }

@@ -50,7 +50,7 @@ def drifts(course):
     found = {}
     for name, series in {
         "ring along the load (m)": course.ring[:, 1],
-        "orbital speed (rad/s)": course.orbit.mean(1),
+        "cage speed (rad/s)": course.orbit.mean(1),
         "capacitance (F)": course.capacitance,
         "largest load (N)": course.load.max((1, 2)),
     }.items():

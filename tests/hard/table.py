@@ -68,7 +68,7 @@ def rows_of(name, folder):
         remark = [verdict.remark] if verdict.remark else []
         if verdict.orbit == verdict.orbit:
             remark.append(
-                f"orbital speed {number(verdict.orbit)}"
+                f"cage speed {number(verdict.orbit)}"
                 + (f", film {number(verdict.film)}" if verdict.film == verdict.film else "")
             )
         if not verdict.good:
@@ -152,17 +152,17 @@ def thirty_seconds(folder):
         ""
         if energy is None
         else (
-            f" Work put in {energy[0]:.4g} J, of which the integrator itself lost "
-            f"{energy[1]:.3g} J, {abs(energy[1] / energy[0]):.1e} of it."
+            f" The work put in is {energy[0]:.4g} J. The integrator itself lost {energy[1]:.3g} J,"
+            f" {abs(energy[1] / energy[0]):.1e} of it."
         )
     )
     return (
         rows,
         (
-            f"{course.simulated:.1f} s in {course.wall:.1f} s of wall time"
-            f" ({course.simulated / course.wall:.0f} times real time, {longrun.PER_PASS} samples a"
-            f" ball pass written), mean internal step {number(course.step)} s, {course.refused}"
-            f" steps refused.{said}"
+            f"{course.simulated:.1f} s took {course.wall:.1f} s of wall time"
+            f" ({course.simulated / course.wall:.0f} times real time), with {longrun.PER_PASS}"
+            f" samples a ball pass written. The mean internal step was {number(course.step)} s."
+            f" {course.refused} steps were refused.{said}"
         ),
     )
 
@@ -182,29 +182,21 @@ def main():
         "Hard cases",
         "==========",
         "",
-        (
-            ":doc:`../fix_bearing_implicit` with its default words and one host step a sample, in"
-            " scenes that are hard to integrate: 6208, mineral"
-        ),
-        (
-            "oil unless said otherwise. ``tests/hard/cases.yaml`` has the scenes, bounds with their"
-            " reasons, and what misses its bound."
-        ),
-        f"Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.",
-        "",
-        (
-            "Figure: largest difference over balls, raceways and samples of the contact load over"
-            " the peak load, from the sample on that the case"
-        ),
-        (
-            "names; *whole course* is the same from the first sample. Quasi-static cases are held"
-            " against statics, transients on their whole course with the peak,"
-        ),
-        (
-            "a chaotic case by averages over time with their statistical error, up to a whirl of"
-            " the ring (:ref:`known-limits`). Wall time includes the output of every sample, on a"
-            " shared virtual core."
-        ),
+        *f"""\
+These are scenes that are hard to integrate, for :doc:`../fix_bearing_implicit` with its default
+words and one host step a sample. The bearing is a 6208, in mineral oil unless said otherwise.
+``tests/hard/cases.yaml`` has the scenes, the bounds with their reasons, and what misses its
+bound. Written on {date.today()}: {len(rows)} figures, {missed} outside their bound.
+
+The figure is the largest difference of the contact load over balls, raceways and samples, over
+the peak load. It counts from the sample on that the case names. *Whole course* is the same from
+the first sample. Remarks have the largest differences of cage speed and film.
+
+Quasi-static cases are compared with statics, transients on their whole course with the peak. A
+chaotic case, up to a whirl of the ring (:ref:`known-limits`), is compared by averages over time
+with their statistical error. Wall time includes the output of every sample, on a shared virtual
+core.
+""".splitlines(),
         "",
         *list_table(HEAD, rows),
         "Bounds:",
@@ -218,11 +210,11 @@ def main():
         "Steps too large on purpose",
         "--------------------------",
         "",
-        (
-            "The control refines a host step that is too large, or the run stops with an error."
-            " Verlet is given 30 and 100 times the step of its reference"
-        ),
-        "and must be refused by the package, or be no nonsense.",
+        *"""\
+The control refines a host step that is too large, or the run stops with an error. Verlet is
+given 30 and 100 times the step of its reference. The package must refuse it, or the result must
+be no nonsense.
+""".splitlines(),
         "",
         *list_table(
             ["case", "host step (s)", "internal step (s)", "figure", "remark"]
@@ -232,7 +224,7 @@ def main():
         "Thirty seconds",
         "--------------",
         "",
-        f"6208, 5 kN, 477.5 rpm. {sentence}",
+        f"The bearing is a 6208 at 5 kN and 477.5 rpm. {sentence}",
         "",
     ]
     if drift:
