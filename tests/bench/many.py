@@ -297,8 +297,8 @@ Clusters: a model
 -----------------
 
 All ranks act together only in two cases: the host checks for new neighbour lists, and output
-asks for it. A rank computes its bearings and talks to its neighbours, four in a plane grid. With
-:math:`n = N/P` bearings on a rank,
+asks for it. A rank computes its bearings and exchanges messages with its neighbours, four in a
+plane grid. With :math:`n = N/P` bearings on a rank,
 
 .. math::
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The pages and the output speak the glossary of docs/design.rst, in short sentences."""
 
+import json
 import subprocess
+from pathlib import Path
 
 import prose
 import pytest
@@ -24,12 +26,17 @@ def blocks(documents):
 
 
 def meanings():
-    """(table and column, meaning) of every output column."""
+    """(table and column, meaning) of every output column, in Python's tables and in the file that
+    they may come from."""
     for table, content in vars(columns).items():
         if isinstance(content, dict) and not table.startswith("_"):
             for name, column in content.items():
                 if isinstance(column, columns.Column):
                     yield f"{table} {name}", column.meaning
+    source = Path(columns.__file__).with_name("columns.json")
+    for table, rows in json.loads(source.read_text()).items() if source.exists() else ():
+        for row in rows:
+            yield f"{source.name} {table} {row['name']}", row["meaning"]
 
 
 def test_the_glossary_has_its_terms(terms):
