@@ -59,7 +59,7 @@ RACEWAY_LANES void BearingInstants::look_at(double h, double s, Look *look)
       ContactStateT<Lane> c;
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
-      const LaneMask live = b_.groups[k].used & (c.overlap > 0.0);
+      const LaneMask live = b_.groups[k].used & (c.overlap > -p.reach);
       *look = Look();
       if (!any(live)) continue;
       c.overlap = where(live, c.overlap, 1e-9);

@@ -84,7 +84,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
       // what is not a number must not pass for a gap
-      const LaneMask live = g.used & ~(c.overlap <= 0.0);
+      const LaneMask live = g.used & ~(c.overlap <= -p.reach);
       Lane unused[L::states > 0 ? L::states : 1];
       if constexpr (L::states > 0)
         for (int m = 0; m < L::states && stage.evaluate != Evaluate::only; ++m)
@@ -120,7 +120,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       ring.moment_lanes += f.lab(q.ring_torque);
       if (stage.evaluate == Evaluate::only) {
         power_lost_ += sum(where(live, L::loss(c), 0.0));
-        contact_energy_ += sum(where(live, Lane(0.4 * c.load * c.overlap), 0.0));
+        contact_energy_ += sum(where(live, Lane(0.4 * c.load * c.compression), 0.0));
         continue;
       }
       g.rhs[0] += stage.h * q.force.x;

@@ -51,6 +51,11 @@ template <class Own, class = void> struct Prepares : std::false_type {};
 template <class Own>
 struct Prepares<Own, decltype(std::declval<Own &>().prepare(std::declval<const Raceway &>()))>
     : std::true_type {};
+template <class Own, class = void> struct Reaches : std::false_type {};
+template <class Own>
+struct Reaches<
+    Own, std::void_t<decltype(std::declval<const Own &>().reach(std::declval<const Raceway &>()))>>
+    : std::true_type {};
 }    // namespace detail
 
 constexpr unsigned dry_parts = detail::parts_when(Parts(), When::always);
@@ -92,13 +97,18 @@ struct RacewayPhysics : Raceway {
   {
     Raceway::prepare(pitch_radius, mass, overlap_limit);
     parts = completed(parts);
-    std::apply([this](auto &...one) { (prepare_one(one), ...); }, own);
+    reach = 0.0;
+    Parts::each([this](auto tag) { prepare_part<typename decltype(tag)::type>(); });
   }
 
  private:
-  template <class Own> void prepare_one(Own &one)
+  template <class Part> void prepare_part()
   {
+    auto &one = of<Part>();
+    using Own = typename Part::Parameters;
     if constexpr (detail::Prepares<Own>::value) one.prepare(*this);
+    if constexpr (detail::Reaches<Own>::value)
+      if (has<Part>()) reach = std::fmax(reach, one.reach(*this));
   }
 };
 
@@ -135,8 +145,8 @@ RACEWAY_INLINE void act(const RacewayPhysics &p, const BallStateT<T> &ball,
 
 template <class L, class T>
 RACEWAY_INLINE ContactForcesT<T> contact_forces(const RacewayPhysics &p, const BallStateT<T> &ball,
-                                                const RingStateT<T> &ring, const LawStates<T> &memory,
-                                                ContactStateT<T> &c)
+                                                const RingStateT<T> &ring,
+                                                const LawStates<T> &memory, ContactStateT<T> &c)
 {
   act<L>(p, ball, ring, memory, c);
   return assemble<L::couples>(p, ring.e, c);

@@ -50,6 +50,7 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
   L::act(p, p.law.at(c.cos_angle), LawStates<D>{memory.dt, memory.before, after}, x);
   for (int k = 0; k < L::states; ++k) memory.after[k] = held(after[k]);
 
+  c.compression = held(x.compression);
   c.root = held(x.root);
   c.load = held(x.load);
   c.stiffness = x.stiffness;

@@ -14,7 +14,9 @@ namespace raceway {
 template <class T> struct ContactStateT : GroovePositionT<Value<T>> {
   using Plain = Value<T>;
   // motions of the ball against the raceway (kinematics.h)
-  T overlap = T();                               // m
+  T overlap = T();    // m, of the rigid surfaces; negative for a gap
+  T compression =
+      T();    // m, what the elastic bodies give way: the overlap and what parts add // m
   Plain cos_angle = Plain();                     // of the contact angle
   T overlap_rate = T();                          // m/s
   Plain entrainment = Plain();                   // m/s

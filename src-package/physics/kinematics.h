@@ -37,13 +37,13 @@ template <class T> struct ContactForcesT {
 };
 using ContactForces = ContactForcesT<double>;
 
-// Geometry only. True where the surfaces overlap (or a position is not a number); only then the
-// frame is set.
+// Geometry only. True where the surfaces overlap, or are within reach of the law (or a position is
+// not a number); only then the frame is set.
 inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &c)
 {
-  if (!locate_beyond(d, e, p.centre_circle, p.slack, c)) return false;
+  if (!locate_beyond(d, e, p.centre_circle, p.slack - p.reach, c)) return false;
   c.overlap = c.s - p.slack;
-  return !(c.overlap <= 0.0);
+  return !(c.overlap <= -p.reach);
 }
 
 // Local motions of a contact whose position is known; `rotations` asks for those about n, t, w too.

@@ -23,6 +23,11 @@ template <class... P> struct PartList {
     return -1;
   }
   template <class Part> static constexpr unsigned bit() { return 1u << place<Part>(); }
+
+  template <class Part> struct Tag {
+    using type = Part;
+  };
+  template <class F> static void each(const F &f) { (f(Tag<P>()), ...); }    // type of its argument
 };
 
 // A law: its parts act in this order. All is the list of all parts.
@@ -38,6 +43,7 @@ template <class All, class... P> struct LawOf {
   static RACEWAY_INLINE void act(const Physics &p, const RacewayConstantsT<Value<T>> &k,
                                  LawStates<T> m, ContactStateT<T> &c)
   {
+    c.compression = c.overlap;
     c.friction_t = c.friction_w = T();
     if constexpr (couples) c.couple_n = c.couple_t = c.couple_w = T();
     (one<P>(p, k, m, c), ...);

@@ -4,7 +4,8 @@
 //   name         one word, for tables and messages
 //   when         always, with a film, or only when a keyword asks for it
 //   slot         parts with the same slot exclude each other; "" for none
-//   Parameters   its own numbers, with their defaults; prepare(raceway) where it derives some
+//   Parameters   its own numbers, with their defaults; prepare(raceway) where it derives some, and
+//                reach(raceway), the gap (m) at which its contacts begin, where that is not 0
 //   keywords()   the words that set them, with unit and range (Keyword below)
 //   states       how many numbers a contact keeps for it from step to step
 //   couples      true if it sets couple_n, couple_t, couple_w

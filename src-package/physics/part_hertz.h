@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The elastic contact: Q = K overlap^1.5 (hertz.h).
+// The elastic contact: Q = K compression^1.5 (hertz.h).
 #ifndef RACEWAY_PART_HERTZ_H
 #define RACEWAY_PART_HERTZ_H
 
@@ -45,8 +45,8 @@ struct HertzContactPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    c.root = square_root(c.overlap);
-    c.load = k.K * c.overlap * c.root;
+    c.root = square_root(c.compression);
+    c.load = k.K * c.compression * c.root;
     c.stiffness = 1.5 * k.K * held(c.root);
   }
 };

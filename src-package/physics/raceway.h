@@ -23,6 +23,7 @@ struct Raceway {
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
   double ball_mass = 0.0;                                            // kg
+  double reach = 0.0;    // m, gap at which a contact begins; 0 unless a part of the law asks for it
 
   // pitch_radius (m) sets gamma; overlap_limit is a fraction of the ball's radius.
   void prepare(double pitch_radius, double mass, double overlap_limit)

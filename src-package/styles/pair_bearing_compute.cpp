@@ -66,8 +66,8 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
       const Vec3 d = ball.x - ring.x;
       // int Q d(overlap) = 2/5 Q overlap. Only this rank sees the pair: count it whole (newton = 1)
       ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
-                   eflag_either ? 0.4 * c.state.load * c.state.overlap : 0.0, 0.0, forces.force.x,
-                   forces.force.y, forces.force.z, d.x, d.y, d.z);
+                   eflag_either ? 0.4 * c.state.load * c.state.compression : 0.0, 0.0,
+                   forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
     }
   }
 }
