@@ -6,11 +6,12 @@
 #   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, a run of 2 GB, sweeps; rewrites pages of docs/performance
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
+#   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench docs clean setup sanitized tree install-tree uninstall-tree lint format
+.PHONY: run build test bench columns docs clean setup sanitized tree install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
@@ -35,6 +36,7 @@ CORE := $(IMPLICIT:src-package/%.cpp=build/obj/%.o)
 LAMMPS_2021_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps-2021/%.o,$(STYLES) src-package/host/interposing_loader.cpp)
 LAMMPS_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps/%.o,$(STYLES) src-package/host/plugin_styles.cpp)
 SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
+COLUMNS := python/src/raceway/columns.json
 VENV_STAMP := .venv/.installed
 BENCH_STAMP := .venv/.installed-bench
 
@@ -46,7 +48,7 @@ run: build
 
 build: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/lammps build/raceway_plugin.so build/libraceway_physics.so
+	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/lammps build/raceway_plugin.so build/libraceway_physics.so build/columns
 
 test: build sanitized tree lint
 	@$(MAKE) --no-print-directory docs
@@ -63,6 +65,11 @@ bench: build
 	.venv/bin/python tests/hard/table.py
 	.venv/bin/python tests/bench/big_dump.py
 	.venv/bin/python tests/bench/sweep.py
+
+# Names, units and meanings of all output columns, from the tables in C++.
+columns: setup
+	@$(MAKE) --no-print-directory -s build/columns
+	build/columns > $(COLUMNS)
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
@@ -193,5 +200,11 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -c $< -o $@
+
+# ---- the output columns as JSON ------------------------------------------------------------------------
+build/columns: src-package/host/print_columns.cpp src-package/contacts/contact_columns.cpp
+	@mkdir -p $(@D)
+	@echo "  CXX  $@"
+	@g++ $(FLAGS) $^ -o $@ -MF $@.d
 
 -include $(shell find build -name '*.d' 2>/dev/null)

@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Sphinx: `make docs` writes build/docs; a warning is an error."""
 
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
 project = "Raceway"
 author = "the Raceway authors"
 copyright = "the Raceway authors, GPL-2.0-or-later"
 version = release = "0.1.0"
-extensions = ["sphinx.ext.mathjax"]
+extensions = ["sphinx.ext.mathjax", "column_table"]
 highlight_language = "none"
 exclude_patterns = ["decks"]
 html_theme = "alabaster"

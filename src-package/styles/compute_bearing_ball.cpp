@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_bearing_ball.h"
 
+#include "../contacts/bearing_columns.h"
+#include "contact_context.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
 using namespace raceway;
 using bearing::RacewayContact;
+namespace of_ball = bearing::of_ball;
 
 // compute ID group bearing/ball azimuth|orbit|inner_ATTRIBUTE|outer_ATTRIBUTE ...
 ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
@@ -15,19 +18,23 @@ ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
                           BRG_COMPUTE_FIRST);
   do {
     const std::string name = args.word("a ball attribute");
-    if (name == "azimuth" || name == "orbit") {
-      columns_.push_back({name == "azimuth" ? azimuth : orbit, nullptr});
+    if (name == of_ball::list[of_ball::AZIMUTH].name) {
+      columns_.push_back({azimuth, nullptr});
+      continue;
+    }
+    if (name == of_ball::list[of_ball::ORBIT].name) {
+      columns_.push_back({orbit, nullptr});
       continue;
     }
     const bool is_inner = name.compare(0, 6, "inner_") == 0,
                is_outer = name.compare(0, 6, "outer_") == 0;
-    const bearing::ContactAttribute *a =
-        is_inner || is_outer ? bearing::find_attribute(name.substr(6)) : nullptr;
+    const bearing::ContactColumn *a =
+        is_inner || is_outer ? bearing::find_contact_column(name.substr(6)) : nullptr;
     if (!a)
       args.fail("unknown attribute '" + name +
                 "'; known: azimuth, orbit, and with inner_ or outer_ before it: " +
-                bearing::attribute_names());
-    if (a->film && !pair_->lubricated())
+                bearing::contact_column_names());
+    if (a->needs_film() && !pair_->lubricated())
       args.fail("attribute '" + name + "' needs a lubricant: use pair_style bearing/ehd");
     columns_.push_back({is_inner ? inner : outer, a});
     needed_.push_back(a);
@@ -46,7 +53,7 @@ void ComputeBearingBall::init()
 {
   const std::string name = std::string("compute ") + id + " bearing/ball";
   pair_ = PairBearingHertz::find(lmp, name);
-  context_ = bearing::attribute_context(lmp, *pair_, needed_, name);
+  context_ = bearing::context_of(lmp, *pair_, needed_, name);
 }
 
 // 0 where the ball does not touch that raceway, and for atoms that are no balls.
@@ -71,6 +78,7 @@ void ComputeBearingBall::compute_peratom()
   }
   for (const RacewayContact &c : pair_->table().raceway) {
     if (!(atom->mask[c.i_ball] & groupbit)) continue;
+    const bearing::ContactView view = context_.view(c);
     for (int k = 0; k < n; ++k) {
       double &v = array_[c.i_ball][k];
       if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner)
@@ -79,13 +87,29 @@ void ComputeBearingBall::compute_peratom()
         v = bearing::azimuth(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
                              context_.axis);
       } else if (columns_[k].kind == orbit) {
-        v = bearing::orbit(*atom, *pair_, c);
+        v = bearing::orbit_of(*atom, *pair_, c);
       } else if (c.live && (columns_[k].kind == inner) == (c.side() == Side::inner)) {
-        v = columns_[k].attribute->value(c, context_);
+        v = columns_[k].attribute->value(view);
       }
       if (k == 0) vector_[c.i_ball] = v;
     }
   }
+}
+
+std::vector<bearing::ColumnList::Item> ComputeBearingBall::columns() const
+{
+  std::vector<Item> list;
+  for (const Column &c : columns_) {
+    const raceway::Column &is =
+        c.attribute ? c.attribute->is
+                    : of_ball::list[c.kind == azimuth ? of_ball::AZIMUTH : of_ball::ORBIT];
+    list.push_back({(c.kind == inner   ? "inner_"
+                     : c.kind == outer ? "outer_"
+                                       : "") +
+                        std::string(is.name),
+                    is.format});
+  }
+  return list;
 }
 
 double ComputeBearingBall::memory_usage()

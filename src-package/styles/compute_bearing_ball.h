@@ -6,29 +6,31 @@ ComputeStyle(bearing/ball,ComputeBearingBall)
 #ifndef LMP_COMPUTE_BEARING_BALL_H
 #define LMP_COMPUTE_BEARING_BALL_H
 
-#include "../contacts/contact_attribute.h"
+#include "../contacts/contact_reader.h"
+#include "../deck/column_list.h"
 
 namespace LAMMPS_NS {
 
-class ComputeBearingBall : public Compute {
+class ComputeBearingBall : public Compute, public bearing::ColumnList {
  public:
   ComputeBearingBall(BRG_COMPUTE_ARGS);
   ~ComputeBearingBall() override;
   void init() override;
   void compute_peratom() override;
   double memory_usage() override;
+  std::vector<Item> columns() const override;
 
  private:
   enum Kind { azimuth, orbit, inner, outer };
   struct Column {
     Kind kind;
-    const bearing::ContactAttribute *attribute;
+    const bearing::ContactColumn *attribute;    // of a contact
   };
 
-  PairBearingHertz *pair_;
+  class PairBearingHertz *pair_;
   std::vector<Column> columns_;
-  std::vector<const bearing::ContactAttribute *> needed_;
-  bearing::AttributeContext context_;
+  bearing::ContactSelection needed_;
+  bearing::ContactContext context_;
   int nmax_ = 0;
   double *vector_ = nullptr, **array_ = nullptr;
 };

@@ -6,21 +6,23 @@ ComputeStyle(bearing/contact,ComputeBearingContact)
 #ifndef LMP_COMPUTE_BEARING_CONTACT_H
 #define LMP_COMPUTE_BEARING_CONTACT_H
 
-#include "../contacts/contact_attribute.h"
+#include "../contacts/contact_reader.h"
+#include "../deck/column_list.h"
 
 namespace LAMMPS_NS {
 
-class ComputeBearingContact : public Compute {
+class ComputeBearingContact : public Compute, public bearing::ColumnList {
  public:
   ComputeBearingContact(BRG_COMPUTE_ARGS);
   void init() override;
   void compute_local() override;
   double memory_usage() override;
+  std::vector<Item> columns() const override;
 
  private:
-  PairBearingHertz *pair_;
-  std::vector<const bearing::ContactAttribute *> columns_;
-  bearing::AttributeContext context_;
+  class PairBearingHertz *pair_;
+  bearing::ContactSelection columns_;
+  bearing::ContactContext context_;
   std::vector<double> values_;
   std::vector<double *> rows_;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_bearing_ring.h"
 
-#include "../physics/capacitance.h"
-#include "fix_bearing_capacitance.h"
+#include "../contacts/bearing_columns.h"
+#include "contact_context.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
 
@@ -12,6 +12,7 @@ using namespace LAMMPS_NS;
 using namespace raceway;
 using bearing::RacewayContact;
 using bearing::RingSum;
+namespace of_ring = bearing::of_ring;
 
 namespace {
 
@@ -31,58 +32,32 @@ enum Said {
   N_SAID = ALONG + 3
 };
 
-enum Value {
-  RING,
-  X,
-  Y,
-  Z,
-  VX,
-  VY,
-  VZ,
-  SPIN,
-  ANGLE,
-  FX,
-  FY,
-  FZ,
-  MX,
-  MY,
-  MZ,
-  TORQUE,
-  CONTACTS,
-  BALLS,
-  MOST_LOAD,
-  MOST_PRESSURE,
-  LEAST_H,
-  LEAST_LAMBDA,
-  MEAN_ORBIT,
-  FRICTION_POWER,
-  DAMPING_POWER,
-  SUM_CAPACITANCE,
-  N_VALUE
-};
-const char *const names[N_VALUE] = {
-    "ring",          "x",          "y",    "z",        "vx",    "vy",     "vz",    "spin",
-    "angle",         "fx",         "fy",   "fz",       "mx",    "my",     "mz",    "torque",
-    "contacts",      "balls",      "load", "pressure", "h_min", "lambda", "orbit", "friction_power",
-    "damping_power", "capacitance"};
-
 }    // namespace
 
-// compute ID group bearing/ring value ...
+// compute ID group bearing/ring all|value ...
 ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
     BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/ring"))
 {
   bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/ring", narg, arg,
                           BRG_COMPUTE_FIRST);
+  const bearing::Offer offer = bearing::offer_of(lmp, *pair_);
   do {
     const std::string name = args.word("a value");
-    const int k = static_cast<int>(std::find(names, names + N_VALUE, name) - names);
-    if (k == N_VALUE) {
-      std::string known;
-      for (const char *n : names) known += (known.empty() ? "" : ", ") + std::string(n);
-      args.fail("unknown value '" + name + "'; known: " + known);
+    if (name == "all") {
+      for (int k = 0; k < of_ring::N; ++k)
+        if (k == of_ring::CAPACITANCE ? offer.capacitance : offer.film || !of_ring::needs_film(k))
+          columns_.push_back(k);
+      continue;
     }
-    if ((k == LEAST_H || k == LEAST_LAMBDA || k == SUM_CAPACITANCE) && !pair_->lubricated())
+    int k = 0;
+    while (k < of_ring::N && name != of_ring::list[k].name) ++k;
+    if (k == of_ring::N) {
+      std::string known;
+      for (const raceway::Column &c : of_ring::list)
+        known += (known.empty() ? "" : ", ") + std::string(c.name);
+      args.fail("unknown value '" + name + "'; known: all, " + known);
+    }
+    if (of_ring::needs_film(k) && !pair_->lubricated())
       args.fail("value '" + name + "' needs a lubricant: use pair_style bearing/ehd");
     columns_.push_back(k);
   } while (args.more());
@@ -96,11 +71,9 @@ void ComputeBearingRing::init()
 {
   const std::string name = std::string("compute ") + id + " bearing/ring";
   pair_ = PairBearingHertz::find(lmp, name);
-  context_.capacitance.clear();
-  if (std::count(columns_.begin(), columns_.end(), SUM_CAPACITANCE) == 0) return;
-  context_.capacitance = bearing::capacitance_fixes(lmp);
-  if (context_.capacitance.empty())
-    BRG_ALL(name + ": value 'capacitance' needs a fix bearing/capacitance");
+  capacitor_ = nullptr;
+  if (std::count(columns_.begin(), columns_.end(), of_ring::CAPACITANCE))
+    capacitor_ = bearing::capacitor_of(lmp, name, "value 'capacitance'");
 }
 
 // By claim, which is how a contact reaches the owner of its ring.
@@ -116,7 +89,7 @@ void ComputeBearingRing::tell()
       if (!c.live) continue;
       const int s = c.side() == Side::inner ? 0 : 1;
       loaded |= 1 << s;
-      side[s] = context_.capacitor(c).capacitance;
+      if (capacitor_) side[s] = capacitor_(c).capacitance;
     }
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
@@ -135,8 +108,8 @@ void ComputeBearingRing::tell()
       said[PRESSURE] = c.raceway->law.at(s.cos_angle).p * s.root;
       said[H_MIN] = s.h_min;
       said[LAMBDA] = s.lambda;
-      said[FRICTION] = bearing::friction_power(s);
-      said[DAMPING] = bearing::damping_power(s);
+      said[FRICTION] = friction_power(s);
+      said[DAMPING] = damping_power(s);
     }
   }
 }
@@ -147,14 +120,14 @@ void ComputeBearingRing::ring_values(int n, double *of) const
   const RingSum &rings = pair_->ring_sum();
   const int i = rings.ring(n);
   const FixBearingState::RingMotion &ring = pair_->state()->ring(i);
-  of[RING] = static_cast<double>(atom->tag[i]);
-  (Vec3::from(atom->x[i]) - ring.origin).to(of + X);
-  Vec3::from(atom->v[i]).to(of + VX);
-  of[SPIN] = dot(Vec3::from(atom->omega[i]), ring.axis);
-  of[ANGLE] = ring.angle;
-  rings.force(n).to(of + FX);
-  rings.torque(n).to(of + MX);
-  of[TORQUE] = dot(rings.torque(n), ring.axis);
+  of[of_ring::RING] = static_cast<double>(atom->tag[i]);
+  (Vec3::from(atom->x[i]) - ring.origin).to(of + of_ring::X);
+  Vec3::from(atom->v[i]).to(of + of_ring::VX);
+  of[of_ring::SPIN] = dot(Vec3::from(atom->omega[i]), ring.axis);
+  of[of_ring::ANGLE] = ring.angle;
+  rings.force(n).to(of + of_ring::FX);
+  rings.torque(n).to(of + of_ring::MX);
+  of[of_ring::TORQUE] = dot(rings.torque(n), ring.axis);
 }
 
 void ComputeBearingRing::compute_local()
@@ -164,32 +137,34 @@ void ComputeBearingRing::compute_local()
       lmp, "compute bearing/ring");    // it may have been replaced between runs
   tell();
   const RingSum &rings = pair_->ring_sum();
-  std::vector<double> of(static_cast<size_t>(rings.rings()) * N_VALUE, 0.0),
+  std::vector<double> of(static_cast<size_t>(rings.rings()) * of_ring::N, 0.0),
       balls(rings.rings(), 0.0);
-  for (int n = 0; n < rings.rings(); ++n) ring_values(n, &of[static_cast<size_t>(n) * N_VALUE]);
+  for (int n = 0; n < rings.rings(); ++n) ring_values(n, &of[static_cast<size_t>(n) * of_ring::N]);
   pair_->ring_sum().collect(N_SAID, said_, [&](int n, RingSum::Source source, const double *said) {
     if (source != RingSum::ball) return;
-    double *v = &of[static_cast<size_t>(n) * N_VALUE];
+    double *v = &of[static_cast<size_t>(n) * of_ring::N];
     balls[n] += 1.0;
-    v[MEAN_ORBIT] +=
+    v[of_ring::ORBIT] +=
         said[ORBIT] - dot(Vec3::from(atom->v[rings.ring(n)]), Vec3::from(said + ALONG));
-    v[BALLS] += said[LOADED];
-    v[SUM_CAPACITANCE] += said[CAPACITANCE];
+    v[of_ring::BALLS] += said[LOADED];
+    v[of_ring::CAPACITANCE] += said[CAPACITANCE];
     if (said[LIVE] == 0.0) return;
-    v[MOST_LOAD] = std::max(v[MOST_LOAD], said[LOAD]);
-    v[MOST_PRESSURE] = std::max(v[MOST_PRESSURE], said[PRESSURE]);
-    v[LEAST_H] = v[CONTACTS] == 0.0 ? said[H_MIN] : std::min(v[LEAST_H], said[H_MIN]);
-    v[LEAST_LAMBDA] = v[CONTACTS] == 0.0 ? said[LAMBDA] : std::min(v[LEAST_LAMBDA], said[LAMBDA]);
-    v[CONTACTS] += 1.0;
-    v[FRICTION_POWER] += said[FRICTION];
-    v[DAMPING_POWER] += said[DAMPING];
+    v[of_ring::LOAD] = std::max(v[of_ring::LOAD], said[LOAD]);
+    v[of_ring::PRESSURE] = std::max(v[of_ring::PRESSURE], said[PRESSURE]);
+    v[of_ring::H_MIN] =
+        v[of_ring::CONTACTS] == 0.0 ? said[H_MIN] : std::min(v[of_ring::H_MIN], said[H_MIN]);
+    v[of_ring::LAMBDA] =
+        v[of_ring::CONTACTS] == 0.0 ? said[LAMBDA] : std::min(v[of_ring::LAMBDA], said[LAMBDA]);
+    v[of_ring::CONTACTS] += 1.0;
+    v[of_ring::FRICTION_POWER] += said[FRICTION];
+    v[of_ring::DAMPING_POWER] += said[DAMPING];
   });
 
   values_.clear();
   for (int n = 0; n < rings.rings(); ++n) {
     if (!(atom->mask[rings.ring(n)] & groupbit)) continue;
-    double *v = &of[static_cast<size_t>(n) * N_VALUE];
-    if (balls[n] > 0.0) v[MEAN_ORBIT] /= balls[n];
+    double *v = &of[static_cast<size_t>(n) * of_ring::N];
+    if (balls[n] > 0.0) v[of_ring::ORBIT] /= balls[n];
     for (int k : columns_) values_.push_back(v[k]);
   }
   rows_.resize(values_.size() / columns_.size());
@@ -197,6 +172,13 @@ void ComputeBearingRing::compute_local()
   size_local_rows = static_cast<int>(rows_.size());
   vector_local = values_.data();
   array_local = rows_.data();
+}
+
+std::vector<bearing::ColumnList::Item> ComputeBearingRing::columns() const
+{
+  std::vector<Item> list;
+  for (int k : columns_) list.push_back({of_ring::list[k].name, of_ring::list[k].format});
+  return list;
 }
 
 double ComputeBearingRing::memory_usage()

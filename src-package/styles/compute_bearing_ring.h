@@ -8,25 +8,28 @@ ComputeStyle(bearing/ring,ComputeBearingRing)
 #ifndef LMP_COMPUTE_BEARING_RING_H
 #define LMP_COMPUTE_BEARING_RING_H
 
-#include "../contacts/contact_attribute.h"
+#include "../contacts/contact_reader.h"
+#include "../deck/column_list.h"
 
 #include <vector>
 
 namespace LAMMPS_NS {
 
-class ComputeBearingRing : public Compute {
+class ComputeBearingRing : public Compute, public bearing::ColumnList {
  public:
   ComputeBearingRing(BRG_COMPUTE_ARGS);
   void init() override;
   void compute_local() override;
   double memory_usage() override;
+  std::vector<Item> columns() const override;
 
  private:
   void tell();
   void ring_values(int n, double *of) const;
 
-  PairBearingHertz *pair_;
-  bearing::AttributeContext context_;    // who knows capacitances
+  class PairBearingHertz *pair_;
+  std::function<raceway::FilmCapacitorT<double>(const bearing::RacewayContact &)>
+      capacitor_;    // or none
   std::vector<int> columns_;
   std::vector<double> said_;    // by the contacts of this rank
   std::vector<double> values_;

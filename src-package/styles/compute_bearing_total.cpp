@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_bearing_total.h"
 
-#include "../contacts/contact_attribute.h"
 #include "../deck/arguments.h"
 #include "../ranks/gather.h"
+#include "contact_context.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ ComputeBearingTotal::ComputeBearingTotal(BRG_COMPUTE_ARGS) :
                           BRG_COMPUTE_FIRST);
   if (args.more()) args.unknown("none, the command ends here");
   vector_flag = 1;
-  size_vector = N_COLUMN;
+  size_vector = bearing::of_total::N;
   extvector = 0;
   vector = values_;
 }
@@ -59,14 +59,14 @@ void ComputeBearingTotal::compute_vector()
         most[4] = std::max(most[4], -s.lambda);
       }
       count[0] += 1.0;
-      ball.friction += bearing::friction_power(s);
-      ball.damping += bearing::damping_power(s);
+      ball.friction += friction_power(s);
+      ball.damping += damping_power(s);
     }
     count[1] += sides == 3;
     count[2] += 1.0;
     // the orbit is seen from the outer ring where there is one, as in compute bearing/ball
     const RacewayContact &c = rows[first].side() == Side::outer ? rows[first] : rows[i - 1];
-    ball.orbit = bearing::orbit(*atom, *pair_, c);
+    ball.orbit = bearing::orbit_of(*atom, *pair_, c);
     balls.push_back(ball);
   }
   for (const bearing::SphereContact &s : pair_->table().sphere)
@@ -81,16 +81,17 @@ void ComputeBearingTotal::compute_vector()
     sum.friction += b.friction;
     sum.damping += b.damping;
   }
+  namespace of_total = bearing::of_total;
   const bool film = pair_->lubricated() && std::isfinite(most[3]);
-  values_[LIVE] = count[0];
-  values_[LOADED_BALLS] = count[1];
-  values_[INNER_LOAD] = most[0];
-  values_[OUTER_LOAD] = most[1];
-  values_[PRESSURE] = most[2];
-  values_[H_MIN] = film ? -most[3] : 0.0;
-  values_[LAMBDA] = film ? -most[4] : 0.0;
-  values_[ORBIT] = count[2] > 0.0 ? sum.orbit / count[2] : 0.0;
-  values_[FRICTION_POWER] = sum.friction;
-  values_[DAMPING_POWER] = sum.damping;
-  values_[CAGE_FORCE] = most[5];
+  values_[of_total::CONTACTS] = count[0];
+  values_[of_total::LOADED_BALLS] = count[1];
+  values_[of_total::LOAD_INNER] = most[0];
+  values_[of_total::LOAD_OUTER] = most[1];
+  values_[of_total::PRESSURE] = most[2];
+  values_[of_total::H_MIN] = film ? -most[3] : 0.0;
+  values_[of_total::LAMBDA] = film ? -most[4] : 0.0;
+  values_[of_total::CAGE_SPEED] = count[2] > 0.0 ? sum.orbit / count[2] : 0.0;
+  values_[of_total::FRICTION_POWER] = sum.friction;
+  values_[of_total::DAMPING_POWER] = sum.damping;
+  values_[of_total::CAGE_FORCE] = most[5];
 }

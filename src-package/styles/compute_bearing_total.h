@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/total: global vector for thermo output.
+// compute bearing/total: global vector for thermo output, contacts/bearing_columns.h in order.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/total,ComputeBearingTotal)
 #else
 #ifndef LMP_COMPUTE_BEARING_TOTAL_H
 #define LMP_COMPUTE_BEARING_TOTAL_H
 
+#include "../contacts/bearing_columns.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {
@@ -16,24 +17,9 @@ class ComputeBearingTotal : public Compute {
   void init() override;
   void compute_vector() override;
 
-  enum Column {    // c_ID[...], from 1
-    LIVE,
-    LOADED_BALLS,
-    INNER_LOAD,
-    OUTER_LOAD,
-    PRESSURE,
-    H_MIN,
-    LAMBDA,
-    ORBIT,
-    FRICTION_POWER,
-    DAMPING_POWER,
-    CAGE_FORCE,
-    N_COLUMN
-  };
-
  private:
   class PairBearingHertz *pair_;
-  double values_[N_COLUMN] = {};
+  double values_[bearing::of_total::N] = {};
 };
 
 }    // namespace LAMMPS_NS

@@ -2,6 +2,7 @@
 #include "deck_files.h"
 
 #include "../deck/arguments.h"
+#include "../deck/column_list.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -89,12 +90,18 @@ void BearingRange::command(int narg, char **arg)
               text(lo) + " to " + text(hi) + advice);
 }
 
-// A string variable, unless a variable of that name is there already
-static void suggest(Variable *variable, std::string name, std::string value)
+// A string variable; one of that name and style gets the new value
+static void replace(Variable *variable, std::string name, std::string value)
 {
   std::string style = "string";
   char *words[] = {&name[0], &style[0], &value[0]};
-  if (variable->find(words[0]) < 0) variable->set(3, words);
+  variable->set(3, words);
+}
+
+// A string variable, unless a variable of that name is there already
+static void suggest(Variable *variable, std::string name, const std::string &value)
+{
+  if (variable->find(&name[0]) < 0) replace(variable, name, value);
 }
 
 void BearingHost::command(int narg, char **arg)
@@ -125,4 +132,28 @@ void BearingResume::command(int narg, char **arg)
   }
   input->one(("variable " + name + " delete").c_str());
   input->one(("variable " + name + " index " + (asked && there ? "yes" : "no")).c_str());
+}
+
+void BearingColumns::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_columns", narg, arg, 0);
+  const std::string id = args.word("ID of a compute");
+  if (args.more()) args.unknown("none, the command ends here");
+  const int k = modify->find_compute(id.c_str());
+  if (k < 0) args.fail("there is no compute '" + id + "'");
+  const auto *list = dynamic_cast<const bearing::ColumnList *>(modify->compute[k]);
+  if (!list)
+    args.fail("compute '" + id + "' is of style " + modify->compute[k]->style +
+              ", must be bearing/contact, bearing/ball or bearing/ring");
+  std::string names, values, formats;
+  const std::vector<bearing::ColumnList::Item> items = list->columns();
+  for (size_t n = 0; n < items.size(); ++n) {
+    const char *gap = n ? " " : "";
+    names += gap + items[n].name;
+    values += gap + ("c_" + id) + (items.size() > 1 ? "[" + std::to_string(n + 1) + "]" : "");
+    formats += gap + items[n].format;
+  }
+  replace(input->variable, id + "_columns", names);
+  replace(input->variable, id + "_values", values);
+  replace(input->variable, id + "_format", '"' + formats + '"');
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume: a deck's data files,
-// result folder, numbers, host and restart file, with errors that help before anything runs.
+// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_columns: a
+// deck's data files, result folder, numbers, host, restart file and the columns of its dumps, with
+// errors that help before anything runs.
 #ifdef COMMAND_CLASS
 CommandStyle(bearing_input,BearingInput) CommandStyle(bearing_output,BearingOutput) CommandStyle(bearing_range,BearingRange)
-        CommandStyle(bearing_host,BearingHost) CommandStyle(bearing_resume,BearingResume)
+        CommandStyle(bearing_host,BearingHost)
+                         CommandStyle(bearing_resume,BearingResume)
+                                          CommandStyle(bearing_columns,BearingColumns)
 #else
 #ifndef LMP_DECK_FILES_H
 #define LMP_DECK_FILES_H
@@ -47,6 +50,15 @@ class BearingHost : public bearing::CommandBase {
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_columns ID: for a dump of the compute ID, set the string variables ID_columns to the
+// names of its columns, ID_values to the words c_ID[1] c_ID[2] ... and ID_format to their format in
+// quotes.
+class BearingColumns : public bearing::CommandBase {
+ public:
+  explicit BearingColumns(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

@@ -236,7 +236,7 @@ DECKS = {
     ),
     "unknown column": (
         DRY + "compute c balls bearing/contact load weight\n",
-        r"unknown attribute 'weight'; known: ball, ring",
+        r"unknown attribute 'weight'; known: all, usual, ball, ring",
     ),
     "capacitance column without its fix": (
         BOX

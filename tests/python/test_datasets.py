@@ -30,7 +30,7 @@ def test_contacts(folder, lubricated):
     for name in data.data_vars:
         empty = data[name].to_numpy()[~seen]
         assert (
-            np.isnan(empty).all() if np.isnan(columns.CONTACT[name].apart) else (empty == 0).all()
+            np.isnan(empty).all() if np.isnan(columns.CONTACT[name].absent) else (empty == 0).all()
         )
 
 

@@ -178,7 +178,7 @@ class Datasets:
         for name in table:
             if name in ("ball", "raceway", "sample"):
                 continue
-            values = np.full(np.prod(shape), CONTACT[name].apart if name in CONTACT else np.nan)
+            values = np.full(np.prod(shape), CONTACT[name].absent if name in CONTACT else np.nan)
             values[flat] = table[name]
             values = values.reshape(shape)
             if name == "azimuth":

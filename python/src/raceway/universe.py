@@ -147,7 +147,8 @@ class RunReader(ReaderBase):
                 continue
             for side, word in enumerate(("inner", "outer")):
                 values = np.full(
-                    (stop - start, self.n_atoms), CONTACT[name].apart if name in CONTACT else np.nan
+                    (stop - start, self.n_atoms),
+                    CONTACT[name].absent if name in CONTACT else np.nan,
                 )
                 values[frame[raceway == side], atom[raceway == side]] = contacts[name][
                     raceway == side

@@ -81,7 +81,7 @@ def _frame(run, sample, atoms, contacts, ring, turned):
     for name in CARRIED:
         for side, word in SIDES.items() if name in contacts else ():
             rows = contacts[contacts["raceway"] == side]
-            values = np.full(len(ids), CONTACT[name].apart)
+            values = np.full(len(ids), CONTACT[name].absent)
             values[np.searchsorted(ids, rows["ball"])] = rows[name]
             data[f"{name}_{word}"] = values
     data["load"] = np.maximum(data["load_inner"], data["load_outer"])

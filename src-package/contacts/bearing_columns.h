@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Columns of balls, rings and whole bearings, a line each, in the order of their numbers. No host
+// here.
+#ifndef BEARING_BEARING_COLUMNS_H
+#define BEARING_BEARING_COLUMNS_H
+
+#include "../physics/column.h"
+
+namespace bearing {
+
+using raceway::as_whole;
+using raceway::Column;
+
+// ---- compute bearing/ball, beside the columns of its two contacts
+namespace of_ball {
+enum { AZIMUTH, ORBIT, N };
+const Column list[N] = {
+    {"azimuth", "rad", "azimuth of the ball about the bearing's axis, from the lab's x"},
+    {"orbit", "rad/s", "speed of the ball's centre about the ring's axis"},
+};
+}    // namespace of_ball
+
+// ---- compute bearing/ring
+namespace of_ring {
+enum {
+  RING,
+  X,
+  Y,
+  Z,
+  VX,
+  VY,
+  VZ,
+  SPIN,
+  ANGLE,
+  FX,
+  FY,
+  FZ,
+  MX,
+  MY,
+  MZ,
+  TORQUE,
+  CONTACTS,
+  BALLS,
+  LOAD,
+  PRESSURE,
+  H_MIN,
+  LAMBDA,
+  ORBIT,
+  FRICTION_POWER,
+  DAMPING_POWER,
+  CAPACITANCE,
+  N
+};
+const Column list[N] = {
+    {"ring", "", "atom number of the ring", raceway::has_none, as_whole},
+    {"x", "m", "displacement of the ring along x, from the start"},
+    {"y", "m", "displacement of the ring along y, from the start"},
+    {"z", "m", "displacement of the ring along z, from the start"},
+    {"vx", "m/s", "velocity of the ring along x"},
+    {"vy", "m/s", "velocity of the ring along y"},
+    {"vz", "m/s", "velocity of the ring along z"},
+    {"spin", "rad/s", "spin of the ring about its axis"},
+    {"angle", "rad", "turned about its axis, from the start"},
+    {"fx", "N", "force of balls and cage on the ring along x"},
+    {"fy", "N", "force of balls and cage on the ring along y"},
+    {"fz", "N", "force of balls and cage on the ring along z"},
+    {"mx", "N m", "moment of balls and cage on the ring about x"},
+    {"my", "N m", "moment of balls and cage on the ring about y"},
+    {"mz", "N m", "moment of balls and cage on the ring about z"},
+    {"torque", "N m", "of these moments, that about the ring's axis: friction"},
+    {"contacts", "", "contacts of balls with the ring", raceway::has_none, as_whole},
+    {"balls", "", "balls on the ring in contact with both raceways", raceway::has_none, as_whole},
+    {"load", "N", "largest elastic contact load"},
+    {"pressure", "Pa", "largest Hertz pressure"},
+    {"h_min", "m", "smallest film thickness of the contacts"},
+    {"lambda", "", "smallest film parameter of the contacts"},
+    {"orbit", "rad/s", "mean speed of the balls about the ring's axis"},
+    {"friction_power", "W", "power lost to tangential forces"},
+    {"damping_power", "W", "power lost to normal damping"},
+    {"capacitance", "F", "sum over balls in contact with both raceways, their two in series"},
+};
+inline bool needs_film(int k) { return k == H_MIN || k == LAMBDA || k == CAPACITANCE; }
+}    // namespace of_ring
+
+// ---- compute bearing/total: all bearings of the run
+namespace of_total {
+enum {
+  CONTACTS,
+  LOADED_BALLS,
+  LOAD_INNER,
+  LOAD_OUTER,
+  PRESSURE,
+  H_MIN,
+  LAMBDA,
+  CAGE_SPEED,
+  FRICTION_POWER,
+  DAMPING_POWER,
+  CAGE_FORCE,
+  N
+};
+const Column list[N] = {
+    {"contacts", "", "contacts of balls with raceways", raceway::has_none, as_whole},
+    {"loaded_balls", "", "balls in contact with both raceways", raceway::has_none, as_whole},
+    {"load_inner", "N", "largest elastic contact load on the inner raceway"},
+    {"load_outer", "N", "largest elastic contact load on the outer raceway"},
+    {"pressure", "Pa", "largest Hertz pressure"},
+    {"h_min", "m", "smallest film thickness of the contacts; 0 when dry"},
+    {"lambda", "", "smallest film parameter of the contacts; 0 when dry"},
+    {"cage_speed", "rad/s", "mean speed of the balls about the axis of their ring"},
+    {"friction_power", "W", "power lost to tangential forces"},
+    {"damping_power", "W", "power lost to normal damping"},
+    {"cage_force", "N", "largest contact force of ball and cage ball"},
+};
+}    // namespace of_total
+
+// ---- balls, cage balls and rings as the host has them
+namespace of_atom {
+const Column list[] = {
+    {"id", "", "atom number", raceway::has_none, as_whole},
+    {"type", "", "1 ball, 2 cage ball, 3 inner ring, 4 outer ring", raceway::has_none, as_whole},
+    {"x", "m", "position along x"},
+    {"y", "m", "position along y"},
+    {"z", "m", "position along z"},
+    {"vx", "m/s", "velocity along x"},
+    {"vy", "m/s", "velocity along y"},
+    {"vz", "m/s", "velocity along z"},
+    {"omegax", "rad/s", "spin about x"},
+    {"omegay", "rad/s", "spin about y"},
+    {"omegaz", "rad/s", "spin about z"},
+};
+}    // namespace of_atom
+
+}    // namespace bearing
+
+#endif

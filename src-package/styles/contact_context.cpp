@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact_context.h"
+
+#include "fix_bearing_capacitance.h"
+#include "fix_bearing_state.h"
+#include "pair_bearing_hertz.h"
+
+using namespace LAMMPS_NS;
+
+namespace bearing {
+
+static std::vector<const FixBearingCapacitance *> capacitance_fixes(LAMMPS *lmp)
+{
+  std::vector<const FixBearingCapacitance *> list;
+  for (int m = 0; m < lmp->modify->nfix; ++m)
+    if (auto *f = dynamic_cast<FixBearingCapacitance *>(lmp->modify->fix[m])) list.push_back(f);
+  return list;
+}
+
+Offer offer_of(LAMMPS *lmp, const PairBearingHertz &pair)
+{
+  return {pair.lubricated(), !capacitance_fixes(lmp).empty()};
+}
+
+std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
+capacitor_of(LAMMPS *lmp, const std::string &asked_by, const std::string &wants)
+{
+  const std::vector<const FixBearingCapacitance *> fixes = capacitance_fixes(lmp);
+  if (fixes.empty()) BRG_ALL_OF(lmp, asked_by + ": " + wants + " needs a fix bearing/capacitance");
+  return [fixes](const RacewayContact &c) -> raceway::FilmCapacitorT<double> {
+    for (const FixBearingCapacitance *f : fixes)
+      if (f->covers(c.i_ball)) return f->capacitor(c);
+    return {};
+  };
+}
+
+ContactContext context_of(LAMMPS *lmp, const PairBearingHertz &pair, const ContactSelection &list,
+                          const std::string &asked_by)
+{
+  ContactContext context;
+  context.axis = pair.axis_index();
+  for (const ContactColumn *c : list)
+    if (c->needs_capacitance() && !context.capacitor)
+      context.capacitor =
+          capacitor_of(lmp, asked_by, "attribute '" + std::string(c->is.name) + "'");
+  return context;
+}
+
+double orbit_of(const Atom &atom, const PairBearingHertz &pair, const RacewayContact &c)
+{
+  using raceway::Vec3;
+  return orbit(Vec3::from(atom.x[c.i_ball]) - Vec3::from(atom.x[c.i_ring]),
+               Vec3::from(atom.v[c.i_ball]) - Vec3::from(atom.v[c.i_ring]),
+               pair.state()->axis(c.i_ring), *c.raceway);
+}
+
+}    // namespace bearing

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The columns that Python and the pages know are those of the C++ that was built."""
+
+import json
+import math
+import subprocess
+from pathlib import Path
+
+import pytest
+from raceway import columns
+
+ROOT = Path(__file__).resolve().parents[2]
+KEPT = Path(columns.__file__).with_name("columns.json")
+
+
+def test_kept_is_what_the_build_prints():
+    """`make columns` has been run since a column changed."""
+    done = subprocess.run([ROOT / "build" / "columns"], capture_output=True, text=True, check=True)
+    assert done.stdout == KEPT.read_text(), "run: make columns"
+
+
+@pytest.mark.parametrize("section", json.loads(KEPT.read_text()))
+def test_every_column_says_what_it_is(section):
+    rows = json.loads(KEPT.read_text())[section]
+    names = [row["name"] for row in rows]
+    assert len(set(names)) == len(names) > 0
+    for row in rows:
+        assert row["meaning"] and row["absent"] in (0, None)
+        assert row["format"] in ("%.12g", "%.0f")
+
+
+def test_tables():
+    assert columns.CONTACT["load"].unit == "N" and columns.CONTACT["load"].absent == 0
+    assert math.isnan(columns.CONTACT["h_min"].absent)
+    assert {"x", "omegaz"} < set(columns.ATOM)
+    assert columns.RING["fy"].meaning == "force of balls and cage on the inner ring along y"
+    assert columns.BEARING["capacitance"].unit == "F"
