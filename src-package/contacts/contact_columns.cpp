@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact_columns.h"
 
+#include "../physics/part_table.h"
+
+#include <algorithm>
 #include <cstring>
 
 using namespace raceway;
@@ -20,54 +23,61 @@ using C = const ContactView &;
 struct PlaceColumn {
   Column is;
   double (*value)(C);
-  const char *before;    // the column of the state that follows in an output; null: the end
   Needs needs = Needs::nothing;
 };
 
 const PlaceColumn place_columns[] = {
-    {{"ball", "", "atom number of the ball", has_none, as_whole},
-     [](C c) { return c.ball; },
-     "angle"},
-    {{"ring", "", "atom number of the ring", has_none, as_whole},
-     [](C c) { return c.ring; },
-     "angle"},
+    {{"ball", "", "atom number of the ball", has_none, as_whole}, [](C c) { return c.ball; }},
+    {{"ring", "", "atom number of the ring", has_none, as_whole}, [](C c) { return c.ring; }},
     {{"raceway", "", "0 inner, 1 outer", has_none, as_whole},
-     [](C c) { return c.raceway.groove.side == Side::inner ? 0.0 : 1.0; },
-     "angle"},
+     [](C c) { return c.raceway.groove.side == Side::inner ? 0.0 : 1.0; }},
     {{"azimuth", "rad", "azimuth of the ball about the ring's axis, from the lab's x"},
-     [](C c) { return azimuth(c.state.u, c.axis); },
-     "angle"},
+     [](C c) { return azimuth(c.state.u, c.axis); }},
     {{"h_c", "m", "central film thickness"},
      [](C c) { return c.capacitor.h_c; },
-     "lambda",
      Needs::capacitance},
-    {{"capacitance", "F", "capacitance of the Hertz area", vanishes},
+    {{"capacitance", "F", "capacitance of the contact ellipse", vanishes},
      [](C c) { return c.capacitor.capacitance; },
-     nullptr,
      Needs::capacitance},
 };
 
-std::vector<ContactColumn> merged()
+// Outputs keep the order that they had before parts had columns; the others follow as they come.
+const char *const first[] = {
+    "ball",       "ring",           "raceway",       "azimuth", "angle",    "overlap",
+    "load",       "normal",         "stiffness",     "damping", "a",        "b",
+    "pressure",   "entrainment",    "sliding",       "mu",      "friction", "friction_t",
+    "friction_w", "friction_power", "damping_power", "h_min",   "h_c",      "lambda",
+    "regime",     "capacitance"};
+
+std::vector<ContactColumn> in_order()
 {
-  std::vector<ContactColumn> list;
-  const auto add_those_before = [&list](const char *name) {
-    for (const PlaceColumn &p : place_columns)
-      if (name && p.before ? strcmp(name, p.before) == 0 : name == p.before)
-        list.emplace_back(p.is, p.needs, p.value);
+  std::vector<ContactColumn> all;
+  const auto add =
+      [&all](const ContactColumn &c) {    // parts that exclude each other share columns
+        for (const ContactColumn &known : all)
+          if (strcmp(known.is.name, c.is.name) == 0) return;
+        all.push_back(c);
+      };
+  for (const PlaceColumn &p : place_columns) add(ContactColumn(p.is, p.needs, p.value));
+  for (const StateColumn &s : motion_columns()) add(ContactColumn(s));
+  for (const PartEntry &part : part_table())
+    for (const StateColumn &s : part.columns) add(ContactColumn(s));
+  const auto rank = [](const ContactColumn &c) {
+    return std::find_if(std::begin(first), std::end(first),
+                        [&c](const char *name) { return strcmp(name, c.is.name) == 0; }) -
+           std::begin(first);
   };
-  for (const StateColumn &s : state_columns::list) {
-    add_those_before(s.is.name);
-    list.emplace_back(s);
-  }
-  add_those_before(nullptr);
-  return list;
+  std::stable_sort(all.begin(), all.end(), [&rank](const ContactColumn &a, const ContactColumn &b) {
+    return rank(a) < rank(b);
+  });
+  return all;
 }
 
 }    // namespace
 
 const std::vector<ContactColumn> &contact_columns()
 {
-  static const std::vector<ContactColumn> list = merged();
+  static const std::vector<ContactColumn> list = in_order();
   return list;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every column that a contact has: those of its state (physics/state_columns.h) and those that
-// need to know where in the run it is. No host here.
+// Every column that a contact has: those of its motions and of the parts of the law (physics/) and
+// those that need to know where in the run it is. No host here.
 #ifndef BEARING_CONTACT_COLUMNS_H
 #define BEARING_CONTACT_COLUMNS_H
 
 #include "../physics/capacitance.h"
-#include "../physics/state_columns.h"
+#include "../physics/motion_columns.h"
 
 #include <string>
 #include <vector>
@@ -27,7 +27,7 @@ double azimuth(const raceway::Vec3 &u, int axis);
 
 class ContactColumn {
  public:
-  using OfState = double (*)(const raceway::RacewayPhysics &, const raceway::ContactState &);
+  using OfState = double (*)(const raceway::Raceway &, const raceway::ContactState &);
   using OfView = double (*)(const ContactView &);
 
   explicit ContactColumn(const raceway::StateColumn &c) :

@@ -10,6 +10,7 @@
 //   states       how many numbers a contact keeps for it from step to step
 //   couples      true if it sets couple_n, couple_t, couple_w
 //   explicit_step   true if an implicit step cannot take it
+//   columns()    what of it can be read from a contact
 //   act()        what it does to a contact: reads motions and what earlier parts left, writes its
 //   own loss()       the power that it takes out of the motion, W
 //
@@ -17,6 +18,7 @@
 #ifndef RACEWAY_PART_H
 #define RACEWAY_PART_H
 
+#include "column.h"
 #include "contact_state.h"
 #include "raceway.h"
 
@@ -62,6 +64,14 @@ template <class Own> struct Keyword {
   const char *(*wrong)(const double *values) = nullptr;    // what is wrong with them together
 };
 
+// An output column that the state of a contact gives.
+struct StateColumn {
+  Column is;
+  double (*value)(const Raceway &, const ContactState &);
+  Needs needs = Needs::nothing;
+  bool usual = true;    // part of a record unless more is asked for
+};
+
 // The numbers that a contact keeps: before and at the end of a time dt. dt = 0 changes nothing.
 template <class T> struct LawStates {
   double dt = 0.0;
@@ -76,6 +86,7 @@ struct PartBase {
   static constexpr bool couples = false, explicit_step = false;
   struct Parameters {};
   static std::vector<Keyword<Parameters>> keywords() { return {}; }
+  static std::vector<StateColumn> columns() { return {}; }
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &)
   {
     return Value<T>();

@@ -24,6 +24,12 @@ struct HysteresisPart : PartBase {
              [](Raceway &, Parameters &own, const double *v) { own.alpha_e = v[0]; }}};
   }
 
+  static std::vector<StateColumn> columns()
+  {
+    return {{{"damping", "N s/m", "normal damping, of the material and the film", vanishes},
+             [](const Raceway &, const ContactState &s) { return s.damping; }}};
+  }
+
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
                                  const RacewayConstantsT<Value<T>> &, const LawStates<T> &,
@@ -71,6 +77,14 @@ struct FilmDamperPart : PartBase {
 struct NormalForcePart : PartBase {
   static constexpr const char *name = "normal_force";
   static constexpr When when = When::always;
+
+  static std::vector<StateColumn> columns()
+  {
+    return {{{"normal", "N", "normal force with damping", vanishes},
+             [](const Raceway &, const ContactState &s) { return s.normal; }},
+            {{"damping_power", "W", "power lost to normal damping", vanishes},
+             [](const Raceway &, const ContactState &s) { return loss(s); }}};
+  }
 
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &, const Raceway &,

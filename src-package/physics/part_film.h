@@ -4,6 +4,7 @@
 #ifndef RACEWAY_PART_FILM_H
 #define RACEWAY_PART_FILM_H
 
+#include "friction.h"
 #include "part.h"
 
 namespace raceway {
@@ -51,6 +52,21 @@ struct FilmThicknessPart : PartBase {
              [](const double *v) -> const char * {
                return v[1] <= v[0] ? "the second must be larger" : nullptr;
              }}};
+  }
+
+  static std::vector<StateColumn> columns()
+  {
+    return {{{"h_min", "m", "minimum film thickness"},
+             [](const Raceway &, const ContactState &s) { return s.h_min; },
+             Needs::film},
+            {{"lambda", "", "film parameter"},
+             [](const Raceway &, const ContactState &s) { return s.lambda; },
+             Needs::film},
+            {{"regime", "", "0 boundary, 1 mixed, 2 full film", has_none, as_whole},
+             [](const Raceway &p, const ContactState &s) {
+               return double(regime({0.0, 0.0, p.lambda_1, p.lambda_2}, s.lambda));
+             },
+             Needs::film}};
   }
 
   template <class T>

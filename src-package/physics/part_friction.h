@@ -13,6 +13,36 @@
 
 namespace raceway {
 
+// What both tangential laws lose: what a spring stores on the way counts as lost until given back.
+template <class T> RACEWAY_INLINE Value<T> friction_power(const ContactStateT<T> &c)
+{
+  return held(c.friction_t) * held(c.sliding_t) + held(c.friction_w) * held(c.sliding_w);
+}
+
+// The columns of both friction coefficients, and of both tangential laws.
+inline std::vector<StateColumn> coefficient_columns()
+{
+  return {{{"mu", "", "friction coefficient"},
+           [](const Raceway &, const ContactState &s) { return s.mu; }}};
+}
+inline std::vector<StateColumn> tangential_columns()
+{
+  return {{{"friction", "N", "tangential force", vanishes},
+           [](const Raceway &, const ContactState &s) {
+             return std::hypot(s.friction_t, s.friction_w);
+           }},
+          {{"friction_t", "N", "tangential force along rolling, on the ring", vanishes},
+           [](const Raceway &, const ContactState &s) { return s.friction_t; },
+           Needs::nothing,
+           false},
+          {{"friction_w", "N", "tangential force across rolling, on the ring", vanishes},
+           [](const Raceway &, const ContactState &s) { return s.friction_w; },
+           Needs::nothing,
+           false},
+          {{"friction_power", "W", "power lost to the tangential force", vanishes},
+           [](const Raceway &, const ContactState &s) { return friction_power(s); }}};
+}
+
 struct ConstantFrictionPart : PartBase {
   static constexpr const char *name = "friction_constant", *slot = "friction";
   struct Parameters {
@@ -27,6 +57,8 @@ struct ConstantFrictionPart : PartBase {
              {within("MU", "friction coefficient", 0.0, 2.0)},
              [](Raceway &, Parameters &own, const double *v) { own.mu = v[0]; }}};
   }
+
+  static std::vector<StateColumn> columns() { return coefficient_columns(); }
 
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
@@ -62,6 +94,8 @@ struct StribeckFrictionPart : PartBase {
              }}};
   }
 
+  static std::vector<StateColumn> columns() { return coefficient_columns(); }
+
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
                                  const RacewayConstantsT<Value<T>> &, const LawStates<T> &,
@@ -70,12 +104,6 @@ struct StribeckFrictionPart : PartBase {
     c.mu = stribeck(own.curve, c.lambda);
   }
 };
-
-// What both tangential laws lose: what a spring stores on the way counts as lost until given back.
-template <class T> RACEWAY_INLINE Value<T> friction_power(const ContactStateT<T> &c)
-{
-  return held(c.friction_t) * held(c.sliding_t) + held(c.friction_w) * held(c.sliding_w);
-}
 
 struct TangentialSpringPart : PartBase {
   static constexpr const char *name = "tangential_spring", *slot = "tangential";
@@ -106,6 +134,8 @@ struct TangentialSpringPart : PartBase {
                own.zeta = v[1];
              }}};
   }
+
+  static std::vector<StateColumn> columns() { return tangential_columns(); }
 
   static inline void act(const Parameters &own, const Raceway &, const RacewayConstants &,
                          const LawStates<double> &m, ContactState &c)
@@ -139,6 +169,8 @@ struct SmoothedFrictionPart : PartBase {
              {within("CREEP", "creep of the smoothed friction", 1e-6, 1.0)},
              [](Raceway &, Parameters &own, const double *v) { own.creep = v[0]; }}};
   }
+
+  static std::vector<StateColumn> columns() { return tangential_columns(); }
 
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,

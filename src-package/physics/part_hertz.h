@@ -40,6 +40,23 @@ struct HertzContactPart : PartBase {
              }}};
   }
 
+  static std::vector<StateColumn> columns()
+  {
+    return {
+        {{"load", "N", "elastic contact load", vanishes},
+         [](const Raceway &, const ContactState &s) { return s.load; }},
+        {{"stiffness", "N/m", "slope of load over overlap", vanishes},
+         [](const Raceway &, const ContactState &s) { return s.stiffness; },
+         Needs::nothing,
+         false},
+        {{"a", "m", "semi-axis of the contact ellipse across the groove", vanishes},
+         [](const Raceway &p, const ContactState &s) { return p.law.at(s.cos_angle).a * s.root; }},
+        {{"b", "m", "semi-axis of the contact ellipse along rolling", vanishes},
+         [](const Raceway &p, const ContactState &s) { return p.law.at(s.cos_angle).b * s.root; }},
+        {{"pressure", "Pa", "largest Hertz pressure", vanishes},
+         [](const Raceway &p, const ContactState &s) { return p.law.at(s.cos_angle).p * s.root; }}};
+  }
+
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &, const Raceway &,
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,

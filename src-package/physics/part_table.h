@@ -25,6 +25,7 @@ struct PartEntry {
   bool film;    // needs a lubricant
   int states;
   std::vector<KeywordEntry> keywords;
+  std::vector<StateColumn> columns;
 };
 
 namespace detail {
@@ -34,9 +35,10 @@ struct NeedsFilm<Part, std::enable_if_t<Part::needs_film>> : std::true_type {};
 
 template <class Part> PartEntry part_entry()
 {
-  PartEntry e = {Part::name,   Part::slot,
-                 Part::when,   Part::when == When::with_film || NeedsFilm<Part>::value,
-                 Part::states, {}};
+  PartEntry e = {Part::name,     Part::slot,
+                 Part::when,     Part::when == When::with_film || NeedsFilm<Part>::value,
+                 Part::states,   {},
+                 Part::columns()};
   for (const auto &k : Part::keywords()) {
     const auto set = k.set;
     const bool chooses = k.chooses;

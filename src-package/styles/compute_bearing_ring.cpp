@@ -109,7 +109,7 @@ void ComputeBearingRing::tell()
       said[H_MIN] = s.h_min;
       said[LAMBDA] = s.lambda;
       said[FRICTION] = friction_power(s);
-      said[DAMPING] = damping_power(s);
+      said[DAMPING] = NormalForcePart::loss(s);
     }
   }
 }

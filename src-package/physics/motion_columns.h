@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Output columns of the motions of a contact; those of its forces are with the parts of the law.
+#ifndef RACEWAY_MOTION_COLUMNS_H
+#define RACEWAY_MOTION_COLUMNS_H
+
+#include "part.h"
+
+namespace raceway {
+
+inline std::vector<StateColumn> motion_columns()
+{
+  return {{{"angle", "rad",
+            "contact angle, positive where the inner ring is pushed along the positive axis"},
+           [](const Raceway &p, const ContactState &s) {
+             return std::atan2(p.groove.side == Side::inner ? -s.ne : s.ne, std::fabs(s.nu));
+           }},
+          {{"overlap", "m", "elastic approach"},
+           [](const Raceway &, const ContactState &s) { return s.overlap; }},
+          {{"entrainment", "m/s", "entrainment speed along rolling"},
+           [](const Raceway &, const ContactState &s) { return s.entrainment; }},
+          {{"sliding", "m/s", "speed of the ball's surface against the ring's"},
+           [](const Raceway &, const ContactState &s) {
+             return std::hypot(s.sliding_t, s.sliding_w);
+           }}};
+}
+
+}    // namespace raceway
+
+#endif
