@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sphinx: `.. columns:: SECTION` is a table of output columns, from the file that `make columns`
-writes."""
+"""Sphinx: tables from the file that `make columns` writes: `.. columns:: SECTION`, output columns;
+`.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts."""
 
 import json
 from pathlib import Path
@@ -35,13 +35,90 @@ class ColumnTable(SphinxDirective):
 
     def run(self):
         self.env.note_dependency(str(COLUMNS))
-        lines = [".. list-table::", "   :header-rows: 1", "   :widths: 20 80", ""]
-        lines += ["   * - column", "     - meaning"]
-        for name, text in rows(self.arguments[0], "numbered" in self.options):
-            lines += [f"   * - {name}", f"     - {text}"]
+        found = rows(self.arguments[0], "numbered" in self.options)
+        lines = table("20 80", ("column", "meaning"), found)
+        return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
+
+
+def range_of(parameter: dict) -> str:
+    """ "> 0", "0 or more", "0 to 2"; empty for a word."""
+    if parameter["choices"]:
+        return ""
+    if parameter["most"] is not None:
+        return f"{parameter['least']:g} to {parameter['most']:g}"
+    return "> 0" if parameter["open"] else "0 or more"
+
+
+def keyword_rows(film: bool) -> list[tuple[str, str, str]]:
+    """(keyword and values, meaning with range, default)."""
+    found, seen = [], set()
+    for part in json.loads(COLUMNS.read_text())["law"]:
+        for keyword in part["keywords"]:
+            name, parameters = keyword["name"], keyword["parameters"]
+            if keyword["form"] and name not in seen and not film:
+                found.append((f"*{name}* none", f"no {name}", "none"))
+            seen.add(name)
+            if part["film"] != film:
+                continue
+            symbols = " ".join(p["symbol"].replace("|", " | ") for p in parameters)
+            texts = [" ".join([p["meaning"], range_of(p)]).strip() for p in parameters]
+            initial = ", ".join(dict.fromkeys(p["initial"] for p in parameters))
+            found.append(
+                (
+                    f"*{name}* {keyword['form']} {symbols}".replace("  ", " "),
+                    "; ".join(filter(None, [*texts, keyword["note"]])),
+                    ""
+                    if part["when"] == "when asked for" and not keyword["name"] == "tangential"
+                    else initial,
+                )
+            )
+    return found
+
+
+def part_rows() -> list[tuple[str, ...]]:
+    """(part, when it is in the law, keywords, numbers kept by a contact, columns)."""
+    return [
+        (
+            f"*{part['name']}*",
+            part["when"],
+            ", ".join(dict.fromkeys(f"*{k['name']}*" for k in part["keywords"])),
+            str(part["states"]),
+            ", ".join(f"*{c}*" for c in part["columns"]),
+        )
+        for part in json.loads(COLUMNS.read_text())["law"]
+    ]
+
+
+def table(widths: str, heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
+    """Lines of a list-table."""
+    lines = [".. list-table::", "   :header-rows: 1", f"   :widths: {widths}", ""]
+    for row in [heads, *rows]:
+        lines += [f"   {'*' if n == 0 else ' '} - {cell}".rstrip() for n, cell in enumerate(row)]
+    return lines
+
+
+class KeywordTable(SphinxDirective):
+    """Keywords of the contact law: of every pair style (dry), or of a lubricant only (film)."""
+
+    required_arguments = 1
+
+    def run(self):
+        self.env.note_dependency(str(COLUMNS))
+        heads = ("keyword and values", "meaning", "default")
+        lines = table("30 50 20", heads, keyword_rows(self.arguments[0] == "film"))
+        return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
+
+
+class PartTable(SphinxDirective):
+    def run(self):
+        self.env.note_dependency(str(COLUMNS))
+        heads = ("part", "in the law", "keywords", "states", "columns")
+        lines = table("22 18 24 8 28", heads, part_rows())
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 
 def setup(app):
     app.add_directive("columns", ColumnTable)
+    app.add_directive("law-keywords", KeywordTable)
+    app.add_directive("law-parts", PartTable)
     return {"parallel_read_safe": True}

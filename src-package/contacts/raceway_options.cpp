@@ -18,19 +18,9 @@ std::vector<const KeywordEntry *> keywords_of(bool with_film)
   return list;
 }
 
-std::vector<std::string> split(const std::string &text, char at)
+double read(Arguments &args, const ParameterEntry &p)
 {
-  std::vector<std::string> words(1);
-  for (char c : text) {
-    if (c == at) words.emplace_back();
-    else words.back() += c;
-  }
-  return words;
-}
-
-double read(Arguments &args, const Parameter &p)
-{
-  if (p.choices) return args.choice(p.meaning, split(p.choices, '|'));
+  if (!p.choices.empty()) return args.choice(p.meaning, p.choices);
   if (std::isfinite(p.most)) return args.within(p.meaning, p.least, p.most);
   return p.open ? args.positive(p.meaning) : args.non_negative(p.meaning);
 }
@@ -39,7 +29,7 @@ void read_values(Arguments &args, const KeywordEntry &k, RacewayPhysics &p)
 {
   std::vector<double> values;
   std::string said = k.name;
-  for (const Parameter &parameter : k.parameters) {
+  for (const ParameterEntry &parameter : k.parameters) {
     values.push_back(read(args, parameter));
     said += " " + text(values.back());
   }
@@ -51,7 +41,7 @@ void read_values(Arguments &args, const KeywordEntry &k, RacewayPhysics &p)
 std::string form_text(const KeywordEntry &k)
 {
   std::string s = k.form;
-  for (const Parameter &p : k.parameters) s += std::string(" ") + p.symbol;
+  for (const ParameterEntry &p : k.parameters) s += " " + p.symbol;
   return s;
 }
 

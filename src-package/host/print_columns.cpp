@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prints every output column as JSON: `make columns` keeps it for Python and the pages. No host.
+// Prints every output column and the parts of the contact law as JSON: `make columns` keeps it for
+// Python and the pages. No host.
 #include "../contacts/bearing_columns.h"
 #include "../contacts/contact_columns.h"
+#include "../physics/part_table.h"
 
 #include <cstdio>
 
@@ -16,10 +18,48 @@ static void print(const Column &c, const char *more, bool last)
   printf(", \"format\": \"%s\"%s}%s\n", c.format, more, last ? "" : ",");
 }
 
+static void print(const raceway::ParameterEntry &p, bool last)
+{
+  std::string choices;
+  for (const std::string &c : p.choices) choices += (choices.empty() ? "\"" : ", \"") + c + "\"";
+  printf("\n        {\"symbol\": \"%s\", \"meaning\": \"%s\", \"least\": %g, \"most\": ",
+         p.symbol.c_str(), p.meaning.c_str(), p.least);
+  printf(std::isfinite(p.most) ? "%g" : "null", p.most);
+  printf(", \"open\": %s, \"choices\": [%s], \"initial\": \"%s\"}%s", p.open ? "true" : "false",
+         choices.c_str(), p.initial.c_str(), last ? "" : ",");
+}
+
 template <size_t n> static void section(const char *name, const Column (&list)[n])
 {
   printf("  ],\n  \"%s\": [\n", name);
   for (size_t k = 0; k < n; ++k) print(list[k], "", k + 1 == n);
+}
+
+// What the parts of the contact law say of themselves: name, when they are part of it, the numbers
+// that a contact keeps for them, their keywords.
+static void print_law()
+{
+  const char *const when[] = {"always", "with a lubricant", "when asked for"};
+  printf("  \"law\": [\n");
+  for (const raceway::PartEntry &part : raceway::part_table()) {
+    const bool last = &part == &raceway::part_table().back();
+    printf(
+        "    {\"name\": \"%s\", \"when\": \"%s\", \"slot\": \"%s\", \"film\": %s, \"states\": %d,\n"
+        "     \"columns\": [",
+        part.name.c_str(), when[static_cast<int>(part.when)], part.slot.c_str(),
+        part.film ? "true" : "false", part.states);
+    for (const raceway::StateColumn &c : part.columns)
+      printf("%s\"%s\"", &c == &part.columns.front() ? "" : ", ", c.is.name);
+    printf("],\n     \"keywords\": [");
+    for (const raceway::KeywordEntry &k : part.keywords) {
+      printf("%s\n      {\"name\": \"%s\", \"form\": \"%s\", \"parameters\": [",
+             &k == &part.keywords.front() ? "" : ",", k.name.c_str(), k.form.c_str());
+      for (const raceway::ParameterEntry &p : k.parameters) print(p, &p == &k.parameters.back());
+      printf("], \"note\": \"%s\"}", k.note.c_str());
+    }
+    printf("]}%s\n", last ? "" : ",");
+  }
+  printf("  ]\n");
 }
 
 int main()
@@ -37,6 +77,8 @@ int main()
   section("ring", bearing::of_ring::list);
   section("total", bearing::of_total::list);
   section("atom", bearing::of_atom::list);
-  printf("  ]\n}\n");
+  printf("  ],\n");
+  print_law();
+  printf("}\n");
   return 0;
 }

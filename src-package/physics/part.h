@@ -28,40 +28,51 @@ namespace raceway {
 
 enum class When { always, with_film, asked };
 
-// One value of a keyword.
-struct Parameter {
+// One value of a keyword: a number that lies somewhere in the raceway or in the part's own
+// Parameters, or a word out of several. `unset` says in words what holds without it, where that is
+// no number.
+template <class Own> struct Parameter {
+  using Number = double &(*)(Raceway &, Own &);
+  using Choose = void (*)(Raceway &, Own &, int);
+
   const char *symbol;     // in the list of what may follow, "MU"
   const char *meaning;    // with its unit, for messages and tables
   double least, most;
   bool open;              // `least` itself is not allowed
-  const char *choices;    // "a|b|c": a word instead of a number, its place is the value; or null
-};
+  const char *choices;    // "a|b|c", the first is the default; or null
+  Number number;
+  Choose choose;
+  const char *unset;
 
-inline Parameter positive(const char *symbol, const char *meaning)
-{
-  return {symbol, meaning, 0.0, HUGE_VAL, true, nullptr};
-}
-inline Parameter non_negative(const char *symbol, const char *meaning)
-{
-  return {symbol, meaning, 0.0, HUGE_VAL, false, nullptr};
-}
-inline Parameter within(const char *symbol, const char *meaning, double least, double most)
-{
-  return {symbol, meaning, least, most, false, nullptr};
-}
-inline Parameter one_of(const char *meaning, const char *choices)
-{
-  return {choices, meaning, 0.0, 0.0, false, choices};
-}
+  static Parameter positive(const char *symbol, const char *meaning, Number at,
+                            const char *unset = nullptr)
+  {
+    return {symbol, meaning, 0.0, HUGE_VAL, true, nullptr, at, nullptr, unset};
+  }
+  static Parameter non_negative(const char *symbol, const char *meaning, Number at,
+                                const char *unset = nullptr)
+  {
+    return {symbol, meaning, 0.0, HUGE_VAL, false, nullptr, at, nullptr, unset};
+  }
+  static Parameter within(const char *symbol, const char *meaning, double least, double most,
+                          Number at, const char *unset = nullptr)
+  {
+    return {symbol, meaning, least, most, false, nullptr, at, nullptr, unset};
+  }
+  static Parameter one_of(const char *meaning, const char *choices, Choose choose)
+  {
+    return {choices, meaning, 0.0, 0.0, false, choices, nullptr, choose, nullptr};
+  }
+};
 
 // A keyword of pair_style and pair_coeff. `form` is the word that must follow it, "" for none; a
 // keyword that `chooses` switches its part on.
 template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
-  std::vector<Parameter> parameters;
-  void (*set)(Raceway &, Own &, const double *values);
+  std::vector<Parameter<Own>> parameters;
   const char *(*wrong)(const double *values) = nullptr;    // what is wrong with them together
+  const char *note = "";                                   // for the page of the command
 };
 
 // An output column that the state of a contact gives.

@@ -17,11 +17,13 @@ struct HysteresisPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
-    return {{"hysteresis",
-             "",
-             false,
-             {non_negative("ALPHA_E", "hysteretic damping alpha_e (s/m)")},
-             [](Raceway &, Parameters &own, const double *v) { own.alpha_e = v[0]; }}};
+    using P = Parameter<Parameters>;
+    return {
+        {"hysteresis",
+         "",
+         false,
+         {P::non_negative("ALPHA_E", "hysteretic damping alpha_e (s/m)",
+                          [](Raceway &, Parameters &own) -> double & { return own.alpha_e; })}}};
   }
 
   static std::vector<StateColumn> columns()
@@ -50,19 +52,26 @@ struct FilmDamperPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
+    using P = Parameter<Parameters>;
     return {{"floor",
              "",
              false,
-             {positive("H", "film floor of the damper (m)")},
-             [](Raceway &, Parameters &own, const double *v) { own.film_floor = v[0]; }},
+             {P::positive(
+                 "H", "film floor of the damper (m)",
+                 [](Raceway &, Parameters &own) -> double & { return own.film_floor; },
+                 "composite roughness")},
+             nullptr,
+             "the film damper does not grow below that film thickness"},
             {"damper",
              "",
              false,
-             {one_of("damper length", "a|2a"), one_of("damper radius", "Rb|Rx")},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.model.damper_full_axis = v[0] == 1.0;
-               p.model.damper_rolling_radius = v[1] == 1.0;
-             }}};
+             {P::one_of("damper length", "a|2a",
+                        [](Raceway &p, Parameters &, int k) { p.model.damper_full_axis = k == 1; }),
+              P::one_of(
+                  "damper radius", "Rb|Rx",
+                  [](Raceway &p, Parameters &, int k) { p.model.damper_rolling_radius = k == 1; })},
+             nullptr,
+             "in eq (5)"}};
   }
 
   template <class T>

@@ -15,40 +15,47 @@ struct FilmThicknessPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
+    using P = Parameter<Parameters>;
     return {{"lubricant",
              "",
              false,
-             {positive("ETA", "viscosity (Pa s)"),
-              positive("XI", "pressure-viscosity coefficient (1/Pa)")},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.model.lubricant.viscosity = v[0];
-               p.model.lubricant.pressure_viscosity = v[1];
-             }},
+             {P::positive(
+                  "ETA", "viscosity (Pa s)",
+                  [](Raceway &p, Parameters &) -> double & { return p.model.lubricant.viscosity; },
+                  "must be given"),
+              P::positive(
+                  "XI", "pressure-viscosity coefficient (1/Pa)",
+                  [](Raceway &p, Parameters &) -> double & {
+                    return p.model.lubricant.pressure_viscosity;
+                  },
+                  "must be given")}},
             {"film",
              "",
              false,
-             {one_of("film", "masjedi|masjedi/printed|hamrock")},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.model.film = static_cast<FilmModel>(static_cast<int>(v[0]));
-             }},
+             {P::one_of("film", "masjedi|masjedi/printed|hamrock",
+                        [](Raceway &p, Parameters &, int k) {
+                          p.model.film = static_cast<FilmModel>(k);
+                        })},
+             nullptr,
+             "eqs (6) and (9) with corrected exponents, as printed, or Hamrock and Dowson"},
             {"roughness",
              "",
              false,
-             {positive("S_RING", "roughness of the raceway (m)"),
-              non_negative("S_BALL", "roughness of the ball (m)")},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.ring_roughness = v[0];
-               p.ball_roughness = v[1];
-             }},
+             {P::positive(
+                  "S_RING", "roughness of the raceway (m)",
+                  [](Raceway &p, Parameters &) -> double & { return p.ring_roughness; },
+                  "must be given"),
+              P::non_negative(
+                  "S_BALL", "roughness of the ball (m)",
+                  [](Raceway &p, Parameters &) -> double & { return p.ball_roughness; },
+                  "must be given")}},
             {"regimes",
              "",
              false,
-             {positive("LAMBDA_1", "film parameter at the end of the boundary regime"),
-              positive("LAMBDA_2", "film parameter at the start of the full film")},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.lambda_1 = v[0];
-               p.lambda_2 = v[1];
-             },
+             {P::positive("LAMBDA_1", "film parameter at the end of the boundary regime",
+                          [](Raceway &p, Parameters &) -> double & { return p.lambda_1; }),
+              P::positive("LAMBDA_2", "film parameter at the start of the full film",
+                          [](Raceway &p, Parameters &) -> double & { return p.lambda_2; })},
              [](const double *v) -> const char * {
                return v[1] <= v[0] ? "the second must be larger" : nullptr;
              }}};

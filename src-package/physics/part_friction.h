@@ -51,11 +51,12 @@ struct ConstantFrictionPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
+    using P = Parameter<Parameters>;
     return {{"friction",
              "constant",
              true,
-             {within("MU", "friction coefficient", 0.0, 2.0)},
-             [](Raceway &, Parameters &own, const double *v) { own.mu = v[0]; }}};
+             {P::within("MU", "friction coefficient", 0.0, 2.0,
+                        [](Raceway &, Parameters &own) -> double & { return own.mu; })}}};
   }
 
   static std::vector<StateColumn> columns() { return coefficient_columns(); }
@@ -83,15 +84,15 @@ struct StribeckFrictionPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
-    return {{"friction",
-             "stribeck",
-             true,
-             {within("MU_BOUNDARY", "boundary friction coefficient", 0.0, 2.0),
-              within("MU_FULL", "full-film friction coefficient", 0.0, 2.0)},
-             [](Raceway &, Parameters &own, const double *v) {
-               own.curve.mu_boundary = v[0];
-               own.curve.mu_full = v[1];
-             }}};
+    using P = Parameter<Parameters>;
+    return {
+        {"friction",
+         "stribeck",
+         true,
+         {P::within("MU_BOUNDARY", "boundary friction coefficient", 0.0, 2.0,
+                    [](Raceway &, Parameters &own) -> double & { return own.curve.mu_boundary; }),
+          P::within("MU_FULL", "full-film friction coefficient", 0.0, 2.0,
+                    [](Raceway &, Parameters &own) -> double & { return own.curve.mu_full; })}}};
   }
 
   static std::vector<StateColumn> columns() { return coefficient_columns(); }
@@ -124,15 +125,15 @@ struct TangentialSpringPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
+    using P = Parameter<Parameters>;
     return {{"tangential",
              "",
              false,
-             {positive("KT_OVER_KN", "tangential over normal stiffness"),
-              within("ZETA", "tangential damping over critical", 0.0, 2.0)},
-             [](Raceway &, Parameters &own, const double *v) {
-               own.ratio = v[0];
-               own.zeta = v[1];
-             }}};
+             {P::positive(
+                  "KT_OVER_KN", "tangential over normal stiffness",
+                  [](Raceway &, Parameters &own) -> double & { return own.ratio; }, "Mindlin"),
+              P::within("ZETA", "tangential damping over critical", 0.0, 2.0,
+                        [](Raceway &, Parameters &own) -> double & { return own.zeta; })}}};
   }
 
   static std::vector<StateColumn> columns() { return tangential_columns(); }
@@ -163,11 +164,14 @@ struct SmoothedFrictionPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
+    using P = Parameter<Parameters>;
     return {{"smoothed",
              "",
              true,
-             {within("CREEP", "creep of the smoothed friction", 1e-6, 1.0)},
-             [](Raceway &, Parameters &own, const double *v) { own.creep = v[0]; }}};
+             {P::within("CREEP", "creep of the smoothed friction", 1e-6, 1.0,
+                        [](Raceway &, Parameters &own) -> double & { return own.creep; })},
+             nullptr,
+             "after friction: no history, Coulomb's law smoothed over that slide-roll ratio"}};
   }
 
   static std::vector<StateColumn> columns() { return tangential_columns(); }

@@ -13,31 +13,30 @@ struct HertzContactPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
-    return {{"young",
-             "",
-             false,
-             {positive("E_BALL", "Young's modulus of the ball (Pa)"),
-              positive("E_RING", "Young's modulus of the ring (Pa)")},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.material.ball_young = v[0];
-               p.material.ring_young = v[1];
-             }},
-            {"poisson",
-             "",
-             false,
-             {within("NU_BALL", "Poisson's ratio of the ball", 0.0, 0.5),
-              within("NU_RING", "Poisson's ratio of the ring", 0.0, 0.5)},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.material.ball_poisson = v[0];
-               p.material.ring_poisson = v[1];
-             }},
-            {"ellipse",
-             "",
-             false,
-             {one_of("ellipse", "exact|hamrock|printed")},
-             [](Raceway &p, Parameters &, const double *v) {
-               p.model.ellipse = static_cast<Ellipse>(static_cast<int>(v[0]));
-             }}};
+    using P = Parameter<Parameters>;
+    return {
+        {"young",
+         "",
+         false,
+         {P::positive("E_BALL", "Young's modulus of the ball (Pa)",
+                      [](Raceway &p, Parameters &) -> double & { return p.material.ball_young; }),
+          P::positive("E_RING", "Young's modulus of the ring (Pa)",
+                      [](Raceway &p, Parameters &) -> double & { return p.material.ring_young; })}},
+        {"poisson",
+         "",
+         false,
+         {P::within("NU_BALL", "Poisson's ratio of the ball", 0.0, 0.5,
+                    [](Raceway &p, Parameters &) -> double & { return p.material.ball_poisson; }),
+          P::within("NU_RING", "Poisson's ratio of the ring", 0.0, 0.5,
+                    [](Raceway &p, Parameters &) -> double & { return p.material.ring_poisson; })}},
+        {"ellipse",
+         "",
+         false,
+         {P::one_of(
+             "ellipse", "exact|hamrock|printed",
+             [](Raceway &p, Parameters &, int k) { p.model.ellipse = static_cast<Ellipse>(k); })},
+         nullptr,
+         "elliptic integrals, Hamrock and Brewe\'s fit, or the fit as the paper prints it"}};
   }
 
   static std::vector<StateColumn> columns()

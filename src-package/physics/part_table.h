@@ -6,17 +6,27 @@
 
 #include "contact.h"
 
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace raceway {
 
+struct ParameterEntry {
+  std::string symbol, meaning;
+  double least, most;
+  bool open;
+  std::vector<std::string> choices;    // of a word; empty for a number
+  std::string initial;                 // what holds without the keyword, as text
+};
+
 struct KeywordEntry {
   std::string name, form;    // form "": none
-  std::vector<Parameter> parameters;
+  std::vector<ParameterEntry> parameters;
   std::function<void(RacewayPhysics &, const double *)> set;    // and switches its part on
   const char *(*wrong)(const double *);                         // or null
+  std::string note;
 };
 
 struct PartEntry {
@@ -33,6 +43,32 @@ template <class Part, class = void> struct NeedsFilm : std::false_type {};
 template <class Part>
 struct NeedsFilm<Part, std::enable_if_t<Part::needs_film>> : std::true_type {};
 
+inline std::vector<std::string> words(const char *text)
+{
+  std::vector<std::string> list;
+  for (const char *c = text; c && *c; ++c) {
+    if (list.empty() || *c == '|') list.emplace_back();
+    if (*c != '|') list.back() += *c;
+  }
+  return list;
+}
+
+template <class Part> ParameterEntry parameter_entry(const Parameter<typename Part::Parameters> &p)
+{
+  ParameterEntry e = {p.symbol, p.meaning, p.least, p.most, p.open, words(p.choices), ""};
+  RacewayPhysics initial;
+  if (p.unset) {
+    e.initial = p.unset;
+  } else if (p.choices) {
+    e.initial = e.choices.front();
+  } else {
+    char number[32];
+    snprintf(number, sizeof number, "%g", p.number(initial, initial.of<Part>()));
+    e.initial = number;
+  }
+  return e;
+}
+
 template <class Part> PartEntry part_entry()
 {
   PartEntry e = {Part::name,     Part::slot,
@@ -40,14 +76,18 @@ template <class Part> PartEntry part_entry()
                  Part::states,   {},
                  Part::columns()};
   for (const auto &k : Part::keywords()) {
-    const auto set = k.set;
-    const bool chooses = k.chooses;
-    e.keywords.push_back({k.name, k.form, k.parameters,
-                          [set, chooses](RacewayPhysics &p, const double *values) {
-                            set(p, p.of<Part>(), values);
-                            if (chooses) p.choose<Part>();
+    std::vector<ParameterEntry> parameters;
+    for (const auto &p : k.parameters) parameters.push_back(parameter_entry<Part>(p));
+    e.keywords.push_back({k.name, k.form, parameters,
+                          [k](RacewayPhysics &p, const double *values) {
+                            for (const auto &parameter : k.parameters) {
+                              if (parameter.choose) parameter.choose(p, p.of<Part>(), int(*values));
+                              else parameter.number(p, p.of<Part>()) = *values;
+                              ++values;
+                            }
+                            if (k.chooses) p.choose<Part>();
                           },
-                          k.wrong});
+                          k.wrong, k.note});
   }
   return e;
 }
