@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Make the pictures of docs/gallery.rst by the commands that page shows.
 
-.venv/bin/python docs/gallery.py            into docs/gallery
-.venv/bin/python docs/gallery.py --check    compare with what is there; exit code 1 where they differ
+    .venv/bin/python docs/gallery.py            into docs/gallery
+    .venv/bin/python docs/gallery.py --check    compare with what is there
+
+With --check, exit code 1 when a picture differs.
 """
 
 import re

@@ -126,7 +126,6 @@ def run(case):
 
 
 if __name__ == "__main__":
-    warnings.simplefilter(
-        "ignore", DeprecationWarning
-    )  # old names of settings, which its own examples still use
+    # old names of settings, which its own examples still use
+    warnings.simplefilter("ignore", DeprecationWarning)
     print(json.dumps(run(json.loads(sys.argv[1]))))

@@ -30,10 +30,11 @@ ENVIRONMENT = dict(
 )
 # Host steps of the runs, (one bearing, many), and how long the load takes to come on before them,
 # s.
+# 140: a ball pass
 INTEGRATORS = {
     "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},
-}  # 140: a ball pass
+}
 ALIKE = {"fleet": "alike", "lubricant": "mineral", "kinds": 1}
 RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)

@@ -38,10 +38,11 @@ DATA = {
     for name in NAMES
 }
 BEARING = Bearing(int(DATA["balls"]), *(DATA[name] for name in NAMES[1:]))
+# N/m^1.5, exact Hertz
 STIFFNESS = [
     hertz.stiffness(hertz.exact(*BEARING.effective_radii(side)), BEARING.effective_modulus)
     for side in (INNER, OUTER)
-]  # N/m^1.5, exact Hertz
+]
 IN_SERIES = sum(k ** (-2 / 3) for k in STIFFNESS) ** -1.5
 BOTH_ALIKE = 2**1.5 * IN_SERIES  # of two like contacts that together are as stiff
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5

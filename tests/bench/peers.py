@@ -38,9 +38,8 @@ from raceway.bearing import INNER, OUTER
 
 ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}
-REACH = np.radians(
-    40
-)  # of the meshed groove to either side; the contact reaches 18 degrees at 5 kN
+# of the meshed groove to either side; the contact reaches 18 degrees at 5 kN
+REACH = np.radians(40)
 SECANT = BOTH_ALIKE * (exact_shift() / 2) ** 0.5  # N/m, of two like linear contacts
 FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"

@@ -27,11 +27,8 @@ from machine import machine
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
 CLEARANCES, OILS = (-2e-5, 0, 1e-5, 2e-5), ("mineral", "pao48")
-PASSES, SETTLE, SAMPLES = (
-    4,
-    3,
-    100,
-)  # ball passes of a point: more than the default, so that light loads at speed have settled
+# ball passes of a point: more than the default, so that light loads at speed have settled
+PASSES, SETTLE, SAMPLES = (4, 3, 100)
 ROUNDS = 3
 WANTED = 1.8
 PAGE = """\

@@ -36,18 +36,16 @@ ROUNDS = 2
 SAMPLES = 200
 SPEEDS = (5.0, 50.0, 1000.0)
 CLEARANCES = {-0.0035: -44.1e-6, 0.0: 0.0, 0.0035: 44.1e-6}
+# colours that the colour-blind tell apart (Okabe and Ito)
 STYLE = {
     "implicit, order 1": ("#0072b2", "o"),
     "implicit, order 2": ("#d55e00", "s"),
     "Verlet, same friction": ("#555555", "^"),
     "Verlet, history spring": ("#009e73", "v"),
     "dampers implicit": ("#cc79a7", "D"),
-}  # colours that the colour-blind tell apart (Okabe and Ito)
-TARGETS = {
-    5.0: (150, 300),
-    50.0: (20, 40),
-    1000.0: (1.5, 10),
-}  # real-time factors asked for at 1e-3 and 1e-2
+}
+# real-time factors asked for at 1e-3 and 1e-2
+TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 
 
 def run(**variables):

@@ -2,7 +2,7 @@
 """Runs the hard cases and their references, these twice as fine too, and writes
 docs/performance/hard_cases.rst.
 
-python tests/hard/table.py
+    python tests/hard/table.py
 """
 
 import sys

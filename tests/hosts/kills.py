@@ -2,10 +2,11 @@
 """Kill runs at random moments, resume them, and compare every output file with that of a run nobody
 disturbed.
 
-    .venv/bin/python tests/hosts/kills.py [N] [--seed S]     N of kill -TERM and N of kill -9 (default 50)
+    .venv/bin/python tests/hosts/kills.py [N] [--seed S]
 
-A run that is killed is resumed, killed again with some chance, on 1, 2 or 4 ranks in turn, until it
-is done. Only the wall time in `run.yaml` may differ. Exit code 1 when a file does.
+N of kill -TERM and N of kill -9 (default 50). A run that is killed is resumed, killed again with
+some chance, on 1, 2 or 4 ranks in turn, until it is done. Only the wall time in `run.yaml` may
+differ. Exit code 1 when a file does.
 """
 
 import argparse

@@ -46,9 +46,8 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
     assert len(rows) == 20
     for step, x, vy in rows:
         ring = next(row.split() for row in dumped[int(step)] if row.startswith("19 "))
-        assert float(x) == pytest.approx(
-            float(ring[1]), rel=1e-12
-        )  # the ring started at the origin
+        # the ring started at the origin
+        assert float(x) == pytest.approx(float(ring[1]), rel=1e-12)
         assert float(vy) == pytest.approx(float(ring[5]), rel=1e-12)
 
 

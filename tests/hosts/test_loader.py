@@ -70,13 +70,15 @@ def test_from_python(tmp_path):
     script = textwrap.dedent("""
         import ctypes, sys
         lib = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)
-        lib.lammps_open_no_mpi.argtypes = [ctypes.c_int, ctypes.POINTER(ctypes.c_char_p), ctypes.POINTER(ctypes.c_void_p)]
+        words_type, handle_type = ctypes.POINTER(ctypes.c_char_p), ctypes.POINTER(ctypes.c_void_p)
+        lib.lammps_open_no_mpi.argtypes = [ctypes.c_int, words_type, handle_type]
         lib.lammps_file.argtypes = [ctypes.c_void_p, ctypes.c_char_p]
         lib.lammps_command.argtypes = [ctypes.c_void_p, ctypes.c_char_p]
         lib.lammps_close.argtypes = [ctypes.c_void_p]
-        words = [b"liggghts", b"-log", b"none", b"-screen", b"none", b"-var", b"out", sys.argv[2].encode()]
+        words = b"liggghts -log none -screen none -var out".split() + [sys.argv[2].encode()]
+        array = (ctypes.c_char_p * len(words))(*words)
         handle = ctypes.c_void_p()
-        lib.lammps_open_no_mpi(len(words), (ctypes.c_char_p * len(words))(*words), ctypes.byref(handle))
+        lib.lammps_open_no_mpi(len(words), array, ctypes.byref(handle))
         lib.lammps_file(handle, b"tests/hosts/in.bits")
         lib.lammps_command(handle, b"run 20")
         lib.lammps_close(handle)

@@ -100,7 +100,9 @@ def test_table_against_the_contacts(tmp_path):
 variable out index {tmp_path}
 include inputs/in.many
 compute contact balls bearing/contact ring raceway load pressure h_min lambda friction capacitance
-dump contacts balls local 1 {tmp_path}/contacts.dump c_contact[1] c_contact[2] c_contact[3] c_contact[4] c_contact[5] c_contact[6] c_contact[7] c_contact[8]
+dump contacts balls local 1 {tmp_path}/contacts.dump &
+  c_contact[1] c_contact[2] c_contact[3] c_contact[4] &
+  c_contact[5] c_contact[6] c_contact[7] c_contact[8]
 dump_modify contacts format "%.0f %.0f %.12g %.12g %.12g %.12g %.12g %.12g"
 variable fx1 equal f_inner[1][11]
 variable fy4 equal f_inner[4][12]
@@ -108,7 +110,8 @@ variable x4 equal f_inner[4][1]
 variable torque4 equal f_inner[4][17]
 fix say all print 1 "said ${{fx1}} ${{fy4}} ${{x4}} ${{torque4}}"
 undump table
-dump table inner local 1 {tmp_path}/now.dump c_of[1] c_of[2] c_of[5] c_of[6] c_of[7] c_of[8] c_of[10] c_of[11] c_of[12] c_of[13] c_of[16]
+dump table inner local 1 {tmp_path}/now.dump c_of[1] c_of[2] c_of[5] c_of[6] c_of[7] c_of[8] &
+  c_of[10] c_of[11] c_of[12] c_of[13] c_of[16]
 dump_modify table format "%.0f %.12g %.12g %.12g %.12g %.0f %.12g %.12g %.12g %.12g %.12g"
 run 1
 """)
@@ -134,9 +137,8 @@ run 1
         outer = [c[7] for c in contacts if c[0] == row[0] + 1]
         assert max(inner) / 2 < row[10] < sum(inner) and row[10] < sum(outer)
     digits = pytest.approx
-    assert rows[0][2] == digits(
-        said[0], rel=1e-9, abs=1e-9
-    )  # 12 digits of one, the host's %g-like print of the other
+    # 12 digits of one, the host's %g-like print of the other
+    assert rows[0][2] == digits(said[0], rel=1e-9, abs=1e-9)
     assert rows[3][3] == digits(said[1], rel=1e-9)
     assert rows[3][1] == digits(said[2], rel=1e-9)
     assert rows[3][4] == digits(said[3], rel=1e-9)
@@ -164,10 +166,12 @@ fix move MOVE
 variable force atom FORCE
 variable spin atom 50
 variable tilt atom 1.0e-4
-fix inner inner bearing/ring mass 0.2 inertia 1.2e-4 6.5e-5 x free y free spin speed SPIN rx position TILT moment 0 0 MOMENT force 0 LOAD 0 ramp 1e-4
+fix inner inner bearing/ring mass 0.2 inertia 1.2e-4 6.5e-5 x free y free spin speed SPIN &
+  rx position TILT moment 0 0 MOMENT force 0 LOAD 0 ramp 1e-4
 timestep STEP
 run 100
-write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id
+write_dump all custom OUT id x y z vx vy vz omegax omegay omegaz modify &
+  format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g" sort id
 """
 )
 

@@ -23,7 +23,12 @@ ENV = {
     "PYTHONPATH": str(Path(raceway.__file__).parents[1]),
     "PYTHONDONTWRITEBYTECODE": "1",
 }
-TABLE = "load,rpm,lubricant,passes,samples\n5000,477.5,mineral,1,20\n2000,1000,dry,1,20\n2e7,1000,dry,1,20\n2000,477.5,pao48,1,20\n"
+TABLE = """load,rpm,lubricant,passes,samples
+5000,477.5,mineral,1,20
+2000,1000,dry,1,20
+2e7,1000,dry,1,20
+2000,477.5,pao48,1,20
+"""
 COUNTER = """#!/bin/bash
 # counts the starts of a point, then is the program
 for word; do case "$last" in out) echo start >> "$word.starts";; esac; last=$word; done
@@ -78,18 +83,14 @@ def test_sweep(table, tmp_path, counter):
     assert "3 finished, 1 failed" in done.stdout
     assert "bearing_range: load is 2e+07, must be from 0.001 to 1e+06" in done.stderr
     results = pd.read_csv(out / "results.csv")
-    assert list(results["status"]) == [
-        "finished",
-        "finished",
-        "finished",
-        "failed",
-    ]  # sorted by load, then speed
+    # sorted by load, then speed
+    assert list(results["status"]) == ["finished", "finished", "finished", "failed"]
     assert "must be from 0.001" in results["message"][3]
     one = results.set_index("point").loc[
         "load=5000_rpm=477.5_lubricant=mineral_passes=1_samples=20"
     ]
     figures = summary(Run(out / one.name))
-    assert {key for key in figures} <= set(results.columns)
+    assert set(figures) <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
     # the run is the one that the deck makes by itself
     succeed("inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20)

@@ -101,7 +101,7 @@ def test_columns(tmp_path):
         sums.append(total)
     np.testing.assert_allclose(totals[:, 0], np.arange(41) / 5, atol=1e-9)
     np.testing.assert_allclose(totals[:, 1], np.arange(41) * 8e-5, atol=1e-12)
-    for step, last, largest, active, mean, least, most in now:
+    for step, last, _, _, mean, least, most in now:
         of = sums[5 * int(step) - 4 : 5 * int(step) + 1] or sums[:1]
         assert [last, mean, least, most] == pytest.approx(
             [of[-1], np.mean(of), min(of), max(of)], rel=1e-5
@@ -115,7 +115,8 @@ def test_instants_do_not_change_the_motion(tmp_path):
 
 
 FILM = """bearing_input inputs/bearings 6208
-pair_style bearing/ehd young 2.07e11 2.07e11 poisson 0.29 0.29 lubricant 0.04 2e-8 roughness 1e-7 1e-7
+pair_style bearing/ehd young 2.07e11 2.07e11 poisson 0.29 0.29 lubricant 0.04 2e-8 &
+  roughness 1e-7 1e-7
 pair_coeff 1 3 inner ${inner_radius} ${inner_groove}
 pair_coeff 1 4 outer ${outer_radius} ${outer_groove}
 create_bearing 1 none 3 4 balls 9 diameter ${ball_diameter}

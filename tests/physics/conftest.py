@@ -7,9 +7,8 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(
-    0, str(Path(__file__).resolve().parent)
-)  # the helpers of this folder, from wherever pytest starts
+# the helpers of this folder, from wherever pytest starts
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from physics_c import Physics  # noqa: E402
 

@@ -69,8 +69,9 @@ class Reference:
         self.ring[3] = scale(self.ring[3], 1 / length(self.ring[3]))
         self.circle, self.radius = mpf(circle), mpf(radius)
 
-    def frame(self, t=mpf(0)):
+    def frame(self, t=0):
         """Everything of the geometry at the time t: u, t, e, n, w, s, contact point."""
+        t = mpf(t)
         x = add(self.ball[0], self.ball[1], t)
         centre = add(self.ring[0], self.ring[1], t)
         e = turn(self.ring[3], scale(self.ring[2], t))

@@ -63,9 +63,8 @@ def _argument(value):
     if np.ndim(value) == 0:
         return ctypes.c_double(value)
     if isinstance(value, np.ndarray) and value.dtype == float and value.flags.c_contiguous:
-        return value.ctypes.data_as(
-            ctypes.POINTER(ctypes.c_double)
-        )  # shared: the function may write
+        # shared: the function may write
+        return value.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
     return (ctypes.c_double * len(value))(*value)
 
 

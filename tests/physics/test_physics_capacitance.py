@@ -22,9 +22,8 @@ def test_clausius_mossotti_is_proportional_to_density(physics, ambient, pressure
 
 def test_limits(physics):
     assert physics.scalar("oil_density", 0.0) == 1
-    assert physics.scalar("oil_density", 1e20) == pytest.approx(
-        1.34, rel=1e-10
-    )  # next term 0.2e9/p
+    # next term 0.2e9/p
+    assert physics.scalar("oil_density", 1e20) == pytest.approx(1.34, rel=1e-10)
     assert physics.scalar("permittivity", 2.15, 0.0) == pytest.approx(2.15, rel=1e-15)
     assert physics.scalar("permittivity", 1.0, 3e9) == 1
 

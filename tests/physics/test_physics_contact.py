@@ -99,9 +99,8 @@ def test_a_moving_observer_sees_the_same(physics, side):
         (ball[0], ball[1] + drift, ball[2]), (ring[0], ring[1] + drift, *ring[2:])
     )
     for name in ("overlap_rate", "sliding_t", "sliding_w", "entrainment"):
-        assert getattr(moved, name) == pytest.approx(
-            getattr(still, name), abs=1e-14
-        )  # v - V, an ulp of 2 m/s
+        # v - V, an ulp of 2 m/s
+        assert getattr(moved, name) == pytest.approx(getattr(still, name), abs=1e-14)
 
 
 @SIDES
@@ -254,11 +253,8 @@ def test_no_adhesion(physics, side):
         )
         assert np.sign(away.normal) == sign
         assert away.load > 0
-    assert away.force.tolist() == [0, 0, 0] and away.ball_torque.tolist() == [
-        0,
-        0,
-        0,
-    ]  # nor friction
+    # nor friction
+    assert away.force.tolist() == [0, 0, 0] and away.ball_torque.tolist() == [0, 0, 0]
 
 
 @SIDES
@@ -283,9 +279,10 @@ def test_friction_constants(physics, side):
     assert [state.mu, state.kt] == pytest.approx([0.05, 0.8 * state.stiffness], rel=1e-15)
     mass = make(physics, side).data["ball_mass"]
     assert state.ct == pytest.approx(2 * 0.25 * np.sqrt(state.kt * 2 / 7 * mass), rel=1e-14)
+    # sliding
     assert np.hypot(state.friction_t, state.friction_w) == pytest.approx(
         0.05 * state.normal, rel=1e-13
-    )  # sliding
+    )
 
 
 @SIDES
@@ -365,9 +362,8 @@ def test_momentum_is_conserved(physics, side, axis, angle, azimuth):
             + state.ring_torque
             + np.cross(ring[0] - about, -state.force)
         )
-        assert moment == pytest.approx(
-            0, abs=1e-14 * np.linalg.norm(state.force)
-        )  # roundings of levers below 1 m
+        # roundings of levers below 1 m
+        assert moment == pytest.approx(0, abs=1e-14 * np.linalg.norm(state.force))
 
 
 @SIDES

@@ -15,9 +15,8 @@ def film_damping(physics, viscosity, length, radius, h, floor=0.0, factor=1.0):
 
 def test_equation_5(physics):
     expected = 3 * np.pi * 0.04 * 2e-3 / np.sqrt(2) * (BALL / 2e-7) ** 1.5
-    assert film_damping(physics, 0.04, 2e-3, BALL, 2e-7) == pytest.approx(
-        expected, rel=1e-14
-    )  # some ten roundings
+    # some ten roundings
+    assert film_damping(physics, 0.04, 2e-3, BALL, 2e-7) == pytest.approx(expected, rel=1e-14)
 
 
 def test_numbers_of_the_6208(

@@ -91,9 +91,8 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
         physics.film(model, kappa, 0.04, 13e-9, STEEL, r_x, 0.01, 2436.0)[1]
         for model in (MASJEDI_PRINTED, HAMROCK_DOWSON)
     )
-    assert (
-        1.5 < minus / reference < 1.66
-    )  # "up to 65 % high at low speed", the more so on the inner ring
+    # "up to 65 % high at low speed", the more so on the inner ring
+    assert 1.5 < minus / reference < 1.66
 
 
 def test_composite_roughness(physics):

@@ -37,9 +37,8 @@ def test_numbers_of_the_groove(physics, side):
 def test_a_ball_on_the_pitch_circle_just_touches_both_grooves(physics, side, radial):
     touching, state = physics.raceway_6208(side).touch([0.0, PITCH, 0.0], [0.0, 0.0, 1.0])
     assert state.overlap == pytest.approx(0, abs=2e-17)
-    assert [state.nu, state.ne] == pytest.approx(
-        [radial, 0], abs=1e-12
-    )  # towards the axis; outwards
+    # towards the axis; outwards
+    assert [state.nu, state.ne] == pytest.approx([radial, 0], abs=1e-12)
     assert [*state.u, *state.t] == pytest.approx([0, 1, 0, -1, 0, 0], abs=3e-16)
 
 

@@ -76,9 +76,8 @@ def test_circle_is_the_sphere(physics, form):
     # the exact root is bracketed to 1e-12 in ln kappa, where K is stationary; the semi-axes are not
     assert h.K == pytest.approx(sphere, rel=ROUNDING)
     assert physics.scalar("sphere", r1, r2, STEEL) == pytest.approx(sphere, rel=1e-15)
-    assert [h.kappa, h.a, h.b] == pytest.approx(
-        [1, np.sqrt(2e-3), np.sqrt(2e-3)], rel=2e-12
-    )  # a = sqrt(R overlap)
+    # a = sqrt(R overlap)
+    assert [h.kappa, h.a, h.b] == pytest.approx([1, np.sqrt(2e-3), np.sqrt(2e-3)], rel=2e-12)
 
 
 @pytest.mark.parametrize("nearly", [1e-12, 1e-9, 1e-6, 1e-3])

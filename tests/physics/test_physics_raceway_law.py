@@ -22,9 +22,8 @@ STEEL = 210e9 / (1 - 0.09)
 
 def compare(one, other, rel, ln_abs):
     for name in CONSTANTS:
-        bound = (
-            dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)
-        )  # ln A: its error is h's relative one
+        # ln A: its error is h's relative one
+        bound = dict(abs=ln_abs) if name.endswith("lnA") else dict(rel=rel)
         assert getattr(one, name) == pytest.approx(getattr(other, name), **bound), name
 
 

@@ -44,10 +44,8 @@ def test_the_pair_of_rails_is_a_stable_seat(physics):
     for sign in (1, -1):
         up = squeeze(0.0, sign * step)
         assert up[::sign] == pytest.approx([step / np.sqrt(2), 0.0], abs=step**2 / (BALL + TUBE))
-    assert squeeze(-step, 0.0).tolist() == [
-        0,
-        0,
-    ]  # inwards the ball leaves, and the balls push it back
+    # inwards the ball leaves, and the balls push it back
+    assert squeeze(-step, 0.0).tolist() == [0, 0]
 
 
 def curvature_along(rail, angle):

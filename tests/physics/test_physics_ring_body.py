@@ -78,6 +78,5 @@ def test_drift_can_be_undone_to_third_order(physics):
 def test_a_sphere_turns_about_its_momentum(physics):
     L = np.array([1.0, 2.0, 3.0]) * 1e-2
     found = physics.array("ring_drift", 3, 2e-4, 2e-4, L, AXIS, 1e-3)
-    assert found == pytest.approx(
-        physics.rotate(AXIS, L * 1e-3 / 2e-4), abs=2e-15
-    )  # exact when I_a = I_t
+    # exact when I_a = I_t
+    assert found == pytest.approx(physics.rotate(AXIS, L * 1e-3 / 2e-4), abs=2e-15)

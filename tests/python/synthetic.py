@@ -6,6 +6,7 @@ import numpy as np
 from raceway import capacitance, film, hertz, kinematics, static
 from raceway.bearing import INNER, OUTER, Bearing
 
+# the paper's 6208
 DEEP_GROOVE = Bearing(
     balls=9,
     ball_diameter=12.6e-3,
@@ -13,7 +14,7 @@ DEEP_GROOVE = Bearing(
     outer_radius=36.6e-3,
     inner_groove=6.552e-3,
     outer_groove=6.552e-3,
-)  # the paper's 6208
+)
 MECHANICAL = (
     "ball ring raceway azimuth angle overlap load normal damping a b pressure "
     "entrainment sliding mu friction friction_power damping_power"

@@ -139,9 +139,8 @@ def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
 def test_losses_of_rows_that_both_have(folder):
     path = folder / "rings.dat"
     lines = path.read_text().splitlines(keepends=True)
-    path.write_text(
-        "".join([lines[0], *lines[2:-3]])
-    )  # as a run that is still going, without its first sample
+    # as a run that is still going, without its first sample
+    path.write_text("".join([lines[0], *lines[2:-3]]))
     assert losses.losses(raceway.open(folder)).sizes["time"] == 44
 
 

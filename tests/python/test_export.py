@@ -42,9 +42,8 @@ def test_paraview(folder, lubricated, tmp_path):
     assert len(listed) == 3 * 16 and all(path.exists() for *_, path in listed)
     times = [time for time, part, _ in listed if part == 0]
     assert times == pytest.approx(3 * np.arange(16) * lubricated["settings"]["sample_s"])
-    mesh = meshio.read(
-        next(path for time, part, path in listed if part == 0 and time == times[2])
-    )  # sample 6
+    # sample 6
+    mesh = meshio.read(next(path for time, part, path in listed if part == 0 and time == times[2]))
     rows = {row[0]: row for row in lubricated["balls"][6]}
     assert mesh.point_data["id"].tolist() == list(range(1, 19))
     assert mesh.points.tolist() == [rows[k][2:5] for k in range(1, 19)]  # to the bit
@@ -75,14 +74,12 @@ def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
         way = np.arctan2(*(mesh.points[0, [1, 0]] - ring[2:4][::-1])) - np.arctan2(
             *at_rest[0, [1, 0]]
         )
-        assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(
-            0, abs=1e-4
-        )  # single precision of 25 mm, twice
+        # single precision of 25 mm, twice
+        assert np.angle(np.exp(1j * (way - ring[10] * time))) == pytest.approx(0, abs=1e-4)
         assert mesh.points.astype(float).mean(axis=0)[:2] == pytest.approx(ring[2:4], abs=1e-8)
     still = meshio.read(listed[2][2])
-    assert np.hypot(*still.points[4, :2]) == pytest.approx(
-        bearing.outer_radius + 5e-6, abs=4e-9
-    )  # half of 10 um; float32
+    # half of 10 um; float32
+    assert np.hypot(*still.points[4, :2]) == pytest.approx(bearing.outer_radius + 5e-6, abs=4e-9)
 
 
 def test_a_shorter_export_leaves_nothing_of_a_longer(folder, tmp_path):
@@ -142,9 +139,8 @@ def test_ovito(folder, lubricated, tmp_path):
 def test_so_many_samples_by_default(folder, monkeypatch):
     monkeypatch.setattr(particles, "FRAMES", 20)
     frames = list(particles.frames(Run(folder)))
-    assert [frame.sample for frame in frames] == list(
-        range(0, 48, 3)
-    )  # 16, the most below 20 that are evenly spaced
+    # 16, the most below 20 that are evenly spaced
+    assert [frame.sample for frame in frames] == list(range(0, 48, 3))
     part = list(particles.frames(Run(folder, slice(6, 12)), 2))
     assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0
 

@@ -57,9 +57,8 @@ def harris(
         bearing.groove_gap(INNER),
         bearing.groove_gap(OUTER),
     )
-    apart = bearing.groove_circle(INNER) - bearing.groove_circle(
-        OUTER, clearance
-    )  # of the centres, radially
+    # of the centres, radially
+    apart = bearing.groove_circle(INNER) - bearing.groove_circle(OUTER, clearance)
     thrown = 7800 * np.pi / 6 * bearing.ball_diameter**3 * bearing.pitch_radius * orbital_speed**2
 
     def contacts(unknown):
@@ -310,9 +309,8 @@ def test_pure_rolling_speed(bearing):
         / (state.inner.load[0] + state.outer.load[0])
     )
     assert speed == pytest.approx(1000.0 * kinematics.frequencies(bearing, mean).cage, rel=1e-8)
-    assert np.all(
-        state.inner.angle > state.outer.angle
-    )  # thrown balls press the outer ring more squarely
+    # thrown balls press the outer ring more squarely
+    assert np.all(state.inner.angle > state.outer.angle)
 
 
 @pytest.mark.parametrize(

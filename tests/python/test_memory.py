@@ -15,9 +15,8 @@ import raceway
 import synthetic
 
 SHORT, LONG = 20, 180  # times the 48 samples of the synthetic run
-BLOCK = (
-    1 << 18
-)  # bytes read at once, as much smaller than usual as the runs are: the short one has several
+# bytes read at once, as much smaller than usual as the runs are: the short one has several
+BLOCK = 1 << 18
 TASKS = """
 from raceway import electrical, losses, regimes, spectrum
 raceway.open(folder).summary()

@@ -44,9 +44,8 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
     }
     load = drawn(panels["Contact load around the ring"], plot.COLOUR[0])
     expected = [row[6] for frame in lubricated["contacts"] for row in frame if row[2] == 0]
-    assert np.sort(load[:, 1]) == pytest.approx(
-        np.sort(expected) / 1e3
-    )  # all samples of all balls, in kN
+    # all samples of all balls, in kN
+    assert np.sort(load[:, 1]) == pytest.approx(np.sort(expected) / 1e3)
     heaviest = load[np.argmax(load[:, 1])]
     assert np.cos(heaviest[0]) > 0.99  # on the load line
     total = drawn(panels["Capacitance"], plot.INK)
@@ -64,9 +63,8 @@ def test_lost_contact_breaks_the_line(tmp_path, axes):
     panel = axes()["Contact load around the ring"]
     steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
     assert np.isnan(steps).any()
-    assert np.nanmax(np.abs(steps)) == pytest.approx(
-        2 * np.pi / 9 / 8, rel=1e-6
-    )  # what a ball goes in one sample
+    # what a ball goes in one sample
+    assert np.nanmax(np.abs(steps)) == pytest.approx(2 * np.pi / 9 / 8, rel=1e-6)
 
 
 def test_dry(dry_folder, tmp_path, axes):

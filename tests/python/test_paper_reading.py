@@ -25,9 +25,8 @@ def reading(folder):
 
 def test_around(reading, bearing):
     psi, load = reading.around(OUTER, "load")
-    assert (
-        np.all(np.diff(psi) >= 0) and -95 < psi[0] < -60 and 60 < psi[-1] < 95
-    )  # a loaded zone, clearance: less than half
+    # a loaded zone, clearance: less than half
+    assert np.all(np.diff(psi) >= 0) and -95 < psi[0] < -60 and 60 < psi[-1] < 95
     rest = static.equilibrium(bearing, 5000.0, clearance=GAP, phase=0.0)
     # 0.2 %: a straight line between samples, 24 a ball pass
     assert reading.top(OUTER, "load") == pytest.approx(rest.outer.load[0], rel=2e-3)

@@ -89,9 +89,8 @@ def test_recorded_formulas(printed):
     )
     before = recorded()["printed" if printed else "corrected"]
     for name, one in formulas.measure(book, printed).items():
-        assert one.value == pytest.approx(before[name].value, rel=1e-5, abs=1e-12), (
-            name
-        )  # seven digits are kept
+        # seven digits are kept
+        assert one.value == pytest.approx(before[name].value, rel=1e-5, abs=1e-12), name
 
 
 def test_known_numbers():

@@ -38,9 +38,8 @@ def test_loads_balance_the_ring(bearing):
     assert psi.shape == load.shape == (theory.PHASES, bearing.balls)
     # 0.1 %: contacts of a displaced ring point a little off the radius
     assert (load * np.cos(np.radians(psi))).sum(1) == pytest.approx(5000.0, rel=1e-3)
-    assert theory.largest_load(bearing, 5000.0) == pytest.approx(
-        2436.2, rel=1e-3
-    )  # Harris, without the finite shift
+    # Harris, without the finite shift
+    assert theory.largest_load(bearing, 5000.0) == pytest.approx(2436.2, rel=1e-3)
 
 
 def test_mean_shift_is_stribecks(bearing):

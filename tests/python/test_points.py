@@ -27,11 +27,8 @@ def test_points(tmp_path):
         "load=5e3_rpm=477.5_lubricant=dry",
         "load=20_rpm=100_lubricant=pao48",
     ]
-    assert found[0].variables == {
-        "load": "5e3",
-        "rpm": "477.5",
-        "lubricant": "dry",
-    }  # as written, in the deck's order
+    # as written, in the deck's order
+    assert found[0].variables == {"load": "5e3", "rpm": "477.5", "lubricant": "dry"}
 
 
 def test_name_is_stable(tmp_path):

@@ -153,9 +153,8 @@ def test_azimuth_counts_from_the_load_line(folder):
 def test_pair_needs_both_raceways(tmp_path, lubricated):
     data = dict(lubricated, contacts=[list(frame) for frame in lubricated["contacts"]])
     before = Run(synthetic.write(tmp_path / "a", data))
-    first = next(
-        i for i, row in enumerate(data["contacts"][0]) if row[2] == 1
-    )  # one outer contact goes
+    # one outer contact goes
+    first = next(i for i, row in enumerate(data["contacts"][0]) if row[2] == 1)
     lost = data["contacts"][0].pop(first)
     after = Run(synthetic.write(tmp_path / "b", data))
     assert len(after.pairs) == len(before.pairs) - 1

@@ -112,9 +112,8 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
             difference, amplitude = expected[key]
             # 1e-3 of a bin, which is 1/60 of a ball pass, in at least 3.5 shaft orders
             assert line.difference == pytest.approx(difference, abs=2e-5) and line.note == ""
-            assert line.amplitude == pytest.approx(
-                amplitude, rel=1e-2
-            )  # leaks of the strong ones: 2.5e-5 of 4e-7
+            # leaks of the strong ones: 2.5e-5 of 4e-7
+            assert line.amplitude == pytest.approx(amplitude, rel=1e-2)
             assert line.found == pytest.approx(line.expected * (1 + line.difference), rel=1e-12)
             assert line.expected == pytest.approx(line.order * 477.5 / 60, rel=1e-15)
         else:

@@ -135,9 +135,8 @@ def test_every_equation_holds(bearing, radial, axial, pd, orbit, finite_shift):
     into = -np.cos(state.inner.angle)[:, None] * u_ring - np.sin(state.inner.angle)[:, None] * e
     scale = max(radial, abs(axial), thrown)
     balance = -state.outer.load[:, None] * out - state.inner.load[:, None] * into + thrown * u
-    in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[
-        live
-    ]  # the cage takes what is across
+    # the cage takes what is across
+    in_plane = np.stack([(balance * u).sum(1), balance @ e], 1)[live]
     assert in_plane == pytest.approx(np.zeros_like(in_plane), abs=1e-7 * scale)
 
     force = (state.inner.load[:, None] * into).sum(0)

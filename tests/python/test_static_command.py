@@ -96,9 +96,8 @@ def test_table(capsys):
     ):
         assert said in text
     balls = text.split("\nBalls\n")[1].splitlines()
-    assert (
-        len(balls) == 10 and len({len(line) for line in balls}) == 1
-    )  # a heading, nine balls, in columns
+    # a heading, nine balls, in columns
+    assert len(balls) == 10 and len({len(line) for line in balls}) == 1
 
 
 def test_dry_lubricant_has_no_film(capsys):

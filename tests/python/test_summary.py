@@ -15,9 +15,10 @@ from test_run import spoil
 
 # the table of INTERFACE.md, in its order: a promise, so written out here a second time
 PROMISED = """bearing lubricant host integrator load_N rpm clearance_m step_s passes viscosity_Pa_s
-pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N
-p_max_inner_Pa p_max_outer_Pa loaded_balls_mean cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda
-capacitance_F capacitance_top_F wall_s simulated_s real_time_factor""".split()
+pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter q_max_N
+q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean cage_speed_rad_s
+entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F wall_s simulated_s
+real_time_factor""".split()
 WORDS = {"bearing", "lubricant", "host", "integrator"}
 DRY_NULL = {
     "viscosity_Pa_s",
@@ -77,9 +78,8 @@ def test_figures(folder, lubricated, bearing):
         top[0]["lambda"],
     )
 
-    shift = np.mean(
-        [-ring[3] for ring in lubricated["rings"][1:]]
-    )  # the load points to -y; the start is not of the window
+    # the load points to -y; the start is not of the window
+    shift = np.mean([-ring[3] for ring in lubricated["rings"][1:]])
     assert figures["ring_shift_m"] == pytest.approx(shift, rel=1e-12)
     assert figures["load_parameter"] == pytest.approx(
         clearance.load_parameter(1e-5, shift), rel=1e-12

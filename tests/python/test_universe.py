@@ -16,9 +16,8 @@ from raceway.errors import RunError, RunWarning
 
 @pytest.fixture
 def run(folder, monkeypatch):
-    monkeypatch.setattr(
-        module, "ROWS", 7 * 20
-    )  # 7 frames at once: 48 are several readings and a rest
+    # 7 frames at once: 48 are several readings and a rest
+    monkeypatch.setattr(module, "ROWS", 7 * 20)
     return raceway.open(folder)
 
 
@@ -88,9 +87,8 @@ def test_no_shift_and_no_box(run):
     path.write_text(text)
     own.load_new(str(path), format="LAMMPSDUMP", dt=1.0)
     u = run.universe()
-    np.testing.assert_allclose(
-        own.atoms.positions, u.atoms.positions + 0.05, atol=1e-8
-    )  # the box begins at -0.05
+    # the box begins at -0.05
+    np.testing.assert_allclose(own.atoms.positions, u.atoms.positions + 0.05, atol=1e-8)
     assert u.trajectory.ts.dimensions is None
 
 

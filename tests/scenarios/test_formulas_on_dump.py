@@ -43,9 +43,8 @@ def test_contacts(run, side):
     rows = run.contacts
     rows = rows[(rows["raceway"] == side) & (rows["load"] > 0)]
     assert len(rows) > 200
-    assert np.all(
-        np.abs(rows["angle"]) < 1e-6
-    )  # a radial load: the formulas below are at contact angle 0
+    # a radial load: the formulas below are at contact angle 0
+    assert np.all(np.abs(rows["angle"]) < 1e-6)
     modulus = bearing.effective_modulus
     r_x, r_y = bearing.effective_radii(side, 0.0, settings["clearance_m"])
     ellipse = hertz.exact(r_x, r_y)
@@ -92,6 +91,5 @@ def test_bearing_total(run):
     total = (rows[INNER] * rows[OUTER] / (rows[INNER] + rows[OUTER])).groupby("sample").sum()
     rings = run.rings.set_index("sample")["capacitance"]
     assert len(rings) == 200
-    np.testing.assert_allclose(
-        rings, total.loc[rings.index], rtol=1e-10
-    )  # both are written with 12 digits or more
+    # both are written with 12 digits or more
+    np.testing.assert_allclose(rings, total.loc[rings.index], rtol=1e-10)

@@ -24,9 +24,8 @@ def made(tmp_path_factory):
 def test_everything_is_there(made):
     for name in FIGURES:
         picture = (made / f"fig_{name}.png").read_bytes()
-        assert picture[:4] == b"\x89PNG" and 20_000 < len(picture) < 150_000, (
-            name
-        )  # not empty, fit for the docs
+        # not empty, fit for the docs
+        assert picture[:4] == b"\x89PNG" and 20_000 < len(picture) < 150_000, name
         assert len(pd.read_csv(made / f"fig_{name}.csv")) > 5
     for name in TABLES:
         assert len(pd.read_csv(made / f"{name.replace('-', '_')}.csv")) > 3

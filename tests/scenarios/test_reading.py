@@ -59,9 +59,8 @@ def test_datasets_agree_with_each_other(long):
     """Rings, contacts and balls are recorded at the same moments."""
     both = long.rings["capacitance"] - long.bearing["capacitance"]  # xarray matches the times
     assert both.sizes["time"] == 8000
-    assert (
-        float(np.abs(both / long.bearing["capacitance"]).max()) < 1e-6
-    )  # the dump is at the end of the step
+    # the dump is at the end of the step
+    assert float(np.abs(both / long.bearing["capacitance"]).max()) < 1e-6
     contact, ball = long.contacts["azimuth"].sel(raceway="outer"), long.balls["azimuth"]
     apart = np.abs(np.exp(1j * contact) - np.exp(1j * ball))
     assert float(apart.max()) < 1e-9 and int(np.isfinite(apart).sum()) > 8000 * 8

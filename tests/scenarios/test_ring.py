@@ -37,7 +37,8 @@ variable rx equal f_inner[7]
 variable ry equal f_inner[8]
 variable spin equal f_inner[9]
 variable angle equal f_inner[10]
-fix report all print 50 "${t} ${x} ${y} ${z} ${vz} ${rx} ${ry} ${spin} ${angle}" file ${out} screen no
+fix report all print 50 "${t} ${x} ${y} ${z} ${vz} ${rx} ${ry} ${spin} ${angle}" &
+  file ${out} screen no
 """
 
 

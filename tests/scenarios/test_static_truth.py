@@ -57,9 +57,8 @@ def test_ball_loads_with_clearance(tmp_path):
         )
 
 
-@pytest.mark.parametrize(
-    "groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3]
-)  # table A.1 of the paper
+# table A.1 of the paper
+@pytest.mark.parametrize("groove", [6.804e-3, 6.93e-3, 7.056e-3, 7.182e-3])
 def test_free_contact_angle_and_endplay(groove):
     """Eqs A.2-A.4 within 0.5 %."""
     text = succeed("inputs/in.axial", inner_groove=groove, outer_groove=groove).text

@@ -10,8 +10,7 @@ def open(folder, samples=slice(None)):
 
     Raises `raceway.errors.RunError` when the folder is not that of a run.
     """
-    from raceway.datasets import (
-        Datasets,
-    )  # xarray takes longer to load than a static bearing to solve
+    # xarray takes longer to load than a static bearing to solve
+    from raceway.datasets import Datasets
 
     return Datasets(folder, samples)

@@ -28,17 +28,15 @@ class Balance:
             np.asarray(moment, float),
             finite_shift,
         )
-        self.metres = np.array(
-            [1.0, 1.0, 1.0, bearing.pitch_radius, bearing.pitch_radius]
-        )  # per unit of place
+        # per unit of place
+        self.metres = np.array([1.0, 1.0, 1.0, bearing.pitch_radius, bearing.pitch_radius])
         self.free, self.held = np.isnan(held), np.nan_to_num(held) * self.metres
         self.loads = np.concatenate([force, self.moment]) / self.metres
         self.reach = circle.exact if finite_shift else circle.straight
         self.gap = np.array([bearing.groove_gap(side) for side in (INNER, OUTER)])
         self.outer = np.tile([bearing.groove_circle(OUTER, clearance), 0.0], (len(azimuth), 1))
-        self.digits = 8 * np.spacing(
-            bearing.pitch_radius
-        )  # m: distances are known to some last digits of the radius
+        # m: distances are known to some last digits of the radius
+        self.digits = 8 * np.spacing(bearing.pitch_radius)
         self.cap = 0.25 * self.gap.sum()  # longest Newton step, m: small against the groove
         self.stiffness = self._stiffness(np.zeros((2, len(azimuth))))
 

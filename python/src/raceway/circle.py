@@ -18,9 +18,8 @@ class Reach(NamedTuple):
     distance: np.ndarray  # (Z,), m
     slope: np.ndarray  # (Z, 7), first derivatives
     curve: np.ndarray  # (Z, 7, 7), second derivatives
-    section: (
-        np.ndarray
-    )  # (Z, 2), unit vector from circle to ball in the ring's own section (radial, axial)
+    # (Z, 2), unit vector from circle to ball in the ring's own section (radial, axial)
+    section: np.ndarray
     line: np.ndarray  # (Z, 3), the same in space: also the force's direction on the ring
     arm: np.ndarray  # (Z, 3), m, from the ring's centre to a point on that line
 

@@ -19,7 +19,8 @@ examples:
   raceway static --load 2000 --clearance 10e-6           theory, without a run
   raceway sweep points.csv                               many runs, one a row
 
-`raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the deck.
+`raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the
+deck.
 Exit codes: 0 done; 1 not done, a message says why; 2 wrong command line; 130 interrupted."""
 
 

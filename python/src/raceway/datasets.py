@@ -21,14 +21,13 @@ class Datasets:
     say so in `attrs`.
 
     - `contacts`: (time, raceway, ball) what the dump has of each contact; `azimuth` and
-    `from_load_line` (rad, the
-      latter counted from the centre of the loaded zone) are coordinates
+      `from_load_line` (rad, the latter counted from the centre of the loaded zone) are coordinates
     - `balls`, `cage`: (time, ball) position (m), velocity (m/s), spin (rad/s) of balls and cage
-    balls; `azimuth` and
-      `from_load_line` about the outer ring
+      balls; `azimuth` and `from_load_line` about the outer ring
     - `rings`: (time) displacement, velocity and spin of the inner ring, force and moment of the
-    balls on it - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded,
-    largest loads, losses
+      balls on it
+    - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded, largest
+      loads, losses
 
     `time` is in s from the start of the measured window, the same values in all of them; `passes`
     beside it counts ball passes. `ball` is the atom number, `raceway` "inner" or "outer". Where a

@@ -94,9 +94,8 @@ class Index:
                     here = found + 1
                     offsets.append(base + here)
                     lines.append(seen)
-                tail = text[
-                    -len(START) :
-                ]  # a byte too short to hold a start that was found already
+                # a byte too short to hold a start that was found already
+                tail = text[-len(START) :]
                 seen += text.count(b"\n", here, len(text) - len(tail))
                 base += len(text) - len(tail)
         self.path, self.offsets, self.lines = (

@@ -13,9 +13,10 @@ def losses(run):
     """Dataset (time) of `run` (from `raceway.open`), from the samples that both rings and contacts
     have:
 
-    - `torque` (N m): what the balls hold against the inner ring's spin, and `power_in` (W), torque
-    times spin - `friction_power`, `damping_power` (W): lost in the contacts to tangential force and
-    to normal damping
+    - `torque` (N m): what the balls hold against the inner ring's spin
+    - `power_in` (W): torque times spin
+    - `friction_power` (W): lost in the contacts to tangential force
+    - `damping_power` (W): lost in the contacts to normal damping
 
     Power in and power lost differ at any moment by what springs and moving balls store, and on
     average over whole ball passes by what the integrator adds or takes. The bearing's axis is z and

@@ -44,8 +44,10 @@ def lubricate(bearing, state, oil, spin, clearance=0.0):
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> oil = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)
     >>> films = lubricate(b, equilibrium(b, 5000.0), oil, 50.0)
-    >>> (1e9 * films.inner.h_min).round(1).tolist()[:3], round(1e12 * float(films.total), 1)  # nm, pF
-    ([140.7, 144.4, 166.7], 303.5)
+    >>> (1e9 * films.inner.h_min).round(1).tolist()[:3]  # nm
+    [140.7, 144.4, 166.7]
+    >>> round(1e12 * float(films.total), 1)  # pF
+    303.5
     """
     sides = [
         _film(bearing, side, contact, oil, spin, clearance)

@@ -118,6 +118,7 @@ def _execute(folder, variables, command, lock, stop):
     for name, value in variables.items():
         words += ["-var", name, value]
     with open(folder / "log.txt", "wb") as log:
+        # Ctrl-C is ours to hand on
         process = subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,
@@ -125,7 +126,7 @@ def _execute(folder, variables, command, lock, stop):
             stderr=subprocess.STDOUT,
             pass_fds=(lock,),
             start_new_session=True,
-        )  # Ctrl-C is ours to hand on
+        )
     done = os.pidfd_open(process.pid)
     try:
         ready = select.select([done] + ([stop] if stop is not None else []), [], [])[0]

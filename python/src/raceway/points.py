@@ -11,9 +11,8 @@ from typing import NamedTuple
 from raceway.errors import RacewayError
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
-WORD = re.compile(
-    r"[A-Za-z0-9_.+-]+"
-)  # what a value may be: nothing that a deck, a shell or a path could take for more
+# what a value may be: nothing that a deck, a shell or a path could take for more
+WORD = re.compile(r"[A-Za-z0-9_.+-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
     "resume": "the sweep resumes points by itself",

@@ -32,11 +32,8 @@ NUMBERS = (
     "inner_ring",
     "outer_ring",
 )
-AT_THE_END = (
-    "step_s",
-    "simulated_s",
-    "wall_s",
-)  # written last: without them the run has not finished
+# written last: without them the run has not finished
+AT_THE_END = ("step_s", "simulated_s", "wall_s")
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
 EXTRA = ("ball_young_Pa", "ball_poisson", "cage_ball_diameter_m")  # some runs do not have them
 BALL, CAGE = 1, 2  # atom types

@@ -100,17 +100,14 @@ def settle(grooves):
         grooves.centrifugal,
     )
     seen = grooves.inner(outer)
-    line = (
-        -seen.distance[:, None] * seen.slope[:, :2]
-    )  # to the inner centre, exact where the circle lies in the plane
+    # to the inner centre, exact where the circle lies in the plane
+    line = -seen.distance[:, None] * seen.slope[:, :2]
     squeeze, play = (
         np.maximum(seen.distance - gap.sum(), 0),
         np.minimum(seen.distance - gap.sum(), 0),
     )
-    # equal and opposite loads on one line; a ball with play in the middle of it
-    share = (
-        squeeze / (1 + (stiffness[INNER] / stiffness[OUTER]) ** (2 / 3)) + play / 2
-    )  # of the inner contact
+    # of the inner contact: equal and opposite loads on one line; a ball with play is in the middle
+    share = squeeze / (1 + (stiffness[INNER] / stiffness[OUTER]) ** (2 / 3)) + play / 2
     between = outer + line * (1 - (gap[INNER] + share) / seen.distance)[:, None]
     thrown = outer.copy()
     thrown[:, 0] += gap[OUTER] + (centrifugal / stiffness[OUTER]) ** (2 / 3)

@@ -141,9 +141,8 @@ def find(found_in, hertz, within=0.005):
     here = amplitude[int(round(hertz / step))]
     if hertz < RESOLVED * resolution:
         return *nothing, here, math.nan, f"fewer than {RESOLVED:g} periods in the record"
-    reach = max(
-        within * hertz, resolution
-    )  # a record that ends within a period moves no peak further
+    # a record that ends within a period moves no peak further
+    reach = max(within * hertz, resolution)
     low, high = int(np.ceil((hertz - reach) / step)), int(np.floor((hertz + reach) / step))
     top = low + int(np.argmax(amplitude[low : high + 1]))
     # the floor: to both sides of the peak's foot, as far again as three times its width

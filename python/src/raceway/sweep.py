@@ -36,9 +36,8 @@ def sweep(points, folder, command, *, jobs=1, retry=False):
         else:
             todo.append(point)
     before = counts[FINISHED]
-    reading, writing = (
-        os.pipe()
-    )  # only this process holds `writing`: however it ends, the workers see it
+    # only this process holds `writing`: however it ends, the workers see it
+    reading, writing = os.pipe()
     pool = ProcessPoolExecutor(
         min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing)
     )

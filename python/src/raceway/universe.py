@@ -6,9 +6,9 @@ overlap of an unloaded ball and one per cent of a film, so nothing should be wor
 but pictures and neighbours. What needs more digits comes in double precision with every frame, in
 `trajectory.ts.data`:
 
-- `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3) - every column of the contacts for the
-inner and the outer raceway, `load_inner`, `h_min_outer` ... (SI): (atoms,),
-  with 0 or NaN where an atom has no such contact, as in `Datasets.contacts`
+- `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
+- every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...
+  (SI): (atoms,), with 0 or NaN where an atom has no such contact, as in `Datasets.contacts`
 - `step`, `time` (s), `sample`
 
 Lengths are metres and times seconds, whatever MDAnalysis calls them; there is no box, and positions
@@ -82,9 +82,8 @@ class RunReader(ReaderBase):
     def _read_next_timestep(self):
         frame = self.ts.frame + 1
         if not 0 <= frame < self.n_frames:
-            raise OSError(
-                f"no frame {frame} of {self.n_frames}"
-            )  # MDAnalysis ends an iteration on this
+            # MDAnalysis ends an iteration on this
+            raise OSError(f"no frame {frame} of {self.n_frames}")
         part, data = frame // self._together, self.ts.data
         if self._loaded != part:
             self._load(part)

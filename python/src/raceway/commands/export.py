@@ -6,16 +6,18 @@ from pathlib import Path
 
 DESCRIPTION = """\
 Write a run as files that other programs open as they are:
-  vtk   for ParaView: bearing.pvd, a time series of the balls (points with radius, velocity, spin, load, film, capacitance)
-        and of the raceway tori (surfaces)
-  xyz   for OVITO: bearing.xyz (extended XYZ, the same columns), inner_raceway.obj, outer_raceway.obj
+  vtk   for ParaView: bearing.pvd, a time series of the balls (points with radius, velocity, spin,
+        load, film, capacitance) and of the raceway tori (surfaces)
+  xyz   for OVITO: bearing.xyz (extended XYZ, the same columns), inner_raceway.obj,
+        outer_raceway.obj
 Real positions, nothing exaggerated; SI units."""
 EXAMPLES = """\
 examples:
   raceway export build/run/6208 --format vtk              build/run/6208/vtk/bearing.pvd
   raceway export build/run/6208 --format xyz --every 1 --out for_ovito
 
-In ParaView: open bearing.pvd, Apply; Glyph of type Sphere, Scale Array radius, Scale Factor 2, shows the balls.
+In ParaView: open bearing.pvd, Apply; Glyph of type Sphere, Scale Array radius, Scale Factor 2,
+shows the balls.
 Exit codes: 0 done, 1 the run is broken or the folder cannot be written, 2 wrong command line."""
 
 

@@ -10,7 +10,8 @@ EXAMPLES = """\
 examples:
   raceway gather build/sweep/points
 
-Exit codes: 0 done, also while points are missing or failed, 1 there is no sweep in DIR, 2 wrong command line."""
+Exit codes: 0 done, also while points are missing or failed, 1 there is no sweep in DIR,
+2 wrong command line."""
 
 
 def add(commands):

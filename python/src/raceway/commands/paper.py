@@ -9,16 +9,17 @@ from pathlib import Path
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
-Run the cases of S. O. Farah, M. Guessasma, E. Bellenger 2020 (inputs/paper/cases.yaml), draw its figures,
-write its tables, and judge its statements. Results of runs are kept and taken again as long as the program, the
-decks and the settings are the same."""
+Run the cases of S. O. Farah, M. Guessasma, E. Bellenger 2020 (inputs/paper/cases.yaml), draw its
+figures, write its tables, and judge its statements. Results of runs are kept and taken again as
+long as the program, the decks and the settings are the same."""
 EXAMPLES = """\
 examples:
   raceway paper                          everything, into build/paper
   raceway paper --figure 8a --figure 9   two figures and no run that they do not need
   raceway paper --list                   what there is
 
-Exit codes: 0 done, 1 a case failed (it is named, and what does not need it is made all the same), 2 wrong command line."""
+Exit codes: 0 done, 1 a case failed (it is named, and what does not need it is made all the same),
+2 wrong command line."""
 
 
 def add(commands):
@@ -58,11 +59,8 @@ def add(commands):
 def run(arguments):
     """Make the products asked for. Raises `RacewayError` for a wrong name, a failed case or a
     product not made."""
-    from raceway.paper import (
-        cases,
-        press,
-        runner,
-    )  # matplotlib and scipy take longer to load than `--help` should
+    # matplotlib and scipy take longer to load than `--help` should
+    from raceway.paper import cases, press, runner
 
     tree = runner.root()
     plan = cases.plan(tree)

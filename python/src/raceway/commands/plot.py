@@ -10,7 +10,8 @@ Draw a run to a PNG:
   overview   loads, film, pressure and capacitance on one page
   polar      load and film around the ring, with quasi-static theory as dots
   waterfall  capacitance of every ball over azimuth and time
-  bearing    rings, balls and cage at the moment of the largest load (`raceway animate` moves them)"""
+  bearing    rings, balls and cage at the moment of the largest load
+             (`raceway animate` moves them)"""
 EXAMPLES = """\
 examples:
   raceway plot build/run/6208                            build/run/6208/overview.png

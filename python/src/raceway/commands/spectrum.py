@@ -8,8 +8,9 @@ import math
 from raceway.units import prefixed
 
 DESCRIPTION = """\
-Spectrum of a column of rings.dat, and where the kinematic lines are in it. Measure enough ball passes: -var passes 40 separates all
-lines but FTF; the record must hold more than five periods of a line."""
+Spectrum of a column of rings.dat, and where the kinematic lines are in it. Measure enough ball
+passes: -var passes 40 separates all lines but FTF; the record must hold more than five periods of a
+line."""
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var passes 40 -var out build/run/long
@@ -59,9 +60,8 @@ def run(arguments):
     spectrum = of_run(opened, arguments.signal)
     found = lines(opened, spectrum, arguments.harmonics, math.radians(arguments.angle))
     if arguments.out:
-        from raceway.spectrum_plot import (
-            picture,
-        )  # matplotlib takes longer to load than a spectrum to compute
+        # matplotlib takes longer to load than a spectrum to compute
+        from raceway.spectrum_plot import picture
 
         picture(opened, spectrum, found, arguments.out)
     print(
@@ -78,7 +78,8 @@ def table(spectrum, found):
         f"{spectrum.attrs['long_name']}; resolution {prefixed(resolution, 'Hz', 3)}",
         "",
         (
-            f"  {'line':<8}{'order':>9}{'kinematics':>14}{'found':>12}{'difference':>12}{'amplitude':>12}"
+            f"  {'line':<8}{'order':>9}{'kinematics':>14}"
+            f"{'found':>12}{'difference':>12}{'amplitude':>12}"
         ),
     ]
     for line in found:

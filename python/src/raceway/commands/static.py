@@ -10,21 +10,24 @@ from raceway.commands.quantity import angle, number, takes_negative
 
 HELP = "loads, tilt, film and capacitance from theory, without a simulation"
 DESCRIPTION = """\
-Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and axial load and two
-moments on the inner ring, free contact angles, centrifugal load of the balls. With a lubricant and a speed: film
-(Masjedi-Khonsari) and capacitance of every contact, rolling without slip.
+Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and
+axial load and two moments on the inner ring, free contact angles, centrifugal load of the balls.
+With a lubricant and a speed: film (Masjedi-Khonsari) and capacitance of every contact, rolling
+without slip.
 
-x points along the radial load, z along the bearing's axis. The ring is held straight unless --moment frees its
-tilts or --tilt imposes them. Balls are counted from azimuth --phase, at 0 on the load line."""
+x points along the radial load, z along the bearing's axis. The ring is held straight unless
+--moment frees its tilts or --tilt imposes them. Balls are counted from azimuth --phase, at 0 on the
+load line."""
 EXAMPLES = """\
 examples:
   raceway static --load 5000 --clearance 10e-6
-  raceway static --bearing 6208 --load 2000 --axial 1000 --moment 10 0 --rpm 477.5 --lubricant mineral
+  raceway static --load 2000 --axial 1000 --moment 10 0 --rpm 477.5 --lubricant mineral
   raceway static --load 5000 --tilt 0 20arcmin --json
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
 
-Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash is a file of your
-own, written as those are. Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
+Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
+is a file of your own, written as those are.
+Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 HOLD = {
     "x": number(-1e-2, 1e-2, "m"),
     "y": number(-1e-2, 1e-2, "m"),
@@ -138,10 +141,8 @@ def add(commands):
 
 def run(arguments):
     """Print the figures. Raises `RacewayError`."""
-    from raceway.operating_point import (
-        figures,
-        table,
-    )  # scipy takes longer to load than --help to print
+    # scipy takes longer to load than --help to print
+    from raceway.operating_point import figures, table
 
     if arguments.moment and arguments.tilt:
         arguments.complain(

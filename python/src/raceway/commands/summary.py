@@ -7,7 +7,7 @@ import json
 EXAMPLES = """\
 examples:
   raceway summary build/run/6208
-  raceway summary build/run/6208 --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["q_max_N"])'
+  raceway summary build/run/6208 --json | python3 -m json.tool
 
 Exit codes: 0 done, 1 the folder holds no finished run or a broken one, 2 wrong command line."""
 

@@ -15,11 +15,11 @@ from raceway.points import deck_variables, read_points
 
 HELP = "run a deck for every row of a table"
 DESCRIPTION = """\
-Each row of the CSV file TABLE is a point, each column a variable of the deck: load, rpm, clearance, lubricant, ...
-Every point gets a folder in DIR named after its values. Finished points are not run again, so a sweep that was
-stopped (Ctrl-C, kill, a time limit) goes on when the same command is given again; two sweeps started on one DIR
-share the work. A point that fails keeps its message and does not stop the others. At the end DIR/results.csv has
-a row per point.
+Each row of the CSV file TABLE is a point, each column a variable of the deck: load, rpm, clearance,
+lubricant, ... Every point gets a folder in DIR named after its values. Finished points are not run
+again, so a sweep that was stopped (Ctrl-C, kill, a time limit) goes on when the same command is
+given again; two sweeps started on one DIR share the work. A point that fails keeps its message and
+does not stop the others. At the end DIR/results.csv has a row per point.
 """
 EXAMPLES = """\
 examples:
@@ -28,10 +28,12 @@ examples:
   raceway sweep points.csv --slurm job.sh           then: sbatch job.sh
 
 A table of four points is four lines like 5000,477.5,mineral under a first line load,rpm,lubricant.
-Exit codes: 0 all points finished, 1 a point failed or the table cannot be used, 2 wrong command line, 130 and 143 stopped."""
+Exit codes: 0 all points finished, 1 a point failed or the table cannot be used, 2 wrong command
+line, 130 and 143 stopped."""
 SLURM = """\
 #!/bin/bash
-# A sweep as a Slurm job array, written by `raceway sweep`. Submit it from the folder it was written from:
+# A sweep as a Slurm job array, written by `raceway sweep`. Submit it from the folder it was written
+# from:
 #   sbatch {script}
 # Submit it again to go on with what is missing; `raceway gather {folder}` shows what is there.
 #SBATCH --job-name=raceway-sweep

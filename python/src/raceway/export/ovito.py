@@ -29,7 +29,7 @@ def write(run, out, every=None):
     out = files.folder(out)
     for side, name in ((INNER, "inner"), (OUTER, "outer")):
         text = _surface(*groove.mesh(run.geometry, side, run.settings["clearance_m"]))
-        files.whole(out / f"{name}_raceway.obj", lambda part: part.write_text(text))
+        files.whole(out / f"{name}_raceway.obj", lambda part, text=text: part.write_text(text))
     half = 1.1 * (run.geometry.outer_radius + run.geometry.ball_radius)
 
     def make(part):

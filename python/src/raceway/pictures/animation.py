@@ -69,9 +69,8 @@ def _pictures(sheet, count):
         sheet.show(k)
         sheet.figure.canvas.draw()
         progress.line(f"frame {k + 1} of {count}", k + 1 == count)
-        yield np.array(sheet.figure.canvas.buffer_rgba())[
-            ..., :3
-        ]  # a copy: the canvas draws over it
+        # a copy: the canvas draws over it
+        yield np.array(sheet.figure.canvas.buffer_rgba())[..., :3]
 
 
 def _gif(part, pictures, rate):
@@ -104,9 +103,8 @@ def _palette():
 
 def _mp4(part, pictures, rate):
     first = next(pictures)
-    height, width = (
-        size - size % 2 for size in first.shape[:2]
-    )  # the usual colour format needs even sizes
+    # the usual colour format needs even sizes
+    height, width = (size - size % 2 for size in first.shape[:2])
     command = [
         "ffmpeg",
         "-v",

@@ -40,9 +40,8 @@ def loads(axes, run):
 def film(axes, run):
     """Film thickness of `run` and the regimes of lubrication on polar `axes`; returns the factor
     from metres."""
-    loaded = run.contacts[
-        run.contacts["load"] > 5 * LIGHT * run.contacts["load"].max()
-    ]  # these set the scale
+    # these set the scale
+    loaded = run.contacts[run.contacts["load"] > 5 * LIGHT * run.contacts["load"].max()]
     factor, unit = axis(loaded["h_c"].max(), "m")
     unity = run.settings["roughness_m"] * factor  # the thickness at which lambda is one
     edge = thickest = 1.12 * loaded["h_c"].max() * factor
@@ -53,7 +52,7 @@ def film(axes, run):
     regimes = [
         (low, high, name, colour) for low, high, name, colour in REGIMES if low * unity < edge
     ]
-    for low, high, name, colour in regimes:
+    for low, high, _, colour in regimes:
         axes.fill_between(
             around, low * unity, min(high * unity, edge), color=colour, lw=0, zorder=0.1
         )
@@ -71,10 +70,8 @@ def film(axes, run):
                 zorder=5,
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.75},
             )
-    width = {
-        "h_c": 3.2,
-        "h_min": 1.3,
-    }  # not dashes: those of many balls would fill each other's gaps
+    # not dashes: those of many balls would fill each other's gaps
+    width = {"h_c": 3.2, "h_min": 1.3}
     for column in width:
         for side in (OUTER, INNER):
             for psi, thickness in tracks(run, side, column, above=LIGHT):

@@ -18,11 +18,8 @@ from raceway.pictures.scene import COLOURS, scene
 from raceway.style import FAINT, INK, MAP, SOFT
 from raceway.units import axis, prefixed
 
-THICK, WIDE, SHOULDER = (
-    0.3,
-    0.72,
-    0.2,
-)  # of a ball's diameter: rings behind the grooves, half their width, their shoulders
+# of a ball's diameter: rings behind the grooves, half their width, their shoulders
+THICK, WIDE, SHOULDER = (0.3, 0.72, 0.2)
 STEEL, DARK, LIGHT, CAGE, IDLE = "#c9ced6", 0.52, 0.92, "#efe9dc", "#f4f4f4"
 SHADES = 12  # of a groove
 MM = 1e3
@@ -35,9 +32,8 @@ def bearing(run, path, colour="load", factor=None):
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
     run = shown(run)
-    contacts = run.contacts[
-        run.contacts["sample"] <= run.balls["sample"].max()
-    ]  # a run that is still going may be ahead in one file
+    # a run that is still going may be ahead in one file
+    contacts = run.contacts[run.contacts["sample"] <= run.balls["sample"].max()]
     sample = int(contacts.loc[contacts["load"].idxmax(), "sample"])
     with plt.rc_context(style.STYLE):
         sheet = Sheet(run, scene(run, np.array([sample]), colour, factor), colour)
@@ -52,9 +48,8 @@ class Sheet:
     def __init__(self, run, what, colour, dpi=110):
         self.run, self.scene, self.geometry = run, what, run.geometry
         self.factor, self.unit = axis(np.nanmax(what.values, initial=0.0), COLOURS[colour][2])
-        low = (
-            np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0
-        )  # thin films are never near zero
+        # thin films are never near zero
+        low = np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0
         self.norm = plt.Normalize(
             low * self.factor if np.isfinite(low) else 0,
             np.nanmax(what.values, initial=0.0) * self.factor or 1,
@@ -164,11 +159,12 @@ class Sheet:
         )
         outside = geometry.outer_radius + (THICK + 0.06) * size
         inside = geometry.inner_radius - (THICK + 0.06) * size
+        # outwards is down
         axes.set(
             xlim=np.array([-0.8, 0.8]) * size * MM,
             ylim=(-outside * MM, -inside * MM),
             aspect="equal",
-        )  # outwards is down
+        )
         axes.axis("off")
         self.profiles = []
         for race, sign, groove in (
@@ -272,7 +268,6 @@ def _groove(race, sign, geometry, side):
     shoulder; `sign` 1 outwards."""
     groove = geometry.groove(side)
     for height in np.linspace(0, SHOULDER * geometry.ball_diameter, SHADES):
-        facing = np.sqrt(
-            1 - (1 - min(height / groove, 1)) ** 2
-        )  # of the wall's normal towards the eye
+        # of the wall's normal towards the eye
+        facing = np.sqrt(1 - (1 - min(height / groove, 1)) ** 2)
         yield race + sign * height, str(DARK + (LIGHT - DARK) * facing)

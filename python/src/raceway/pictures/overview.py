@@ -79,9 +79,8 @@ def _pressures(axes, run):
     factor, unit = axis(largest, "Pa")
     for side in (OUTER, INNER):
         for psi, pressure in tracks(run, side, "pressure"):
-            turn = (
-                2 * np.pi * np.round(psi / (2 * np.pi))
-            )  # back to one turn, without a line across the panel
+            # back to one turn, without a line across the panel
+            turn = 2 * np.pi * np.round(psi / (2 * np.pi))
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
             axes.plot(
                 np.insert(np.degrees(psi - turn), breaks, np.nan),

@@ -13,10 +13,8 @@ from raceway.errors import RunError, RunWarning
 from raceway.run import Run
 
 LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, and tells nothing
-LARGE, PASSES = (
-    200 << 20,
-    20,
-)  # bytes of contacts.dump from which on only so many ball passes are drawn
+# bytes of contacts.dump from which on only so many ball passes are drawn
+LARGE, PASSES = (200 << 20, 20)
 
 
 def shown(run, note=""):

@@ -78,9 +78,8 @@ def waterfall(run, path):
             beside = figure.add_subplot(grid[1, 1], sharey=main)
             factor, unit_all = axis(total.max(), "F")
             beside.plot(total * factor, times, color=INK, lw=1.8)
-            half = (
-                max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
-            )  # a ripple of a per cent can be seen, and is small
+            # a ripple of a per cent can be seen, and is small
+            half = max(0.6 * np.ptp(total), 0.025 * total.max()) * factor or 1
             beside.set(
                 xlabel=f"bearing ({unit_all})",
                 xlim=(total.min() + total.max()) / 2 * factor + np.array([-half, half]),
@@ -101,9 +100,8 @@ def bands(run):
     line in rad, unwrapped; F, NaN for a ball that is not loaded on both raceways. At most about
     `ROWS` samples, evenly spaced.
     """
-    there = run.balls[
-        run.balls["sample"].isin(run.totals.index)
-    ]  # a run that is still going may be ahead in one file
+    # a run that is still going may be ahead in one file
+    there = run.balls[run.balls["sample"].isin(run.totals.index)]
     table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])
     ids, samples = np.unique(table["id"]), np.unique(table["sample"])
     centre = (
