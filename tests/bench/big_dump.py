@@ -23,13 +23,13 @@ TASKS = {  # name: what is done to `run`, in a process of its own
     "load the package only": "",
     "all figures (`raceway summary`)": "run.summary()",
     "bearing totals, every sample": "run.bearing",
-    "regime shares around the ring": "from raceway.regimes import shares; shares(run)",
+    "regime shares around the ring": "from raceway.runs.regimes import shares; shares(run)",
     "pressure and permittivity around the ring": (
-        "from raceway.electrical import by_raceway; by_raceway(run)"
+        "from raceway.runs.electrical import by_raceway; by_raceway(run)"
     ),
-    "losses, every sample": "from raceway.losses import losses; losses(run)",
+    "losses, every sample": "from raceway.runs.losses import losses; losses(run)",
     "spectrum of the ring, lines found": (
-        "from raceway.spectrum import lines, of_run; lines(run, of_run(run))"
+        "from raceway.runs.spectrum import lines, of_run; lines(run, of_run(run))"
     ),
     "largest load of each ball, from blocks of datasets": (
         "import functools, numpy; functools.reduce(numpy.maximum, (b['load'].max('time') for b in"

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 from raceway import hertz, static
-from raceway.bearing import INNER, OUTER, Bearing
-from raceway.dump import frames
-from raceway.run import Run
+from raceway.runs.dump import frames
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 ROOT = Path(__file__).resolve().parents[2]
 DECKS = Path("tests/bench/peers")
@@ -243,7 +243,7 @@ def raceway(name, **variables):
         out=OUT / name,
         **variables,
     )
-    run = Run(ROOT / OUT / name)
+    run = RunTables(ROOT / OUT / name)
     inner = run.contacts[run.contacts["raceway"] == INNER]
     place = run.rings.set_index("sample")
     samples = []

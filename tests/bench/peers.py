@@ -34,7 +34,7 @@ from peer_runs import (
     raceway,
     tori,
 )
-from raceway.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER
 
 ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}

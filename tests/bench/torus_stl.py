@@ -2,7 +2,7 @@
 """Raceway grooves as triangle meshes (ASCII STL), for the stock LIGGGHTS scene of peers.py."""
 
 import numpy as np
-from raceway.bearing import INNER
+from raceway.theory.bearing import INNER
 
 
 def triangles(bearing, side, around, across, half_angle):

@@ -9,7 +9,7 @@ import numpy as np
 import yaml
 from host import liggghts
 from raceway import static
-from raceway.bearing import Bearing
+from raceway.theory.bearing import Bearing
 
 DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208

@@ -12,9 +12,9 @@ import warnings
 import pytest
 from host import ENVIRONMENT, ROOT, frames, liggghts, succeed
 from hosts.kills import start
-from raceway.dump import read_dump, read_table
 from raceway.errors import RunError
-from raceway.run import Run
+from raceway.runs.dump import read_dump, read_table
+from raceway.runs.tables import RunTables
 
 SCENE = {"passes": 40, "samples": 100, "keep": 50}
 
@@ -43,7 +43,7 @@ def test_stopped_run(stopped):
     assert f"the run goes on from {stopped}/restart" in text
     assert not (stopped / "restart.part").exists()
     with pytest.raises(RunError, match="has not finished"):
-        Run(stopped).need_finished()
+        RunTables(stopped).need_finished()
 
 
 @pytest.mark.parametrize("name", [signal.SIGINT, signal.SIGUSR1], ids=lambda which: which.name)

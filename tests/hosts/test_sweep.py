@@ -15,8 +15,8 @@ import pandas as pd
 import pytest
 import raceway
 from host import ENVIRONMENT, ROOT, frames, succeed
-from raceway.run import Run
-from raceway.summary import summary
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 ENV = {
     **ENVIRONMENT,
@@ -89,7 +89,7 @@ def test_sweep(table, tmp_path, counter):
     one = results.set_index("point").loc[
         "load=5000_rpm=477.5_lubricant=mineral_passes=1_samples=20"
     ]
-    figures = summary(Run(out / one.name))
+    figures = summary(RunTables(out / one.name))
     assert set(figures) <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
     # the run is the one that the deck makes by itself

@@ -7,8 +7,8 @@ import re
 import numpy as np
 import pytest
 from host import ROOT, frames, liggghts, succeed
-from raceway.bearing import INNER, OUTER
-from raceway.run import Run
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER, OUTER
 from scenarios import closed_forms
 
 CASE = "tests/implicit/in.case"
@@ -127,7 +127,7 @@ def test_deck_against_statics(tmp_path, rpm):
     within 0.2 % of the largest; at 9549 rpm the loads vibrate on the contact springs and 2 % is
     allowed."""
     succeed("inputs/in.6208", out=tmp_path, integrator="implicit", passes=1, rpm=rpm)
-    run = Run(tmp_path)
+    run = RunTables(tmp_path)
     contacts = run.contacts
     bound = 2e-3 if rpm < 1000 else 2e-2
     for sample in range(0, 201, 10):

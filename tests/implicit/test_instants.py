@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from host import BOX, liggghts, succeed
 from raceway import capacitance, hertz
-from raceway.bearing import Bearing
+from raceway.theory.bearing import Bearing
 
 CASE = "tests/implicit/in.case"
 PERMITTIVITY, BACKGROUND = 2.25, 5e-12

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from contact_reference import DIGITS, Reference
 from physics_c import BALL, INNER, OUTER, PITCH
-from raceway.bearing import Bearing
-from raceway.clearance import free_contact_angle, free_endplay, groove_distance
+from raceway.theory.bearing import Bearing
+from raceway.theory.clearance import free_contact_angle, free_endplay, groove_distance
 from scipy.optimize import minimize, minimize_scalar
 
 CIRCLE = {INNER: 24.0e-3 + 6.552e-3, OUTER: 36.6e-3 - 6.552e-3}

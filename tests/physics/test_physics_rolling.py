@@ -4,8 +4,8 @@
 import numpy as np
 import pytest
 from physics_c import BALL, PITCH
-from raceway.bearing import Bearing
-from raceway.kinematics import frequencies
+from raceway.theory.bearing import Bearing
+from raceway.theory.kinematics import frequencies
 
 SIX_TWO_0_8 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 

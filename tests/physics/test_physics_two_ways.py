@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from physics_c import HAMROCK_DOWSON, INNER, MASJEDI, MASJEDI_PRINTED, OUTER
 from raceway import capacitance, film, hertz
-from raceway.bearing import Bearing
+from raceway.theory.bearing import Bearing
 
 STEEL = 210e9 / (1 - 0.3**2)
 BEARINGS = {

@@ -4,7 +4,7 @@ film formulas."""
 
 import numpy as np
 from raceway import capacitance, film, hertz, kinematics, static
-from raceway.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 # the paper's 6208
 DEEP_GROOVE = Bearing(

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
-from raceway import around, capacitance, electrical, losses, regimes
+from raceway import capacitance, electrical, losses, regimes
 from raceway.errors import RunError
+from raceway.runs import around
 from test_run import spoil
 
 COLUMN = {name: i for i, name in enumerate(synthetic.LUBRICATED)}
@@ -17,7 +18,7 @@ BINS = 12
 @pytest.fixture
 def run(folder, monkeypatch):
     """In blocks of a few samples: nothing may depend on where they end."""
-    monkeypatch.setattr("raceway.dump.BLOCK", 10_000)
+    monkeypatch.setattr("raceway.runs.dump.BLOCK", 10_000)
     return raceway.open(folder)
 
 

@@ -4,7 +4,7 @@
 import dataclasses
 
 import pytest
-from raceway.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 def test_effective_radii_are_those_of_ball_and_ring(bearing):

@@ -4,7 +4,7 @@ differences."""
 
 import numpy as np
 import pytest
-from raceway import circle
+from raceway.theory import circle
 from scipy.spatial.transform import Rotation
 
 RADIUS = 30.552e-3

@@ -13,20 +13,20 @@ from pathlib import Path
 import pytest
 import raceway
 from raceway.cli import _parser, main
-from raceway.run import Run
-from raceway.summary import summary, table
+from raceway.runs.summary import summary, table
+from raceway.runs.tables import RunTables
 
 
 def test_summary(folder, capsys):
     assert main(["summary", str(folder)]) == 0
     printed = capsys.readouterr()
-    assert printed.out == table(summary(Run(folder))) + "\n"
+    assert printed.out == table(summary(RunTables(folder))) + "\n"
     assert printed.err == ""
 
 
 def test_json(folder, capsys):
     assert main(["summary", str(folder), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out) == summary(Run(folder))
+    assert json.loads(capsys.readouterr().out) == summary(RunTables(folder))
 
 
 def test_plot(folder, tmp_path, capsys):

@@ -8,7 +8,7 @@ import synthetic
 import xarray as xr
 from raceway import columns
 from raceway.errors import RunError, RunWarning
-from raceway.summary import summary
+from raceway.runs.summary import summary
 from test_run import spoil
 
 SIDE = {"inner": 0, "outer": 1}
@@ -143,7 +143,7 @@ def test_dry(dry_folder):
 
 def test_blocks_and_windows(folder, monkeypatch):
     whole = raceway.open(folder)
-    monkeypatch.setattr("raceway.dump.BLOCK", 10_000)
+    monkeypatch.setattr("raceway.runs.dump.BLOCK", 10_000)
     for name in ("contacts", "balls", "cage"):
         blocks = list(raceway.open(folder).blocks(name))
         assert len(blocks) > 3

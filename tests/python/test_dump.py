@@ -4,8 +4,8 @@
 import numpy as np
 import pytest
 from raceway import dump as module
-from raceway.dump import Index, blocks, frames, read_dump, read_table
 from raceway.errors import RunError, RunWarning
+from raceway.runs.dump import Index, blocks, frames, read_dump, read_table
 
 HEAD = (
     "ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ENTRIES\n{n}\n"

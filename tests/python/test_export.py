@@ -8,10 +8,10 @@ import meshio
 import numpy as np
 import pytest
 from raceway import capacitance
-from raceway.bearing import INNER, OUTER
 from raceway.cli import main
 from raceway.export import groove, ovito, paraview, particles
-from raceway.run import Run
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER, OUTER
 
 
 def entries(pvd):
@@ -37,7 +37,7 @@ def test_groove_lies_on_its_torus(bearing):
 
 
 def test_paraview(folder, lubricated, tmp_path):
-    pvd = paraview.write(Run(folder), tmp_path / "vtk", every=3)
+    pvd = paraview.write(RunTables(folder), tmp_path / "vtk", every=3)
     listed = entries(pvd)
     assert len(listed) == 3 * 16 and all(path.exists() for *_, path in listed)
     times = [time for time, part, _ in listed if part == 0]
@@ -66,7 +66,7 @@ def test_paraview(folder, lubricated, tmp_path):
 
 
 def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
-    listed = entries(paraview.write(Run(folder), tmp_path, every=10))
+    listed = entries(paraview.write(RunTables(folder), tmp_path, every=10))
     at_rest, _ = groove.mesh(bearing, INNER)
     for number, (time, _, path) in enumerate(one for one in listed if one[1] == 1):
         mesh = meshio.read(path)
@@ -83,8 +83,8 @@ def test_inner_raceway_moves_and_turns(folder, lubricated, tmp_path, bearing):
 
 
 def test_a_shorter_export_leaves_nothing_of_a_longer(folder, tmp_path):
-    paraview.write(Run(folder), tmp_path, every=4)
-    kept = entries(paraview.write(Run(folder), tmp_path, every=24))
+    paraview.write(RunTables(folder), tmp_path, every=4)
+    kept = entries(paraview.write(RunTables(folder), tmp_path, every=24))
     assert {path for *_, path in kept} == set(tmp_path.glob("*.vtu"))
 
 
@@ -105,7 +105,7 @@ def read_xyz(path):
 
 
 def test_ovito(folder, lubricated, tmp_path):
-    run = Run(folder)
+    run = RunTables(folder)
     frames = list(read_xyz(ovito.write(run, tmp_path / "xyz", every=1)))
     assert len(frames) == len(lubricated["balls"])
     head, data = frames[5]
@@ -138,15 +138,15 @@ def test_ovito(folder, lubricated, tmp_path):
 
 def test_so_many_samples_by_default(folder, monkeypatch):
     monkeypatch.setattr(particles, "FRAMES", 20)
-    frames = list(particles.frames(Run(folder)))
+    frames = list(particles.frames(RunTables(folder)))
     # 16, the most below 20 that are evenly spaced
     assert [frame.sample for frame in frames] == list(range(0, 48, 3))
-    part = list(particles.frames(Run(folder, slice(6, 12)), 2))
+    part = list(particles.frames(RunTables(folder, slice(6, 12)), 2))
     assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0
 
 
 def test_dry_run_has_no_film_columns(dry_folder, tmp_path):
-    frame = next(particles.frames(Run(dry_folder)))
+    frame = next(particles.frames(RunTables(dry_folder)))
     assert "load_inner" in frame.data and not [
         name for name in frame.data if name.startswith(("h_", "lambda", "capacitance"))
     ]

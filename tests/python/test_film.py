@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from raceway import film, hertz
-from raceway.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER
 
 
 def group(bearing, side=INNER, speed=0.725, load=2436.2):

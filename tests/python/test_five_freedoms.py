@@ -6,9 +6,9 @@ test_published_bearings.py."""
 import numpy as np
 import pytest
 from raceway import hertz, kinematics, static
-from raceway.balance import Balance
-from raceway.bearing import INNER, OUTER
 from raceway.errors import NoEquilibrium
+from raceway.theory.balance import Balance
+from raceway.theory.bearing import INNER, OUTER
 from scipy.optimize import root
 from scipy.spatial.transform import Rotation
 
@@ -297,7 +297,7 @@ def test_held_straight_is_the_default_and_needs_a_moment(bearing):
 
 def test_pure_rolling_speed(bearing):
     """`turning` and a balance by hand: the orbit of the mean angle, the angles of that orbit."""
-    from raceway.lubrication import orbit, turning
+    from raceway.theory.lubrication import orbit, turning
 
     state, speed = turning(bearing, 1000.0, 0.0, 2000.0, clearance=30e-6)
     assert orbit(bearing, state, 1000.0) == pytest.approx(speed, rel=1e-8)

@@ -5,7 +5,7 @@ import mpmath
 import numpy as np
 import pytest
 from raceway import hertz
-from raceway.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER
 
 
 @pytest.mark.parametrize("ratio", [0.3, 0.9, 1.1, 3.0, 33.0, 1000.0])

@@ -5,10 +5,10 @@ do."""
 import numpy as np
 import pytest
 from raceway import capacitance, film, hertz, kinematics
-from raceway.bearing import INNER, OUTER
 from raceway.inputs import Oil
-from raceway.lubrication import lubricate, turning
-from raceway.static import equilibrium
+from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.lubrication import lubricate, turning
+from raceway.theory.static import equilibrium
 
 OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)
 

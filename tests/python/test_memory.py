@@ -58,7 +58,7 @@ def peak(folder, task):
     """Largest resident memory in MB of a process that does `task`."""
     # VmHWM and not ru_maxrss, which a process inherits from the one that started it
     code = (
-        f"import sys, raceway, raceway.dump; raceway.dump.BLOCK = {BLOCK}; folder ="
+        f"import sys, raceway, raceway.runs.dump; raceway.runs.dump.BLOCK = {BLOCK}; folder ="
         f" sys.argv[1]\n{task}\nprint(next(line.split()[1] for line in open('/proc/self/status') if"
         " line.startswith('VmHWM')))"
     )

@@ -8,7 +8,7 @@ import synthetic
 from raceway.errors import RunError, RunWarning
 from raceway.pictures import overview as plot
 from raceway.pictures import part
-from raceway.run import Run
+from raceway.runs.tables import RunTables
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def drawn(panel, colour):
 
 def test_lubricated(folder, lubricated, tmp_path, axes):
     out = tmp_path / "picture.png"
-    run = Run(folder)
+    run = RunTables(folder)
     plot.overview(run, out)
     height, width, _ = matplotlib.image.imread(out).shape
     assert width >= 1200 and height >= 1200
@@ -59,7 +59,7 @@ def test_lost_contact_breaks_the_line(tmp_path, axes):
     """Twelve passes bring balls back into the loaded zone: no line leads across the zone without
     load."""
     data = synthetic.run(clearance=1e-5, passes=12, samples_per_pass=8)
-    plot.overview(Run(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
+    plot.overview(RunTables(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
     panel = axes()["Contact load around the ring"]
     steps = np.concatenate([np.diff(line.get_xdata()) for line in panel.lines])
     assert np.isnan(steps).any()
@@ -68,7 +68,7 @@ def test_lost_contact_breaks_the_line(tmp_path, axes):
 
 
 def test_dry(dry_folder, tmp_path, axes):
-    plot.overview(Run(dry_folder), tmp_path / "dry.png")
+    plot.overview(RunTables(dry_folder), tmp_path / "dry.png")
     assert set(axes()) == {
         "Contact load around the ring",
         "Hertz pressure",
@@ -78,7 +78,7 @@ def test_dry(dry_folder, tmp_path, axes):
 
 def test_ball_that_goes_round_more_than_once(tmp_path, axes):
     data = synthetic.run(clearance=-4e-5, passes=12, samples_per_pass=8)
-    plot.overview(Run(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
+    plot.overview(RunTables(synthetic.write(tmp_path / "long", data)), tmp_path / "long.png")
     pressure = axes()["Hertz pressure"]
     for line in pressure.lines:
         assert not np.any(np.abs(np.diff(line.get_xdata())) > 90)  # no line across the panel
@@ -88,10 +88,10 @@ def test_large_run_is_drawn_in_part(folder, tmp_path, axes, monkeypatch):
     monkeypatch.setattr(part, "LARGE", 1000)
     monkeypatch.setattr(part, "PASSES", 1)
     with pytest.warns(RunWarning, match="shows its first 1 ball passes; the figures are of all"):
-        plot.overview(Run(folder), tmp_path / "part.png")
+        plot.overview(RunTables(folder), tmp_path / "part.png")
     assert drawn(axes()["Capacitance"], plot.INK)[:, 0] == pytest.approx(np.arange(24) / 24)
 
 
 def test_cannot_write(folder, tmp_path):
     with pytest.raises(RunError, match="cannot write .*No such file"):
-        plot.overview(Run(folder), tmp_path / "no" / "where.png")
+        plot.overview(RunTables(folder), tmp_path / "no" / "where.png")

@@ -8,11 +8,11 @@ import pandas as pd
 import pytest
 import synthetic
 from raceway import capacitance, static
-from raceway.bearing import INNER, OUTER
 from raceway.errors import RunError
 from raceway.inputs import Oil
 from raceway.paper import theory
 from raceway.paper.reading import Reading, endplay
+from raceway.theory.bearing import INNER, OUTER
 
 OIL = Oil(*synthetic.OIL.values())
 GAP = 1e-5  # m, of the folder

@@ -4,9 +4,9 @@
 import numpy as np
 import pytest
 from raceway import capacitance, distribution, film, hertz
-from raceway.bearing import INNER, OUTER
 from raceway.inputs import Oil
 from raceway.paper import passage, theory
+from raceway.theory.bearing import INNER, OUTER
 
 OIL = Oil(0.040, 22e-9, 2.25, 1e-7)
 SPEED = 0.725

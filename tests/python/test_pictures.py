@@ -9,19 +9,19 @@ import pytest
 import synthetic
 from PIL import Image
 from raceway import static
-from raceway.bearing import INNER, OUTER
 from raceway.cli import main
 from raceway.errors import RunError
 from raceway.pictures import animation, polar, waterfall
 from raceway.pictures import bearing as still
 from raceway.pictures.scene import COLOURS, nice, scene
-from raceway.run import Run
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER, OUTER
 
 
 def test_polar_theory_is_the_static_solution(folder, lubricated, bearing):
     """The run is made of static solutions, so the dots lie on its curves. The balls' centrifugal
     load, which it lacks, is 0.1 N."""
-    dots = polar.theory(Run(folder))
+    dots = polar.theory(RunTables(folder))
     for side in (INNER, OUTER):
         loads = static.equilibrium(bearing, 5000.0, clearance=1e-5, phase=dots[side]["psi"][0])
         part = (loads.inner, loads.outer)[side]
@@ -33,10 +33,10 @@ def test_polar_theory_is_the_static_solution(folder, lubricated, bearing):
 
 
 def test_polar_has_no_theory_for_an_unknown_load(folder):
-    run = Run(folder)
+    run = RunTables(folder)
     run.contacts["angle"] = 0.2
     assert polar.theory(run) == {}
-    run = Run(folder)
+    run = RunTables(folder)
     run.settings["load_N"] = 0.0
     assert polar.theory(run) == {}
 
@@ -89,7 +89,7 @@ def test_what_a_dry_run_lacks(dry_folder, capsys):
 
 
 def test_bands_of_the_waterfall(folder, lubricated):
-    run = Run(folder)
+    run = RunTables(folder)
     samples, psi, each = waterfall.bands(run)
     assert samples.tolist() == list(range(48)) and psi.shape == each.shape == (48, 9)
     assert np.nansum(each, axis=1) == pytest.approx(run.bearing_capacitance)
@@ -100,14 +100,14 @@ def test_bands_of_the_waterfall(folder, lubricated):
 
 def test_bands_of_a_long_run_are_thinned(folder, monkeypatch):
     monkeypatch.setattr(waterfall, "ROWS", 30)
-    samples, psi, each = waterfall.bands(Run(folder))
+    samples, psi, each = waterfall.bands(RunTables(folder))
     assert samples.tolist() == list(range(0, 48, 2)) and len(psi) == len(each) == 24
 
 
 def test_scene(folder, lubricated, bearing):
     """Bodies that touch with overlap d are drawn with overlap factor * d; colours are the contacts'
     values."""
-    run, samples, factor = Run(folder), np.array([3, 10, 20]), 20.0
+    run, samples, factor = RunTables(folder), np.array([3, 10, 20]), 20.0
     what = scene(run, samples, "load", factor)
     pitch = bearing.pitch_radius
     for k, sample in enumerate(samples):
@@ -149,9 +149,9 @@ def test_factor_fits_the_largest_motion():
 
 @pytest.mark.parametrize("colour", COLOURS)
 def test_colours(folder, colour):
-    what = scene(Run(folder), np.arange(24), colour)
+    what = scene(RunTables(folder), np.arange(24), colour)
     largest = {"load": "load", "pressure": "pressure", "capacitance": "capacitance"}
-    run = Run(folder)
+    run = RunTables(folder)
     if colour in ("load", "pressure"):
         assert (
             np.nanmax(what.values)
@@ -190,7 +190,7 @@ def test_gif(folder, tmp_path, capsys):
 
 def test_balls_of_a_gif_are_where_they_are(folder, tmp_path):
     """The yellow of the most loaded ball sits, in every frame, where its sample has that ball."""
-    run, rgb = Run(folder), np.rint(255 * np.array(plt.get_cmap("cividis")(1.0)[:3]))
+    run, rgb = RunTables(folder), np.rint(255 * np.array(plt.get_cmap("cividis")(1.0)[:3]))
     sheet = still.Sheet(run, scene(run, np.array([0, 12])), "load")
     for k, sample in enumerate((0, 12)):
         sheet.show(k)
@@ -218,7 +218,7 @@ def test_run_of_full_complement(tmp_path):
     data = synthetic.run(passes=1, samples_per_pass=8)
     data["balls"] = [[row for row in frame if row[1] != 2] for frame in data["balls"]]
     assert animation.animation(
-        Run(synthetic.write(tmp_path / "run", data)), tmp_path / "a.gif", frames=2, width=300
+        RunTables(synthetic.write(tmp_path / "run", data)), tmp_path / "a.gif", frames=2, width=300
     ).exists()
 
 
@@ -244,7 +244,7 @@ def test_without_ffmpeg(folder, tmp_path, monkeypatch):
             "needs the program ffmpeg, which is not there: apt-get install ffmpeg, or name a .gif"
         ),
     ):
-        animation.animation(Run(folder), tmp_path / "a.mp4")
+        animation.animation(RunTables(folder), tmp_path / "a.mp4")
 
 
 def test_ffmpeg_gets_every_picture(folder, tmp_path, monkeypatch):
@@ -256,7 +256,7 @@ def test_ffmpeg_gets_every_picture(folder, tmp_path, monkeypatch):
     program.chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path}:{shutil.os.environ['PATH']}")
     monkeypatch.chdir(tmp_path)
-    out = animation.animation(Run(folder), tmp_path / "a.mp4", frames=3, width=300)
+    out = animation.animation(RunTables(folder), tmp_path / "a.mp4", frames=3, width=300)
     said = (tmp_path / "said").read_text().split()
     width, height = map(int, said[said.index("-s") + 1].split("x"))
     fed = np.frombuffer(out.read_bytes(), np.uint8).reshape(3, height, width, 3)
@@ -268,5 +268,5 @@ def test_failing_ffmpeg_leaves_nothing(folder, tmp_path, monkeypatch):
     (tmp_path / "ffmpeg").chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path}:{shutil.os.environ['PATH']}")
     with pytest.raises(RunError, match="no such codec"):
-        animation.animation(Run(folder), tmp_path / "a.mp4", frames=2, width=300)
+        animation.animation(RunTables(folder), tmp_path / "a.mp4", frames=2, width=300)
     assert not list(tmp_path.glob("*.mp4*"))

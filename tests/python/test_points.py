@@ -4,7 +4,7 @@
 from pathlib import Path
 
 import pytest
-from raceway.points import LONGEST, TableError, deck_variables, folder_name, read_points
+from raceway.sweeps.points import LONGEST, TableError, deck_variables, folder_name, read_points
 
 DECK = Path(__file__).resolve().parents[2] / "inputs" / "in.6208"
 VARIABLES = deck_variables(DECK)

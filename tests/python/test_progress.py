@@ -8,8 +8,8 @@ import sys
 import pytest
 from raceway import progress
 from raceway.cli import main
-from raceway.run import Run
-from raceway.summary import summary
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 
 class Terminal(io.StringIO):
@@ -21,7 +21,7 @@ class Terminal(io.StringIO):
 def slow(monkeypatch):
     """Everything is long, and read in many pieces."""
     monkeypatch.setattr(progress, "AFTER", -1.0)
-    monkeypatch.setattr("raceway.dump.BLOCK", 10_000)
+    monkeypatch.setattr("raceway.runs.dump.BLOCK", 10_000)
     monkeypatch.setattr(progress, "on", False)
 
 
@@ -40,5 +40,5 @@ def test_no_terminal(folder, slow, capsys):
 
 def test_library_is_quiet(folder, slow, monkeypatch):
     monkeypatch.setattr(sys, "stderr", Terminal())
-    summary(Run(folder))
+    summary(RunTables(folder))
     assert sys.stderr.getvalue() == ""

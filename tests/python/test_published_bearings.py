@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from raceway import clearance, inputs, kinematics, static
-from raceway.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 BEARINGS = Path(__file__).resolve().parents[2] / "inputs/bearings"
 

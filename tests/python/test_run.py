@@ -8,8 +8,8 @@ import pandas as pd
 import pytest
 import synthetic
 from raceway.errors import RunError, RunWarning
-from raceway.run import Run
-from raceway.summary import summary
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 
 def spoil(folder, pattern, replacement, name="run.yaml"):
@@ -20,7 +20,7 @@ def spoil(folder, pattern, replacement, name="run.yaml"):
 
 
 def test_settings(folder):
-    run = Run(folder)
+    run = RunTables(folder)
     assert run.settings["bearing"] == "6208"  # a name, though it looks like a number
     assert run.settings["clearance_m"] == 1e-5  # printed 1e-05, which YAML 1.1 takes for text
     assert run.lubricated
@@ -29,7 +29,7 @@ def test_settings(folder):
 @pytest.mark.parametrize("name", ["dry", "none"])
 def test_dry_needs_no_lubricant(dry_folder, name):
     spoil(dry_folder, "^lubricant: dry", f"lubricant: {name}")
-    assert not Run(dry_folder).lubricated
+    assert not RunTables(dry_folder).lubricated
 
 
 @pytest.mark.parametrize(
@@ -48,7 +48,7 @@ def test_dry_needs_no_lubricant(dry_folder, name):
 def test_spoilt_settings(folder, pattern, replacement, said):
     spoil(folder, pattern, replacement)
     with pytest.raises(RunError, match=said):
-        Run(folder)
+        RunTables(folder)
 
 
 @pytest.mark.parametrize(
@@ -59,9 +59,9 @@ def test_spoilt_settings(folder, pattern, replacement, said):
     ],
 )
 def test_unfinished_run_gives_its_tables_and_no_figures(folder, pattern, said):
-    whole = Run(folder)
+    whole = RunTables(folder)
     spoil(folder, pattern, "")
-    run = Run(folder)
+    run = RunTables(folder)
     assert whole.finished and not run.finished
     for name in ("contacts", "balls", "rings"):
         assert getattr(run, name).equals(getattr(whole, name))
@@ -76,15 +76,15 @@ def test_growing_run(folder):
         path = folder / name
         path.write_bytes(path.read_bytes()[: path.stat().st_size * 2 // 3])
     with pytest.warns(RunWarning):
-        tables = [getattr(Run(folder), name) for name in ("contacts", "balls", "rings")]
+        tables = [getattr(RunTables(folder), name) for name in ("contacts", "balls", "rings")]
     assert all(0 < table["sample"].max() < 47 for table in tables)  # of 48
 
 
 def test_blocks_are_the_whole(folder, monkeypatch):
     for name in ("contacts", "balls"):
-        whole = getattr(Run(folder), name)
-        monkeypatch.setattr("raceway.dump.BLOCK", 10_000)
-        blocks = list(Run(folder).blocks(name))
+        whole = getattr(RunTables(folder), name)
+        monkeypatch.setattr("raceway.runs.dump.BLOCK", 10_000)
+        blocks = list(RunTables(folder).blocks(name))
         assert len(blocks) > 3
         assert pd.concat(blocks).reset_index(drop=True).equals(whole)
         ends = [block.attrs["first"] + block.attrs["samples"] for block in blocks]
@@ -94,7 +94,7 @@ def test_blocks_are_the_whole(folder, monkeypatch):
 
 @pytest.mark.parametrize("window", [slice(0, 5), slice(7, 20), slice(40, None)])
 def test_window_of_samples(folder, window):
-    some, whole = Run(folder, window), Run(folder)
+    some, whole = RunTables(folder, window), RunTables(folder)
     for name in ("contacts", "balls", "rings"):
         table = getattr(whole, name)
         last = 48 if window.stop is None else window.stop
@@ -108,42 +108,42 @@ def test_window_of_samples(folder, window):
 
 def test_window_outside_the_run(folder):
     with pytest.raises(RunError, match="holds 48 complete frames, none from number 48 on"):
-        Run(folder, slice(48, None)).contacts
+        RunTables(folder, slice(48, None)).contacts
     for wrong in (slice(3, 3), slice(-1, 4), slice(0, 9, 2)):
         with pytest.raises(ValueError, match="must be slice"):
-            Run(folder, wrong)
+            RunTables(folder, wrong)
 
 
 def test_geometry(folder):
-    assert Run(folder).geometry == synthetic.DEEP_GROOVE
+    assert RunTables(folder).geometry == synthetic.DEEP_GROOVE
 
 
 def test_no_folder(tmp_path):
     with pytest.raises(RunError, match="cannot read .*run.yaml: No such file"):
-        Run(tmp_path / "nowhere")
+        RunTables(tmp_path / "nowhere")
 
 
 def test_column_names(folder):
     spoil(folder, " overlap ", " load ")
     with pytest.raises(RunError, match="contact_columns names load twice"):
-        Run(folder).contacts
+        RunTables(folder).contacts
 
 
 def test_column_needed(folder):
     spoil(folder, "^(contact_columns: .*) load ", r"\1 weight ")
     with pytest.raises(RunError, match="contacts.dump has no column load"):
-        Run(folder).contacts
+        RunTables(folder).contacts
 
 
 def test_contacts(folder, lubricated):
-    contacts = Run(folder).contacts
+    contacts = RunTables(folder).contacts
     expected = np.array([row for frame in lubricated["contacts"] for row in frame])
     assert np.array_equal(contacts[synthetic.LUBRICATED].to_numpy(), expected)
     assert contacts.attrs["samples"] == len(lubricated["contacts"])
 
 
 def test_azimuth_counts_from_the_load_line(folder):
-    run = Run(folder)  # loaded towards -90 degrees
+    run = RunTables(folder)  # loaded towards -90 degrees
     assert run.from_load_line(np.array([-np.pi / 2, 0, np.pi - 0.1])) == pytest.approx(
         [0, np.pi / 2, -np.pi / 2 - 0.1]
     )
@@ -152,11 +152,11 @@ def test_azimuth_counts_from_the_load_line(folder):
 
 def test_pair_needs_both_raceways(tmp_path, lubricated):
     data = dict(lubricated, contacts=[list(frame) for frame in lubricated["contacts"]])
-    before = Run(synthetic.write(tmp_path / "a", data))
+    before = RunTables(synthetic.write(tmp_path / "a", data))
     # one outer contact goes
     first = next(i for i, row in enumerate(data["contacts"][0]) if row[2] == 1)
     lost = data["contacts"][0].pop(first)
-    after = Run(synthetic.write(tmp_path / "b", data))
+    after = RunTables(synthetic.write(tmp_path / "b", data))
     assert len(after.pairs) == len(before.pairs) - 1
     assert not ((after.pairs["sample"] == 0) & (after.pairs["ball"] == lost[0])).any()
     assert after.bearing_capacitance[0] < before.bearing_capacitance[0]

@@ -5,9 +5,9 @@ written anew."""
 import numpy as np
 import pytest
 from raceway import clearance, hertz
-from raceway.bearing import INNER, OUTER
 from raceway.errors import NoEquilibrium
-from raceway.static import equilibrium
+from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.static import equilibrium
 from scipy.optimize import brentq
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from raceway import catalogue, inputs, static
 from raceway.cli import main
-from raceway.lubrication import lubricate, turning
+from raceway.theory.lubrication import lubricate, turning
 
 ROOT = Path(__file__).resolve().parents[2]
 FULL = [

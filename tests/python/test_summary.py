@@ -9,8 +9,8 @@ import pytest
 import synthetic
 from raceway import clearance, kinematics
 from raceway.errors import RunError
-from raceway.run import Run
-from raceway.summary import summary, table
+from raceway.runs.summary import summary, table
+from raceway.runs.tables import RunTables
 from test_run import spoil
 
 # the table of INTERFACE.md, in its order: a promise, so written out here a second time
@@ -35,7 +35,7 @@ DRY_NULL = {
 
 def test_promised_keys(folder, dry_folder):
     for where, null in ((folder, set()), (dry_folder, DRY_NULL)):
-        figures = summary(Run(where))
+        figures = summary(RunTables(where))
         assert list(figures) == PROMISED
         assert {key for key, value in figures.items() if value is None} == null
         assert all(
@@ -45,7 +45,7 @@ def test_promised_keys(folder, dry_folder):
 
 
 def test_figures(folder, lubricated, bearing):
-    figures, settings = summary(Run(folder)), lubricated["settings"]
+    figures, settings = summary(RunTables(folder)), lubricated["settings"]
     for key in (
         "load_N",
         "rpm",
@@ -111,8 +111,8 @@ def test_orbit_is_about_the_outer_ring(tmp_path, lubricated):
         [[*row[:2], row[2] + 0.2, row[3] - 0.1, row[4], row[5] + 3.0, *row[6:]] for row in frame]
         for frame in lubricated["balls"]
     ]
-    one = summary(Run(synthetic.write(tmp_path / "a", lubricated)))
-    other = summary(Run(synthetic.write(tmp_path / "b", dict(lubricated, balls=moved))))
+    one = summary(RunTables(synthetic.write(tmp_path / "a", lubricated)))
+    other = summary(RunTables(synthetic.write(tmp_path / "b", dict(lubricated, balls=moved))))
     assert other["cage_speed_rad_s"] == pytest.approx(one["cage_speed_rad_s"], rel=1e-12)
 
 
@@ -130,7 +130,7 @@ def test_runs_without_film_columns(folder, lubricated):
             [[row[i] for i in places] for row in frame] for frame in lubricated["contacts"]
         ],
     }
-    figures = summary(Run(synthetic.write(folder, data)))
+    figures = summary(RunTables(synthetic.write(folder, data)))
     assert {key for key, value in figures.items() if value is None} == DRY_NULL - {
         "viscosity_Pa_s",
         "pressure_viscosity_per_Pa",
@@ -142,7 +142,7 @@ def test_runs_without_film_columns(folder, lubricated):
 def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
     still = [[*ring[:2], 0.0, 0.0, *ring[4:]] for ring in lubricated["rings"]]
     assert (
-        summary(Run(synthetic.write(folder, dict(lubricated, rings=still))))["load_parameter"]
+        summary(RunTables(synthetic.write(folder, dict(lubricated, rings=still))))["load_parameter"]
         is None
     )
 
@@ -150,17 +150,17 @@ def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
 def test_no_contact_at_all(folder, lubricated):
     nothing = [[] for _ in lubricated["contacts"]]
     with pytest.raises(RunError, match="no ball touches the inner raceway"):
-        summary(Run(synthetic.write(folder, dict(lubricated, contacts=nothing))))
+        summary(RunTables(synthetic.write(folder, dict(lubricated, contacts=nothing))))
 
 
 def test_outer_ring_missing_from_the_dump(folder):
     spoil(folder, "^outer_ring:.*", "outer_ring: 77")
     with pytest.raises(RunError, match="no atom 77"):
-        summary(Run(folder))
+        summary(RunTables(folder))
 
 
 def test_table(folder, dry_folder):
-    text = table(summary(Run(folder)))
+    text = table(summary(RunTables(folder)))
     for topic in (
         "Operating point",
         "Loads and pressures",
@@ -173,5 +173,5 @@ def test_table(folder, dry_folder):
     assert re.search(r"radial load +5 kN  \(as set\)", text)
     assert re.search(r"smallest thickness +[0-9.]+ nm  \(eq 6\)", text)
     assert re.search(r"bearing, mean +[0-9.]+ pF  \(eq 12\)", text)
-    text = table(summary(Run(dry_folder)))
+    text = table(summary(RunTables(dry_folder)))
     assert "Film" not in text and "Capacitance" not in text and "None" not in text

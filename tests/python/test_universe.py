@@ -10,8 +10,8 @@ import pytest
 import raceway
 import synthetic
 from MDAnalysis.analysis.base import AnalysisFromFunction
-from raceway import universe as module
 from raceway.errors import RunError, RunWarning
+from raceway.runs import universe as module
 
 
 @pytest.fixture

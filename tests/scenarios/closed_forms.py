@@ -3,7 +3,7 @@
 
 import numpy as np
 from raceway import hertz, kinematics, static
-from raceway.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 def bearing_of(settings):

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from host import ROOT, succeed
-from raceway.run import Run
+from raceway.runs.tables import RunTables
 
 SAMPLES = 40
 
@@ -53,7 +53,7 @@ variable pe equal c_energy
     (folder / "measure").write_text(head + extra + marker + "variable now equal" + tail)
     deck.write_text(text.replace("${inputs}/modules/measure", f"{folder}/measure"))
     succeed(deck, out=folder / "run", passes=1, samples=SAMPLES)
-    result = Run(folder / "run")
+    result = RunTables(folder / "run")
     result.totals = np.loadtxt(folder / "run" / "totals.txt").T
     return result
 

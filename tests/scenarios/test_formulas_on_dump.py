@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from host import succeed
 from raceway import capacitance, damping, film, hertz
-from raceway.bearing import INNER, OUTER
-from raceway.run import Run
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER, OUTER
 
 from scenarios import closed_forms
 
@@ -29,7 +29,7 @@ def run(request, tmp_path_factory):
         deck.write_text(text.replace("${inputs}/modules/contact.${film}", f"{folder}/contact.film"))
     clearance = {"preload": -56.7e-6, "play": 56.7e-6}.get(request.param, 0.0)
     succeed(deck, out=folder / "run", passes=1, clearance=clearance)
-    result = Run(folder / "run")
+    result = RunTables(folder / "run")
     result.printed = request.param == "printed"
     return result
 

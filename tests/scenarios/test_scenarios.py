@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 import yaml
 from host import succeed
-from raceway.run import Run
-from raceway.summary import summary
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 from scenarios import closed_forms
 
@@ -19,7 +19,7 @@ SCENARIOS = yaml.safe_load((Path(__file__).parent / "scenarios.yaml").read_text(
 def test_scenario(name, tmp_path):
     scenario = SCENARIOS[name]
     succeed(scenario["deck"], out=tmp_path, **scenario.get("variables", {}))
-    run = Run(tmp_path)
+    run = RunTables(tmp_path)
     figures = summary(run)
     for key, want in scenario["expect"].items():
         value = (

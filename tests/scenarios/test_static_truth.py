@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from host import succeed
 from raceway import clearance as play
-from raceway.bearing import INNER, OUTER, Bearing
-from raceway.run import Run
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 from scenarios import closed_forms
 
@@ -20,7 +20,7 @@ def test_ball_loads_at_every_azimuth(tmp_path):
     of the largest load counts).
     """
     succeed("inputs/in.dry", out=tmp_path)
-    run = Run(tmp_path)
+    run = RunTables(tmp_path)
     contacts = run.contacts
     compared = 0
     for sample in range(0, 201, 2):
@@ -46,7 +46,7 @@ def test_ball_loads_with_clearance(tmp_path):
     damped ring swinging, by more the faster it comes (5e-4 of the largest load at 30 rpm, 2e-3 at
     100, 5e-3 at 300), and statics knows no swing."""
     succeed("inputs/in.dry", out=tmp_path, clearance=44.1e-6, rpm=30)
-    run = Run(tmp_path)
+    run = RunTables(tmp_path)
     contacts = run.contacts
     for sample in range(0, 201, 2):
         state = closed_forms.equilibrium(run, sample)

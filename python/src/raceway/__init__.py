@@ -1,16 +1,67 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Analysis of ball bearing runs, one topic a module. See the README for the list."""
+"""Ball bearings: runs of the simulation, read and drawn, and the theory to hold them against.
+
+`open` reads a run. The other public names are loaded when first asked for.
+"""
+
+from importlib import import_module
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from raceway.runs.run import Run
 
 __version__ = "0.1.0"
+# the public names, and the module that is or has each
+NAMES = {
+    # theory, without a run
+    "bearing": "theory.bearing",
+    "capacitance": "theory.capacitance",
+    "clearance": "theory.clearance",
+    "damping": "theory.damping",
+    "distribution": "theory.distribution",
+    "film": "theory.film",
+    "hertz": "theory.hertz",
+    "kinematics": "theory.kinematics",
+    "lubrication": "theory.lubrication",
+    "operating_point": "theory.operating_point",
+    "static": "theory.static",
+    # runs
+    "Run": "runs.run",
+    "RunTables": "runs.tables",
+    "columns": "runs.columns",
+    "dump": "runs.dump",
+    "electrical": "runs.electrical",
+    "losses": "runs.losses",
+    "regimes": "runs.regimes",
+    "spectrum": "runs.spectrum",
+    "summary": "runs.summary",
+    # data files, errors, units
+    "catalogue": "catalogue",
+    "errors": "errors",
+    "inputs": "inputs",
+    "units": "units",
+}
+__all__ = ["open", *NAMES]
 
 
-def open(folder, samples=slice(None)):
-    """The run in `folder` as one object, `raceway.datasets.Datasets`; `samples`, a slice, keeps to
-    some of them.
+def open(folder: str | PathLike[str], samples: slice = slice(None)) -> "Run":
+    """The run in `folder` as one object; `samples`, a slice, keeps to some of its samples.
 
     Raises `raceway.errors.RunError` when the folder is not that of a run.
     """
     # xarray takes longer to load than a static bearing to solve
-    from raceway.datasets import Datasets
+    from raceway.runs.run import Run
 
-    return Datasets(folder, samples)
+    return Run(folder, samples)
+
+
+def __getattr__(name: str) -> Any:
+    if name not in NAMES:
+        raise AttributeError(f"module 'raceway' has no attribute '{name}'")
+    module = import_module(f"raceway.{NAMES[name]}")
+    return module if module.__name__.endswith(f".{name}") else getattr(module, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

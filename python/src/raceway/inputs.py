@@ -4,8 +4,8 @@
 import re
 from typing import NamedTuple
 
-from raceway.bearing import Bearing
 from raceway.errors import RacewayError
+from raceway.theory.bearing import Bearing
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
 

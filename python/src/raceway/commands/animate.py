@@ -77,12 +77,12 @@ def run(arguments):
     """Write the animation and print its path."""
     # matplotlib takes longer to load than --help to print
     from raceway.pictures.animation import animation
-    from raceway.run import Run
+    from raceway.runs.tables import RunTables
 
     out = Path(arguments.out or Path(arguments.folder) / "animation.gif")
     print(
         animation(
-            Run(arguments.folder),
+            RunTables(arguments.folder),
             out,
             arguments.colour,
             arguments.passes,

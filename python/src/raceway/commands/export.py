@@ -47,12 +47,12 @@ def add(commands):
 def run(arguments):
     """Write the files and print the one to open."""
     from raceway.export import ovito, paraview
-    from raceway.run import Run
+    from raceway.runs.tables import RunTables
 
     write = {"vtk": paraview.write, "xyz": ovito.write}[arguments.format]
     print(
         write(
-            Run(arguments.folder),
+            RunTables(arguments.folder),
             arguments.out or Path(arguments.folder) / arguments.format,
             arguments.every,
         )

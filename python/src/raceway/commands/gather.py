@@ -3,7 +3,7 @@
 
 import argparse
 
-from raceway.gather import write_results
+from raceway.sweeps.gather import write_results
 
 HELP = "results of a sweep as one CSV table"
 EXAMPLES = """\

@@ -41,9 +41,9 @@ def run(arguments):
     """Draw the picture and print its path."""
     from importlib import import_module  # matplotlib takes longer to load than a summary to compute
 
-    from raceway.run import Run
+    from raceway.runs.tables import RunTables
 
     draw = getattr(import_module(f"raceway.pictures.{arguments.kind}"), arguments.kind)
     out = Path(arguments.out or Path(arguments.folder) / f"{arguments.kind}.png")
-    draw(Run(arguments.folder), out)
+    draw(RunTables(arguments.folder), out)
     print(out)

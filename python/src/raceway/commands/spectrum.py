@@ -54,14 +54,14 @@ def add(commands):
 def run(arguments):
     """Print the lines of the run and draw them when asked."""
     import raceway
-    from raceway.spectrum import lines, of_run
+    from raceway.runs.spectrum import lines, of_run
 
     opened = raceway.open(arguments.folder)
     spectrum = of_run(opened, arguments.signal)
     found = lines(opened, spectrum, arguments.harmonics, math.radians(arguments.angle))
     if arguments.out:
         # matplotlib takes longer to load than a spectrum to compute
-        from raceway.spectrum_plot import picture
+        from raceway.pictures.spectrum import picture
 
         picture(opened, spectrum, found, arguments.out)
     print(

@@ -142,7 +142,7 @@ def add(commands):
 def run(arguments):
     """Print the figures. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
-    from raceway.operating_point import figures, table
+    from raceway.theory.operating_point import figures, table
 
     if arguments.moment and arguments.tilt:
         arguments.complain(

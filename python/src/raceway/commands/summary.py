@@ -33,10 +33,10 @@ def add(commands):
 
 def run(arguments):
     """Print the figures."""
-    from raceway.run import Run
-    from raceway.summary import summary, table
+    from raceway.runs.summary import summary, table
+    from raceway.runs.tables import RunTables
 
-    figures = summary(Run(arguments.folder))
+    figures = summary(RunTables(arguments.folder))
     print(
         json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False)
         if arguments.json

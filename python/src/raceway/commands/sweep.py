@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from raceway.errors import RacewayError
-from raceway.points import deck_variables, read_points
+from raceway.sweeps.points import deck_variables, read_points
 
 HELP = "run a deck for every row of a table"
 DESCRIPTION = """\
@@ -120,7 +120,7 @@ def run(arguments):
     elif arguments.slurm:
         _write_array(arguments, out, len(points))
     else:
-        from raceway.sweep import sweep  # pandas takes a while
+        from raceway.sweeps.sweep import sweep  # pandas takes a while
 
         first, step = arguments.part
         signal.signal(signal.SIGTERM, _terminated)

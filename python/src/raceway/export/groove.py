@@ -4,7 +4,7 @@ ball."""
 
 import numpy as np
 
-from raceway.bearing import INNER
+from raceway.theory.bearing import INNER
 
 SHOULDER = 0.2  # of a ball's diameter
 AROUND, ACROSS = 96, 9  # cells, points

@@ -10,17 +10,17 @@ NaN.
 import numpy as np
 
 from raceway import files
-from raceway.bearing import INNER, OUTER
 from raceway.export import groove
 from raceway.export.particles import frames
+from raceway.theory.bearing import INNER, OUTER
 
 NAMES = {1: "ball", 2: "cage"}
 KNOWN = {"velocity": "velo", "spin": "angular_velocity"}
 FIRST = ("id", "type", "radius")
 
 
-def write(run, out, every=None):
-    """Write `run` (a `Run`) into the folder `out`; return the path of `bearing.xyz`.
+def write(tables, out, every=None):
+    """Write the run `tables` into the folder `out`; return the path of `bearing.xyz`.
 
     A frame's comment line has the cell, `Time` (s), `sample`, `ring_x`, `ring_y`, `ring_z` (m,
     where the inner ring is). The raceways are drawn at rest, the outer one with its clearance.
@@ -28,13 +28,13 @@ def write(run, out, every=None):
     """
     out = files.folder(out)
     for side, name in ((INNER, "inner"), (OUTER, "outer")):
-        text = _surface(*groove.mesh(run.geometry, side, run.settings["clearance_m"]))
+        text = _surface(*groove.mesh(tables.geometry, side, tables.settings["clearance_m"]))
         files.whole(out / f"{name}_raceway.obj", lambda part, text=text: part.write_text(text))
-    half = 1.1 * (run.geometry.outer_radius + run.geometry.ball_radius)
+    half = 1.1 * (tables.geometry.outer_radius + tables.geometry.ball_radius)
 
     def make(part):
         with part.open("w") as file:
-            for frame in frames(run, every):
+            for frame in frames(tables, every):
                 file.write(_frame(frame, half))
 
     return files.whole(out / "bearing.xyz", make)

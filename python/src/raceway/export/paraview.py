@@ -4,13 +4,13 @@
 import numpy as np
 
 from raceway import files
-from raceway.bearing import INNER, OUTER
 from raceway.export import groove, vtu
 from raceway.export.particles import frames
+from raceway.theory.bearing import INNER, OUTER
 
 
-def write(run, out, every=None):
-    """Write `run` (a `Run`) into the folder `out`; return the path of `bearing.pvd`, which is
+def write(tables, out, every=None):
+    """Write the run `tables` into the folder `out`; return the path of `bearing.pvd`, which is
     written last.
 
     Balls are points with the `data` of `particles.frames` (part 0), raceways surfaces with the
@@ -18,14 +18,14 @@ def write(run, out, every=None):
     turns; `balls.dump` does not have its tilt. Raises `RunError` when the run's files are broken or
     `out` cannot be written.
     """
-    out, entries, clearance = files.folder(out), [], run.settings["clearance_m"]
+    out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]
     azimuth = np.repeat(np.arange(groove.AROUND) * 2 * np.pi / groove.AROUND, groove.ACROSS).astype(
         "f4"
     )
-    points, quads = groove.mesh(run.geometry, OUTER, clearance)
+    points, quads = groove.mesh(tables.geometry, OUTER, clearance)
     _text(out / "outer_raceway.vtu", vtu.grid(points.astype("f4"), quads, {"azimuth": azimuth}))
-    points, quads = groove.mesh(run.geometry, INNER)
-    for number, frame in enumerate(frames(run, every)):
+    points, quads = groove.mesh(tables.geometry, INNER)
+    for number, frame in enumerate(frames(tables, every)):
         names = f"balls_{number:05d}.vtu", f"inner_raceway_{number:05d}.vtu"
         _text(
             out / names[0],

@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway import capacitance
-from raceway.bearing import INNER, OUTER
-from raceway.columns import CONTACT
 from raceway.errors import RunError
-from raceway.run import BALL, CAGE
+from raceway.runs.columns import CONTACT
+from raceway.runs.tables import BALL, CAGE
+from raceway.theory import capacitance
+from raceway.theory.bearing import INNER, OUTER
 
 SIDES = {INNER: "inner", OUTER: "outer"}
 CARRIED = ("load", "pressure", "h_min", "h_c", "lambda", "friction", "sliding", "capacitance")
@@ -27,8 +27,8 @@ class Frame(NamedTuple):
     ring_turned: float  # rad, about its axis since the first sample
 
 
-def frames(run, every=None):
-    """Yield every `every`th sample of `run` (a `Run`) as a `Frame`, in bounded memory; None: so
+def frames(tables, every=None):
+    """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None: so
     many that at most `FRAMES` are left.
 
     `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's
@@ -38,28 +38,32 @@ def frames(run, every=None):
     """
     if every is None:
         last = (
-            len(run.index("balls")) if run.stop is None else min(run.stop, len(run.index("balls")))
+            len(tables.index("balls"))
+            if tables.stop is None
+            else min(tables.stop, len(tables.index("balls")))
         )
-        every = max(1, -(-(last - run.first) // FRAMES))
+        every = max(1, -(-(last - tables.first) // FRAMES))
     turned = before = 0.0
-    for (sample, atoms), (_, contacts) in zip(_samples(run, "balls"), _samples(run, "contacts")):
-        inner = atoms[atoms["id"] == run.settings["inner_ring"]]
+    for (sample, atoms), (_, contacts) in zip(
+        _samples(tables, "balls"), _samples(tables, "contacts")
+    ):
+        inner = atoms[atoms["id"] == tables.settings["inner_ring"]]
         if len(inner) != 1:
             raise RunError(
-                f"{run.folder / 'balls.dump'}: sample {sample} has no atom"
-                f" {run.settings['inner_ring']}, the inner ring"
+                f"{tables.folder / 'balls.dump'}: sample {sample} has no atom"
+                f" {tables.settings['inner_ring']}, the inner ring"
             )
         spin = (
             float(inner["omegaz"].iloc[0])
             if "omegaz" in inner
-            else run.settings["rpm"] * np.pi / 30
+            else tables.settings["rpm"] * np.pi / 30
         )
-        if sample > run.first:
-            turned += (before + spin) / 2 * run.settings["sample_s"]
+        if sample > tables.first:
+            turned += (before + spin) / 2 * tables.settings["sample_s"]
         before = spin
-        if (sample - run.first) % every == 0:
+        if (sample - tables.first) % every == 0:
             yield _frame(
-                run,
+                tables,
                 sample,
                 atoms[atoms["type"].isin((BALL, CAGE))].sort_values("id"),
                 contacts,
@@ -68,12 +72,14 @@ def frames(run, every=None):
             )
 
 
-def _frame(run, sample, atoms, contacts, ring, turned):
+def _frame(tables, sample, atoms, contacts, ring, turned):
     ids = atoms["id"].to_numpy()
     data = {
         "id": ids,
         "type": atoms["type"].to_numpy(),
-        "radius": np.where(atoms["type"] == BALL, run.geometry.ball_radius, run.cage_ball_radius),
+        "radius": np.where(
+            atoms["type"] == BALL, tables.geometry.ball_radius, tables.cage_ball_radius
+        ),
     }
     for name, prefix in (("velocity", "v"), ("spin", "omega")):
         if f"{prefix}x" in atoms:
@@ -87,11 +93,13 @@ def _frame(run, sample, atoms, contacts, ring, turned):
     data["load"] = np.maximum(data["load_inner"], data["load_outer"])
     if "capacitance_inner" in data:
         data["capacitance"] = capacitance.ball(data["capacitance_inner"], data["capacitance_outer"])
-    return Frame(sample, sample * run.settings["sample_s"], _vectors(atoms, ""), data, ring, turned)
+    return Frame(
+        sample, sample * tables.settings["sample_s"], _vectors(atoms, ""), data, ring, turned
+    )
 
 
-def _samples(run, name):
-    for table in run.blocks(name):
+def _samples(tables, name):
+    for table in tables.blocks(name):
         first = table.attrs["first"]
         ends = np.searchsorted(table["sample"], first + np.arange(table.attrs["samples"] + 1))
         for k in range(table.attrs["samples"]):

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from raceway import inputs, kinematics
+from raceway import inputs
 from raceway.paper.reading import Readings
+from raceway.theory import kinematics
 
 OILS = {"mineral": "mineral oil", "pao48": "PAO VG48"}
 

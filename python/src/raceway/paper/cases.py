@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import yaml
 
-from raceway import inputs, kinematics
+from raceway import inputs
 from raceway.inputs import InputError
+from raceway.theory import kinematics
 
 FILE = Path("inputs/paper/cases.yaml")
 

@@ -4,8 +4,8 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from raceway import style
-from raceway.style import FAINT, INK, REGIMES, SOFT
+from raceway.pictures import style
+from raceway.pictures.style import FAINT, INK, REGIMES, SOFT
 
 SIZE, DPI = (6.6, 4.6), 110
 AZIMUTH = "azimuth ψ from the load line (°)"

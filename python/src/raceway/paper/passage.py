@@ -8,8 +8,8 @@ The contact is that of the inner raceway under a ball on the load line, which ha
 import numpy as np
 from scipy.optimize import brentq
 
-from raceway.bearing import INNER
 from raceway.paper import theory
+from raceway.theory.bearing import INNER
 
 
 def speed(bearing, oil, radial_load, h_min, printed=False):

@@ -11,12 +11,13 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from raceway import files, style
+from raceway import files
 from raceway.paper import quantities, statements
 from raceway.paper.figures import FIGURES
 from raceway.paper.shown import list_table, markup, plain
 from raceway.paper.shown import table as shown_table
 from raceway.paper.tables import TABLES
+from raceway.pictures import style
 
 STATEMENTS = "statements"
 HEAD = (

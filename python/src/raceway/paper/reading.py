@@ -10,12 +10,12 @@ from functools import cached_property
 
 import numpy as np
 
-from raceway.bearing import INNER
-from raceway.capacitance import VACUUM
 from raceway.errors import RunError
 from raceway.paper.runner import LOG
-from raceway.run import BALL, Run
-from raceway.summary import summary
+from raceway.runs.summary import summary
+from raceway.runs.tables import BALL, RunTables
+from raceway.theory.bearing import INNER
+from raceway.theory.capacitance import VACUUM
 
 CAGE_BALL = 2  # atom type
 GRID = np.arange(-180.0, 181.0)
@@ -25,7 +25,7 @@ class Reading:
     """One run of a radially loaded, turning bearing."""
 
     def __init__(self, case, folder):
-        self.case, self.given, self.run = case, case.given, Run(folder)
+        self.case, self.given, self.run = case, case.given, RunTables(folder)
 
     @cached_property
     def figures(self):

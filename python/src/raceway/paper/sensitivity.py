@@ -12,10 +12,10 @@ import numpy as np
 import pandas as pd
 import yaml
 
-from raceway.bearing import INNER
 from raceway.inputs import InputError, Oil
 from raceway.paper import passage, theory
 from raceway.paper.book import OILS
+from raceway.theory.bearing import INNER
 
 LOAD, SPEED = 5000.0, 0.41
 # the properties of `Oil` as columns of a table

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway import capacitance, film, hertz, static
-from raceway.bearing import INNER, OUTER
+from raceway.theory import capacitance, film, hertz, static
+from raceway.theory.bearing import INNER, OUTER
 
 PHASES = (
     20  # places of the first ball between two balls: the mean over a ball pass to better than 1e-3

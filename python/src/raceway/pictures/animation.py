@@ -11,18 +11,19 @@ import numpy as np
 from matplotlib.colors import to_rgba_array
 from PIL import Image
 
-from raceway import files, progress, style
+from raceway import files, progress
 from raceway.errors import RunError
+from raceway.pictures import style
 from raceway.pictures.bearing import CAGE, IDLE, STEEL, Sheet
 from raceway.pictures.scene import scene
-from raceway.run import Run
+from raceway.runs.tables import RunTables
 
 INCHES = 9.6  # width of a sheet
 COLOURS, GREYS = 32, 24  # of a GIF
 
 
-def animation(run, path, colour="load", passes=None, frames=80, rate=20, factor=None, width=800):
-    """Animate `run` (a `Run`) to `path`, which ends in .gif or .mp4; return the `Path`.
+def animation(tables, path, colour="load", passes=None, frames=80, rate=20, factor=None, width=800):
+    """Animate the run `tables` to `path`, which ends in .gif or .mp4; return the `Path`.
 
     `passes` ball passes (None: all measured, at most 4) in `frames` pictures, `rate` a second,
     `width` dots wide; `colour` and `factor` as `scene.scene`'s. The same run gives the same GIF to
@@ -37,10 +38,13 @@ def animation(run, path, colour="load", passes=None, frames=80, rate=20, factor=
             f"{path}: writing an MP4 needs the program ffmpeg, which is not there: apt-get install"
             " ffmpeg, or name a .gif"
         )
-    run, samples = _window(run, passes, frames)
+    tables, samples = _window(tables, passes, frames)
     with plt.rc_context(style.STYLE):
         sheet = Sheet(
-            run, scene(run, samples, colour, factor), colour, dpi=2 * round(width / INCHES / 2)
+            tables,
+            scene(tables, samples, colour, factor),
+            colour,
+            dpi=2 * round(width / INCHES / 2),
         )
         try:
             return files.whole(
@@ -50,17 +54,17 @@ def animation(run, path, colour="load", passes=None, frames=80, rate=20, factor=
             plt.close(sheet.figure)
 
 
-def _window(run, passes, frames):
-    """(the part of `run` needed, the samples to draw)."""
-    each, there = run.settings["samples_per_pass"], run.index("balls")
-    have = min(len(there), len(run.index("contacts"))) - run.first
+def _window(tables, passes, frames):
+    """(the part of the run `tables` needed, the samples to draw)."""
+    each, there = tables.settings["samples_per_pass"], tables.index("balls")
+    have = min(len(there), len(tables.index("contacts"))) - tables.first
     wanted = int(round((min(have / each, 4.0) if passes is None else passes) * each))
     if not 1 <= wanted <= have:
         raise RunError(
-            f"{run.folder} holds {have / each:.3g} ball passes: {passes:g} are not to be had"
+            f"{tables.folder} holds {have / each:.3g} ball passes: {passes:g} are not to be had"
         )
-    part = Run(run.folder, slice(run.first, run.first + wanted))
-    return part, run.first + np.unique(np.arange(frames) * wanted // frames)
+    part = RunTables(tables.folder, slice(tables.first, tables.first + wanted))
+    return part, tables.first + np.unique(np.arange(frames) * wanted // frames)
 
 
 def _pictures(sheet, count):

@@ -6,21 +6,22 @@ import numpy as np
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from raceway.bearing import INNER, OUTER
 from raceway.pictures.page import key
 from raceway.pictures.part import LIGHT, tracks
-from raceway.style import COLOUR, FAINT, INK, NAME, REGIMES, SOFT
+from raceway.pictures.style import COLOUR, FAINT, INK, NAME, REGIMES, SOFT
+from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis
 
 
-def loads(axes, run):
-    """Contact loads of `run` on polar `axes`; returns the factor from newtons to what is drawn."""
-    largest = run.contacts["load"].max()
+def loads(axes, tables):
+    """Contact loads of the run `tables` on polar `axes`; returns the factor from newtons to what is
+    drawn."""
+    largest = tables.contacts["load"].max()
     factor, unit = axis(largest, "N")
     # outer first and wider: without much centrifugal load the inner curve lies on it
     width = {OUTER: 5, INNER: 1.6}
     for side in (OUTER, INNER):
-        for psi, load in tracks(run, side, "load"):
+        for psi, load in tracks(tables, side, "load"):
             axes.plot(psi, load * factor, color=COLOUR[side], lw=width[side])
     _polar(axes, "Contact load around the ring", unit, 1.08 * largest * factor)
     _above(axes, [key(NAME[side], color=COLOUR[side], lw=width[side]) for side in (INNER, OUTER)])
@@ -37,13 +38,13 @@ def loads(axes, run):
     return factor
 
 
-def film(axes, run):
-    """Film thickness of `run` and the regimes of lubrication on polar `axes`; returns the factor
-    from metres."""
+def film(axes, tables):
+    """Film thickness of the run `tables` and the regimes of lubrication on polar `axes`;
+    returns the factor from metres."""
     # these set the scale
-    loaded = run.contacts[run.contacts["load"] > 5 * LIGHT * run.contacts["load"].max()]
+    loaded = tables.contacts[tables.contacts["load"] > 5 * LIGHT * tables.contacts["load"].max()]
     factor, unit = axis(loaded["h_c"].max(), "m")
-    unity = run.settings["roughness_m"] * factor  # the thickness at which lambda is one
+    unity = tables.settings["roughness_m"] * factor  # the thickness at which lambda is one
     edge = thickest = 1.12 * loaded["h_c"].max() * factor
     for mark in (1, 3):  # show a limit that is near; do not squash the film for one that is far
         if mark * unity < 3 * thickest:
@@ -74,7 +75,7 @@ def film(axes, run):
     width = {"h_c": 3.2, "h_min": 1.3}
     for column in width:
         for side in (OUTER, INNER):
-            for psi, thickness in tracks(run, side, column, above=LIGHT):
+            for psi, thickness in tracks(tables, side, column, above=LIGHT):
                 axes.plot(psi, thickness * factor, color=COLOUR[side], lw=width[column])
     _polar(axes, "Film thickness around the ring", unit, edge)
     _above(

@@ -10,12 +10,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Circle, Polygon
 
-from raceway import style
-from raceway.bearing import INNER, OUTER
+from raceway.pictures import style
 from raceway.pictures.page import fit, title
 from raceway.pictures.part import shown, tracks
 from raceway.pictures.scene import COLOURS, scene
-from raceway.style import FAINT, INK, MAP, SOFT
+from raceway.pictures.style import FAINT, INK, MAP, SOFT
+from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
 # of a ball's diameter: rings behind the grooves, half their width, their shoulders
@@ -25,28 +25,28 @@ SHADES = 12  # of a groove
 MM = 1e3
 
 
-def bearing(run, path, colour="load", factor=None):
-    """Draw `run` (a `Run`) at the sample with the largest contact load to the PNG `path`; `colour`
+def bearing(tables, path, colour="load", factor=None):
+    """Draw the run `tables` at the sample with the largest contact load to the PNG `path`; `colour`
     and `factor` as `scene`'s.
 
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
-    run = shown(run)
+    tables = shown(tables)
     # a run that is still going may be ahead in one file
-    contacts = run.contacts[run.contacts["sample"] <= run.balls["sample"].max()]
+    contacts = tables.contacts[tables.contacts["sample"] <= tables.balls["sample"].max()]
     sample = int(contacts.loc[contacts["load"].idxmax(), "sample"])
     with plt.rc_context(style.STYLE):
-        sheet = Sheet(run, scene(run, np.array([sample]), colour, factor), colour)
+        sheet = Sheet(tables, scene(tables, np.array([sample]), colour, factor), colour)
         sheet.show(0)
         style.save(sheet.figure, path)
 
 
 class Sheet:
-    """A figure of the `Scene` `what` of `run`; `show(k)` puts everything where it is at the k-th of
-    its samples."""
+    """A figure of the `Scene` `what` of the run `tables`; `show(k)` puts everything where it is at
+    the k-th of its samples."""
 
-    def __init__(self, run, what, colour, dpi=110):
-        self.run, self.scene, self.geometry = run, what, run.geometry
+    def __init__(self, tables, what, colour, dpi=110):
+        self.tables, self.scene, self.geometry = tables, what, tables.geometry
         self.factor, self.unit = axis(np.nanmax(what.values, initial=0.0), COLOURS[colour][2])
         # thin films are never near zero
         low = np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0
@@ -71,7 +71,7 @@ class Sheet:
     def _head(self):
         fit(
             self.figure.text(
-                0.03, 0.955, title(self.run), fontsize=12.5, fontweight="bold", va="center"
+                0.03, 0.955, title(self.tables), fontsize=12.5, fontweight="bold", va="center"
             ),
             0.94,
         )
@@ -113,7 +113,7 @@ class Sheet:
         ]
         self.mark = _mark(axes)
         self.cage = [
-            _disc(axes, self.run.cage_ball_radius, CAGE, SOFT) for _ in range(what.cage.shape[1])
+            _disc(axes, self.tables.cage_ball_radius, CAGE, SOFT) for _ in range(what.cage.shape[1])
         ]
         self.balls = [
             _disc(axes, geometry.ball_radius, IDLE, INK) for _ in range(what.balls.shape[1])
@@ -136,14 +136,14 @@ class Sheet:
         )
         axes.text(
             *(-0.32 * bore * way),
-            f"{prefixed(self.run.settings['load_N'], 'N')}\n{self.run.settings['rpm']:g} rpm",
+            f"{prefixed(self.tables.settings['load_N'], 'N')}\n{self.tables.settings['rpm']:g} rpm",
             ha="center",
             va="center",
             fontsize=11,
         )
 
     def _down(self):
-        azimuth = self.run.settings["load_azimuth_rad"]
+        azimuth = self.tables.settings["load_azimuth_rad"]
         return np.array([np.cos(azimuth), np.sin(azimuth)])
 
     # ---- in section
@@ -191,9 +191,9 @@ class Sheet:
     # ---- around the ring
     # ------------------------------------------------------------------------------
     def _around(self, axes):
-        top = self.run.contacts["load"].max()
+        top = self.tables.contacts["load"].max()
         factor, unit = axis(top, "N")
-        for psi, load in tracks(self.run, OUTER, "load"):
+        for psi, load in tracks(self.tables, OUTER, "load"):
             turn = 2 * np.pi * np.round(psi / (2 * np.pi))
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
             axes.plot(
@@ -236,13 +236,14 @@ class Sheet:
         self._show_section(k, heaviest, azimuth[heaviest], colours[heaviest])
         self.dots.set_offsets(
             np.column_stack(
-                [np.degrees(self.run.from_load_line(azimuth)), what.load[k] * self.load_factor]
+                [np.degrees(self.tables.from_load_line(azimuth)), what.load[k] * self.load_factor]
             )
         )
         self.dots.set_facecolors(colours)
-        time = what.samples[k] * self.run.settings["sample_s"]
+        time = what.samples[k] * self.tables.settings["sample_s"]
         self.clock.set_text(
-            f"{prefixed(time, 's', 3)}, {float(self.run.passes(what.samples[k])):.2f} ball passes"
+            f"{prefixed(time, 's', 3)},"
+            f" {float(self.tables.passes(what.samples[k])):.2f} ball passes"
         )
 
     def _show_section(self, k, ball, azimuth, colour):

@@ -4,46 +4,45 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from raceway import style
-from raceway.bearing import INNER, OUTER
-from raceway.pictures import around_ring
+from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
 from raceway.pictures.part import filmed, shown, tracks
-from raceway.style import BALL, COLOUR, INK, NAME
-from raceway.summary import ring_displacement, summary
+from raceway.pictures.style import BALL, COLOUR, INK, NAME
+from raceway.runs.summary import ring_displacement, summary
+from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
 
-def overview(run, path):
-    """Draw `run` (a `Run`) to the PNG `path`: loads, pressures, and film and capacitance or the
+def overview(tables, path):
+    """Draw the run `tables` to the PNG `path`: loads, pressures, and film and capacitance or the
     ring's path.
 
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
-    run, whole = shown(run, "; the figures are of all"), run
+    tables, whole = shown(tables, "; the figures are of all"), tables
     figures = summary(whole)
-    film = filmed(run)
+    film = filmed(tables)
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 12) if film else (12, 7.9), dpi=130)
         try:
-            _compose(figure, run, figures, film)
+            _compose(figure, tables, figures, film)
             style.save(figure, path)
         finally:
             plt.close(figure)
 
 
-def _compose(figure, run, figures, film):
+def _compose(figure, tables, figures, film):
     height = figure.get_figheight()
-    head(figure, run, _subtitle(figures))
+    head(figure, tables, _subtitle(figures))
     edges = {"left": LEFT, "right": RIGHT, "bottom": 0.65 / height}
     if film:
         above = figure.add_gridspec(
             1, 2, **edges | {"bottom": 5.35 / height}, top=1 - 2.15 / height, wspace=0.16
         )
         below = figure.add_gridspec(1, 2, **edges, top=4.1 / height, wspace=0.16)
-        around_ring.loads(figure.add_subplot(above[0], projection="polar"), run)
-        around_ring.film(figure.add_subplot(above[1], projection="polar"), run)
-        _pressures(figure.add_subplot(below[0]), run)
+        around_ring.loads(figure.add_subplot(above[0], projection="polar"), tables)
+        around_ring.film(figure.add_subplot(above[1], projection="polar"), tables)
+        _pressures(figure.add_subplot(below[0]), tables)
         last = figure.add_subplot(below[1])
     else:
         left = figure.add_gridspec(
@@ -52,10 +51,12 @@ def _compose(figure, run, figures, film):
         right = figure.add_gridspec(
             2, 1, left=0.6, right=RIGHT, top=1 - 1.6 / height, bottom=0.65 / height, hspace=0.46
         )
-        around_ring.loads(figure.add_subplot(left[0], projection="polar"), run)
-        _pressures(figure.add_subplot(right[0]), run)
+        around_ring.loads(figure.add_subplot(left[0], projection="polar"), tables)
+        _pressures(figure.add_subplot(right[0]), tables)
         last = figure.add_subplot(right[1])
-    (_capacitance if run.lubricated and "capacitance" in run.contacts else _ring)(last, run)
+    (_capacitance if tables.lubricated and "capacitance" in tables.contacts else _ring)(
+        last, tables
+    )
 
 
 def _subtitle(figures):
@@ -74,11 +75,11 @@ def _subtitle(figures):
     )
 
 
-def _pressures(axes, run):
-    largest = run.contacts["pressure"].max()
+def _pressures(axes, tables):
+    largest = tables.contacts["pressure"].max()
     factor, unit = axis(largest, "Pa")
     for side in (OUTER, INNER):
-        for psi, pressure in tracks(run, side, "pressure"):
+        for psi, pressure in tracks(tables, side, "pressure"):
             # back to one turn, without a line across the panel
             turn = 2 * np.pi * np.round(psi / (2 * np.pi))
             breaks = np.flatnonzero(np.diff(turn) != 0) + 1
@@ -102,15 +103,15 @@ def _pressures(axes, run):
     )
 
 
-def _capacitance(axes, run):
-    total = run.bearing_capacitance
+def _capacitance(axes, tables):
+    total = tables.bearing_capacitance
     factor, unit = axis(total.max(), "F")
     samples = np.arange(len(total))
-    each = run.pairs.pivot(index="sample", columns="ball", values="capacitance").reindex(samples)
-    axes.plot(run.passes(samples), each * factor, color=BALL, lw=1.5)
-    axes.plot(run.passes(samples), total * factor, color=INK, lw=2.4)
+    each = tables.pairs.pivot(index="sample", columns="ball", values="capacitance").reindex(samples)
+    axes.plot(tables.passes(samples), each * factor, color=BALL, lw=1.5)
+    axes.plot(tables.passes(samples), total * factor, color=INK, lw=2.4)
     axes.set_ylabel(f"capacitance ({unit})")
-    against_time(axes, run, len(total))
+    against_time(axes, tables, len(total))
     finish(
         axes,
         "Capacitance",
@@ -122,12 +123,12 @@ def _capacitance(axes, run):
     )
 
 
-def _ring(axes, run):
-    shift = ring_displacement(run)
+def _ring(axes, tables):
+    shift = ring_displacement(tables)
     factor, unit = axis(np.abs(shift).max(), "m")
-    axes.plot(run.passes(run.rings["sample"]), shift * factor, color=INK, lw=2)
+    axes.plot(tables.passes(tables.rings["sample"]), shift * factor, color=INK, lw=2)
     axes.set_ylabel(f"inner ring ({unit})")
-    against_time(axes, run, len(shift))
+    against_time(axes, tables, len(shift))
     finish(axes, "Ring shift along the load", None, [])
     low, high = shift.min() * factor, shift.max() * factor
     half = max(0.75 * (high - low), 0.01 * abs(high)) or 1  # steady to a per cent looks steady

@@ -4,16 +4,16 @@
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from raceway.style import SOFT
+from raceway.pictures.style import SOFT
 from raceway.units import prefixed
 
 LEFT, RIGHT = 0.075, 0.965  # of the figure's width
 
 
-def title(run):
-    """What `run` was, in a line."""
-    settings = run.settings
-    oil = f"{settings['lubricant']} lubricant" if run.lubricated else "dry"
+def title(tables):
+    """What the run `tables` was, in a line."""
+    settings = tables.settings
+    oil = f"{settings['lubricant']} lubricant" if tables.lubricated else "dry"
     clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")
     return "  ·  ".join(
         (
@@ -26,14 +26,15 @@ def title(run):
     )
 
 
-def head(figure, run, below, size=17):
-    """Write the title of `run` and, under it, the text `below` at the top of `figure`."""
+def head(figure, tables, below, size=17):
+    """Write the title of the run `tables` and, under it, the text `below` at the top of
+    `figure`."""
     height, scale = figure.get_figheight(), size / 17
     fit(
         figure.text(
             LEFT,
             1 - 0.45 * scale / height,
-            title(run),
+            title(tables),
             fontsize=size,
             fontweight="bold",
             va="center",
@@ -58,9 +59,9 @@ def key(label, **style):
     return Line2D([], [], label=label, **style)
 
 
-def against_time(axes, run, samples):
+def against_time(axes, tables, samples):
     """The x axis of `samples` samples: time in ball passes."""
-    axes.set(xlabel="time (ball passes)", xlim=(0, run.passes(max(samples - 1, 1))))
+    axes.set(xlabel="time (ball passes)", xlim=(0, tables.passes(max(samples - 1, 1))))
     axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
 
 

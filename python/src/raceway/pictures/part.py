@@ -10,57 +10,59 @@ import warnings
 import numpy as np
 
 from raceway.errors import RunError, RunWarning
-from raceway.run import Run
+from raceway.runs.tables import RunTables
 
 LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, and tells nothing
 # bytes of contacts.dump from which on only so many ball passes are drawn
 LARGE, PASSES = (200 << 20, 20)
 
 
-def shown(run, note=""):
-    """The part of `run` that is drawn: all, unless that would be more curves than memory or paper
-    hold. A warning says so, and `note`."""
-    path = run.folder / "contacts.dump"
-    if run.stop is not None or not path.exists() or path.stat().st_size < LARGE:
-        return run
+def shown(tables, note=""):
+    """The part of the run `tables` that is drawn: all, unless that would be more curves than memory
+    or paper hold. A warning says so, and `note`."""
+    path = tables.folder / "contacts.dump"
+    if tables.stop is not None or not path.exists() or path.stat().st_size < LARGE:
+        return tables
     warnings.warn(
         f"{path} is large: the picture shows its first {PASSES} ball passes{note}",
         RunWarning,
         stacklevel=3,
     )
-    return Run(
-        run.folder, slice(run.first, run.first + int(PASSES * run.settings["samples_per_pass"]))
+    return RunTables(
+        tables.folder,
+        slice(tables.first, tables.first + int(PASSES * tables.settings["samples_per_pass"])),
     )
 
 
-def filmed(run):
-    """Whether the contacts of `run` have films."""
-    return run.lubricated and {"h_min", "h_c"} <= set(run.contacts)
+def filmed(tables):
+    """Whether the contacts of the run `tables` have films."""
+    return tables.lubricated and {"h_min", "h_c"} <= set(tables.contacts)
 
 
-def need(run, column, what):
-    """Raise `RunError` unless the contacts of `run` have `column`, which `what` needs."""
+def need(tables, column, what):
+    """Raise `RunError` unless the contacts of the run `tables` have `column`, which `what`
+    needs."""
     if (
-        column not in run.contacts
-        or not run.lubricated
+        column not in tables.contacts
+        or not tables.lubricated
         and column in ("h_min", "h_c", "capacitance")
     ):
         raise RunError(
-            f"{run.folder}: {what} needs the column {column} of contacts.dump, which "
-            + ("this run does not have" if run.lubricated else "a dry run does not have")
+            f"{tables.folder}: {what} needs the column {column} of contacts.dump, which "
+            + ("this run does not have" if tables.lubricated else "a dry run does not have")
         )
 
 
-def tracks(run, raceway, column, above=0.0):
+def tracks(tables, raceway, column, above=0.0):
     """(psi, values) of each ball's way past one raceway; psi in rad, unwrapped; NaN where it lost
     contact.
 
     Contacts that carry no more than `above` of the largest load count as lost."""
-    contacts = run.contacts
+    contacts = tables.contacts
     rows = contacts[
         (contacts["raceway"] == raceway) & (contacts["load"] > above * contacts["load"].max())
     ]
     for _, ball in rows.groupby("ball"):
-        psi = np.unwrap(run.from_load_line(ball["azimuth"].to_numpy()))
+        psi = np.unwrap(tables.from_load_line(ball["azimuth"].to_numpy()))
         gaps = np.flatnonzero(np.diff(ball["sample"].to_numpy()) > 1) + 1
         yield np.insert(psi, gaps, np.nan), np.insert(ball[column].to_numpy(), gaps, np.nan)

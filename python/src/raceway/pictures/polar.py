@@ -4,14 +4,13 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from raceway import style
 from raceway.errors import NoEquilibrium
 from raceway.inputs import Oil
-from raceway.lubrication import lubricate, turning
-from raceway.pictures import around_ring
+from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, head
 from raceway.pictures.part import LIGHT, filmed, shown
-from raceway.style import COLOUR, SIDES
+from raceway.pictures.style import COLOUR, SIDES
+from raceway.theory.lubrication import lubricate, turning
 
 PHASES = 4  # positions of the set of balls within one ball pass at which theory is asked
 STRAIGHT = (
@@ -19,22 +18,22 @@ STRAIGHT = (
 )
 
 
-def polar(run, path):
-    """Draw `run` (a `Run`) to the PNG `path`: contact load and, with a lubricant, film thickness
+def polar(tables, path):
+    """Draw the run `tables` to the PNG `path`: contact load and, with a lubricant, film thickness
     against azimuth.
 
     Dots: `theory`. Raises `RunError` when the run's files are broken or the picture cannot be
     written.
     """
-    run = shown(run)
-    film = filmed(run)
+    tables = shown(tables)
+    film = filmed(tables)
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 7.4) if film else (7, 7.4), dpi=110)
         try:
-            dots = theory(run)
+            dots = theory(tables)
             head(
                 figure,
-                run,
+                tables,
                 "curves: simulation, all balls and samples"
                 + ("    dots: quasi-static theory, as raceway static" if dots else ""),
                 size=15,
@@ -49,11 +48,11 @@ def polar(run, path):
                 wspace=0.16,
             )
             axes = figure.add_subplot(grid[0], projection="polar")
-            factor = around_ring.loads(axes, run)
+            factor = around_ring.loads(axes, tables)
             _dots(axes, dots, "load", factor)
             if film:
                 axes = figure.add_subplot(grid[1], projection="polar")
-                factor = around_ring.film(axes, run)
+                factor = around_ring.film(axes, tables)
                 for name in ("h_c", "h_min"):
                     _dots(axes, dots, name, factor)
             style.save(figure, path)
@@ -61,14 +60,14 @@ def polar(run, path):
             plt.close(figure)
 
 
-def theory(run):
+def theory(tables):
     """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES`
     positions of the balls; no films when dry. Empty where theory does not know the load: contacts
     at an angle, or no equilibrium.
     """
-    if "angle" in run.contacts and np.abs(run.contacts["angle"]).max() > STRAIGHT:
+    if "angle" in tables.contacts and np.abs(tables.contacts["angle"]).max() > STRAIGHT:
         return {}
-    settings, bearing, spin = run.settings, run.geometry, run.settings["rpm"] * np.pi / 30
+    settings, bearing, spin = tables.settings, tables.geometry, tables.settings["rpm"] * np.pi / 30
     oil = (
         Oil(
             *(
@@ -81,7 +80,7 @@ def theory(run):
                 )
             )
         )
-        if filmed(run)
+        if filmed(tables)
         else None
     )
     found = {side: {"psi": [], "load": [], "h_min": [], "h_c": []} for side in SIDES}

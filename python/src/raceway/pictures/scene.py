@@ -14,7 +14,7 @@ import numpy as np
 
 from raceway.errors import RunError
 from raceway.pictures.part import LIGHT, need
-from raceway.run import BALL, CAGE
+from raceway.runs.tables import BALL, CAGE
 
 COLOURS = {
     "load": ("load", "larger contact load of a ball", "N"),
@@ -41,50 +41,50 @@ class Scene:
     load: np.ndarray  # (n, Z), N, the larger contact load
 
 
-def scene(run, samples, colour="load", factor=None):
-    """`Scene` of `run` (a `Run`) at `samples`, an array of numbers of its samples in ascending
+def scene(tables, samples, colour="load", factor=None):
+    """`Scene` of the run `tables` at `samples`, an array of numbers of its samples in ascending
     order; balls have the values of `colour`, a key of `COLOURS`. `factor` None: `nice` of the
     largest motion.
 
     Raises `RunError` when the run's files are broken or have not what `colour` needs.
     """
-    need(run, COLOURS[colour][0], f"colour {colour}")
-    table = run.balls[run.balls["sample"] <= samples[-1]].sort_values(
+    need(tables, COLOURS[colour][0], f"colour {colour}")
+    table = tables.balls[tables.balls["sample"] <= samples[-1]].sort_values(
         ["sample", "id"], kind="stable"
     )
     count = table["sample"].nunique()
-    axis = _places(table[table["id"] == run.settings["outer_ring"]], count)[:, 0]
+    axis = _places(table[table["id"] == tables.settings["outer_ring"]], count)[:, 0]
     if not np.isin(samples, np.unique(table["sample"])).all():
         raise RunError(
-            f"{run.folder / 'balls.dump'}: no sample {samples[-1]}, the last is"
+            f"{tables.folder / 'balls.dump'}: no sample {samples[-1]}, the last is"
             f" {table['sample'].max()}"
         )
     first = int(table["sample"].min())
     kept = samples - first
-    pitch, ring = run.geometry.pitch_radius, table[table["id"] == run.settings["inner_ring"]]
+    pitch, ring = tables.geometry.pitch_radius, table[table["id"] == tables.settings["inner_ring"]]
     balls, cage = table[table["type"] == BALL], table[table["type"] == CAGE]
     shift = _places(ring, count)[:, 0] - axis
     way, cage_way = _places(balls, count) - axis[:, None], _places(cage, count) - axis[:, None]
     if factor is None:
         off = np.abs(np.hypot(way[..., 0], way[..., 1]) - pitch).max()
         factor = nice(
-            VISIBLE * run.geometry.ball_radius,
+            VISIBLE * tables.geometry.ball_radius,
             max(
                 off,
                 np.abs(shift).max(),
-                abs(run.settings["clearance_m"]) / 2,
+                abs(tables.settings["clearance_m"]) / 2,
                 np.abs(way[..., 2]).max(),
             ),
         )
-    values, load = _values(run, colour, samples, np.unique(balls["id"]))
-    step = run.settings["sample_s"]
+    values, load = _values(tables, colour, samples, np.unique(balls["id"]))
+    step = tables.settings["sample_s"]
     return Scene(
         samples,
         factor,
         _exaggerated(way[kept], pitch, factor),
         _exaggerated(cage_way[kept], pitch, factor),
         factor * shift[kept],
-        factor * run.settings["clearance_m"] / 2,
+        factor * tables.settings["clearance_m"] / 2,
         _turned(balls, step)[kept],
         _turned(ring, step)[kept, 0],
         values,
@@ -121,9 +121,9 @@ def _turned(table, step):
     )
 
 
-def _values(run, colour, samples, ids):
+def _values(tables, colour, samples, ids):
     """((n, Z) of `colour`, (n, Z) of load)."""
-    contacts = run.contacts[run.contacts["sample"].isin(samples)]
+    contacts = tables.contacts[tables.contacts["sample"].isin(samples)]
 
     def grid(table, column, how):
         by = table.groupby(["sample", "ball"])[column].agg(how).unstack()
@@ -133,10 +133,12 @@ def _values(run, colour, samples, ids):
     if colour == "load":
         return np.where(load > 0, load, np.nan), load
     if colour == "capacitance":
-        return grid(run.pairs[run.pairs["sample"].isin(samples)], "capacitance", "max"), load
+        return grid(tables.pairs[tables.pairs["sample"].isin(samples)], "capacitance", "max"), load
     if colour == "film":
         return (
-            grid(contacts[contacts["load"] > LIGHT * run.contacts["load"].max()], "h_min", "min"),
+            grid(
+                contacts[contacts["load"] > LIGHT * tables.contacts["load"].max()], "h_min", "min"
+            ),
             load,
         )
     return grid(contacts, "pressure", "max"), load

@@ -6,11 +6,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Patch
 
-from raceway import style
+from raceway.pictures import style
 from raceway.pictures.page import head
 from raceway.pictures.part import need, shown
-from raceway.run import BALL as BALL_TYPE
-from raceway.style import BALL, FAINT, INK, MAP
+from raceway.pictures.style import BALL, FAINT, INK, MAP
+from raceway.runs.tables import BALL as BALL_TYPE
 from raceway.units import axis
 
 WIDTH = 0.5  # of a band, in ball pitches
@@ -18,25 +18,25 @@ ROWS = 600  # more samples than a page has dots are drawn in steps
 IDLE = "#ececec"  # a ball that is not loaded on both raceways
 
 
-def waterfall(run, path):
-    """Draw the capacitance of every ball of `run` (a `Run`) over azimuth and time to the PNG
+def waterfall(tables, path):
+    """Draw the capacitance of every ball of the run `tables` over azimuth and time to the PNG
     `path`.
 
     Raises `RunError` for a run without capacitance or with broken files, or when the picture cannot
     be written.
     """
-    need(run, "capacitance", "the waterfall")
-    run = shown(run)
-    samples, psi, each = bands(run)
-    total = run.bearing_capacitance[samples - run.first]
+    need(tables, "capacitance", "the waterfall")
+    tables = shown(tables)
+    samples, psi, each = bands(tables)
+    total = tables.bearing_capacitance[samples - tables.first]
     factor, unit = axis(np.nanmax(each, initial=0.0), "F")
-    times = run.passes(samples)
+    times = tables.passes(samples)
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 8.4), dpi=110)
         try:
             head(
                 figure,
-                run,
+                tables,
                 "capacitance of the contacts' Hertz areas, inner and outer of a ball in series,"
                 " balls in parallel",
                 size=15,
@@ -54,7 +54,7 @@ def waterfall(run, path):
                 hspace=0.1,
             )
             main = figure.add_subplot(grid[1, 0])
-            mesh = _bands(main, times, psi, each * factor, run.settings["balls"])
+            mesh = _bands(main, times, psi, each * factor, tables.settings["balls"])
             main.set(
                 xlabel="azimuth from the load line (°)",
                 ylabel="time (ball passes)",
@@ -95,17 +95,17 @@ def waterfall(run, path):
             plt.close(figure)
 
 
-def bands(run):
-    """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of `run`: azimuth from the load
-    line in rad, unwrapped; F, NaN for a ball that is not loaded on both raceways. At most about
-    `ROWS` samples, evenly spaced.
+def bands(tables):
+    """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of the run `tables`: azimuth from
+    the load line in rad, unwrapped; F, NaN for a ball that is not loaded on both raceways. At most
+    about `ROWS` samples, evenly spaced.
     """
     # a run that is still going may be ahead in one file
-    there = run.balls[run.balls["sample"].isin(run.totals.index)]
+    there = tables.balls[tables.balls["sample"].isin(tables.totals.index)]
     table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])
     ids, samples = np.unique(table["id"]), np.unique(table["sample"])
     centre = (
-        there[there["id"] == run.settings["outer_ring"]]
+        there[there["id"] == tables.settings["outer_ring"]]
         .sort_values("sample")[["x", "y"]]
         .to_numpy()
     )
@@ -113,11 +113,11 @@ def bands(run):
         table[name].to_numpy().reshape(len(samples), len(ids)) - centre[:, [k]]
         for k, name in enumerate("xy")
     )
-    each = run.pairs.pivot(index="sample", columns="ball", values="capacitance").reindex(
+    each = tables.pairs.pivot(index="sample", columns="ball", values="capacitance").reindex(
         index=samples, columns=ids
     )
     kept = slice(None, None, -(-len(samples) // ROWS))
-    psi = np.unwrap(run.from_load_line(np.arctan2(y, x)), axis=0)
+    psi = np.unwrap(tables.from_load_line(np.arctan2(y, x)), axis=0)
     return samples[kept], psi[kept], each.to_numpy()[kept]
 
 

@@ -7,7 +7,7 @@ from matplotlib import colormaps
 
 from raceway.paper import panel, theory
 from raceway.paper.reading import GRID, gridded
-from raceway.style import INK, PALETTE
+from raceway.pictures.style import INK, PALETTE
 
 
 def by_load(book):

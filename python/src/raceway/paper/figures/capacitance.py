@@ -4,10 +4,10 @@
 import numpy as np
 import pandas as pd
 
-from raceway.bearing import INNER
 from raceway.paper import panel, theory
 from raceway.paper.book import OILS
-from raceway.style import PALETTE, SOFT
+from raceway.pictures.style import PALETTE, SOFT
+from raceway.theory.bearing import INNER
 
 BACKGROUND = 30e-12  # F, as the paper adds (section 4.1)
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pandas as pd
 
-from raceway import clearance
 from raceway.paper import cases, panel
-from raceway.style import PALETTE
+from raceway.pictures.style import PALETTE
+from raceway.theory import clearance
 
 
 def curved(bearing, total_curvature):

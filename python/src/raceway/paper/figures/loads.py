@@ -4,11 +4,11 @@
 import numpy as np
 import pandas as pd
 
-from raceway import clearance, distribution
-from raceway.bearing import INNER
 from raceway.paper import panel
 from raceway.paper.reading import GRID, gridded
-from raceway.style import PALETTE
+from raceway.pictures.style import PALETTE
+from raceway.theory import clearance, distribution
+from raceway.theory.bearing import INNER
 
 
 def stribeck(bearing, radial_load, gap, psi):

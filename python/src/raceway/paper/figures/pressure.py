@@ -4,11 +4,11 @@
 import numpy as np
 import pandas as pd
 
-from raceway import capacitance
-from raceway.bearing import INNER, OUTER
 from raceway.paper import panel, theory
 from raceway.paper.reading import GRID, gridded
-from raceway.style import COLOUR, NAME
+from raceway.pictures.style import COLOUR, NAME
+from raceway.theory import capacitance
+from raceway.theory.bearing import INNER, OUTER
 
 SIDE = {INNER: "inner", OUTER: "outer"}
 

@@ -4,11 +4,11 @@
 import numpy as np
 import pandas as pd
 
-from raceway import film
-from raceway.bearing import INNER
 from raceway.paper import panel, theory
 from raceway.paper.book import OILS
-from raceway.style import INK, PALETTE, SOFT
+from raceway.pictures.style import INK, PALETTE, SOFT
+from raceway.theory import film
+from raceway.theory.bearing import INNER
 
 PASSAGE = 60e-12  # F, boundary to mixed, as the paper says (section 4.2)
 

@@ -3,11 +3,11 @@
 
 import numpy as np
 
-from raceway.bearing import INNER
-from raceway.capacitance import VACUUM
 from raceway.paper import sensitivity, theory
 from raceway.paper.quantity import Quantity
 from raceway.paper.reading import GRID, gridded
+from raceway.theory.bearing import INNER
+from raceway.theory.capacitance import VACUUM
 
 
 def measure(book, printed):

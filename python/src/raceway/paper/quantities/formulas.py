@@ -3,10 +3,10 @@
 
 import numpy as np
 
-from raceway import capacitance, damping, film, hertz, kinematics
-from raceway.bearing import INNER, OUTER
 from raceway.paper import cases, theory
 from raceway.paper.quantity import Quantity
+from raceway.theory import capacitance, damping, film, hertz, kinematics
+from raceway.theory.bearing import INNER, OUTER
 from raceway.units import prefixed
 
 CAGE_BALL = 4.19e-3  # m, R_z (table 1)

@@ -3,13 +3,13 @@
 
 import numpy as np
 
-from raceway import clearance, distribution
-from raceway.bearing import INNER, OUTER
 from raceway.paper import theory
 from raceway.paper.figures.free import measured
 from raceway.paper.figures.loads import distribution_curves
 from raceway.paper.quantity import Quantity
 from raceway.paper.reading import GRID, gridded
+from raceway.theory import clearance, distribution
+from raceway.theory.bearing import INNER, OUTER
 
 
 def measure(book, printed):

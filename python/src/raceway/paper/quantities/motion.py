@@ -3,9 +3,9 @@
 
 import numpy as np
 
-from raceway import kinematics
 from raceway.paper.quantities.formulas import CAGE_BALL
 from raceway.paper.quantity import Quantity
+from raceway.theory import kinematics
 
 
 def measure(book, printed):

@@ -4,10 +4,10 @@
 
 import numpy as np
 
-from raceway.bearing import INNER, OUTER
 from raceway.paper import passage, sensitivity
 from raceway.paper.figures.regime import PASSAGE, curves
 from raceway.paper.quantity import Quantity
+from raceway.theory.bearing import INNER, OUTER
 
 SHORT = {"mineral": "mineral", "pao48": "PAO"}
 

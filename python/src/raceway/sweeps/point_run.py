@@ -22,8 +22,8 @@ from pathlib import Path
 import yaml
 
 from raceway.errors import RacewayError
-from raceway.run import Run
-from raceway.summary import summary
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "busy", "stopped"
 STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
@@ -82,7 +82,7 @@ def run_point(folder, variables, command, *, retry=False, stop=None):
                 if code:
                     return _fail(folder, _complaint(folder / "log.txt", code))
             try:
-                figures = summary(Run(folder))
+                figures = summary(RunTables(folder))
             except RacewayError as error:
                 return _fail(folder, str(error))
             if wrong := _differs(figures, variables):
@@ -144,7 +144,7 @@ def _execute(folder, variables, command, lock, stop):
 def _whole(folder, variables):
     """Whether an earlier run of these variables finished, and only its figures are missing."""
     try:
-        settings = Run(folder).settings
+        settings = RunTables(folder).settings
     except RacewayError:
         return False
     return not _differs(settings, variables)

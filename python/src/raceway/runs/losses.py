@@ -4,9 +4,9 @@
 import numpy as np
 import xarray as xr
 
-from raceway.around import BINS, around
 from raceway.errors import RunError
-from raceway.totals import SUMS
+from raceway.runs.around import BINS, around
+from raceway.runs.totals import SUMS
 
 
 def losses(run):

@@ -10,10 +10,11 @@ import math
 
 import numpy as np
 
-from raceway import catalogue, clearance, inputs
-from raceway.lubrication import lubricate, turning
-from raceway.static import FREEDOMS
-from raceway.summary import Row, lines
+from raceway import catalogue, inputs
+from raceway.rows import Row, lines
+from raceway.theory import clearance
+from raceway.theory.lubrication import lubricate, turning
+from raceway.theory.static import FREEDOMS
 from raceway.units import prefixed
 
 SUPPORT = ("support_x_N", "support_y_N", "support_z_N", "support_rx_N_m", "support_ry_N_m")

@@ -4,8 +4,8 @@
 import numpy as np
 import pandas as pd
 
-from raceway import capacitance
-from raceway.bearing import INNER, OUTER
+from raceway.theory import capacitance
+from raceway.theory.bearing import INNER, OUTER
 
 SUMS = ("friction_power", "damping_power")
 

@@ -26,10 +26,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway import hertz
-from raceway.balance import Balance
-from raceway.bearing import INNER, OUTER
 from raceway.errors import NoEquilibrium
+from raceway.theory import hertz
+from raceway.theory.balance import Balance
+from raceway.theory.bearing import INNER, OUTER
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
@@ -90,7 +90,7 @@ def equilibrium(
     `NoEquilibrium` when the ring is free to move or the balls are forced out of their grooves,
     `ValueError` for an unknown degree of freedom.
 
-    >>> from raceway.bearing import Bearing
+    >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> rest = equilibrium(b, 2000.0, 1000.0, moment=(10.0, 0.0), clearance=10e-6)
     >>> rest.inner.load.round(1).tolist()  # N

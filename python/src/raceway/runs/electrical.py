@@ -4,9 +4,9 @@ raceway (eqs 8-12)."""
 
 import xarray as xr
 
-from raceway import capacitance
-from raceway.around import BINS, around
-from raceway.regimes import need_film
+from raceway.runs.around import BINS, around
+from raceway.runs.regimes import need_film
+from raceway.theory import capacitance
 
 
 def over_time(run, background=0.0):

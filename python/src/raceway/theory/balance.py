@@ -10,10 +10,10 @@ from functools import partial
 
 import numpy as np
 
-from raceway import circle, hertz, seat
-from raceway import clearance as play
-from raceway.bearing import INNER, OUTER
 from raceway.errors import NoEquilibrium
+from raceway.theory import circle, hertz, seat
+from raceway.theory import clearance as play
+from raceway.theory.bearing import INNER, OUTER
 
 
 class Balance:

@@ -8,7 +8,7 @@ but pictures and neighbours. What needs more digits comes in double precision wi
 
 - `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
 - every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...
-  (SI): (atoms,), with 0 or NaN where an atom has no such contact, as in `Datasets.contacts`
+  (SI): (atoms,), with 0 or NaN where an atom has no such contact, as in `Run.contacts`
 - `step`, `time` (s), `sample`
 
 Lengths are metres and times seconds, whatever MDAnalysis calls them; there is no box, and positions
@@ -18,10 +18,10 @@ are those of the dump (MDAnalysis's own reader of such dumps moves them by the c
 import numpy as np
 import pandas as pd
 
-from raceway.columns import CONTACT
-from raceway.dump import blocks
 from raceway.errors import RunError
-from raceway.run import DUMPS, Run
+from raceway.runs.columns import CONTACT
+from raceway.runs.dump import blocks
+from raceway.runs.tables import DUMPS, RunTables
 
 try:
     import MDAnalysis
@@ -46,18 +46,18 @@ class RunReader(ReaderBase):
 
     @store_init_arguments
     def __init__(self, filename, first=0, stop=None, **kwargs):
-        self._run = Run(filename, slice(first, stop))
+        self._tables = RunTables(filename, slice(first, stop))
         self._columns = {
-            name: self._run.settings[key].split() for name, (_, key, _) in DUMPS.items()
+            name: self._tables.settings[key].split() for name, (_, key, _) in DUMPS.items()
         }
         super().__init__(
-            filename, **{"convert_units": False, "dt": self._run.settings["sample_s"], **kwargs}
+            filename, **{"convert_units": False, "dt": self._tables.settings["sample_s"], **kwargs}
         )
-        ends = [len(self._run.index(name)) for name in DUMPS] + ([] if stop is None else [stop])
+        ends = [len(self._tables.index(name)) for name in DUMPS] + ([] if stop is None else [stop])
         self.n_frames = min(ends) - first
         if self.n_frames < 1:
             raise RunError(
-                f"{self._run.folder}: no sample from number {first} on that both dumps have"
+                f"{self._tables.folder}: no sample from number {first} on that both dumps have"
                 " complete"
             )
         self._loaded = None
@@ -91,24 +91,24 @@ class RunReader(ReaderBase):
         self.ts.frame = frame
         for name, values in self._atoms.items():
             data[name] = values[here]
-        data["sample"] = self._run.first + frame
+        data["sample"] = self._tables.first + frame
         data["step"], data["time"] = (
             self._steps[here],
-            data["sample"] * self._run.settings["sample_s"],
+            data["sample"] * self._tables.settings["sample_s"],
         )
         self.ts.positions, self.ts.velocities = data["position"], data["velocity"]
         return self.ts
 
     def _table(self, name, start, stop):
         """(table of frames `start` to `stop`, sorted by sample and atom; their steps)"""
-        columns, first = self._columns[name], self._run.first
+        columns, first = self._columns[name], self._tables.first
         parts = list(
             blocks(
-                self._run.folder / DUMPS[name][0],
+                self._tables.folder / DUMPS[name][0],
                 columns,
                 first + start,
                 first + stop,
-                self._run.index(name),
+                self._tables.index(name),
             )
         )
         table = pd.concat([part.table(columns) for part in parts])
@@ -123,7 +123,7 @@ class RunReader(ReaderBase):
             table["id"].to_numpy(int), np.tile(self.ids, stop - start)
         ):
             raise RunError(
-                f"{self._run.folder / 'balls.dump'}: not every sample has the same atoms"
+                f"{self._tables.folder / 'balls.dump'}: not every sample has the same atoms"
             )
         self._atoms = {}
         for name, columns in (
@@ -136,7 +136,7 @@ class RunReader(ReaderBase):
                     table[columns.split()].to_numpy().reshape(stop - start, self.n_atoms, 3)
                 )
         contacts, _ = self._table("contacts", start, stop)
-        frame = contacts["sample"].to_numpy() - self._run.first - start
+        frame = contacts["sample"].to_numpy() - self._tables.first - start
         atom, raceway = (
             np.searchsorted(self.ids, contacts["ball"]),
             contacts["raceway"].to_numpy(int),
@@ -156,14 +156,14 @@ class RunReader(ReaderBase):
         self._loaded = part
 
 
-def universe(run):
-    """MDAnalysis `Universe` of `run` (a `Run`): atoms named ball, cage, inner, outer, with their
+def universe(tables):
+    """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, with their
     host's ids and types.
 
     The trajectory is a `RunReader`. Raises `RunError` when a file is broken or MDAnalysis is not
     installed.
     """
-    reader = RunReader(str(run.folder), run.first, run.stop)
+    reader = RunReader(str(tables.folder), tables.first, tables.stop)
     result = MDAnalysis.Universe.empty(reader.n_atoms)
     result.add_TopologyAttr("names", [NAMES.get(kind, str(kind)) for kind in reader.types])
     result.add_TopologyAttr("types", [str(kind) for kind in reader.types])

@@ -5,26 +5,17 @@ The mapping's keys are a promise to scripts outside this package; add, never ren
 """
 
 import math
-from typing import NamedTuple
 
-from raceway import clearance, kinematics
-from raceway.bearing import INNER, OUTER
 from raceway.errors import RunError
-from raceway.run import BALL, LUBRICANT
-from raceway.totals import pairs
-from raceway.units import prefixed
+from raceway.rows import Row, lines
+from raceway.runs.settings import LUBRICANT
+from raceway.runs.tables import BALL
+from raceway.runs.totals import pairs
+from raceway.theory import clearance, kinematics
+from raceway.theory.bearing import INNER, OUTER
 
 NAME = {INNER: "inner", OUTER: "outer"}
 FILM = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
-
-
-class Row(NamedTuple):
-    """One line of the table."""
-
-    key: str
-    label: str
-    unit: str | None  # SI unit, shown with a prefix; "" a plain number; None text
-    source: str = ""
 
 
 TOPICS = {
@@ -78,15 +69,15 @@ TOPICS = {
 }
 
 
-def summary(run):
-    """The figures of `run` (a `Run`) by name, SI units, text or numbers; None where the run has
+def summary(tables):
+    """The figures of the run `tables` by name, SI units, text or numbers; None where the run has
     none.
 
     Reads the files once, in blocks: memory does not grow with the run. Raises `RunError` when the
     run has not finished, a file is broken or no ball ever touched a raceway.
     """
-    run.need_finished()
-    settings = run.settings
+    tables.need_finished()
+    settings = tables.settings
     result = {
         key: settings.get(key)
         for key in (
@@ -101,11 +92,11 @@ def summary(run):
             "passes",
         )
     }
-    result.update({key: settings[key] if run.lubricated else None for key in LUBRICANT})
-    contacts = _Contacts(run)
-    result.update(_mechanics(run, contacts))
-    result["cage_speed_rad_s"] = _cage_speed(run)
-    result.update(_film(run, contacts))
+    result.update({key: settings[key] if tables.lubricated else None for key in LUBRICANT})
+    contacts = _Contacts(tables)
+    result.update(_mechanics(tables, contacts))
+    result["cage_speed_rad_s"] = _cage_speed(tables)
+    result.update(_film(tables, contacts))
     result.update(
         wall_s=settings["wall_s"],
         simulated_s=settings["simulated_s"],
@@ -114,27 +105,29 @@ def summary(run):
     return {key: _plain(value) for key, value in result.items()}
 
 
-def ring_displacement(run):
+def ring_displacement(tables):
     """Displacement of the inner ring along the load in m, one value a sample."""
-    azimuth = run.settings["load_azimuth_rad"]
-    return (run.rings["x"] * math.cos(azimuth) + run.rings["y"] * math.sin(azimuth)).to_numpy()
+    azimuth = tables.settings["load_azimuth_rad"]
+    return (
+        tables.rings["x"] * math.cos(azimuth) + tables.rings["y"] * math.sin(azimuth)
+    ).to_numpy()
 
 
 class _Contacts:
     """What the figures need of the contacts."""
 
-    def __init__(self, run):
+    def __init__(self, tables):
         self.top = {}  # raceway: row of the contact with the largest load
         self.samples = self.pairs = 0
         self.total = self.best = (
             None  # capacitance of all pairs and of the best, F; None without the column
         )
-        for block in run.blocks("contacts"):
+        for block in tables.blocks("contacts"):
             self._add(block)
         for side, name in NAME.items():
             if side not in self.top:
                 raise RunError(
-                    f"{run.folder / 'contacts.dump'}: no ball touches the {name} raceway in any"
+                    f"{tables.folder / 'contacts.dump'}: no ball touches the {name} raceway in any"
                     " sample"
                 )
 
@@ -151,11 +144,11 @@ class _Contacts:
             self.best = max(self.best or 0.0, both["capacitance"].max() if len(both) else 0.0)
 
 
-def _mechanics(run, contacts):
+def _mechanics(tables, contacts):
     result = {}
     # LAMMPS prints the start of the window as well, LIGGGHTS does not
-    shift = result["ring_shift_m"] = ring_displacement(run)[run.rings["sample"] > 0].mean()
-    play = run.settings["clearance_m"]
+    shift = result["ring_shift_m"] = ring_displacement(tables)[tables.rings["sample"] > 0].mean()
+    play = tables.settings["clearance_m"]
     result["load_parameter"] = clearance.load_parameter(play, shift) if shift else None
     result["q_max_N"] = max(top["load"] for top in contacts.top.values())
     for side, name in NAME.items():
@@ -166,14 +159,14 @@ def _mechanics(run, contacts):
     return result
 
 
-def _cage_speed(run):
-    ring, total, count = run.settings["outer_ring"], 0.0, 0
-    for balls in run.blocks("balls"):
+def _cage_speed(tables):
+    ring, total, count = tables.settings["outer_ring"], 0.0, 0
+    for balls in tables.blocks("balls"):
         rings = balls.loc[balls["id"] == ring].set_index("sample")
         rolling = balls[balls["type"] == BALL]
         if rings.empty or rolling.empty:
             raise RunError(
-                f"{run.folder / 'balls.dump'} has no "
+                f"{tables.folder / 'balls.dump'} has no "
                 f"{'atom ' + str(ring) if rings.empty else 'ball (type 1)'}"
             )
         axis = rings.loc[rolling["sample"], ["x", "y", "vx", "vy"]].to_numpy()
@@ -183,10 +176,10 @@ def _cage_speed(run):
     return total / count
 
 
-def _film(run, contacts):
+def _film(tables, contacts):
     top, result = contacts.top[INNER], dict.fromkeys(("entrainment_speed_m_s", *FILM))
     result["entrainment_speed_m_s"] = top.get("entrainment")
-    if not run.lubricated:
+    if not tables.lubricated:
         return result
     for key, column in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
         result[key] = top.get(column)
@@ -207,26 +200,3 @@ def table(figures):
     """The mapping of `summary` as text, a topic a block; figures the run has none of are left
     out."""
     return "\n".join(lines(figures, TOPICS))
-
-
-def lines(figures, topics):
-    """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out."""
-    result = []
-    for topic, rows in topics.items():
-        block = [_line(row, figures[row.key]) for row in rows if figures[row.key] is not None]
-        if block:
-            result += ["", topic, *block]
-    return result[1:]
-
-
-def _line(row, value):
-    if row.unit is None:
-        shown = value
-    elif row.unit == "rpm":
-        shown = f"{value:g} rpm"
-    elif row.unit == "1/GPa":
-        shown = f"{value * 1e9:.4g} 1/GPa"
-    else:
-        shown = prefixed(value, row.unit) if row.unit else f"{value:.4g}"
-    source = f"({row.source})" if row.source else ""
-    return f"  {row.label:<32}{shown:>14}  {source}".rstrip()

@@ -14,9 +14,9 @@ import numpy as np
 import xarray as xr
 from scipy import fft, signal
 
-from raceway import kinematics
-from raceway.columns import RING
 from raceway.errors import RunError
+from raceway.runs.columns import RING
+from raceway.theory import kinematics
 
 # Four-term Blackman-Harris: what a line leaks is 92 dB below it, so a faint line shows beside a
 # strong one; near its top the logarithm is a parabola to 1e-3 of a bin. In exchange a line is 8

@@ -4,9 +4,9 @@ film."""
 
 import xarray as xr
 
-from raceway import film
-from raceway.around import BINS, around
 from raceway.errors import RunError
+from raceway.runs.around import BINS, around
+from raceway.theory import film
 
 REGIMES = ("boundary", "mixed", "full")
 

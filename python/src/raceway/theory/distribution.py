@@ -8,8 +8,8 @@ import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from raceway import hertz
-from raceway.bearing import INNER, OUTER
+from raceway.theory import hertz
+from raceway.theory.bearing import INNER, OUTER
 
 
 def relative_load(azimuth, parameter):

@@ -6,38 +6,15 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
-import yaml
 
 from raceway import progress
-from raceway.bearing import Bearing
-from raceway.dump import Index, blocks, read_dump, read_table
 from raceway.errors import RunError
-from raceway.totals import pairs, totals
+from raceway.runs.dump import Index, blocks, read_dump, read_table
+from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings
+from raceway.runs.totals import pairs, totals
+from raceway.theory.bearing import Bearing
 
-WORDS = ("bearing", "lubricant", "host", "integrator", "contact_columns", "ball_columns")
-NUMBERS = (
-    "load_N",
-    "rpm",
-    "clearance_m",
-    "passes",
-    "balls",
-    "ball_diameter_m",
-    "inner_radius_m",
-    "outer_radius_m",
-    "inner_groove_m",
-    "outer_groove_m",
-    "load_azimuth_rad",
-    "sample_s",
-    "samples_per_pass",
-    "inner_ring",
-    "outer_ring",
-)
-# written last: without them the run has not finished
-AT_THE_END = ("step_s", "simulated_s", "wall_s")
-LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
-EXTRA = ("ball_young_Pa", "ball_poisson", "cage_ball_diameter_m")  # some runs do not have them
 BALL, CAGE = 1, 2  # atom types
-NO_LUBRICANT = ("dry", "none")
 DUMPS = {
     "contacts": (
         "contacts.dump",
@@ -49,7 +26,7 @@ DUMPS = {
 WHOLE = ("ball", "raceway", "id", "type")
 
 
-class Run:
+class RunTables:
     """What a run says of itself (`settings`) and, read when first asked for, what it wrote.
 
     Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
@@ -63,7 +40,7 @@ class Run:
 
     def __init__(self, folder, samples=slice(None)):
         self.folder = Path(folder)
-        self.settings = _settings(self.folder)
+        self.settings = settings(self.folder)
         self.first, self.stop = _window(samples)
 
     @property
@@ -222,37 +199,3 @@ def _window(samples):
             f"samples = {samples} must be slice(first, stop) with 0 <= first < stop and no step"
         )
     return first, stop
-
-
-def _settings(folder):
-    path = folder / "run.yaml"
-    try:
-        # every scalar as text: 6208 is a name, and YAML 1.1 takes 1e-05 for a string anyway
-        data = yaml.load(path.read_text(), Loader=yaml.BaseLoader)
-    except (OSError, UnicodeDecodeError) as error:
-        raise RunError(f"cannot read {path}: {getattr(error, 'strerror', None) or error}") from None
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        where = f", line {mark.line + 1}" if mark else ""
-        raise RunError(f"{path}{where}: {getattr(error, 'problem', None) or error}") from None
-    if not isinstance(data, dict):
-        raise RunError(f"{path} is not a list of 'name: value'")
-    lubricant = LUBRICANT if data.get("lubricant") not in (*NO_LUBRICANT, None) else ()
-    needed = (*WORDS, *NUMBERS, *lubricant)
-    if missing := [key for key in needed if key not in data]:
-        begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
-        raise RunError(f"{begun}{path} has no {', '.join(missing)}")
-    settings = dict(data)
-    for key in (*needed[len(WORDS) :], *(key for key in (*EXTRA, *AT_THE_END) if key in data)):
-        try:
-            settings[key] = float(data[key])
-            if not np.isfinite(settings[key]):
-                raise ValueError
-        except (TypeError, ValueError):
-            raise RunError(f"{path}: {key} is not a number: '{data[key]}'") from None
-    for key in ("balls", "inner_ring", "outer_ring"):
-        settings[key] = int(settings[key])
-    for key in ("sample_s", "samples_per_pass", "wall_s"):
-        if key in settings and not settings[key] > 0:
-            raise RunError(f"{path}: {key} = {data[key]} must be positive")
-    return settings

@@ -9,15 +9,15 @@ import pandas as pd
 import yaml
 
 from raceway.errors import RacewayError
-from raceway.point_run import FINISHED, state
+from raceway.sweeps.point_run import FINISHED, state
 
 KEYS = ("point", "status", "message")
 
 
 def gather(folder):
-    """A `DataFrame`, a row per point of the sweep in `folder`: `point`, `status` (finished, failed,
-    pending), `message`, the variables that were set, and every key of `raceway.summary.summary` (SI
-    units). Sorted by the variables. Raises `RacewayError` for no point.
+    """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
+    `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units).
+    Sorted by the variables. Raises `RacewayError` for no point.
     """
     rows, variables = [], {}
     for path in sorted(Path(folder).glob("*/point.yaml")):

@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from raceway import files
-from raceway.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER
 
 # Okabe and Ito's palette, told apart by colour-blind readers; the two raceways differ in lightness
 # as well

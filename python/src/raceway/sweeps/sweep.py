@@ -16,12 +16,12 @@ from pathlib import Path
 from tqdm import tqdm
 
 from raceway.errors import RacewayError
-from raceway.gather import write_results
-from raceway.point_run import FAILED, FINISHED, run_point, state
+from raceway.sweeps.gather import write_results
+from raceway.sweeps.point_run import FAILED, FINISHED, run_point, state
 
 
 def sweep(points, folder, command, *, jobs=1, retry=False):
-    """Run `points` (of `raceway.points`) into `folder`, `jobs` at a time; return (number by status,
+    """Run `points` (of `read_points`) into `folder`, `jobs` at a time; return (number by status,
     points that were finished before, path of the table).
 
     `command` is a list: program, options, deck. A bar shows progress where there is a terminal. On

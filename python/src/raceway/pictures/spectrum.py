@@ -5,7 +5,7 @@ line."""
 import matplotlib.pyplot as plt
 import numpy as np
 
-from raceway.style import FAINT, INK, PALETTE, SOFT, STYLE, save
+from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
 from raceway.units import axis
 
 COLOUR = dict(zip(("BPFI", "BPFO", "FTF", "BSF"), PALETTE))

@@ -7,16 +7,16 @@ from functools import cached_property
 import numpy as np
 import xarray as xr
 
-from raceway.bearing import INNER, OUTER
-from raceway.columns import ATOM, BEARING, CONTACT, RING
 from raceway.errors import RunError
-from raceway.run import BALL, CAGE, Run
-from raceway.summary import ring_displacement, summary
+from raceway.runs.columns import ATOM, BEARING, CONTACT, RING
+from raceway.runs.summary import ring_displacement, summary
+from raceway.runs.tables import BALL, CAGE, RunTables
+from raceway.theory.bearing import INNER, OUTER
 
 SIDES = {INNER: "inner", OUTER: "outer"}
 
 
-class Datasets:
+class Run:
     """The run in `folder`. Every dataset is read when first asked for; all values are SI units and
     say so in `attrs`.
 
@@ -43,7 +43,7 @@ class Datasets:
     """
 
     def __init__(self, folder, samples=slice(None)):
-        self.tables = Run(folder, samples)
+        self.tables = RunTables(folder, samples)
 
     def __repr__(self):
         settings = self.settings
@@ -115,8 +115,8 @@ class Datasets:
         return summary(self.tables)
 
     def universe(self):
-        """The run for MDAnalysis: `raceway.universe.universe`."""
-        from raceway.universe import universe  # MDAnalysis takes a second to load
+        """The run for MDAnalysis: `raceway.runs.universe`."""
+        from raceway.runs.universe import universe  # MDAnalysis takes a second to load
 
         return universe(self.tables)
 

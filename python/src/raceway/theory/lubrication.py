@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway import capacitance, film, hertz, kinematics
-from raceway.bearing import INNER, OUTER
-from raceway.static import equilibrium
+from raceway.theory import capacitance, film, hertz, kinematics
+from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.static import equilibrium
 
 
 class Film(NamedTuple):
@@ -39,7 +39,7 @@ def lubricate(bearing, state, oil, spin, clearance=0.0):
     """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s;
     `clearance` as there, m.
 
-    >>> from raceway.bearing import Bearing
+    >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> oil = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)

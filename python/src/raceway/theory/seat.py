@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway import circle, hertz
-from raceway.bearing import INNER, OUTER
 from raceway.errors import NoEquilibrium
+from raceway.theory import circle, hertz
+from raceway.theory.bearing import INNER, OUTER
 
 
 class Grooves(NamedTuple):

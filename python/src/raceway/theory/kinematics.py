@@ -18,7 +18,7 @@ class Frequencies(NamedTuple):
 def frequencies(bearing, angle=0.0):
     """FTF, BPFO, BPFI, BSF in shaft orders at a contact `angle` in rad (Harris, ch. 10).
 
-    >>> from raceway.bearing import Bearing
+    >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> [round(float(order), 4) for order in frequencies(paper)]
     [0.396, 3.5644, 5.4356, 2.3008]

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`run.yaml`: what a run says of itself."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import yaml
+
+from raceway.errors import RunError
+
+WORDS = ("bearing", "lubricant", "host", "integrator", "contact_columns", "ball_columns")
+NUMBERS = (
+    "load_N",
+    "rpm",
+    "clearance_m",
+    "passes",
+    "balls",
+    "ball_diameter_m",
+    "inner_radius_m",
+    "outer_radius_m",
+    "inner_groove_m",
+    "outer_groove_m",
+    "load_azimuth_rad",
+    "sample_s",
+    "samples_per_pass",
+    "inner_ring",
+    "outer_ring",
+)
+# written last: without them the run has not finished
+AT_THE_END = ("step_s", "simulated_s", "wall_s")
+LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
+EXTRA = ("ball_young_Pa", "ball_poisson", "cage_ball_diameter_m")  # some runs do not have them
+NO_LUBRICANT = ("dry", "none")
+
+
+def settings(folder: Path) -> dict[str, Any]:
+    """What `run.yaml` in `folder` says: names as text, the rest as numbers in the units their names
+    end with.
+
+    Raises `RunError` when the file cannot be read, lacks a key or has a value that is no number.
+    """
+    path = folder / "run.yaml"
+    try:
+        # every scalar as text: 6208 is a name, and YAML 1.1 takes 1e-05 for a string anyway
+        data = yaml.load(path.read_text(), Loader=yaml.BaseLoader)
+    except (OSError, UnicodeDecodeError) as error:
+        raise RunError(f"cannot read {path}: {getattr(error, 'strerror', None) or error}") from None
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        where = f", line {mark.line + 1}" if mark else ""
+        raise RunError(f"{path}{where}: {getattr(error, 'problem', None) or error}") from None
+    if not isinstance(data, dict):
+        raise RunError(f"{path} is not a list of 'name: value'")
+    lubricant = LUBRICANT if data.get("lubricant") not in (*NO_LUBRICANT, None) else ()
+    needed = (*WORDS, *NUMBERS, *lubricant)
+    if missing := [key for key in needed if key not in data]:
+        begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
+        raise RunError(f"{begun}{path} has no {', '.join(missing)}")
+    values = dict(data)
+    for key in (*needed[len(WORDS) :], *(key for key in (*EXTRA, *AT_THE_END) if key in data)):
+        try:
+            values[key] = float(data[key])
+            if not np.isfinite(values[key]):
+                raise ValueError
+        except (TypeError, ValueError):
+            raise RunError(f"{path}: {key} is not a number: '{data[key]}'") from None
+    for key in ("balls", "inner_ring", "outer_ring"):
+        values[key] = int(values[key])
+    for key in ("sample_s", "samples_per_pass", "wall_s"):
+        if key in values and not values[key] > 0:
+            raise RunError(f"{path}: {key} = {data[key]} must be positive")
+    return values
