@@ -52,7 +52,7 @@ def test_loaded_balls(reading):
 
 
 def test_coulomb_use(reading):
-    contacts = reading.run.contacts
+    contacts = reading.tables.contacts
     contacts["friction"], contacts["mu"] = 0.0, 0.1
     contacts.loc[7, "friction"] = -0.06 * contacts.loc[7, "normal"]
     assert reading.coulomb_use() == pytest.approx(0.6, rel=1e-12)
@@ -77,7 +77,7 @@ def test_cage_contact_share(reading):
         for kind, turn, push in ((1, 0.0, 0.0), (2, half, 1.1 * gap / 30.3e-3))
         for at, place in enumerate(places(turn, push))
     ]
-    reading.run.balls = pd.DataFrame(rows, columns=["sample", "id", "type", "x", "y", "z"])
+    reading.tables.balls = pd.DataFrame(rows, columns=["sample", "id", "type", "x", "y", "z"])
     assert reading.cage_contact_share(6.3e-3, 4.19e-3) == pytest.approx(1 / (2 * count), rel=1e-12)
 
 

@@ -4,12 +4,13 @@ own."""
 
 from pathlib import Path
 
+from raceway.files import FilePath
 from raceway.inputs import InputError
 
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 
 
-def folder(given=None):
+def folder(given: FilePath | None = None) -> Path:
     """The inputs folder: `given`; else `inputs` here or in a folder above; else that of the source
     tree this package is installed from. Raises `InputError` when there is none."""
     if given is not None:
@@ -26,7 +27,7 @@ def folder(given=None):
     )
 
 
-def find(kind, name, inputs=None):
+def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
     """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is a
     path itself.
 

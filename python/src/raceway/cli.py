@@ -5,6 +5,7 @@ import argparse
 import os
 import sys
 import warnings
+from collections.abc import Sequence
 
 from raceway import __version__, progress
 from raceway.commands import animate, export, gather, paper, plot, spectrum, static, summary, sweep
@@ -24,7 +25,7 @@ deck.
 Exit codes: 0 done; 1 not done, a message says why; 2 wrong command line; 130 interrupted."""
 
 
-def main(argv=None):
+def main(argv: Sequence[str] | None = None) -> int:
     """Run the command with `argv` (default: the process's) and return its exit code."""
     arguments = _parser().parse_args(argv)
     try:

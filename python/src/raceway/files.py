@@ -2,12 +2,15 @@
 """Files appear whole or not at all."""
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 from raceway.errors import RunError
 
+FilePath = str | os.PathLike[str]
 
-def whole(path, write):
+
+def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
     """Let `write(part)` make a file beside `path`, then give it that name; return `path`, a `Path`.
 
     Raises `RunError` when it cannot be written; what was there before stays.
@@ -24,7 +27,7 @@ def whole(path, write):
     return path
 
 
-def folder(path):
+def folder(path: FilePath) -> Path:
     """Make the folder `path` and those above it; return it as a `Path`. Raises `RunError` when that
     cannot be done."""
     try:

@@ -5,6 +5,7 @@ import re
 from typing import NamedTuple
 
 from raceway.errors import RacewayError
+from raceway.files import FilePath
 from raceway.theory.bearing import Bearing
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
@@ -23,7 +24,7 @@ class Oil(NamedTuple):
     roughness: float  # m, composite
 
 
-def values(path):
+def values(path: FilePath) -> dict[str, str]:
     """The index variables of a data file as {name: text}. Raises `InputError` when it cannot be
     read."""
     try:
@@ -35,7 +36,7 @@ def values(path):
     return dict(match.groups() for match in map(LINE.match, lines) if match)
 
 
-def bearing(path):
+def bearing(path: FilePath) -> Bearing:
     """`Bearing` of a file of inputs/bearings. Raises `InputError`."""
     data = _numbers(
         path,
@@ -56,7 +57,7 @@ def bearing(path):
         raise InputError(f"{path}: {error}") from None
 
 
-def oil(path):
+def oil(path: FilePath) -> Oil:
     """`Oil` of a file of inputs/lubricants. Raises `InputError`, for the dry one too."""
     data = _numbers(
         path, "viscosity", "pressure_viscosity", "permittivity", "roughness", "ball_roughness"

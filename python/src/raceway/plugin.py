@@ -4,7 +4,7 @@
 from pathlib import Path
 
 
-def folder():
+def folder() -> str:
     """Folder of `raceway_plugin.so`, as text: the `build` of the source tree that this package is
     installed from.
 

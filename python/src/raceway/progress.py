@@ -4,12 +4,18 @@ turns it on."""
 
 import sys
 import time
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # pandas takes longer to load than `--help` should
+    from raceway.runs.dump import Block
 
 AFTER = 1.0  # s: what takes less needs no word
 on = False
 
 
-def reading(path, blocks):
+def reading(path: Path, blocks: Iterable["Block"]) -> Iterator["Block"]:
     """Yield `blocks` (`dump.Block`s of the file at `path`), with the share read on standard error
     if that is a terminal."""
     if not (on and sys.stderr.isatty()):
@@ -32,7 +38,7 @@ def reading(path, blocks):
             print("\r\033[K", end="", file=sys.stderr, flush=True)  # the line goes away
 
 
-def line(text, last):
+def line(text: str, last: bool) -> None:
     """Show `text` on the terminal in place of the line before it; after the `last`, the line goes
     away."""
     if on and sys.stderr.isatty():

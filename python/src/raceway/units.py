@@ -6,7 +6,7 @@ import math
 PREFIX = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 
-def prefixed(value, unit, digits=4):
+def prefixed(value: float, unit: str, digits: int = 4) -> str:
     """`value` in `unit` as text with `digits` significant digits and an SI prefix: 2.571e9, "Pa" ->
     2.571 GPa.
 
@@ -22,7 +22,7 @@ def prefixed(value, unit, digits=4):
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
 
 
-def axis(largest, unit):
+def axis(largest: float, unit: str) -> tuple[float, str]:
     """(factor, unit with prefix) of an axis that reaches `largest`.
 
     >>> axis(2436, "N")

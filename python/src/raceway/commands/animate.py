@@ -4,6 +4,7 @@
 import argparse
 from pathlib import Path
 
+from raceway.commands import Commands
 from raceway.commands.quantity import number
 
 DESCRIPTION = """\
@@ -23,7 +24,7 @@ Exit codes: 0 done, 1 the run is broken, has not what is asked for, or ffmpeg is
 COLOURS = ("load", "pressure", "film", "capacitance")
 
 
-def add(commands):
+def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "animate",
@@ -73,7 +74,7 @@ def add(commands):
     one.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
     """Write the animation and print its path."""
     # matplotlib takes longer to load than --help to print
     from raceway.pictures.animation import animation

@@ -4,6 +4,8 @@
 import argparse
 from pathlib import Path
 
+from raceway.commands import Commands
+
 DESCRIPTION = """\
 Write a run as files that other programs open as they are:
   vtk   for ParaView: bearing.pvd, a time series of the balls (points with radius, velocity, spin,
@@ -21,7 +23,7 @@ shows the balls.
 Exit codes: 0 done, 1 the run is broken or the folder cannot be written, 2 wrong command line."""
 
 
-def add(commands):
+def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "export",
@@ -44,7 +46,7 @@ def add(commands):
     one.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
     """Write the files and print the one to open."""
     from raceway.export import ovito, paraview
     from raceway.runs.tables import RunTables

@@ -3,6 +3,7 @@
 
 import argparse
 
+from raceway.commands import Commands
 from raceway.sweeps.gather import write_results
 
 HELP = "results of a sweep as one CSV table"
@@ -14,7 +15,8 @@ Exit codes: 0 done, also while points are missing or failed, 1 there is no sweep
 2 wrong command line."""
 
 
-def add(commands):
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
     parser = commands.add_parser(
         "gather",
         help=HELP,
@@ -29,7 +31,9 @@ def add(commands):
     parser.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
+    """Write the table and print where it is and how many points are in which state. Raises
+    `RacewayError` when there is no sweep."""
     path, table = write_results(arguments.folder)
     counts = table["status"].value_counts()
     print(

@@ -6,6 +6,7 @@ import os
 import sys
 from pathlib import Path
 
+from raceway.commands import Commands
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
@@ -22,7 +23,7 @@ Exit codes: 0 done, 1 a case failed (it is named, and what does not need it is m
 2 wrong command line."""
 
 
-def add(commands):
+def add(commands: Commands) -> None:
     """Put the subcommand under `commands`."""
     one = commands.add_parser(
         "paper",
@@ -56,7 +57,7 @@ def add(commands):
     one.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
     """Make the products asked for. Raises `RacewayError` for a wrong name, a failed case or a
     product not made."""
     # matplotlib and scipy take longer to load than `--help` should

@@ -4,6 +4,8 @@
 import argparse
 from pathlib import Path
 
+from raceway.commands import Commands
+
 KINDS = ("overview", "polar", "waterfall", "bearing")
 DESCRIPTION = """\
 Draw a run to a PNG:
@@ -20,7 +22,7 @@ examples:
 Exit codes: 0 done, 1 the run is broken or has not what the picture shows, 2 wrong command line."""
 
 
-def add(commands):
+def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "plot",
@@ -37,7 +39,7 @@ def add(commands):
     one.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
     """Draw the picture and print its path."""
     from importlib import import_module  # matplotlib takes longer to load than a summary to compute
 

@@ -4,6 +4,7 @@
 import argparse
 import math
 import re
+from collections.abc import Callable
 
 ANGLES = {
     "": 1.0,
@@ -15,7 +16,7 @@ ANGLES = {
 }
 
 
-def number(low, high, unit):
+def number(low: float, high: float, unit: str) -> Callable[[str], float]:
     """An argparse type: a float from `low` to `high`, in `unit`."""
 
     def convert(text):
@@ -28,7 +29,7 @@ def number(low, high, unit):
     return convert
 
 
-def angle(low, high):
+def angle(low: float, high: float) -> Callable[[str], float]:
     """An argparse type: an angle in rad, or with one of the suffixes of `ANGLES`; from `low` to
     `high` rad."""
 
@@ -45,7 +46,7 @@ def angle(low, high):
     return convert
 
 
-def inside(value, text, low, high, unit):
+def inside(value: float, text: str, low: float, high: float, unit: str) -> float:
     """`value`, or the complaint that it is not between `low` and `high`."""
     if not low <= value <= high:
         raise argparse.ArgumentTypeError(
@@ -54,7 +55,7 @@ def inside(value, text, low, high, unit):
     return value
 
 
-def takes_negative(parser):
+def takes_negative(parser: argparse.ArgumentParser) -> None:
     """Let `parser` read -20e-6 as a number: until Python 3.14 argparse knows only negative numbers
     without exponent."""
     parser._negative_number_matcher = re.compile(r"-\.?[0-9]")

@@ -4,8 +4,16 @@
 import argparse
 import json
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
+from raceway.commands import Commands
 from raceway.units import prefixed
+
+if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
+    import xarray as xr
+
+    from raceway.runs.spectrum import Line
 
 DESCRIPTION = """\
 Spectrum of a column of rings.dat, and where the kinematic lines are in it. Measure enough ball
@@ -20,7 +28,7 @@ examples:
 Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command line."""
 
 
-def add(commands):
+def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "spectrum",
@@ -51,7 +59,7 @@ def add(commands):
     one.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
     """Print the lines of the run and draw them when asked."""
     import raceway
     from raceway.runs.spectrum import lines, of_run
@@ -71,7 +79,7 @@ def run(arguments):
     )
 
 
-def table(spectrum, found):
+def table(spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
     """The `Line`s `found` in `spectrum` as text."""
     unit, resolution = spectrum.attrs["units"], spectrum.attrs["resolution"]
     rows = [

@@ -6,6 +6,7 @@ import argparse
 import json
 import math
 
+from raceway.commands import Commands
 from raceway.commands.quantity import angle, number, takes_negative
 
 HELP = "loads, tilt, film and capacitance from theory, without a simulation"
@@ -37,7 +38,7 @@ HOLD = {
 }
 
 
-def add(commands):
+def add(commands: Commands) -> None:
     """Add the parser to those of the `raceway` command."""
     one = commands.add_parser(
         "static",
@@ -139,7 +140,7 @@ def add(commands):
     one.set_defaults(command=run, complain=one.error)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
     """Print the figures. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
     from raceway.theory.operating_point import figures, table

@@ -4,6 +4,8 @@
 import argparse
 import json
 
+from raceway.commands import Commands
+
 EXAMPLES = """\
 examples:
   raceway summary build/run/6208
@@ -12,7 +14,7 @@ examples:
 Exit codes: 0 done, 1 the folder holds no finished run or a broken one, 2 wrong command line."""
 
 
-def add(commands):
+def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "summary",
@@ -31,7 +33,7 @@ def add(commands):
     one.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
     """Print the figures."""
     from raceway.runs.summary import summary, table
     from raceway.runs.tables import RunTables

@@ -10,6 +10,7 @@ import signal
 import sys
 from pathlib import Path
 
+from raceway.commands import Commands
 from raceway.errors import RacewayError
 from raceway.sweeps.points import deck_variables, read_points
 
@@ -47,7 +48,8 @@ exec {command} --jobs "${{SLURM_CPUS_PER_TASK:-1}}" --part "${{SLURM_ARRAY_TASK_
 """
 
 
-def add(commands):
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
     parser = commands.add_parser(
         "sweep",
         help=HELP,
@@ -106,7 +108,11 @@ def add(commands):
     parser.set_defaults(command=run)
 
 
-def run(arguments):
+def run(arguments: argparse.Namespace) -> None:
+    """Run the points, or check or write them out, as asked.
+
+    Raises `RacewayError` for a table that cannot be used and when a point failed.
+    """
     points = read_points(arguments.table, deck_variables(arguments.deck))
     program = shlex.split(arguments.program)
     if not program or shutil.which(program[0]) is None:

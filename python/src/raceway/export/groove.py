@@ -4,13 +4,14 @@ ball."""
 
 import numpy as np
 
-from raceway.theory.bearing import INNER
+from raceway.arrays import Floats, Integers
+from raceway.theory.bearing import INNER, Bearing
 
 SHOULDER = 0.2  # of a ball's diameter
 AROUND, ACROSS = 96, 9  # cells, points
 
 
-def mesh(bearing, raceway, clearance=0.0):
+def mesh(bearing: Bearing, raceway: int, clearance: float = 0.0) -> tuple[Floats, Integers]:
     """(points (n, 3) in m, quads (m, 4) of point numbers) of a groove centred at the origin, axis
     z; normals towards the balls.
 

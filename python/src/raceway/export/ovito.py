@@ -7,11 +7,15 @@ properties of their own. Where a ball has no film, -1 is written: not every read
 NaN.
 """
 
+from pathlib import Path
+
 import numpy as np
 
 from raceway import files
 from raceway.export import groove
 from raceway.export.particles import frames
+from raceway.files import FilePath
+from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 
 NAMES = {1: "ball", 2: "cage"}
@@ -19,7 +23,7 @@ KNOWN = {"velocity": "velo", "spin": "angular_velocity"}
 FIRST = ("id", "type", "radius")
 
 
-def write(tables, out, every=None):
+def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     """Write the run `tables` into the folder `out`; return the path of `bearing.xyz`.
 
     A frame's comment line has the cell, `Time` (s), `sample`, `ring_x`, `ring_y`, `ring_z` (m,

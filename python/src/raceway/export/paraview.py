@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run for ParaView: a folder with `bearing.pvd`, which lists balls and raceways at every time."""
 
+from pathlib import Path
+
 import numpy as np
 
 from raceway import files
 from raceway.export import groove, vtu
 from raceway.export.particles import frames
+from raceway.files import FilePath
+from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 
 
-def write(tables, out, every=None):
+def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     """Write the run `tables` into the folder `out`; return the path of `bearing.pvd`, which is
     written last.
 

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Balls and cage balls of a run, sample by sample, with what their contacts carry."""
 
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.columns import CONTACT
-from raceway.runs.tables import BALL, CAGE
+from raceway.runs.tables import BALL, CAGE, RunTables
 from raceway.theory import capacitance
 from raceway.theory.bearing import INNER, OUTER
 
@@ -21,13 +24,13 @@ class Frame(NamedTuple):
 
     sample: int
     time: float  # s
-    position: np.ndarray  # (n, 3)
-    data: dict  # name: (n,) or (n, 3)
-    ring: np.ndarray  # (3,), where the inner ring is
+    position: Floats  # (n, 3)
+    data: dict[str, NDArray[Any]]  # name: (n,) or (n, 3)
+    ring: Floats  # (3,), where the inner ring is
     ring_turned: float  # rad, about its axis since the first sample
 
 
-def frames(tables, every=None):
+def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
     """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None: so
     many that at most `FRAMES` are left.
 

@@ -8,15 +8,20 @@ renderer. The tests read it with meshio.
 
 import base64
 import sys
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from raceway.arrays import Floats
 
 VERTEX, QUAD = 1, 9  # cell types
 TYPES = {"f4": "Float32", "f8": "Float64", "i4": "Int32", "u1": "UInt8"}
 ORDER = "LittleEndian" if sys.byteorder == "little" else "BigEndian"
 
 
-def grid(points, cells, data):
+def grid(points: Floats, cells: ArrayLike, data: Mapping[str, NDArray[Any]]) -> str:
     """The text of a .vtu file: `points` (n, 3), `cells` (m, 1) vertices or (m, 4) quads of point
     numbers, `data` {name: (n,) or (n, 3)} of the points."""
     cells = np.asarray(cells)
@@ -40,7 +45,7 @@ def grid(points, cells, data):
     )
 
 
-def series(entries):
+def series(entries: Iterable[tuple[float, int, str]]) -> str:
     """The text of a .pvd file: `entries` are (time, part number, file name)."""
     return _file(
         "Collection",

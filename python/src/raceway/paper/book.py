@@ -6,8 +6,10 @@ from functools import cached_property
 from pathlib import Path
 
 from raceway import inputs
+from raceway.inputs import Oil
 from raceway.paper.reading import Readings
 from raceway.theory import kinematics
+from raceway.theory.bearing import Bearing
 
 OILS = {"mineral": "mineral oil", "pao48": "PAO VG48"}
 
@@ -20,15 +22,15 @@ class Book:
     readings: Readings
 
     @cached_property
-    def bearing(self):
+    def bearing(self) -> Bearing:
         """The 6208."""
         return inputs.bearing(self.root / "inputs/bearings/6208")
 
     @cached_property
-    def oils(self):
+    def oils(self) -> dict[str, Oil]:
         """{name: `Oil`}."""
         return {name: inputs.oil(self.root / "inputs/lubricants" / name) for name in OILS}
 
-    def entrainment(self, rpm):
+    def entrainment(self, rpm: float) -> float:
         """U_r in m/s of the 6208 at an inner ring speed in rpm."""
         return float(kinematics.entrainment(self.bearing, rpm * 0.10471975511965977))

@@ -3,8 +3,10 @@
 into the decks'."""
 
 import itertools
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import yaml
@@ -12,6 +14,7 @@ import yaml
 from raceway import inputs
 from raceway.inputs import InputError
 from raceway.theory import kinematics
+from raceway.theory.bearing import Bearing
 
 FILE = Path("inputs/paper/cases.yaml")
 
@@ -21,11 +24,11 @@ class Case:
     """One run: a deck and its `-var` settings. Cases with the same settings are the same run."""
 
     deck: str
-    settings: tuple  # of (name, text), sorted
-    given: dict = field(compare=False)  # as in the file, for looking up
+    settings: tuple[tuple[str, str], ...]  # (name, text), sorted
+    given: dict[str, Any] = field(compare=False)  # as in the file, for looking up
 
     @property
-    def label(self):
+    def label(self) -> str:
         """What the case is, for people."""
         given = {key: value for key, value in self.given.items() if key != "passes"}
         return f"{Path(self.deck).name} " + " ".join(
@@ -37,16 +40,16 @@ class Case:
 class Plan:
     """Cases by set, and the sets each product needs."""
 
-    cases: dict  # set name -> [Case]
-    products: dict  # product name -> [set name]
+    cases: dict[str, list[Case]]  # by name of the set
+    products: dict[str, list[str]]  # names of the sets by name of the product
 
-    def needed(self, products):
+    def needed(self, products: Iterable[str]) -> list[Case]:
         """The cases of these products, each once."""
         sets = dict.fromkeys(name for product in products for name in self.products[product])
         return list(dict.fromkeys(case for name in sets for case in self.cases[name]))
 
 
-def plan(root):
+def plan(root: Path) -> Plan:
     """`Plan` of the source tree `root`. Raises `InputError` for a file that is not one."""
     path = root / FILE
     try:
@@ -100,11 +103,11 @@ def _case(root, deck, given):
     return Case(deck, settings, given)
 
 
-def rpm(bearing, entrainment):
+def rpm(bearing: Bearing, entrainment: float) -> float:
     """Inner ring speed in rpm at which balls that roll entrain at `entrainment` in m/s."""
     return entrainment / kinematics.entrainment(bearing, 1.0) * 30 / np.pi
 
 
-def groove(bearing, total_curvature):
+def groove(bearing: Bearing, total_curvature: float) -> float:
     """r_c in m of both grooves for B = 2 r_c/D - 1 (eq A.2)."""
     return bearing.ball_diameter * (total_curvature + 1) / 2

@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Parts that the paper's figures share."""
 
+from typing import Any
+
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from numpy.typing import ArrayLike, NDArray
 
+from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.style import FAINT, INK, REGIMES, SOFT
 
@@ -11,7 +18,7 @@ SIZE, DPI = (6.6, 4.6), 110
 AZIMUTH = "azimuth ψ from the load line (°)"
 
 
-def page(title, note, columns=1):
+def page(title: str, note: str, columns: int = 1) -> tuple[Figure, NDArray[Any]]:
     """(figure, axes) with a title and a line on what was run."""
     figure, axes = plt.subplots(
         1,
@@ -31,17 +38,17 @@ def page(title, note, columns=1):
     return figure, axes[0]
 
 
-def write(figure, path):
+def write(figure: Figure, path: FilePath) -> None:
     """Save to `path`."""
     style.save(figure, path)
 
 
-def ring_axis(axes):
+def ring_axis(axes: Axes) -> None:
     """Azimuth from -180 to 180 degrees."""
     axes.set(xlabel=AZIMUTH, xlim=(-180, 180), xticks=range(-180, 181, 45))
 
 
-def legend(axes, where, **options):
+def legend(axes: Axes, where: str, **options: Any) -> Legend:
     """A legend on white, so that the grid does not cross it."""
     return axes.legend(
         loc=where,
@@ -55,7 +62,7 @@ def legend(axes, where, **options):
     )
 
 
-def regimes(axes, top, at):
+def regimes(axes: Axes, top: float, at: float) -> None:
     """Bands of the film parameter up the y axis; their names at `at` of the width."""
     for low, high, name, colour in REGIMES:
         if low < top:
@@ -74,16 +81,25 @@ def regimes(axes, top, at):
                 axes.axhline(low, color=FAINT, lw=1, zorder=0.2)
 
 
-def marks(axes, x, y, colour, label, marker="o"):
+def marks(
+    axes: Axes, x: ArrayLike, y: ArrayLike, colour: str, label: str, marker: str = "o"
+) -> None:
     """The simulation: open symbols."""
     axes.plot(x, y, marker, ms=6.5, mfc="white", mec=colour, mew=1.7, label=label, zorder=4)
 
 
-def theory(axes, x, y, label=None, colour=INK, **options):
+def theory(
+    axes: Axes,
+    x: ArrayLike,
+    y: ArrayLike,
+    label: str | None = None,
+    colour: str = INK,
+    **options: Any,
+) -> None:
     """A theory: a thin line."""
     axes.plot(x, y, color=colour, lw=1.3, label=label, zorder=3, **options)
 
 
-def scale(values):
+def scale(values: ArrayLike) -> float:
     """Top of an axis that starts at zero."""
     return 1.08 * float(np.nanmax(values))

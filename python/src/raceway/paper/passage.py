@@ -8,11 +8,14 @@ The contact is that of the inner raceway under a ball on the load line, which ha
 import numpy as np
 from scipy.optimize import brentq
 
+from raceway.inputs import Oil
 from raceway.paper import theory
-from raceway.theory.bearing import INNER
+from raceway.theory.bearing import INNER, Bearing
 
 
-def speed(bearing, oil, radial_load, h_min, printed=False):
+def speed(
+    bearing: Bearing, oil: Oil, radial_load: float, h_min: float, printed: bool = False
+) -> float:
     """Entrainment speed in m/s at which the smallest film is `h_min` in m; `h_min` grows as a power
     of the speed."""
     q = theory.largest_load(bearing, radial_load)
@@ -23,7 +26,14 @@ def speed(bearing, oil, radial_load, h_min, printed=False):
     return float((h_min / second) ** (1 / power))
 
 
-def capacitance(bearing, oil, radial_load, h_min, whole=True, printed=False):
+def capacitance(
+    bearing: Bearing,
+    oil: Oil,
+    radial_load: float,
+    h_min: float,
+    whole: bool = True,
+    printed: bool = False,
+) -> float:
     """Capacitance in F where the smallest film is `h_min` in m: of the bearing (`whole`) or of the
     ball on the load line."""
     at = speed(bearing, oil, radial_load, h_min, printed)
@@ -34,7 +44,14 @@ def capacitance(bearing, oil, radial_load, h_min, whole=True, printed=False):
     )
 
 
-def roughness(bearing, oil, radial_load, value, whole=True, printed=False):
+def roughness(
+    bearing: Bearing,
+    oil: Oil,
+    radial_load: float,
+    value: float,
+    whole: bool = True,
+    printed: bool = False,
+) -> float:
     """Composite roughness in m for which the capacitance is `value` in F where Lambda = 1."""
     return float(
         np.exp(

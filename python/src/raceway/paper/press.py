@@ -6,6 +6,7 @@ A file appears whole or not at all.
 """
 
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -13,9 +14,11 @@ import pandas as pd
 
 from raceway import files
 from raceway.paper import quantities, statements
+from raceway.paper.book import Book
 from raceway.paper.figures import FIGURES
 from raceway.paper.shown import list_table, markup, plain
 from raceway.paper.shown import table as shown_table
+from raceway.paper.statements import Judged
 from raceway.paper.tables import TABLES
 from raceway.pictures import style
 
@@ -29,14 +32,14 @@ HEAD = (
 )
 
 
-def title(product):
+def title(product: str) -> str:
     """What a product is, in a line."""
     if product == STATEMENTS:
         return "Every statement of the paper that can be checked, with verdict."
     return (FIGURES | TABLES)[product].__doc__.split("\n")[0]
 
 
-def make(product, book, out):
+def make(product: str, book: Book, out: Path) -> list[Path]:
     """Write one product into the folder `out`; return the paths. Raises `RacewayError`."""
     if product in FIGURES:
         with plt.rc_context(style.STYLE):
@@ -68,7 +71,7 @@ def _statements(book, out):
     ]
 
 
-def rst(judged):
+def rst(judged: Sequence[Judged]) -> str:
     """The statements as a list-table."""
     rows = [[name for name, _ in HEAD]]
     for one in judged:

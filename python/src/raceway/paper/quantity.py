@@ -14,7 +14,7 @@ class Quantity(NamedTuple):
     label: str
 
     @property
-    def text(self):
+    def text(self) -> str:
         """For people, four digits and an SI prefix; shares three."""
         if self.unit == "%":
             return f"{100 * self.value:.3g} %".replace("-", "−")

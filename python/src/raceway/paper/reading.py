@@ -6,11 +6,17 @@ sweep the whole ring, so a quantity of one ball around the ring is that of all b
 """
 
 import re
+from collections.abc import Mapping
 from functools import cached_property
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from raceway.arrays import Floats, Integers
 from raceway.errors import RunError
+from raceway.files import FilePath
+from raceway.paper.cases import Case, Plan
 from raceway.paper.runner import LOG
 from raceway.runs.summary import summary
 from raceway.runs.tables import BALL, RunTables
@@ -24,59 +30,59 @@ GRID = np.arange(-180.0, 181.0)
 class Reading:
     """One run of a radially loaded, turning bearing."""
 
-    def __init__(self, case, folder):
-        self.case, self.given, self.run = case, case.given, RunTables(folder)
+    def __init__(self, case: Case, folder: FilePath) -> None:
+        self.case, self.given, self.tables = case, case.given, RunTables(folder)
 
     @cached_property
-    def figures(self):
+    def figures(self) -> dict[str, Any]:
         """The run's `summary`."""
-        return summary(self.run)
+        return summary(self.tables)
 
     @cached_property
     def _azimuths(self):
-        contacts = self.run.contacts
+        contacts = self.tables.contacts
         return contacts[["sample", "ball", "raceway"]].assign(
-            psi=np.degrees(self.run.from_load_line(contacts["azimuth"].to_numpy()))
+            psi=np.degrees(self.tables.from_load_line(contacts["azimuth"].to_numpy()))
         )
 
-    def around(self, raceway, column):
+    def around(self, raceway: int, column: str) -> tuple[Floats, Floats]:
         """(psi in degrees, values), sorted: a column of the contacts of one raceway, where there is
         contact."""
-        rows = self.run.contacts["raceway"].to_numpy() == raceway
+        rows = self.tables.contacts["raceway"].to_numpy() == raceway
         return _sorted(
-            self._azimuths["psi"].to_numpy()[rows], self.run.contacts[column].to_numpy()[rows]
+            self._azimuths["psi"].to_numpy()[rows], self.tables.contacts[column].to_numpy()[rows]
         )
 
-    def ball_capacitance(self):
+    def ball_capacitance(self) -> tuple[Floats, Floats]:
         """(psi in degrees, F), sorted: inner and outer in series of each ball loaded on both
         raceways."""
         place = self._azimuths[self._azimuths["raceway"] == INNER]
-        rows = self.run.pairs.merge(place, on=["sample", "ball"])
+        rows = self.tables.pairs.merge(place, on=["sample", "ball"])
         return _sorted(rows["psi"].to_numpy(), rows["capacitance"].to_numpy())
 
-    def top(self, raceway, column):
+    def top(self, raceway: int, column: str) -> float:
         """A column of the contacts of one raceway on the load line, psi = 0."""
         return float(np.interp(0.0, *self.around(raceway, column)))
 
-    def top_capacitance(self):
+    def top_capacitance(self) -> float:
         """Capacitance in F of a ball on the load line."""
         return float(np.interp(0.0, *self.ball_capacitance()))
 
-    def permittivity(self, raceway):
+    def permittivity(self, raceway: int) -> tuple[Floats, Floats]:
         """(psi, relative permittivity) of contacts, from their capacitance, film and area (eq
         8)."""
         psi, value = self.around(raceway, "capacitance")
         area = np.pi * self.around(raceway, "a")[1] * self.around(raceway, "b")[1]
         return psi, value * self.around(raceway, "h_c")[1] / (VACUUM * area)
 
-    def loaded_balls(self):
+    def loaded_balls(self) -> Integers:
         """How many balls are loaded on both raceways, one value a sample."""
-        pairs = self.run.pairs.groupby("sample").size()
-        return pairs.reindex(range(self.run.contacts.attrs["samples"]), fill_value=0).to_numpy()
+        pairs = self.tables.pairs.groupby("sample").size()
+        return pairs.reindex(range(self.tables.contacts.attrs["samples"]), fill_value=0).to_numpy()
 
-    def cage_contact_share(self, ball_radius, cage_radius):
+    def cage_contact_share(self, ball_radius: float, cage_radius: float) -> float:
         """Share of all neighbouring pairs of ball and cage ball, over all samples, that touch."""
-        balls = self.run.balls
+        balls = self.tables.balls
         places = {
             kind: (
                 balls[balls["type"] == kind]
@@ -85,24 +91,24 @@ class Reading:
             )
             for kind in (BALL, CAGE_BALL)
         }
-        count = int(self.run.settings["balls"])
+        count = int(self.tables.settings["balls"])
         ball, cage = (places[kind].reshape(-1, count, 1, 3) for kind in (BALL, CAGE_BALL))
         gap = np.linalg.norm(ball - np.swapaxes(cage, 1, 2), axis=-1) - ball_radius - cage_radius
         touching = np.count_nonzero(gap < 0, axis=(1, 2))
         return float(touching.mean() / (2 * count))
 
-    def coulomb_use(self):
+    def coulomb_use(self) -> float:
         """Largest friction force over mu times normal force of all contacts."""
-        contacts = self.run.contacts[self.run.contacts["normal"] > 0]
+        contacts = self.tables.contacts[self.tables.contacts["normal"] > 0]
         return float((contacts["friction"].abs() / (contacts["mu"] * contacts["normal"])).max())
 
-    def spin(self):
+    def spin(self) -> float:
         """Mean spin in rad/s of a ball about the bearing's axis, against the inner ring's sense."""
-        balls = self.run.balls
+        balls = self.tables.balls
         return -float(balls.loc[balls["type"] == BALL, "omegaz"].mean())
 
 
-def gridded(psi, values):
+def gridded(psi: Floats, values: Floats) -> Floats:
     """Values on whole degrees; zero where no sample is near, as beyond the loaded zone."""
     result = np.interp(GRID, psi, values, period=360)
     gap = np.min(np.abs((GRID[:, None] - psi[None, :] + 180) % 360 - 180), axis=1)
@@ -120,7 +126,7 @@ ENDPLAY = {
 }
 
 
-def endplay(folder):
+def endplay(folder: Path) -> tuple[float, float]:
     """(free contact angle in degrees, free endplay in m) that inputs/in.axial printed. Raises
     `RunError`."""
     path = folder / LOG
@@ -134,18 +140,18 @@ def endplay(folder):
 class Readings:
     """The finished cases of a plan, by set."""
 
-    def __init__(self, plan, folders):
+    def __init__(self, plan: Plan, folders: Mapping[Case, Path]) -> None:
         self.plan, self.folders, self._kept = plan, folders, {}
 
-    def has(self, product):
+    def has(self, product: str) -> bool:
         """Whether all cases of a product have run."""
         return all(case in self.folders for case in self.plan.needed([product]))
 
-    def all(self, name):
+    def all(self, name: str) -> list[Reading]:
         """The `Reading`s of a set, in the order of the file."""
         return [self._reading(case) for case in self.plan.cases[name]]
 
-    def some(self, name, **given):
+    def some(self, name: str, **given: Any) -> list[Reading]:
         """The `Reading`s of a set whose settings are as given."""
         return [
             one
@@ -153,12 +159,12 @@ class Readings:
             if all(one.given[key] == value for key, value in given.items())
         ]
 
-    def one(self, name, **given):
+    def one(self, name: str, **given: Any) -> Reading:
         """The only `Reading` of a set with these settings."""
         (found,) = self.some(name, **given)
         return found
 
-    def endplays(self):
+    def endplays(self) -> list[tuple[dict[str, Any], float, float]]:
         """[(given, contact angle in degrees, endplay in m)] of the axial cases."""
         return [(case.given, *endplay(self.folders[case])) for case in self.plan.cases["endplay"]]
 

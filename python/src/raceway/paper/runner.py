@@ -6,11 +6,14 @@ import os
 import shutil
 import subprocess
 import threading
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.paper.cases import Case
 
 PROGRAM = Path("build/liggghts")
 LIBRARY = Path("build/libraceway_liggghts.so")
@@ -22,7 +25,7 @@ class CaseError(RacewayError):
     """A case did not run to its end."""
 
 
-def root():
+def root() -> Path:
     """The source tree around the present folder. Raises `RacewayError` when there is none or it is
     not built."""
     here = Path.cwd()
@@ -41,30 +44,30 @@ def root():
 class Outcome:
     """What became of the cases: folders of those that ran, messages of those that did not."""
 
-    folders: dict  # Case -> Path
-    failures: dict  # Case -> str
+    folders: dict[Case, Path]
+    failures: dict[Case, str]
 
 
 class Runner:
     """Runs the cases of one source tree; results stay in `store`, a folder for each state of
     program and inputs."""
 
-    def __init__(self, tree, store):
+    def __init__(self, tree: Path, store: FilePath) -> None:
         self.tree, self.state = tree, _digest(tree)[:16]
         self.store = Path(store).resolve() / self.state
 
-    def folder(self, case):
+    def folder(self, case: Case) -> Path:
         """Where a case's results are; there once it has run to its end."""
         key = hashlib.sha256(repr((case.deck, case.settings)).encode()).hexdigest()[:16]
         return self.store / f"{Path(case.deck).name[3:]}-{key}"
 
-    def forget(self):
+    def forget(self) -> None:
         """Remove the results of other states of program and inputs."""
         for old in self.store.parent.glob("[0-9a-f]" * 16):
             if old != self.store:
                 shutil.rmtree(old, ignore_errors=True)
 
-    def run(self, case):
+    def run(self, case: Case) -> Path:
         """Run one case unless its results are there; return its folder. Raises `CaseError`."""
         final = self.folder(case)
         if final.is_dir():
@@ -83,7 +86,12 @@ class Runner:
             shutil.rmtree(part, ignore_errors=True)
         return final
 
-    def run_all(self, cases, jobs, progress):
+    def run_all(
+        self,
+        cases: Sequence[Case],
+        jobs: int,
+        progress: Callable[[int, Case, CaseError | None], object],
+    ) -> Outcome:
         """Run `cases`, `jobs` at a time; `progress(done, case, error)` after each. Returns an
         `Outcome`."""
         outcome, lock = Outcome({}, {}), threading.Lock()

@@ -14,7 +14,7 @@ import yaml
 
 from raceway.inputs import InputError, Oil
 from raceway.paper import passage, theory
-from raceway.paper.book import OILS
+from raceway.paper.book import OILS, Book
 from raceway.theory.bearing import INNER
 
 LOAD, SPEED = 5000.0, 0.41
@@ -28,7 +28,7 @@ COLUMN = {
 FILE = "inputs/paper/ranges.yaml"
 
 
-def ranges(book):
+def ranges(book: Book) -> dict[str, dict[str, tuple[float, float]]]:
     """{oil: {property: (low, high)}} of `FILE`. Raises `InputError`."""
     path = book.root / FILE
     try:
@@ -45,7 +45,7 @@ def ranges(book):
         ) from None
 
 
-def outcome(book, oil):
+def outcome(book: Book, oil: Oil) -> dict[str, float]:
     """Results with one `Oil`, SI units by name."""
     bearing = book.bearing
     inner = theory.contact(bearing, oil, INNER, theory.largest_load(bearing, LOAD), SPEED)
@@ -61,7 +61,7 @@ def outcome(book, oil):
     }
 
 
-def table(book):
+def table(book: Book) -> pd.DataFrame:
     """Sensitivity to what is lost: oils and roughness.
 
     DataFrame: oil, property, value, by (theory or simulation), and the columns of `outcome`.
@@ -95,7 +95,7 @@ def table(book):
     return pd.DataFrame(rows)
 
 
-def power(book, what):
+def power(book: Book, what: str) -> float:
     """How a ball's capacitance goes with one property of the mineral oil: d log C/d log
     property."""
     oil, step = book.oils["mineral"], 1.01
@@ -107,7 +107,7 @@ def power(book, what):
     return float(np.log(more / less) / (2 * np.log(step)))
 
 
-def oils_ratio(book, first, second):
+def oils_ratio(book: Book, first: str, second: str) -> tuple[float, float]:
     """(least, largest) ratio of the oils' capacitances of a ball on the load line over all corners
     of their ranges."""
     q, ends = theory.largest_load(book.bearing, LOAD), ranges(book)

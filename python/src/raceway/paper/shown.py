@@ -6,6 +6,8 @@ capacitance_F.
 """
 
 import re
+from collections.abc import Sequence
+from typing import Any
 
 import pandas as pd
 
@@ -21,7 +23,7 @@ UNITS = (
 )
 
 
-def split(column):
+def split(column: str) -> tuple[str, str]:
     """(name in words, SI unit) of a column's name; the unit of a plain number is ""."""
     for end, unit in UNITS:
         if column.endswith(end):
@@ -29,7 +31,7 @@ def split(column):
     return column.replace("_", " "), ""
 
 
-def number(value, unit):
+def number(value: Any, unit: str) -> str:
     """A cell: four digits and a prefix; nothing for a missing number."""
     if isinstance(value, str):
         return value
@@ -44,7 +46,7 @@ def number(value, unit):
     return text.replace("-", "−")
 
 
-def table(data):
+def table(data: pd.DataFrame) -> str:
     """`DataFrame` as a list-table. Where rows have a `property` and its `value`, the unit is the
     property's."""
     rows = [[split(column)[0] for column in data.columns]]
@@ -57,7 +59,7 @@ def table(data):
     return list_table(rows)
 
 
-def list_table(rows, widths=None):
+def list_table(rows: Sequence[Sequence[str]], widths: Sequence[int] | None = None) -> str:
     """Rows of cells, the first the head, as reStructuredText."""
     lines = [
         ".. written by `raceway paper`; do not edit",
@@ -73,12 +75,12 @@ def list_table(rows, widths=None):
     return "\n".join(lines) + "\n"
 
 
-def markup(text):
+def markup(text: str) -> str:
     """Text with $formulas$ as reStructuredText."""
     text = re.sub(r"([*|`])", r"\\\1", text)
     return re.sub(r"\$([^$]+)\$", r":math:`\1`", text)
 
 
-def plain(text):
+def plain(text: Any) -> Any:
     """Text with $formulas$ without the marks."""
     return re.sub(r"[${}]", "", text) if isinstance(text, str) else text

@@ -2,10 +2,13 @@
 """Verdicts on the paper's statements (statements.yaml) from numbers (`quantities`)."""
 
 import re
+from collections.abc import Mapping
 from importlib import resources
 from typing import NamedTuple
 
 import yaml
+
+from raceway.paper.quantity import Quantity
 
 AGREE, DIFFER, UNKNOWN, SAME = "agree", "differ", "cannot be known", "as corrected"
 RULE = re.compile(r"(\w+)\s*([<>=])\s*(\S+)(?:\s+within\s+(\S+))?$")
@@ -17,8 +20,8 @@ class Statement(NamedTuple):
     where: str
     says: str
     about: str  # "print" when the printed formulas decide both columns
-    rules: tuple
-    show: tuple
+    rules: tuple[str, ...]
+    show: tuple[str, ...]
     why: str
 
 
@@ -34,7 +37,7 @@ class Judged(NamedTuple):
     why: str
 
 
-def read():
+def read() -> list[Statement]:
     """The `Statement`s, in the order of the paper."""
     text = resources.files("raceway.paper").joinpath("statements.yaml").read_text(encoding="utf-8")
     return [
@@ -50,7 +53,7 @@ def read():
     ]
 
 
-def holds(rule, numbers):
+def holds(rule: str, numbers: Mapping[str, float]) -> bool:
     """Whether a rule, "name > number or name" or "name = number or name within tolerance", holds
     for {name: value}.
 
@@ -65,13 +68,15 @@ def holds(rule, numbers):
     return left < right if sign == "<" else left > right
 
 
-def names(rule):
+def names(rule: str) -> tuple[str, ...]:
     """The quantities a rule speaks of."""
     name, _, other, _ = RULE.match(rule).groups()
     return (name,) if _is_number(other) else (name, other)
 
 
-def judge(statement, corrected, printed):
+def judge(
+    statement: Statement, corrected: Mapping[str, Quantity], printed: Mapping[str, Quantity]
+) -> Judged:
     """`Judged` of a statement, from {name: `Quantity`} of the corrected and of the printed
     formulas."""
     used = {name for rule in statement.rules for name in names(rule)} | set(statement.show)

@@ -4,7 +4,7 @@
 import pandas as pd
 
 from raceway.paper import cases, sensitivity
-from raceway.paper.book import OILS
+from raceway.paper.book import OILS, Book
 from raceway.paper.figures.free import measured
 from raceway.paper.figures.loads import stribeck
 
@@ -12,7 +12,7 @@ EPSILON = {-0.0035: 1.32, -0.002: 0.75, 0: 0.5, 0.002: 0.39, 0.0035: 0.32}  # ta
 GROOVES = {0.08: 6.804e-3, 0.10: 6.93e-3, 0.12: 7.056e-3, 0.14: 7.182e-3}  # table A.1, m
 
 
-def oils(book):
+def oils(book: Book) -> pd.DataFrame:
     """Table 2 is lost: the oils used instead, and their plausible range."""
     rows = []
     for name, oil in book.oils.items():
@@ -25,7 +25,7 @@ def oils(book):
     return pd.DataFrame(rows, columns=["oil", "values", *sensitivity.COLUMN.values()])
 
 
-def load_parameters(book):
+def load_parameters(book: Book) -> pd.DataFrame:
     """Table 3: clearance and load parameter: paper, simulation, theory, printed formulas."""
     rows = []
     for run, printed in zip(
@@ -56,7 +56,7 @@ def load_parameters(book):
     )
 
 
-def grooves(book):
+def grooves(book: Book) -> pd.DataFrame:
     """Table A.1: grooves by total curvature, with free contact angle and endplay."""
     free, diameter = measured(book), book.bearing.ball_diameter
     free = free[(free["clearance_m"] / diameter - 0.0035).abs() < 1e-9].copy()

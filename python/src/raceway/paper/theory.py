@@ -11,8 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from raceway.arrays import Floats, Numbers
+from raceway.inputs import Oil
 from raceway.theory import capacitance, film, hertz, static
-from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 PHASES = (
     20  # places of the first ball between two balls: the mean over a ball pass to better than 1e-3
@@ -22,15 +24,23 @@ PHASES = (
 class Contact(NamedTuple):
     """Loaded contacts of one raceway; arrays of the loads' shape, SI units."""
 
-    pressure: np.ndarray
-    area: np.ndarray
-    h_min: np.ndarray
-    h_c: np.ndarray
-    permittivity: np.ndarray
-    capacitance: np.ndarray  # zero where there is no load
+    pressure: Numbers
+    area: Numbers
+    h_min: Numbers
+    h_c: Numbers
+    permittivity: Numbers
+    capacitance: Numbers  # zero where there is no load
 
 
-def contact(bearing, oil, raceway, load, speed, clearance=0.0, printed=False):
+def contact(
+    bearing: Bearing,
+    oil: Oil,
+    raceway: int,
+    load: Numbers,
+    speed: float,
+    clearance: float = 0.0,
+    printed: bool = False,
+) -> Contact:
     """`Contact` of loads in N at an entrainment speed in m/s; unloaded ones have no film (nan) and
     no capacitance."""
     r_x, r_y = bearing.effective_radii(raceway, clearance=clearance)
@@ -60,7 +70,14 @@ def contact(bearing, oil, raceway, load, speed, clearance=0.0, printed=False):
     )
 
 
-def ball(bearing, oil, load, speed, clearance=0.0, printed=False):
+def ball(
+    bearing: Bearing,
+    oil: Oil,
+    load: Numbers,
+    speed: float,
+    clearance: float = 0.0,
+    printed: bool = False,
+) -> Numbers:
     """Capacitance in F of balls under loads in N, the same on both raceways (eq 12)."""
     sides = (
         contact(bearing, oil, side, load, speed, clearance, printed).capacitance
@@ -70,7 +87,9 @@ def ball(bearing, oil, load, speed, clearance=0.0, printed=False):
 
 
 @lru_cache(maxsize=64)
-def loads(bearing, radial_load, clearance=0.0):
+def loads(
+    bearing: Bearing, radial_load: float, clearance: float = 0.0
+) -> tuple[Floats, Floats, float]:
     """(psi in degrees, load in N, shift in m) of all balls over a ball pass, `PHASES` places of Z
     balls, and the mean shift along the load. The load is that of both raceways: no centrifugal
     load."""
@@ -88,13 +107,20 @@ def loads(bearing, radial_load, clearance=0.0):
     )
 
 
-def largest_load(bearing, radial_load, clearance=0.0):
+def largest_load(bearing: Bearing, radial_load: float, clearance: float = 0.0) -> float:
     """Load in N of a ball on the load line."""
     psi, load, _ = loads(bearing, radial_load, clearance)
     return float(load.flat[np.argmin(np.abs(psi))])
 
 
-def bearing_capacitance(bearing, oil, radial_load, speed, clearance=0.0, printed=False):
+def bearing_capacitance(
+    bearing: Bearing,
+    oil: Oil,
+    radial_load: float,
+    speed: float,
+    clearance: float = 0.0,
+    printed: bool = False,
+) -> float:
     """Mean of the bearing's capacitance in F over a ball pass (eq 12). `printed` keeps the loads:
     at no clearance a stiffness that differs by one factor everywhere shares the load alike."""
     _, load, _ = loads(bearing, radial_load, clearance)

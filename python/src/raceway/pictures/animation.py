@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import tempfile
 from itertools import chain
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,6 +14,7 @@ from PIL import Image
 
 from raceway import files, progress
 from raceway.errors import RunError
+from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.bearing import CAGE, IDLE, STEEL, Sheet
 from raceway.pictures.scene import scene
@@ -22,7 +24,16 @@ INCHES = 9.6  # width of a sheet
 COLOURS, GREYS = 32, 24  # of a GIF
 
 
-def animation(tables, path, colour="load", passes=None, frames=80, rate=20, factor=None, width=800):
+def animation(
+    tables: RunTables,
+    path: FilePath,
+    colour: str = "load",
+    passes: float | None = None,
+    frames: int = 80,
+    rate: int = 20,
+    factor: float | None = None,
+    width: int = 800,
+) -> Path:
     """Animate the run `tables` to `path`, which ends in .gif or .mp4; return the `Path`.
 
     `passes` ball passes (None: all measured, at most 4) in `frames` pictures, `rate` a second,

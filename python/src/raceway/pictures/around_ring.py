@@ -3,17 +3,19 @@
 down."""
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
 from raceway.pictures.page import key
 from raceway.pictures.part import LIGHT, tracks
 from raceway.pictures.style import COLOUR, FAINT, INK, NAME, REGIMES, SOFT
+from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis
 
 
-def loads(axes, tables):
+def loads(axes: Axes, tables: RunTables) -> float:
     """Contact loads of the run `tables` on polar `axes`; returns the factor from newtons to what is
     drawn."""
     largest = tables.contacts["load"].max()
@@ -38,7 +40,7 @@ def loads(axes, tables):
     return factor
 
 
-def film(axes, tables):
+def film(axes: Axes, tables: RunTables) -> float:
     """Film thickness of the run `tables` and the regimes of lubrication on polar `axes`;
     returns the factor from metres."""
     # these set the scale

@@ -10,11 +10,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Circle, Polygon
 
+from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.page import fit, title
 from raceway.pictures.part import shown, tracks
-from raceway.pictures.scene import COLOURS, scene
+from raceway.pictures.scene import COLOURS, Scene, scene
 from raceway.pictures.style import FAINT, INK, MAP, SOFT
+from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
@@ -25,7 +27,9 @@ SHADES = 12  # of a groove
 MM = 1e3
 
 
-def bearing(tables, path, colour="load", factor=None):
+def bearing(
+    tables: RunTables, path: FilePath, colour: str = "load", factor: float | None = None
+) -> None:
     """Draw the run `tables` at the sample with the largest contact load to the PNG `path`; `colour`
     and `factor` as `scene`'s.
 
@@ -45,7 +49,7 @@ class Sheet:
     """A figure of the `Scene` `what` of the run `tables`; `show(k)` puts everything where it is at
     the k-th of its samples."""
 
-    def __init__(self, tables, what, colour, dpi=110):
+    def __init__(self, tables: RunTables, what: Scene, colour: str, dpi: int = 110) -> None:
         self.tables, self.scene, self.geometry = tables, what, tables.geometry
         self.factor, self.unit = axis(np.nanmax(what.values, initial=0.0), COLOURS[colour][2])
         # thin films are never near zero
@@ -212,7 +216,7 @@ class Sheet:
         axes.tick_params(labelsize=9)
         axes.grid(True)
 
-    def show(self, k):
+    def show(self, k: int) -> None:
         """Everything at the k-th sample."""
         what, radius = self.scene, self.geometry.ball_radius
         colours = self.map(self.norm(np.ma.masked_invalid(what.values[k] * self.factor)))

@@ -4,16 +4,18 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+from raceway.files import FilePath
 from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
 from raceway.pictures.part import filmed, shown, tracks
 from raceway.pictures.style import BALL, COLOUR, INK, NAME
 from raceway.runs.summary import ring_displacement, summary
+from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
 
-def overview(tables, path):
+def overview(tables: RunTables, path: FilePath) -> None:
     """Draw the run `tables` to the PNG `path`: loads, pressures, and film and capacitance or the
     ring's path.
 

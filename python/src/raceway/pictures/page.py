@@ -1,16 +1,24 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What pictures share on the page: what was run as a title, legends, axes."""
 
+from collections.abc import Sequence
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 
 from raceway.pictures.style import SOFT
+from raceway.runs.tables import RunTables
 from raceway.units import prefixed
 
 LEFT, RIGHT = 0.075, 0.965  # of the figure's width
 
 
-def title(tables):
+def title(tables: RunTables) -> str:
     """What the run `tables` was, in a line."""
     settings = tables.settings
     oil = f"{settings['lubricant']} lubricant" if tables.lubricated else "dry"
@@ -26,7 +34,7 @@ def title(tables):
     )
 
 
-def head(figure, tables, below, size=17):
+def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> None:
     """Write the title of the run `tables` and, under it, the text `below` at the top of
     `figure`."""
     height, scale = figure.get_figheight(), size / 17
@@ -47,25 +55,25 @@ def head(figure, tables, below, size=17):
     )
 
 
-def fit(text, share):
+def fit(text: Text, share: float) -> None:
     """Let a long `text` shrink to that `share` of its figure's width: it does not run off the
     page."""
     width = text.get_window_extent(text.figure.canvas.get_renderer()).width
     text.set_fontsize(text.get_fontsize() * min(1, share * text.figure.bbox.width / width))
 
 
-def key(label, **style):
+def key(label: str, **style: Any) -> Line2D:
     """A line of a legend."""
     return Line2D([], [], label=label, **style)
 
 
-def against_time(axes, tables, samples):
+def against_time(axes: Axes, tables: RunTables, samples: int) -> None:
     """The x axis of `samples` samples: time in ball passes."""
     axes.set(xlabel="time (ball passes)", xlim=(0, tables.passes(max(samples - 1, 1))))
     axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
 
 
-def finish(axes, title, top, handles):
+def finish(axes: Axes, title: str, top: float | None, handles: Sequence[Artist]) -> None:
     """Title, grid, legend and, unless None, the top of a y axis from zero."""
     axes.set_title(title, pad=10)
     axes.grid(True)

@@ -6,9 +6,11 @@ of each other; the width of the band shows how much it matters where the other b
 """
 
 import warnings
+from collections.abc import Iterator
 
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.errors import RunError, RunWarning
 from raceway.runs.tables import RunTables
 
@@ -17,7 +19,7 @@ LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, a
 LARGE, PASSES = (200 << 20, 20)
 
 
-def shown(tables, note=""):
+def shown(tables: RunTables, note: str = "") -> RunTables:
     """The part of the run `tables` that is drawn: all, unless that would be more curves than memory
     or paper hold. A warning says so, and `note`."""
     path = tables.folder / "contacts.dump"
@@ -34,12 +36,12 @@ def shown(tables, note=""):
     )
 
 
-def filmed(tables):
+def filmed(tables: RunTables) -> bool:
     """Whether the contacts of the run `tables` have films."""
     return tables.lubricated and {"h_min", "h_c"} <= set(tables.contacts)
 
 
-def need(tables, column, what):
+def need(tables: RunTables, column: str, what: str) -> None:
     """Raise `RunError` unless the contacts of the run `tables` have `column`, which `what`
     needs."""
     if (
@@ -53,7 +55,9 @@ def need(tables, column, what):
         )
 
 
-def tracks(tables, raceway, column, above=0.0):
+def tracks(
+    tables: RunTables, raceway: int, column: str, above: float = 0.0
+) -> Iterator[tuple[Floats, Floats]]:
     """(psi, values) of each ball's way past one raceway; psi in rad, unwrapped; NaN where it lost
     contact.
 

@@ -4,12 +4,15 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
+from raceway.files import FilePath
 from raceway.inputs import Oil
 from raceway.pictures import around_ring, style
 from raceway.pictures.page import LEFT, RIGHT, head
 from raceway.pictures.part import LIGHT, filmed, shown
 from raceway.pictures.style import COLOUR, SIDES
+from raceway.runs.tables import RunTables
 from raceway.theory.lubrication import lubricate, turning
 
 PHASES = 4  # positions of the set of balls within one ball pass at which theory is asked
@@ -18,7 +21,7 @@ STRAIGHT = (
 )
 
 
-def polar(tables, path):
+def polar(tables: RunTables, path: FilePath) -> None:
     """Draw the run `tables` to the PNG `path`: contact load and, with a lubricant, film thickness
     against azimuth.
 
@@ -60,7 +63,7 @@ def polar(tables, path):
             plt.close(figure)
 
 
-def theory(tables):
+def theory(tables: RunTables) -> dict[int, dict[str, Floats]]:
     """{side: {"psi": rad, "load": N, "h_min": m, "h_c": m}} of the loaded contacts at `PHASES`
     positions of the balls; no films when dry. Empty where theory does not know the load: contacts
     at an angle, or no equilibrium.

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from raceway.arrays import Floats, Integers
 from raceway.errors import RunError
 from raceway.pictures.part import LIGHT, need
-from raceway.runs.tables import BALL, CAGE
+from raceway.runs.tables import BALL, CAGE, RunTables
 
 COLOURS = {
     "load": ("load", "larger contact load of a ball", "N"),
@@ -29,19 +30,21 @@ VISIBLE = 0.12  # of a ball's radius: what the largest motion is drawn as, at mo
 class Scene:
     """n samples of a bearing with Z balls; lengths in m, angles in rad, x and y across the axis."""
 
-    samples: np.ndarray  # (n,)
+    samples: Floats  # (n,)
     factor: float  # exaggeration
-    balls: np.ndarray  # (n, Z, 3)
-    cage: np.ndarray  # (n, C, 3)
-    ring: np.ndarray  # (n, 3), displacement of the inner ring
+    balls: Floats  # (n, Z, 3)
+    cage: Floats  # (n, C, 3)
+    ring: Floats  # (n, 3), displacement of the inner ring
     half_clearance: float
-    turned: np.ndarray  # (n, Z), of the balls about z since the first sample
-    ring_turned: np.ndarray  # (n,), of the inner ring
-    values: np.ndarray  # (n, Z), what balls are coloured by, NaN where a ball has none
-    load: np.ndarray  # (n, Z), N, the larger contact load
+    turned: Floats  # (n, Z), of the balls about z since the first sample
+    ring_turned: Floats  # (n,), of the inner ring
+    values: Floats  # (n, Z), what balls are coloured by, NaN where a ball has none
+    load: Floats  # (n, Z), N, the larger contact load
 
 
-def scene(tables, samples, colour="load", factor=None):
+def scene(
+    tables: RunTables, samples: Integers, colour: str = "load", factor: float | None = None
+) -> Scene:
     """`Scene` of the run `tables` at `samples`, an array of numbers of its samples in ascending
     order; balls have the values of `colour`, a key of `COLOURS`. `factor` None: `nice` of the
     largest motion.
@@ -92,7 +95,7 @@ def scene(tables, samples, colour="load", factor=None):
     )
 
 
-def nice(seen, largest):
+def nice(seen: float, largest: float) -> float:
     """The largest of 1, 2, 5, 10, 20 ... that makes `largest` no larger than `seen`, at least 1.
 
     >>> nice(0.75e-3, 34.8e-6), nice(0.75e-3, 2e-3), nice(0.75e-3, 0.0)

@@ -2,10 +2,16 @@
 """Picture of a spectrum with the kinematic lines marked: found ones by name, the others by a dotted
 line."""
 
+from collections.abc import Sequence
+
 import matplotlib.pyplot as plt
 import numpy as np
+import xarray as xr
 
+from raceway.files import FilePath
 from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
+from raceway.runs.run import Run
+from raceway.runs.spectrum import Line
 from raceway.units import axis
 
 COLOUR = dict(zip(("BPFI", "BPFO", "FTF", "BSF"), PALETTE))
@@ -13,7 +19,7 @@ PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # shown below the strongest line
 
 
-def picture(run, spectrum, found, path):
+def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FilePath) -> None:
     """Draw `spectrum` of `run` (from `raceway.open`) and the `Line`s `found` in it to the PNG
     `path`.
 

@@ -2,6 +2,9 @@
 """How every picture looks: colours, type, saving."""
 
 import matplotlib
+from matplotlib.figure import Figure
+
+from raceway.files import FilePath
 
 matplotlib.use("Agg")
 
@@ -45,7 +48,7 @@ REGIMES = (
 )
 
 
-def save(figure, path):
+def save(figure: Figure, path: FilePath) -> None:
     """Write `figure` to the PNG `path` and forget it. Raises `RunError` when that cannot be
     done."""
     try:

@@ -6,11 +6,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Patch
 
+from raceway.arrays import Floats, Integers
+from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.page import head
 from raceway.pictures.part import need, shown
 from raceway.pictures.style import BALL, FAINT, INK, MAP
 from raceway.runs.tables import BALL as BALL_TYPE
+from raceway.runs.tables import RunTables
 from raceway.units import axis
 
 WIDTH = 0.5  # of a band, in ball pitches
@@ -18,7 +21,7 @@ ROWS = 600  # more samples than a page has dots are drawn in steps
 IDLE = "#ececec"  # a ball that is not loaded on both raceways
 
 
-def waterfall(tables, path):
+def waterfall(tables: RunTables, path: FilePath) -> None:
     """Draw the capacitance of every ball of the run `tables` over azimuth and time to the PNG
     `path`.
 
@@ -95,7 +98,7 @@ def waterfall(tables, path):
             plt.close(figure)
 
 
-def bands(tables):
+def bands(tables: RunTables) -> tuple[Integers, Floats, Floats]:
     """(samples (n,), psi (n, Z), capacitance (n, Z)) of the balls of the run `tables`: azimuth from
     the load line in rad, unwrapped; F, NaN for a ball that is not loaded on both raceways. At most
     about `ROWS` samples, evenly spaced.

@@ -2,14 +2,22 @@
 """Means of a contact's quantities around the ring, by raceway and azimuth. Read in blocks: any size
 of run."""
 
+from collections.abc import Callable, Mapping
+
 import numpy as np
+import pandas as pd
 import xarray as xr
+from numpy.typing import ArrayLike
+
+from raceway.runs.run import Run
 
 SIDES = ("inner", "outer")
 BINS = 72
 
 
-def around(run, quantities, bins=BINS):
+def around(
+    run: Run, quantities: Mapping[str, Callable[[pd.DataFrame], ArrayLike]], bins: int = BINS
+) -> xr.Dataset:
     """Mean of `quantities` over the contacts of `run` (from `raceway.open`) that fall into each of
     `bins` equal parts of the ring: Dataset (raceway, from_load_line).
 

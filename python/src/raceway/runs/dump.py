@@ -8,13 +8,16 @@ frame loses that frame with a warning: a run may still be writing. Anything else
 """
 
 import warnings
+from collections.abc import Iterator, Sequence
 from itertools import chain, islice
-from typing import NamedTuple
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 import pandas as pd
 
+from raceway.arrays import Floats
 from raceway.errors import RunError, RunWarning
+from raceway.files import FilePath
 
 BLOCK = 4 << 20  # bytes of text read into numbers at once: past 1 MB a larger one is no faster
 START = b"ITEM: TIMESTEP\n"
@@ -24,19 +27,19 @@ class Frame(NamedTuple):
     """One snapshot of a dump."""
 
     step: int
-    values: np.ndarray  # (rows, columns)
+    values: Floats  # (rows, columns)
 
 
 class Block(NamedTuple):
     """Consecutive snapshots of a dump."""
 
     first: int  # number of the first frame in the file, from 0
-    steps: list  # of each frame
-    counts: list  # rows of each frame
-    values: np.ndarray  # (rows of all, columns)
+    steps: list[int]  # of each frame
+    counts: list[int]  # rows of each frame
+    values: Floats  # (rows of all, columns)
     end: int  # bytes of the file up to here
 
-    def table(self, columns):
+    def table(self, columns: Sequence[str]) -> pd.DataFrame:
         """As a `DataFrame` with `columns` and `sample`, the frame's number; `attrs` as `read_dump`
         sets them."""
         table = pd.DataFrame(self.values, columns=list(columns))
@@ -83,7 +86,7 @@ class Index:
     not counted, with a warning.
     """
 
-    def __init__(self, path):
+    def __init__(self, path: FilePath) -> None:
         offsets, lines = [], []
         tail, base, seen = b"\n", -1, -1  # as if a line had ended before the file
         with _open(path) as file:
@@ -119,7 +122,7 @@ class Index:
                 return True
         return False
 
-    def seek(self, file, frame):
+    def seek(self, file: BinaryIO, frame: int) -> _Lines:
         """The `_Lines` of `file`, set to the start of a frame."""
         file.seek(self.offsets[frame])
         lines = _Lines(self.path, file)
@@ -127,7 +130,13 @@ class Index:
         return lines
 
 
-def blocks(path, columns, start=0, stop=None, index=None):
+def blocks(
+    path: FilePath,
+    columns: Sequence[str],
+    start: int = 0,
+    stop: int | None = None,
+    index: Index | None = None,
+) -> Iterator[Block]:
     """Yield the frames `start` to `stop` of the dump at `path` as `Block`s of about `BLOCK` bytes.
 
     The rows hold `columns` (names) in that order. An `Index` of the file is needed to begin
@@ -178,13 +187,19 @@ def _gather(lines, columns, first, stop):
     return Block(first, steps, list(map(len, parts)), values, lines.file.tell()), cut
 
 
-def frames(path, columns):
+def frames(path: FilePath, columns: Sequence[str]) -> Iterator[Frame]:
     """Yield the `Frame`s of the dump at `path`, whose rows hold `columns` (names) in that order."""
     for block in blocks(path, columns):
         yield from map(Frame, block.steps, np.split(block.values, np.cumsum(block.counts)[:-1]))
 
 
-def read_dump(path, columns, start=0, stop=None, index=None):
+def read_dump(
+    path: FilePath,
+    columns: Sequence[str],
+    start: int = 0,
+    stop: int | None = None,
+    index: Index | None = None,
+) -> pd.DataFrame:
     """The frames `start` to `stop` (default all) as one `DataFrame` with `columns` and `sample`,
     the frame's number from 0.
 
@@ -201,7 +216,7 @@ def read_dump(path, columns, start=0, stop=None, index=None):
     ).table(columns)
 
 
-def read_table(path):
+def read_table(path: FilePath) -> pd.DataFrame:
     """A whitespace table as a `DataFrame`; the names follow `#` on the first line."""
     with _open(path) as file:
         lines = _Lines(path, file)

@@ -6,10 +6,11 @@ import xarray as xr
 
 from raceway.runs.around import BINS, around
 from raceway.runs.regimes import need_film
+from raceway.runs.run import Run
 from raceway.theory import capacitance
 
 
-def over_time(run, background=0.0):
+def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
     """Dataset: `contact` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time),
     capacitances in F.
 
@@ -33,7 +34,7 @@ def over_time(run, background=0.0):
     return data
 
 
-def by_raceway(run, bins=BINS):
+def by_raceway(run: Run, bins: int = BINS) -> xr.Dataset:
     """Dataset (raceway, from_load_line) of means over the contacts in each part of the ring:
     largest Hertz `pressure` (Pa), relative `permittivity` of the oil under it (eqs 10, 11),
     `capacitance` of a contact (F); and `contacts`.

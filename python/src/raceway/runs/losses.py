@@ -6,10 +6,11 @@ import xarray as xr
 
 from raceway.errors import RunError
 from raceway.runs.around import BINS, around
+from raceway.runs.run import Run
 from raceway.runs.totals import SUMS
 
 
-def losses(run):
+def losses(run: Run) -> xr.Dataset:
     """Dataset (time) of `run` (from `raceway.open`), from the samples that both rings and contacts
     have:
 
@@ -39,7 +40,7 @@ def losses(run):
     return data
 
 
-def losses_around(run, bins=BINS):
+def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
     """Dataset (raceway, from_load_line): mean `friction_power` and `damping_power` (W) of a contact
     in each part of the ring, and `contacts`. Read in blocks. Raises as `losses` does."""
     _need(run)

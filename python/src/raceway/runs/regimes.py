@@ -6,12 +6,13 @@ import xarray as xr
 
 from raceway.errors import RunError
 from raceway.runs.around import BINS, around
+from raceway.runs.run import Run
 from raceway.theory import film
 
 REGIMES = ("boundary", "mixed", "full")
 
 
-def shares(run, bins=BINS, boundary=1.0, full=3.0):
+def shares(run: Run, bins: int = BINS, boundary: float = 1.0, full: float = 3.0) -> xr.Dataset:
     """Dataset (raceway, from_load_line): `share` (regime, raceway, from_load_line) of the contacts
     in each part of the ring, adding up to 1, mean film parameter `lambda`, and `contacts`, their
     number.
@@ -31,12 +32,12 @@ def shares(run, bins=BINS, boundary=1.0, full=3.0):
     return result
 
 
-def totals(run, boundary=1.0, full=3.0):
+def totals(run: Run, boundary: float = 1.0, full: float = 3.0) -> xr.DataArray:
     """DataArray (regime, raceway): `shares` over the whole ring."""
     return shares(run, 1, boundary, full)["share"].isel(from_load_line=0, drop=True)
 
 
-def need_film(run, column):
+def need_film(run: Run, column: str) -> None:
     """Raise `RunError` when the contacts of `run` have no `column` of the film."""
     if not run.tables.lubricated or column not in run.settings["contact_columns"].split():
         raise RunError(

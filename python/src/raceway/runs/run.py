@@ -2,16 +2,22 @@
 """A run as labelled arrays: `raceway.open` gives one object with a dataset for each thing a bearing
 is made of."""
 
+from collections.abc import Iterator
 from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
 
 from raceway.errors import RunError
+from raceway.files import FilePath
 from raceway.runs.columns import ATOM, BEARING, CONTACT, RING
 from raceway.runs.summary import ring_displacement, summary
 from raceway.runs.tables import BALL, CAGE, RunTables
 from raceway.theory.bearing import INNER, OUTER
+
+if TYPE_CHECKING:  # optional
+    from MDAnalysis import Universe
 
 SIDES = {INNER: "inner", OUTER: "outer"}
 
@@ -42,7 +48,7 @@ class Run:
     far as it is.
     """
 
-    def __init__(self, folder, samples=slice(None)):
+    def __init__(self, folder: FilePath, samples: slice = slice(None)) -> None:
         self.tables = RunTables(folder, samples)
 
     def __repr__(self):
@@ -55,28 +61,28 @@ class Run:
         )
 
     @property
-    def settings(self):
+    def settings(self) -> dict[str, Any]:
         """What was run, `run.yaml` as a dict: names as text, the rest as numbers in the units their
         names end with."""
         return self.tables.settings
 
     @cached_property
-    def contacts(self):
+    def contacts(self) -> xr.Dataset:
         """Dataset (time, raceway, ball)."""
         return self._contacts(self.tables.contacts)
 
     @cached_property
-    def balls(self):
+    def balls(self) -> xr.Dataset:
         """Dataset (time, ball)."""
         return self._atoms(self.tables.balls, BALL)
 
     @cached_property
-    def cage(self):
+    def cage(self) -> xr.Dataset:
         """Dataset (time, ball) of the cage balls; their `ball` is their own atom number."""
         return self._atoms(self.tables.balls, CAGE)
 
     @cached_property
-    def rings(self):
+    def rings(self) -> xr.Dataset:
         """Dataset (time). The first row a run writes is its sample 1."""
         table = self.tables.rings
         names = [name for name in table if name not in ("time", "sample")]
@@ -85,7 +91,7 @@ class Run:
         return self._label(data, table["sample"].to_numpy(), RING)
 
     @cached_property
-    def bearing(self):
+    def bearing(self) -> xr.Dataset:
         """Dataset (time), worked out in blocks."""
         table = self.tables.totals
         return self._label(
@@ -94,7 +100,7 @@ class Run:
             BEARING,
         )
 
-    def blocks(self, name):
+    def blocks(self, name: str) -> Iterator[xr.Dataset]:
         """Yield the dataset `name`, "contacts", "balls" or "cage", in pieces of some thousand
         samples.
 
@@ -110,11 +116,11 @@ class Run:
         for table in self.tables.blocks("contacts" if name == "contacts" else "balls"):
             yield makers[name](table)
 
-    def summary(self):
+    def summary(self) -> dict[str, str | float | None]:
         """The figures that `raceway summary` prints, by name: `raceway.summary.summary`."""
         return summary(self.tables)
 
-    def universe(self):
+    def universe(self) -> "Universe":
         """The run for MDAnalysis: `raceway.runs.universe`."""
         from raceway.runs.universe import universe  # MDAnalysis takes a second to load
 

@@ -12,11 +12,14 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike
 from scipy import fft, signal
 
 from raceway.errors import RunError
 from raceway.runs.columns import RING
+from raceway.runs.run import Run
 from raceway.theory import kinematics
+from raceway.theory.bearing import Bearing
 
 # Four-term Blackman-Harris: what a line leaks is 92 dB below it, so a faint line shows beside a
 # strong one; near its top the logarithm is a parabola to 1e-3 of a bin. In exchange a line is 8
@@ -43,7 +46,7 @@ class Line(NamedTuple):
     note: str  # why nothing was found, or ""
 
 
-def spectrum(values, sample_s):
+def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
     """One-sided amplitude spectrum of evenly sampled `values` (array), `sample_s` apart:
     `DataArray` (frequency) in Hz.
 
@@ -73,7 +76,7 @@ def spectrum(values, sample_s):
     return result
 
 
-def of_run(run, name="shift"):
+def of_run(run: Run, name: str = "shift") -> xr.DataArray:
     """`spectrum` of a column of the rings of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
     `capacitance` ...
 
@@ -95,7 +98,9 @@ def of_run(run, name="shift"):
     return result
 
 
-def expected(bearing, shaft, angle=0.0, harmonics=3):
+def expected(
+    bearing: Bearing, shaft: float, angle: float = 0.0, harmonics: int = 3
+) -> dict[tuple[str, int], tuple[float, float]]:
     """{(name, harmonic): order} and their frequencies in Hz for a shaft at `shaft` Hz: kinematics,
     balls rolling."""
     orders = kinematics.frequencies(bearing, angle)._asdict()
@@ -106,7 +111,9 @@ def expected(bearing, shaft, angle=0.0, harmonics=3):
     }
 
 
-def lines(run, found_in, harmonics=3, angle=0.0, within=0.005):
+def lines(
+    run: Run, found_in: xr.DataArray, harmonics: int = 3, angle: float = 0.0, within: float = 0.005
+) -> list[Line]:
     """The kinematic lines of `run` (from `raceway.open`) in its spectrum `found_in`: a list of
     `Line`.
 
@@ -130,7 +137,9 @@ def lines(run, found_in, harmonics=3, angle=0.0, within=0.005):
     return result
 
 
-def find(found_in, hertz, within=0.005):
+def find(
+    found_in: xr.DataArray, hertz: float, within: float = 0.005
+) -> tuple[float, float, float, float, str]:
     """(frequency in Hz, difference from `hertz`, amplitude, prominence, note) of the line of a
     `spectrum` near `hertz`."""
     frequency, amplitude = found_in["frequency"].to_numpy(), found_in.to_numpy()

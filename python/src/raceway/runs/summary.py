@@ -5,11 +5,14 @@ The mapping's keys are a promise to scripts outside this package; add, never ren
 """
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines
 from raceway.runs.settings import LUBRICANT
-from raceway.runs.tables import BALL
+from raceway.runs.tables import BALL, RunTables
 from raceway.runs.totals import pairs
 from raceway.theory import clearance, kinematics
 from raceway.theory.bearing import INNER, OUTER
@@ -69,7 +72,7 @@ TOPICS = {
 }
 
 
-def summary(tables):
+def summary(tables: RunTables) -> dict[str, str | float | None]:
     """The figures of the run `tables` by name, SI units, text or numbers; None where the run has
     none.
 
@@ -105,7 +108,7 @@ def summary(tables):
     return {key: _plain(value) for key, value in result.items()}
 
 
-def ring_displacement(tables):
+def ring_displacement(tables: RunTables) -> Floats:
     """Displacement of the inner ring along the load in m, one value a sample."""
     azimuth = tables.settings["load_azimuth_rad"]
     return (
@@ -196,7 +199,7 @@ def _plain(value):
     return float(value) if math.isfinite(value) else None
 
 
-def table(figures):
+def table(figures: Mapping[str, Any]) -> str:
     """The mapping of `summary` as text, a topic a block; figures the run has none of are left
     out."""
     return "\n".join(lines(figures, TOPICS))

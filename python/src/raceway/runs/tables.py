@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run folder: `run.yaml`, `contacts.dump`, `balls.dump`, `rings.dat`."""
 
+from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from numpy.typing import ArrayLike
 
 from raceway import progress
+from raceway.arrays import Floats, Numbers
 from raceway.errors import RunError
+from raceway.files import FilePath
 from raceway.runs.dump import Index, blocks, read_dump, read_table
 from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings
 from raceway.runs.totals import pairs, totals
@@ -38,23 +42,23 @@ class RunTables:
     file is broken.
     """
 
-    def __init__(self, folder, samples=slice(None)):
+    def __init__(self, folder: FilePath, samples: slice = slice(None)) -> None:
         self.folder = Path(folder)
         self.settings = settings(self.folder)
         self.first, self.stop = _window(samples)
 
     @property
-    def lubricated(self):
+    def lubricated(self) -> bool:
         """Whether the run had a lubricant."""
         return self.settings["lubricant"] not in NO_LUBRICANT
 
     @property
-    def finished(self):
+    def finished(self) -> bool:
         """Whether the run came to its end; until then `settings` has no `step_s`, `simulated_s` and
         `wall_s`."""
         return all(key in self.settings for key in AT_THE_END)
 
-    def need_finished(self):
+    def need_finished(self) -> None:
         """Raise `RunError` for a run that has not come to its end."""
         if missing := [key for key in AT_THE_END if key not in self.settings]:
             raise RunError(
@@ -63,7 +67,7 @@ class RunTables:
             )
 
     @property
-    def geometry(self):
+    def geometry(self) -> Bearing:
         """The `Bearing` that was simulated; steel where the run does not say."""
         names = {
             "balls": "balls",
@@ -80,7 +84,7 @@ class RunTables:
         )
 
     @property
-    def cage_ball_radius(self):
+    def cage_ball_radius(self) -> float:
         """m; of a run that does not say, that of cage balls without pocket gap. A run without cage
         has one, too."""
         if "cage_ball_diameter_m" in self.settings:
@@ -89,17 +93,17 @@ class RunTables:
         return 2 * bearing.pitch_radius * np.sin(np.pi / (2 * bearing.balls)) - bearing.ball_radius
 
     @cached_property
-    def contacts(self):
+    def contacts(self) -> pd.DataFrame:
         """A row per live contact of a ball with a raceway and sample."""
         return self._dump("contacts")
 
     @cached_property
-    def balls(self):
+    def balls(self) -> pd.DataFrame:
         """A row per atom and sample."""
         return self._dump("balls")
 
     @cached_property
-    def rings(self):
+    def rings(self) -> pd.DataFrame:
         """A row per sample: where the inner ring is and how it moves."""
         table = read_table(self.folder / "rings.dat")
         self._need(table, ("time", "x", "y"), "rings.dat")
@@ -113,21 +117,21 @@ class RunTables:
         return table[kept].reset_index(drop=True)
 
     @cached_property
-    def pairs(self):
+    def pairs(self) -> pd.DataFrame:
         """`totals.pairs` of the contacts: a row per sample and ball loaded on both raceways."""
         return pairs(self.contacts)
 
     @cached_property
-    def totals(self):
+    def totals(self) -> pd.DataFrame:
         """`totals.totals` of the contacts: a row per sample. Read in blocks."""
         return pd.concat([totals(block) for block in self.blocks("contacts")])
 
     @property
-    def bearing_capacitance(self):
+    def bearing_capacitance(self) -> Floats:
         """Capacitance of the bearing in F, one value a sample (eq 12)."""
         return self.totals["capacitance"].to_numpy()
 
-    def blocks(self, name):
+    def blocks(self, name: str) -> Iterator[pd.DataFrame]:
         """Yield the table `name`, "contacts" or "balls", in pieces of whole samples and a few MB.
 
         Their `attrs` say which: `first` and how many `samples`. Raises `RunError` where there are
@@ -143,13 +147,14 @@ class RunTables:
         ):
             yield _whole(block.table(columns))
 
-    def passes(self, sample):
+    def passes(self, sample: ArrayLike) -> Numbers:
         """Time of a sample (number or array) in ball passes since the start of the measured
         window."""
         return np.asarray(sample) / self.settings["samples_per_pass"]
 
-    def from_load_line(self, azimuth):
-        """Azimuths in rad (array) counted from the centre of the loaded zone, within -pi..pi."""
+    def from_load_line(self, azimuth: Numbers) -> Numbers:
+        """Azimuths in rad (number or array) counted from the centre of the loaded zone, within
+        -pi..pi."""
         return np.mod(azimuth - self.settings["load_azimuth_rad"] + np.pi, 2 * np.pi) - np.pi
 
     def _dump(self, name):
@@ -161,7 +166,7 @@ class RunTables:
     def _index(self, name):
         return self.index(name) if self.first else None
 
-    def index(self, name):
+    def index(self, name: str) -> Index:
         """`dump.Index` of the file behind the table `name`."""
         if name not in self._indices:
             self._indices[name] = Index(self.folder / DUMPS[name][0])

@@ -10,7 +10,7 @@ from raceway.theory.bearing import INNER, OUTER
 SUMS = ("friction_power", "damping_power")
 
 
-def pairs(contacts):
+def pairs(contacts: pd.DataFrame) -> pd.DataFrame:
     """A row per sample and ball loaded on both raceways, from a table of contacts: `load_inner`,
     `load_outer` and, if the contacts have them, `capacitance_inner`, `capacitance_outer` and
     `capacitance`, both in series.
@@ -26,7 +26,7 @@ def pairs(contacts):
     return table
 
 
-def totals(contacts):
+def totals(contacts: pd.DataFrame) -> pd.DataFrame:
     """A row per sample (the index), from a table of contacts with `attrs` as `dump.read_dump` sets
     them.
 

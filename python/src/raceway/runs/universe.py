@@ -15,6 +15,8 @@ Lengths are metres and times seconds, whatever MDAnalysis calls them; there is n
 are those of the dump (MDAnalysis's own reader of such dumps moves them by the corner of the box).
 """
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 
@@ -45,7 +47,9 @@ class RunReader(ReaderBase):
     units = {"time": None, "length": None, "velocity": None}
 
     @store_init_arguments
-    def __init__(self, filename, first=0, stop=None, **kwargs):
+    def __init__(
+        self, filename: str, first: int = 0, stop: int | None = None, **kwargs: Any
+    ) -> None:
         self._tables = RunTables(filename, slice(first, stop))
         self._columns = {
             name: self._tables.settings[key].split() for name, (_, key, _) in DUMPS.items()
@@ -68,7 +72,7 @@ class RunReader(ReaderBase):
         self._reopen()
         self._read_next_timestep()
 
-    def close(self):
+    def close(self) -> None:
         """Nothing stays open between frames."""
 
     def _reopen(self):
@@ -156,7 +160,7 @@ class RunReader(ReaderBase):
         self._loaded = part
 
 
-def universe(tables):
+def universe(tables: RunTables) -> MDAnalysis.Universe:
     """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, with their
     host's ids and types.
 

@@ -9,12 +9,13 @@ import pandas as pd
 import yaml
 
 from raceway.errors import RacewayError
+from raceway.files import FilePath
 from raceway.sweeps.point_run import FINISHED, state
 
 KEYS = ("point", "status", "message")
 
 
-def gather(folder):
+def gather(folder: FilePath) -> pd.DataFrame:
     """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
     `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units).
     Sorted by the variables. Raises `RacewayError` for no point.
@@ -47,7 +48,7 @@ def gather(folder):
     ]
 
 
-def write_results(folder):
+def write_results(folder: FilePath) -> tuple[Path, pd.DataFrame]:
     """Write `gather(folder)` to `results.csv` in it; return its path and the table."""
     table, path = gather(folder), Path(folder) / "results.csv"
     part = path.with_name(f".results.{os.getpid()}.part")  # two sweeps may gather at once

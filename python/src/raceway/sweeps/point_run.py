@@ -16,12 +16,14 @@ import os
 import select
 import signal
 import subprocess
+from collections.abc import Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 import yaml
 
 from raceway.errors import RacewayError
+from raceway.files import FilePath
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -41,7 +43,7 @@ RECORDED = {
 }
 
 
-def state(folder, variables):
+def state(folder: FilePath, variables: Mapping[str, str]) -> tuple[str, str]:
     """(status, message) of the point in `folder`: finished only if its figures are of these
     `variables`."""
     folder = Path(folder)
@@ -53,7 +55,14 @@ def state(folder, variables):
     return (FAILED, failed["message"]) if failed else (PENDING, "")
 
 
-def run_point(folder, variables, command, *, retry=False, stop=None):
+def run_point(
+    folder: FilePath,
+    variables: Mapping[str, str],
+    command: Sequence[str],
+    *,
+    retry: bool = False,
+    stop: int | None = None,
+) -> tuple[str, str]:
     """Run one point unless it is finished (or failed, without `retry`); return (status, message).
 
     `command` is the program, its own options and the deck, a list; `stop` a file descriptor that

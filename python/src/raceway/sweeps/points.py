@@ -5,10 +5,12 @@ anything runs."""
 import csv
 import hashlib
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 from raceway.errors import RacewayError
+from raceway.files import FilePath
 
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
 # what a value may be: nothing that a deck, a shell or a path could take for more
@@ -32,10 +34,10 @@ class Point(NamedTuple):
     table."""
 
     name: str
-    variables: dict
+    variables: dict[str, str]
 
 
-def deck_variables(deck):
+def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
     lines of the deck at path `deck` and of the `modules` and `integrators` beside it. Raises
     `TableError` when the deck cannot be read.
@@ -63,7 +65,7 @@ def deck_variables(deck):
     return found
 
 
-def read_points(table, variables):
+def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
     """The `Point`s of the CSV file `table` (path), in its order; `variables` from `deck_variables`.
 
     Lines that are empty or start with # are skipped. Raises `TableError` for unknown or repeated
@@ -116,7 +118,7 @@ def read_points(table, variables):
     return points
 
 
-def folder_name(variables):
+def folder_name(variables: Mapping[str, str]) -> str:
     """A readable name that depends on the variables only: load=5000_rpm=477.5. Long ones end in a
     digest instead."""
     name = "_".join(f"{key}={value}" for key, value in variables.items())

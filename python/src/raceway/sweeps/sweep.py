@@ -8,6 +8,7 @@ import sys
 import threading
 import time
 from collections import Counter
+from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
@@ -16,11 +17,20 @@ from pathlib import Path
 from tqdm import tqdm
 
 from raceway.errors import RacewayError
+from raceway.files import FilePath
 from raceway.sweeps.gather import write_results
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point, state
+from raceway.sweeps.points import Point
 
 
-def sweep(points, folder, command, *, jobs=1, retry=False):
+def sweep(
+    points: Sequence[Point],
+    folder: FilePath,
+    command: Sequence[str],
+    *,
+    jobs: int = 1,
+    retry: bool = False,
+) -> tuple[dict[str, int], int, Path]:
     """Run `points` (of `read_points`) into `folder`, `jobs` at a time; return (number by status,
     points that were finished before, path of the table).
 

@@ -9,17 +9,29 @@ newtons.
 from functools import partial
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from raceway.arrays import Floats, Numbers
 from raceway.errors import NoEquilibrium
 from raceway.theory import circle, hertz, seat
 from raceway.theory import clearance as play
-from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
 class Balance:
     """One bearing under one load, for contact stiffness given per raceway and ball."""
 
-    def __init__(self, bearing, force, moment, held, azimuth, clearance, centrifugal, finite_shift):
+    def __init__(
+        self,
+        bearing: Bearing,
+        force: Floats,
+        moment: ArrayLike,
+        held: Floats,
+        azimuth: Floats,
+        clearance: float,
+        centrifugal: float,
+        finite_shift: bool,
+    ) -> None:
         """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed places in m and rad, NaN where the
         ring is free."""
         self.bearing, self.clearance, self.azimuth = bearing, clearance, azimuth
@@ -40,7 +52,7 @@ class Balance:
         self.cap = 0.25 * self.gap.sum()  # longest Newton step, m: small against the groove
         self.stiffness = self._stiffness(np.zeros((2, len(azimuth))))
 
-    def start(self):
+    def start(self) -> Floats:
         """A place that takes up the play toward the load, plus a first guess of the squeeze."""
         loads = np.where(self.free, self.loads, 0)
         size = np.linalg.norm(loads)
@@ -52,7 +64,7 @@ class Balance:
             free[2] = direction[2] * play.free_endplay(self.bearing, self.clearance) / 2
         return np.where(self.free, free + direction * min(2 * squeeze, self.cap), self.held)
 
-    def find(self):
+    def find(self) -> Floats:
         """The place of a stable equilibrium. Raises `NoEquilibrium`."""
         place = self.start()
         for _ in range(50):
@@ -70,7 +82,7 @@ class Balance:
                 return place
         raise NoEquilibrium("contact angles and contact stiffness do not settle")
 
-    def settle(self, place):
+    def settle(self, place: Floats) -> Floats:
         """Place (5,) of a stable equilibrium for the present stiffness."""
         nudged, free = 0, self.free
         if not free.any():
@@ -104,7 +116,7 @@ class Balance:
             f"{self.loads[2]:g} N{said} with clearance {self.clearance:g} m"
         )
 
-    def balls(self, place):
+    def balls(self, place: Floats) -> tuple[seat.Grooves, Floats, seat.Touch]:
         """The balls' `Grooves` and `Touch` with the ring at a place."""
         ring = place / self.metres
         inner = partial(
@@ -117,12 +129,12 @@ class Balance:
             touch = touch._replace(load=np.where(touch.load.min(0) > 0, touch.load, 0.0))
         return grooves, ball, touch
 
-    def energy(self, place):
+    def energy(self, place: Floats) -> float:
         """J, up to a constant."""
         grooves, ball, _ = self.balls(place)
         return seat.energy(grooves, ball).sum() - self.loads[self.free] @ place[self.free]
 
-    def derivatives(self, place):
+    def derivatives(self, place: Floats) -> tuple[Floats, Floats, Floats]:
         """Gradient (5,) and Hessian (5, 5) of the energy in the ring's place, the balls following;
         contact loads (2, Z)."""
         grooves, _, touch = self.balls(place)
@@ -135,7 +147,7 @@ class Balance:
         reduced = (own - mixed.transpose(0, 2, 1) @ np.linalg.solve(ball, mixed)).sum(0)
         return gradient, reduced / np.outer(self.metres, self.metres), touch.load
 
-    def angles(self, touch):
+    def angles(self, touch: seat.Touch) -> Floats:
         """Contact angles (2, Z), rad, each against its own ring; no minus zero."""
         inner, outer = touch.reach.section, touch.direction[OUTER]
         return (
@@ -143,7 +155,7 @@ class Balance:
             + 0.0
         )
 
-    def ellipse(self, side, angle):
+    def ellipse(self, side: int, angle: Numbers) -> hertz.Ellipse:
         """`hertz.Ellipse` of the contacts of one raceway."""
         return hertz.exact(*self.bearing.effective_radii(side, angle, self.clearance))
 

@@ -6,9 +6,13 @@ the ring's axis, of radius R_i + r_ci for the inner ring and R_e - r_co (+ P_d/2
 clearance) for the outer.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
+
+from raceway.arrays import Numbers
 
 INNER, OUTER = 0, 1
 
@@ -50,7 +54,7 @@ class Bearing:
             )
 
     @classmethod
-    def from_mapping(cls, data):
+    def from_mapping(cls, data: Mapping[str, Any]) -> "Bearing":
         """From a mapping with the field names as keys. Raises `ValueError` for a missing or unknown
         key."""
         known = {field.name for field in fields(cls)}
@@ -63,37 +67,39 @@ class Bearing:
             raise ValueError(f"missing bearing data: {', '.join(missing)}") from None
 
     @property
-    def ball_radius(self):
+    def ball_radius(self) -> float:
         """R_b, m."""
         return self.ball_diameter / 2
 
     @property
-    def pitch_radius(self):
+    def pitch_radius(self) -> float:
         """Half-way between the raceways before clearance, m."""
         return (self.inner_radius + self.outer_radius) / 2
 
     @property
-    def effective_modulus(self):
+    def effective_modulus(self) -> float:
         """E' = E/(1 - nu^2), Pa: Hamrock's 2/sum((1 - nu^2)/E) for like bodies (eq 2)."""
         return self.young / (1 - self.poisson**2)
 
-    def groove(self, raceway):
+    def groove(self, raceway: int) -> float:
         """Groove radius r_c of a raceway (`INNER` or `OUTER`), m."""
         return self.inner_groove if raceway == INNER else self.outer_groove
 
-    def groove_gap(self, raceway):
+    def groove_gap(self, raceway: int) -> float:
         """r_c - R_b, m: how far a just-touching ball's centre is from the groove's centre of
         curvature."""
         return self.groove(raceway) - self.ball_radius
 
-    def groove_circle(self, raceway, clearance=0.0):
+    def groove_circle(self, raceway: int, clearance: float = 0.0) -> float:
         """Radius of the circle of centres of curvature, m; all the clearance goes to the outer
         groove."""
         if raceway == INNER:
             return self.inner_radius + self.inner_groove
         return self.outer_radius + clearance / 2 - self.outer_groove
 
-    def effective_radii(self, raceway, angle=0.0, clearance=0.0):
+    def effective_radii(
+        self, raceway: int, angle: Numbers = 0.0, clearance: float = 0.0
+    ) -> tuple[Numbers, Numbers]:
         """(R_x along rolling, R_y across the groove) in m, the shape of `angle` (contact angle,
         rad).
 

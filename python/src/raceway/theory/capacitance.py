@@ -2,16 +2,19 @@
 """Electrical capacitance of lubricated contacts (eqs 8, 10, 11, 12), F."""
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Numbers
 
 VACUUM = 8.8541878128e-12  # F/m
 
 
-def density_ratio(pressure):
+def density_ratio(pressure: Numbers) -> Numbers:
     """rho/rho_0 of a lubricant under `pressure` in Pa (eq 11, Dowson-Higginson)."""
     return (0.59e9 + 1.34 * pressure) / (0.59e9 + pressure)
 
 
-def permittivity(ambient, pressure):
+def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
     """Relative permittivity under `pressure` in Pa of an oil that has `ambient` at rest (eqs 10,
     11).
 
@@ -31,12 +34,12 @@ def permittivity(ambient, pressure):
     return (1 + 2 * x) / (1 - x)
 
 
-def contact(ambient, pressure, a, b, h_c):
+def contact(ambient: Numbers, pressure: Numbers, a: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
     """eps_0 eps_r(p) pi a b/h_c of one contact; `pressure` in Pa, lengths in m (eq 8)."""
     return VACUUM * permittivity(ambient, pressure) * np.pi * a * b / h_c
 
 
-def ball(inner, outer):
+def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
     """Inner and outer contact in series, F; zero where either is (eq 12). Arrays of one shape.
 
     >>> ball([3e-10, 3e-10], [6e-10, 0.0]).tolist()
@@ -48,6 +51,6 @@ def ball(inner, outer):
     return np.where(both, inner * outer / total, 0.0)[()]
 
 
-def bearing(inner, outer, background=0.0):
+def bearing(inner: ArrayLike, outer: ArrayLike, background: float = 0.0) -> Numbers:
     """All balls in parallel, F, over the last axis (eq 12), plus `background` when asked."""
     return np.sum(ball(inner, outer), axis=-1) + background

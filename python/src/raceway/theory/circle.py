@@ -10,21 +10,24 @@ ring's axis at the ball's azimuth. Derivatives are taken in these seven: ball fi
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Floats
 
 
 class Reach(NamedTuple):
     """Distances of Z balls from the circle, along the line of the contact."""
 
-    distance: np.ndarray  # (Z,), m
-    slope: np.ndarray  # (Z, 7), first derivatives
-    curve: np.ndarray  # (Z, 7, 7), second derivatives
+    distance: Floats  # (Z,), m
+    slope: Floats  # (Z, 7), first derivatives
+    curve: Floats  # (Z, 7, 7), second derivatives
     # (Z, 2), unit vector from circle to ball in the ring's own section (radial, axial)
-    section: np.ndarray
-    line: np.ndarray  # (Z, 3), the same in space: also the force's direction on the ring
-    arm: np.ndarray  # (Z, 3), m, from the ring's centre to a point on that line
+    section: Floats
+    line: Floats  # (Z, 3), the same in space: also the force's direction on the ring
+    arm: Floats  # (Z, 3), m, from the ring's centre to a point on that line
 
 
-def straight(ball, place, azimuth, radius):
+def straight(ball: Floats, place: Floats, azimuth: Floats, radius: float) -> Reach:
     """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of
     the ring's displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were
     straight over the shift.
@@ -55,7 +58,7 @@ def straight(ball, place, azimuth, radius):
     )
 
 
-def exact(ball, place, azimuth, radius):
+def exact(ball: Floats, place: Floats, azimuth: Floats, radius: float) -> Reach:
     """`Reach` of a circle that stays a circle, shifted and tilted, to its nearest point in
     space."""
     c, s, zero = np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth)
@@ -94,7 +97,7 @@ def exact(ball, place, azimuth, radius):
     return Reach(distance, slope, curve, unit, line, d)
 
 
-def conjugate(moment, tilt):
+def conjugate(moment: ArrayLike, tilt: Floats) -> Floats:
     """The part (2,) of a moment (2,) or (3,) in N m, fixed in space, that works on the tilts (2,),
     rad. Its component along the ring's axis works on none: the drive of the ring takes it."""
     axis, turn, _ = _axis(*tilt)

@@ -3,8 +3,11 @@
 
 import numpy as np
 
+from raceway.arrays import Numbers
+from raceway.theory.bearing import Bearing
 
-def load_parameter(clearance, shift):
+
+def load_parameter(clearance: Numbers, shift: Numbers) -> Numbers:
     """epsilon = (1 - P_d/(2 delta_r))/2 for lengths in m (appendix A). Raises `ValueError` without
     a shift."""
     if np.any(np.asarray(shift) == 0):
@@ -12,12 +15,12 @@ def load_parameter(clearance, shift):
     return (1 - clearance / (2 * shift)) / 2
 
 
-def groove_distance(bearing):
+def groove_distance(bearing: Bearing) -> float:
     """C = r_ci + r_co - D in m, between the grooves' centres of curvature (eq A.2)."""
     return bearing.inner_groove + bearing.outer_groove - bearing.ball_diameter
 
 
-def free_contact_angle(bearing, clearance):
+def free_contact_angle(bearing: Bearing, clearance: Numbers) -> Numbers:
     """alpha_0 = acos(1 - P_d/(2C)) in rad (eq A.3). Raises `ValueError` unless 0 <= P_d <= 2C."""
     cosine = 1 - np.asarray(clearance) / (2 * groove_distance(bearing))
     if not np.all((cosine >= 0) & (cosine <= 1)):
@@ -28,6 +31,6 @@ def free_contact_angle(bearing, clearance):
     return np.arccos(cosine)[()]
 
 
-def free_endplay(bearing, clearance):
+def free_endplay(bearing: Bearing, clearance: Numbers) -> Numbers:
     """P_e = 2C sin(alpha_0) in m, from one axial stop to the other (eq A.4)."""
     return 2 * groove_distance(bearing) * np.sin(free_contact_angle(bearing, clearance))

@@ -3,14 +3,16 @@
 
 import numpy as np
 
+from raceway.arrays import Numbers
 
-def hysteretic(load, restitution=0.08):
+
+def hysteretic(load: Numbers, restitution: float = 0.08) -> Numbers:
     """1.5 alpha_e Q for an elastic `load` Q in N and alpha_e = `restitution` in s/m (eq 4,
     Hunt-Crossley)."""
     return 1.5 * restitution * load
 
 
-def film(viscosity, length, radius, h_min):
+def film(viscosity: float, length: Numbers, radius: Numbers, h_min: Numbers) -> Numbers:
     """Squeeze film, 3 pi eta a/sqrt(2) (R/h)^1.5 (eq 5, Walford-Stone).
 
     `viscosity` in Pa s, `length` the semi-axis a across the groove (eq 5) or 2a, `radius` the

@@ -8,11 +8,12 @@ import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from raceway.arrays import Numbers
 from raceway.theory import hertz
-from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 
-def relative_load(azimuth, parameter):
+def relative_load(azimuth: Numbers, parameter: float) -> Numbers:
     """Q(psi)/Q_max = [1 - (1 - cos psi)/(2 epsilon)]^1.5, zero outside the loaded zone (eq A.1).
 
     `azimuth` psi in rad from the load line, `parameter` epsilon > 0.
@@ -22,7 +23,7 @@ def relative_load(azimuth, parameter):
     return np.maximum(1 - (1 - np.cos(azimuth)) / (2 * parameter), 0) ** 1.5
 
 
-def radial_integral(parameter):
+def radial_integral(parameter: float) -> float:
     """J_r(epsilon) = 1/(2 pi) integral of Q/Q_max cos psi over the loaded zone (Harris 7.24)."""
     if parameter >= 1:
         value, _ = quad(
@@ -38,7 +39,7 @@ def radial_integral(parameter):
     return 2 * np.sqrt(parameter) * value / np.pi
 
 
-def largest_load(balls, radial_load, parameter):
+def largest_load(balls: int, radial_load: float, parameter: float) -> float:
     """Q_max = F_r/(Z J_r) in N (Stribeck).
 
     >>> print(f"{largest_load(9, 5000.0, 0.5):.1f}")  # no clearance
@@ -47,7 +48,7 @@ def largest_load(balls, radial_load, parameter):
     return radial_load / (balls * radial_integral(parameter))
 
 
-def series_stiffness(bearing):
+def series_stiffness(bearing: Bearing) -> float:
     """K in N/m^1.5 of inner and outer contact of one ball in series, contact angle zero (Harris
     7.5)."""
     inner, outer = (
@@ -57,7 +58,7 @@ def series_stiffness(bearing):
     return (inner ** (-2 / 3) + outer ** (-2 / 3)) ** -1.5
 
 
-def shift(bearing, radial_load, clearance=0.0):
+def shift(bearing: Bearing, radial_load: float, clearance: float = 0.0) -> float:
     """Radial shift delta_r in m under `radial_load` > 0 N: F_r = Z K (delta_r - P_d/2)^1.5
     J_r(epsilon)."""
     if not radial_load > 0:

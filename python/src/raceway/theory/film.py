@@ -10,18 +10,29 @@ zero; no load is an error, because the film of an unloaded contact is not an ela
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Integers, Numbers
 
 
 class Group(NamedTuple):
     """The dimensionless parameters of a contact."""
 
-    speed: float  # U
-    material: float  # G
-    load: float  # W
-    kappa: float  # a/b
+    speed: Numbers  # U
+    material: Numbers  # G
+    load: Numbers  # W
+    kappa: Numbers  # a/b
 
 
-def group(viscosity, pressure_viscosity, modulus, r_x, kappa, speed, load):
+def group(
+    viscosity: Numbers,
+    pressure_viscosity: Numbers,
+    modulus: float,
+    r_x: Numbers,
+    kappa: Numbers,
+    speed: Numbers,
+    load: Numbers,
+) -> Group:
     """`Group` from eta (Pa s), xi (1/Pa), E' (Pa), R_x (m), kappa, |U_r| (m/s) and Q (N)."""
     if np.any(np.asarray(load) <= 0):
         raise ValueError(f"load = {load} N must be positive")
@@ -33,7 +44,7 @@ def group(viscosity, pressure_viscosity, modulus, r_x, kappa, speed, load):
     )
 
 
-def h_min(r_x, g):
+def h_min(r_x: Numbers, g: Group) -> Numbers:
     """Smallest thickness after Masjedi and Khonsari (eq 6); R_x in m, `g` a `Group`."""
     k = g.kappa
     return (
@@ -46,7 +57,7 @@ def h_min(r_x, g):
     )
 
 
-def h_c(r_x, g, printed=False):
+def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
     """Central thickness after Masjedi and Khonsari (eq 9); R_x in m, `g` a `Group`.
 
     Equation 9 prints the exponents of kappa with a minus sign; with a plus the film agrees with
@@ -63,7 +74,7 @@ def h_c(r_x, g, printed=False):
     )
 
 
-def hamrock_dowson_min(r_x, g):
+def hamrock_dowson_min(r_x: Numbers, g: Group) -> Numbers:
     """Smallest thickness after Hamrock and Dowson (1977)."""
     return (
         r_x
@@ -75,7 +86,7 @@ def hamrock_dowson_min(r_x, g):
     )
 
 
-def hamrock_dowson_c(r_x, g):
+def hamrock_dowson_c(r_x: Numbers, g: Group) -> Numbers:
     """Central thickness after Hamrock and Dowson (1977)."""
     return (
         r_x
@@ -87,12 +98,12 @@ def hamrock_dowson_c(r_x, g):
     )
 
 
-def ratio(h_min, roughness, ball_roughness=0.0):
+def ratio(h_min: Numbers, roughness: float, ball_roughness: float = 0.0) -> Numbers:
     """Lambda = h_min/sqrt(sigma_1^2 + sigma_2^2), lengths in m (eq 7)."""
     return h_min / np.hypot(roughness, ball_roughness)
 
 
-def regime(ratio, boundary=1.0, full=3.0):
+def regime(ratio: ArrayLike, boundary: float = 1.0, full: float = 3.0) -> np.int64 | Integers:
     """0 boundary below `boundary`, 2 full film above `full`, 1 mixed between (Lambda = `ratio`).
 
     >>> regime([0.5, 1.4, 3.2]).tolist()

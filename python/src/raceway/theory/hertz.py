@@ -8,19 +8,22 @@ Everything takes and returns numbers or arrays of one shape, SI units.
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.special import ellipe, ellipkm1, elliprd
+
+from raceway.arrays import Numbers
 
 
 class Ellipse(NamedTuple):
     """What the shape of two surfaces alone decides."""
 
-    kappa: float  # a/b
-    first: float  # complete elliptic integral F of modulus^2 1 - 1/kappa^2
-    second: float  # complete elliptic integral E of the same
-    radius: float  # R in m, 1/R = 1/R_x + 1/R_y
+    kappa: Numbers  # a/b
+    first: Numbers  # complete elliptic integral F of modulus^2 1 - 1/kappa^2
+    second: Numbers  # complete elliptic integral E of the same
+    radius: Numbers  # R in m, 1/R = 1/R_x + 1/R_y
 
 
-def ellipticity(ratio):
+def ellipticity(ratio: ArrayLike) -> Numbers:
     """kappa = a/b for R_y/R_x = `ratio` (any positive number or array). Exact to rounding.
 
     Hertz gives R_y/R_x = (kappa^2 E - F)/(F - E). Both differences vanish for a circle, so they are
@@ -46,7 +49,7 @@ def ellipticity(ratio):
     return np.exp(log_kappa)[()]
 
 
-def exact(r_x, r_y):
+def exact(r_x: Numbers, r_y: Numbers) -> Ellipse:
     """`Ellipse` of effective radii `r_x`, `r_y` (m), by the exact elliptic integrals.
 
     The inner raceway of the paper's 6208:
@@ -60,7 +63,7 @@ def exact(r_x, r_y):
     return Ellipse(kappa, ellipkm1(kappa**-2), ellipe(m), 1 / (1 / r_x + 1 / r_y))
 
 
-def hamrock_brewe(r_x, r_y, printed=False):
+def hamrock_brewe(r_x: Numbers, r_y: Numbers, printed: bool = False) -> Ellipse:
     """`Ellipse` by Hamrock and Brewe's fit for alpha = R_y/R_x >= 1: kappa = alpha^(2/pi), E = 1 +
     q/alpha, F = pi/2 + q ln(alpha), q = pi/2 - 1. `printed` takes the paper's F = 1 + q ln(alpha)
     (eq 2 as printed).
@@ -72,7 +75,7 @@ def hamrock_brewe(r_x, r_y, printed=False):
     return Ellipse(alpha ** (2 / np.pi), first, 1 + q / alpha, 1 / (1 / r_x + 1 / r_y))
 
 
-def stiffness(ellipse, modulus):
+def stiffness(ellipse: Ellipse, modulus: float) -> Numbers:
     """K in N/m^1.5 of Q = K overlap^1.5, for E' = `modulus` in Pa (eq 2)."""
     return (
         np.pi
@@ -82,24 +85,24 @@ def stiffness(ellipse, modulus):
     )
 
 
-def load(stiffness, overlap):
+def load(stiffness: Numbers, overlap: Numbers) -> Numbers:
     """Q = K overlap^1.5 in N, zero without overlap (eq 2)."""
     return stiffness * np.maximum(overlap, 0) ** 1.5
 
 
-def semi_axes(ellipse, modulus, load):
+def semi_axes(ellipse: Ellipse, modulus: float, load: Numbers) -> tuple[Numbers, Numbers]:
     """(a across the groove, b along rolling) in m under `load` in N (Hertz)."""
     a = np.cbrt(6 * ellipse.kappa**2 * ellipse.second * load * ellipse.radius / (np.pi * modulus))
     return a, a / ellipse.kappa
 
 
-def pressure(ellipse, modulus, load):
+def pressure(ellipse: Ellipse, modulus: float, load: Numbers) -> Numbers:
     """Largest pressure 1.5 Q/(pi a b) in Pa under `load` in N; zero without load."""
     a, b = semi_axes(ellipse, modulus, 1.0)
     return 1.5 * np.cbrt(load) / (np.pi * a * b)  # a b grows as Q^(2/3)
 
 
-def sphere_stiffness(modulus, radius):
+def sphere_stiffness(modulus: float, radius: float) -> float:
     """K = 4/3 E* sqrt(R*) of two spheres, N/m^1.5; E* in Pa with 1/E* = sum((1 - nu^2)/E), R* in m.
 
     Equation 3 prints a further 1/(1 - nu); Hertz has none."""

@@ -4,18 +4,22 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Numbers
+from raceway.theory.bearing import Bearing
 
 
 class Frequencies(NamedTuple):
     """Orders of the shaft's rotation, outer ring at rest."""
 
-    cage: float  # FTF
-    outer: float  # BPFO, ball passes over a point of the outer ring
-    inner: float  # BPFI, over a point of the inner ring
-    spin: float  # BSF, turns of a ball relative to the cage
+    cage: Numbers  # FTF
+    outer: Numbers  # BPFO, ball passes over a point of the outer ring
+    inner: Numbers  # BPFI, over a point of the inner ring
+    spin: Numbers  # BSF, turns of a ball relative to the cage
 
 
-def frequencies(bearing, angle=0.0):
+def frequencies(bearing: Bearing, angle: Numbers = 0.0) -> Frequencies:
     """FTF, BPFO, BPFI, BSF in shaft orders at a contact `angle` in rad (Harris, ch. 10).
 
     >>> from raceway.theory.bearing import Bearing
@@ -32,7 +36,7 @@ def frequencies(bearing, angle=0.0):
     )
 
 
-def entrainment(bearing, spin, angle=0.0):
+def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Numbers:
     """Entrainment speed in m/s, the same at both raceways, for an inner ring at `spin` rad/s.
 
     U_r = omega r_pitch (1 - gamma^2)/2: half the sum of both surface speeds seen from the contact.
@@ -41,7 +45,7 @@ def entrainment(bearing, spin, angle=0.0):
     return np.abs(spin) * bearing.pitch_radius * (1 - gamma**2) / 2
 
 
-def orbital_speed(x, y, vx, vy):
+def orbital_speed(x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Numbers:
     """(x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the axis. Raises `ValueError` on
     the axis."""
     squared = np.square(x) + np.square(y)

@@ -7,23 +7,25 @@ Each contact has the entrainment speed of pure rolling at its own contact angle
 and the capacitance of eqs 8, 10-12.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from raceway.arrays import Floats
+from raceway.inputs import Oil
 from raceway.theory import capacitance, film, hertz, kinematics
-from raceway.theory.bearing import INNER, OUTER
-from raceway.theory.static import equilibrium
+from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.static import Equilibrium, equilibrium
 
 
 class Film(NamedTuple):
     """One raceway's films, arrays (Z,) of one value a ball; zero where there is no contact."""
 
-    entrainment: np.ndarray  # m/s
-    h_min: np.ndarray  # m
-    h_c: np.ndarray  # m
-    ratio: np.ndarray  # Lambda
-    capacitance: np.ndarray  # F
+    entrainment: Floats  # m/s
+    h_min: Floats  # m
+    h_c: Floats  # m
+    ratio: Floats  # Lambda
+    capacitance: Floats  # F
 
 
 class Lubrication(NamedTuple):
@@ -31,11 +33,13 @@ class Lubrication(NamedTuple):
 
     inner: Film
     outer: Film
-    ball: np.ndarray  # (Z,), F: inner and outer in series (eq 12)
+    ball: Floats  # (Z,), F: inner and outer in series (eq 12)
     total: float  # F: all balls in parallel (eq 12), no background
 
 
-def lubricate(bearing, state, oil, spin, clearance=0.0):
+def lubricate(
+    bearing: Bearing, state: Equilibrium, oil: Oil, spin: float, clearance: float = 0.0
+) -> Lubrication:
     """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s;
     `clearance` as there, m.
 
@@ -80,7 +84,7 @@ def _film(bearing, side, contact, oil, spin, clearance):
     return Film(*values)
 
 
-def orbit(bearing, state, spin):
+def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float:
     """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean
     contact angle, weighted with the loads of both raceways, since one cage carries all balls
     (Harris, ch. 10)."""
@@ -89,7 +93,9 @@ def orbit(bearing, state, spin):
     return spin * kinematics.frequencies(bearing, np.arccos(np.average(cosine, weights=load))).cage
 
 
-def turning(bearing, spin, *loads, **options):
+def turning(
+    bearing: Bearing, spin: float, *loads: float, **options: Any
+) -> tuple[Equilibrium, float]:
     """(`Equilibrium`, orbital speed in rad/s) with the centrifugal load of balls that roll at
     `spin` rad/s of the inner ring; loads and options as `static.equilibrium`'s. The contact angles
     decide the speed and the speed the angles.

@@ -7,10 +7,14 @@ key.
 """
 
 import math
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from raceway import catalogue, inputs
+from raceway.files import FilePath
 from raceway.rows import Row, lines
 from raceway.theory import clearance
 from raceway.theory.lubrication import lubricate, turning
@@ -86,20 +90,20 @@ COLUMNS = (  # of the table of balls: key, heading, SI unit
 
 
 def figures(
-    bearing,
-    lubricant=None,
-    folder=None,
+    bearing: str,
+    lubricant: str | None = None,
+    folder: FilePath | None = None,
     *,
-    load=0.0,
-    axial=0.0,
-    moment=(0.0, 0.0),
-    held=None,
-    clearance=0.0,
-    rpm=0.0,
-    phase=0.0,
-    density=None,
-    exact_circle=False,
-):
+    load: float = 0.0,
+    axial: float = 0.0,
+    moment: ArrayLike = (0.0, 0.0),
+    held: Mapping[str, float] | None = None,
+    clearance: float = 0.0,
+    rpm: float = 0.0,
+    phase: float = 0.0,
+    density: float | None = None,
+    exact_circle: bool = False,
+) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
@@ -165,7 +169,7 @@ def figures(
     return result
 
 
-def table(result):
+def table(result: Mapping[str, Any]) -> str:
     """The mapping of `figures` as text: a topic a block, then a row a ball."""
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
     filled["angle_max_rad"] = math.degrees(filled["angle_max_rad"])

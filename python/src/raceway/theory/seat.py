@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.theory import circle, hertz
 from raceway.theory.bearing import INNER, OUTER
@@ -20,23 +21,23 @@ from raceway.theory.bearing import INNER, OUTER
 class Grooves(NamedTuple):
     """What surrounds the balls."""
 
-    inner: Callable  # balls (Z, 2) -> `circle.Reach` of the inner groove's centres
-    outer: np.ndarray  # (Z, 2), m: centres of curvature of the outer groove
-    gap: np.ndarray  # (2,), m: r_c - R_b
-    stiffness: np.ndarray  # (2, Z), N/m^1.5
+    inner: Callable[[Floats], circle.Reach]  # balls (Z, 2) -> circle of the inner groove's centres
+    outer: Floats  # (Z, 2), m: centres of curvature of the outer groove
+    gap: Floats  # (2,), m: r_c - R_b
+    stiffness: Floats  # (2, Z), N/m^1.5
     centrifugal: float  # N, outwards on every ball
 
 
 class Touch(NamedTuple):
     """The contacts of balls somewhere."""
 
-    distance: np.ndarray  # (2, Z), m, ball to centre of curvature
-    direction: np.ndarray  # (2, Z, 2), from ball to raceway
-    load: np.ndarray  # (2, Z), N
+    distance: Floats  # (2, Z), m, ball to centre of curvature
+    direction: Floats  # (2, Z, 2), from ball to raceway
+    load: Floats  # (2, Z), N
     reach: circle.Reach  # of the inner groove
 
 
-def touch(grooves, ball):
+def touch(grooves: Grooves, ball: Floats) -> Touch:
     """`Touch` of balls (Z, 2)."""
     reach, arm = grooves.inner(ball), ball - grooves.outer
     length = np.linalg.norm(arm, axis=-1)
@@ -47,12 +48,12 @@ def touch(grooves, ball):
     )
 
 
-def along(grooves, touch):
+def along(grooves: Grooves, touch: Touch) -> Floats:
     """Stiffness (2, Z) of each contact along its line, N/m: 1.5 K overlap^0.5."""
     return 1.5 * grooves.stiffness * np.sqrt(np.maximum(touch.distance - grooves.gap[:, None], 0))
 
 
-def energy(grooves, ball):
+def energy(grooves: Grooves, ball: Floats) -> Floats:
     """Energy (Z,) in J: 2/5 Q overlap of each spring, less the centrifugal load's work."""
     now = touch(grooves, ball)
     squeeze = np.maximum(now.distance - grooves.gap[:, None], 0)
@@ -61,14 +62,14 @@ def energy(grooves, ball):
     )
 
 
-def gradient(grooves, touch):
+def gradient(grooves: Grooves, touch: Touch) -> Floats:
     """Derivative (Z, 2) of the energy, N: minus the force on each ball."""
     result = (touch.load[..., None] * touch.direction).sum(0)
     result[:, 0] -= grooves.centrifugal
     return result
 
 
-def inner_hessian(grooves, touch):
+def inner_hessian(grooves: Grooves, touch: Touch) -> Floats:
     """Second derivative (Z, 7, 7) of the inner contacts' energy, N/m, in ball and ring: see
     `circle`."""
     slope, curve = touch.reach.slope, touch.reach.curve
@@ -79,7 +80,7 @@ def inner_hessian(grooves, touch):
     )
 
 
-def outer_hessian(grooves, touch):
+def outer_hessian(grooves: Grooves, touch: Touch) -> Floats:
     """Second derivative (Z, 2, 2) of the outer contacts' energy, N/m: the spring along its line of
     action, Q/s across."""
     direction = touch.direction[OUTER]
@@ -90,7 +91,7 @@ def outer_hessian(grooves, touch):
     )
 
 
-def settle(grooves):
+def settle(grooves: Grooves) -> Floats:
     """Places (Z, 2) where every ball is in balance. Raises `NoEquilibrium` should Newton's method
     not find one."""
     outer, gap, stiffness, centrifugal = (

@@ -21,15 +21,18 @@ unstable and rolls sideways.
 Left out: friction, gyroscopic moments, bending of rings.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.theory import hertz
 from raceway.theory.balance import Balance
-from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.bearing import INNER, OUTER, Bearing
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
@@ -38,46 +41,46 @@ STRAIGHT = {"rx": 0.0, "ry": 0.0}
 class Contacts(NamedTuple):
     """One raceway's contacts, arrays of one value a ball; zero load where there is none."""
 
-    overlap: np.ndarray  # m
-    load: np.ndarray  # N
-    angle: np.ndarray  # rad, positive where the inner ring is pushed to +z
-    a: np.ndarray  # m, across the groove
-    b: np.ndarray  # m, along rolling
-    pressure: np.ndarray  # Pa
+    overlap: Floats  # m
+    load: Floats  # N
+    angle: Floats  # rad, positive where the inner ring is pushed to +z
+    a: Floats  # m, across the groove
+    b: Floats  # m, along rolling
+    pressure: Floats  # Pa
 
 
 @dataclass(frozen=True)
 class Equilibrium:
     """Where the bearing rests."""
 
-    shift: np.ndarray  # (3,), m: inner ring against outer
-    azimuth: np.ndarray  # (Z,), rad
+    shift: Floats  # (3,), m: inner ring against outer
+    azimuth: Floats  # (Z,), rad
     inner: Contacts
     outer: Contacts
     # N, what is left of the balance of the free degrees of freedom, moments over the pitch radius
     residual: float
-    tilt: np.ndarray  # (2,), rad: arcsines of -e_y and e_x of the ring's axis e, about x and y
-    force: np.ndarray  # (3,), N: of the balls on the inner ring
-    moment: np.ndarray  # (3,), N m: of the same about the ring's centre
+    tilt: Floats  # (2,), rad: arcsines of -e_y and e_x of the ring's axis e, about x and y
+    force: Floats  # (3,), N: of the balls on the inner ring
+    moment: Floats  # (3,), N m: of the same about the ring's centre
     # (5, 5), N/m, N/rad, N m/rad: d(load)/d(place) in x, y, z, rx, ry at the present contact
     # ellipses
-    stiffness: np.ndarray
+    stiffness: Floats
 
 
 def equilibrium(
-    bearing,
-    radial_load=0.0,
-    axial_load=0.0,
+    bearing: Bearing,
+    radial_load: float = 0.0,
+    axial_load: float = 0.0,
     *,
-    moment=None,
-    held=None,
-    clearance=0.0,
-    load_azimuth=0.0,
-    phase=0.0,
-    orbital_speed=0.0,
-    ball_density=7800.0,
-    finite_shift=False,
-):
+    moment: ArrayLike | None = None,
+    held: Mapping[str, float] | None = None,
+    clearance: float = 0.0,
+    load_azimuth: float = 0.0,
+    phase: float | Floats = 0.0,
+    orbital_speed: float = 0.0,
+    ball_density: float = 7800.0,
+    finite_shift: bool = False,
+) -> Equilibrium:
     """`Equilibrium` of `bearing` under loads in N on the inner ring, toward `load_azimuth` (rad)
     and +z.
 

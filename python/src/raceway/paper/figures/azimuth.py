@@ -4,13 +4,15 @@
 import numpy as np
 import pandas as pd
 from matplotlib import colormaps
+from matplotlib.figure import Figure
 
 from raceway.paper import panel, theory
+from raceway.paper.book import Book
 from raceway.paper.reading import GRID, gridded
 from raceway.pictures.style import INK, PALETTE
 
 
-def by_load(book):
+def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 8a: capacitance of one ball around the ring, radial loads of 1 to 7 kN."""
     runs = book.readings.all("loads")
     figure, (axes,) = panel.page(
@@ -30,7 +32,7 @@ def by_load(book):
     return figure, table
 
 
-def by_clearance(book):
+def by_clearance(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 9: capacitance of one ball around the ring, three kinds of clearance."""
     runs = book.readings.all("clearances")
     figure, (axes,) = panel.page(

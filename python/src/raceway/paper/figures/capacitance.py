@@ -3,16 +3,17 @@
 
 import numpy as np
 import pandas as pd
+from matplotlib.figure import Figure
 
 from raceway.paper import panel, theory
-from raceway.paper.book import OILS
+from raceway.paper.book import OILS, Book
 from raceway.pictures.style import PALETTE, SOFT
 from raceway.theory.bearing import INNER
 
 BACKGROUND = 30e-12  # F, as the paper adds (section 4.1)
 
 
-def by_load(book):
+def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 8b: capacitance of a ball on the load line against the radial load."""
     bearing, oil = book.bearing, book.oils["mineral"]
     figure, (axes,) = panel.page(
@@ -53,12 +54,12 @@ def by_load(book):
     )
 
 
-def mineral(book):
+def mineral(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 10a: capacitance on the load line against entrainment speed, mineral oil."""
     return _by_speed(book, "mineral")
 
 
-def pao(book):
+def pao(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 10b: the same, PAO VG48."""
     return _by_speed(book, "pao48")
 
@@ -113,7 +114,7 @@ def _by_speed(book, oil):
     return figure, pd.concat(tables)
 
 
-def by_film(book):
+def by_film(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 11: capacitance of the bearing over permittivity against film thickness."""
     figure, (axes,) = panel.page(
         "Capacitance over permittivity against film thickness",

@@ -5,19 +5,22 @@ from dataclasses import replace
 
 import numpy as np
 import pandas as pd
+from matplotlib.figure import Figure
 
 from raceway.paper import cases, panel
+from raceway.paper.book import Book
 from raceway.pictures.style import PALETTE
 from raceway.theory import clearance
+from raceway.theory.bearing import Bearing
 
 
-def curved(bearing, total_curvature):
+def curved(bearing: Bearing, total_curvature: float) -> Bearing:
     """The bearing with both grooves of total curvature B (eq A.2)."""
     radius = cases.groove(bearing, total_curvature)
     return replace(bearing, inner_groove=radius, outer_groove=radius)
 
 
-def measured(book):
+def measured(book: Book) -> pd.DataFrame:
     """DataFrame: total_curvature, clearance_m, and angle_deg, endplay_m of simulation and eqs A.3,
     A.4."""
     rows = []
@@ -47,7 +50,7 @@ def measured(book):
     )
 
 
-def play(book):
+def play(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig A.4: free contact angle and endplay against clearance."""
     figure, (left, right) = panel.page(
         "Free contact angle and free endplay",

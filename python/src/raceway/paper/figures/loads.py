@@ -3,15 +3,18 @@
 
 import numpy as np
 import pandas as pd
+from matplotlib.figure import Figure
 
+from raceway.arrays import Floats
 from raceway.paper import panel
+from raceway.paper.book import Book
 from raceway.paper.reading import GRID, gridded
 from raceway.pictures.style import PALETTE
 from raceway.theory import clearance, distribution
-from raceway.theory.bearing import INNER
+from raceway.theory.bearing import INNER, Bearing
 
 
-def stribeck(bearing, radial_load, gap, psi):
+def stribeck(bearing: Bearing, radial_load: float, gap: float, psi: Floats) -> tuple[Floats, float]:
     """(loads in N at `psi` in degrees, load parameter) after Stribeck and Harris (eq A.1) for a
     clearance in m."""
     parameter = clearance.load_parameter(gap, distribution.shift(bearing, radial_load, gap))
@@ -22,7 +25,7 @@ def stribeck(bearing, radial_load, gap, psi):
     )
 
 
-def distribution_curves(book):
+def distribution_curves(book: Book) -> list[tuple[float, float, Floats, Floats, float]]:
     """[(P_d/D, load parameter of the run, simulated Q on `GRID` in N, Q of eq A.1, its load
     parameter)]."""
     result = []
@@ -41,7 +44,7 @@ def distribution_curves(book):
     return result
 
 
-def distribution_page(book):
+def distribution_page(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig A.2: load of a ball over the radial load around the ring."""
     figure, (axes,) = panel.page(
         "Load of a ball around the ring", "6208, dry, 5 kN, 1 rad/s, inner raceway"

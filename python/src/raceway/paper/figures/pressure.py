@@ -3,8 +3,10 @@
 
 import numpy as np
 import pandas as pd
+from matplotlib.figure import Figure
 
 from raceway.paper import panel, theory
+from raceway.paper.book import Book
 from raceway.paper.reading import GRID, gridded
 from raceway.pictures.style import COLOUR, NAME
 from raceway.theory import capacitance
@@ -13,7 +15,7 @@ from raceway.theory.bearing import INNER, OUTER
 SIDE = {INNER: "inner", OUTER: "outer"}
 
 
-def permittivity(book):
+def permittivity(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 6a: relative permittivity against Hertz pressure."""
     run, oil = book.readings.one("pressure"), book.oils["pao48"]
     figure, (axes,) = panel.page(
@@ -61,7 +63,7 @@ def permittivity(book):
     return figure, pd.concat(tables)
 
 
-def around(book):
+def around(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 6b: Hertz pressure around the ring."""
     run, bearing = book.readings.one("pressure"), book.bearing
     figure, (axes,) = panel.page(

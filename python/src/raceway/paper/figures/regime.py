@@ -3,9 +3,10 @@
 
 import numpy as np
 import pandas as pd
+from matplotlib.figure import Figure
 
 from raceway.paper import panel, theory
-from raceway.paper.book import OILS
+from raceway.paper.book import OILS, Book
 from raceway.pictures.style import INK, PALETTE, SOFT
 from raceway.theory import film
 from raceway.theory.bearing import INNER
@@ -13,7 +14,7 @@ from raceway.theory.bearing import INNER
 PASSAGE = 60e-12  # F, boundary to mixed, as the paper says (section 4.2)
 
 
-def curves(book, printed=False):
+def curves(book: Book, printed: bool = False) -> dict[str, pd.DataFrame]:
     """{oil: DataFrame} of the runs at 5 kN: entrainment_m_s, lambda at psi = 0 (inner),
     capacitance_F (bearing)."""
     result = {}
@@ -31,7 +32,7 @@ def curves(book, printed=False):
     return result
 
 
-def by_speed(book):
+def by_speed(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 12a: film parameter against entrainment speed."""
     figure, (axes,) = panel.page("Film parameter against speed", _note(book))
     top = _top(book)
@@ -57,7 +58,7 @@ def by_speed(book):
     return figure, _table(book)
 
 
-def by_capacitance(book):
+def by_capacitance(book: Book) -> tuple[Figure, pd.DataFrame]:
     """Fig 12b: film parameter against the capacitance of the bearing."""
     figure, (axes,) = panel.page("Film parameter against the bearing's capacitance", _note(book))
     top = _top(book)

@@ -5,12 +5,14 @@ Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printe
 that eqs 2, 3 and 9 change, from the formulas as printed; the others are the same either way.
 """
 
+from raceway.paper.book import Book
 from raceway.paper.quantities import capacitance, formulas, loads, motion, oil
+from raceway.paper.quantity import Quantity
 
 MODULES = (formulas, loads, motion, oil, capacitance)
 
 
-def measure(book, printed=False):
+def measure(book: Book, printed: bool = False) -> dict[str, Quantity]:
     """{name: `Quantity`} of all modules."""
     result = {}
     for module in MODULES:

@@ -4,13 +4,14 @@
 import numpy as np
 
 from raceway.paper import sensitivity, theory
+from raceway.paper.book import Book
 from raceway.paper.quantity import Quantity
 from raceway.paper.reading import GRID, gridded
 from raceway.theory.bearing import INNER
 from raceway.theory.capacitance import VACUUM
 
 
-def measure(book, printed):
+def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     """See `quantities`."""
     form = "_printed" if printed else ""
     runs = book.readings

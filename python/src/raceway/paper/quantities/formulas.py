@@ -4,6 +4,7 @@
 import numpy as np
 
 from raceway.paper import cases, theory
+from raceway.paper.book import Book
 from raceway.paper.quantity import Quantity
 from raceway.theory import capacitance, damping, film, hertz, kinematics
 from raceway.theory.bearing import INNER, OUTER
@@ -14,7 +15,7 @@ STEEL = 7800.0  # kg/m3
 WIDTH = 18e-3  # m, of a 6208 (ISO 15)
 
 
-def measure(book, printed):
+def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     """See `quantities`."""
     b, oil = book.bearing, book.oils["mineral"]
     q = theory.largest_load(b, 5000.0)

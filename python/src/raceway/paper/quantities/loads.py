@@ -4,6 +4,7 @@
 import numpy as np
 
 from raceway.paper import theory
+from raceway.paper.book import Book
 from raceway.paper.figures.free import measured
 from raceway.paper.figures.loads import distribution_curves
 from raceway.paper.quantity import Quantity
@@ -12,7 +13,7 @@ from raceway.theory import clearance, distribution
 from raceway.theory.bearing import INNER, OUTER
 
 
-def measure(book, printed):
+def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     """See `quantities`."""
     form = "_printed" if printed else ""
     run = book.readings.one("pressure" + form)

@@ -3,12 +3,13 @@
 
 import numpy as np
 
+from raceway.paper.book import Book
 from raceway.paper.quantities.formulas import CAGE_BALL
 from raceway.paper.quantity import Quantity
 from raceway.theory import kinematics
 
 
-def measure(book, printed):
+def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     """See `quantities`."""
     if printed:
         return {}

@@ -5,6 +5,7 @@
 import numpy as np
 
 from raceway.paper import passage, sensitivity
+from raceway.paper.book import Book
 from raceway.paper.figures.regime import PASSAGE, curves
 from raceway.paper.quantity import Quantity
 from raceway.theory.bearing import INNER, OUTER
@@ -12,7 +13,7 @@ from raceway.theory.bearing import INNER, OUTER
 SHORT = {"mineral": "mineral", "pao48": "PAO"}
 
 
-def measure(book, printed):
+def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     """See `quantities`."""
     b, oils, runs = book.bearing, book.oils, book.readings
     form = "_printed" if printed else ""

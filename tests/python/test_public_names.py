@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The public names are there; what is public says what it takes and gives."""
+
+import importlib
+import inspect
+import pkgutil
+import subprocess
+import sys
+import typing
+
+import pytest
+import raceway
+import xarray
+
+MODULES = [
+    found.name
+    for found in pkgutil.walk_packages(raceway.__path__, "raceway.")
+    if not found.name.endswith("__main__")
+]
+
+
+def public(module):
+    """(name, function) of every public function and method that `module` defines, constructors
+    too."""
+    for name, thing in vars(module).items():
+        if name.startswith("_") or getattr(thing, "__module__", None) != module.__name__:
+            continue
+        if inspect.isfunction(thing):
+            yield name, thing
+        elif inspect.isclass(thing):
+            yield from (
+                (f"{name}.{key}", function)
+                for key, member in vars(thing).items()
+                for function in [plain(member)]
+                if function and (key == "__init__" or not key.startswith("_"))
+                if function.__module__ == module.__name__
+            )
+
+
+def plain(member):
+    """The function behind a method, property or cached property of a class; None of another
+    member."""
+    for wrapped in ("__func__", "fget", "func", "__wrapped__"):
+        member = getattr(member, wrapped, member)
+    return member if inspect.isfunction(member) else None
+
+
+def without_hint(function):
+    """Names of the parameters without annotation, and "return"; `self` and `cls` need none."""
+    signature = inspect.signature(function)
+    names = [
+        name
+        for place, (name, one) in enumerate(signature.parameters.items())
+        if one.annotation is one.empty and not (place == 0 and name in ("self", "cls"))
+    ]
+    return names + ["return"] * (signature.return_annotation is signature.empty)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_hints(name):
+    module = importlib.import_module(name)
+    assert {key: left for key, one in public(module) if (left := without_hint(one))} == {}
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_docstrings(name):
+    module = importlib.import_module(name)
+    assert module.__doc__
+    # of a constructor the class tells
+    bare = [key for key, one in public(module) if not (one.__doc__ or key.endswith("__init__"))]
+    assert bare == []
+
+
+def test_hints_name_types_that_are():
+    """Every hint can be evaluated, those in quotes too."""
+    from MDAnalysis import Universe
+    from raceway.runs.dump import Block
+    from raceway.runs.spectrum import Line
+
+    late = {"Run": raceway.Run, "Universe": Universe, "Block": Block, "Line": Line, "xr": xarray}
+    functions = [one for name in MODULES for _, one in public(importlib.import_module(name))]
+    assert len(functions) > 250
+    for one in [raceway.open, *functions]:
+        assert typing.get_type_hints(one, localns=late)
+
+
+def test_a_missing_hint_is_found():
+    def half(a: int, b, *, c: str = ""):
+        return a, b, c
+
+    assert without_hint(half) == ["b", "return"]
+
+
+@pytest.mark.parametrize("name", raceway.NAMES)
+def test_name(name):
+    namespace = {}
+    exec(f"from raceway import {name}", namespace)
+    assert namespace[name] is getattr(raceway, name)
+    assert namespace[name].__name__.rsplit(".")[-1] == name and name in dir(raceway)
+
+
+def test_the_list_is_complete():
+    """All formulas and all that reads a run, but for the parts that only these two use."""
+    parts = {
+        "theory": {"balance", "circle", "seat"},
+        "runs": {"around", "run", "settings", "tables", "totals", "universe"},
+    }
+    for room, inside in parts.items():
+        package = importlib.import_module(f"raceway.{room}")
+        modules = {found.name for found in pkgutil.iter_modules(package.__path__)}
+        listed = {name for name, place in raceway.NAMES.items() if place == f"{room}.{name}"}
+        assert modules == listed | inside
+    assert set(raceway.__all__) == {"open", *raceway.NAMES}
+
+
+def test_unknown_name():
+    with pytest.raises(AttributeError, match="module 'raceway' has no attribute 'bearings'"):
+        raceway.bearings
+    with pytest.raises(ImportError, match="cannot import name 'bearings'"):
+        exec("from raceway import bearings")
+
+
+def test_the_package_alone_loads_nothing_large():
+    said = subprocess.run(
+        [sys.executable, "-c", "import sys, raceway; print(*sys.modules)"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.split()
+    assert "raceway" in said
+    assert not {"numpy", "scipy", "pandas", "xarray", "matplotlib", "yaml"} & set(said)
