@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The mathematics of the implicit step behind a C interface, for test_mathematics.py.
+// The mathematics of the implicit step behind a C interface, for test_mathematics.py (called by
+// name, see ../exports.h).
 #include "../../src-package/implicit/bearing_step.h"
 #include "../../src-package/implicit/contact_rows.h"
 #include "../../src-package/implicit/lane_blocks.h"
+#include "../exports.h"
 
 #include <algorithm>
 
 using namespace raceway;
+
+EXPORTS
+
+RECORD(RingEnd, double e[3], rate[2], x[3], v[3];)
 
 using SmoothedLaw = LubricatedLaw<ConstantFrictionPart, SmoothedFrictionPart>;
 
@@ -52,9 +58,8 @@ static Lane read(const double *p, int stride)
   return Lane{p[0], p[stride], p[2 * stride], p[3 * stride]};
 }
 
-extern "C" {
-
-void contact_force(const double *state, double spin, double mu, double *frozen, double *force)
+EXPORT(void, contact_force,
+       (const double state[9], double spin, double mu, double frozen[3], double force[3]))
 {
   contact(state, spin, mu, frozen, force);
 }
@@ -92,8 +97,8 @@ static void lab_derivative(const ContactState &c, const RacewayPhysics &p, doubl
 }
 
 // D in the velocity at a given place and K in the place, and the normal.
-void contact_derivatives(const double *state, double spin, double mu, double *D, double *K,
-                         double *n)
+EXPORT(void, contact_derivatives,
+       (const double state[9], double spin, double mu, double D[9], double K[9], double n[3]))
 {
   double frozen[3] = {-1, 0, 0}, force[3], both[9];
   const ContactState c = contact(state, spin, mu, frozen, force);
@@ -104,7 +109,7 @@ void contact_derivatives(const double *state, double spin, double mu, double *D,
 }
 
 // Four systems of size 6 or 3; A[4][36] with rows 6 apart, r[4][6] becomes the solution.
-void blocks(int n, const double *A, double *r)
+EXPORT(void, blocks, (int n, const double A[144], double r[24]))
 {
   Lane a[36], x[6];
   for (int k = 0; k < 36; ++k) a[k] = read(A + k, 36);
@@ -120,7 +125,7 @@ void blocks(int n, const double *A, double *r)
     for (int i = 0; i < lanes; ++i) r[6 * i + k] = x[k][i];
 }
 
-void dense(int n, const double *A, double *y)
+EXPORT(void, dense, (int n, const double *A, double *y))
 {
   DenseLU lu;
   lu.resize(n);
@@ -131,8 +136,9 @@ void dense(int n, const double *A, double *y)
 
 // Links between bodies whose inverse blocks are given (9 numbers each); x: right-hand sides, then
 // forces.
-int chain(int bodies, const double *inverse, int links, const int *pairs, const double *normals,
-          const double *a, double *x)
+EXPORT(int, chain,
+       (int bodies, const double *inverse, int links, const int *pairs, const double *normals,
+        const double *a, double *x))
 {
   LinkChain c;
   c.resize(bodies);
@@ -155,7 +161,8 @@ int chain(int bodies, const double *inverse, int links, const int *pairs, const 
 }
 
 // Place and velocity (lab) after a drift of the time h.
-void drift(const double *x, const double *v, double h, double *x_new, double *v_new)
+EXPORT(void, drift,
+       (const double x[3], const double v[3], double h, double x_new[3], double v_new[3]))
 {
   LaneFrame f;
   for (int i = 0; i < lanes; ++i) f.set(i, Vec3::from(x));
@@ -169,14 +176,14 @@ void drift(const double *x, const double *v, double h, double *x_new, double *v_
   }
 }
 
-double cubic(double s, double h, double x_from, double v_from, double x_to, double v_to)
+EXPORT(double, cubic, (double s, double h, double x_from, double v_from, double x_to, double v_to))
 {
   return Cubic(s, h)(x_from, v_from, x_to, v_to);
 }
 
 // The axis of a ring half-way between two instants h apart, which turns about `w` at a constant
 // rate.
-void axis_between(const double *w, double h, double *e)
+EXPORT(void, axis_between, (const double w[3], double h, double e[3]))
 {
   const Vec3 W = Vec3::from(w);
   RingPose from, to;
@@ -188,7 +195,7 @@ void axis_between(const double *w, double h, double *e)
   (found - truth).to(e);
 }
 
-void turn(double angle, double *c, double *s)
+EXPORT(void, turn, (double angle, double c[1], double s[1]))
 {
   Lane cosine, sine;
   small_turn(all_lanes(angle), cosine, sine);
@@ -196,10 +203,11 @@ void turn(double angle, double *c, double *s)
   *s = sine[0];
 }
 
-// A ring alone, free but for its driven spin, under a constant force and moment: e (3), rate (2), x
-// (3), v (3) after n steps. order 0: dampers only.
-void lone_ring(int order, int n, double h, double spin, const double *inertia, const double *moment,
-               double *out)
+// A ring alone, free but for its driven spin, under a constant force and moment, after n
+// steps. order 0: dampers only.
+EXPORT(void, lone_ring,
+       (int order, int n, double h, double spin, const double inertia[2], const double moment[3],
+        RingEnd *out))
 {
   BearingModel m;
   m.bodies.push_back({1.0, 5e-3, true});
@@ -228,10 +236,9 @@ void lone_ring(int order, int n, double h, double spin, const double *inertia, c
     step.accept();
   }
   step.store(bodies, rings);
-  rings[0].e.to(out);
-  out[3] = rings[0].rate[0];
-  out[4] = rings[0].rate[1];
-  rings[0].x.to(out + 5);
-  rings[0].v.to(out + 8);
-}
+  rings[0].e.to(out->e);
+  out->rate[0] = rings[0].rate[0];
+  out->rate[1] = rings[0].rate[1];
+  rings[0].x.to(out->x);
+  rings[0].v.to(out->v);
 }

@@ -2,13 +2,13 @@
 """Contact derivatives against finite differences, the solvers against numpy, turning frames, a ring
 alone against scipy."""
 
-import ctypes
 import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 import scipy.integrate
+from exports import Library
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -36,13 +36,7 @@ def lib():
         ],
         check=True,
     )
-    return ctypes.CDLL(str(target))
-
-
-def pointer(a):
-    return a.ctypes.data_as(
-        ctypes.POINTER(ctypes.c_int if a.dtype == np.int32 else ctypes.c_double)
-    )
+    return Library(target)
 
 
 def ball(overlap=20e-6, angle=0.0, v=(0, 0, 0), w=(0, 0, 0)):
@@ -55,24 +49,12 @@ def ball(overlap=20e-6, angle=0.0, v=(0, 0, 0), w=(0, 0, 0)):
 
 
 def force(lib, state, spin, mu, frozen):
-    f = np.zeros(3)
-    lib.contact_force(
-        pointer(state), ctypes.c_double(spin), ctypes.c_double(mu), pointer(frozen), pointer(f)
-    )
-    return f
+    return lib.call("contact_force", state=state, spin=spin, mu=mu, frozen=frozen)
 
 
 def derivatives(lib, state, spin, mu):
     """D and K as matrices, and the normal."""
-    D, K, n = np.zeros(9), np.zeros(9), np.zeros(3)
-    lib.contact_derivatives(
-        pointer(state),
-        ctypes.c_double(spin),
-        ctypes.c_double(mu),
-        pointer(D),
-        pointer(K),
-        pointer(n),
-    )
+    D, K, n = lib.call("contact_derivatives", state=state, spin=spin, mu=mu)
     return D.reshape(3, 3), K.reshape(3, 3), n
 
 
@@ -144,7 +126,7 @@ def test_blocks_against_numpy(lib, n):
     A[:, :n, :n] = rng.normal(size=(4, n, n)) * 0.3 + 3 * np.eye(n)
     r[:, :n] = rng.normal(size=(4, n))
     expected = np.linalg.solve(A[:, :n, :n], r[:, :n, None])[..., 0]
-    lib.blocks(n, pointer(A), pointer(r))
+    lib.call("blocks", n=n, A=A, r=r)
     np.testing.assert_allclose(r[:, :n], expected, rtol=1e-13, atol=1e-14)
 
 
@@ -153,7 +135,7 @@ def test_dense_against_numpy(lib, n):
     rng = np.random.default_rng(6)
     A, y = rng.normal(size=(n, n)), rng.normal(size=n)
     expected = np.linalg.solve(A, y)
-    lib.dense(n, pointer(A), pointer(y))
+    lib.call("dense", n=n, A=A, y=y)
     np.testing.assert_allclose(y, expected, rtol=1e-11, atol=1e-12)
 
 
@@ -184,10 +166,10 @@ def test_chain_against_dense(lib, balls, links):
                             (1 if end == other else -1) * normals[i] @ inverse[body] @ normals[j]
                         )
     expected = np.linalg.solve(matrix, x)
-    assert (
-        lib.chain(n, pointer(inverse), m, pointer(pairs), pointer(normals), pointer(a), pointer(x))
-        == 1
+    found = lib.call(
+        "chain", bodies=n, inverse=inverse, links=m, pairs=pairs, normals=normals, a=a, x=x
     )
+    assert found == 1
     np.testing.assert_allclose(x, expected, rtol=1e-11, atol=1e-12)
 
 
@@ -195,35 +177,26 @@ def test_a_third_link_is_no_chain(lib):
     pairs = np.array([[0, 1], [0, 2], [0, 3]], dtype=np.int32)
     inverse, normals = np.tile(np.eye(3), (4, 1, 1)), np.tile([1.0, 0, 0], (3, 1))
     a, x = np.ones(3), np.ones(3)
-    assert (
-        lib.chain(4, pointer(inverse), 3, pointer(pairs), pointer(normals), pointer(a), pointer(x))
-        == 0
+    found = lib.call(
+        "chain", bodies=4, inverse=inverse, links=3, pairs=pairs, normals=normals, a=a, x=x
     )
+    assert found == 0
 
 
 @pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-3, -0.1, 0.37, -0.6, 0.6])
 def test_small_turn(lib, angle):
-    c, s = ctypes.c_double(), ctypes.c_double()
-    lib.turn(ctypes.c_double(angle), ctypes.byref(c), ctypes.byref(s))
-    assert c.value == pytest.approx(np.cos(angle), rel=3e-16)
-    assert s.value == pytest.approx(np.sin(angle), rel=3e-16)
+    c, s = lib.call("turn", angle)
+    assert c[0] == pytest.approx(np.cos(angle), rel=3e-16)
+    assert s[0] == pytest.approx(np.sin(angle), rel=3e-16)
 
 
 INERTIA, SPIN, MOMENT = np.array([3e-4, 1.6e-4]), 800.0, np.array([0.4, -0.2, 0.1])
 
 
 def lone_ring(lib, order, steps, time):
-    out = np.zeros(11)
-    lib.lone_ring(
-        order,
-        steps,
-        ctypes.c_double(time / steps),
-        ctypes.c_double(SPIN),
-        pointer(INERTIA),
-        pointer(MOMENT),
-        pointer(out),
+    return lib.call(
+        "lone_ring", order=order, n=steps, h=time / steps, spin=SPIN, inertia=INERTIA, moment=MOMENT
     )
-    return out
 
 
 def gyroscope(time):
@@ -256,8 +229,8 @@ def test_gyroscope(lib, order, method):
         out = lone_ring(lib, method, steps, time)
         errors.append(
             max(
-                np.abs(out[:3] - axis).max() / np.abs(axis[:2]).max(),
-                np.abs(out[3:5] - rate).max() / np.abs(rate).max(),
+                np.abs(out.e - axis).max() / np.abs(axis[:2]).max(),
+                np.abs(out.rate - rate).max() / np.abs(rate).max(),
             )
         )
     for coarse, fine in zip(errors, errors[1:]):
@@ -271,16 +244,14 @@ def test_free_fall_is_exact(lib, method):
     Verlet."""
     out, time = lone_ring(lib, method, 7, 2e-3), 2e-3
     acceleration = np.array([1.0, 2.0, 3.0]) / 0.5
-    np.testing.assert_allclose(out[8:], acceleration * time, rtol=1e-12)
-    np.testing.assert_allclose(out[5:8], 0.5 * acceleration * time**2, rtol=1e-12)
+    np.testing.assert_allclose(out.v, acceleration * time, rtol=1e-12)
+    np.testing.assert_allclose(out.x, 0.5 * acceleration * time**2, rtol=1e-12)
 
 
 def test_turning_frame_keeps_a_circle(lib):
     x, v = np.array([30e-3, 0, 1e-3]), np.array([0, 0.6, 0])
-    x1, v1 = np.zeros(3), np.zeros(3)
     for _ in range(1000):
-        lib.drift(pointer(x), pointer(v), ctypes.c_double(1e-3), pointer(x1), pointer(v1))
-        x, v = x1.copy(), v1.copy()
+        x, v = lib.call("drift", x=x, v=v, h=1e-3)
     assert np.hypot(*x[:2]) == pytest.approx(30e-3, rel=1e-13)
     assert np.arctan2(x[1], x[0]) % (2 * np.pi) == pytest.approx(20.0 % (2 * np.pi), rel=1e-10)
     assert v @ x == pytest.approx(0, abs=1e-15) and np.linalg.norm(v) == pytest.approx(
@@ -289,12 +260,12 @@ def test_turning_frame_keeps_a_circle(lib):
 
 
 def test_between_steps_a_cubic_is_exact(lib):
-    lib.cubic.restype = ctypes.c_double
     place = np.polynomial.Polynomial([0.3, -2.0, 1.5, 4.0])
     t, h = 0.7, 0.4
     for s in (0.0, 0.25, 0.6, 1.0):
-        ends = [p(x) for x in (t, t + h) for p in (place, place.deriv())]
-        found = lib.cubic(*map(ctypes.c_double, (s, h, *ends)))
+        speed = place.deriv()
+        ends = dict(x_from=place(t), v_from=speed(t), x_to=place(t + h), v_to=speed(t + h))
+        found = lib.call("cubic", s=s, h=h, **ends)
         assert found == pytest.approx(place(t + s * h), rel=1e-14)
 
 
@@ -302,8 +273,7 @@ def test_between_steps_an_axis_turns_to_fourth_order(lib):
     """A ring that precesses: half-way the axis misses the truth by a multiple of h^4."""
     errors = []
     for h in (2e-3, 1e-3, 5e-4):
-        miss = np.zeros(3)
-        lib.axis_between(pointer(np.array([40.0, -60.0, 30.0])), ctypes.c_double(h), pointer(miss))
+        miss = lib.call("axis_between", [40.0, -60.0, 30.0], h)
         errors.append(np.linalg.norm(miss))
     for coarse, fine in zip(errors, errors[1:]):
         assert 15 < coarse / fine < 17

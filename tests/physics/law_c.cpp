@@ -3,8 +3,8 @@
 // and by differences, its values one by one and four side by side.
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/part_table.h"
+#include "../exports.h"
 
-#include <cstring>
 #include <random>
 
 namespace raceway {
@@ -214,14 +214,14 @@ template <class L> int bit_differences(const Scene &s)
 
 }    // namespace
 
-extern "C" {
-
-int laws() { return static_cast<int>(compiled_laws().size()); }
-void law_name(int law, char *text, int room)
+EXPORT(int, laws, ()) { return static_cast<int>(compiled_laws().size()); }
+EXPORT(const char *, law_name, (int law))
 {
-  std::strncpy(text, law_text(compiled_laws()[law]).c_str(), room);
+  static std::string text;
+  text = law_text(compiled_laws()[law]);
+  return text.c_str();
 }
-int law_explicit(int law)
+EXPORT(int, law_explicit, (int law))
 {
   int is = 0;
   with_law(compiled_laws()[law], [&](auto l) { is = decltype(l)::explicit_step; });
@@ -229,7 +229,8 @@ int law_explicit(int law)
 }
 
 // n x n slopes by duals and by differences, n forces; returns n
-int law_slopes(int law, int sample, double *dual, double *difference, double *forces)
+EXPORT(int, law_slopes,
+       (int law, int sample, double dual[36], double difference[36], double forces[6]))
 {
   const unsigned parts = compiled_laws()[law];
   int n = 0;
@@ -241,7 +242,7 @@ int law_slopes(int law, int sample, double *dual, double *difference, double *fo
   return n;
 }
 
-int law_bits(int law, int sample)
+EXPORT(int, law_bits, (int law, int sample))
 {
   const unsigned parts = compiled_laws()[law];
   int different = -1;
@@ -250,5 +251,4 @@ int law_bits(int law, int sample)
     if constexpr (!L::explicit_step) different = bit_differences<L>(scene(parts, sample));
   });
   return different;
-}
 }

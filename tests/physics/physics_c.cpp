@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The physics headers behind a C interface, for the tests in this folder (called through
-// physics_c.py). Every number, choices included, is a double; out arrays are filled in the order
-// written beside them.
+// The physics headers behind a C interface, for the tests in this folder (called by name through
+// physics_c.py, see ../exports.h). Every number, choices included, is a double.
 #include "../../src-package/physics/capacitance.h"
 #include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/damped_hertz.h"
@@ -9,20 +8,41 @@
 #include "../../src-package/physics/ring_body.h"
 #include "../../src-package/physics/rolling.h"
 #include "../../src-package/physics/step_limit.h"
+#include "../exports.h"
 
 #include <algorithm>
 
 using namespace raceway;
 
-// One raceway as the tests describe it; physics_c.py names the same fields in the same order.
-struct RacewayInput {
-  double side, raceway_radius, groove_radius, ball_radius;
-  double ball_young, ball_poisson, ring_young, ring_poisson;
-  double ellipse, film, viscosity, pressure_viscosity, damper_full_axis, damper_rolling_radius;
-  double friction, mu, mu_boundary, mu_full, lambda_1, lambda_2;
-  double hysteresis, ring_roughness, ball_roughness, film_floor, tangential_ratio, tangential_zeta;
-  double pitch_radius, ball_mass, overlap_limit;
-};
+EXPORTS
+
+// One raceway as the tests describe it.
+RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ball_young,
+       ball_poisson, ring_young, ring_poisson, ellipse, film, viscosity, pressure_viscosity,
+       damper_full_axis, damper_rolling_radius, friction, mu, mu_boundary, mu_full, lambda_1,
+       lambda_2, hysteresis, ring_roughness, ball_roughness, film_floor, tangential_ratio,
+       tangential_zeta, pitch_radius, ball_mass, overlap_limit;)
+
+RECORD(FilmLaws, double min_lnA, min_p, min_m, central_lnA, central_p, central_m;)
+RECORD(Constants, double K, a, b, p, min_lnA, min_p, min_m, central_lnA, central_p, central_m,
+       film_damper;)
+RECORD(Derived, double centre_circle, slack, largest_overlap, roughness, inverse_roughness, floor,
+       kt_ratio, ct_factor, modulus;)
+RECORD(Place, double u[3], t[3], r, z, s, nu, ne;)
+// lam is lambda, which is no name in Python
+RECORD(State, double u[3], t[3], r, z, nu, ne, overlap, root, cos_angle, overlap_rate, load,
+       stiffness, damping, normal, entrainment, sliding_t, sliding_w, h_min, lam, mu, kt, ct,
+       friction_t, friction_w;)
+RECORD(Forces, double force[3], ball_torque[3], ring_torque[3];)
+RECORD(BallMotion, double x[3], v[3], w[3];)
+RECORD(RingMotion, double x[3], v[3], w[3], e[3];)
+RECORD(Elliptic, double K, E, D;)
+RECORD(Hertz, double kappa, Ebar, Fbar, R, K, a, b, p;)
+RECORD(Radii, double x, y;)
+RECORD(SpringForce, double ft, fw;)
+RECORD(CageContact, double stiffness, damping, force;)
+RECORD(RailSeat, double circle, tube, offset;)
+RECORD(RollingSpeeds, double orbit, spin;)
 
 static RacewayPhysics raceway_from(const RacewayInput &in)
 {
@@ -50,42 +70,62 @@ static RacewayPhysics raceway_from(const RacewayInput &in)
   return p;
 }
 
-// K a b p, minimum and central lnA p m, film_damper
-static void put(const RacewayConstants &c, double *out)
+static void put(const FilmPair &f, FilmLaws *out)
 {
-  const double values[] = {c.K,
-                           c.a,
-                           c.b,
-                           c.p,
-                           c.film.min.lnA,
-                           c.film.min.p,
-                           c.film.min.m,
-                           c.film.central.lnA,
-                           c.film.central.p,
-                           c.film.central.m,
-                           c.film_damper};
-  for (double v : values) *out++ = v;
+  out->min_lnA = f.min.lnA;
+  out->min_p = f.min.p;
+  out->min_m = f.min.m;
+  out->central_lnA = f.central.lnA;
+  out->central_p = f.central.p;
+  out->central_m = f.central.m;
 }
 
-// u t r z nu ne overlap root cos_angle overlap_rate load stiffness damping normal entrainment
-// sliding_t sliding_w h_min lambda mu kt ct friction_t friction_w
-static void put(const ContactState &c, double *out)
+static void put(const RacewayConstants &c, Constants *out)
 {
-  c.u.to(out);
-  c.t.to(out + 3);
-  const double values[] = {c.r,          c.z,         c.nu,           c.ne,        c.overlap,
-                           c.root,       c.cos_angle, c.overlap_rate, c.load,      c.stiffness,
-                           c.damping,    c.normal,    c.entrainment,  c.sliding_t, c.sliding_w,
-                           c.h_min,      c.lambda,    c.mu,           c.kt,        c.ct,
-                           c.friction_t, c.friction_w};
-  out += 6;
-  for (double v : values) *out++ = v;
+  out->K = c.K;
+  out->a = c.a;
+  out->b = c.b;
+  out->p = c.p;
+  out->min_lnA = c.film.min.lnA;
+  out->min_p = c.film.min.p;
+  out->min_m = c.film.min.m;
+  out->central_lnA = c.film.central.lnA;
+  out->central_p = c.film.central.p;
+  out->central_m = c.film.central.m;
+  out->film_damper = c.film_damper;
 }
 
-extern "C" {
+static void put(const ContactState &c, State *out)
+{
+  c.u.to(out->u);
+  c.t.to(out->t);
+  out->r = c.r;
+  out->z = c.z;
+  out->nu = c.nu;
+  out->ne = c.ne;
+  out->overlap = c.overlap;
+  out->root = c.root;
+  out->cos_angle = c.cos_angle;
+  out->overlap_rate = c.overlap_rate;
+  out->load = c.load;
+  out->stiffness = c.stiffness;
+  out->damping = c.damping;
+  out->normal = c.normal;
+  out->entrainment = c.entrainment;
+  out->sliding_t = c.sliding_t;
+  out->sliding_w = c.sliding_w;
+  out->h_min = c.h_min;
+  out->lam = c.lambda;
+  out->mu = c.mu;
+  out->kt = c.kt;
+  out->ct = c.ct;
+  out->friction_t = c.friction_t;
+  out->friction_w = c.friction_w;
+}
 
 // logarithm or exponential of n numbers, one by one and four side by side
-void elementary(double exponential_wanted, double n, const double *x, double *one, double *four)
+EXPORT(void, elementary,
+       (double exponential_wanted, double n, const double *x, double *one, double *four))
 {
   const int count = int(n);
   for (int i = 0; i < count; ++i)
@@ -99,20 +139,22 @@ void elementary(double exponential_wanted, double n, const double *x, double *on
 }
 
 // ---- vec3.h
-// -----------------------------------------------------------------------------------------
-void vec3_cross(const double *a, const double *b, double *out)
+EXPORT(void, vec3_cross, (const double a[3], const double b[3], double out[3]))
 {
   cross(Vec3::from(a), Vec3::from(b)).to(out);
 }
-double vec3_dot(const double *a, const double *b) { return dot(Vec3::from(a), Vec3::from(b)); }
-double vec3_norm(const double *a) { return norm(Vec3::from(a)); }
-void vec3_rotate(const double *a, const double *w, double *out)
+EXPORT(double, vec3_dot, (const double a[3], const double b[3]))
+{
+  return dot(Vec3::from(a), Vec3::from(b));
+}
+EXPORT(double, vec3_norm, (const double a[3])) { return norm(Vec3::from(a)); }
+EXPORT(void, vec3_rotate, (const double a[3], const double w[3], double out[3]))
 {
   rotate(Vec3::from(a), Vec3::from(w)).to(out);
 }
 
 // a + b, a - b, s a, a s, -a, a += b, a -= b, and b added to the numbers of a
-void vec3_algebra(const double *pa, const double *pb, double s, double *out)
+EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, double out[24]))
 {
   const Vec3 a = Vec3::from(pa), b = Vec3::from(pb);
   Vec3 plus = a, minus = a;
@@ -127,207 +169,218 @@ void vec3_algebra(const double *pa, const double *pb, double s, double *out)
   b.add_to(out);
 }
 
-// ---- elliptic.h: K E D
-// -------------------------------------------------------------------------------
-void elliptic(double m1, double *out)
+// ---- elliptic.h
+EXPORT(void, elliptic, (double m1, Elliptic *out))
 {
   const EllipticIntegrals v = complete_elliptic(m1);
-  out[0] = v.K;
-  out[1] = v.E;
-  out[2] = v.D;
+  out->K = v.K;
+  out->E = v.E;
+  out->D = v.D;
 }
 
 // ---- hertz.h
 // ----------------------------------------------------------------------------------------- kappa
 // Ebar Fbar R K a b p
-void hertz(double Rx, double Ry, double Eprime, double form, double *out)
+EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *out))
 {
   const HertzContact h = hertz_contact(Rx, Ry, Eprime, Ellipse(int(form)));
-  const double values[] = {
-      h.ellipse.kappa, h.ellipse.Ebar, h.ellipse.Fbar, h.R, h.K, h.a, h.b, h.p};
-  for (double v : values) *out++ = v;
+  out->kappa = h.ellipse.kappa;
+  out->Ebar = h.ellipse.Ebar;
+  out->Fbar = h.ellipse.Fbar;
+  out->R = h.R;
+  out->K = h.K;
+  out->a = h.a;
+  out->b = h.b;
+  out->p = h.p;
 }
-double modulus(double E1, double nu1, double E2, double nu2)
+EXPORT(double, modulus, (double E1, double nu1, double E2, double nu2))
 {
   return reduced_modulus(E1, nu1, E2, nu2);
 }
-void radii(double ball, double groove, double pitch, double inner, double cos_angle, double *out)
+EXPORT(void, radii,
+       (double ball, double groove, double pitch, double inner, double cos_angle, Radii *out))
 {
   const EffectiveRadii r = groove_radii(ball, groove, pitch, inner != 0.0, cos_angle);
-  out[0] = r.x;
-  out[1] = r.y;
+  out->x = r.x;
+  out->y = r.y;
 }
-double sphere(double R1, double R2, double Eprime) { return sphere_stiffness(R1, R2, Eprime); }
-double mindlin(double E1, double nu1, double E2, double nu2)
+EXPORT(double, sphere, (double R1, double R2, double Eprime))
+{
+  return sphere_stiffness(R1, R2, Eprime);
+}
+EXPORT(double, mindlin, (double E1, double nu1, double E2, double nu2))
 {
   return raceway::tangential_ratio(E1, nu1, E2, nu2);
 }
 
 // ---- film.h
-// ------------------------------------------------------------------------------------------
-// minimum lnA p m, central lnA p m
-void film(double model, double kappa, double viscosity, double xi, double Eprime, double Rx,
-          double *out)
+EXPORT(void, film,
+       (double model, double kappa, double viscosity, double xi, double Eprime, double Rx,
+        FilmLaws *out))
 {
-  const FilmPair f = film_laws(FilmModel(int(model)), kappa, {viscosity, xi}, Eprime, Rx);
-  const double values[] = {f.min.lnA, f.min.p, f.min.m, f.central.lnA, f.central.p, f.central.m};
-  for (double v : values) *out++ = v;
+  put(film_laws(FilmModel(int(model)), kappa, {viscosity, xi}, Eprime, Rx), out);
 }
-double thickness(double lnA, double p, double m, double speed, double load)
+EXPORT(double, thickness, (double lnA, double p, double m, double speed, double load))
 {
   return film_thickness({lnA, p, m}, film_point(speed, load));
 }
-double roughness(double s1, double s2) { return composite_roughness(s1, s2); }
+EXPORT(double, roughness, (double s1, double s2)) { return composite_roughness(s1, s2); }
 
 // ---- damping.h
-// ---------------------------------------------------------------------------------------
-double damper_prefactor(double viscosity, double radius, double length_factor)
+EXPORT(double, damper_prefactor, (double viscosity, double radius, double length_factor))
 {
   return film_damping_prefactor(viscosity, radius, length_factor);
 }
-double film_damper(double prefactor, double a, double h, double floor)
+EXPORT(double, film_damper, (double prefactor, double a, double h, double floor))
 {
   return film_damping(prefactor, a, h, floor);
 }
-double hysteretic(double alpha_e, double load) { return hysteretic_damping(alpha_e, load); }
+EXPORT(double, hysteretic, (double alpha_e, double load))
+{
+  return hysteretic_damping(alpha_e, load);
+}
 
 // ---- friction.h
-// --------------------------------------------------------------------------------------
-double friction_coefficient(double mu_boundary, double mu_full, double lambda_1, double lambda_2,
-                            double lambda)
+EXPORT(double, friction_coefficient,
+       (double mu_boundary, double mu_full, double lambda_1, double lambda_2, double Lambda))
 {
-  return stribeck({mu_boundary, mu_full, lambda_1, lambda_2}, lambda);
+  return stribeck({mu_boundary, mu_full, lambda_1, lambda_2}, Lambda);
 }
-double friction_regime(double lambda_1, double lambda_2, double lambda)
+EXPORT(double, friction_regime, (double lambda_1, double lambda_2, double Lambda))
 {
-  return regime({0.0, 0.0, lambda_1, lambda_2}, lambda);
+  return regime({0.0, 0.0, lambda_1, lambda_2}, Lambda);
 }
-// xi is updated; out: ft fw
-void friction_spring(double k, double c, double cap, double vt, double vw, double *xi, double *out)
+// xi is updated
+EXPORT(void, friction_spring,
+       (double k, double c, double cap, double vt, double vw, double xi[2], SpringForce *out))
 {
-  tangential_force({k, c}, cap, vt, vw, xi, out[0], out[1]);
+  tangential_force({k, c}, cap, vt, vw, xi, out->ft, out->fw);
 }
 
 // ---- groove.h
-// ----------------------------------------------------------------------------------------
-double groove_circle(double side, double raceway_radius, double groove, double ball)
+EXPORT(double, groove_circle, (double side, double raceway_radius, double groove, double ball))
 {
   return Groove{Side(int(side)), raceway_radius, groove, ball}.centre_circle();
 }
-double groove_slack(double groove, double ball)
+EXPORT(double, groove_slack, (double groove, double ball))
 {
   return Groove{Side::inner, 0.0, groove, ball}.slack();
 }
-// u t r z s nu ne
-void groove_locate(const double *d, const double *e, double centre_circle, double *out)
+EXPORT(void, groove_locate,
+       (const double d[3], const double e[3], double centre_circle, Place *out))
 {
   const GroovePosition g = locate(Vec3::from(d), Vec3::from(e), centre_circle);
-  g.u.to(out);
-  g.t.to(out + 3);
-  const double values[] = {g.r, g.z, g.s, g.nu, g.ne};
-  out += 6;
-  for (double v : values) *out++ = v;
+  g.u.to(out->u);
+  g.t.to(out->t);
+  out->r = g.r;
+  out->z = g.z;
+  out->s = g.s;
+  out->nu = g.nu;
+  out->ne = g.ne;
 }
 
 // ---- capacitance.h
-// -----------------------------------------------------------------------------------
-double oil_density(double p) { return density_ratio(p); }
-double permittivity(double ambient, double p) { return permittivity_at(ambient, p); }
-double plate_capacitance(double eps_r, double a, double b, double h)
+EXPORT(double, oil_density, (double p)) { return density_ratio(p); }
+EXPORT(double, permittivity, (double ambient, double p)) { return permittivity_at(ambient, p); }
+EXPORT(double, plate_capacitance, (double eps_r, double a, double b, double h))
 {
   return contact_capacitance(eps_r, a, b, h);
 }
-double ball_capacitance(double inner, double outer) { return series_capacitance(inner, outer); }
+EXPORT(double, ball_capacitance, (double inner, double outer))
+{
+  return series_capacitance(inner, outer);
+}
 
-// ---- damped_hertz.h: stiffness damping force
-// ---------------------------------------------------------
-void cage_contact(double K, double overlap, double rate, double m, double *out)
+// ---- damped_hertz.h
+EXPORT(void, cage_contact, (double K, double overlap, double rate, double m, CageContact *out))
 {
   const DampedHertz h = damped_hertz(K, overlap, rate, m);
-  out[0] = h.stiffness;
-  out[1] = h.damping;
-  out[2] = h.force;
+  out->stiffness = h.stiffness;
+  out->damping = h.damping;
+  out->force = h.force;
 }
 
-// ---- rail.h: circle tube offset
-// ----------------------------------------------------------------------
-void rail_seat(double pitch, double ball, double tube, double gap, double sign, double *out)
+// ---- rail.h
+EXPORT(void, rail_seat,
+       (double pitch, double ball, double tube, double gap, double sign, RailSeat *out))
 {
   const Rail r = seat_rail(pitch, ball, tube, gap, sign);
-  out[0] = r.circle;
-  out[1] = r.tube;
-  out[2] = r.offset;
+  out->circle = r.circle;
+  out->tube = r.tube;
+  out->offset = r.offset;
 }
-double rail_spring(const double *rail, double ball, double pitch, double Eprime)
+EXPORT(double, rail_spring, (const RailSeat *rail, double ball, double pitch, double Eprime))
 {
-  return rail_stiffness({rail[0], rail[1], rail[2]}, ball, pitch, Eprime);
+  return rail_stiffness({rail->circle, rail->tube, rail->offset}, ball, pitch, Eprime);
 }
 
 // ---- ring_body.h
-// -------------------------------------------------------------------------------------
-void ring_momentum(double axial, double transverse, const double *w, const double *e, double *out)
+EXPORT(void, ring_momentum,
+       (double axial, double transverse, const double w[3], const double e[3], double out[3]))
 {
   angular_momentum({axial, transverse}, Vec3::from(w), Vec3::from(e)).to(out);
 }
-void ring_velocity(double axial, double transverse, const double *L, const double *e, double *out)
+EXPORT(void, ring_velocity,
+       (double axial, double transverse, const double L[3], const double e[3], double out[3]))
 {
   angular_velocity({axial, transverse}, Vec3::from(L), Vec3::from(e)).to(out);
 }
-void ring_drift(double axial, double transverse, const double *L, const double *e, double h,
-                double *out)
+EXPORT(void, ring_drift,
+       (double axial, double transverse, const double L[3], const double e[3], double h,
+        double out[3]))
 {
   drift_axis({axial, transverse}, Vec3::from(L), Vec3::from(e), h).to(out);
 }
 
-// ---- rolling.h: orbit spin
-// ---------------------------------------------------------------------------
-void rolling(double ball, double pitch, double inner_speed, double outer_speed, double *out)
+// ---- rolling.h
+EXPORT(void, rolling,
+       (double ball, double pitch, double inner_speed, double outer_speed, RollingSpeeds *out))
 {
   const Rolling r = pure_rolling(ball, pitch, inner_speed, outer_speed);
-  out[0] = r.orbit;
-  out[1] = r.spin;
+  out->orbit = r.orbit;
+  out->spin = r.spin;
 }
 
 // ---- step_limit.h
-// ------------------------------------------------------------------------------------
-double largest_step(double k, double c, double m) { return verlet_step_limit(k, c, m); }
+EXPORT(double, largest_step, (double k, double c, double m)) { return verlet_step_limit(k, c, m); }
 
 // ---- raceway_law.h and contact.h
-// ---------------------------------------------------------------------
-double raceway_input_size() { return sizeof(RacewayInput) / sizeof(double); }
-RacewayPhysics *raceway_new(const RacewayInput *in)
+EXPORT(RacewayPhysics *, raceway_new, (const RacewayInput *in))
 {
   return new RacewayPhysics(raceway_from(*in));
 }
-void raceway_delete(RacewayPhysics *p) { delete p; }
+EXPORT(void, raceway_delete, (RacewayPhysics * p)) { delete p; }
 
-// centre_circle slack largest_overlap roughness inverse_roughness floor kt_ratio ct_factor Eprime
-void raceway_derived(const RacewayPhysics *p, double *out)
+EXPORT(void, raceway_derived, (const RacewayPhysics *p, Derived *out))
 {
-  const double values[] = {p->centre_circle,
-                           p->slack,
-                           p->largest_overlap,
-                           p->roughness,
-                           p->inverse_roughness,
-                           p->of<FilmDamperPart>().floor,
-                           p->of<TangentialSpringPart>().kt_ratio,
-                           p->of<TangentialSpringPart>().ct_factor,
-                           p->material.Eprime()};
-  for (double v : values) *out++ = v;
+  out->centre_circle = p->centre_circle;
+  out->slack = p->slack;
+  out->largest_overlap = p->largest_overlap;
+  out->roughness = p->roughness;
+  out->inverse_roughness = p->inverse_roughness;
+  out->floor = p->of<FilmDamperPart>().floor;
+  out->kt_ratio = p->of<TangentialSpringPart>().kt_ratio;
+  out->ct_factor = p->of<TangentialSpringPart>().ct_factor;
+  out->modulus = p->material.Eprime();
 }
-void raceway_exact(const RacewayPhysics *p, double pitch_radius, double cos_angle, double *out)
+EXPORT(void, raceway_exact,
+       (const RacewayPhysics *p, double pitch_radius, double cos_angle, Constants *out))
 {
   put(raceway_constants(p->groove, pitch_radius, p->material, p->model, cos_angle), out);
 }
-void raceway_table(const RacewayPhysics *p, double cos_angle, double *out)
+EXPORT(void, raceway_table, (const RacewayPhysics *p, double cos_angle, Constants *out))
 {
   put(p->law.at(cos_angle), out);
 }
-void raceway_radial(const RacewayPhysics *p, double *out) { put(p->law.radial(), out); }
+EXPORT(void, raceway_radial, (const RacewayPhysics *p, Constants *out))
+{
+  put(p->law.radial(), out);
+}
 
 // Where there is no contact touch() leaves the frame unset; then it is filled in here, overlap <=
 // 0.
-double contact_touch(const RacewayPhysics *p, const double *d, const double *e, double *state)
+EXPORT(double, contact_touch,
+       (const RacewayPhysics *p, const double d[3], const double e[3], State *state))
 {
   ContactState c;
   const bool touching = touch(*p, Vec3::from(d), Vec3::from(e), c);
@@ -339,14 +392,14 @@ double contact_touch(const RacewayPhysics *p, const double *d, const double *e, 
   return touching;
 }
 
-// ball: x v w; ring: x v w e; xi (2) is updated; state as put() above; forces: force, ball and ring
-// torque.
-void contact(const RacewayPhysics *p, double with_film, const double *ball, const double *ring,
-             double dt, double *xi, double *state, double *forces)
+// xi is updated
+EXPORT(void, contact,
+       (const RacewayPhysics *p, double with_film, const BallMotion *ball, const RingMotion *ring,
+        double dt, double xi[2], State *state, Forces *forces))
 {
-  const BallState b{Vec3::from(ball), Vec3::from(ball + 3), Vec3::from(ball + 6)};
-  const RingState r{Vec3::from(ring), Vec3::from(ring + 3), Vec3::from(ring + 6),
-                    Vec3::from(ring + 9)};
+  const BallState b{Vec3::from(ball->x), Vec3::from(ball->v), Vec3::from(ball->w)};
+  const RingState r{Vec3::from(ring->x), Vec3::from(ring->v), Vec3::from(ring->w),
+                    Vec3::from(ring->e)};
   ContactState c;
   touch(*p, b.x - r.x, r.e, c);
   const unsigned film = lubricated_parts & ~dry_parts;
@@ -359,9 +412,7 @@ void contact(const RacewayPhysics *p, double with_film, const double *ball, cons
     std::copy(after, after + 2, xi);
   });
   put(c, state);
-  f.force.to(forces);
-  f.ball_torque.to(forces + 3);
-  f.ring_torque.to(forces + 6);
+  f.force.to(forces->force);
+  f.ball_torque.to(forces->ball_torque);
+  f.ring_torque.to(forces->ring_torque);
 }
-
-}    // extern "C"

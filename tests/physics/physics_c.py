@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The functions of src-package/physics, callable from Python: records come back as namespaces,
-vectors as arrays."""
-
-import ctypes
-from types import SimpleNamespace
+"""The functions of src-package/physics, callable from Python by names (physics_c.cpp)."""
 
 import numpy as np
+from exports import Library
 
 INNER, OUTER = 0, 1
 EXACT, HAMROCK, PRINTED = 0, 1, 2  # Ellipse
@@ -15,8 +12,7 @@ FRICTIONLESS, CONSTANT, STRIBECK = 0, 1, 2  # Friction
 PITCH, BALL = 30.3e-3, 6.3e-3  # m, of a 6208
 BALL_MASS = 4 / 3 * np.pi * BALL**3 * 7800
 
-# What a raceway is made of, in the order of RacewayInput in physics_c.cpp; the values are a dry
-# 6208 inner ring.
+# What a raceway is made of, RacewayInput of physics_c.cpp; the values are a dry 6208 inner ring.
 RACEWAY = dict(
     side=INNER,
     raceway_radius=24.0e-3,
@@ -50,85 +46,60 @@ RACEWAY = dict(
 )
 OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_roughness=30e-9)
 
-CONSTANTS = "K a b p min_lnA min_p min_m central_lnA central_p central_m film_damper".split()
-STATE = (
-    "r z nu ne overlap root cos_angle overlap_rate load stiffness damping normal entrainment "
-    "sliding_t sliding_w h_min lam mu kt ct friction_t friction_w"
-).split()
 
-
-def _argument(value):
-    if isinstance(value, ctypes.c_void_p):
-        return value
-    if np.ndim(value) == 0:
-        return ctypes.c_double(value)
-    if isinstance(value, np.ndarray) and value.dtype == float and value.flags.c_contiguous:
-        # shared: the function may write
-        return value.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
-    return (ctypes.c_double * len(value))(*value)
-
-
-class Physics:
-    """The library; a function of one number `name` is called `scalar(name, ...)`, the rest have a
-    method each."""
+class Physics(Library):
+    """The library; what is called often has a method."""
 
     def __init__(self, path):
-        self._library = ctypes.CDLL(str(path))
-        assert self.scalar("raceway_input_size") == len(RACEWAY), (
-            "physics_c.py and physics_c.cpp differ"
-        )
-
-    def scalar(self, name, *arguments):
-        function = self._library[name]
-        function.restype = ctypes.c_double
-        return function(*map(_argument, arguments))
-
-    def array(self, name, size, *arguments):
-        out = np.full(size, np.nan)
-        function = self._library[name]
-        function.restype = None
-        function(*map(_argument, arguments), _argument(out))
-        return out
-
-    def record(self, name, fields, *arguments):
-        fields = fields.split() if isinstance(fields, str) else fields
-        return SimpleNamespace(
-            **dict(zip(fields, map(float, self.array(name, len(fields), *arguments))))
-        )
+        super().__init__(path)
+        self.record("RacewayInput", RACEWAY)  # the same names on both sides
 
     def elementary(self, name, x):
         """`exponential` or `logarithm` of an array: (one by one, four side by side)."""
         one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
-        self._library.elementary(
-            *map(_argument, (name == "exponential", len(x), np.array(x, float), one, four))
+        self.call(
+            "elementary",
+            exponential_wanted=name == "exponential",
+            n=len(x),
+            x=x,
+            one=one,
+            four=four,
         )
         return one, four
 
     def rotate(self, a, w):
-        return self.array("vec3_rotate", 3, a, w)
+        return self.call("vec3_rotate", a, w)
 
     def elliptic(self, m1):
-        return self.record("elliptic", "K E D", m1)
+        return self.call("elliptic", m1)
 
     def hertz(self, r_x, r_y, modulus, form=EXACT):
-        return self.record("hertz", "kappa Ebar Fbar R K a b p", r_x, r_y, modulus, form)
+        return self.call("hertz", Rx=r_x, Ry=r_y, Eprime=modulus, form=form)
 
     def radii(self, side, cos_angle=1.0, groove=6.552e-3):
-        return self.array("radii", 2, BALL, groove, PITCH, side == INNER, cos_angle)
+        found = self.call(
+            "radii", ball=BALL, groove=groove, pitch=PITCH, inner=side == INNER, cos_angle=cos_angle
+        )
+        return np.array([found.x, found.y])
 
     def film(self, model, kappa, viscosity, xi, modulus, r_x, speed, load):
         """(h_min, h_c) in m."""
-        laws = self.array("film", 6, model, kappa, viscosity, xi, modulus, r_x)
-        return tuple(self.scalar("thickness", *law, speed, load) for law in (laws[:3], laws[3:]))
-
-    def locate(self, d, e, circle):
-        out = self.array("groove_locate", 11, d, e, circle)
-        return SimpleNamespace(
-            u=out[:3], t=out[3:6], **dict(zip("r z s nu ne".split(), map(float, out[6:])))
+        law = self.call(
+            "film", model=model, kappa=kappa, viscosity=viscosity, xi=xi, Eprime=modulus, Rx=r_x
+        )
+        at = dict(speed=speed, load=load)
+        return (
+            self.call("thickness", lnA=law.min_lnA, p=law.min_p, m=law.min_m, **at),
+            self.call("thickness", lnA=law.central_lnA, p=law.central_p, m=law.central_m, **at),
         )
 
+    def locate(self, d, e, circle):
+        return self.call("groove_locate", d=d, e=e, centre_circle=circle)
+
     def rolling(self, inner_speed, outer_speed=0.0, ball=BALL, pitch=PITCH):
-        return self.record("rolling", "orbit spin", ball, pitch, inner_speed, outer_speed)
+        return self.call(
+            "rolling", ball=ball, pitch=pitch, inner_speed=inner_speed, outer_speed=outer_speed
+        )
 
     def raceway(self, **changes):
         return Raceway(self, changes)
@@ -145,65 +116,48 @@ class Raceway:
     def __init__(self, physics, changes):
         assert not set(changes) - set(RACEWAY)
         self.data = RACEWAY | changes
-        self._physics, self._library = physics, physics._library
-        self._library.raceway_new.restype = ctypes.c_void_p
-        self._handle = ctypes.c_void_p(
-            self._library.raceway_new(_argument(list(self.data.values())))
-        )
+        self._physics = physics
+        self._handle = physics.call("raceway_new", self.data)
 
     def __del__(self):
-        self._library.raceway_delete(self._handle)
+        self._physics.call("raceway_delete", self._handle)
 
     def derived(self):
-        return self._physics.record(
-            "raceway_derived",
-            "centre_circle slack largest_overlap roughness "
-            "inverse_roughness floor kt_ratio ct_factor modulus",
-            self._handle,
-        )
+        return self._physics.call("raceway_derived", self._handle)
 
     def exact(self, cos_angle):
-        return self._physics.record(
-            "raceway_exact", CONSTANTS, self._handle, self.data["pitch_radius"], cos_angle
+        return self._physics.call(
+            "raceway_exact",
+            p=self._handle,
+            pitch_radius=self.data["pitch_radius"],
+            cos_angle=cos_angle,
         )
 
     def table(self, cos_angle):
-        return self._physics.record("raceway_table", CONSTANTS, self._handle, cos_angle)
+        return self._physics.call("raceway_table", self._handle, cos_angle)
 
     def radial(self):
-        return self._physics.record("raceway_radial", CONSTANTS, self._handle)
+        return self._physics.call("raceway_radial", self._handle)
 
     def touch(self, d, e):
         """(whether the surfaces overlap, state with the geometry set)."""
-        state = np.full(28, np.nan)
-        touching = self._physics.scalar("contact_touch", self._handle, d, e, state)
-        return bool(touching), _state(state)
+        touching, state = self._physics.call("contact_touch", p=self._handle, d=d, e=e)
+        return bool(touching), state
 
     def contact(self, ball, ring, dt=0.0, xi=(0.0, 0.0)):
         """State with forces of a ball (x, v, w) on a ring (x, v, w, e); `xi` after the step is in
         the state."""
-        assert len(ball) == 3 and len(ring) == 4
-        state, forces, spring = np.full(28, np.nan), np.full(9, np.nan), np.array(xi, dtype=float)
-        self._library.contact(
-            self._handle,
-            *map(
-                _argument,
-                (
-                    self.data["viscosity"] > 0,
-                    np.concatenate(ball),
-                    np.concatenate(ring),
-                    dt,
-                    spring,
-                    state,
-                    forces,
-                ),
-            ),
+        spring = np.array(xi, dtype=float)
+        result, forces = self._physics.call(
+            "contact",
+            p=self._handle,
+            with_film=self.data["viscosity"] > 0,
+            ball=dict(zip("xvw", ball, strict=True)),
+            ring=dict(zip("xvwe", ring, strict=True)),
+            dt=dt,
+            xi=spring,
         )
-        result = _state(state)
         result.xi = spring
-        result.force, result.ball_torque, result.ring_torque = forces[:3], forces[3:6], forces[6:]
+        result.force = forces.force
+        result.ball_torque, result.ring_torque = forces.ball_torque, forces.ring_torque
         return result
-
-
-def _state(values):
-    return SimpleNamespace(u=values[:3], t=values[3:6], **dict(zip(STATE, map(float, values[6:]))))

@@ -293,7 +293,14 @@ def test_stribeck_friction_follows_the_film(physics, side, roughness):
         physics, side, friction=STRIBECK, ring_roughness=roughness, ball_roughness=0.0
     ).contact(ball, ring)
     assert state.lam == pytest.approx(state.h_min / roughness, rel=1e-15)
-    assert state.mu == physics.scalar("friction_coefficient", 0.12, 0.02, 1.0, 3.0, state.lam)
+    assert state.mu == physics.call(
+        "friction_coefficient",
+        mu_boundary=0.12,
+        mu_full=0.02,
+        lambda_1=1.0,
+        lambda_2=3.0,
+        Lambda=state.lam,
+    )
 
 
 @SIDES

@@ -8,7 +8,7 @@ K, MASS = 3.3e8, 2.1e-4
 
 
 def contact(physics, overlap, rate=0.0):
-    return physics.record("cage_contact", "stiffness damping force", K, overlap, rate, MASS)
+    return physics.call("cage_contact", K=K, overlap=overlap, rate=rate, m=MASS)
 
 
 def test_spring(physics):

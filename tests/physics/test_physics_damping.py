@@ -9,8 +9,10 @@ from raceway import damping as package
 
 
 def film_damping(physics, viscosity, length, radius, h, floor=0.0, factor=1.0):
-    prefactor = physics.scalar("damper_prefactor", viscosity, radius, factor)
-    return physics.scalar("film_damper", prefactor, length, h, floor)
+    prefactor = physics.call(
+        "damper_prefactor", viscosity=viscosity, radius=radius, length_factor=factor
+    )
+    return physics.call("film_damper", prefactor=prefactor, a=length, h=h, floor=floor)
 
 
 def test_equation_5(physics):
@@ -58,10 +60,8 @@ def test_errata_equation_5_with_the_full_axis_and_the_rolling_radius(physics):
 
 
 def test_hysteretic(physics):
-    assert physics.scalar("hysteretic", 0.08, 2436.2) == pytest.approx(
-        1.5 * 0.08 * 2436.2, rel=1e-15
-    )
-    assert physics.scalar("hysteretic", 0.08, 0.0) == 0
+    assert physics.call("hysteretic", 0.08, 2436.2) == pytest.approx(1.5 * 0.08 * 2436.2, rel=1e-15)
+    assert physics.call("hysteretic", 0.08, 0.0) == 0
 
 
 @pytest.mark.parametrize("h", [2e-8, 1e-7, 1.3e-6])
@@ -70,6 +70,6 @@ def test_the_python_package_agrees(physics, h, radius, length):
     assert film_damping(physics, 0.021, length, radius, h) == pytest.approx(
         package.film(0.021, length, radius, h), rel=1e-12
     )
-    assert physics.scalar("hysteretic", 0.08, 1e9 * h) == pytest.approx(
+    assert physics.call("hysteretic", 0.08, 1e9 * h) == pytest.approx(
         package.hysteretic(1e9 * h), rel=1e-12
     )

@@ -96,5 +96,5 @@ def test_errata_the_plus_sign_agrees_with_hamrock_dowson(physics, side):
 
 
 def test_composite_roughness(physics):
-    assert physics.scalar("roughness", 3e-8, 4e-8) == pytest.approx(5e-8, rel=1e-15)
-    assert physics.scalar("roughness", 3e-8, 0.0) == 3e-8
+    assert physics.call("roughness", 3e-8, 4e-8) == pytest.approx(5e-8, rel=1e-15)
+    assert physics.call("roughness", 3e-8, 0.0) == 3e-8

@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 from raceway import film as package
 
-CURVE = (0.12, 0.02, 0.8, 2.9)  # mu_boundary mu_full lambda_1 lambda_2
+CURVE = dict(mu_boundary=0.12, mu_full=0.02, lambda_1=0.8, lambda_2=2.9)
 
 
 def mu(physics, lam):
-    return physics.scalar("friction_coefficient", *CURVE, lam)
+    return physics.call("friction_coefficient", **CURVE, Lambda=lam)
 
 
 def test_stribeck_ends(physics):
@@ -41,12 +41,16 @@ def test_stribeck_falls_all_the_way(physics):
 
 @pytest.mark.parametrize("lam", [0.0, 0.999, 1.0, 2.0, 3.0, 3.001])
 def test_regimes_as_in_the_python_package(physics, lam):
-    assert physics.scalar("friction_regime", 1.0, 3.0, lam) == package.regime(lam)
+    assert physics.call(
+        "friction_regime", lambda_1=1.0, lambda_2=3.0, Lambda=lam
+    ) == package.regime(lam)
 
 
 def spring(physics, xi, velocity, cap, k=1e7, c=30.0):
     xi = np.array(xi, dtype=float)
-    return physics.array("friction_spring", 2, k, c, cap, *velocity, xi), xi
+    vt, vw = velocity
+    force = physics.call("friction_spring", k=k, c=c, cap=cap, vt=vt, vw=vw, xi=xi)
+    return np.array([force.ft, force.fw]), xi
 
 
 def test_stick_is_a_spring_and_a_dashpot(physics):
@@ -75,7 +79,7 @@ def test_steady_sliding_reaches_coulomb(physics):
     xi, velocity, dt = np.zeros(2), np.array([0.3, -0.4]), 1e-7
     for _ in range(200):
         xi += dt * velocity
-        force = physics.array("friction_spring", 2, 1e7, 30.0, 5.0, *velocity, xi)
+        force, xi = spring(physics, xi, velocity, cap=5.0)
     assert force == pytest.approx(5.0 * velocity / 0.5, rel=1e-12)
 
 
@@ -84,8 +88,12 @@ def test_a_sticking_ball_swings_on_the_spring(physics):
     k, m, steps = 1e7, 1e-3, 2000
     period = 2 * np.pi * np.sqrt(m / k)
     dt, xi, v = period / 2 / steps, np.array([1e-6, 0.0]), 0.0
+
+    def force():
+        return physics.call("friction_spring", k=k, c=0.0, cap=1e3, vt=v, vw=0.0, xi=xi).ft
+
     for _ in range(steps):
-        v -= dt / 2 * physics.array("friction_spring", 2, k, 0.0, 1e3, v, 0.0, xi)[0] / m
+        v -= dt / 2 * force() / m
         xi[0] += dt * v
-        v -= dt / 2 * physics.array("friction_spring", 2, k, 0.0, 1e3, v, 0.0, xi)[0] / m
+        v -= dt / 2 * force() / m
     assert xi[0] == pytest.approx(-1e-6, rel=(np.pi / steps) ** 2)  # Verlet's second order

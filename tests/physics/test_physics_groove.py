@@ -27,10 +27,10 @@ def place(azimuth, radius, height, axis=TILTED):
 def test_numbers_of_the_groove(physics, side):
     radius = 24.0e-3 if side == INNER else 36.6e-3
     # lengths of 1e-2 m: a rounding is 1e-18 m
-    assert physics.scalar("groove_circle", side, radius, 6.552e-3, BALL) == pytest.approx(
-        CIRCLE[side], abs=1e-17
-    )
-    assert physics.scalar("groove_slack", 6.552e-3, BALL) == pytest.approx(0.252e-3, abs=1e-17)
+    assert physics.call(
+        "groove_circle", side=side, raceway_radius=radius, groove=6.552e-3, ball=BALL
+    ) == pytest.approx(CIRCLE[side], abs=1e-17)
+    assert physics.call("groove_slack", 6.552e-3, BALL) == pytest.approx(0.252e-3, abs=1e-17)
 
 
 @pytest.mark.parametrize("side, radial", [(INNER, -1.0), (OUTER, 1.0)])

@@ -55,7 +55,9 @@ def test_ellipse_and_pressure(physics, side, a, b, p):
 def test_spring_of_the_loaded_ball(physics):
     k = sum(1.5 * K ** (2 / 3) * 2436.2 ** (1 / 3) for K in stiffness(physics))
     assert k == pytest.approx(4.19e8, abs=0.005e8)
-    assert physics.scalar("largest_step", k, 0.0, BALL_MASS) == pytest.approx(8.8e-6, abs=0.05e-6)
+    assert physics.call("largest_step", k=k, c=0.0, m=BALL_MASS) == pytest.approx(
+        8.8e-6, abs=0.05e-6
+    )
 
 
 def parameter(physics, ratio, form):

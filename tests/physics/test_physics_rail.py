@@ -11,12 +11,12 @@ BALL, TUBE, MODULUS = 4.19e-3, 1.0e-3, 7.9e9
 
 
 def seat(physics, gap=0.0, sign=1.0, tube=TUBE):
-    return physics.array("rail_seat", 3, PITCH, BALL, tube, gap, sign)
+    return physics.call("rail_seat", pitch=PITCH, ball=BALL, tube=tube, gap=gap, sign=sign)
 
 
 def clearance(rail, radius, height):
     """From a ball's surface to the tube's, m; the ball's centre at (radius, height)."""
-    return np.hypot(radius - rail[0], height - rail[2]) - BALL - rail[1]
+    return np.hypot(radius - rail.circle, height - rail.offset) - BALL - rail.tube
 
 
 @pytest.mark.parametrize("gap", [0.0, 20e-6, -5e-6])
@@ -25,8 +25,8 @@ def test_a_centred_ball_is_a_gap_away(physics, gap, sign):
     rail = seat(physics, gap, sign)
     assert clearance(rail, PITCH, 0.0) == pytest.approx(gap, abs=2e-17)  # ulps of 0.03 m
     # outside the pitch circle, at 45 degrees, on the side of the sign
-    assert rail[0] - PITCH == pytest.approx(sign * rail[2], rel=1e-14)
-    assert rail[0] > PITCH and np.sign(rail[2]) == sign and rail[1] == TUBE
+    assert rail.circle - PITCH == pytest.approx(sign * rail.offset, rel=1e-14)
+    assert rail.circle > PITCH and np.sign(rail.offset) == sign and rail.tube == TUBE
 
 
 def test_the_pair_of_rails_is_a_stable_seat(physics):
@@ -56,7 +56,7 @@ def curvature_along(rail, angle):
     parallel direction.
     """
     direction = np.array([np.cos(angle), np.sin(angle)])  # from ball to rail in (r, z)
-    foot = np.array([rail[0], rail[2]]) - rail[1] * direction
+    foot = np.array([rail.circle, rail.offset]) - rail.tube * direction
     point, normal = np.array([foot[0], 0.0, foot[1]]), np.array([direction[0], 0.0, direction[1]])
 
     def height(
@@ -64,9 +64,9 @@ def curvature_along(rail, angle):
     ):  # where the surface is, along the normal, at y along the circle: |q - circle| = tube
         def outside(t):
             q = point + y * np.array([0, 1, 0]) + t * normal
-            return np.hypot(np.hypot(q[0], q[1]) - rail[0], q[2] - rail[2]) - rail[1]
+            return np.hypot(np.hypot(q[0], q[1]) - rail.circle, q[2] - rail.offset) - rail.tube
 
-        return brentq(outside, -0.2 * rail[1], 0.2 * rail[1], xtol=1e-18, rtol=1e-14)
+        return brentq(outside, -0.2 * rail.tube, 0.2 * rail.tube, xtol=1e-18, rtol=1e-14)
 
     y = 2e-5
     # height = c y^2/2 up to a relative y^2/(4 r tube), 7e-6 for the thinnest tube; rounding
@@ -86,29 +86,34 @@ def test_stiffness_is_hertz_of_the_true_curvatures(physics, tube):
         np.cos(np.pi / 4) / (PITCH + BALL * np.cos(np.pi / 4)), rel=2e-5
     )
     # the curvature's 7e-6 is a share of a tenth of `along`
-    assert physics.scalar("rail_spring", rail, BALL, PITCH, MODULUS) == pytest.approx(
-        expected, rel=1e-5
-    )
+    assert physics.call(
+        "rail_spring", rail=rail, ball=BALL, pitch=PITCH, Eprime=MODULUS
+    ) == pytest.approx(expected, rel=1e-5)
 
 
 def test_a_rail_straight_overhead_and_one_at_the_side(physics):
     for rail, curvature in (
-        ((PITCH + BALL + TUBE, TUBE, 0.0), 1 / BALL - 1 / (PITCH + BALL)),  # concave, by all of it
-        ((PITCH, TUBE, BALL + TUBE), 1 / BALL),
-    ):  # above: the parallel does not bend
+        # concave, by all of it
+        (
+            dict(circle=PITCH + BALL + TUBE, tube=TUBE, offset=0.0),
+            1 / BALL - 1 / (PITCH + BALL),
+        ),
+        # above: the parallel does not bend
+        (dict(circle=PITCH, tube=TUBE, offset=BALL + TUBE), 1 / BALL),
+    ):
         expected = package.stiffness(
             package.exact(1 / curvature, 1 / (1 / BALL + 1 / TUBE)), MODULUS
         )
-        assert physics.scalar("rail_spring", rail, BALL, PITCH, MODULUS) == pytest.approx(
-            expected, rel=1e-12
-        )
+        assert physics.call(
+            "rail_spring", rail=rail, ball=BALL, pitch=PITCH, Eprime=MODULUS
+        ) == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_thin_ball_far_out_meets_a_straight_cylinder(physics):
     # ring radius to infinity: crossed cylinder and sphere, to order BALL/pitch
     pitch = 1e6 * BALL
-    rail = physics.array("rail_seat", 3, pitch, BALL, TUBE, 0.0, 1.0)
+    rail = physics.call("rail_seat", pitch=pitch, ball=BALL, tube=TUBE, gap=0.0, sign=1.0)
     expected = package.stiffness(package.exact(BALL, 1 / (1 / BALL + 1 / TUBE)), MODULUS)
-    assert physics.scalar("rail_spring", rail, BALL, pitch, MODULUS) == pytest.approx(
-        expected, rel=2e-6
-    )
+    assert physics.call(
+        "rail_spring", rail=rail, ball=BALL, pitch=pitch, Eprime=MODULUS
+    ) == pytest.approx(expected, rel=2e-6)

@@ -10,12 +10,12 @@ SPIN = np.array([30.0, -50.0, 400.0])
 
 
 def momentum(physics, w=SPIN, e=AXIS):
-    return physics.array("ring_momentum", 3, AXIAL, TRANSVERSE, w, e)
+    return physics.call("ring_momentum", axial=AXIAL, transverse=TRANSVERSE, w=w, e=e)
 
 
 def drift(physics, L, e, h, steps=1):
     for _ in range(steps):
-        e = physics.array("ring_drift", 3, AXIAL, TRANSVERSE, L, e, h)
+        e = physics.call("ring_drift", axial=AXIAL, transverse=TRANSVERSE, L=L, e=e, h=h)
     return e
 
 
@@ -28,7 +28,9 @@ def test_momentum_is_the_inertia_tensor_times_the_velocity(physics):
     tensor = TRANSVERSE * np.eye(3) + (AXIAL - TRANSVERSE) * np.outer(AXIS, AXIS)
     size = AXIAL * np.linalg.norm(SPIN)
     assert momentum(physics) == pytest.approx(tensor @ SPIN, abs=1e-15 * size)
-    velocity = physics.array("ring_velocity", 3, AXIAL, TRANSVERSE, tensor @ SPIN, AXIS)
+    velocity = physics.call(
+        "ring_velocity", axial=AXIAL, transverse=TRANSVERSE, L=tensor @ SPIN, e=AXIS
+    )
     assert velocity == pytest.approx(SPIN, abs=2e-15 * np.linalg.norm(SPIN))
 
 
@@ -77,6 +79,6 @@ def test_drift_can_be_undone_to_third_order(physics):
 
 def test_a_sphere_turns_about_its_momentum(physics):
     L = np.array([1.0, 2.0, 3.0]) * 1e-2
-    found = physics.array("ring_drift", 3, 2e-4, 2e-4, L, AXIS, 1e-3)
+    found = physics.call("ring_drift", axial=2e-4, transverse=2e-4, L=L, e=AXIS, h=1e-3)
     # exact when I_a = I_t
     assert found == pytest.approx(physics.rotate(AXIS, L * 1e-3 / 2e-4), abs=2e-15)

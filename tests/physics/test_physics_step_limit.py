@@ -29,7 +29,7 @@ def verlet(k, c, m, step, steps):
     "k, c", [(SPRING, 0.0), (SPRING, 500.0), (SPRING, DAMPER), (1.0, DAMPER), (SPRING, 2e6)]
 )
 def test_the_limit_divides_growth_from_decay(physics, k, c):
-    limit = physics.scalar("largest_step", k, c, BALL_MASS)
+    limit = physics.call("largest_step", k=k, c=c, m=BALL_MASS)
     # one per cent off the limit the multiplier is off one by about as much (its root for a spring
     # alone)
     assert verlet(k, c, BALL_MASS, 0.99 * limit, 4000) < 100
@@ -38,32 +38,33 @@ def test_the_limit_divides_growth_from_decay(physics, k, c):
 
 def test_closed_forms(physics):
     m = BALL_MASS
-    assert physics.scalar("largest_step", SPRING, 0.0, m) == pytest.approx(
+    assert physics.call("largest_step", k=SPRING, c=0.0, m=m) == pytest.approx(
         2 * np.sqrt(m / SPRING), rel=1e-15
     )
-    assert physics.scalar("largest_step", 0.0, DAMPER, m) == pytest.approx(
+    assert physics.call("largest_step", k=0.0, c=DAMPER, m=m) == pytest.approx(
         2 * m / DAMPER, rel=1e-15
     )
-    h = physics.scalar("largest_step", SPRING, DAMPER, m)
+    h = physics.call("largest_step", k=SPRING, c=DAMPER, m=m)
     assert h**2 * SPRING / m + 2 * h * DAMPER / m == pytest.approx(4, rel=1e-14)
     # a spring too weak to matter must not cancel: (sqrt(c^2 + 4 k m) - c)/k would give 0
-    assert physics.scalar("largest_step", 1e-12, DAMPER, m) == pytest.approx(
+    assert physics.call("largest_step", k=1e-12, c=DAMPER, m=m) == pytest.approx(
         2 * m / DAMPER, rel=1e-15
     )
-    assert physics.scalar("largest_step", 0.0, 0.0, m) == np.inf
+    assert physics.call("largest_step", k=0.0, c=0.0, m=m) == np.inf
 
 
 def test_numbers_of_the_6208(
     physics,
 ):  # docs/theory, Numbers to reproduce, to the digits given there
-    assert physics.scalar("largest_step", SPRING, 0.0, BALL_MASS) == pytest.approx(
+    assert physics.call("largest_step", k=SPRING, c=0.0, m=BALL_MASS) == pytest.approx(
         8.8e-6, abs=0.05e-6
     )
     # both raceways' fluid dampers at h = 100 nm
-    prefactor = physics.scalar("damper_prefactor", 0.04, 6.3e-3, 1.0)
+    prefactor = physics.call("damper_prefactor", viscosity=0.04, radius=6.3e-3, length_factor=1.0)
     both = sum(
-        physics.scalar("film_damper", prefactor, a, 100e-9, 0.0) for a in (2.059e-3, 1.993e-3)
+        physics.call("film_damper", prefactor=prefactor, a=a, h=100e-9, floor=0.0)
+        for a in (2.059e-3, 1.993e-3)
     )
-    assert physics.scalar("largest_step", 0.0, both, BALL_MASS) == pytest.approx(
+    assert physics.call("largest_step", k=0.0, c=both, m=BALL_MASS) == pytest.approx(
         0.94e-6, abs=0.02e-6
     )

@@ -116,17 +116,16 @@ def agree(cpp, python, exact):
 def radii(physics, name, side, angle):
     """Effective radii, in both languages."""
     bearing = BEARINGS[name]
-    cpp = physics.array(
+    found = physics.call(
         "radii",
-        2,
-        bearing.ball_radius,
-        bearing.groove(side),
-        bearing.pitch_radius,
-        side == INNER,
-        np.cos(angle),
+        ball=bearing.ball_radius,
+        groove=bearing.groove(side),
+        pitch=bearing.pitch_radius,
+        inner=side == INNER,
+        cos_angle=np.cos(angle),
     )
     python = bearing.effective_radii(side, angle)
-    np.testing.assert_allclose(cpp, python, rtol=EQUAL)
+    np.testing.assert_allclose([found.x, found.y], python, rtol=EQUAL)
     return tuple(map(float, python))
 
 
@@ -180,10 +179,15 @@ def test_film_and_capacitance(physics, name, side, angle, model):
         )
         agree(h_cpp, h_python, exact)
         root = (load / cpp.K) ** (1 / 3)
-        eps = physics.scalar("permittivity", ambient, cpp.p * root)
+        eps = physics.call("permittivity", ambient, cpp.p * root)
         p, (a, b) = hertz.pressure(python, STEEL, load), hertz.semi_axes(python, STEEL, load)
         agree(
-            [eps, physics.scalar("plate_capacitance", eps, cpp.a * root, cpp.b * root, h_cpp[1])],
+            [
+                eps,
+                physics.call(
+                    "plate_capacitance", eps_r=eps, a=cpp.a * root, b=cpp.b * root, h=h_cpp[1]
+                ),
+            ],
             [
                 capacitance.permittivity(ambient, p),
                 capacitance.contact(ambient, p, a, b, h_python[1]),
@@ -197,12 +201,12 @@ def test_series_and_composite_roughness(physics):
         with mpmath.workdps(40):
             x, y = mpmath.mpf(one), mpmath.mpf(other)
             agree(
-                [physics.scalar("ball_capacitance", one, other)],
+                [physics.call("ball_capacitance", one, other)],
                 [capacitance.ball(one, other)],
                 [1 / (1 / x + 1 / y)],
             )
             agree(
-                [2e-7 / physics.scalar("roughness", one, other)],
+                [2e-7 / physics.call("roughness", one, other)],
                 [film.ratio(2e-7, one, other)],
                 [mpmath.mpf(2e-7) / mpmath.sqrt(x * x + y * y)],
             )

@@ -11,13 +11,15 @@ ROUNDING = 1e-15  # a handful of operations on numbers of order one
 
 def test_algebra(physics):
     expected = np.concatenate([A + B, A - B, 3.5 * A, 3.5 * A, -A, A + B, A - B, A + B])
-    assert physics.array("vec3_algebra", 24, A, B, 3.5) == pytest.approx(expected, abs=4 * ROUNDING)
+    assert physics.call("vec3_algebra", pa=A, pb=B, s=3.5) == pytest.approx(
+        expected, abs=4 * ROUNDING
+    )
 
 
 def test_products(physics):
-    assert physics.array("vec3_cross", 3, A, B) == pytest.approx(np.cross(A, B), abs=4 * ROUNDING)
-    assert physics.scalar("vec3_dot", A, B) == pytest.approx(A @ B, abs=4 * ROUNDING)
-    assert physics.scalar("vec3_norm", A) == pytest.approx(np.linalg.norm(A), abs=4 * ROUNDING)
+    assert physics.call("vec3_cross", A, B) == pytest.approx(np.cross(A, B), abs=4 * ROUNDING)
+    assert physics.call("vec3_dot", A, B) == pytest.approx(A @ B, abs=4 * ROUNDING)
+    assert physics.call("vec3_norm", A) == pytest.approx(np.linalg.norm(A), abs=4 * ROUNDING)
 
 
 @pytest.mark.parametrize("angle", [1e-9, 1e-3, 0.5, 3.0, 7.0])
