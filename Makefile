@@ -36,7 +36,7 @@ CORE := $(IMPLICIT:src-package/%.cpp=build/obj/%.o)
 LAMMPS_2021_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps-2021/%.o,$(STYLES) src-package/host/interposing_loader.cpp)
 LAMMPS_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps/%.o,$(STYLES) src-package/host/plugin_styles.cpp)
 SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
-COLUMNS := python/src/raceway/columns.json
+COLUMNS := python/src/raceway/runs/columns.json
 VENV_STAMP := .venv/.installed
 BENCH_STAMP := .venv/.installed-bench
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from docutils.statemachine import StringList
 from sphinx.util.docutils import SphinxDirective
 
-COLUMNS = Path(__file__).resolve().parents[1] / "python" / "src" / "raceway" / "columns.json"
+COLUMNS = Path(__file__).resolve().parents[1] / "python/src/raceway/runs/columns.json"
 NEEDS = {
     "film": "*bearing/ehd* only",
     "capacitance": "needs :doc:`fix_bearing_capacitance`",

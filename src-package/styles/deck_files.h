@@ -3,10 +3,14 @@
 // deck's data files, result folder, numbers, host, restart file and the columns of its dumps, with
 // errors that help before anything runs.
 #ifdef COMMAND_CLASS
-CommandStyle(bearing_input,BearingInput) CommandStyle(bearing_output,BearingOutput) CommandStyle(bearing_range,BearingRange)
-        CommandStyle(bearing_host,BearingHost)
-                         CommandStyle(bearing_resume,BearingResume)
-                                          CommandStyle(bearing_columns,BearingColumns)
+// clang-format off
+CommandStyle(bearing_input,BearingInput)
+CommandStyle(bearing_output,BearingOutput)
+CommandStyle(bearing_range,BearingRange)
+CommandStyle(bearing_host,BearingHost)
+CommandStyle(bearing_resume,BearingResume)
+CommandStyle(bearing_columns,BearingColumns)
+// clang-format on
 #else
 #ifndef LMP_DECK_FILES_H
 #define LMP_DECK_FILES_H

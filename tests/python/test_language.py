@@ -34,7 +34,9 @@ def meanings():
                 if isinstance(column, columns.Column):
                     yield f"{table} {name}", column.meaning
     source = Path(columns.__file__).with_name("columns.json")
-    for table, rows in json.loads(source.read_text()).items() if source.exists() else ():
+    for table, rows in json.loads(source.read_text()).items():
+        if table == "law":  # parts and keywords, no columns
+            continue
         for row in rows:
             yield f"{source.name} {table} {row['name']}", row["meaning"]
 
