@@ -3,7 +3,6 @@
 
 #include "../deck/arguments.h"
 #include "../physics/step_limit.h"
-#include "../styles/pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
 using raceway::verlet_step_limit;
@@ -39,10 +38,10 @@ static double steepest_friction(const raceway::ContactState &c)
   return c.v_0 > 0.0 ? c.mu * c.normal / c.v_0 : c.ct;
 }
 
-StepLimit step_limit(LAMMPS *lmp, const PairBearingHertz &pair)
+StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
 {
   StepLimit limit;
-  const std::vector<RacewayContact> &rows = pair.table().raceway;
+  const std::vector<RacewayContact> &rows = table.raceway;
   const double *rmass = lmp->atom->rmass;
   double unloaded = HUGE_VAL;
   for (size_t i = 0; i < rows.size();) {
@@ -61,7 +60,7 @@ StepLimit step_limit(LAMMPS *lmp, const PairBearingHertz &pair)
     keep_smaller(limit, kt, ct, 2.0 / 7.0 * m, StepLimit::tangential, first.ball);
     unloaded = std::fmin(unloaded, verlet_step_limit(k0, 0.0, m));
   }
-  for (const SphereContact &s : pair.table().sphere)
+  for (const SphereContact &s : table.sphere)
     if (s.stiffness > 0.0)
       keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
   if (unloaded < limit.step) limit = StepLimit{unloaded, StepLimit::unloaded, 0, 0.0, 0.0};

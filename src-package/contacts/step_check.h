@@ -4,11 +4,7 @@
 #ifndef BEARING_STEP_CHECK_H
 #define BEARING_STEP_CHECK_H
 
-#include "bearing_compat.h"
-
-namespace LAMMPS_NS {
-class PairBearingHertz;
-}
+#include "contact_table.h"
 
 namespace bearing {
 
@@ -24,7 +20,7 @@ struct StepLimit {
 
 // Over all ranks. Normal: sum over the raceways of a ball, mass m_b; tangential: 2/7 m_b (rolling
 // sphere); cage contacts: reduced mass. With no contact at all, the spring at 1 um overlap.
-StepLimit step_limit(LAMMPS_NS::LAMMPS *lmp, const LAMMPS_NS::PairBearingHertz &pair);
+StepLimit step_limit(LAMMPS_NS::LAMMPS *lmp, const ContactTable &table);
 
 }    // namespace bearing
 

@@ -3,6 +3,7 @@
 // Python and the pages. No host.
 #include "../contacts/bearing_columns.h"
 #include "../contacts/contact_columns.h"
+#include "../contacts/fix_columns.h"
 #include "../physics/part_table.h"
 
 #include <cstdio>
@@ -77,6 +78,12 @@ int main()
   section("ring", bearing::of_ring::list);
   section("total", bearing::of_total::list);
   section("atom", bearing::of_atom::list);
+  section("fix_ring", bearing::of_fix_ring::list);
+  section("fix_implicit", bearing::of_fix_implicit::list);
+  section("fix_cage", bearing::of_fix_cage::list);
+  section("fix_capacitance", bearing::of_fix_capacitance::list);
+  section("fix_timestep", bearing::of_fix_timestep::list);
+  printf("  ]\n}\n");
   printf("  ],\n");
   print_law();
   printf("}\n");

@@ -8,7 +8,7 @@ namespace raceway {
 BearingBodies::BearingBodies(const BearingModel &of) : model(of)
 {
   place();
-  rings.resize(model.rings);
+  rings.resize(model.rings.size());
   with_law(model.parts, [this](auto law) { states_ = decltype(law)::states; });
   if (states_ > 0) kept.resize(n_contacts);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One bearing as an implicit step sees it: who may touch whom, and the state of all of them. No
-// host in it. Names have the bearing axis third; units are SI.
+// One bearing: who may touch whom, what each ring is told to do, and the state of all of them. No
+// host in it: atoms have tags, and what moves a ring is a number in a list of the caller. Indices
+// point into bodies and rings. Names have the bearing axis third; units are SI.
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
@@ -8,14 +9,22 @@
 #include "../physics/rail.h"
 #include "ring_program.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace raceway {
 
 struct BearingModel {
+  using Tag = std::int64_t;
   struct Body {
+    Tag tag;
     double mass, radius;
     bool spins;    // rolling balls spin, cage balls do not
+  };
+  struct Ring {
+    Tag tag;
+    int mover;                     // in the caller's list, -1: at rest
+    std::vector<RingValue> own;    // what this ring has for itself
   };
   struct Groove {    // a ball that may touch a raceway
     int body, ring;
@@ -30,12 +39,14 @@ struct BearingModel {
     const std::vector<Rail> *rails;
     const std::vector<double> *stiffness;
   };
-  std::vector<Body> bodies;
-  int rings = 0;
-  std::vector<Groove> grooves;
-  std::vector<Pocket> pockets;
-  std::vector<Seat> seats;
-  unsigned parts = dry_parts;    // of the contact law of all raceways
+  std::vector<Body> bodies;       // rolling balls first, then cage balls, each by tag
+  std::vector<Ring> rings;        // by tag
+  std::vector<Groove> grooves;    // by body, then ring
+  std::vector<Pocket> pockets;    // by smaller tag, then larger
+  std::vector<Seat> seats;        // by cage, then body
+  unsigned parts = dry_parts;     // of the contact law of all raceways
+
+  Tag name() const { return rings.front().tag; }
 };
 
 struct BodyPose {

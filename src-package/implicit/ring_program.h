@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ring under an implicit step: what is free, fixed or driven of it, its loads, and its motion.
+// A ring under either integrator: what is free, fixed or driven of it, its loads, and its motion.
 //
 // Names here have the bearing axis third. Degrees of freedom: x, y, z, tilt about x, tilt about y,
-// spin about the ring's own axis e. The angular velocity is w = W + spin e with W across e, W =
-// (rate_x, rate_y, .), so that
+// spin about the ring's own axis e.
+//
+// Both integrators share displacements, driven tilts, the spin and the loads. They differ in how
+// they carry the angular velocity. Velocity Verlet keeps the vector w of the host (RingAtom): it
+// must go on with the host's own bits. The implicit step solves for rates (RingPose):
+// w = W + spin e with W across e, W = (rate_x, rate_y, .), so that
 //   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
 // (M_across = M - (M.e) e: along e sits what drives an imposed spin). The gyroscopic moment is the
 // term with the spin.
@@ -17,10 +21,17 @@ namespace raceway {
 
 enum class Freedom { fixed, free, speed, position };
 
+// One of the numbers that a ring may have for itself: `which` is a degree of freedom, FORCE + k or
+// MOMENT + k of RingProgram.
+struct RingValue {
+  int which;
+  double value;
+};
+
 // What happens to a ring over the host's step. Times within it are shares s, 0 at its start to 1 at
 // its end.
 struct RingProgram {
-  enum { TILT = 3, SPIN = 5, N_DOF = 6 };
+  enum { TILT = 3, SPIN = 5, N_DOF = 6, FORCE = N_DOF, MOMENT = FORCE + 3, N_VALUE = MOMENT + 3 };
   Freedom mode[N_DOF] = {Freedom::fixed, Freedom::fixed, Freedom::fixed,
                          Freedom::fixed, Freedom::fixed, Freedom::fixed};
   double mass = 0.0;
@@ -33,9 +44,18 @@ struct RingProgram {
          length = 0.0;    // s: age of the load at the end of the host's step, length of that step
 
   bool free(int dof) const { return mode[dof] == Freedom::free; }
+  bool tilts_free() const { return free(TILT) && free(TILT + 1); }
+  bool tilts() const { return mode[TILT] != Freedom::fixed || mode[TILT + 1] != Freedom::fixed; }
   double inertia_of(int dof) const
   {
     return dof < TILT ? mass : dof == SPIN ? inertia.axial : inertia.transverse;
+  }
+  // The N_VALUE numbers at one end (0 start, 1 end of the host's step).
+  void set_values(int at, const double *values)
+  {
+    for (int k = 0; k < N_DOF; ++k) target[at][k] = values[k];
+    force[at] = Vec3::from(values + FORCE);
+    moment[at] = Vec3::from(values + MOMENT);
   }
   double target_at(int dof, double s) const
   {
@@ -58,13 +78,28 @@ struct RingProgram {
   }
 };
 
-struct RingPose {
+// Where a ring is and how it got there.
+struct RingPlace {
   Vec3 x, v, e{0.0, 0.0, 1.0}, origin;
-  double rate[2] = {0.0, 0.0};       // rad/s, W across the bearing axis
-  double spin = 0.0, angle = 0.0;    // rad/s, rad
-  double tilt[2] = {0.0, 0.0};       // rad, rotation vector from the bearing axis to e
+  double angle = 0.0;             // rad, turned about its axis
+  double tilt[2] = {0.0, 0.0};    // rad, rotation vector from the bearing axis to e
+};
 
-  Vec3 across() const { return {rate[0], rate[1], -(rate[0] * e.x + rate[1] * e.y) / e.z}; }
+// As velocity Verlet carries it: the host's atom.
+struct RingAtom : RingPlace {
+  Vec3 w;    // rad/s
+};
+
+// As the implicit step carries it.
+struct RingPose : RingPlace {
+  double rate[2] = {0.0, 0.0};    // rad/s, W across the bearing axis
+  double spin = 0.0;              // rad/s
+
+  Vec3 across(const Vec3 &axis) const
+  {
+    return {rate[0], rate[1], -(rate[0] * axis.x + rate[1] * axis.y) / axis.z};
+  }
+  Vec3 across() const { return across(e); }
   Vec3 angular_velocity() const { return across() + e * spin; }
   void set_angular_velocity(const Vec3 &w)
   {
@@ -80,61 +115,164 @@ inline void tilt_of(const Vec3 &e, double *tilt)
   const double sine = std::sqrt(e.x * e.x + e.y * e.y),
                factor = sine > 0.0 ? std::atan2(sine, e.z) / sine : 1.0;
   tilt[0] = -factor * e.y + 0.0;    // no minus zero
-  tilt[1] = factor * e.x;
+  tilt[1] = factor * e.x + 0.0;
+}
+
+// ---- what both integrators share
+// -----------------------------------------------------------------
+
+// Velocities plus `gained` (3 values, m/s) where free.
+inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
+{
+  double v[3];
+  r.v.to(v);
+  for (int k = 0; k < 3; ++k)
+    if (p.free(k)) v[k] += gained[k];
+  r.v = Vec3::from(v);
+}
+
+// To the share s of the host's step, h seconds on, with the velocity it has where free.
+inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
+{
+  double x[3], v[3], origin[3];
+  r.x.to(x);
+  r.v.to(v);
+  r.origin.to(origin);
+  for (int k = 0; k < 3; ++k) {
+    if (p.mode[k] == Freedom::fixed) v[k] = 0.0;
+    if (p.mode[k] == Freedom::speed) v[k] = p.target_at(k, s);
+    if (p.mode[k] == Freedom::position) {
+      const double target = origin[k] + p.target_at(k, s);
+      v[k] = (target - x[k]) / h;
+      x[k] = target;
+    } else {
+      x[k] += h * v[k];
+    }
+  }
+  r.x = Vec3::from(x);
+  r.v = Vec3::from(v);
+}
+
+// Rates of tilt (rad/s): those given where free, fixed or driven ones elsewhere.
+inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, double h, double s)
+{
+  for (int k = 0; k < 2; ++k) {
+    const int dof = RingProgram::TILT + k;
+    switch (p.mode[dof]) {
+      case Freedom::fixed: rate[k] = 0.0; break;
+      case Freedom::free: break;
+      case Freedom::speed: rate[k] = p.target_at(dof, s); break;
+      case Freedom::position: rate[k] = (p.target_at(dof, s) - r.tilt[k]) / h; break;
+    }
+  }
+}
+
+// Driven tilts define the axis outright: no drift from adding up small rotations.
+inline void tilt_by(RingPlace &r, const double *rate, double h)
+{
+  for (int k = 0; k < 2; ++k) r.tilt[k] += rate[k] * h;
+  r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
+}
+
+// Spin (rad/s): the one given where free.
+inline double driven_spin(const RingProgram &p, double spin, double s)
+{
+  switch (p.mode[RingProgram::SPIN]) {
+    case Freedom::fixed: return 0.0;
+    case Freedom::free: return spin;
+    default: return p.target_at(RingProgram::SPIN, s);
+  }
+}
+
+// ---- velocity Verlet
+// ------------------------------------------------------------------------------
+
+// h seconds of force (N) and moment (N m); what is not free ignores them. Nothing moves.
+inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &force,
+                       const Vec3 &moment, double h)
+{
+  RingAtom r = base;
+  double gained[3] = {}, push[3];
+  force.to(push);
+  for (int k = 0; k < 3; ++k)
+    if (p.free(k)) gained[k] = h / p.mass * push[k];
+  gain(p, r, gained);
+  if (p.tilts_free()) {
+    // all of the gyroscopic coupling is in the momentum; an imposed spin takes its reaction
+    const double spin = dot(r.w, r.e);
+    r.w = angular_velocity(p.inertia, angular_momentum(p.inertia, r.w, r.e) + moment * h, r.e);
+    if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));
+    return r;
+  }
+  // one free tilt alone: no gyroscopic coupling
+  if (p.free(RingProgram::TILT)) r.w.x += h / p.inertia.transverse * moment.x;
+  if (p.free(RingProgram::TILT + 1)) r.w.y += h / p.inertia.transverse * moment.y;
+  if (p.free(RingProgram::SPIN)) r.w += r.e * (h / p.inertia.axial * dot(moment, r.e));
+  return r;
+}
+
+// On its way for h seconds to the end of the host's step.
+inline RingAtom coasted(const RingProgram &p, const RingAtom &base, double h)
+{
+  RingAtom r = base;
+  displace(p, r, h, 1.0);
+  const double along = dot(r.w, r.e), spin = driven_spin(p, along, 1.0);
+  if (p.tilts_free()) {
+    const Vec3 L = angular_momentum(p.inertia, r.w, r.e);
+    r.e = drift_axis(p.inertia, L, r.e, h);
+    r.w = angular_velocity(p.inertia, L, r.e);
+    r.w += r.e * (spin - dot(r.w, r.e));
+    tilt_of(r.e, r.tilt);
+  } else if (p.tilts()) {
+    const Vec3 across = r.w - r.e * along;
+    double rate[2] = {across.x, across.y};
+    drive_rates(p, r, rate, h, 1.0);
+    tilt_by(r, rate, h);
+    r.w = Vec3{rate[0], rate[1], 0.0} + r.e * spin;
+  } else if (!p.free(RingProgram::SPIN)) {
+    r.w = r.e * spin;
+  }
+  r.angle += spin * h;
+  return r;
+}
+
+// ---- the implicit step
+// ----------------------------------------------------------------------------
+
+// With the velocities of the base plus `gained` (N_DOF values) where free; nothing moves.
+inline RingPose kicked(const RingProgram &p, const RingPose &base, const double *gained)
+{
+  RingPose r = base;
+  gain(p, r, gained);
+  for (int k = 0; k < 2; ++k)
+    if (p.free(RingProgram::TILT + k)) r.rate[k] += gained[RingProgram::TILT + k];
+  if (p.free(RingProgram::SPIN)) r.spin += gained[RingProgram::SPIN];
+  return r;
+}
+
+// Everything but free tilts, whose axis the caller finds.
+inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, double s)
+{
+  RingPose r = base;
+  displace(p, r, h, s);
+  drive_rates(p, r, r.rate, h, s);
+  if (!p.tilts_free() && p.tilts()) tilt_by(r, r.rate, h);
+  r.spin = driven_spin(p, r.spin, s);
+  r.angle += h * r.spin;
+  return r;
 }
 
 // Implicit Euler from `base` over h to the share s of the host's step: pose = base + h (velocities
-// at the end), these being those of the base plus `gained` (6 values) where free and the driven
+// at the end), these being those of the base plus `gained` (N_DOF values) where free and the driven
 // ones elsewhere.
 inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h,
                       double s)
 {
-  RingPose r = base;
-  double x[3], v[3], origin[3];
-  base.x.to(x);
-  base.v.to(v);
-  base.origin.to(origin);
-  for (int k = 0; k < 3; ++k) {
-    switch (p.mode[k]) {
-      case Freedom::fixed: v[k] = 0.0; break;
-      case Freedom::free: v[k] += gained[k]; break;
-      case Freedom::speed: v[k] = p.target_at(k, s); break;
-      case Freedom::position: v[k] = (origin[k] + p.target_at(k, s) - x[k]) / h; break;
-    }
-    x[k] += h * v[k];
-  }
-  r.x = Vec3::from(x);
-  r.v = Vec3::from(v);
-  for (int k = 0; k < 2; ++k) {
-    const int dof = RingProgram::TILT + k;
-    switch (p.mode[dof]) {
-      case Freedom::fixed: r.rate[k] = 0.0; break;
-      case Freedom::free: r.rate[k] += gained[dof]; break;
-      case Freedom::speed: r.rate[k] = p.target_at(dof, s); break;
-      case Freedom::position: r.rate[k] = (p.target_at(dof, s) - base.tilt[k]) / h; break;
-    }
-  }
-  if (p.free(RingProgram::TILT) && p.free(RingProgram::TILT + 1)) {
-    for (int iteration = 0; iteration < 4;
-         ++iteration) {    // e = base + h W x e, a contraction by h |W|
-      const Vec3 turn = cross(r.across(), r.e);
-      r.e.x = base.e.x + h * turn.x;
-      r.e.y = base.e.y + h * turn.y;
-      r.e.z = std::sqrt(1.0 - r.e.x * r.e.x - r.e.y * r.e.y);
-    }
+  RingPose r = displaced(p, kicked(p, base, gained), h, s);
+  if (p.tilts_free()) {
+    r.e = implicit_axis(base.e, [&r](const Vec3 &e) { return r.across(e); }, h);
     tilt_of(r.e, r.tilt);
-  } else if (p.mode[RingProgram::TILT] != Freedom::fixed ||
-             p.mode[RingProgram::TILT + 1] != Freedom::fixed) {
-    // driven tilts define the axis outright: no drift from adding up small rotations
-    for (int k = 0; k < 2; ++k) r.tilt[k] = base.tilt[k] + h * r.rate[k];
-    r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
   }
-  switch (p.mode[RingProgram::SPIN]) {
-    case Freedom::fixed: r.spin = 0.0; break;
-    case Freedom::free: r.spin = base.spin + gained[RingProgram::SPIN]; break;
-    default: r.spin = p.target_at(RingProgram::SPIN, s); break;
-  }
-  r.angle = base.angle + h * r.spin;
   return r;
 }
 
@@ -142,27 +280,11 @@ inline RingPose moved(const RingProgram &p, const RingPose &base, const double *
 // share s of the host's step.
 inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, double s)
 {
-  const double nothing[RingProgram::N_DOF] = {};
-  RingPose r = moved(p, base, nothing, h, s);
-  if (p.free(RingProgram::TILT) && p.free(RingProgram::TILT + 1)) {
-    r.e = rotate(base.e, base.across() * h);
+  RingPose r = displaced(p, base, h, s);
+  if (p.tilts_free()) {
+    r.e = turned_axis(base.e, base.across(), h);
     tilt_of(r.e, r.tilt);
   }
-  return r;
-}
-
-// With the velocities of the base plus `gained` where free; nothing moves.
-inline RingPose kicked(const RingProgram &p, const RingPose &base, const double *gained)
-{
-  RingPose r = base;
-  double v[3];
-  base.v.to(v);
-  for (int k = 0; k < 3; ++k)
-    if (p.free(k)) v[k] += gained[k];
-  r.v = Vec3::from(v);
-  for (int k = 0; k < 2; ++k)
-    if (p.free(RingProgram::TILT + k)) r.rate[k] += gained[RingProgram::TILT + k];
-  if (p.free(RingProgram::SPIN)) r.spin += gained[RingProgram::SPIN];
   return r;
 }
 

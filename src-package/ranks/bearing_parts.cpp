@@ -3,10 +3,11 @@
 // finding of bearings is in bearing_parts_build.cpp.
 #include "bearing_parts.h"
 
-#include "../styles/pair_bearing_hertz.h"
 #include "letters.h"
 
 using namespace LAMMPS_NS;
+using raceway::BodyPose;
+using raceway::RingPose;
 using raceway::Vec3;
 
 namespace bearing {
@@ -14,12 +15,14 @@ namespace bearing {
 static constexpr int letters = 6208;    // message tag of this file alone
 
 // States travel as numbers, as they lie in memory.
-static constexpr size_t body_numbers = sizeof(BodyState) / sizeof(double);
-static constexpr size_t ring_numbers = sizeof(RingFullState) / sizeof(double);
-static_assert(body_numbers == 9 && ring_numbers == 19, "states are made of doubles");
-static_assert(std::is_trivially_copyable<BodyState>::value &&
-                  std::is_trivially_copyable<RingFullState>::value,
+static_assert(std::is_trivially_copyable<BodyPose>::value &&
+                  std::is_trivially_copyable<RingPose>::value,
               "sent as they are");
+template <class State> static constexpr size_t numbers()
+{
+  static_assert(sizeof(State) % sizeof(double) == 0, "made of doubles");
+  return sizeof(State) / sizeof(double);
+}
 
 template <class State> static void put(double *&at, const State &s)
 {
@@ -39,39 +42,57 @@ void BearingParts::Letter::size_text()
 {
   const size_t bodies = body_atom.size() + body_place.size(),
                rings = ring_atom.size() + ring_place.size();
-  text.resize(bodies * body_numbers + rings * ring_numbers);
+  text.resize(bodies * numbers<BodyPose>() + rings * numbers<RingState>());
 }
 
-BodyState BearingParts::read_body(int i) const
+BodyPose BearingParts::read_body(int i) const
 {
-  return {Vec3::from(atom->x[i]), Vec3::from(atom->v[i]), Vec3::from(atom->omega[i])};
+  const raceway::LabAxes &axes = sources_.axes;
+  return {axes.third(Vec3::from(atom->x[i])), axes.third(Vec3::from(atom->v[i])),
+          axes.third(Vec3::from(atom->omega[i]))};
 }
 
-RingFullState BearingParts::read_ring(int i) const
+BearingParts::RingState BearingParts::read_ring(int i) const
 {
-  return {Vec3::from(atom->x[i]), Vec3::from(atom->v[i]), Vec3::from(atom->omega[i]),
-          pair_->state()->ring(i)};
+  const RingMotion &m = sources_.motion(i);
+  RingState r;
+  read_place(*atom, i, m, sources_.axes, r.pose);
+  r.pose.set_angular_velocity(sources_.axes.third(Vec3::from(atom->omega[i])));
+  r.step = m.step;
+  return r;
 }
 
-void BearingParts::write_body(int i, const BodyState &b) const
+void BearingParts::write_body(int i, const BodyPose &b) const
 {
-  b.x.to(atom->x[i]);
-  b.v.to(atom->v[i]);
-  b.w.to(atom->omega[i]);
+  const raceway::LabAxes &axes = sources_.axes;
+  axes.lab(b.x).to(atom->x[i]);
+  axes.lab(b.v).to(atom->v[i]);
+  axes.lab(b.w).to(atom->omega[i]);
 }
 
-void BearingParts::write_ring(int i, const RingFullState &r) const
+void BearingParts::write_ring(int i, const RingState &r) const
 {
-  r.x.to(atom->x[i]);
-  r.v.to(atom->v[i]);
-  r.w.to(atom->omega[i]);
-  pair_->state()->ring(i) = r.motion;
+  RingMotion &m = sources_.motion(i);
+  write_place(r.pose, sources_.axes, *atom, i, m);
+  sources_.axes.lab(r.pose.angular_velocity()).to(atom->omega[i]);
+  m.step = r.step;
+}
+
+BearingParts::RingState BearingParts::ring_at(const Place &p) const
+{
+  return {parts_[p.part].rings[p.at], parts_[p.part].steps[p.at]};
+}
+
+void BearingParts::put_ring(const Place &p, const RingState &r)
+{
+  parts_[p.part].rings[p.at] = r.pose;
+  parts_[p.part].steps[p.at] = r.step;
 }
 
 void BearingParts::gather()
 {
   for (const Local &l : own_bodies_) parts_[l.place.part].bodies[l.place.at] = read_body(l.i);
-  for (const Local &l : own_rings_) parts_[l.place.part].rings[l.place.at] = read_ring(l.i);
+  for (const Local &l : own_rings_) put_ring(l.place, read_ring(l.i));
   for (Letter &l : away_) {
     double *at = l.text.data();
     for (int i : l.body_atom) put(at, read_body(i));
@@ -80,25 +101,25 @@ void BearingParts::gather()
   deliver(away_, guests_, letters, world);
   for (const Letter &l : guests_) {
     const double *at = l.text.data();
-    for (const Place &p : l.body_place) parts_[p.part].bodies[p.at] = take<BodyState>(at);
-    for (const Place &p : l.ring_place) parts_[p.part].rings[p.at] = take<RingFullState>(at);
+    for (const Place &p : l.body_place) parts_[p.part].bodies[p.at] = take<BodyPose>(at);
+    for (const Place &p : l.ring_place) put_ring(p, take<RingState>(at));
   }
 }
 
 void BearingParts::scatter()
 {
   for (const Local &l : own_bodies_) write_body(l.i, parts_[l.place.part].bodies[l.place.at]);
-  for (const Local &l : own_rings_) write_ring(l.i, parts_[l.place.part].rings[l.place.at]);
+  for (const Local &l : own_rings_) write_ring(l.i, ring_at(l.place));
   for (Letter &l : guests_) {
     double *at = l.text.data();
     for (const Place &p : l.body_place) put(at, parts_[p.part].bodies[p.at]);
-    for (const Place &p : l.ring_place) put(at, parts_[p.part].rings[p.at]);
+    for (const Place &p : l.ring_place) put(at, ring_at(p));
   }
   deliver(guests_, away_, letters, world);
   for (const Letter &l : away_) {
     const double *at = l.text.data();
-    for (int i : l.body_atom) write_body(i, take<BodyState>(at));
-    for (int i : l.ring_atom) write_ring(i, take<RingFullState>(at));
+    for (int i : l.body_atom) write_body(i, take<BodyPose>(at));
+    for (int i : l.ring_atom) write_ring(i, take<RingState>(at));
   }
 }
 

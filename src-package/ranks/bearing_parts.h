@@ -11,62 +11,32 @@
 #ifndef BEARING_BEARING_PARTS_H
 #define BEARING_BEARING_PARTS_H
 
-#include "../styles/fix_bearing_ring.h"
+#include "../contacts/cage_rails.h"
+#include "../contacts/contact_table.h"
+#include "../contacts/ring_motion.h"
+#include "../implicit/bearing_model.h"
 #include "bearing_compat.h"
 
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
-namespace LAMMPS_NS {
-class FixBearingCage;
-class PairBearingHertz;
-}
-namespace raceway {
-struct RacewayPhysics;
-}
-
 namespace bearing {
 
-// One bearing, on its home rank; indices point into bodies and rings.
-struct PartModel {
-  struct Body {
-    tag_t tag;
-    double mass, radius;
-    bool spins;
+// What a rank knows of the bearings it has a part of.
+struct BearingSources {
+  struct MovedRing {
+    int i;        // owned atom
+    int mover;    // who says how it moves: a number that means the same on all ranks
+    std::vector<raceway::RingValue> own;
   };
-  struct Ring {
-    tag_t tag;
-    LAMMPS_NS::FixBearingRing *fix;    // null: at rest
-    std::vector<LAMMPS_NS::FixBearingRing::OwnValue> own;
-  };
-  struct Groove {
-    int body, ring;
-    const raceway::RacewayPhysics *physics;
-  };
-  struct Pocket {
-    int a, b;
-    double K, reach, mass;
-  };    // contact of two spheres
-  struct Seat {
-    int body, ring;
-    const LAMMPS_NS::FixBearingCage *cage;
-  };    // a cage ball on its rails
-
-  std::vector<Body> bodies;       // rolling balls (spins) first, then cage balls, each by tag
-  std::vector<Ring> rings;        // by tag
-  std::vector<Groove> grooves;    // by body, then ring
-  std::vector<Pocket> pockets;    // by smaller tag, then larger
-  std::vector<Seat> seats;        // by fix, then body
-
-  tag_t name() const { return rings.front().tag; }
-};
-
-struct BodyState {
-  raceway::Vec3 x, v, w;
-};
-struct RingFullState {
-  raceway::Vec3 x, v, w;
-  LAMMPS_NS::FixBearingState::RingMotion motion;
+  const ContactTable *table = nullptr;
+  raceway::LabAxes axes;
+  std::vector<const CageRails *> cages;    // the same cages in the same order on all ranks
+  std::vector<MovedRing> moved;
+  std::function<bool(int type)> is_ring, is_ball;
+  std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type)> raceway;
+  std::function<RingMotion &(int i)> motion;    // of a ring
 };
 
 class BearingParts : protected LAMMPS_NS::Pointers {
@@ -79,21 +49,24 @@ class BearingParts : protected LAMMPS_NS::Pointers {
 
   // All bearings with atoms of the group; error if such an atom is part of none, or a bearing only
   // partly in the group.
-  void build(LAMMPS_NS::PairBearingHertz *, int groupbit);
+  void build(const BearingSources &, int groupbit);
 
   int size() const { return static_cast<int>(parts_.size()); }    // bearings at home here, by name
-  const PartModel &model(int p) const { return parts_[p].model; }
-  std::vector<BodyState> &bodies(int p) { return parts_[p].bodies; }
-  std::vector<RingFullState> &rings(int p) { return parts_[p].rings; }
+  const raceway::BearingModel &model(int p) const { return parts_[p].model; }
+  std::vector<raceway::BodyPose> &bodies(int p) { return parts_[p].bodies; }
+  std::vector<raceway::RingPose> &rings(int p) { return parts_[p].rings; }
+  // s, the next internal step that the bearing wishes: kept with its first ring
+  double &wished_step(int p) { return parts_[p].steps.front(); }
 
   void gather();     // from the atoms of all ranks to the homes
   void scatter();    // and back
 
  private:
   struct Part {
-    PartModel model;
-    std::vector<BodyState> bodies;
-    std::vector<RingFullState> rings;
+    raceway::BearingModel model;
+    std::vector<raceway::BodyPose> bodies;
+    std::vector<raceway::RingPose> rings;
+    std::vector<double> steps;    // by ring
   };
   struct Bearing {
     tag_t name;
@@ -122,13 +95,19 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   void assemble(const std::vector<std::vector<Piece>> &);
   void finish(const std::vector<Piece> &, const std::unordered_map<tag_t, int> &part_of,
               const std::vector<std::unordered_map<tag_t, int>> &at);
-  BodyState read_body(int i) const;
-  RingFullState read_ring(int i) const;
-  void write_body(int i, const BodyState &) const;
-  void write_ring(int i, const RingFullState &) const;
+  struct RingState {
+    raceway::RingPose pose;
+    double step;
+  };    // of a ring, on its way
+  raceway::BodyPose read_body(int i) const;
+  RingState read_ring(int i) const;
+  void write_body(int i, const raceway::BodyPose &) const;
+  void write_ring(int i, const RingState &) const;
+  RingState ring_at(const Place &) const;
+  void put_ring(const Place &, const RingState &);
 
   std::string command_;
-  LAMMPS_NS::PairBearingHertz *pair_ = nullptr;
+  BearingSources sources_;
   std::vector<Part> parts_;
   std::vector<Local> own_bodies_, own_rings_;
   std::vector<Letter> away_;      // atoms owned here, at home elsewhere

@@ -3,9 +3,6 @@
 // of.
 #include "bearing_parts.h"
 
-#include "../styles/fix_bearing_cage.h"
-#include "../styles/fix_bearing_ring.h"
-#include "../styles/pair_bearing_hertz.h"
 #include "exchange.h"
 #include "gather.h"
 #include "union_find.h"
@@ -13,6 +10,7 @@
 #include <algorithm>
 
 using namespace LAMMPS_NS;
+using raceway::BearingModel;
 
 namespace bearing {
 
@@ -29,15 +27,15 @@ struct BearingParts::Piece {
   enum Kind { body, ring, value, groove, pocket, seat } kind;
   tag_t name;    // of the bearing
   tag_t a, b;
-  int first, second;    // types of ball and ring; or the number of a fix, or of a ring's own value,
-                        // in `first`
+  int first, second;    // types of ball and ring; or the number of a cage, of what moves a ring, or
+                        // of a ring's own value, in `first`
   int inside;           // the atom is of the group
   double radius, mass, K;    // a pocket's reach is in `radius`, a ring's own value in K
 };
 
-void BearingParts::build(PairBearingHertz *pair, int groupbit)
+void BearingParts::build(const BearingSources &sources, int groupbit)
 {
-  pair_ = pair;
+  sources_ = sources;
   std::vector<Bearing> bearings;
   const std::vector<int> bearing_of = find_bearings(groupbit, bearings);
   assemble(exchange(cut(bearing_of, bearings, groupbit), world));
@@ -49,13 +47,12 @@ void BearingParts::build(PairBearingHertz *pair, int groupbit)
 std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> &bearings)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
-  const ContactTable &table = pair_->table();
+  const ContactTable &table = *sources_.table;
   UnionFind local(nall);
   for (const RacewayContact &c : table.raceway) local.join(c.i_ball, c.i_ring);
   for (const SphereContact &s : table.sphere) local.join(s.i, s.j);
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingCage *c = dynamic_cast<FixBearingCage *>(modify->fix[k]))
-      for (const FixBearingCage::Rider &r : c->riders()) local.join(r.i, r.i_ring);
+  for (const CageRails *c : sources_.cages)
+    for (const CageRails::Ball &b : c->balls) local.join(b.i, b.i_ring);
 
   std::vector<tag_t> piece(nall, 0);    // lowest tag, at the root
   std::vector<int> inside(nall, 0);
@@ -68,10 +65,10 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   auto tell = [&](int i) {
     const int root = local.find(i);
     nodes.push_back({piece[root], atom->tag[i], i < nlocal ? comm->me : -1,
-                     pair_->is_ring_type(atom->type[i]), inside[root]});
+                     sources_.is_ring(atom->type[i]), inside[root]});
   };
   for (int i = 0; i < nall; ++i)
-    if (pair_->is_ring_type(atom->type[i])) tell(i);
+    if (sources_.is_ring(atom->type[i])) tell(i);
   for (const SphereContact &s : table.sphere)
     if (s.i >= nlocal || s.j >= nlocal) {
       tell(s.i);
@@ -132,37 +129,33 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
     return to[which.home].back();
   };
 
-  std::vector<int> mover(atom->nlocal, -1);
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k]))
-      for (int i = 0; i < atom->nlocal; ++i)
-        if (r->moves(i)) mover[i] = k;
+  std::vector<const BearingSources::MovedRing *> moved(atom->nlocal, nullptr);
+  for (const BearingSources::MovedRing &m : sources_.moved) moved[m.i] = &m;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (bearing_of[i] < 0) continue;
-    const bool ring = pair_->is_ring_type(atom->type[i]);
+    const bool ring = sources_.is_ring(atom->type[i]);
     Piece &p = add(i, ring ? Piece::ring : Piece::body, atom->tag[i], 0);
-    p.first = ring ? mover[i] : atom->type[i];
+    p.first = !ring ? atom->type[i] : moved[i] ? moved[i]->mover : -1;
     p.second = atom->type[i];
     p.inside = (atom->mask[i] & groupbit) != 0;
     p.radius = atom->radius[i];
     p.mass = atom->rmass[i];
     Letter &l = letter[bearings[bearing_of[i]].home];
     (ring ? l.ring_atom : l.body_atom).push_back(i);
-    if (ring && mover[i] >= 0)
-      for (const FixBearingRing::OwnValue &v :
-           dynamic_cast<FixBearingRing *>(modify->fix[mover[i]])->own_values(i)) {
+    if (ring && moved[i])
+      for (const raceway::RingValue &v : moved[i]->own) {
         Piece &own = add(i, Piece::value, atom->tag[i], 0);
         own.first = v.which;
         own.K = v.value;
       }
   }
-  for (const RacewayContact &c : pair_->table().raceway) {
+  for (const RacewayContact &c : sources_.table->raceway) {
     if (bearing_of[c.i_ball] < 0) continue;
     Piece &p = add(c.i_ball, Piece::groove, c.ball, c.ring);
     p.first = atom->type[c.i_ball];
     p.second = atom->type[c.i_ring];
   }
-  for (const SphereContact &s : pair_->table().sphere) {
+  for (const SphereContact &s : sources_.table->sphere) {
     if (s.i >= atom->nlocal || bearing_of[s.i] < 0)
       continue;    // two ranks know it: the owner of the first tells
     Piece &p = add(s.i, Piece::pocket, s.tag_i, s.tag_j);
@@ -170,10 +163,9 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
     p.mass = s.mass;
     p.K = s.K;
   }
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingCage *c = dynamic_cast<FixBearingCage *>(modify->fix[k]))
-      for (const FixBearingCage::Rider &r : c->riders())
-        if (bearing_of[r.i] >= 0) add(r.i, Piece::seat, r.tag, r.ring).first = k;
+  for (size_t k = 0; k < sources_.cages.size(); ++k)
+    for (const CageRails::Ball &b : sources_.cages[k]->balls)
+      if (bearing_of[b.i] >= 0) add(b.i, Piece::seat, b.tag, b.ring).first = static_cast<int>(k);
 
   own_bodies_.clear();
   own_rings_.clear();
@@ -204,12 +196,10 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
   parts_.assign(names.size(), Part());
   const Piece *outsider = nullptr;
   for (const Piece &p : pieces) {
-    PartModel &m = parts_[part_of[p.name]].model;
+    BearingModel &m = parts_[part_of[p.name]].model;
     if (p.kind == Piece::body)
-      m.bodies.push_back({p.a, p.mass, p.radius, pair_->is_ball_type(p.second)});
-    else if (p.kind == Piece::ring)
-      m.rings.push_back(
-          {p.a, p.first < 0 ? nullptr : dynamic_cast<FixBearingRing *>(modify->fix[p.first]), {}});
+      m.bodies.push_back({p.a, p.mass, p.radius, sources_.is_ball(p.second)});
+    else if (p.kind == Piece::ring) m.rings.push_back({p.a, p.first, {}});
     else continue;
     if (!p.inside && (!outsider || p.a < outsider->a)) outsider = &p;
   }
@@ -222,13 +212,14 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
 
   std::vector<std::unordered_map<tag_t, int>> at(parts_.size());    // of bodies and rings
   for (size_t k = 0; k < parts_.size(); ++k) {
-    PartModel &m = parts_[k].model;
+    BearingModel &m = parts_[k].model;
     std::sort(m.bodies.begin(), m.bodies.end(),
-              [](const PartModel::Body &a, const PartModel::Body &b) {
+              [](const BearingModel::Body &a, const BearingModel::Body &b) {
                 return a.spins != b.spins ? a.spins : a.tag < b.tag;
               });
-    std::sort(m.rings.begin(), m.rings.end(),
-              [](const PartModel::Ring &a, const PartModel::Ring &b) { return a.tag < b.tag; });
+    std::sort(
+        m.rings.begin(), m.rings.end(),
+        [](const BearingModel::Ring &a, const BearingModel::Ring &b) { return a.tag < b.tag; });
     if (m.bodies.empty())
       BRG_ONE(command_ + ": atom " + std::to_string(m.name()) +
               " of its group is no ball, cage ball or ring of a "
@@ -237,6 +228,7 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
     for (size_t r = 0; r < m.rings.size(); ++r) at[k][m.rings[r].tag] = static_cast<int>(r);
     parts_[k].bodies.resize(m.bodies.size());
     parts_[k].rings.resize(m.rings.size());
+    parts_[k].steps.resize(m.rings.size());
   }
   finish(pieces, part_of, at);
 
@@ -265,37 +257,39 @@ void BearingParts::finish(const std::vector<Piece> &pieces,
                           const std::vector<std::unordered_map<tag_t, int>> &at)
 {
   struct CageSeat {
-    int fix;
-    PartModel::Seat seat;
+    int cage;
+    BearingModel::Seat seat;
   };
   std::vector<std::vector<CageSeat>> seats(parts_.size());
   for (const Piece &p : pieces) {
     if (p.kind == Piece::body || p.kind == Piece::ring) continue;
     const int k = part_of.at(p.name);
-    PartModel &m = parts_[k].model;
+    BearingModel &m = parts_[k].model;
     if (p.kind == Piece::value) {
       m.rings[at[k].at(p.a)].own.push_back({p.first, p.K});
       continue;
     }
     const int a = at[k].at(p.a), b = at[k].at(p.b);
-    if (p.kind == Piece::groove) m.grooves.push_back({a, b, pair_->raceway(p.first, p.second)});
+    if (p.kind == Piece::groove) m.grooves.push_back({a, b, sources_.raceway(p.first, p.second)});
     if (p.kind == Piece::pocket) m.pockets.push_back({a, b, p.K, p.radius, p.mass});
-    if (p.kind == Piece::seat)
-      seats[k].push_back({p.first, {a, b, dynamic_cast<FixBearingCage *>(modify->fix[p.first])}});
+    if (p.kind == Piece::seat) {
+      const CageRails &c = *sources_.cages[p.first];
+      seats[k].push_back({p.first, {a, b, &c.rails, &c.stiffness}});
+    }
   }
   for (size_t k = 0; k < parts_.size(); ++k) {
-    PartModel &m = parts_[k].model;
+    BearingModel &m = parts_[k].model;
     std::sort(m.grooves.begin(), m.grooves.end(),
-              [](const PartModel::Groove &a, const PartModel::Groove &b) {
+              [](const BearingModel::Groove &a, const BearingModel::Groove &b) {
                 return a.body != b.body ? a.body < b.body : a.ring < b.ring;
               });
     auto tag = [&m](int body) { return m.bodies[body].tag; };
     std::sort(m.pockets.begin(), m.pockets.end(),
-              [&](const PartModel::Pocket &a, const PartModel::Pocket &b) {
+              [&](const BearingModel::Pocket &a, const BearingModel::Pocket &b) {
                 return a.a != b.a ? tag(a.a) < tag(b.a) : tag(a.b) < tag(b.b);
               });
     std::sort(seats[k].begin(), seats[k].end(), [](const CageSeat &a, const CageSeat &b) {
-      return a.fix != b.fix ? a.fix < b.fix : a.seat.body < b.seat.body;
+      return a.cage != b.cage ? a.cage < b.cage : a.seat.body < b.seat.body;
     });
     for (const CageSeat &s : seats[k]) m.seats.push_back(s.seat);
   }

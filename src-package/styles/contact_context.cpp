@@ -3,29 +3,22 @@
 
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_state.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
 
 namespace bearing {
 
-static std::vector<const FixBearingCapacitance *> capacitance_fixes(LAMMPS *lmp)
-{
-  std::vector<const FixBearingCapacitance *> list;
-  for (int m = 0; m < lmp->modify->nfix; ++m)
-    if (auto *f = dynamic_cast<FixBearingCapacitance *>(lmp->modify->fix[m])) list.push_back(f);
-  return list;
-}
-
 Offer offer_of(LAMMPS *lmp, const PairBearingHertz &pair)
 {
-  return {pair.lubricated(), !capacitance_fixes(lmp).empty()};
+  return {pair.lubricated(), !fixes_of<FixBearingCapacitance>(lmp).empty()};
 }
 
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
 capacitor_of(LAMMPS *lmp, const std::string &asked_by, const std::string &wants)
 {
-  const std::vector<const FixBearingCapacitance *> fixes = capacitance_fixes(lmp);
+  const std::vector<FixBearingCapacitance *> fixes = fixes_of<FixBearingCapacitance>(lmp);
   if (fixes.empty()) BRG_ALL_OF(lmp, asked_by + ": " + wants + " needs a fix bearing/capacitance");
   return [fixes](const RacewayContact &c) -> raceway::FilmCapacitorT<double> {
     for (const FixBearingCapacitance *f : fixes)

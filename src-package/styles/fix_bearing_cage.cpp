@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_cage.h"
 
+#include "../contacts/fix_columns.h"
 #include "../deck/arguments.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
@@ -11,6 +12,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using namespace raceway;
 using bearing::Arguments;
+using bearing::CageRails;
 
 // fix ID cage-group bearing/cage RING_TYPE [rail R r z] ... [tube r] [gap g] [young E_ball E_rail]
 // [poisson ...]
@@ -18,7 +20,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/cage"))
 {
   scalar_flag = vector_flag = 1;
-  size_vector = 2;
+  size_vector = bearing::of_fix_cage::N;
   global_freq = 1;
   extscalar = extvector = 0;
   Arguments args(lmp, std::string("fix ") + id + " bearing/cage", narg, arg, 3);
@@ -33,7 +35,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
       r.tube = args.positive("radius of the rail's tube (m)");
       r.offset = args.number("axial offset of the rail (m)");
       if (r.tube >= r.circle) args.fail("rail: tube radius must be smaller than the centre circle");
-      rails_.push_back(r);
+      cage_.rails.push_back(r);
       seats_ = false;
     } else if (args.take("tube")) {
       tube_ = args.positive("tube radius (m)");
@@ -65,22 +67,22 @@ void FixBearingCage::init()
     BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
   pitch_ = pair_->pitch_radius(ring_type_);
   if (seats_)
-    rails_ = {seat_rail(pitch_, radius, tube_, gap_, 1.0),
-              seat_rail(pitch_, radius, tube_, gap_, -1.0)};
-  stiffness_.clear();
+    cage_.rails = {seat_rail(pitch_, radius, tube_, gap_, 1.0),
+                   seat_rail(pitch_, radius, tube_, gap_, -1.0)};
+  cage_.stiffness.clear();
   const double E = reduced_modulus(young_[0], poisson_[0], young_[1], poisson_[1]);
-  for (const Rail &r : rails_) stiffness_.push_back(rail_stiffness(r, radius, pitch_, E));
+  for (const Rail &r : cage_.rails) cage_.stiffness.push_back(rail_stiffness(r, radius, pitch_, E));
 }
 
-void FixBearingCage::setup_pre_neighbor() { find_riders(); }
-void FixBearingCage::pre_neighbor() { find_riders(); }
+void FixBearingCage::setup_pre_neighbor() { find_balls(); }
+void FixBearingCage::pre_neighbor() { find_balls(); }
 
 // The ring whose centre is nearest, within two pitch radii, carries the cage ball: local indices
 // hold until the next build. Only rings in a slab about the ball are looked at, across the
 // direction in which they are spread out most.
-void FixBearingCage::find_riders()
+void FixBearingCage::find_balls()
 {
-  riders_.clear();
+  cage_.balls.clear();
   double **x = atom->x;
   std::vector<int> rings;
   double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -115,38 +117,38 @@ void FixBearingCage::find_riders()
       BRG_ONE(std::string("fix ") + id + " bearing/cage: lost cage ball " +
               std::to_string(atom->tag[i]) + " at step " + std::to_string(update->ntimestep) +
               ": no ring of type " + std::to_string(ring_type_) + " within two pitch radii");
-    riders_.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1});
+    cage_.balls.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1});
   }
-  std::sort(riders_.begin(), riders_.end(),
-            [](const Rider &a, const Rider &b) { return a.tag < b.tag; });
+  std::sort(cage_.balls.begin(), cage_.balls.end(),
+            [](const CageRails::Ball &a, const CageRails::Ball &b) { return a.tag < b.tag; });
 }
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// All riders on one rail after the other: plain loops over arrays, so that square roots run side by
-// side.
+// All cage balls on one rail after the other: plain loops over arrays, so that square roots run
+// side by side.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();
   double **x = atom->x, **v = atom->v, **f = atom->f;
-  const size_t n = riders_.size();
+  const size_t n = cage_.balls.size();
   for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &radius_, &fr_, &fe_}) a->resize(n);
   for (size_t i = 0; i < n; ++i) {
-    Rider &rider = riders_[i];
-    if (rider.claim < 0)
-      rider.claim = pair_->ring_sum().claim(rider.ring, pair_->state()->owner(rider.i_ring),
-                                            bearing::RingSum::rail, rider.tag);
-    const Vec3 e = pair_->state()->axis(rider.i_ring);
-    const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
+    CageRails::Ball &ball = cage_.balls[i];
+    if (ball.claim < 0)
+      ball.claim = pair_->ring_sum().claim(ball.ring, pair_->state()->owner(ball.i_ring),
+                                           bearing::RingSum::rail, ball.tag);
+    const Vec3 e = pair_->state()->axis(ball.i_ring);
+    const Vec3 d = Vec3::from(x[ball.i]) - Vec3::from(x[ball.i_ring]);
     // velocity of the ball against the ring, radial and axial: all that a frictionless torus feels
-    const Vec3 dv = Vec3::from(v[rider.i]) - Vec3::from(v[rider.i_ring]) -
-                    cross(Vec3::from(atom->omega[rider.i_ring]), d);
+    const Vec3 dv = Vec3::from(v[ball.i]) - Vec3::from(v[ball.i_ring]) -
+                    cross(Vec3::from(atom->omega[ball.i_ring]), d);
     z_[i] = dot(d, e);
     r_[i] = dot(d, d) - z_[i] * z_[i];
     ve_[i] = dot(dv, e);
     vr_[i] = dot(dv, d) - ve_[i] * z_[i];
-    mass_[i] = atom->rmass[rider.i];
-    radius_[i] = atom->radius[rider.i];
+    mass_[i] = atom->rmass[ball.i];
+    radius_[i] = atom->radius[ball.i];
     fr_[i] = fe_[i] = 0.0;
   }
   for (size_t i = 0; i < n; ++i) {
@@ -154,9 +156,9 @@ void FixBearingCage::pre_force(int)
     vr_[i] /= r_[i];
   }
   double sum = 0.0, most = 0.0;
-  for (size_t k = 0; k < rails_.size(); ++k) {
-    const Rail rail = rails_[k];
-    const double K = stiffness_[k];
+  for (size_t k = 0; k < cage_.rails.size(); ++k) {
+    const Rail rail = cage_.rails[k];
+    const double K = cage_.stiffness[k];
     for (size_t i = 0; i < n; ++i) {
       const RailContact c =
           rail_contact(rail, K, r_[i], z_[i], vr_[i], ve_[i], radius_[i], mass_[i]);
@@ -171,21 +173,21 @@ void FixBearingCage::pre_force(int)
   force_max_ = most;
   for (size_t i = 0; i < n; ++i) {
     if (fr_[i] == 0.0 && fe_[i] == 0.0) continue;
-    const Rider &rider = riders_[i];
-    const Vec3 e = pair_->state()->axis(rider.i_ring);
-    const Vec3 d = Vec3::from(x[rider.i]) - Vec3::from(x[rider.i_ring]);
+    const CageRails::Ball &ball = cage_.balls[i];
+    const Vec3 e = pair_->state()->axis(ball.i_ring);
+    const Vec3 d = Vec3::from(x[ball.i]) - Vec3::from(x[ball.i_ring]);
     const Vec3 force = (d - e * z_[i]) * (fr_[i] / r_[i]) + e * fe_[i];
-    force.add_to(f[rider.i]);
-    pair_->ring_sum().add(rider.claim, -force, -cross(d, force));
+    force.add_to(f[ball.i]);
+    pair_->ring_sum().add(ball.claim, -force, -cross(d, force));
   }
 }
 
-double FixBearingCage::compute_scalar() { return compute_vector(0); }
+double FixBearingCage::compute_scalar() { return compute_vector(bearing::of_fix_cage::SUM); }
 
-// 1: sum of all rail forces (N), 2: largest rail force (N)
 double FixBearingCage::compute_vector(int k)
 {
-  double mine = k == 0 ? force_sum_ : force_max_, all;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, k == 0 ? MPI_SUM : MPI_MAX, world);
+  const bool sum = k == bearing::of_fix_cage::SUM;
+  double mine = sum ? force_sum_ : force_max_, all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, sum ? MPI_SUM : MPI_MAX, world);
   return all;
 }

@@ -7,8 +7,7 @@ FixStyle(bearing/cage,FixBearingCage)
 #ifndef LMP_FIX_BEARING_CAGE_H
 #define LMP_FIX_BEARING_CAGE_H
 
-#include "../physics/rail.h"
-#include "bearing_compat.h"
+#include "../contacts/cage_rails.h"
 
 #include <vector>
 
@@ -28,29 +27,19 @@ class FixBearingCage : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
-  // For fix bearing/implicit: who sits on which rails.
-  struct Rider {
-    int i, i_ring;
-    bearing::tag_t tag, ring;
-    int claim;
-  };    // a cage ball on the rails of its ring
-  const std::vector<Rider> &riders() const { return riders_; }
-  const std::vector<raceway::Rail> &rails() const { return rails_; }
-  const std::vector<double> &stiffness() const { return stiffness_; }
+  const bearing::CageRails &rails() const { return cage_; }
 
  private:
-  void find_riders();
+  void find_balls();
 
   PairBearingHertz *pair_;
   int ring_type_ = 0;
-  std::vector<raceway::Rail> rails_;
+  bearing::CageRails cage_;
   double tube_ = 1e-3, gap_ = 0.0;
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
   bool seats_ = true;    // default pair of rails, placed from the cage balls
   double pitch_ = 0.0;
-  std::vector<double> stiffness_;    // N/m^1.5 per rail
-  std::vector<Rider> riders_;        // by tag
-  // per rider: position and velocity in the ring (radial, axial), mass, radius, rail force
+  // per cage ball: position and velocity in the ring (radial, axial), mass, radius, rail force
   std::vector<double> r_, z_, vr_, ve_, mass_, radius_, fr_, fe_;
   double force_sum_ = 0.0, force_max_ = 0.0;    // of the last step, this rank
 };

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_capacitance.h"
 
+#include "../contacts/fix_columns.h"
 #include "../deck/arguments.h"
 #include "../ranks/gather.h"
+#include "fix_bearing_implicit.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -51,7 +54,7 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
   if (!contacts.empty())
     contacts_.open(args, contacts, "step time ball raceway load h_c capacitance", world);
   scalar_flag = vector_flag = 1;
-  size_vector = 6;
+  size_vector = bearing::of_fix_capacitance::N;
   extscalar = extvector = 0;
   global_freq = nevery;
   peratom_flag = 1;
@@ -87,10 +90,7 @@ void FixBearingCapacitance::end_of_step() { sample(true); }
 // Those whose steps the instants lie within, and which of their balls count.
 void FixBearingCapacitance::find_integrators()
 {
-  integrators_.clear();
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingImplicit *f = dynamic_cast<FixBearingImplicit *>(modify->fix[k]))
-      integrators_.push_back(f);
+  integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
   if (integrators_.empty())
     BRG_ALL(std::string("fix ") + id + " bearing/capacitance: 'within " + std::to_string(within_) +
             "' needs fix bearing/implicit, which knows what happens within a step; with other "
@@ -121,7 +121,7 @@ void FixBearingCapacitance::sample(bool between)
     if (c.live && (atom->mask[c.i_ball] & groupbit)) {
       const FilmCapacitorT<double> q = capacitor(c);
       per_ball_[c.i_ball][c.side() == Side::inner ? 0 : 1] = q.capacitance;
-      mine_.push_back({within_, c.ball, c.side(), {c.state.load, q.h_c, q.capacitance}});
+      mine_.push_back({within_, c.ball, c.side(), c.state.load, q.h_c, q.capacitance});
     }
   for (int i = 0; i < atom->nlocal; ++i)
     per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
@@ -167,7 +167,7 @@ FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const
   Total t = {};
   for (; row + 1 < end; ++row) {
     if (row[0].ball != row[1].ball) continue;
-    const double both = series_capacitance(row[0].contact.capacitance, row[1].contact.capacitance);
+    const double both = series_capacitance(row[0].capacitance, row[1].capacitance);
     t.sum += both;
     t.largest = std::max(t.largest, both);
     t.active += 1.0;
@@ -189,22 +189,30 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
   if (FILE *f = contacts_.file())
     for (; row != end; ++row)
       fprintf(f, "%.15g %.12g %d %d %.12g %.12g %.12g\n", step, time, static_cast<int>(row->ball),
-              static_cast<int>(row->side), row->contact.load, row->contact.h_c,
-              row->contact.capacitance);
+              static_cast<int>(row->side), row->load, row->h_c, row->capacitance);
   if (update->ntimestep == update->laststep)
     for (FILE *f : {totals_.file(), contacts_.file()})
       if (f) fflush(f);
 }
 
-double FixBearingCapacitance::compute_scalar() { return compute_vector(0); }
+double FixBearingCapacitance::compute_scalar()
+{
+  return compute_vector(bearing::of_fix_capacitance::TOTAL);
+}
 
-// At the end of the step 1: bearing total with background, 2: largest single ball, 3: number of
-// active balls; of the total over the instants of the step 4: mean, 5: least, 6: most
 double FixBearingCapacitance::compute_vector(int k)
 {
   sum_up();
-  const double values[] = {total_.sum, total_.largest, total_.active, mean_, least_, most_};
-  return values[k];
+  using namespace bearing::of_fix_capacitance;
+  switch (k) {
+    case TOTAL: return total_.sum;
+    case LARGEST: return total_.largest;
+    case ACTIVE: return total_.active;
+    case MEAN: return mean_;
+    case LEAST: return least_;
+    case MOST: return most_;
+  }
+  return 0.0;
 }
 
 void FixBearingCapacitance::grow_arrays(int n)

@@ -9,12 +9,13 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 #define LMP_FIX_BEARING_CAPACITANCE_H
 
 #include "../contacts/contact_table.h"
+#include "../contacts/instants.h"
 #include "../deck/text_file.h"
 #include "../physics/capacitance.h"
-#include "fix_bearing_implicit.h"
 
 namespace LAMMPS_NS {
 
+class FixBearingImplicit;
 class PairBearingHertz;
 
 class FixBearingCapacitance : public Fix {
@@ -40,7 +41,7 @@ class FixBearingCapacitance : public Fix {
   struct Total {
     double sum, largest, active;
   };
-  using Row = FixBearingImplicit::InstantContact;
+  using Row = bearing::InstantContact;
 
   void find_integrators();
   void sample(bool between);

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_implicit.h"
 
+#include "../contacts/fix_columns.h"
 #include "../deck/arguments.h"
+#include "../implicit/bearing_step.h"
+#include "../ranks/bearing_parts.h"
+#include "fix_bearing_cage.h"
 #include "fix_bearing_ring.h"
+#include "fix_bearing_state.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -10,38 +16,55 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::Arguments;
-using bearing::ImplicitBearing;
+using bearing::Instants;
 using bearing::tag_t;
 using bearing::text;
+using raceway::BearingStep;
 
 static constexpr double smallest_step = 1e-12;    // s
+
+struct FixBearingImplicit::Part {
+  std::unique_ptr<BearingStep> bearing;
+  double step;                     // s, the control's wish for the next substep
+  BearingStep::Outcome outcome;    // of the last substep that was tried
+};
+
+struct FixBearingImplicit::Solver {
+  BearingStep::Settings settings;
+  BearingStep::Energy energy;    // of bearings of earlier neighbour builds
+  bearing::BearingParts bearings;
+  std::vector<Part> parts;    // one a bearing at home here
+};
 
 // fix ID group bearing/implicit [solve all|damping] [tolerance T] [order 1|2] [corrections N]
 // [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
-    bearings_(lmp, std::string("fix ") + id + " bearing/implicit")
+    solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}})
 {
+  BearingStep::Settings &settings = solver_->settings;
   Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
   while (args.more()) {
     if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-4);
-    else if (args.take("solve")) settings_.dampers_only = args.choice("solve", {"all", "damping"});
-    else if (args.take("order")) settings_.order = args.integer("order", 1, 2);
+    else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
+    else if (args.take("order")) settings.order = args.integer("order", 1, 2);
     else if (args.take("corrections"))
-      settings_.corrections = args.integer("corrections in a stage", 1, 100);
+      settings.corrections = args.integer("corrections in a stage", 1, 100);
     else if (args.take("largest")) largest_ = args.positive("largest step (s)");
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
     else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
     else args.unknown("solve, tolerance, order, corrections, largest, creep, energy");
   }
-  if (tolerance_ == 0.0) tolerance_ = settings_.dampers_only ? 1e-7 : 1e-9;
-  settings_.newton = tolerance_;
+  if (tolerance_ == 0.0) tolerance_ = settings.dampers_only ? 1e-7 : 1e-9;
+  settings.newton = tolerance_;
   time_integrate = 1;
   scalar_flag = vector_flag = 1;
-  size_vector = 10;
+  size_vector = bearing::of_fix_implicit::N;
   global_freq = 1;
   extscalar = extvector = 0;
 }
+
+FixBearingImplicit::~FixBearingImplicit() = default;
 
 int FixBearingImplicit::setmask() { return INITIAL_INTEGRATE; }
 
@@ -64,17 +87,15 @@ void FixBearingImplicit::init()
 // none.
 void FixBearingImplicit::find_rings()
 {
-  std::vector<FixBearingRing *> all;
+  const std::vector<FixBearingRing *> all = bearing::fixes_of<FixBearingRing>(lmp);
   std::vector<int> seen;    // two a fix: rings in the group, rings outside
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k])) {
-      int mine = 0, others = 0;
-      for (int i = 0; i < atom->nlocal; ++i)
-        if (r->moves(i)) (atom->mask[i] & groupbit ? mine : others) = 1;
-      all.push_back(r);
-      seen.push_back(mine);
-      seen.push_back(others);
-    }
+  for (const FixBearingRing *r : all) {
+    int mine = 0, others = 0;
+    for (int i = 0; i < atom->nlocal; ++i)
+      if (r->moves(i)) (atom->mask[i] & groupbit ? mine : others) = 1;
+    seen.push_back(mine);
+    seen.push_back(others);
+  }
   MPI_Allreduce(MPI_IN_PLACE, seen.data(), static_cast<int>(seen.size()), MPI_INT, MPI_MAX, world);
   rings_.clear();
   for (size_t k = 0; k < all.size(); ++k) {
@@ -89,24 +110,27 @@ void FixBearingImplicit::find_rings()
 // Nobody else moves these atoms, and nobody pushes them unseen.
 void FixBearingImplicit::check_fixes()
 {
+  // an atom of this group and of the fix's, 0: none
+  auto shared = [this](const Fix &f) {
+    for (int i = 0; i < atom->nlocal; ++i)
+      if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit)) return i + 1;
+    return 0;
+  };
+  for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
+    if (f != this)
+      if (const int i = shared(*f))
+        BRG_ONE(std::string("fix ") + id + " bearing/implicit and fix " + f->id +
+                " both move atom " + std::to_string(atom->tag[i - 1]));
   for (int k = 0; k < modify->nfix; ++k) {
     const Fix &f = *modify->fix[k];
-    if (&f == this || strncmp(f.style, "bearing/", 8) == 0) {
-      if (&f != this && strcmp(f.style, "bearing/implicit") == 0)
-        for (int i = 0; i < atom->nlocal; ++i)
-          if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit))
-            BRG_ONE(std::string("fix ") + id + " bearing/implicit and fix " + f.id +
-                    " both move atom " + std::to_string(atom->tag[i]));
-      continue;
-    }
+    if (strncmp(f.style, "bearing/", 8) == 0) continue;    // ours: the step knows what they do
     const char *does = f.time_integrate                ? "moves them too"
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not see"
                                                        : nullptr;
-    for (int i = 0; does && i < atom->nlocal; ++i)
-      if ((atom->mask[i] & groupbit) && (atom->mask[i] & f.groupbit))
-        BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id +
-                " (" + f.style + "), which " + does);
+    if (does && shared(f))
+      BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id +
+              " (" + f.style + "), which " + does);
   }
 }
 
@@ -114,7 +138,7 @@ void FixBearingImplicit::setup(int)
 {
   build_ = -1;
   substeps_ = corrections_ = refused_ = time_ = worst_ = 0.0;
-  energy_ = raceway::BearingStep::Energy();
+  solver_->energy = BearingStep::Energy();
   begun_ = false;
   smallest_ = HUGE_VAL;
 }
@@ -123,16 +147,33 @@ void FixBearingImplicit::build()
 {
   if (build_ == pair_->table_build()) return;
   build_ = pair_->table_build();
-  for (Part &p : parts_) {    // what the bearings of the last build have to say
-    energy_.work += p.bearing.step().spent().work;
-    energy_.dissipated += p.bearing.step().spent().dissipated;
+  Solver &all = *solver_;
+  for (Part &p : all.parts) {    // what the bearings of the last build have to say
+    all.energy.work += p.bearing->spent().work;
+    all.energy.dissipated += p.bearing->spent().dissipated;
   }
-  bearings_.build(pair_, groupbit);
-  parts_.clear();
-  for (int p = 0; p < bearings_.size(); ++p) {
-    parts_.push_back({ImplicitBearing(*pair_, bearings_.model(p)), 0.0});
-    parts_.back().bearing.step().keep_energy(energy_wanted_);
-    parts_.back().bearing.step().instants().want(instants_);
+  bearing::BearingSources sources;
+  sources.table = &pair_->table();
+  sources.axes.along = pair_->axis_index();
+  for (const FixBearingCage *c : bearing::fixes_of<FixBearingCage>(lmp))
+    sources.cages.push_back(&c->rails());
+  for (size_t k = 0; k < rings_.size(); ++k)
+    for (int i = 0; i < atom->nlocal; ++i)
+      if (rings_[k]->moves(i))
+        sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i)});
+  sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
+  sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
+  sources.raceway = [this](int ball, int ring) { return pair_->raceway(ball, ring); };
+  sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
+  all.bearings.build(sources, groupbit);
+  all.parts.clear();
+  for (int p = 0; p < all.bearings.size(); ++p) {
+    raceway::BearingModel model = all.bearings.model(p);
+    model.parts = pair_->law();
+    all.parts.push_back({std::make_unique<BearingStep>(model), 0.0, {}});
+    all.parts.back().bearing->keep_energy(energy_wanted_);
+    all.parts.back().bearing->instants().want(
+        {instants_.number, instants_.eps, instants_.shortest});
   }
 }
 
@@ -140,7 +181,7 @@ void FixBearingImplicit::build()
 void FixBearingImplicit::begin_energy()
 {
   stored_before_ = 0.0;
-  for (Part &p : parts_) stored_before_ += p.bearing.step().energy().stored;
+  for (Part &p : solver_->parts) stored_before_ += p.bearing->energy().stored;
   MPI_Allreduce(MPI_IN_PLACE, &stored_before_, 1, MPI_DOUBLE, MPI_SUM, world);
   begun_ = true;
 }
@@ -149,20 +190,28 @@ void FixBearingImplicit::initial_integrate(int)
 {
   build();
   for (FixBearingRing *r : rings_) r->begin_step();
-  bearings_.gather();
-  for (int p = 0; p < bearings_.size(); ++p)
-    parts_[p].bearing.load(bearings_.bodies(p), bearings_.rings(p));
+  bearing::BearingParts &bearings = solver_->bearings;
+  std::vector<Part> &parts = solver_->parts;
+  bearings.gather();
+  for (int p = 0; p < bearings.size(); ++p) {
+    const std::vector<raceway::BearingModel::Ring> &rings = bearings.model(p).rings;
+    for (size_t k = 0; k < rings.size(); ++k)
+      if (rings[k].mover >= 0)
+        parts[p].bearing->set_program(static_cast<int>(k),
+                                      rings_[rings[k].mover]->program(rings[k].own));
+    parts[p].bearing->load(bearings.bodies(p), bearings.rings(p));
+  }
   if (energy_wanted_ && !begun_) begin_energy();
-  for (int p = 0; p < bearings_.size(); ++p) {
+  for (int p = 0; p < bearings.size(); ++p) {
     // the control's wish is kept with the ring, so that it goes with the bearing to another home or
     // into a restart file
-    double &wish = bearings_.rings(p).front().motion.step;
-    parts_[p].step = wish > 0.0 ? wish : largest_;
-    advance(parts_[p]);
-    wish = parts_[p].step;
-    parts_[p].bearing.store(bearings_.bodies(p), bearings_.rings(p));
+    double &wish = bearings.wished_step(p);
+    parts[p].step = wish > 0.0 ? wish : largest_;
+    advance(parts[p]);
+    wish = parts[p].step;
+    parts[p].bearing->store(bearings.bodies(p), bearings.rings(p));
   }
-  bearings_.scatter();
+  bearings.scatter();
   time_ += update->dt;
 }
 
@@ -170,15 +219,15 @@ void FixBearingImplicit::initial_integrate(int)
 void FixBearingImplicit::advance(Part &p)
 {
   const double whole = update->dt;
-  raceway::BearingStep &bearing = p.bearing.step();
+  const BearingStep::Settings &settings = solver_->settings;
   double done = 0.0;
   while (done < whole) {
     const double left = whole - done;
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
     const bool last = pieces <= 1.0;
     const double h = last ? left : left / pieces;
-    const raceway::BearingStep::Outcome o =
-        bearing.step(settings_, h, done / whole, last ? 1.0 : (done + h) / whole);
+    p.outcome = p.bearing->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
+    const BearingStep::Outcome &o = p.outcome;
     corrections_ += o.corrections;
     // over what is allowed; grows like h^2
     const double excess = std::max(o.error / tolerance_, o.stability);
@@ -186,16 +235,16 @@ void FixBearingImplicit::advance(Part &p)
     if (!o.solved() || !(excess <= 1.0)) {
       refused_ += 1.0;
       p.step = h * std::min(0.5, std::max(0.2, o.solved() ? fit : 0.25));
-      if (p.step < smallest_step) give_up(p, h, o);
+      if (p.step < smallest_step) give_up(p, h);
       continue;
     }
-    bearing.accept();
+    p.bearing->accept();
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
     worst_ = std::max(worst_, o.error);
     // grow back where Newton had an easy time
     const double grow = std::min(2.0, std::max(0.5, fit));
-    if (o.corrections <= settings_.corrections && (grow < 1.0 || !last || h > 0.99 * p.step))
+    if (o.corrections <= settings.corrections && (grow < 1.0 || !last || h > 0.99 * p.step))
       p.step = std::min(grow * h, whole);
     done = last ? whole : done + h;
   }
@@ -213,20 +262,23 @@ void FixBearingImplicit::want_instants(const Instants &i)
 }
 
 void FixBearingImplicit::add_instants(const std::vector<tag_t> &of,
-                                      std::vector<InstantContact> &add) const
+                                      std::vector<bearing::InstantContact> &add) const
 {
   std::vector<int> wanted;    // grooves
-  for (int p = 0; p < static_cast<int>(parts_.size()); ++p) {
-    const bearing::PartModel &m = bearings_.model(p);
+  for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
+    const raceway::BearingModel &m = solver_->bearings.model(p);
+    auto ball = [&m](int groove) {
+      return static_cast<tag_t>(m.bodies[m.grooves[groove].body].tag);
+    };
     wanted.clear();
     for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g)
-      if (std::binary_search(of.begin(), of.end(), m.bodies[m.grooves[g].body].tag))
-        wanted.push_back(g);
+      if (std::binary_search(of.begin(), of.end(), ball(g))) wanted.push_back(g);
     for (int k = 1; k < instants_.number; ++k)
       for (int g : wanted) {
-        const raceway::InstantLoad c = parts_[p].bearing.step().instants().at(k, g);
+        const raceway::InstantLoad c = solver_->parts[p].bearing->instants().at(k, g);
         if (c.load > 0.0)
-          add.push_back({k, m.bodies[m.grooves[g].body].tag, m.grooves[g].physics->groove.side, c});
+          add.push_back(
+              {k, ball(g), m.grooves[g].physics->groove.side, c.load, c.h_c, c.capacitance});
       }
   }
 }
@@ -243,12 +295,14 @@ static std::string cause(raceway::Failure f, const std::string &who)
   }
 }
 
-void FixBearingImplicit::give_up(Part &p, double h, const raceway::BearingStep::Outcome &o)
+void FixBearingImplicit::give_up(const Part &p, double h) const
 {
+  const BearingStep::Outcome &o = p.outcome;
+  const raceway::BearingModel &m = solver_->bearings.model(&p - solver_->parts.data());
   const std::string where =
       std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
   const std::string who =
-      o.body >= 0 ? "atom " + std::to_string(p.bearing.tag(o.body)) : std::string("a body");
+      o.body >= 0 ? "atom " + std::to_string(m.bodies[o.body].tag) : std::string("a body");
   if (o.failure == raceway::Failure::overlinked)
     BRG_ONE(where + ": " + who + " touches more than two balls or cage balls");
   BRG_ONE(where + ": no solution with substeps down to " + text(h) + " s; last correction " +
@@ -259,38 +313,42 @@ void FixBearingImplicit::give_up(Part &p, double h, const raceway::BearingStep::
   std::abort();
 }
 
-// Mean substep since the start of the run, s
-double FixBearingImplicit::compute_scalar() { return compute_vector(0); }
+double FixBearingImplicit::compute_scalar()
+{
+  return compute_vector(bearing::of_fix_implicit::MEAN_STEP);
+}
 
-// Since the start of the run: 1 mean and 2 smallest substep (s), 3 substeps, 4 corrections a
-// substep, 5 refused substeps, 6 largest estimated error (m); with energy yes: 7 work put in, 8
-// dissipated, 9 growth of what is stored, 10 lost by the integrator, 7 - 8 - 9 (J)
+// Over all bearings since the start of the run (bearing::of_fix_implicit); energies are 0 unless
+// asked for.
 double FixBearingImplicit::compute_vector(int k)
 {
-  raceway::BearingStep::Energy e = energy_;
-  for (Part &p : parts_)
+  BearingStep::Energy e = solver_->energy;
+  for (Part &p : solver_->parts)
     if (energy_wanted_) {
-      const raceway::BearingStep::Energy &now = p.bearing.step().energy();
+      const BearingStep::Energy &now = p.bearing->energy();
       e.work += now.work;
       e.dissipated += now.dissipated;
       e.stored += now.stored;
     }
-  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(parts_.size()),
+  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(solver_->parts.size()),
                   e.work,    e.dissipated, e.stored};
   double most[] = {worst_, -smallest_};
   MPI_Allreduce(MPI_IN_PLACE, sum, 7, MPI_DOUBLE, MPI_SUM, world);
   MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, world);
   const double n = std::max(sum[0], 1.0), bearings = std::max(sum[3], 1.0),
                stored = sum[6] - stored_before_;
-  const double values[] = {time_ * bearings / n,
-                           sum[0] > 0.0 ? -most[1] : 0.0,
-                           sum[0],
-                           sum[1] / n,
-                           sum[2],
-                           most[0],
-                           sum[4],
-                           sum[5],
-                           energy_wanted_ ? stored : 0.0,
-                           energy_wanted_ ? sum[4] - sum[5] - stored : 0.0};
-  return values[k];
+  using namespace bearing::of_fix_implicit;
+  switch (k) {
+    case MEAN_STEP: return time_ * bearings / n;
+    case SMALLEST_STEP: return sum[0] > 0.0 ? -most[1] : 0.0;
+    case STEPS: return sum[0];
+    case CORRECTIONS: return sum[1] / n;
+    case REFUSED: return sum[2];
+    case ERROR: return most[0];
+    case WORK: return sum[4];
+    case DISSIPATED: return sum[5];
+    case STORED: return energy_wanted_ ? stored : 0.0;
+    case LOST: return energy_wanted_ ? sum[4] - sum[5] - stored : 0.0;
+  }
+  return 0.0;
 }

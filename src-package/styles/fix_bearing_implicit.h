@@ -14,15 +14,20 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 #ifndef LMP_FIX_BEARING_IMPLICIT_H
 #define LMP_FIX_BEARING_IMPLICIT_H
 
-#include "implicit_bearing.h"
+#include "../contacts/instants.h"
 
+#include <memory>
 #include <vector>
 
 namespace LAMMPS_NS {
 
+class FixBearingRing;
+class PairBearingHertz;
+
 class FixBearingImplicit : public Fix {
  public:
   FixBearingImplicit(class LAMMPS *, int, char **);
+  ~FixBearingImplicit() override;
   int setmask() override;
   void init() override;
   void setup(int) override;
@@ -31,45 +36,36 @@ class FixBearingImplicit : public Fix {
   double compute_vector(int) override;
 
   // Contacts between host steps: asked for in another fix's setup(), there after every step.
-  using Instants = raceway::Instants;
-  struct InstantContact {
-    int instant;    // k of number, 1 to number - 1
-    bearing::tag_t ball;
-    raceway::Side side;
-    raceway::InstantLoad contact;
-  };
-  void want_instants(const Instants &);    // one set of wishes a fix
+  void want_instants(const bearing::Instants &);    // one set of wishes a fix
   // Those of the balls `of` (sorted) in bearings at home here.
-  void add_instants(const std::vector<bearing::tag_t> &of, std::vector<InstantContact> &) const;
+  void add_instants(const std::vector<bearing::tag_t> &of,
+                    std::vector<bearing::InstantContact> &) const;
 
  private:
-  struct Part {
-    bearing::ImplicitBearing bearing;
-    double step;    // s, the control's wish for the next substep
-  };
+  // The solver, its settings and the bearings at home here: in the source alone, so that no other
+  // style depends on them.
+  struct Solver;
+  struct Part;
 
   void check_fixes();
   void find_rings();
   void build();
   void begin_energy();
   void advance(Part &);
-  [[noreturn]] void give_up(Part &, double h, const raceway::BearingStep::Outcome &);
+  [[noreturn]] void give_up(const Part &, double h) const;
 
   PairBearingHertz *pair_;
   double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
-  raceway::BearingStep::Settings settings_;
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
-  Instants instants_;
+  bearing::Instants instants_;
   double largest_ = HUGE_VAL;    // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
-  bearing::BearingParts bearings_;
-  std::vector<Part> parts_;    // those at home here
+  std::unique_ptr<Solver> solver_;
   int build_ = -1;
   // of the bearings at home here, since the start of the run
   double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL;
   double worst_ = 0.0, stored_before_ = 0.0;
-  raceway::BearingStep::Energy energy_;
 };
 
 }    // namespace LAMMPS_NS

@@ -3,7 +3,9 @@
 
 #include "../contacts/step_check.h"
 #include "../deck/arguments.h"
+#include "fix_bearing_implicit.h"
 #include "fix_bearing_ring.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -49,17 +51,16 @@ void FixBearingState::pre_neighbor()
 void FixBearingState::init()
 {
   axes_turn_ = false;
-  for (int k = 0; k < modify->nfix; ++k)
-    if (FixBearingRing *r = dynamic_cast<FixBearingRing *>(modify->fix[k]))
-      axes_turn_ = axes_turn_ || r->tilts();
+  for (const FixBearingRing *r : bearing::fixes_of<FixBearingRing>(lmp))
+    axes_turn_ = axes_turn_ || r->tilts();
 }
 
 // Last of the fixes: put back the forces of the step before, if this run continues it.
 void FixBearingState::setup(int)
 {
-  explicit_step_ = true;
-  for (int k = 0; k < modify->nfix; ++k)
-    if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0) explicit_step_ = false;
+  bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
+                         "it puts back the forces of the step before, after every other set-up");
+  explicit_step_ = bearing::fixes_of<FixBearingImplicit>(lmp).empty();
   int continues = 1;
   for (int i = 0; i < atom->nlocal; ++i)
     if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep))
@@ -84,7 +85,7 @@ void FixBearingState::end_of_step()
 void FixBearingState::check_step()
 {
   if (!explicit_step_) return;
-  const bearing::StepLimit limit = bearing::step_limit(lmp, *pair_);
+  const bearing::StepLimit limit = bearing::step_limit(lmp, pair_->table());
   const double ratio = update->dt / limit.step;
   if (ratio > 10.0)
     BRG_ALL("timestep " + text(update->dt) + " s: " + limit.why() + " allows at most " +

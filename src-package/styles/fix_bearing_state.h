@@ -13,6 +13,7 @@ FixStyle(bearing/state,FixBearingState)
 #ifndef LMP_FIX_BEARING_STATE_H
 #define LMP_FIX_BEARING_STATE_H
 
+#include "../contacts/ring_motion.h"
 #include "../physics/contact.h"
 #include "bearing_compat.h"
 
@@ -29,14 +30,7 @@ class FixBearingState : public Fix {
   static constexpr int max_grooves = 4;    // that a ball keeps something of
   static constexpr int room = raceway::most_states > 0 ? raceway::most_states : 1;
 
-  struct RingMotion {
-    raceway::Vec3 axis;
-    raceway::Vec3 origin;           // m, where the ring was at the start
-    double angle = 0.0;             // rad, turned about its axis
-    double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two axes across
-    double step = 0.0;    // s, next internal step that fix bearing/implicit wishes, at its first
-                          // ring; 0: none yet
-  };
+  using RingMotion = bearing::RingMotion;
 
   FixBearingState(class LAMMPS *, int, char **);
   ~FixBearingState() override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_timestep.h"
 
+#include "../contacts/fix_columns.h"
 #include "../contacts/step_check.h"
 #include "../deck/arguments.h"
 #include "pair_bearing_hertz.h"
@@ -33,7 +34,7 @@ FixBearingTimestep::FixBearingTimestep(LAMMPS *lmp, int narg, char **arg) :
   }
   time_depend = adapt_ ? 1 : 0;
   scalar_flag = vector_flag = 1;
-  size_vector = 4;
+  size_vector = bearing::of_fix_timestep::N;
   global_freq = 1;
   extscalar = extvector = 0;
 }
@@ -51,7 +52,7 @@ void FixBearingTimestep::end_of_step() { check(); }
 
 void FixBearingTimestep::check()
 {
-  const bearing::StepLimit limit = bearing::step_limit(lmp, *pair_);
+  const bearing::StepLimit limit = bearing::step_limit(lmp, pair_->table());
   limit_ = limit.step;
   smallest_limit_ = std::min(smallest_limit_, limit_);
   if (adapt_) {
@@ -79,11 +80,14 @@ void FixBearingTimestep::set_step(double dt)
 
 double FixBearingTimestep::compute_scalar() { return limit_; }
 
-// 1: limit now, 2: smallest limit since the fix was made, 3: simulated time, 4: wall time since the
-// start of the run, all in s
 double FixBearingTimestep::compute_vector(int k)
 {
-  if (k == 2) return update->atime + (update->ntimestep - update->atimestep) * update->dt;
-  if (k == 3) return MPI_Wtime() - run_start_;
-  return k == 0 ? limit_ : smallest_limit_;
+  using namespace bearing::of_fix_timestep;
+  switch (k) {
+    case LIMIT: return limit_;
+    case SMALLEST: return smallest_limit_;
+    case TIME: return update->atime + (update->ntimestep - update->atimestep) * update->dt;
+    case WALL: return MPI_Wtime() - run_start_;
+  }
+  return 0.0;
 }

@@ -32,7 +32,8 @@ def test_report_is_of_the_end_of_the_step(tmp_path):
             (
                 "variable vy_now equal f_inner[5]\n"
                 "variable push equal 1.0e-3*v_vy_now\n"  # N, nothing next to the load
-                "fix extra outer bearing/ring force v_push 0 0\n"
+                "unfix outer\n"
+                "fix outer outer bearing/ring rx position v_wobble force v_push 0 0\n"
                 "variable vy equal f_inner[5]\n"
                 "variable x equal f_inner[1]\n"
                 'fix report all print 20 "${n} ${x} ${vy}" file ${out}/report.txt screen no\n'

@@ -210,8 +210,8 @@ EXPORT(void, lone_ring,
         RingEnd *out))
 {
   BearingModel m;
-  m.bodies.push_back({1.0, 5e-3, true});
-  m.rings = 1;
+  m.bodies.push_back({1, 1.0, 5e-3, true});
+  m.rings.push_back({2, 0, {}});
   BearingStep step(m);
   RingProgram p;
   for (Freedom &f : p.mode) f = Freedom::free;

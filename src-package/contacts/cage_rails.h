@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rails of one cage, and which cage balls of this rank they hold.
+#ifndef BEARING_CAGE_RAILS_H
+#define BEARING_CAGE_RAILS_H
+
+#include "../physics/rail.h"
+#include "bearing_compat.h"
+
+#include <vector>
+
+namespace bearing {
+
+struct CageRails {
+  struct Ball {
+    int i, i_ring;    // local indices of the cage ball and of the ring that carries the rails
+    tag_t tag, ring;
+    int claim;    // in RingSum; -1: none yet
+  };
+  std::vector<raceway::Rail> rails;
+  std::vector<double> stiffness;    // N/m^1.5 per rail
+  std::vector<Ball> balls;          // by tag
+};
+
+}    // namespace bearing
+
+#endif

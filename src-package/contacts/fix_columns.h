@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the fixes give as f_ID[k], a line each, in the order of their numbers. The size of a vector
+// and the table on its page come from here. No host here.
+#ifndef BEARING_FIX_COLUMNS_H
+#define BEARING_FIX_COLUMNS_H
+
+#include "../physics/column.h"
+
+namespace bearing {
+
+using raceway::as_whole;
+using raceway::Column;
+
+// ---- fix bearing/ring, a row per ring; an axis across is one of the two lab axes across the
+// bearing's axis
+namespace of_fix_ring {
+enum { X, Y, Z, VX, VY, VZ, TILT1, TILT2, SPIN, ANGLE, FX, FY, FZ, MX, MY, MZ, TORQUE, N };
+const Column list[N] = {
+    {"x", "m", "displacement along x, from the start"},
+    {"y", "m", "displacement along y, from the start"},
+    {"z", "m", "displacement along z, from the start"},
+    {"vx", "m/s", "velocity along x"},
+    {"vy", "m/s", "velocity along y"},
+    {"vz", "m/s", "velocity along z"},
+    {"tilt1", "rad", "tilt about the first axis across"},
+    {"tilt2", "rad", "tilt about the second axis across"},
+    {"spin", "rad/s", "spin about the ring's axis"},
+    {"angle", "rad", "turned about the ring's axis, from the start"},
+    {"fx", "N", "force of balls and cage on the ring along x, without the load"},
+    {"fy", "N", "force of balls and cage on the ring along y, without the load"},
+    {"fz", "N", "force of balls and cage on the ring along z, without the load"},
+    {"mx", "N m", "moment of balls and cage about x through the ring's centre"},
+    {"my", "N m", "moment of balls and cage about y through the ring's centre"},
+    {"mz", "N m", "moment of balls and cage about z through the ring's centre"},
+    {"torque", "N m", "of these moments, that about the ring's axis: friction"},
+};
+}    // namespace of_fix_ring
+
+// ---- fix bearing/implicit: all its bearings, since the start of the run
+namespace of_fix_implicit {
+enum {
+  MEAN_STEP,
+  SMALLEST_STEP,
+  STEPS,
+  CORRECTIONS,
+  REFUSED,
+  ERROR,
+  WORK,
+  DISSIPATED,
+  STORED,
+  LOST,
+  N
+};
+const Column list[N] = {
+    {"mean_step", "s", "mean internal step"},
+    {"smallest_step", "s", "smallest internal step"},
+    {"steps", "", "number of internal steps", raceway::has_none, as_whole},
+    {"corrections", "", "corrections per internal step"},
+    {"refused", "", "internal steps refused and repeated", raceway::has_none, as_whole},
+    {"error", "m", "largest accepted estimated error; with *solve damping* the largest movement"},
+    {"work", "J", "work put in by loads and driven motions; 0 without *energy yes*, as the next"},
+    {"dissipated", "J", "energy dissipated in films, by hysteresis, by sliding and at the cage"},
+    {"stored", "J", "growth of the energy of motion and of contact springs"},
+    {"lost", "J", "energy lost by the integrator: work, less dissipated, less stored"},
+};
+}    // namespace of_fix_implicit
+
+// ---- fix bearing/cage: at the last step
+namespace of_fix_cage {
+enum { SUM, LARGEST, N };
+const Column list[N] = {
+    {"rail_force_sum", "N", "sum of all rail forces"},
+    {"rail_force", "N", "largest force of a rail on a cage ball"},
+};
+}    // namespace of_fix_cage
+
+// ---- fix bearing/capacitance
+namespace of_fix_capacitance {
+enum { TOTAL, LARGEST, ACTIVE, MEAN, LEAST, MOST, N };
+const Column list[N] = {
+    {"total", "F", "sum over the balls, with background, at the end of the step"},
+    {"largest", "F", "largest value of one ball at the end of the step"},
+    {"balls", "", "balls in contact with both raceways", raceway::has_none, as_whole},
+    {"mean", "F", "mean of the total over the instants of the step"},
+    {"least", "F", "smallest total over the instants of the step"},
+    {"most", "F", "largest total over the instants of the step"},
+};
+}    // namespace of_fix_capacitance
+
+// ---- fix bearing/timestep
+namespace of_fix_timestep {
+enum { LIMIT, SMALLEST, TIME, WALL, N };
+const Column list[N] = {
+    {"limit", "s", "largest stable step of velocity Verlet now"},
+    {"smallest_limit", "s", "smallest limit since the fix was made"},
+    {"time", "s", "simulated time"},
+    {"wall", "s", "wall time since the start of the run"},
+};
+}    // namespace of_fix_timestep
+
+}    // namespace bearing
+
+#endif

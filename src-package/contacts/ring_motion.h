@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a ring carries from step to step beyond the position, velocity and spin of its atom.
+#ifndef BEARING_RING_MOTION_H
+#define BEARING_RING_MOTION_H
+
+#include "../implicit/ring_program.h"
+#include "../physics/lab_axes.h"
+#include "bearing_compat.h"
+
+namespace bearing {
+
+struct RingMotion {
+  raceway::Vec3 axis;
+  raceway::Vec3 origin;           // m, where the ring was at the start
+  double angle = 0.0;             // rad, turned about its axis
+  double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two axes across
+  double step = 0.0;    // s, next internal step that fix bearing/implicit wishes, at its first
+                        // ring; 0: none yet
+};
+
+// From and to the ring atom i and its motion, which have lab components.
+inline void read_place(const LAMMPS_NS::Atom &atom, int i, const RingMotion &m,
+                       const raceway::LabAxes &axes, raceway::RingPlace &p)
+{
+  p.x = axes.third(raceway::Vec3::from(atom.x[i]));
+  p.v = axes.third(raceway::Vec3::from(atom.v[i]));
+  p.e = axes.third(m.axis);
+  p.origin = axes.third(m.origin);
+  p.angle = m.angle;
+  for (int k = 0; k < 2; ++k) p.tilt[k] = m.tilt[k];
+}
+
+inline void write_place(const raceway::RingPlace &p, const raceway::LabAxes &axes,
+                        LAMMPS_NS::Atom &atom, int i, RingMotion &m)
+{
+  axes.lab(p.x).to(atom.x[i]);
+  axes.lab(p.v).to(atom.v[i]);
+  m.axis = axes.lab(p.e);
+  m.angle = p.angle;
+  for (int k = 0; k < 2; ++k) m.tilt[k] = p.tilt[k];
+}
+
+}    // namespace bearing
+
+#endif

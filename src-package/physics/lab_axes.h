@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Components in the lab (x, y, z) and with the bearing axis third. The change is cyclic, so
+// right-handed axes stay right-handed and no bit changes.
+#ifndef RACEWAY_LAB_AXES_H
+#define RACEWAY_LAB_AXES_H
+
+#include "vec3.h"
+
+namespace raceway {
+
+struct LabAxes {
+  int along = 2;    // lab axis of the bearing: 0 x, 1 y, 2 z
+
+  // The lab axis that has the number k when the bearing axis is third.
+  int lab_axis(int k) const { return (along + 1 + k) % 3; }
+  Vec3 third(const Vec3 &lab) const
+  {
+    return along == 2 ? lab : along == 0 ? Vec3{lab.y, lab.z, lab.x} : Vec3{lab.z, lab.x, lab.y};
+  }
+  Vec3 lab(const Vec3 &third) const
+  {
+    return along == 2   ? third
+           : along == 0 ? Vec3{third.z, third.x, third.y}
+                        : Vec3{third.y, third.z, third.x};
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Decks that change what a fix found out when it was made: groups that grow, rings named twice."""
+
+import re
+
+import pytest
+from host import ROOT, liggghts
+
+SMALLEST = (ROOT / "docs" / "decks" / "in.smallest").read_text()
+IMPLICIT = (
+    SMALLEST.replace(
+        "fix move balls nve/sphere",
+        "group all_of_it type 1 2 3\nfix move all_of_it bearing/implicit",
+    )
+    .replace("exceed stop", "exceed ignore")
+    .replace("timestep 1.0e-6", "timestep 1.0e-5")
+)
+INTEGRATORS = {"verlet": SMALLEST, "implicit": IMPLICIT}
+RUN = "run 20000\n"
+
+
+def outcome(tmp_path, deck, commands, **kwargs):
+    """The end of `deck` with `commands` in place of its run."""
+    assert deck.count(RUN) == 1
+    file = tmp_path / "in.hole"
+    file.write_text(deck.replace(RUN, commands))
+    return liggghts(file, **kwargs)
+
+
+@pytest.fixture(params=INTEGRATORS)
+def deck(request):
+    return INTEGRATORS[request.param]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_two_fixes_on_one_ring_are_refused(tmp_path, deck, ranks):
+    """The second one won without a word under fix bearing/implicit: wrong load and displacement."""
+    end = outcome(
+        tmp_path, deck, "fix again inner bearing/ring spin speed 50\nrun 100\n", ranks=ranks
+    )
+    assert end.code != 0
+    assert re.search(
+        r"fix again bearing/ring and fix inner bearing/ring both move ring atom 10", end.error
+    )
+
+
+def test_one_fix_after_another_on_one_ring(tmp_path, deck):
+    end = outcome(
+        tmp_path,
+        deck,
+        "run 20\nunfix inner\nfix again inner bearing/ring spin speed 50\n"
+        "thermo_style custom step f_again[9]\nrun 20\n",
+    )
+    assert end.code == 0, end.text[-2000:]
+
+
+@pytest.mark.parametrize("when", ["before the first run", "between two runs"])
+def test_balls_may_not_join_the_group_of_a_ring_fix(tmp_path, deck, when):
+    """They got the ring's mass, and the report of the ring was that of a ball."""
+    first = "run 20\n" if when == "between two runs" else ""
+    end = outcome(tmp_path, deck, first + "group inner type 1\nrun 100\n")
+    assert end.code != 0
+    assert re.search(
+        r"fix inner bearing/ring: atom \d of group inner is of type 1, which no pair_coeff names as"
+        r" a ring",
+        end.error,
+    )
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_ring_that_joins_the_group_is_reported(tmp_path, deck, ranks):
+    """The report had as many rows as there were rings when the fix was made, and wrote beyond them.
+
+    Inner and outer ring are one group then; the outer one has its own row, and moves.
+    """
+    end = outcome(
+        tmp_path,
+        deck,
+        "group inner type 3\nrun 200\n"
+        "variable a equal f_inner[1][9]\nvariable b equal f_inner[2][9]\n"
+        "variable fa equal f_inner[1][12]\nvariable fb equal f_inner[2][12]\n"
+        'print "spins ${a} ${b} forces ${fa} ${fb}"\n',
+        ranks=ranks,
+    )
+    assert end.code == 0, end.text[-2000:]
+    found = re.search(r"^spins (\S+) (\S+) forces (\S+) (\S+)$", end.text, re.MULTILINE)
+    assert [float(s) for s in found.groups()[:2]] == pytest.approx([50.0, 50.0], rel=1e-9)
+    inner, outer = (float(f) for f in found.groups()[2:])
+    assert inner != outer
+
+
+def test_a_second_bearing_joins_the_group(tmp_path, deck):
+    """Made after the fix; the group takes its inner ring in."""
+    wide = deck.replace("block -0.05 0.05", "block -0.05 0.3")
+    second = (
+        "create_bearing 1 none 2 3 balls 9 diameter 12.6e-3 speed 50.0 0 centre 0.2 0 0\n"
+        "group inner type 2\ngroup balls type 1\n"
+    )
+    if "all_of_it" in wide:
+        second += "group all_of_it type 1 2 3\n"
+    end = outcome(
+        tmp_path,
+        wide,
+        second + "run 200\nvariable a equal f_inner[1][12]\nvariable b equal f_inner[2][12]\n"
+        'print "forces ${a} ${b}"\n',
+        sanitized=False,
+    )
+    assert end.code == 0, end.text[-2000:]
+    found = re.search(r"^forces (\S+) (\S+)$", end.text, re.MULTILINE)
+    a, b = (float(f) for f in found.groups())
+    assert a == pytest.approx(b, rel=1e-6) and a != 0.0
+
+
+def test_rows_of_a_group_that_grew_wait_for_the_next_run(tmp_path, deck):
+    """Asked for between the group command and the run, the report is that of the known rings."""
+    end = outcome(
+        tmp_path,
+        deck,
+        "run 20\nvariable a equal f_inner[1][9]\ngroup inner type 3\n"
+        'print "spin ${a}"\nrun 20\nvariable b equal f_inner[2][9]\nprint "outer ${b}"\n',
+    )
+    assert end.code == 0, end.text[-2000:]
+    assert re.search(r"^spin 50(\.0*)?$", end.text, re.MULTILINE)
+    assert re.search(r"^outer 50(\.0*)?$", end.text, re.MULTILINE)

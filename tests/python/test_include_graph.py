@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The rooms of src-package and the arrows between them (tests/include_graph.py)."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+import include_graph  # noqa: E402  it lies beside the tests, in no package
+
+
+def tree(folder, files):
+    """A package of small files: {name: text}."""
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return include_graph.read(folder)
+
+
+def test_the_package_keeps_its_rules():
+    graph = include_graph.read(ROOT / "src-package")
+    assert len(graph) > 70
+    assert {include_graph.room(f) for f in graph} == set(include_graph.ARROWS)
+    assert include_graph.broken(graph) == []
+
+
+def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
+    """Of all styles, only the source of fix bearing/implicit sees the class of the solver."""
+    graph = include_graph.read(ROOT / "src-package")
+
+    def sees(file):
+        seen, todo = set(), [file]
+        while todo:
+            for target in graph[todo.pop()] - seen:
+                seen.add(target)
+                todo.append(target)
+        return seen
+
+    solver = Path("implicit/bearing_step.h")
+    assert solver in graph
+    rooms = ("styles", "contacts", "deck", "ranks")
+    who = [f for f in graph if include_graph.room(f) in rooms and solver in sees(f)]
+    assert who == [Path("styles/fix_bearing_implicit.cpp")]
+
+
+@pytest.mark.parametrize(
+    "files, complaint",
+    [
+        (
+            {"contacts/a.h": '#include "../styles/b.h"\n', "styles/b.h": ""},
+            "contacts/a.h includes styles/b.h: contacts may not include styles",
+        ),
+        (
+            {"physics/a.h": '#include "bearing_compat.h"\n', "compat/bearing_compat.h": ""},
+            "physics/a.h includes compat/bearing_compat.h: physics may not include compat",
+        ),
+        (
+            {"deck/a.h": '#include "b.h"\n', "deck/b.h": '#include "a.h"\n'},
+            "a cycle: deck/a.h -> deck/b.h -> deck/a.h",
+        ),
+        (
+            {f"styles/{k}.h": f'#include "{k + 1}.h"\n' for k in range(8)},
+            "8 floors, at most 7 are allowed",
+        ),
+    ],
+)
+def test_a_broken_rule_is_told(tmp_path, files, complaint):
+    assert include_graph.broken(tree(tmp_path, files)) == [complaint]
