@@ -29,6 +29,9 @@ void RingSum::own(int i_ring, tag_t ring)
 
 int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
 {
+  if (ways_known_)
+    BRG_ONE("ring " + std::to_string(ring) + ": atom " + std::to_string(partner) +
+            " comes after the forces of the step were added: please report this");
   claims_.push_back({ring, partner, source});
   owner_.push_back(owner);
   parts_.push_back({{}, -1});

@@ -2,6 +2,8 @@
 #include "fix_bearing_checkpoint.h"
 
 #include "../deck/arguments.h"
+#include "fix_bearing_capacitance.h"
+#include "fixes.h"
 #include "output.h"
 
 #include <cerrno>
@@ -132,7 +134,15 @@ int FixBearingCheckpoint::setmask() { return INITIAL_INTEGRATE | END_OF_STEP | P
 void FixBearingCheckpoint::init()
 {
   sampled_.check(lmp, command_);
-  for (DrivenValue &c : counters_) c.check(lmp, command_);
+  bool reads = sampled_.is_variable();
+  for (DrivenValue &c : counters_) {
+    c.check(lmp, command_);
+    reads = reads || c.is_variable();
+  }
+  if (reads)
+    for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp))
+      bearing::require_order(lmp, *f, *this,
+                             "variables sampled at the end of a step may read its capacitance");
   if (resume_ && !resumed_)
     BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id +
             " of this style");

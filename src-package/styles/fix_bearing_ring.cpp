@@ -325,12 +325,14 @@ void FixBearingRing::initial_integrate(int)
 void FixBearingRing::post_force(int)
 {
   evaluate(RingProgram::FORCE, RingProgram::N_VALUE);
-  contact_force_.clear();
-  contact_moment_.clear();
+  // from the sums of the rings: other fixes may have added to the forces of the atoms already
+  const bearing::RingSum &sums = pair_->ring_sum();
+  contacts_.clear();
+  for (int n = 0; n < sums.rings(); ++n)
+    if (moves(sums.ring(n)))
+      contacts_.push_back({atom->tag[sums.ring(n)], sums.force(n), sums.torque(n)});
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) {
-      contact_force_.push_back(Vec3::from(atom->f[i]));
-      contact_moment_.push_back(Vec3::from(atom->torque[i]));
       const RingProgram p = at_end(i);
       axes_.lab(p.force_at(1.0)).add_to(atom->f[i]);
       axes_.lab(p.moment_at(1.0)).add_to(atom->torque[i]);
@@ -349,10 +351,8 @@ void FixBearingRing::gather_reports()
   if (reported_ == update->ntimestep) return;
   reported_ = update->ntimestep;
   report_.assign(tags_.size() * size_vector, 0.0);
-  size_t m = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!moves(i)) continue;
-    const size_t contact = m++;
     const auto known = std::lower_bound(tags_.begin(), tags_.end(), atom->tag[i]);
     if (known == tags_.end() || *known != atom->tag[i])
       continue;    // in the group since the last run: the next run knows it
@@ -365,11 +365,13 @@ void FixBearingRing::gather_reports()
     raceway::tilt_of(axes_.third(ring.axis), r + TILT1);
     r[SPIN] = dot(w, ring.axis);
     r[ANGLE] = ring.angle;
-    if (contact < contact_force_.size()) {
-      contact_force_[contact].to(r + FX);
-      contact_moment_[contact].to(r + MX);
-      r[TORQUE] = dot(contact_moment_[contact], ring.axis);
-    }
+    const auto contact =
+        std::lower_bound(contacts_.begin(), contacts_.end(), atom->tag[i],
+                         [](const ContactLoad &c, bearing::tag_t tag) { return c.ring < tag; });
+    if (contact == contacts_.end() || contact->ring != atom->tag[i]) continue;    // none yet
+    contact->force.to(r + FX);
+    contact->moment.to(r + MX);
+    r[TORQUE] = dot(contact->moment, ring.axis);
   }
   MPI_Allreduce(MPI_IN_PLACE, report_.data(), static_cast<int>(report_.size()), MPI_DOUBLE, MPI_SUM,
                 world);

@@ -53,6 +53,11 @@ class FixBearingRing : public Fix {
   struct Values {
     double of[RingProgram::N_VALUE] = {};
   };
+  // What balls and cage exert on a ring; lab components, N and N m.
+  struct ContactLoad {
+    bearing::tag_t ring;
+    raceway::Vec3 force, moment;
+  };
   void parse(int, char **);
   void read_freedom(bearing::Arguments &, const std::string &name, int dof);
   void find_rings();
@@ -72,14 +77,13 @@ class FixBearingRing : public Fix {
   RingProgram program_;    // of all rings, without targets and loads
   bearing::DrivenValue value_[RingProgram::N_VALUE];
   double time_ = 0.0;
-  Values now_, before_;                 // of all rings; in the step before
-  std::vector<int> own_;                // which values each ring has for itself
-  std::vector<Values> per_ring_;        // these, by local atom
-  bool called_back_ = false;            // the host moves per_ring_ with the atoms
-  bool by_another_ = false;             // a fix bearing/implicit integrates these rings
-  std::vector<bearing::tag_t> tags_;    // of the rings, rising
-  std::vector<raceway::Vec3> contact_force_,
-      contact_moment_;    // lab, per local atom of the group, last step
+  Values now_, before_;                  // of all rings; in the step before
+  std::vector<int> own_;                 // which values each ring has for itself
+  std::vector<Values> per_ring_;         // these, by local atom
+  bool called_back_ = false;             // the host moves per_ring_ with the atoms
+  bool by_another_ = false;              // a fix bearing/implicit integrates these rings
+  std::vector<bearing::tag_t> tags_;     // of the rings, rising
+  std::vector<ContactLoad> contacts_;    // of the owned rings of the group, by tag, last step
   std::vector<double> report_;
   bigint reported_ = -1;
 };

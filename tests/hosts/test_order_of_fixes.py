@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Where the order of fixes in a deck matters it is checked; elsewhere it changes nothing."""
+
+import re
+
+import pytest
+from host import ROOT, liggghts
+
+FILM = (ROOT / "docs" / "decks" / "in.ehd").read_text()
+SMALLEST = (ROOT / "docs" / "decks" / "in.smallest").read_text()
+RING = re.search(r"^fix inner .*\n", SMALLEST, re.MULTILINE).group()
+
+
+def outcome(tmp_path, deck):
+    (tmp_path / "in.order").write_text(deck)
+    return liggghts(tmp_path / "in.order", out=tmp_path / "out")
+
+
+@pytest.mark.parametrize("first", ["capacitance", "checkpoint"])
+def test_a_checkpoint_that_samples_comes_after_the_capacitance(tmp_path, first):
+    """It would average the capacitance of the sample before."""
+    fixes = {
+        "capacitance": "fix cap balls bearing/capacitance 200 permittivity 2.25\n",
+        "checkpoint": "variable total equal f_cap\n"
+        f"fix keep all bearing/checkpoint 200 {tmp_path}/restart mean v_total\n",
+    }
+    old = fixes["capacitance"]
+    assert FILM.count(old) == 1
+    order = sorted(fixes, key=lambda name: name != first)
+    deck = FILM.replace(old, "".join(fixes[name] for name in order)).replace("run 40000", "run 400")
+    end = outcome(tmp_path, deck)
+    if first == "capacitance":
+        assert end.code == 0, end.text[-2000:]
+    else:
+        assert end.code != 0
+        assert (
+            "fix cap bearing/capacitance must come before fix keep bearing/checkpoint in the deck: "
+            "variables sampled at the end of a step may read its capacitance" in end.error
+        )
+
+
+@pytest.mark.parametrize("before", [True, False], ids=["before the ring fix", "after it"])
+def test_the_report_of_a_ring_holds_contacts_alone(tmp_path, before):
+    """A force that another fix adds to a ring is no force of balls, wherever its fix stands."""
+    push = "fix push inner addforce 0.0 0.0 7.0\n"
+    deck = SMALLEST.replace(RING, push + RING if before else RING + push)
+    deck = deck.replace(
+        "run 20000\n", 'run 100\nvariable fz equal f_inner[13]\nprint "along ${fz}"\n'
+    )
+    end = outcome(tmp_path, deck)
+    assert end.code == 0, end.text[-2000:]
+    assert abs(float(re.search(r"^along (\S+)$", end.text, re.MULTILINE).group(1))) < 1e-3
