@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every vector of a fix stands on the page of the fix, from the tables of the C++."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TABLES = json.loads((ROOT / "python" / "src" / "raceway" / "columns.json").read_text())
+FIXES = sorted(name for name in TABLES if name.startswith("fix_"))
+
+
+def test_which_fixes_have_a_vector():
+    """A fix that sets size_vector to a number of its own would not be in the tables."""
+    sources = (ROOT / "src-package" / "styles").glob("fix_bearing_*.cpp")
+    vectors = {s.stem.replace("fix_bearing_", "fix_") for s in sources if sizes(s)}
+    assert vectors - {"fix_checkpoint"} == set(FIXES)  # its length is that of its command
+
+
+def sizes(source):
+    return "size_vector =" in source.read_text()
+
+
+@pytest.mark.parametrize("name", FIXES)
+def test_the_page_has_the_table(name):
+    page = (ROOT / "docs" / f"{name.replace('fix_', 'fix_bearing_')}.rst").read_text()
+    assert f".. columns:: {name}\n   :numbered:\n" in page
+    source = (
+        ROOT / "src-package/styles" / f"{name.replace('fix_', 'fix_bearing_')}.cpp"
+    ).read_text()
+    assert f"bearing::of_{name}::N;" in source
