@@ -83,7 +83,6 @@ int main()
   section("fix_cage", bearing::of_fix_cage::list);
   section("fix_capacitance", bearing::of_fix_capacitance::list);
   section("fix_timestep", bearing::of_fix_timestep::list);
-  printf("  ]\n}\n");
   printf("  ],\n");
   print_law();
   printf("}\n");

@@ -5,9 +5,10 @@ import json
 from pathlib import Path
 
 import pytest
+from raceway import columns
 
 ROOT = Path(__file__).resolve().parents[2]
-TABLES = json.loads((ROOT / "python" / "src" / "raceway" / "columns.json").read_text())
+TABLES = json.loads(Path(columns.__file__).with_name("columns.json").read_text())
 FIXES = sorted(name for name in TABLES if name.startswith("fix_"))
 
 
