@@ -5,6 +5,8 @@
 
 #include "letters.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 using raceway::BodyPose;
 using raceway::RingPose;
@@ -38,11 +40,12 @@ template <class State> static State take(const double *&at)
   return s;
 }
 
-void BearingParts::Letter::size_text()
+void BearingParts::Letter::size_text(int states)
 {
   const size_t bodies = body_atom.size() + body_place.size(),
-               rings = ring_atom.size() + ring_place.size();
-  text.resize(bodies * numbers<BodyPose>() + rings * numbers<RingState>());
+               rings = ring_atom.size() + ring_place.size(),
+               contacts = kept.size() + contact_place.size();
+  text.resize(bodies * numbers<BodyPose>() + rings * numbers<RingState>() + contacts * states);
 }
 
 BodyPose BearingParts::read_body(int i) const
@@ -93,16 +96,23 @@ void BearingParts::gather()
 {
   for (const Local &l : own_bodies_) parts_[l.place.part].bodies[l.place.at] = read_body(l.i);
   for (const Local &l : own_rings_) put_ring(l.place, read_ring(l.i));
+  const int n = sources_.states;
+  for (const LocalContact &l : own_contacts_) std::copy(l.kept, l.kept + n, states_at(l.place));
   for (Letter &l : away_) {
     double *at = l.text.data();
     for (int i : l.body_atom) put(at, read_body(i));
     for (int i : l.ring_atom) put(at, read_ring(i));
+    for (const double *kept : l.kept) at = std::copy(kept, kept + n, at);
   }
   deliver(away_, guests_, letters, world);
   for (const Letter &l : guests_) {
     const double *at = l.text.data();
     for (const Place &p : l.body_place) parts_[p.part].bodies[p.at] = take<BodyPose>(at);
     for (const Place &p : l.ring_place) put_ring(p, take<RingState>(at));
+    for (const Place &p : l.contact_place) {
+      std::copy(at, at + n, states_at(p));
+      at += n;
+    }
   }
 }
 
@@ -110,16 +120,24 @@ void BearingParts::scatter()
 {
   for (const Local &l : own_bodies_) write_body(l.i, parts_[l.place.part].bodies[l.place.at]);
   for (const Local &l : own_rings_) write_ring(l.i, ring_at(l.place));
+  const int n = sources_.states;
+  for (const LocalContact &l : own_contacts_)
+    std::copy(states_at(l.place), states_at(l.place) + n, l.kept);
   for (Letter &l : guests_) {
     double *at = l.text.data();
     for (const Place &p : l.body_place) put(at, parts_[p.part].bodies[p.at]);
     for (const Place &p : l.ring_place) put(at, ring_at(p));
+    for (const Place &p : l.contact_place) at = std::copy(states_at(p), states_at(p) + n, at);
   }
   deliver(guests_, away_, letters, world);
   for (const Letter &l : away_) {
     const double *at = l.text.data();
     for (int i : l.body_atom) write_body(i, take<BodyPose>(at));
     for (int i : l.ring_atom) write_ring(i, take<RingState>(at));
+    for (double *kept : l.kept) {
+      std::copy(at, at + n, kept);
+      at += n;
+    }
   }
 }
 

@@ -31,11 +31,12 @@ struct BearingSources {
     std::vector<raceway::RingValue> own;
   };
   const ContactTable *table = nullptr;
+  int states = 0;    // numbers that the law keeps of a contact
   raceway::LabAxes axes;
   std::vector<const CageRails *> cages;    // the same cages in the same order on all ranks
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
-  std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type)> raceway;
+  std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
   std::function<RingMotion &(int i)> motion;    // of a ring
 };
 
@@ -55,6 +56,8 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   const raceway::BearingModel &model(int p) const { return parts_[p].model; }
   std::vector<raceway::BodyPose> &bodies(int p) { return parts_[p].bodies; }
   std::vector<raceway::RingPose> &rings(int p) { return parts_[p].rings; }
+  // What the contacts keep, groove by groove of the model.
+  std::vector<double> &states(int p) { return parts_[p].states; }
   // s, the next internal step that the bearing wishes: kept with its first ring
   double &wished_step(int p) { return parts_[p].steps.front(); }
 
@@ -67,6 +70,7 @@ class BearingParts : protected LAMMPS_NS::Pointers {
     std::vector<raceway::BodyPose> bodies;
     std::vector<raceway::RingPose> rings;
     std::vector<double> steps;    // by ring
+    std::vector<double> states;
   };
   struct Bearing {
     tag_t name;
@@ -81,18 +85,24 @@ class BearingParts : protected LAMMPS_NS::Pointers {
     int i;
     Place place;
   };    // an atom whose home is here too
-  struct Letter {    // to or from another rank, bodies then rings
+  struct LocalContact {
+    double *kept;
+    Place place;
+  };    // of a ball whose home is here too
+  struct Letter {    // to or from another rank: bodies, rings, what contacts keep
     int rank;
-    std::vector<int> body_atom, ring_atom;        // at the owner
-    std::vector<Place> body_place, ring_place;    // at home
+    std::vector<int> body_atom, ring_atom;                       // at the owner
+    std::vector<double *> kept;                                  // at the owner
+    std::vector<Place> body_place, ring_place, contact_place;    // at home
     std::vector<double> text;
-    void size_text();
+    void size_text(int states);
   };
 
   std::vector<int> find_bearings(int groupbit, std::vector<Bearing> &);
   std::vector<std::vector<Piece>> cut(const std::vector<int> &bearing_of,
                                       const std::vector<Bearing> &, int groupbit);
   void assemble(const std::vector<std::vector<Piece>> &);
+  int groove_of(const raceway::BearingModel &, int body, int ring, const Piece &) const;
   void finish(const std::vector<Piece> &, const std::unordered_map<tag_t, int> &part_of,
               const std::vector<std::unordered_map<tag_t, int>> &at);
   struct RingState {
@@ -104,12 +114,14 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   void write_body(int i, const raceway::BodyPose &) const;
   void write_ring(int i, const RingState &) const;
   RingState ring_at(const Place &) const;
+  double *states_at(const Place &p) { return &parts_[p.part].states[p.at * sources_.states]; }
   void put_ring(const Place &, const RingState &);
 
   std::string command_;
   BearingSources sources_;
   std::vector<Part> parts_;
   std::vector<Local> own_bodies_, own_rings_;
+  std::vector<LocalContact> own_contacts_;
   std::vector<Letter> away_;      // atoms owned here, at home elsewhere
   std::vector<Letter> guests_;    // atoms owned elsewhere, at home here
 };

@@ -29,6 +29,7 @@ struct BearingParts::Piece {
   tag_t a, b;
   int first, second;    // types of ball and ring; or the number of a cage, of what moves a ring, or
                         // of a ring's own value, in `first`
+  int number;           // of a groove
   int inside;           // the atom is of the group
   double radius, mass, K;    // a pocket's reach is in `radius`, a ring's own value in K
 };
@@ -154,6 +155,8 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
     Piece &p = add(c.i_ball, Piece::groove, c.ball, c.ring);
     p.first = atom->type[c.i_ball];
     p.second = atom->type[c.i_ring];
+    p.number = c.groove();
+    if (sources_.states > 0) letter[bearings[bearing_of[c.i_ball]].home].kept.push_back(c.kept);
   }
   for (const SphereContact &s : sources_.table->sphere) {
     if (s.i >= atom->nlocal || bearing_of[s.i] < 0)
@@ -171,14 +174,30 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
   own_rings_.clear();
   for (int i : letter[comm->me].body_atom) own_bodies_.push_back({i, Place()});
   for (int i : letter[comm->me].ring_atom) own_rings_.push_back({i, Place()});
+  own_contacts_.clear();
+  for (double *kept : letter[comm->me].kept) own_contacts_.push_back({kept, Place()});
   away_.clear();
   for (int p = 0; p < comm->nprocs; ++p) {
     if (p == comm->me || (letter[p].body_atom.empty() && letter[p].ring_atom.empty())) continue;
     letter[p].rank = p;
-    letter[p].size_text();
+    letter[p].size_text(sources_.states);
     away_.push_back(letter[p]);
   }
   return to;
+}
+
+static bool before(const BearingModel::Groove &a, const BearingModel::Groove &b)
+{
+  if (a.body != b.body) return a.body < b.body;
+  return a.ring != b.ring ? a.ring < b.ring : a.physics->number < b.physics->number;
+}
+
+// Its place in the model.
+int BearingParts::groove_of(const BearingModel &m, int body, int ring, const Piece &p) const
+{
+  const BearingModel::Groove wanted = {body, ring, sources_.raceway(p.first, p.second, p.number)};
+  return static_cast<int>(std::lower_bound(m.grooves.begin(), m.grooves.end(), wanted, before) -
+                          m.grooves.begin());
 }
 
 // At home: models in the order of names, everything in them in the order of tags.
@@ -233,20 +252,25 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
   finish(pieces, part_of, at);
 
   guests_.clear();
-  size_t own_body = 0, own_ring = 0;
+  size_t own_body = 0, own_ring = 0, own_contact = 0;
   for (int rank = 0; rank < comm->nprocs; ++rank) {
     Letter l;
     l.rank = rank;
     for (const Piece &p : from[rank]) {
-      if (p.kind != Piece::body && p.kind != Piece::ring) continue;
       const int part = part_of[p.name];
+      if (p.kind == Piece::groove && sources_.states > 0) {
+        const Place place = {part, groove_of(parts_[part].model, at[part][p.a], at[part][p.b], p)};
+        if (rank != comm->me) l.contact_place.push_back(place);
+        else own_contacts_[own_contact++].place = place;
+      }
+      if (p.kind != Piece::body && p.kind != Piece::ring) continue;
       const Place place = {part, at[part][p.a]};
       if (rank != comm->me) (p.kind == Piece::body ? l.body_place : l.ring_place).push_back(place);
       else if (p.kind == Piece::body) own_bodies_[own_body++].place = place;
       else own_rings_[own_ring++].place = place;
     }
     if (l.body_place.empty() && l.ring_place.empty()) continue;
-    l.size_text();
+    l.size_text(sources_.states);
     guests_.push_back(l);
   }
 }
@@ -270,7 +294,8 @@ void BearingParts::finish(const std::vector<Piece> &pieces,
       continue;
     }
     const int a = at[k].at(p.a), b = at[k].at(p.b);
-    if (p.kind == Piece::groove) m.grooves.push_back({a, b, sources_.raceway(p.first, p.second)});
+    if (p.kind == Piece::groove)
+      m.grooves.push_back({a, b, sources_.raceway(p.first, p.second, p.number)});
     if (p.kind == Piece::pocket) m.pockets.push_back({a, b, p.K, p.radius, p.mass});
     if (p.kind == Piece::seat) {
       const CageRails &c = *sources_.cages[p.first];
@@ -279,10 +304,8 @@ void BearingParts::finish(const std::vector<Piece> &pieces,
   }
   for (size_t k = 0; k < parts_.size(); ++k) {
     BearingModel &m = parts_[k].model;
-    std::sort(m.grooves.begin(), m.grooves.end(),
-              [](const BearingModel::Groove &a, const BearingModel::Groove &b) {
-                return a.body != b.body ? a.body < b.body : a.ring < b.ring;
-              });
+    std::sort(m.grooves.begin(), m.grooves.end(), before);
+    parts_[k].states.assign(m.grooves.size() * sources_.states, 0.0);
     auto tag = [&m](int body) { return m.bodies[body].tag; };
     std::sort(m.pockets.begin(), m.pockets.end(),
               [&](const BearingModel::Pocket &a, const BearingModel::Pocket &b) {

@@ -163,7 +163,8 @@ void FixBearingImplicit::build()
         sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i)});
   sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
   sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
-  sources.raceway = [this](int ball, int ring) { return pair_->raceway(ball, ring); };
+  sources.raceway = [this](int ball, int ring, int) { return pair_->raceway(ball, ring); };
+  raceway::with_law(pair_->law(), [&](auto law) { sources.states = decltype(law)::states; });
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.parts.clear();
@@ -200,6 +201,7 @@ void FixBearingImplicit::initial_integrate(int)
         parts[p].bearing->set_program(static_cast<int>(k),
                                       rings_[rings[k].mover]->program(rings[k].own));
     parts[p].bearing->load(bearings.bodies(p), bearings.rings(p));
+    parts[p].bearing->load_states(bearings.states(p).data());
   }
   if (energy_wanted_ && !begun_) begin_energy();
   for (int p = 0; p < bearings.size(); ++p) {
@@ -210,6 +212,7 @@ void FixBearingImplicit::initial_integrate(int)
     advance(parts[p]);
     wish = parts[p].step;
     parts[p].bearing->store(bearings.bodies(p), bearings.rings(p));
+    parts[p].bearing->store_states(bearings.states(p).data());
   }
   bearings.scatter();
   time_ += update->dt;

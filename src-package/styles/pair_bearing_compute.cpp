@@ -46,7 +46,8 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     ring.e = state_->axis(c.i_ring);
     c.live = touch(p, ball.x - ring.x, ring.e, c.state);
     if (!c.live) {
-      if (L::states > 0 && advance) std::fill(c.kept, c.kept + L::states, 0.0);
+      if (L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_))
+        std::fill(c.kept, c.kept + L::states, 0.0);
       continue;
     }
     if (!(c.state.overlap < p.largest_overlap)) lost(c);
@@ -55,9 +56,10 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     ring.v = Vec3::from(v[c.i_ring]);
     ring.w = Vec3::from(w[c.i_ring]);
     double after[L::states > 0 ? L::states : 1];
-    const LawStates<double> memory = {dt, c.kept, after};
+    const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
+    const LawStates<double> memory = {keeps ? dt : 0.0, c.kept, after};
     const ContactForces forces = contact_forces<L>(p, ball, ring, memory, c.state);
-    if (L::states > 0 && advance) std::copy(after, after + L::states, c.kept);
+    if (keeps) std::copy(after, after + L::states, c.kept);
     if (!std::isfinite(c.state.normal)) lost(c);
     forces.force.add_to(f[c.i_ball]);
     forces.ball_torque.add_to(torque[c.i_ball]);

@@ -189,6 +189,10 @@ void PairBearingHertz::init_style()
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
   prepare_raceways();
+  implicit_bits_ = 0;
+  for (int k = 0; k < modify->nfix; ++k)
+    if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
+      implicit_bits_ |= modify->fix[k]->groupbit;
   check_rings();
   check_ghosts();
   put_state_last();
