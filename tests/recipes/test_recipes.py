@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The recipes of docs/extend.rst, carried out in a copy of the tree.
 
-The copy builds and every law passes the derivative test. What was added shows in output, in tables of
-the docs and in a deck.
+The copy builds and every law passes the derivative test. What was added shows in output, in
+tables of the docs and in a deck.
 """
 
 import importlib.util
