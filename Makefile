@@ -85,6 +85,7 @@ lint: setup
 	.venv/bin/clang-format --dry-run --Werror $(CXX_SOURCES)
 	.venv/bin/ruff check -q
 	.venv/bin/ruff format -q --check
+	@! LC_ALL=C.UTF-8 grep -nE '^.{101,}$$' $(CXX_SOURCES) || { echo "lines over 100 columns"; exit 1; }
 
 format: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)

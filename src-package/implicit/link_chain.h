@@ -3,8 +3,8 @@
 //
 // Link i joins two bodies along the unit normal n_i with the stiffness a_i. Once the blocks A of
 // all bodies are condensed, the links' forces l solve
-//   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second),    c_ij = +-n_i . A^-1 n_j at a body
-//   that i and j share.
+//   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
+// with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
 // Links share at most two bodies with others, so c is tridiagonal, with one corner where a chain
 // closes to a circle; elimination carries that corner along. Order of operations depends on the
 // order of links only.

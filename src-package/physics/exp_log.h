@@ -5,13 +5,14 @@
 // Why not the C library's: it chooses its variant by processor, so its bits are a machine's, and it
 // takes one number at a time. Only + - * / and shifts here: every processor and every lane gives
 // the same bits.
-//   exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
-//   5e-18).
-//     0 below -708 (the results that would have no full precision), infinite above 709.
-//   logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1), |f| <
-//   0.1716, by its series
-//     to f^21 (remainder below 2e-18). Minus infinity below the smallest normal number; no meaning
-//     for x < 0 or infinity.
+//
+// Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
+// 5e-18). 0 below -708 (the results that would have no full precision), infinite above 709.
+//
+// Logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1),
+// |f| < 0.1716, by its series to f^21 (remainder below 2e-18). Minus infinity below the smallest
+// normal number; no meaning for x < 0 or infinity.
+//
 // Not a number gives not a number.
 #ifndef RACEWAY_EXP_LOG_H
 #define RACEWAY_EXP_LOG_H

@@ -4,9 +4,10 @@
 //
 //   ball: what the contact law keeps, by ring and groove
 //   ring: axis, spin angle, origin, imposed tilt
-//   all:  force and torque at the end of a run, so that the next run (or a restart) starts its
-//   first
-//         half kick with the bits of the step before instead of forces from full-step velocities
+//   all:  force and torque at the end of a run
+//
+// The next run (or a restart) starts its first half kick from these forces, with the bits of the
+// step before, instead of from forces at full-step velocities.
 #ifdef FIX_CLASS
 FixStyle(bearing/state,FixBearingState)
 #else

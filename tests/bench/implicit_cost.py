@@ -46,18 +46,18 @@ HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
 # symbols of a profile, in the order they are looked for
 PARTS = [
-    ("contact forces and derivatives", "BearingStep::forces"),
-    ("cage rails", "BearingStep::seats"),
-    ("cage contacts", "BearingStep::pockets"),
+    ("contact forces and derivatives", "BearingForces::(all_raceways|raceways|evaluate)"),
+    ("cage rails", "BearingForces::rails"),
+    ("cage contacts", "BearingForces::pockets"),
     (
         "linear solve",
-        "BearingStep::(factor|solve|start_rhs|condense|border|apply)|DenseLU|LinkChain",
+        "BearingSystem::|BearingStep::(solve_stage|apply)|DenseLU|LinkChain",
     ),
     (
         "motion of bodies and rings",
-        "BearingStep::(move|second_base|accept|store|load|error)|raceway::moved|raceway::between|rotate",
+        "BearingStep::|BearingBodies::|raceway::moved|raceway::between|rotate",
     ),
-    ("contacts at instants within the step", "BearingStep::look_at"),
+    ("contacts at instants within the step", "BearingInstants::"),
     ("contact table of the host's step", "PairBearing"),
     ("capacitance, ring and cage fixes", "FixBearing|bearing::"),
     ("exp, log, memory", "libm|libc"),
