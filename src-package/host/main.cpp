@@ -5,6 +5,7 @@
 
 #include "input.h"
 #include "lammps.h"
+#include "lone_start.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -21,7 +22,9 @@ static bool started_by_mpich()
 
 int main(int argc, char **argv)
 {
+  LoneStart start;
   MPI_Init(&argc, &argv);
+  start.forget();
   if (started_by_mpich()) {
     fprintf(stderr,
             "ERROR: %s uses Open MPI, but was started by the mpirun of MPICH: each of the %s "

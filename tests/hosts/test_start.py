@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How the programs start Open MPI: quickly when alone, by its own rules when a launcher started
+them, and by the user's settings always."""
+
+import re
+import subprocess
+
+import pytest
+from host import ENVIRONMENT, HOSTS, OPEN_MPI
+
+OURS = {"ess_singleton_isolated": "true", "pml": "ob1"}
+
+
+def settings(host, tmp_path, deck="", ranks=1, **environment):
+    """The settings that Open MPI found in the environment, as {name: value}; runs `deck`."""
+    path = tmp_path / "in.deck"
+    path.write_text(deck + "\n")
+    command = [HOSTS[host][0], "-in", path, "-log", "none", "-screen", "none"]
+    done = subprocess.run(
+        [*OPEN_MPI, str(ranks), *command] if ranks > 1 else command,
+        env=dict(ENVIRONMENT, OMPI_MCA_mpi_show_mca_params="enviro", **environment),
+        cwd=tmp_path,
+        text=True,
+        capture_output=True,
+        check=False,
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    return dict(re.findall(r"(\w+)=(\S*) \(environment\)", done.stdout + done.stderr))
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+def test_alone(host, tmp_path):
+    """Without a launcher: no daemon, no search for networks."""
+    assert settings(host, tmp_path).items() >= OURS.items()
+
+
+def test_launcher(tmp_path):
+    """With mpirun nothing is set by us."""
+    found = settings("liggghts", tmp_path, ranks=2)
+    assert found["ess"] == "pmi"
+    assert not OURS.keys() & found.keys()
+
+
+@pytest.mark.parametrize("name", ["PMIX_RANK", "PMI_RANK", "SLURM_STEP_ID", "FLUX_TASK_RANK"])
+def test_other_launchers(name, tmp_path):
+    """One of their variables is enough."""
+    assert "ess_singleton_isolated" not in settings("liggghts", tmp_path, **{name: "0"})
+
+
+def test_settings_of_the_user_win(tmp_path):
+    """Also one of the two alone."""
+    found = settings("liggghts", tmp_path, OMPI_MCA_ess_singleton_isolated="0")
+    assert (found["ess_singleton_isolated"], found["pml"]) == ("false", "ob1")
+    found = settings("liggghts", tmp_path, OMPI_MCA_pml="^cm")
+    assert (found["ess_singleton_isolated"], found["pml"]) == ("true", "^cm")
+
+
+def test_programs_that_a_deck_starts(tmp_path):
+    """They find the environment of the user: `shell mpirun ...` must not be told to be alone."""
+    settings("liggghts", tmp_path, "shell env > seen", OMPI_MCA_pml="^cm")
+    seen = (tmp_path / "seen").read_text().splitlines()
+    assert "OMPI_MCA_pml=^cm" in seen
+    assert not [line for line in seen if "ess_singleton_isolated" in line]
+    settings("liggghts", tmp_path, "shell env > seen")
+    assert not [line for line in (tmp_path / "seen").read_text().splitlines() if "pml" in line]
