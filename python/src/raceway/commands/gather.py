@@ -4,7 +4,6 @@
 import argparse
 
 from raceway.commands import Commands
-from raceway.sweeps.gather import write_results
 
 HELP = "results of a sweep as one CSV table"
 EXAMPLES = """\
@@ -34,6 +33,9 @@ def add(commands: Commands) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Write the table and print where it is and how many points are in which state. Raises
     `RacewayError` when there is no sweep."""
+    # pandas takes longer to load than --help to print
+    from raceway.sweeps.gather import write_results
+
     path, table = write_results(arguments.folder)
     counts = table["status"].value_counts()
     print(

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A command loads the large packages that it needs, and no others."""
+
+import subprocess
+import sys
+
+import pytest
+
+LARGE = {"numpy", "pandas", "matplotlib", "PIL", "xarray", "scipy", "yaml", "tqdm"}
+SCRIPT = f"""
+import sys
+from raceway.cli import main
+try:
+    code = main(sys.argv[1:])
+except SystemExit as end:
+    code = end.code
+print(*({LARGE} & sys.modules.keys()), file=sys.stderr)
+sys.exit(code)
+"""
+
+
+def loaded(*arguments):
+    """The large packages that `raceway` with these arguments loads."""
+    done = subprocess.run(
+        [sys.executable, "-c", SCRIPT, *map(str, arguments)],
+        text=True,
+        capture_output=True,
+        check=True,
+    )
+    return set(done.stderr.splitlines()[-1].split())
+
+
+@pytest.mark.parametrize(
+    "command",
+    ["", "summary", "plot", "animate", "export", "spectrum", "static", "sweep", "gather", "paper"],
+)
+def test_help_loads_none(command):
+    assert loaded(*command.split(), "--help") == set()
+
+
+def test_summary(folder):
+    assert loaded("summary", folder) <= {"numpy", "pandas", "yaml"}
+
+
+def test_static():
+    assert loaded("static", "--load", "2000") == {"numpy", "scipy"}
+
+
+def test_plot(folder, tmp_path):
+    """The other way round: what a picture needs is noticed here."""
+    assert "matplotlib" in loaded("plot", folder, "--out", tmp_path / "picture.png")
