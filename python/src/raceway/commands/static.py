@@ -57,7 +57,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--inputs",
         metavar="DIR",
-        help="the inputs folder (default: here or above, else that of the source tree)",
+        help="the inputs folder (default: here or above, else what comes with raceway)",
     )
     loads = one.add_argument_group("loads on the inner ring")
     loads.add_argument(
