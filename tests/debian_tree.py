@@ -90,16 +90,16 @@ def source_entries(folder, suites):
     return stanzas
 
 
-def fetch():
-    """Debian's tarball of the upstream sources; the path to it."""
-    there = sorted(SOURCE.glob("liggghts_*.orig.tar.*"))
+def fetch(package):
+    """Debian's tarball of the upstream sources of a package; the path to it."""
+    there = sorted(SOURCE.glob(f"{package}_*.orig.tar.*"))
     if there:
         return there[-1]
     stanzas = source_entries(Path("/etc/apt"), release())
     if not stanzas:
         sys.exit(
             "no entry of this machine's apt sources has the main part of its Debian: cannot fetch"
-            " the sources of LIGGGHTS"
+            f" the sources of {package}"
         )
     apt = SOURCE / "apt"
     for folder in ("lists/partial", "cache/archives/partial"):
@@ -114,18 +114,18 @@ def fetch():
     ]
     apt_get = ["apt-get", "-q", *(word for option in options for word in ("-o", option))]
     run(*apt_get, "update")
-    run(*apt_get, "source", "--tar-only", "liggghts", cwd=SOURCE)
-    there = sorted(SOURCE.glob("liggghts_*.orig.tar.*"))
+    run(*apt_get, "source", "--tar-only", package, cwd=SOURCE)
+    there = sorted(SOURCE.glob(f"{package}_*.orig.tar.*"))
     if not there:
-        sys.exit("apt-get source --tar-only liggghts left no tarball")
+        sys.exit(f"apt-get source --tar-only {package} left no tarball")
     return there[-1]
 
 
-def unpacked(folder):
-    """The upstream tree in `folder`, unpacked if it is not there."""
+def unpacked(folder, package="liggghts"):
+    """The upstream tree of a package in `folder`, unpacked if it is not there."""
     if not (folder / "src" / "Make.sh").is_file():
         folder.mkdir(parents=True, exist_ok=True)
-        run("tar", "-xf", fetch(), "-C", folder, "--strip-components=1")
+        run("tar", "-xf", fetch(package), "-C", folder, "--strip-components=1")
     return folder
 
 

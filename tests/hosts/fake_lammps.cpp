@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A LAMMPS of any version on any MPI, as far as raceway_plugin.so looks at it before it loads the
 // styles:
-//   fake_lammps PLUGIN VERSION MPI_NAME
+//   fake_lammps PLUGIN VERSION MPI_NAME [BYTES_OF_TAGINT]
 // Ends with 0 if the plugin registered nothing and returned.
 #include <dlfcn.h>
 
@@ -9,12 +9,16 @@
 #include <cstdlib>
 #include <cstring>
 
-static int version, registered;
+static int version, registered, tagint = 4;
 static const char *mpi;
 
 extern "C" {
 int lammps_version(void *) { return version; }
-int lammps_extract_setting(void *, const char *) { return 0; }
+int lammps_extract_setting(void *, const char *name)
+{
+  if (strcmp(name, "tagint") == 0) return tagint;
+  return strcmp(name, "bigint") == 0 ? 8 : 0;
+}
 int MPI_Get_library_version(char *text, int *length)
 {
   strcpy(text, mpi);
@@ -25,10 +29,11 @@ int MPI_Get_library_version(char *text, int *length)
 
 static void count(void *, void *) { ++registered; }
 
-int main(int, char **argv)
+int main(int argc, char **argv)
 {
   version = atoi(argv[2]);
   mpi = argv[3];
+  if (argc > 4) tagint = atoi(argv[4]);
   void *plugin = dlopen(argv[1], RTLD_NOW | RTLD_GLOBAL);
   if (!plugin) return fprintf(stderr, "%s\n", dlerror()), 2;
   using Init = void (*)(void *, void *, void *);

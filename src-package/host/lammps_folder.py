@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a user's own LAMMPS is, for `make plugin LAMMPS=FOLDER`: a source tree (FOLDER/src) or where
+it was installed (FOLDER/include/lammps).
+
+    python3 src-package/host/lammps_folder.py FOLDER SETTINGS [SIZES]
+
+writes SETTINGS, variables of make: PLUGIN_HEADERS, PLUGIN_VERSION, PLUGIN_SIZES. The file is left
+alone if it says so already. SIZES is SMALLBIG, BIGBIG or SMALLSMALL where LAMMPS does not say which
+whole numbers it was built with. A LAMMPS that is not known is refused.
+"""
+
+import re
+import sys
+from datetime import datetime
+from pathlib import Path
+
+OLDEST = 20210929  # the stable release that brought plugins
+# Between them the interface changed step by step; releases are stable from the second on.
+CHANGES = (20210930, 20220504)
+SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")
+
+
+class Refused(Exception):
+    """A LAMMPS that cannot be used, and why."""
+
+
+def number(date):
+    """20220623 for "23 Jun 2022", as LAMMPS counts its versions."""
+    for form in ("%d %b %Y", "%Y%m%d"):
+        try:
+            return int(datetime.strptime(date.strip(), form).strftime("%Y%m%d"))
+        except ValueError:
+            pass
+    raise Refused(f"'{date}' is no version of LAMMPS, as 23 Jun 2022 is one")
+
+
+def version(folder):
+    """Version number of the LAMMPS source tree in `folder`."""
+    path = folder / "src" / "version.h"
+    found = (
+        re.search(r'#define LAMMPS_VERSION "(.*)"', path.read_text()) if path.is_file() else None
+    )
+    if not found:
+        raise Refused(
+            f"{folder} is no LAMMPS source tree: there is no src/version.h with a version"
+        )
+    return number(found.group(1))
+
+
+def known(release, folder):
+    """Refuses a `release` (number) whose interface the styles do not know."""
+    if release < OLDEST or CHANGES[0] <= release < CHANGES[1]:
+        raise Refused(f"{folder} is LAMMPS {release}; known are {OLDEST} and {CHANGES[1]} or later")
+    return release
+
+
+def from_source(folder):
+    """Settings of a source tree."""
+    release = known(version(folder), folder)
+    if not list((folder / "src").glob("PLUGIN/plugin.cpp")):
+        raise Refused(f"{folder} has no package PLUGIN (src/PLUGIN)")
+    return {"PLUGIN_HEADERS": folder / "src", "PLUGIN_VERSION": release, "PLUGIN_SIZES": SIZES[0]}
+
+
+def from_installed(folder):
+    """Settings of where LAMMPS was installed: pkg-config's file says version and sizes."""
+    described = sorted(folder.glob("**/pkgconfig/liblammps*.pc"))
+    if not described:
+        raise Refused(
+            f"{folder} has include/lammps but no pkgconfig/liblammps.pc, which says the version:"
+            " install LAMMPS with CMake, or name its source tree"
+        )
+    text = described[0].read_text()
+    field = dict(re.findall(r"^(\w+):\s*(.*)$", text, flags=re.M))
+    release = known(number(field.get("Version", "")), folder)
+    sizes = [size for size in SIZES if f"-D{size}" in field.get("Cflags", "").split()]
+    headers = folder / "include" / "lammps"
+    if not (headers / "fix.h").is_file():
+        raise Refused(f"{headers} has no fix.h: the headers of LAMMPS were not installed")
+    return {
+        "PLUGIN_HEADERS": headers,
+        "PLUGIN_VERSION": release,
+        "PLUGIN_SIZES": sizes[0] if sizes else SIZES[0],
+    }
+
+
+def settings(folder, sizes=None):
+    """What make must know of the LAMMPS in `folder`; `sizes` as the user says, or None."""
+    if (folder / "src" / "version.h").is_file():
+        found = from_source(folder)
+    elif (folder / "include" / "lammps").is_dir():
+        found = from_installed(folder)
+    else:
+        raise Refused(f"{folder} has neither src/version.h nor include/lammps: it is no LAMMPS")
+    if re.search(r"\s", str(found["PLUGIN_HEADERS"])):
+        raise Refused(f"make cannot use a folder with a blank in its name: {folder}")
+    if sizes:
+        if f"LAMMPS_{sizes}" not in SIZES:
+            raise Refused(f"SIZES={sizes} is none of {', '.join(s[7:] for s in SIZES)}")
+        found["PLUGIN_SIZES"] = f"LAMMPS_{sizes}"
+    # an installed release of 2021 lacks two headers that its own headers include
+    if found["PLUGIN_VERSION"] == OLDEST and not (found["PLUGIN_HEADERS"] / "command.h").is_file():
+        found["PLUGIN_HEADERS"] = f"{found['PLUGIN_HEADERS']} src-package/compat/lammps_2021"
+    return found
+
+
+def main(words):
+    if len(words) not in (2, 3):
+        print(__doc__, file=sys.stderr)
+        return 2
+    if not words[0]:
+        print("Which LAMMPS? make plugin LAMMPS=/path/to/LAMMPS", file=sys.stderr)
+        return 2
+    try:
+        found = settings(Path(words[0]).resolve(), *words[2:])
+    except (Refused, OSError) as why:
+        print(f"Refused: {why}", file=sys.stderr)
+        return 1
+    text = "".join(f"{name} := {value}\n" for name, value in found.items())
+    path = Path(words[1])
+    if not path.is_file() or path.read_text() != text:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`make plugin LAMMPS=FOLDER`: what it makes of a folder, and what the plugin says to a LAMMPS it
+does not fit. own_lammps.py builds and runs it (`make test-lammps`)."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+from host import ROOT
+
+SCRIPT = ROOT / "src-package" / "host" / "lammps_folder.py"
+OPEN_MPI = "Open MPI v4.1.4, package: Debian OpenMPI, ident: 4.1.4"
+
+
+def source(folder, version="29 Sep 2021", plugin=True):
+    """A source tree, as far as it is looked at."""
+    (folder / "src" / "PLUGIN").mkdir(parents=True)
+    (folder / "src" / "version.h").write_text(f'#define LAMMPS_VERSION "{version}"\n')
+    if plugin:
+        (folder / "src" / "PLUGIN" / "plugin.cpp").touch()
+    return folder
+
+
+def installed(folder, version="20230802", flags="-DLAMMPS_BIGBIG"):
+    """Where LAMMPS was installed, as far as it is looked at."""
+    (folder / "include" / "lammps").mkdir(parents=True)
+    (folder / "include" / "lammps" / "fix.h").touch()
+    if version:
+        (folder / "lib64" / "pkgconfig").mkdir(parents=True)
+        (folder / "lib64" / "pkgconfig" / "liblammps.pc").write_text(
+            f"prefix={folder}\nName: liblammps\nVersion: {version}\nCflags: -I/x {flags}\n"
+        )
+    return folder
+
+
+def settings(folder, to, *more):
+    """(exit code, what was said, what was written)."""
+    done = subprocess.run(
+        [sys.executable, SCRIPT, folder, to, *more], text=True, capture_output=True, check=False
+    )
+    return done.returncode, done.stderr, to.read_text() if to.is_file() else None
+
+
+def test_source_tree(tmp_path):
+    code, said, text = settings(source(tmp_path / "a", "23 Jun 2022"), tmp_path / "b" / "to")
+    assert code == 0, said
+    assert text == (
+        f"PLUGIN_HEADERS := {tmp_path}/a/src\nPLUGIN_VERSION := 20220623\n"
+        "PLUGIN_SIZES := LAMMPS_SMALLBIG\n"
+    )
+
+
+def test_installed(tmp_path):
+    code, said, text = settings(installed(tmp_path / "a"), tmp_path / "to")
+    assert code == 0, said
+    assert text == (
+        f"PLUGIN_HEADERS := {tmp_path}/a/include/lammps\nPLUGIN_VERSION := 20230802\n"
+        "PLUGIN_SIZES := LAMMPS_BIGBIG\n"
+    )
+
+
+def test_sizes_that_the_user_names(tmp_path):
+    source(tmp_path / "a")
+    assert "LAMMPS_BIGBIG\n" in settings(tmp_path / "a", tmp_path / "to", "BIGBIG")[2]
+    code, said, _ = settings(tmp_path / "a", tmp_path / "no", "HUGE")
+    assert code == 1 and "SIZES=HUGE is none of SMALLBIG, BIGBIG, SMALLSMALL" in said
+
+
+def test_file_stays_if_it_says_so_already(tmp_path):
+    """Else make would compile everything again."""
+    to = tmp_path / "to"
+    settings(source(tmp_path / "a"), to)
+    before = to.stat().st_mtime_ns
+    settings(tmp_path / "a", to)
+    assert to.stat().st_mtime_ns == before
+
+
+@pytest.mark.parametrize(
+    "make, says",
+    [
+        (lambda folder: folder, "has neither src/version.h nor include/lammps: it is no LAMMPS"),
+        (lambda folder: source(folder, "soon"), "'soon' is no version of LAMMPS, as 23 Jun 2022"),
+        (lambda folder: source(folder, "3 Mar 2020"), "is LAMMPS 20200303; known are 20210929 and"),
+        (lambda folder: source(folder, "17 Feb 2022"), "is LAMMPS 20220217; known are"),
+        (lambda folder: source(folder, plugin=False), "has no package PLUGIN"),
+        (lambda folder: installed(folder, ""), "no pkgconfig/liblammps.pc"),
+        (lambda folder: installed(folder, "20200303"), "is LAMMPS 20200303; known are"),
+        (lambda folder: source(folder / "my own"), "cannot use a folder with a blank"),
+    ],
+)
+def test_refused(make, says, tmp_path):
+    folder = make(tmp_path / "a")
+    code, said, text = settings(folder, tmp_path / "to")
+    assert code == 1 and said.startswith("Refused: ") and says in said, said
+    assert text is None
+
+
+def test_nothing_named():
+    done = subprocess.run(
+        ["make", "-s", "plugin"], cwd=ROOT, text=True, capture_output=True, check=False
+    )
+    assert done.returncode != 0 and "Which LAMMPS? make plugin LAMMPS=" in done.stderr
+
+
+@pytest.fixture(scope="module")
+def start(tmp_path_factory):
+    """Starts a plugin for LAMMPS 20210929 on Open MPI in a LAMMPS of a version, MPI and size of
+    numbers; what was said."""
+    folder = tmp_path_factory.mktemp("own")
+    commands = (
+        ["g++", "-rdynamic", ROOT / "tests/hosts/fake_lammps.cpp", "-o", folder / "fake", "-ldl"],
+        ["mpicxx.openmpi", "-fPIC", "-shared", "-DRACEWAY_LAMMPS_VERSION=20210929"]
+        + ["-DOMPI_SKIP_MPICXX", ROOT / "src-package/host/plugin.cpp"]
+        + ["-o", folder / "raceway_plugin.so", "-ldl"],
+    )
+    for command in commands:
+        subprocess.run([*command, "-std=c++17"], check=True)
+
+    def run(*words):
+        done = subprocess.run(
+            [folder / "fake", folder / "raceway_plugin.so", *words],
+            text=True,
+            capture_output=True,
+            check=False,
+        )
+        assert done.returncode == 0
+        return done.stderr
+
+    return run
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        (("20210929", "MPICH Version: 5"), "built with Open MPI, but this LAMMPS runs on MPICH"),
+        (("20220623", OPEN_MPI), "built for LAMMPS 20210929, but this is LAMMPS 20220623: build"),
+        (
+            ("20210929", OPEN_MPI, "8"),
+            "built with -DLAMMPS_BIGBIG: .*make plugin .* SIZES=BIGBIG",
+        ),
+        (("20210929", OPEN_MPI), "libraceway_lammps.so: cannot open shared object file"),
+    ],
+)
+def test_what_it_says(start, words, says):
+    assert re.search("ERROR: raceway_plugin.so adds no styles: .*" + says, start(*words))
