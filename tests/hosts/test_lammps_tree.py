@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Raceway as a package of a LAMMPS source tree: installed, refused where it does not belong,
+reversible. The trees here have what is looked at; own_lammps.py takes a whole one."""
+
+import subprocess
+
+import pytest
+from host import ROOT
+
+CMAKE = """\
+# we require C++11 without extensions
+set(CMAKE_CXX_STANDARD 11)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(STANDARD_PACKAGES
+  ADIOS
+  YAFF)
+"""
+LATER = CMAKE.replace(
+    "set(CMAKE_CXX_STANDARD 11)\n",
+    "if(NOT CMAKE_CXX_STANDARD)\n  set(CMAKE_CXX_STANDARD 17)\nendif()\n",
+)
+MACHINE = (
+    "CC =\t\tmpicxx\nCCFLAGS =\t-g -O3 -std=c++11\nLINK =\tmpicxx\nLINKFLAGS =\t-g -O3\nLIB =\n"
+)
+
+
+@pytest.fixture(params=[("29 Sep 2021", CMAKE), ("22 Jul 2025", LATER)], ids=["2021", "2025"])
+def tree(request, tmp_path):
+    version, cmake = request.param
+    tree = tmp_path / "lammps"
+    for name, text in {
+        "src/version.h": f'#define LAMMPS_VERSION "{version}"\n',
+        "src/pair.h": "",
+        "src/MAKE/Makefile.mpi": MACHINE,
+        "cmake/CMakeLists.txt": cmake,
+    }.items():
+        (tree / name).parent.mkdir(parents=True, exist_ok=True)
+        (tree / name).write_text(text)
+    (tree / "src" / "MAKE" / "MINE").mkdir()
+    return tree
+
+
+def make(what, tree):
+    """`make install-tree` or `uninstall-tree`: (exit code, what it said)."""
+    done = subprocess.run(
+        ["make", "-s", f"{what}-tree", f"LAMMPS={tree}"],
+        cwd=ROOT,
+        text=True,
+        check=False,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
+    return done.returncode, done.stdout
+
+
+def contents(tree):
+    """Every file and folder of a tree."""
+    return {
+        str(path.relative_to(tree)): path.read_text() if path.is_file() else None
+        for path in tree.rglob("*")
+    }
+
+
+def refused(tree, says, what="install"):
+    """It is refused with a message and nothing is changed."""
+    before = contents(tree)
+    code, text = make(what, tree)
+    assert code != 0 and "Refused: " in text and says in text, text
+    assert contents(tree) == before
+
+
+def test_in_and_out(tree):
+    before = contents(tree)
+    code, text = make("install", tree)
+    assert code == 0, text
+    after = contents(tree)
+    assert {"src/RACEWAY/vec3.h", "src/RACEWAY/create_bearing.cpp"} <= after.keys()
+    assert {name for name in before if after[name] != before[name]} == {"cmake/CMakeLists.txt"}
+    assert "set(STANDARD_PACKAGES\n  RACEWAY\n" in after["cmake/CMakeLists.txt"]
+    assert "set(CMAKE_CXX_STANDARD 11)" not in after["cmake/CMakeLists.txt"]
+    machine = after["src/MAKE/MINE/Makefile.raceway"]
+    assert "-std=c++17" in machine and "-std=c++11" not in machine and "LIB =\n" in machine
+    refused(tree, "has Raceway in it already")
+    code, text = make("uninstall", tree)
+    assert code == 0, text
+    assert contents(tree) == before
+
+
+def test_a_tree_without_it(tree):
+    refused(tree, "has no Raceway", what="uninstall")
+
+
+def test_no_tree(tmp_path):
+    refused(tmp_path, "is no LAMMPS source tree")
+
+
+def test_another_version(tree):
+    (tree / "src" / "version.h").write_text('#define LAMMPS_VERSION "3 Mar 2020"\n')
+    refused(tree, "is LAMMPS 20200303; known are 20210929 and 20220504 or later")
+
+
+def test_changed_where_it_must_be_patched(tree):
+    (tree / "cmake" / "CMakeLists.txt").write_text(CMAKE.replace("STANDARD_PACKAGES", "PACKAGES"))
+    refused(tree, "CMakeLists.txt is not that of a known LAMMPS")
+
+
+def test_another_machine_file(tree):
+    (tree / "src" / "MAKE" / "Makefile.mpi").write_text("CC = mpicxx\n")
+    refused(tree, "has no one line CCFLAGS")
+
+
+def test_a_file_in_the_way(tree):
+    (tree / "src" / "film.h").write_text("// another film\n")
+    refused(tree, "has film.h already")
+    (tree / "src" / "film.h").unlink()
+    (tree / "src" / "MAKE" / "MINE" / "Makefile.raceway").write_text("mine\n")
+    refused(tree, "Makefile.raceway is there already")
+
+
+def test_a_file_changed_since(tree):
+    assert make("install", tree)[0] == 0
+    (tree / "src" / "RACEWAY" / "vec3.h").write_text("// mine\n")
+    refused(tree, "changed since the installation: src/RACEWAY/vec3.h", what="uninstall")
+
+
+def test_package_that_is_in_use(tree):
+    """make yes-raceway copied it into src."""
+    assert make("install", tree)[0] == 0
+    (tree / "src" / "create_bearing.cpp").touch()
+    refused(tree, "no-raceway first", what="uninstall")
+
+
+def test_a_file_of_the_user_stays(tree):
+    assert make("install", tree)[0] == 0
+    (tree / "src" / "RACEWAY" / "mine.cpp").touch()
+    assert make("uninstall", tree)[0] == 0
+    assert [path.name for path in (tree / "src" / "RACEWAY").iterdir()] == ["mine.cpp"]
