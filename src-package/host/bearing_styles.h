@@ -9,6 +9,7 @@
 #include "../styles/compute_bearing_total.h"
 #include "../styles/create_bearing.h"
 #include "../styles/deck_files.h"
+#include "../styles/deck_variables.h"
 #include "../styles/fix_bearing_cage.h"
 #include "../styles/fix_bearing_capacitance.h"
 #include "../styles/fix_bearing_checkpoint.h"
@@ -42,6 +43,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingRange>("bearing_range");
   add.template command<BearingHost>("bearing_host");
   add.template command<BearingResume>("bearing_resume");
+  add.template command<BearingVariables>("bearing_variables");
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "deck_files.h"
 
+#include "../deck/agree.h"
 #include "../deck/arguments.h"
 #include "../deck/column_list.h"
 
@@ -11,18 +12,9 @@
 
 using namespace LAMMPS_NS;
 namespace fs = std::filesystem;
+using bearing::agree;
 using bearing::Arguments;
 using bearing::text;
-
-// What rank 0 found out, on every rank: empty means all is well.
-static std::string agree(std::string complaint, MPI_Comm world)
-{
-  int n = static_cast<int>(complaint.size());
-  MPI_Bcast(&n, 1, MPI_INT, 0, world);
-  complaint.resize(n);
-  if (n) MPI_Bcast(&complaint[0], n, MPI_CHAR, 0, world);
-  return complaint;
-}
 
 void BearingInput::command(int narg, char **arg)
 {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What rank 0 found out about files, on every rank.
+#ifndef BEARING_AGREE_H
+#define BEARING_AGREE_H
+
+#include <mpi.h>
+#include <string>
+
+namespace bearing {
+
+// The text of rank 0; empty means all is well.
+inline std::string agree(std::string complaint, MPI_Comm world)
+{
+  int n = static_cast<int>(complaint.size());
+  MPI_Bcast(&n, 1, MPI_INT, 0, world);
+  complaint.resize(n);
+  if (n) MPI_Bcast(&complaint[0], n, MPI_CHAR, 0, world);
+  return complaint;
+}
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "deck_variables.h"
+
+#include "../deck/agree.h"
+#include "../deck/arguments.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+namespace fs = std::filesystem;
+using bearing::Arguments;
+
+namespace {
+
+typedef std::set<std::string> Names;
+
+// The words the program was started with. The host keeps no copy of them.
+std::vector<std::string> command_line()
+{
+  std::ifstream file("/proc/self/cmdline");
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
+  return words;
+}
+
+// The words that follow one of two options
+Names words_after(const char *option, const char *other)
+{
+  Names found;
+  const std::vector<std::string> words = command_line();
+  for (size_t k = 0; k + 1 < words.size(); ++k)
+    if (words[k] == option || words[k] == other) found.insert(words[k + 1]);
+  return found;
+}
+
+// What a deck may take from the command line: variables of the styles that keep a value of -var,
+// and the two of bearing_host.
+void collect(const fs::path &path, Names &names)
+{
+  static const Names styles = {"index", "string", "loop", "uloop", "universe", "world"};
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string command, first, second;
+    words >> command >> first >> second;
+    if (command == "variable" && styles.count(second)) names.insert(first);
+    if (command == "bearing_host") names.insert({first, second});
+  }
+}
+
+// How many letters must be changed, added or taken away to make one word of the other
+size_t distance(const std::string &a, const std::string &b)
+{
+  std::vector<size_t> row(b.size() + 1);
+  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (size_t i = 1; i <= a.size(); ++i) {
+    size_t diagonal = row[0];
+    row[0] = i;
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t change = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string nearest(const std::string &name, const Names &names)
+{
+  return *std::min_element(names.begin(), names.end(),
+                           [&](const std::string &a, const std::string &b) {
+                             return distance(name, a) < distance(name, b);
+                           });
+}
+
+}    // namespace
+
+void BearingVariables::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_variables", narg, arg, 0);
+  std::vector<std::string> folders;
+  while (args.more()) folders.push_back(args.word("folder"));
+  std::string complaint;
+  if (comm->me == 0) {
+    Names names;
+    std::error_code ec;
+    if (infile) collect("/proc/self/fd/" + std::to_string(fileno(infile)), names);
+    // decks that include this one
+    for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);
+    for (const std::string &folder : folders)
+      for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+        collect(it->path(), names);
+    for (std::string set : words_after("-var", "-v"))
+      // a word after -v of another program, python for one, is no variable
+      if (!names.empty() && !names.count(set) && input->variable->find(&set[0]) >= 0)
+        complaint += (complaint.empty() ? "" : "; ") + ("-var " + set) +
+                     ": the deck has no such variable, nearest is '" + nearest(set, names) + "'";
+  }
+  complaint = bearing::agree(complaint, world);
+  if (!complaint.empty()) args.fail(complaint);
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef COMMAND_CLASS
+// clang-format off
+CommandStyle(bearing_variables,BearingVariables)
+// clang-format on
+#else
+#ifndef LMP_DECK_VARIABLES_H
+#define LMP_DECK_VARIABLES_H
+
+#include "bearing_compat.h"
+
+namespace LAMMPS_NS {
+
+// bearing_variables FOLDER ...: stop with a message if -var sets a variable that neither the deck
+// nor a file in a FOLDER has. The host would take it and nobody would read it.
+class BearingVariables : public bearing::CommandBase {
+ public:
+  explicit BearingVariables(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

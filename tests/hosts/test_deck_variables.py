@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""bearing_variables: a -var that the deck does not have ends the run."""
+
+import subprocess
+import sys
+
+import pytest
+from host import ENVIRONMENT, ROOT, run, succeed
+
+SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
+HOSTS = ["liggghts", "lammps", "wheel"]
+
+
+@pytest.mark.parametrize("host", HOSTS)
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize(
+    "name, nearest", [("lod", "load"), ("Rpm", "rpm"), ("tolerence", "tolerance")]
+)
+def test_unknown(tmp_path, host, ranks, name, nearest):
+    done = run("inputs/in.6208", host=host, ranks=ranks, out=tmp_path / "run", **{name: 1})
+    assert done.code != 0
+    says = f"bearing_variables: -var {name}: the deck has no such variable, nearest is '{nearest}'"
+    assert says in done.text
+    assert not (tmp_path / "run").exists()
+
+
+@pytest.mark.parametrize("host", HOSTS)
+def test_known(tmp_path, host):
+    """Of the deck, of a module, of an integrator, of bearing_host."""
+    succeed("inputs/in.6208", host=host, out=tmp_path, tolerance=1e-9, host_name="mine", **SHORT)
+
+
+def test_other_spelling_of_the_option(tmp_path):
+    done = run("inputs/in.6208", extra=["-v", "lod", "1"], out=tmp_path / "run")
+    assert done.code != 0 and "-var lod" in done.text
+
+
+def test_deck_that_includes_the_deck(tmp_path):
+    """Its own variables are known, and what it sets itself is not asked for."""
+    deck = tmp_path / "in.mine"
+    deck.write_text(
+        "variable mine index 1\nvariable fixed string 2\nvariable more equal 3\n"
+        "include inputs/in.6208\n"
+    )
+    succeed(deck, out=tmp_path / "run", mine=5, **SHORT)
+    assert run(deck, out=tmp_path / "run", mina=5, **SHORT).code != 0
+
+
+def test_option_of_another_program(tmp_path):
+    """python -v is no variable."""
+    script = tmp_path / "script.py"
+    script.write_text(
+        "import ctypes, sys\n"
+        "host = ctypes.CDLL(sys.argv[1], mode=ctypes.RTLD_GLOBAL)\n"
+        "words = [b'liggghts', b'-log', b'none', b'-var', b'out', sys.argv[2].encode()]\n"
+        "lmp = ctypes.c_void_p()\n"
+        "argv = (ctypes.c_char_p * len(words))(*words)\n"
+        "host.lammps_open_no_mpi(len(words), argv, ctypes.byref(lmp))\n"
+        "host.lammps_file(lmp, sys.argv[3].encode())\n"
+    )
+    deck = tmp_path / "in.deck"
+    deck.write_text("variable out index x\nbearing_variables inputs/modules\nprint done\n")
+    done = subprocess.run(
+        [
+            sys.executable,
+            *("-v", script, ROOT / "build" / "libraceway_liggghts.so", tmp_path, deck),
+        ],
+        cwd=ROOT,
+        env=ENVIRONMENT,
+        text=True,
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode == 0 and "done" in done.stdout, done.stdout[-1000:]
