@@ -44,7 +44,7 @@ MAIN_DECK = {
         {"lubricant": "honey"},
         (
             r"bearing_input: there is no 'honey' in folder inputs/lubricants; there is: dry,"
-            r" mineral, pao48"
+            r" grease110, mineral, pao48, pao8, vg100, vg32, vg46, vg68"
         ),
     ),
     "unknown bearing": (

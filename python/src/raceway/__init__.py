@@ -23,6 +23,7 @@ NAMES = {
     "film": "theory.film",
     "hertz": "theory.hertz",
     "kinematics": "theory.kinematics",
+    "lubricant": "theory.lubricant",
     "lubrication": "theory.lubrication",
     "operating_point": "theory.operating_point",
     "static": "theory.static",

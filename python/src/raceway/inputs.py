@@ -1,14 +1,40 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The data files of the decks: `variable NAME index VALUE # comment`."""
 
+import math
 import re
 from typing import NamedTuple
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.theory.bearing import Bearing
+from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
+
+# variables of a lubricant in the order of `Lubricant`, and those that give a `Fluid` outright
+PHYSICAL = (
+    "oil_density_40",
+    "oil_density_slope",
+    "pressure_viscosity_40",
+    "pressure_viscosity_100",
+    "permittivity_40",
+    "oil_conductivity",
+    "oil_heat_capacity",
+    "eyring_stress",
+    "limiting_traction",
+)
+FLUID = {
+    "viscosity": "viscosity",
+    "pressure_viscosity": "pressure_viscosity",
+    "temperature_viscosity": "temperature_viscosity",
+    "density": "oil_density",
+    "permittivity": "permittivity",
+    "conductivity": "oil_conductivity",
+    "heat_capacity": "oil_heat_capacity",
+    "eyring_stress": "eyring_stress",
+    "limiting_traction": "limiting_traction",
+}
 
 
 class InputError(RacewayError):
@@ -57,13 +83,62 @@ def bearing(path: FilePath) -> Bearing:
         raise InputError(f"{path}: {error}") from None
 
 
-def oil(path: FilePath) -> Oil:
-    """`Oil` of a file of inputs/lubricants. Raises `InputError`, for the dry one too."""
-    data = _numbers(
-        path, "viscosity", "pressure_viscosity", "permittivity", "roughness", "ball_roughness"
+def oil(path: FilePath, temperature: float | None = None) -> Oil:
+    """`Oil` of a file of inputs/lubricants at a `temperature` in degrees C, the file's own unless
+    given. Raises `InputError`, for the dry one too."""
+    at = fluid(path, temperature)
+    data = _numbers(path, "roughness", "ball_roughness")
+    return Oil(
+        at.viscosity,
+        at.pressure_viscosity,
+        at.permittivity,
+        (data["roughness"] ** 2 + data["ball_roughness"] ** 2) ** 0.5,
     )
-    composite = (data.pop("roughness") ** 2 + data.pop("ball_roughness") ** 2) ** 0.5
-    return Oil(**data, roughness=composite)
+
+
+def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
+    """`Fluid` of a file of inputs/lubricants at a `temperature` in degrees C, the file's own unless
+    given.
+
+    A file has physical data, from which the fluid follows at any temperature, or the fluid
+    outright, at one. A value given outright goes before physical data, as in a deck. What an older
+    file does not say is NaN. Raises `InputError`, also for a temperature a file has no values for.
+    """
+    data = values(path)
+    own = float(data.get("temperature", "nan"))
+    if physical(path):
+        try:
+            result = lubricant(path).at(own if temperature is None else temperature)
+        except ValueError as error:
+            raise InputError(f"{path}: {error}") from None
+    else:
+        _numbers(path, "viscosity", "pressure_viscosity", "permittivity")
+        if temperature not in (None, own):
+            raise InputError(
+                f"{path} has values for {own:g} C only and none for {temperature:g} C: take a file "
+                "with physical data, vg46 for example"
+            )
+        result = Fluid(own, *[math.nan] * (len(Fluid._fields) - 1))
+    given = {field: key for field, key in FLUID.items() if key in data}
+    return result._replace(**dict(zip(given, _numbers(path, *given.values()).values())))
+
+
+def physical(path: FilePath) -> bool:
+    """Whether a file of inputs/lubricants has physical data, for any temperature."""
+    return "oil_density_40" in values(path)
+
+
+def lubricant(path: FilePath) -> Lubricant:
+    """`Lubricant` of a file with physical data. Raises `InputError`."""
+    law, names = (
+        (Vogel, ("vogel_viscosity", "vogel_slope", "vogel_temperature"))
+        if "vogel_viscosity" in values(path)
+        else (Walther, ("kinematic_viscosity_40", "kinematic_viscosity_100"))
+    )
+    try:
+        return Lubricant(law(*_numbers(path, *names).values()), *_numbers(path, *PHYSICAL).values())
+    except ValueError as error:
+        raise InputError(f"{path}: {error}") from None
 
 
 def _numbers(path, *names):

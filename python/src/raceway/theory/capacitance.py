@@ -26,11 +26,20 @@ def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
     """
     if np.any(np.asarray(ambient) < 1):
         raise ValueError(f"permittivity = {ambient} must be one or more")
-    x = (ambient - 1) / (ambient + 2) * density_ratio(pressure)
-    if np.any(x >= 1):
+    try:
+        return permittivity_at(ambient, density_ratio(pressure))
+    except ValueError:
         raise ValueError(
             f"permittivity = {ambient} is too large for Clausius-Mossotti at {pressure} Pa"
-        )
+        ) from None
+
+
+def permittivity_at(ambient: Numbers, ratio: Numbers) -> Numbers:
+    """Relative permittivity where the density is `ratio` times that which has `ambient`: (e - 1)/(e
+    + 2) in proportion to the density (eq 10). Raises `ValueError` where none follows."""
+    x = (ambient - 1) / (ambient + 2) * ratio
+    if np.any(x >= 1):
+        raise ValueError(f"permittivity = {ambient} is too large at {ratio} times its density")
     return (1 + 2 * x) / (1 - x)
 
 

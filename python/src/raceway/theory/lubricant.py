@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Oils by temperature and pressure: Walther, Vogel, Roelands, Barus. Temperatures in degrees C.
+
+A `Lubricant` holds physical data, `Lubricant.at` gives the `Fluid` at a temperature. Ambient
+pressure unless a pressure is given. Numbers or arrays of one shape, SI units but for kinematic
+viscosity in mm^2/s, the unit of its grades and of ASTM D341.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Numbers
+from raceway.theory import capacitance
+
+KELVIN = 273.15
+LOW, HIGH = 40.0, 100.0  # degrees C at which data sheets give a kinematic viscosity
+ROELANDS_PRESSURE = 1.96e8  # Pa
+ROELANDS_LOG = 9.67  # ln eta of the pole common to all oils is minus this
+
+
+class Fluid(NamedTuple):
+    """A lubricant at its temperature and ambient pressure."""
+
+    temperature: Numbers  # degrees C
+    viscosity: Numbers  # eta, Pa s
+    pressure_viscosity: Numbers  # xi, 1/Pa
+    temperature_viscosity: Numbers  # beta = -d(ln eta)/dT, 1/K
+    density: Numbers  # kg/m^3
+    permittivity: Numbers  # relative
+    conductivity: float  # k_f, W/(m K)
+    heat_capacity: float  # J/(kg K)
+    eyring_stress: float  # tau_0, Pa
+    limiting_traction: float  # Lambda_L, limiting shear stress over pressure
+
+    @property
+    def kinematic(self) -> Numbers:
+        """Kinematic viscosity, mm^2/s."""
+        return 1e6 * self.viscosity / self.density
+
+
+@dataclass(frozen=True)
+class Walther:
+    """lg lg(nu + 0.7) = A - B lg T through kinematic viscosities in mm^2/s at 40 and 100 C.
+
+    ASTM D341. Raises `ValueError` unless low > high > 0.3, where the double logarithm ends.
+    """
+
+    low: float  # at 40 C
+    high: float  # at 100 C
+
+    def __post_init__(self):
+        if not (np.isfinite(self.low) and self.low > self.high > 0.3):
+            raise ValueError(
+                f"kinematic viscosity {self.low} mm2/s at 40 C and {self.high} at 100 C: "
+                "must fall and stay above 0.3"
+            )
+
+    def kinematic(self, temperature: Numbers, density: Numbers) -> Numbers:
+        """nu in mm^2/s; the density does not matter here."""
+        return 10 ** (10 ** self._log(temperature)) - 0.7
+
+    def slope(self, temperature: Numbers, density: Numbers, thinning: Numbers) -> Numbers:
+        """-d(ln nu)/dT in 1/K; density and its own slope do not matter here."""
+        inner = 10 ** self._log(temperature)
+        lifted = 10**inner
+        kelvin = np.asarray(temperature) + KELVIN
+        return (self._b * np.log(10) * inner * lifted / ((lifted - 0.7) * kelvin))[()]
+
+    def _log(self, temperature):
+        kelvin = np.asarray(temperature, float) + KELVIN
+        return (_twice(self.low) - self._b * np.log10(kelvin / (LOW + KELVIN)))[()]
+
+    @property
+    def _b(self):
+        span = np.log10((HIGH + KELVIN) / (LOW + KELVIN))
+        return (_twice(self.low) - _twice(self.high)) / span
+
+
+@dataclass(frozen=True)
+class Vogel:
+    """eta = k exp(b/(T + c)), T in degrees C; FVA 3: 0.062e-3 Pa s, 1021.7 K, 101.5517 C."""
+
+    k: float  # Pa s
+    b: float  # K
+    c: float  # degrees C
+
+    def kinematic(self, temperature: Numbers, density: Numbers) -> Numbers:
+        """nu in mm^2/s at a density in kg/m^3."""
+        return 1e6 * self.k * np.exp(self.b / (np.asarray(temperature) + self.c))[()] / density
+
+    def slope(self, temperature: Numbers, density: Numbers, thinning: Numbers) -> Numbers:
+        """-d(ln nu)/dT in 1/K, where the density falls by `thinning` in kg/(m^3 K)."""
+        return self.b / (np.asarray(temperature) + self.c) ** 2 - thinning / density
+
+
+@dataclass(frozen=True)
+class Lubricant:
+    """Physical data of an oil: density and 1/xi linear in temperature, permittivity after
+    Clausius-Mossotti. The form of 1/xi is that of FVA 3 at ambient pressure.
+
+    >>> vg46 = Lubricant(Walther(46.0, 7.04), 862.9, 0.6, 22.57e-9, 14.5e-9, 2.25, 0.15, 1950.0)
+    >>> hot = vg46.at(70.0)
+    >>> print(f"{1e3 * hot.viscosity:.2f} mPa s, {hot.temperature_viscosity:.4f} 1/K")
+    12.86 mPa s, 0.0321 1/K
+    """
+
+    law: Walther | Vogel
+    density: float  # at 40 C, kg/m^3
+    thinning: float  # kg/(m^3 K): the density falls by it
+    pressure_viscosity: float  # at 40 C, 1/Pa
+    pressure_viscosity_hot: float  # at 100 C, 1/Pa
+    permittivity: float  # at 40 C
+    conductivity: float = 0.134  # W/(m K)
+    heat_capacity: float = 1950.0  # J/(kg K)
+    eyring_stress: float = 5e6  # Pa
+    limiting_traction: float = 0.047
+
+    def at(self, temperature: Numbers) -> Fluid:
+        """The `Fluid` at a temperature in degrees C. Raises `ValueError` beyond -40 to 200 C."""
+        warm = np.asarray(temperature, float)
+        if not np.all((warm >= -40) & (warm <= 200)):
+            raise ValueError(f"temperature = {temperature} C must lie from -40 to 200 C")
+        density = (self.density - self.thinning * (warm - LOW))[()]
+        share = (warm - LOW) / (HIGH - LOW)
+        xi = 1 / ((1 - share) / self.pressure_viscosity + share / self.pressure_viscosity_hot)
+        beta = self.law.slope(warm, density, self.thinning) + self.thinning / density
+        return Fluid(
+            warm[()],
+            1e-6 * self.law.kinematic(warm, density) * density,
+            xi[()],
+            beta,
+            density,
+            capacitance.permittivity_at(self.permittivity, density / self.density),
+            self.conductivity,
+            self.heat_capacity,
+            self.eyring_stress,
+            self.limiting_traction,
+        )
+
+
+def fva3(pressure: Numbers, temperature: Numbers) -> Numbers:
+    """Viscosity in Pa s of the reference oil FVA 3 under `pressure` in Pa (Schwarz et al. 2023,
+    table A1): eta_0 exp(p/(327.7918 + 2.9862 T + (4.419e-3 + 3.0115e-4 T) p)), p in bar."""
+    bar = pressure / 1e5
+    divisor = 327.7918 + 2.9862 * temperature + (4.419e-3 + 3.0115e-4 * temperature) * bar
+    return 0.062e-3 * np.exp(1021.7 / (temperature + 101.5517) + bar / divisor)
+
+
+def roelands_exponent(viscosity: Numbers, pressure_viscosity: Numbers) -> Numbers:
+    """z = 1.96e8 xi/(ln eta_0 + 9.67): Roelands and Barus have the same slope at p = 0."""
+    return ROELANDS_PRESSURE * pressure_viscosity / (np.log(viscosity) + ROELANDS_LOG)
+
+
+def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
+    """Viscosity in Pa s under `pressure` in Pa (Roelands 1966):
+    ln eta = ln eta_0 + (ln eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""
+    z = roelands_exponent(viscosity, pressure_viscosity)
+    lift = np.log(viscosity) + ROELANDS_LOG
+    return viscosity * np.exp(lift * ((1 + pressure / ROELANDS_PRESSURE) ** z - 1))
+
+
+def barus(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
+    """eta_0 exp(xi p) in Pa s (Barus 1893): for the inlet only, far too stiff at Hertz pressure."""
+    return viscosity * np.exp(pressure_viscosity * pressure)
+
+
+def _twice(kinematic):
+    return np.log10(np.log10(kinematic + 0.7))

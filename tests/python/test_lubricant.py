@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Oils by temperature and pressure: published values, slopes, and the deck's own arithmetic."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from raceway import inputs, lubricant
+
+ROOT = Path(__file__).resolve().parents[2]
+OILS = ROOT / "inputs/lubricants"
+PHYSICAL = ["vg32", "vg46", "vg68", "vg100", "pao8", "grease110"]
+TEMPERATURES = [-20.0, 40.0, 70.0, 115.0]
+
+
+def test_walther_passes_through_its_points():
+    law = lubricant.Walther(46.0, 7.04)
+    assert law.kinematic(np.array([40.0, 100.0]), 0) == pytest.approx([46.0, 7.04], rel=1e-13)
+
+
+@pytest.mark.parametrize(("name", "seventy"), [("vg32", 11.1), ("vg46", 15.2), ("vg68", 20.1)])
+def test_grades_at_seventy(name, seventy):
+    found = inputs.fluid(OILS / name, 70.0)
+    assert found.kinematic == pytest.approx(seventy, abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("name", "cold", "density"),
+    [("vg32", 27.97, 874), ("vg46", 39.69, 863), ("vg68", 57.07, 867)],
+)
+def test_grades_at_forty(name, cold, density):
+    found = inputs.fluid(OILS / name)
+    assert found.temperature == 40 and found.density == pytest.approx(density, abs=0.5)
+    assert 1e3 * found.viscosity == pytest.approx(cold, abs=0.005)
+
+
+@pytest.mark.parametrize("name", PHYSICAL)
+def test_grade_limits(name):  # ISO 3448: 10 % about the number at 40 C
+    number = {"pao8": 46, "grease110": 100}.get(name) or float(name[2:])
+    assert inputs.fluid(OILS / name).kinematic == pytest.approx(number, rel=0.1001)
+
+
+def test_fva3():
+    found = inputs.fluid(OILS / "vg100", np.array([40.0, 60.0, 80.0, 100.0]))
+    assert 1e3 * found.viscosity == pytest.approx([84.54, 34.59, 17.24, 9.86], abs=0.005)
+    assert 1e9 * found.pressure_viscosity == pytest.approx([22.36, 19.73, 17.65, 15.96], abs=0.005)
+    expected = [0.0510, 0.0391, 0.0310, 0.0252]
+    assert found.temperature_viscosity == pytest.approx(expected, abs=0.00005)
+    assert found.density == pytest.approx([872.6, 860.6, 848.6, 836.6], rel=1e-14)
+    assert found.viscosity == pytest.approx(lubricant.fva3(0.0, found.temperature), rel=1e-13)
+    step = 10.0  # Pa
+    slope = np.log(lubricant.fva3(step, found.temperature) / found.viscosity) / step
+    assert found.pressure_viscosity == pytest.approx(slope, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", PHYSICAL)
+def test_slope_with_temperature(name):
+    oil = inputs.lubricant(OILS / name)
+    for warm in TEMPERATURES:
+        up, down = oil.at(warm + 1e-3).viscosity, oil.at(warm - 1e-3).viscosity
+        expected = -np.log(up / down) / 2e-3
+        assert oil.at(warm).temperature_viscosity == pytest.approx(expected, rel=1e-8)
+
+
+def test_roelands():
+    assert lubricant.roelands_exponent(0.04, 22e-9) == pytest.approx(0.66841, abs=5e-6)
+    assert lubricant.roelands(0.04, 22e-9, 0.0) == 0.04
+    small = 10.0
+    for law in (lubricant.roelands, lubricant.barus):
+        slope = np.log(law(0.04, 22e-9, small) / 0.04) / small
+        assert slope == pytest.approx(22e-9, rel=1e-6)
+    assert lubricant.roelands(0.04, 22e-9, 1e9) < lubricant.barus(0.04, 22e-9, 1e9)
+
+
+def test_permittivity_follows_the_density():
+    cold, hot = (inputs.fluid(OILS / "vg46", warm) for warm in (40.0, 100.0))
+    assert cold.permittivity == pytest.approx(2.25, rel=1e-14)
+
+    def mossotti(one):
+        return (one.permittivity - 1) / (one.permittivity + 2) / one.density
+
+    assert mossotti(hot) == pytest.approx(mossotti(cold), rel=1e-13)
+
+
+def test_outside_its_range():
+    with pytest.raises(inputs.InputError, match="temperature = 250.0 C must lie from -40 to 200"):
+        inputs.fluid(OILS / "vg46", 250.0)
+    with pytest.raises(inputs.InputError, match="mineral has values for 40 C only and none for 70"):
+        inputs.oil(OILS / "mineral", 70.0)
+    with pytest.raises(ValueError, match="must fall and stay above 0.3"):
+        lubricant.Walther(7.0, 46.0)
+
+
+def test_outright_goes_before_physical(tmp_path):
+    path = tmp_path / "oil"
+    path.write_text((OILS / "vg46").read_text() + "variable viscosity index 0.05\n")
+    found = inputs.fluid(path, 70.0)
+    assert found.viscosity == 0.05
+    assert found.pressure_viscosity == inputs.fluid(OILS / "vg46", 70.0).pressure_viscosity
+
+
+def test_every_value_has_its_source():
+    for name in [*PHYSICAL, "mineral", "pao48"]:
+        lines = (OILS / name).read_text().splitlines()
+        bare = [
+            line
+            for line in lines
+            if line.startswith("variable") and "#" not in line and "ball_rough" not in line
+        ]
+        assert bare == ["variable film                    index film"] or all(
+            "index film" in line for line in bare
+        )
