@@ -67,11 +67,21 @@ def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
     return (
         r_x
         * 3.672
-        * g.speed ** (0.663 * k ** (sign * 0.025))
+        * g.speed ** speed_exponent(k, printed)
         * g.material ** (0.502 * k ** (sign * 0.064))
-        * g.load ** (-0.045 * k ** (sign * 0.18))
+        * g.load ** -load_exponent(k, printed)
         * (1 - 0.573 * np.exp(-0.74 * k))
     )
+
+
+def speed_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
+    """d(ln h_c)/d(ln u) of `h_c`."""
+    return 0.663 * kappa ** (-0.025 if printed else 0.025)
+
+
+def load_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
+    """-d(ln h_c)/d(ln Q) of `h_c`."""
+    return 0.045 * kappa ** (-0.18 if printed else 0.18)
 
 
 def hamrock_dowson_min(r_x: Numbers, g: Group) -> Numbers:

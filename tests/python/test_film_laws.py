@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Factors of the film, the film in all regimes and the film in the gap: numbers, limits, slopes."""
+
+import numpy as np
+import pytest
+from raceway import film, film_factors, film_gap, film_regimes, hertz
+from raceway.theory.bearing import INNER
+from scipy import stats
+from scipy.integrate import quad
+
+OIL = (0.04, 22e-9)
+SPEEDS = np.array([0.7248, 2.899, 14.4946])
+
+
+@pytest.fixture(scope="module")
+def inner(bearing):
+    """(E', R_x, R_y, kappa, K) of the 6208's inner raceway."""
+    r_x, r_y = bearing.effective_radii(INNER)
+    ellipse, modulus = hertz.exact(r_x, r_y), bearing.effective_modulus
+    return modulus, r_x, r_y, ellipse.kappa, hertz.stiffness(ellipse, modulus)
+
+
+def uncut(inner, speed):
+    modulus, r_x, _, kappa, _ = inner
+    return film_gap.power_law(*OIL, modulus, r_x, kappa, speed, cut=0.0)
+
+
+# ---- factors -----------------------------------------------------------------------------------
+def test_inlet_shear(bearing):
+    loading = film_factors.thermal_loading(0.047, 0.04, SPEEDS, 0.134)
+    assert loading == pytest.approx([0.0074, 0.1179, 2.948], abs=5e-5, rel=2e-4)
+    assert loading[:2] == pytest.approx([0.0074, 0.1179], abs=5e-5)
+    assert loading[2] == pytest.approx(2.948, abs=5e-4)
+    ratio = 2.571e9 / bearing.effective_modulus
+    for factor, expected in (
+        (film_factors.murch_wilson(loading), [0.9881, 0.9368, 0.6684]),
+        (film_factors.gupta(loading, ratio), [0.9724, 0.8917, 0.5391]),
+        (film_factors.wilson(loading), [0.9957, 0.9752, 0.8335]),
+    ):
+        assert factor == pytest.approx(expected, abs=5e-5)
+
+
+@pytest.mark.parametrize("law", [film_factors.murch_wilson, film_factors.wilson,
+                                 film_factors.aihara])  # fmt: skip
+def test_inlet_shear_falls_from_one(law):
+    assert law(0.0) == 1
+    assert np.all(np.diff(law(np.geomspace(1e-6, 1e3, 200))) < 0)
+
+
+def test_aihara_by_hand():
+    assert film_factors.aihara(1.0) == pytest.approx(1 / 1.29, rel=1e-15)
+    assert film_factors.aihara(10.0) == pytest.approx(1 / (1 + 0.29 * 10**0.78), rel=1e-15)
+
+
+def test_gupta_knows_sliding_and_its_range():
+    assert film_factors.gupta(1.0, 0.01, 0.1) < film_factors.gupta(1.0, 0.01)
+    assert film_factors.gupta(1.0, 0.01, -0.1) == film_factors.gupta(1.0, 0.01, 0.1)
+    with pytest.raises(ValueError, match="beyond the range of Gupta"):
+        film_factors.gupta(100.0, 0.0115)
+
+
+def test_flooded_inlet(inner):
+    modulus, r_x, r_y, kappa, _ = inner
+    _, b = hertz.semi_axes(hertz.exact(r_x, r_y), modulus, 2436.2)
+    for speed, expected in ((0.724764, 1.28), (14.4946, 1.96)):
+        h_c = film.h_c(r_x, film.group(*OIL, modulus, r_x, kappa, speed, 2436.2))
+        assert film_factors.flooded_inlet(r_x, b, h_c) == pytest.approx(expected, abs=0.005)
+
+
+def test_rough_capacitance_is_the_mean_of_a_gamma_distribution():
+    for ratio in (1.6, 4.24, 13.09):
+        one = stats.gamma(ratio**2, scale=1 / ratio**2)  # mean 1, deviation 1/ratio
+        assert one.std() == pytest.approx(1 / ratio, rel=1e-12)
+        inverse = one.expect(lambda h: 1 / h)
+        assert film_factors.rough_capacitance(ratio) == pytest.approx(inverse, rel=1e-7)
+    with pytest.raises(ValueError, match="the contact conducts"):
+        film_factors.rough_capacitance(1.0)
+
+
+# ---- all regimes -------------------------------------------------------------------------------
+def test_all_regimes_tend_to_their_asymptotes():
+    def h(load, material):
+        return film_regimes.h_c(film_regimes.Moes(load, material, 1.0, 1.0))
+
+    wide = 1.63
+    ei = 3.18 * wide ** (-14 / 25) * 1e9 ** (-2 / 15)
+    ep = 1.48 * wide ** (-7 / 20) * 1e9 ** (-1 / 12) * 1e3**0.75
+    rp = 1.29 * 1.691 ** (-2 / 3) * 1e3 ** (2 / 3)
+    assert h(1e9, 1e-6) == pytest.approx(ei, rel=1e-3)
+    assert h(1e9, 1e3) == pytest.approx(ep, rel=0.01)
+    assert h(10.0, 1e3) == pytest.approx(rp, rel=0.05)
+    assert h(1e-3, 1e-6) == pytest.approx(145 * 1.796 ** (-15 / 7) * 1e6, rel=1e-3)
+
+
+def test_all_regimes_near_the_power_law_at_load(inner):
+    """Section 2 of the theory: about 1.15 times Masjedi and Khonsari at the 6208's loads."""
+    modulus, r_x, r_y, kappa, _ = inner
+    for speed in SPEEDS:
+        both = (
+            film_regimes.h_c(film_regimes.group(*OIL, modulus, r_x, r_y, speed, 2436.2)),
+            film.h_c(r_x, film.group(*OIL, modulus, r_x, kappa, speed, 2436.2)),
+        )
+        assert both[0] / both[1] == pytest.approx(1.15, abs=0.12)
+
+
+# ---- in the gap --------------------------------------------------------------------------------
+def test_film_in_the_gap(inner):
+    stiffness = inner[4]
+    slow = film_gap.solve(17e-6, stiffness, uncut(inner, 0.72481))
+    assert hertz.load(stiffness, 17e-6) == pytest.approx(2277.79, abs=0.005)
+    assert slow.load == pytest.approx(2310.20, abs=0.005)
+    assert 1e9 * slow.h_c == pytest.approx(160.897, abs=0.0005)
+    assert slow.slope == pytest.approx(2.01739e8, abs=0.5e3)
+    fast = film_gap.solve(17e-6, stiffness, uncut(inner, 14.4946))
+    assert fast.load == pytest.approx(2545.22, abs=0.005)
+    assert 1e9 * fast.h_c == pytest.approx(1305.87, abs=0.005)
+    assert fast.slope == pytest.approx(2.07066e8, abs=0.5e3)
+
+
+def test_film_in_a_gap(inner):
+    stiffness = inner[4]
+    found = film_gap.solve(np.array([0.0, -1e-6]), stiffness, uncut(inner, 14.4946))
+    assert found.load == pytest.approx([69.735, 22.947], abs=0.0005)
+    assert found.slope[0] == pytest.approx(5.7107e7, abs=0.5e3)
+    modulus, r_x, r_y, _, _ = inner
+    law = film_gap.all_regimes(*OIL, modulus, r_x, r_y, 14.4946)
+    assert film_gap.solve(0.0, stiffness, law).load == pytest.approx(81.56, abs=0.005)
+
+
+def test_load_exponent(inner):
+    assert film.load_exponent(inner[3]) == pytest.approx(0.067322, abs=5e-7)
+
+
+def laws(inner, speed):
+    modulus, r_x, r_y, kappa, _ = inner
+    return {
+        "power law": film_gap.power_law(*OIL, modulus, r_x, kappa, speed),
+        "uncut": uncut(inner, speed),
+        "all regimes": film_gap.all_regimes(*OIL, modulus, r_x, r_y, speed),
+    }
+
+
+@pytest.mark.parametrize("name", ["power law", "uncut", "all regimes"])
+def test_root_and_slope(inner, name):
+    law, stiffness = laws(inner, 14.4946)[name], inner[4]
+    overlap = np.array([-2e-6, -1e-6, -1e-7, 0.0, 1e-7, 3e-6, 17e-6, 60e-6])
+    found = film_gap.solve(overlap, stiffness, law, 1.07)
+    assert np.all(np.diff(found.load) > 0) or name == "power law"
+    live = found.load > 0
+    assert (found.elastic - 1.07 * found.h_c)[live] == pytest.approx(overlap[live], abs=1e-19)
+    step = 1e-10
+    ends = [film_gap.solve(overlap + side, stiffness, law, 1.07).load for side in (-step, step)]
+    expected = (ends[1] - ends[0]) / (2 * step)
+    assert found.slope == pytest.approx(expected, rel=1e-6, abs=1e-6)
+
+
+def test_a_cut_film_begins_at_a_gap(inner):
+    law, stiffness = laws(inner, 14.4946)["power law"], inner[4]
+    height, _ = law(1.0)
+    found = film_gap.solve(-height * np.array([1.001, 1.0, 0.9999999]), stiffness, law)
+    assert found.load[0] == 0 and found.slope[0] == 0
+    assert 0 <= found.load[1] < 1e-12 and 0 < found.load[2] < 1e-6
+
+
+def test_no_film_at_rest(inner):
+    for law in laws(inner, 0.0).values():
+        found = film_gap.solve(np.array([17e-6, 0.0, -1e-6]), inner[4], law)
+        assert found.load == pytest.approx([hertz.load(inner[4], 17e-6), 0.0, 0.0], rel=1e-13)
+        assert found.h_c[0] == 0
+
+
+def test_energy_is_the_work(inner):
+    law, stiffness = uncut(inner, 14.4946), inner[4]
+    exponent = film.load_exponent(inner[3])
+
+    def at(overlap):
+        return film_gap.energy(film_gap.solve(overlap, stiffness, law), exponent)
+
+    ends = -1e-6, 17e-6
+    work = quad(lambda d: float(film_gap.solve(d, stiffness, law).load), *ends, epsrel=1e-10)[0]
+    assert at(ends[1]) - at(ends[0]) == pytest.approx(work, rel=1e-8)
