@@ -15,12 +15,15 @@ __version__ = "0.1.0"
 # the public names, and the module that is or has each
 NAMES = {
     # theory, without a run
+    "asperity": "theory.asperity",
     "bearing": "theory.bearing",
     "capacitance": "theory.capacitance",
     "clearance": "theory.clearance",
     "damping": "theory.damping",
     "distribution": "theory.distribution",
+    "drag": "theory.drag",
     "film": "theory.film",
+    "film_damping": "theory.film_damping",
     "film_factors": "theory.film_factors",
     "film_gap": "theory.film_gap",
     "film_regimes": "theory.film_regimes",
@@ -29,7 +32,11 @@ NAMES = {
     "lubricant": "theory.lubricant",
     "lubrication": "theory.lubrication",
     "operating_point": "theory.operating_point",
+    "rolling": "theory.rolling",
+    "sliding": "theory.sliding",
+    "spin": "theory.spin",
     "static": "theory.static",
+    "traction": "theory.traction",
     # runs
     "Run": "runs.run",
     "RunTables": "runs.tables",

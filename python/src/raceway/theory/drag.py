@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Drag of the balls in a mixture of oil and air."""
+
+import numpy as np
+
+from raceway.arrays import Numbers
+
+# drag coefficient of a sphere by Reynolds number; straight between in the logarithms of both
+REYNOLDS = np.array([0.1, 1, 10, 1e2, 1e3, 1e4, 1e5])
+COEFFICIENT = np.array([275, 30, 4.2, 1.2, 0.48, 0.40, 0.45])
+
+
+def coefficient(reynolds: Numbers) -> Numbers:
+    """C_D of a sphere; below Re 0.1 in proportion to 1/Re (Stokes), above 1e5 constant."""
+    low = np.minimum(np.maximum(reynolds, 1e-300) / REYNOLDS[0], 1)
+    inside = np.interp(
+        np.log(np.maximum(reynolds, REYNOLDS[0])), np.log(REYNOLDS), np.log(COEFFICIENT)
+    )
+    return np.exp(inside) / low
+
+
+def force(
+    ball_radius: float,
+    speed: Numbers,
+    viscosity: Numbers,
+    density: Numbers,
+    share: float = 0.1,
+) -> Numbers:
+    """Drag in N on a ball along its `speed` around the bearing in m/s: C_D rho_eff A v^2/2.
+
+    A = pi R_b^2; rho_eff = X rho_oil with X = `share` of oil in the space, 0.01 to 0.2 (from
+    memory, unchecked); C_D at Re = rho_oil v 2R_b/eta; `density` of the oil in kg/m^3, eta in Pa s.
+    """
+    reynolds = density * np.abs(speed) * 2 * ball_radius / viscosity
+    area = np.pi * ball_radius**2
+    return 0.5 * share * density * coefficient(reynolds) * area * speed * np.abs(speed)

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Differential slip of a ball in its groove (Heathcote): force along rolling and couple about the
+axis of rolling, with Coulomb's law in closed form, with any law by quadrature.
+
+Across the groove the sliding speed is s(z) = (u/R_x) (y0 - z^2/(2 R_d)); z = 0 has the slip
+`slip` (s bar), and a contact with t0 = sqrt(slip/s_e) in [0, 1] has no slip at z = a t0. s is ball
+minus ring along the ball's surface motion past the contact. Numbers or arrays of one shape, SI.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Numbers
+
+FREE = 2 * np.sin(np.pi / 18)  # t0 without force, the root of t^3 - 3 t + 1
+LEAST = 1e-4  # m/s, floor of s_e: towards u = 0 the law is Coulomb's, smoothed over this
+
+
+class Slip(NamedTuple):
+    """What a contact's slip does, arrays of one shape."""
+
+    force: Numbers  # F, N: -F on the ball, +F on the ring, along rolling
+    couple: Numbers  # C, N m: +C on the ball, -C on the ring, about w
+    power: Numbers  # W, lost
+
+
+def deformed_radius(groove: Numbers, ball: Numbers) -> Numbers:
+    """R_d = 2 r_c R_b/(r_c + R_b), m: the curvature across the groove of the surface of contact."""
+    return 2 * groove * ball / (groove + ball)
+
+
+def edge_slip(speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
+    """s_e = |u| a^2/(2 R_d R_x), m/s: how much the sliding speed at z = a differs from z = 0."""
+    return np.abs(speed) * a**2 / (2 * r_d * r_x)
+
+
+def heathcote(
+    slip: Numbers,
+    load: Numbers,
+    friction: Numbers,
+    speed: Numbers,
+    a: Numbers,
+    r_d: Numbers,
+    r_x: Numbers,
+) -> Slip:
+    """`Slip` with Coulomb's law.
+
+    F/(mu Q) = 3 t0 - t0^3 - 1, C/(mu Q a^2/(2 R_d)) = t0^3 - 0.6 t0^5 - 0.2, power F s - C u/R_x.
+    Above t0 = 1 they are 1 and 0.2, below slip 0 they are -1 and -0.2. For u > 0. The groove's
+    share of the slip is kept above `LEAST`.
+    """
+    t = _part(slip, speed, a, r_d, r_x)
+    limit = friction * load
+    force = limit * (3 * t - t**3 - 1)
+    couple = limit * a**2 / (2 * r_d) * (t**3 - 0.6 * t**5 - 0.2)
+    return Slip(force, couple, force * slip - couple * speed / r_x)
+
+
+def free_slip(speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
+    """Slip at z = 0 of free rolling, F = 0: 0.120615 s_e, m/s."""
+    return FREE**2 * np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
+
+
+def free_power(
+    load: Numbers, friction: Numbers, speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers
+) -> Numbers:
+    """Power of free rolling, 0.161142 mu Q s_e, W."""
+    share = 0.2 + 0.6 * FREE**5 - FREE**3
+    return share * friction * load * edge_slip(speed, a, r_d, r_x)
+
+
+def free_slope(
+    load: Numbers, friction: Numbers, speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers
+) -> Numbers:
+    """dF/d(slip) at free rolling, 3.80 mu Q/s_e, N s/m."""
+    lean = 1.5 * (1 - FREE**2) / FREE
+    return lean * friction * load / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
+
+
+def creep(a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
+    """v0/u = a^2/(7.60 R_d R_x), v0 the width of the smoothed Coulomb law F = mu Q s/v0 with the
+    slope of free rolling."""
+    lean = 1.5 * (1 - FREE**2) / FREE
+    return a**2 / (2 * lean * r_d * r_x)
+
+
+def secant(
+    slip: Numbers,
+    load: Numbers,
+    friction: Numbers,
+    speed: Numbers,
+    a: Numbers,
+    r_d: Numbers,
+    r_x: Numbers,
+) -> Numbers:
+    """F over the distance of the slip from free rolling, N s/m; the slope where they meet."""
+    edge = np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
+    t = _part(slip, speed, a, r_d, r_x)
+    # 3 t - t^3 - 1 = (t - FREE) (3 - t^2 - t FREE - FREE^2), t^2 - FREE^2 = (t - FREE) (t + FREE)
+    inside = friction * load * (3 - t**2 - t * FREE - FREE**2) / ((t + FREE) * edge)
+    scaled = slip / edge
+    beyond = friction * load * np.where(scaled > 1, 1.0, -1.0)
+    distance = np.where((scaled >= 0) & (scaled <= 1), 1.0, slip - FREE**2 * edge)
+    return np.where((scaled >= 0) & (scaled <= 1), inside, beyond / distance)[()]
+
+
+def in_series(
+    force: Numbers, distance: Numbers, secant: Numbers, spring: Numbers, step: Numbers
+) -> tuple[Numbers, Numbers]:
+    """(force in N after `step` in s, its slope k_t tau (1 - e^(-step/tau)) in N s/m).
+
+    The slip law with the tangential spring k_t in N/m in series: tau = c/k_t, c = `secant` in N
+    s/m; `distance` from free rolling in m/s, held over the step. The slip law for long steps, a
+    spring for short ones, sticking at rest.
+    """
+    tau = secant / spring
+    gone = -np.expm1(-step / tau)
+    return force + (secant * distance - force) * gone, spring * tau * gone
+
+
+def quadrature(
+    law: Callable[[Numbers, Numbers], Numbers],
+    slip: float,
+    load: float,
+    speed: float,
+    a: float,
+    b: float,
+    r_d: float,
+    r_x: float,
+    points: int = 400,
+) -> Slip:
+    """`Slip` of one contact for any traction law tau(pressure in Pa, |s| in m/s) in Pa, by
+    midpoints: `points` across the groove, a quarter as many along rolling."""
+    z = (np.arange(points) + 0.5) / points  # of a
+    many = points // 4
+    angle = (np.arange(many) + 0.5) * np.pi / many
+    half = b * np.sqrt(1 - z**2)
+    x = np.cos(angle) / np.ones((points, 1))  # of the strip's half-length
+    width = half[:, None] * np.sin(angle) * np.pi / many
+    peak = 1.5 * load / (np.pi * a * b)
+    pressure = peak * np.sqrt(1 - z[:, None] ** 2) * np.sqrt(1 - x**2)
+    s = slip - edge_slip(speed, a, r_d, r_x) * z**2
+    strip = np.sign(s) * (law(pressure, np.abs(s)[:, None]) * width).sum(1) * 2 * a / points
+    lever = (z * a) ** 2 / (2 * r_d)
+    return Slip(strip.sum(), (strip * lever).sum(), (strip * s).sum())
+
+
+def _part(slip, speed, a, r_d, r_x):
+    edge = np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
+    return np.sqrt(np.clip(slip / edge, 0, 1))

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Shear stress of a film that slides. Numbers or arrays of one shape, SI units."""
+
+import numpy as np
+
+from raceway.arrays import Numbers
+
+
+def eyring(
+    viscosity: Numbers,
+    sliding: Numbers,
+    thickness: Numbers,
+    stress: Numbers = 5e6,
+    limit: Numbers = np.inf,
+) -> Numbers:
+    """tau = min(tau_0 asinh(eta s/(h tau_0)), limit) in Pa, odd in s.
+
+    eta in Pa s under pressure, s in m/s, h in m; `stress` is tau_0 in Pa; `limit` is Lambda_L p:
+    Lambda_L 0.047 mineral, 0.04 paraffinic, 0.035 PAO, 0.03 ester (Arana 2019 after Hoglund 1999).
+    """
+    shear = stress * np.arcsinh(viscosity * np.abs(sliding) / (thickness * stress))
+    return np.sign(sliding) * np.minimum(shear, limit)
+
+
+def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: Numbers) -> Numbers:
+    """tau = tau_L (1 - exp(-eta s/(h tau_L))) in Pa, odd in s, tau_L = `limit` in Pa.
+
+    The inverse of `bair_winer_rate`.
+    """
+    return -np.sign(sliding) * limit * np.expm1(-viscosity * np.abs(sliding) / (thickness * limit))
+
+
+def bair_winer_rate(viscosity: Numbers, stress: Numbers, limit: Numbers) -> Numbers:
+    """s/h = -(tau_L/eta) ln(1 - tau/tau_L) in 1/s (Bair and Winer 1979).
+
+    Eq 6 of Schwarz et al. 2023 lacks the minus. Raises `ValueError` for a stress not below its
+    limit.
+    """
+    if np.any(np.abs(stress) >= limit):
+        raise ValueError(f"shear stress {stress} Pa must be below its limit {limit} Pa")
+    return -np.sign(stress) * limit / viscosity * np.log1p(-np.abs(stress) / limit)
+
+
+def mixed(share: Numbers, boundary: Numbers, film: Numbers) -> Numbers:
+    """mu = L_a mu_b + (1 - L_a) mu_film, `share` being L_a (`asperity`)."""
+    return share * boundary + (1 - share) * film

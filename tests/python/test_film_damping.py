@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The film's Maxwell branch: numbers of the 6208, exactness of its step, limits."""
+
+import numpy as np
+import pytest
+from raceway import damping, film, film_damping, hertz
+from raceway.theory.bearing import INNER
+
+LOAD = 2436.2
+SPEEDS = np.array([48.0, 477.5, 1910.0, 9549.0]) * 0.724764 / 477.5
+
+
+@pytest.fixture(scope="module")
+def top(bearing):
+    """(k, h_c, h_min, delta_H, a, b) of the most loaded inner contact at four speeds."""
+    r_x, r_y = bearing.effective_radii(INNER)
+    modulus, ellipse = bearing.effective_modulus, hertz.exact(r_x, r_y)
+    elastic = (LOAD / hertz.stiffness(ellipse, modulus)) ** (2 / 3)
+    g = film.group(0.04, 22e-9, modulus, r_x, ellipse.kappa, SPEEDS, LOAD)
+    return (
+        1.5 * LOAD / elastic,
+        film.h_c(r_x, g),
+        film.h_min(r_x, g),
+        elastic,
+        *hertz.semi_axes(ellipse, modulus, LOAD),
+    )
+
+
+def test_dashpot(top):
+    k, h_c, _, elastic, _, b = top
+    found = film_damping.dashpot(k, h_c, elastic, b, SPEEDS)
+    assert found == pytest.approx([659, 331, 219, 135], rel=0.01)
+
+
+def test_equation_5_is_far_above(bearing, top):
+    _, _, h_min, _, a, _ = top
+    found = damping.film(0.04, a, bearing.ball_radius, np.maximum(h_min, 1e-7))
+    assert found == pytest.approx([8680, 5200, 1280, 250], rel=0.01)
+
+
+def test_loss_factor_at_resonance(top):
+    k, h_c, _, elastic, _, b = top
+    found = film_damping.loss_factor(
+        k, film_damping.branch(k, h_c, elastic, b, SPEEDS), 2 * np.pi / 28e-6
+    )
+    assert np.all(found < 7e-3) and np.all(found > 0.5e-6)
+
+
+def test_step(top):
+    k, h_c, _, elastic, _, b = top
+    one = film_damping.branch(k, h_c, elastic, b, SPEEDS)
+    assert one.stiffness == pytest.approx(0.44 * k * h_c / elastic, rel=1e-14)
+    assert one.time == pytest.approx(1.33 * b / SPEEDS, rel=1e-14)
+    approach = 1e-3
+    # two halves are a whole; a long step is the dashpot, a short one the spring
+    half = film_damping.advance(5.0, one, approach, one.time / 2)[0]
+    twice = film_damping.advance(half, one, approach, one.time / 2)[0]
+    assert twice == pytest.approx(film_damping.advance(5.0, one, approach, one.time)[0], rel=1e-14)
+    force, slope = film_damping.advance(5.0, one, approach, 100 * one.time)
+    assert slope == pytest.approx(one.stiffness * one.time, rel=1e-12)
+    assert force == pytest.approx(slope * approach, rel=1e-12)
+    force, slope = film_damping.advance(0.0, one, approach, 1e-6 * one.time)
+    assert slope == pytest.approx(one.stiffness * 1e-6 * one.time, rel=1e-6)
+
+
+def test_at_rest_and_thick_films():
+    rest = film_damping.branch(1e8, 1e-7, 1e-5, 2e-4, 0.0)
+    assert rest.time == np.inf
+    force, slope = film_damping.advance(2.0, rest, 1e-3, 1e-6)
+    assert slope == rest.stiffness * 1e-6 and force == 2.0 + slope * 1e-3
+    assert film_damping.branch(1e5, 1e-6, 1e-9, 1e-6, 1.0).stiffness == 0.44e5
+    assert film_damping.branch(0.0, 1e-6, 0.0, 0.0, 1.0).stiffness == 0

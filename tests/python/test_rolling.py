@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Resistance to rolling of the 6208 at 2436 N, 0.04 Pa s: numbers, limits, closed forms."""
+
+import numpy as np
+import pytest
+from raceway import drag, hertz, rolling
+from raceway.theory.bearing import INNER, OUTER
+from scipy.integrate import quad
+
+SPEEDS = np.array([0.0725, 0.725, 2.9, 14.5])
+FORCES = {INNER: [0.0271, 0.1529, 0.4344, 1.4692], OUTER: [0.0292, 0.1650, 0.4696, 1.5976]}
+
+
+def found(law, bearing, side, load=2436.0):
+    return law(0.04, bearing.effective_modulus, *bearing.effective_radii(side), SPEEDS, load)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+def test_hydrodynamic(bearing, side):
+    assert found(rolling.hydrodynamic, bearing, side) == pytest.approx(FORCES[side], abs=5e-5)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+@pytest.mark.parametrize("load", [50.0, 2436.0])
+def test_powers(bearing, side, load):
+    both = (found(law, bearing, side, load) for law in (rolling.hydrodynamic,
+            rolling.hydrodynamic_powers))  # fmt: skip
+    assert next(both) == pytest.approx(next(both), rel=0.006)
+
+
+def test_elastic_limit():
+    """The paper's example: b/a = 0.01, U2 = 1e-11, W = 1e-5 give f/(E' R_x^2) = 10.9e-9, 10.97e-9
+    with exact integrals."""
+    # R_y/R_x of kappa = 100
+    ratio = 1e3
+    for _ in range(60):
+        ratio *= (100 / hertz.ellipticity(ratio)) ** 1.5
+    assert hertz.ellipticity(ratio) == pytest.approx(100, rel=1e-12)
+    force = rolling.hydrodynamic(0.5e-11, 1.0, 1.0, ratio, 1.0, 1e-5, limit=True)
+    assert force == pytest.approx(10.97e-9, abs=0.005e-9)
+    heavy = [rolling.hydrodynamic(0.5e-11, 1.0, 1.0, ratio, 1.0, load) for load in (1e-3, 1.0)]
+    limit = [rolling.hydrodynamic(0.5e-11, 1.0, 1.0, ratio, 1.0, load, True)
+             for load in (1e-3, 1.0)]  # fmt: skip
+    assert heavy[1] / limit[1] - 1 == pytest.approx(0, abs=1e-3)
+    assert abs(heavy[1] / limit[1] - 1) < abs(heavy[0] / limit[0] - 1)
+
+
+@pytest.mark.parametrize("law", [rolling.hydrodynamic, rolling.hydrodynamic_powers])
+def test_no_resistance_at_rest_or_without_load(bearing, law):
+    radii = bearing.effective_radii(INNER)
+    modulus = bearing.effective_modulus
+    assert law(0.04, modulus, *radii, 0.0, 100.0) == 0
+    assert law(0.04, modulus, *radii, 1.0, 0.0) == 0
+    assert law(0.04, modulus, *radii, -1.0, 100.0) == law(0.04, modulus, *radii, 1.0, 100.0)
+
+
+def test_couple_dissipates_twice_the_force(bearing):
+    r_x, _ = bearing.effective_radii(INNER)
+    speed = 0.725
+    assert rolling.couple(0.1529, r_x) * speed / r_x == pytest.approx(2 * 0.1529 * speed, rel=1e-15)
+
+
+def test_hysteresis(bearing):
+    r_x, r_y = bearing.effective_radii(INNER)
+    a, b = hertz.semi_axes(hertz.exact(r_x, r_y), bearing.effective_modulus, 2436.2)
+    line = rolling.hysteresis(2436.2, b)
+    assert line == pytest.approx(1.1357e-3, abs=5e-8)
+
+    def strip(z):  # the line's couple of a strip, with its own load and half-length
+        half = np.sqrt(1 - z**2)
+        return rolling.hysteresis(0.75 * 2436.2 * half**2, b * half)
+
+    whole = quad(strip, -1, 1)[0]
+    assert rolling.hysteresis_strips(2436.2, b) == pytest.approx(whole, rel=1e-7)
+    assert whole / line == pytest.approx(0.88, abs=0.005)
+
+
+def test_drag(bearing):
+    for reynolds, expected in zip(drag.REYNOLDS, drag.COEFFICIENT):
+        assert drag.coefficient(reynolds) == pytest.approx(expected, rel=1e-14)
+    assert drag.coefficient(np.sqrt(0.1)) == pytest.approx(np.sqrt(275 * 30), rel=1e-14)
+    assert drag.coefficient(0.01) == pytest.approx(2750, rel=1e-14)
+    assert drag.coefficient(1e7) == 0.45
+    speed = 9549 * np.pi / 30 * 0.39604 * bearing.pitch_radius
+    force = drag.force(bearing.ball_radius, speed, 0.04, 870.0)
+    assert force == pytest.approx(0.3, abs=0.05)
+    assert drag.force(bearing.ball_radius, -speed, 0.04, 870.0) == -force
+    assert drag.force(bearing.ball_radius, 0.0, 0.04, 870.0) == 0

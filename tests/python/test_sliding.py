@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Differential slip, spin and traction: numbers, quadrature, limits."""
+
+import numpy as np
+import pytest
+from raceway import hertz, lubricant, sliding, spin, traction
+from raceway.theory.bearing import INNER, OUTER
+
+LOAD, FRICTION, SPEED = 2436.2, 0.05, 0.724764
+
+
+def contact(bearing, side=INNER):
+    """(a, b, R_d, R_x)."""
+    r_x, r_y = bearing.effective_radii(side)
+    a, b = hertz.semi_axes(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
+    return a, b, sliding.deformed_radius(bearing.groove(side), bearing.ball_radius), r_x
+
+
+# ---- Heathcote ---------------------------------------------------------------------------------
+def test_free_rolling(bearing):
+    expected = {INNER: (0.047939, 0.94098, 0.01741), OUTER: (0.029443, 0.57793, 0.01069)}
+    for side, (edge, power, creep) in expected.items():
+        a, _, r_d, r_x = contact(bearing, side)
+        assert 1e3 * r_d == pytest.approx(6.42353, abs=5e-6)
+        assert sliding.edge_slip(SPEED, a, r_d, r_x) == pytest.approx(edge, abs=5e-7)
+        assert sliding.free_power(LOAD, FRICTION, SPEED, a, r_d, r_x) == pytest.approx(
+            power, abs=5e-6
+        )
+        # the printed numbers take the rounded slope 3.80, the formula the exact one
+        assert a**2 / (7.60 * r_d * r_x) == pytest.approx(creep, abs=5e-6)
+        assert sliding.creep(a, r_d, r_x) == pytest.approx(creep, rel=6e-4)
+        free = sliding.free_slip(SPEED, a, r_d, r_x)
+        assert free / edge == pytest.approx(0.120615, abs=2e-6)
+        found = sliding.heathcote(free, LOAD, FRICTION, SPEED, a, r_d, r_x)
+        assert found.force == pytest.approx(0, abs=1e-12)
+        assert found.power == pytest.approx(power, abs=5e-6)
+    assert sliding.FREE == pytest.approx(0.347296, abs=5e-7)
+
+
+def test_slope_at_free_rolling(bearing):
+    a, _, r_d, r_x = contact(bearing)
+    for speed, slope in ((0.0725, 9.7e4), (0.725, 9.7e3), (14.4946, 480)):
+        found = sliding.free_slope(LOAD, FRICTION, speed, a, r_d, r_x)
+        assert found == pytest.approx(slope, rel=0.01)
+        edge = sliding.edge_slip(speed, a, r_d, r_x)
+        assert found * edge / (FRICTION * LOAD) == pytest.approx(3.80, abs=0.005)
+        free, step = sliding.free_slip(speed, a, r_d, r_x), 1e-6 * edge
+        ends = [sliding.heathcote(free + side, LOAD, FRICTION, speed, a, r_d, r_x).force
+                for side in (-step, step)]  # fmt: skip
+        assert (ends[1] - ends[0]) / (2 * step) == pytest.approx(found, rel=1e-8)
+
+
+@pytest.mark.parametrize("part", [-0.3, 0.05, 0.12, 0.5, 0.9, 1.4])
+def test_closed_form_is_the_integral(bearing, part):
+    a, b, r_d, r_x = contact(bearing)
+    slip = part * sliding.edge_slip(SPEED, a, r_d, r_x)
+    closed = sliding.heathcote(slip, LOAD, FRICTION, SPEED, a, r_d, r_x)
+    summed = sliding.quadrature(
+        lambda p, s: FRICTION * p + 0 * s, slip, LOAD, SPEED, a, b, r_d, r_x, 4000
+    )
+    scale = FRICTION * LOAD * np.array([1, a**2 / (2 * r_d), sliding.edge_slip(SPEED, a, r_d, r_x)])
+    assert np.array(summed) / scale == pytest.approx(np.array(closed) / scale, abs=2e-3)
+
+
+@pytest.mark.parametrize("part", [-0.3, 0.0, 0.05, 0.120615, 0.5, 1.0, 1.4])
+def test_secant(bearing, part):
+    a, _, r_d, r_x = contact(bearing)
+    edge = sliding.edge_slip(SPEED, a, r_d, r_x)
+    arguments = LOAD, FRICTION, SPEED, a, r_d, r_x
+    slip = np.array([part * edge])
+    found = sliding.secant(slip, *arguments)
+    distance = slip - sliding.free_slip(*arguments[2:])
+    assert found * distance == pytest.approx(
+        sliding.heathcote(slip, *arguments).force, abs=1e-11 * LOAD
+    )
+    assert found > 0
+    free = sliding.secant(sliding.free_slip(*arguments[2:]), *arguments)
+    assert free == pytest.approx(sliding.free_slope(*arguments), rel=1e-12)
+
+
+def test_limits(bearing):
+    a, _, r_d, r_x = contact(bearing)
+    arguments = LOAD, FRICTION, SPEED, a, r_d, r_x
+    edge = sliding.edge_slip(SPEED, a, r_d, r_x)
+    ends = sliding.heathcote(np.array([-1.0, 0.0, edge, 1.0]), *arguments)
+    assert ends.force == pytest.approx(FRICTION * LOAD * np.array([-1, -1, 1, 1]), rel=1e-13)
+    couple = 0.2 * FRICTION * LOAD * a**2 / (2 * r_d)
+    assert ends.couple == pytest.approx(couple * np.array([-1, -1, 1, 1]), rel=1e-13)
+    slip = np.linspace(-edge, 2 * edge, 1001)
+    found = sliding.heathcote(slip, *arguments)
+    assert np.all(np.diff(found.force) >= 0) and np.all(found.power > 0)
+    # the width is that of the groove at rest: no step in the force
+    rest = sliding.heathcote(np.array([-1e-9, 0.0, 1e-9]), LOAD, FRICTION, 0.0, a, r_d, r_x)
+    assert np.abs(np.diff(rest.force)).max() < 0.02 * FRICTION * LOAD
+
+
+def test_spring_in_series():
+    secant, spring, distance = 9.7e3, 1.6e8, 1e-3
+    tau = secant / spring
+    steady = secant * distance
+    assert tau == pytest.approx(6e-5, rel=0.02)
+    # a short step is the spring, a long one the slip law, two halves are a whole
+    force, slope = sliding.in_series(0.0, distance, secant, spring, 1e-9)
+    assert force == pytest.approx(spring * distance * 1e-9, rel=1e-4)
+    assert slope == pytest.approx(spring * 1e-9, rel=1e-4)
+    force, slope = sliding.in_series(3.0, distance, secant, spring, 1.0)
+    assert (force, slope) == pytest.approx((steady, secant), rel=1e-13)
+    half = sliding.in_series(3.0, distance, secant, spring, tau / 2)[0]
+    whole = sliding.in_series(3.0, distance, secant, spring, tau)[0]
+    assert sliding.in_series(half, distance, secant, spring, tau / 2)[0] == pytest.approx(whole)
+
+
+# ---- spin --------------------------------------------------------------------------------------
+@pytest.mark.parametrize(("kappa", "share"), [(1, 0.589049), (2, 0.454146), (9.37359, 0.38169)])
+def test_pure_spin(kappa, share):
+    from scipy.special import ellipe
+
+    second = ellipe(1 - kappa**-2.0)
+    digits = 5e-7 if kappa < 9 else 5e-6
+    assert spin.moment(1.0, 1.0, 1.0, second) == pytest.approx(share, abs=digits)
+    found = spin.with_slip(1.0, 1.0, 1.0, 1 / kappa, 0.0, 0.0, 1.0, points=48)
+    assert found.moment == pytest.approx(share, rel=1e-5)
+    assert found.power == pytest.approx(found.moment, rel=1e-12)
+    assert (found.along, found.across) == pytest.approx((0, 0), abs=1e-12)
+
+
+def test_slip_takes_spin_s_moment_away():
+    arguments = 1000.0, 0.05, 2e-3, 0.25e-3
+    slid = spin.with_slip(*arguments, [0.0, 0.1, 10.0], 0.0, 10.0)
+    assert np.all(np.diff(slid.moment) < 0) and np.all(np.diff(slid.along) > 0)
+    assert slid.along[2] == pytest.approx(50.0, rel=1e-4)
+    across = spin.with_slip(*arguments, 0.0, 10.0, 10.0)
+    assert across.across == pytest.approx(50.0, rel=1e-4)
+
+
+def test_gauss_points_give_heathcote(bearing):
+    a, b, r_d, r_x = contact(bearing)
+    curve = SPEED / (2 * r_d * r_x)
+    for part in (0.05, 0.5):
+        slip = part * sliding.edge_slip(SPEED, a, r_d, r_x)
+        closed = sliding.heathcote(slip, LOAD, FRICTION, SPEED, a, r_d, r_x)
+        found = spin.with_slip(LOAD, FRICTION, a, b, slip, 0.0, 0.0, curve=curve, points=200)
+        assert found.along == pytest.approx(closed.force, abs=0.01 * FRICTION * LOAD)
+        assert found.power == pytest.approx(closed.power, rel=0.01)
+
+
+# ---- traction ----------------------------------------------------------------------------------
+def test_eyring():
+    slow = traction.eyring(0.04, 1e-6, 1e-7)
+    assert slow == pytest.approx(0.04 * 1e-6 / 1e-7, rel=1e-9)
+    assert traction.eyring(1e5, 0.1, 1e-7, 5e6, 47e6) == 47e6
+    assert traction.eyring(1e5, -0.1, 1e-7, 5e6, 47e6) == -47e6
+    value = traction.eyring(10.0, 0.1, 1e-7)
+    assert np.sinh(value / 5e6) * 5e6 == pytest.approx(10.0 * 0.1 / 1e-7, rel=1e-12)
+
+
+def test_bair_winer():
+    slid = np.array([-0.2, 1e-9, 0.05, 0.3])
+    stress = traction.bair_winer(10.0, slid, 1e-7, 5e7)
+    assert traction.bair_winer_rate(10.0, stress, 5e7) == pytest.approx(slid / 1e-7, rel=1e-6)
+    assert stress[1] == pytest.approx(10.0 * 1e-9 / 1e-7, rel=1e-6)
+    assert np.all(np.abs(stress) < 5e7)
+    with pytest.raises(ValueError, match="must be below its limit"):
+        traction.bair_winer_rate(10.0, 5e7, 5e7)
+
+
+@pytest.mark.parametrize(("speed", "h_c", "slide_roll"), [(0.0725, 32e-9, 0.08),
+                                                          (14.4946, 1309e-9, 0.016)])  # fmt: skip
+def test_slide_roll_where_eyring_reaches_coulomb(bearing, speed, h_c, slide_roll):
+    """tau of Eyring alone, Roelands, is 0.05 p at about this slide-roll ratio (mean pressure)."""
+    r_x, r_y = bearing.effective_radii(INNER)
+    pressure = 2 / 3 * hertz.pressure(hertz.exact(r_x, r_y), bearing.effective_modulus, LOAD)
+    eta = lubricant.roelands(0.04, 22e-9, pressure)
+    stress = traction.eyring(eta, slide_roll * speed, h_c)
+    assert stress / pressure == pytest.approx(0.05, rel=0.15)
+
+
+def test_mixed():
+    assert traction.mixed(np.array([0.0, 0.25, 1.0]), 0.12, 0.04) == pytest.approx(
+        [0.04, 0.06, 0.12]
+    )
