@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Temperatures of a bearing: cooling, heat balance of one node or of ring, balls and ring,
+clearance by temperature, flash temperature. SI units, temperatures in degrees C.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq
+
+from raceway.arrays import Floats, Numbers
+from raceway.theory import makers
+from raceway.theory.bearing import Bearing
+from raceway.theory.sliding import FREE
+
+EXPANSION = 12e-6  # 1/K, bearing steel
+FLUX, RISE = (
+    0.016e6,
+    50.0,
+)  # W/m^2 and K: reference conditions of ISO 15312 (from memory, unchecked)
+REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
+STEEL = (46.0, 7850.0, 460.0)  # k in W/(m K), rho in kg/m^3, c in J/(kg K)
+
+
+def cooling(boundary: makers.Boundary) -> float:
+    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): what a bearing's seats and housing carry away
+    per degree above ambient, at the reference conditions."""
+    area = np.pi * boundary.width * (boundary.outside + boundary.bore) * 1e-6
+    return FLUX * area / RISE
+
+
+def balance(
+    power: Callable[[float], float],
+    conductance: float,
+    ambient: float = 20.0,
+    hottest: float = 200.0,
+) -> float:
+    """Temperature in degrees C where `power`(T) in W equals `conductance` in W/K times T - T_a.
+
+    Raises `ValueError` when the bearing is still heating at `hottest`. A power that falls with
+    temperature, as with every oil, has one such temperature.
+    """
+
+    def surplus(temperature):
+        return power(temperature) - conductance * (temperature - ambient)
+
+    if surplus(hottest) > 0:
+        raise ValueError(
+            f"power loss {power(hottest):g} W at {hottest:g} C exceeds what {conductance:g} W/K "
+            f"carries away to {ambient:g} C"
+        )
+    return float(brentq(surplus, ambient, hottest, xtol=1e-6))
+
+
+class Nodes(NamedTuple):
+    """Temperatures of a bearing's parts, degrees C."""
+
+    inner: float
+    balls: float
+    outer: float
+
+
+def three_nodes(
+    inner: float,
+    outer: float,
+    *,
+    shaft: float,
+    housing: float,
+    contact: float,
+    ambient: float = 20.0,
+) -> Nodes:
+    """`Nodes` in steady state, with the powers in W lost at the `inner` and the `outer` raceway,
+    half of each going into the balls.
+
+    Conductances in W/K: `shaft` from inner ring to ambient, `housing` from outer ring to ambient,
+    `contact` from a ring to all balls.
+    """
+    matrix = np.array(
+        [
+            [shaft + contact, -contact, 0.0],
+            [-contact, 2 * contact, -contact],
+            [0.0, -contact, housing + contact],
+        ]
+    )
+    source = np.array([inner / 2, (inner + outer) / 2, outer / 2])
+    return Nodes(*(ambient + np.linalg.solve(matrix, source)).tolist())
+
+
+def clearance_change(bearing: Bearing, inner: Numbers, balls: Numbers, outer: Numbers) -> Numbers:
+    """Change of the diametral clearance in m by rises in K of inner ring, balls and outer ring:
+    -12e-6 (D_i dT_i + 2 D_w dT_b - D_e dT_e)."""
+    grown = 2 * bearing.inner_radius * inner + 2 * bearing.ball_diameter * balls
+    return -EXPANSION * (grown - 2 * bearing.outer_radius * outer)
+
+
+def flash(flux: Numbers, b: Numbers, speed: Numbers) -> Numbers:
+    """Rise in K of a surface by `flux` in W/m^2 into it: 1.128 q sqrt(2b/(k rho c u)), b the
+    semi-axis along rolling in m, `speed` u in m/s (Blok, Jaeger)."""
+    return 1.128 * flux * np.sqrt(2 * b / (np.prod(STEEL) * speed))
+
+
+def film_rise(flux: Numbers, thickness: Numbers, conductivity: Numbers) -> Numbers:
+    """Rise in K of the film's middle over the surfaces: q_total h/(8 k_f), q_total in W/m^2 made in
+    the film."""
+    return flux * thickness / (8 * conductivity)
+
+
+def greatest_flux(friction: Numbers, pressure: Numbers, edge: Numbers) -> Numbers:
+    """Largest mu p |s| on the ellipse in free rolling, 0.317 mu p_max s_e, in W/m^2.
+
+    p = p_max sqrt(1 - t^2) and |s| = s_e |t^2 - 0.120615|; `pressure` is p_max in Pa, `edge` is s_e
+    in m/s.
+    """
+    # d/d(t^2): sqrt(1 - x) (x - x0) is largest at x = (2 + x0)/3
+    place = (2 + FREE**2) / 3
+    return np.sqrt(1 - place) * (place - FREE**2) * friction * pressure * edge
+
+
+def reference_speed(boundary: makers.Boundary, level: float = 0.0) -> float:
+    """Thermal reference speed in rpm: SKF's friction at ISO 15312's conditions, F_r = 0.05 C0, 12
+    mm^2/s, equals what cooling carries away at 50 K.
+
+    `level` of an oil bath in mm, 0 for none. ISO 15312 has the oil up to the middle of the lowest
+    ball (from memory, unchecked). Raises `ValueError` when there is no such speed.
+    """
+
+    def surplus(speed):
+        torque = makers.skf(
+            boundary, 0.05 * boundary.static_rating, 0.0, speed, REFERENCE_VISCOSITY, level=level
+        )
+        return 1e-3 * torque.total * speed * np.pi / 30 - cooling(boundary) * RISE
+
+    speeds = np.geomspace(100, 3e5, 200)
+    above: Floats = np.flatnonzero([surplus(speed) > 0 for speed in speeds])
+    if not len(above) or above[0] == 0:
+        raise ValueError("no speed from 100 to 300000 rpm balances friction and cooling")
+    return float(brentq(surplus, speeds[above[0] - 1], speeds[above[0]], xtol=1e-3))

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Makers' friction torque: worked numbers, limits, continuity."""
+
+import numpy as np
+import pytest
+from raceway import makers
+
+B6208 = makers.Boundary(40.0, 80.0, 18.0, "62", 19e3)
+SPEEDS = np.array([48.0, 477.5, 1910.0, 9549.0])
+
+
+def test_skf():
+    found = makers.skf(B6208, 5000.0, 0.0, SPEEDS, 46.0)
+    for value, expected, half in zip(found.rolling, [12.0, 46.48, 96.84, 140.6],
+                                     [0.05, 0.005, 0.005, 0.05]):  # fmt: skip
+        assert value == pytest.approx(expected, abs=half)
+    for value, expected, half in zip(found.sliding, [187.2, 99.03, 81.43, 81.43],
+                                     [0.05, 0.005, 0.005, 0.005]):  # fmt: skip
+        assert value == pytest.approx(expected, abs=half)
+    assert found.shear == pytest.approx([0.9994, 0.9893, 0.9400, 0.6665], abs=5e-5)
+    assert found.starvation == pytest.approx([0.9984, 0.9846, 0.9396, 0.7325], abs=5e-5)
+    assert found.total == pytest.approx(found.rolling + found.sliding, rel=1e-15)
+
+
+def test_sums_with_a_bath_to_mid_ball():
+    """Section 1's row: oil to mid-ball, half a ball above the lowest raceway."""
+    found = makers.skf(B6208, 5000.0, 0.0, SPEEDS, 46.0, level=6.3)
+    assert found.total == pytest.approx([199, 147, 181, 246], abs=0.5)
+
+
+def test_palmgren():
+    # from memory, and the viscosity of the printed row is rounded: 0.6 %
+    speed, load = makers.palmgren(B6208, 5000.0, SPEEDS, 46.0)
+    assert speed + load == pytest.approx([65, 92, 143, 308], rel=0.006)
+    slow, _ = makers.palmgren(B6208, 5000.0, np.array([1.0, 2000 / 46 * 0.999]), 46.0)
+    assert slow == pytest.approx(160e-7 * 2 * 60**3, rel=1e-14)
+    # at nu n = 2000 the two forms meet within their rounding
+    assert 2000 ** (2 / 3) == pytest.approx(160, rel=0.01)
+
+
+def test_axial_load_joins_on():
+    alone = makers.skf(B6208, 5000.0, 0.0, 477.5, 46.0)
+    little = makers.skf(B6208, 5000.0, 1e-3, 477.5, 46.0)
+    assert little.rolling == pytest.approx(alone.rolling, rel=1e-4)
+    assert makers.skf(B6208, 5000.0, -800.0, 477.5, 46.0) == makers.skf(
+        B6208, 5000.0, 800.0, 477.5, 46.0
+    )
+    sine = np.sin(np.radians(24.6 * (800 / 19e3) ** 0.24))
+    found = makers.skf(B6208, 5000.0, 800.0, 1e-9, 46.0, boundary=1.0)
+    expected = 3.23e-3 * 60**-0.145 * (5000.0**5 + 36.5 * 60**1.5 * 800.0**4 / sine) ** (1 / 3)
+    assert found.sliding == pytest.approx(expected, rel=1e-6)
+
+
+def test_drag():
+    assert makers.drag(B6208, 1000.0, 46.0, 0.0) == 0
+    levels = np.linspace(0.5, 72.0, 60)
+    found = [makers.drag(B6208, 5000.0, 46.0, level) for level in levels]
+    assert np.all(np.diff(found) > 0)
+    # continuous where the whole lower half is wetted, t = pi
+    ends = [makers.drag(B6208, 5000.0, 46.0, 36.0 + side) for side in (-1e-6, 1e-6)]
+    assert ends[0] == pytest.approx(ends[1], rel=1e-6)
+    with pytest.raises(ValueError, match="oil level 73.0 mm must lie between 0 and 72 mm"):
+        makers.drag(B6208, 5000.0, 46.0, 73.0)
+
+
+def test_unknown_series():
+    with pytest.raises(ValueError, match="series '72' is none of 60, 62"):
+        makers.Boundary(40.0, 80.0, 18.0, "72", 19e3)
+    assert makers.Boundary(40.0, 80.0, 18.0, "622", 19e3).constants == B6208.constants
