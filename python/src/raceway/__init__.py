@@ -19,6 +19,7 @@ NAMES = {
     "bearing": "theory.bearing",
     "capacitance": "theory.capacitance",
     "clearance": "theory.clearance",
+    "contact_law": "theory.contact_law",
     "damping": "theory.damping",
     "distribution": "theory.distribution",
     "drag": "theory.drag",

@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike
 
 from raceway.arrays import Floats, Numbers
 from raceway.errors import NoEquilibrium
-from raceway.theory import circle, hertz, seat
+from raceway.theory import circle, contact_law, hertz, seat
 from raceway.theory import clearance as play
 from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.contact_law import FilmInGap
 
 
 class Balance:
@@ -31,6 +32,7 @@ class Balance:
         clearance: float,
         centrifugal: float,
         finite_shift: bool,
+        film: FilmInGap | None = None,
     ) -> None:
         """`force` (3,) N, `moment` (2,) N m; `held` (5,) imposed places in m and rad, NaN where the
         ring is free."""
@@ -50,7 +52,8 @@ class Balance:
         # m: distances are known to some last digits of the radius
         self.digits = 8 * np.spacing(bearing.pitch_radius)
         self.cap = 0.25 * self.gap.sum()  # longest Newton step, m: small against the groove
-        self.stiffness = self._stiffness(np.zeros((2, len(azimuth))))
+        self.film = film
+        self._bend(np.zeros((2, len(azimuth))))
 
     def start(self) -> Floats:
         """A place that takes up the play toward the load, plus a first guess of the squeeze."""
@@ -122,7 +125,9 @@ class Balance:
         inner = partial(
             self.reach, place=ring, azimuth=self.azimuth, radius=self.bearing.groove_circle(INNER)
         )
-        grooves = seat.Grooves(inner, self.outer, self.gap, self.stiffness, self.centrifugal)
+        grooves = seat.Grooves(
+            inner, self.outer, self.gap, self.stiffness, self.centrifugal, self.law
+        )
         ball = seat.settle(grooves)
         touch = seat.touch(grooves, ball)
         if self.centrifugal == 0:  # a ball with play touches nothing, wherever it was put
@@ -159,6 +164,15 @@ class Balance:
         """`hertz.Ellipse` of the contacts of one raceway."""
         return hertz.exact(*self.bearing.effective_radii(side, angle, self.clearance))
 
+    def _bend(self, angle):
+        """Stiffness and law of the contacts at contact angles (2, Z)."""
+        self.stiffness = self._stiffness(angle)
+        self.law = (
+            contact_law.hertzian(self.stiffness)
+            if self.film is None
+            else self.film.law(self.bearing, angle, self.clearance, self.stiffness)
+        )
+
     def _stiffness(self, angle):
         return np.array(
             [
@@ -170,7 +184,7 @@ class Balance:
     def _renew(self, place):
         """Contact stiffness of the present angles; the moment's part along the tilts of the present
         axis."""
-        self.stiffness = self._stiffness(self.angles(self.balls(place)[2]))
+        self._bend(self.angles(self.balls(place)[2]))
         if self.finite_shift:
             tilt = (place / self.metres)[3:]
             self.loads[3:] = circle.conjugate(self.moment, tilt) / self.metres[3:]

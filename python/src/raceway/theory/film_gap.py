@@ -109,8 +109,8 @@ def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) 
         low, high = np.where(value < 0, y, low), np.where(value < 0, high, y)
         trial = y - value / np.where(none, 1.0, slope)
         trial = np.where((trial > low) & (trial < high), trial, (low + high) / 2)
-        following = np.where(none, y, trial)
-        if np.all(np.abs(following - y) <= 4e-16 * (1 + np.abs(y))):
+        following = np.where(none | (np.abs(value) <= 1e-15), y, trial)  # or rounding moves it
+        if np.all(np.abs(following - y) <= 1e-15 * (1 + np.abs(y))):
             break
         y = following
     load = np.where(none, 0.0, np.exp(y))

@@ -3,7 +3,7 @@
 axis (Jones 1960).
 
 Coordinates are (radial, axial) in m; raceways are counted `INNER`, `OUTER`; Z balls at once. Each
-contact is a spring Q = K overlap^1.5 whose energy is convex in the ball's place, and so is their
+contact is a spring by its `contact_law` whose energy is convex in the ball's place, and so is their
 sum with the centrifugal load.
 """
 
@@ -16,6 +16,7 @@ from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.theory import circle, hertz
 from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.contact_law import Law
 
 
 class Grooves(NamedTuple):
@@ -26,6 +27,7 @@ class Grooves(NamedTuple):
     gap: Floats  # (2,), m: r_c - R_b
     stiffness: Floats  # (2, Z), N/m^1.5
     centrifugal: float  # N, outwards on every ball
+    law: Law  # of overlaps (2, Z)
 
 
 class Touch(NamedTuple):
@@ -34,6 +36,9 @@ class Touch(NamedTuple):
     distance: Floats  # (2, Z), m, ball to centre of curvature
     direction: Floats  # (2, Z, 2), from ball to raceway
     load: Floats  # (2, Z), N
+    along: Floats  # (2, Z), N/m: stiffness of each contact along its line
+    energy: Floats  # (2, Z), J
+    elastic: Floats  # (2, Z), m: compression of the steel
     reach: circle.Reach  # of the inner groove
 
 
@@ -43,21 +48,13 @@ def touch(grooves: Grooves, ball: Floats) -> Touch:
     length = np.linalg.norm(arm, axis=-1)
     distance = np.stack([reach.distance, length])
     direction = np.stack([reach.slope[:, :2], arm / np.maximum(length, 1e-300)[:, None]])
-    return Touch(
-        distance, direction, hertz.load(grooves.stiffness, distance - grooves.gap[:, None]), reach
-    )
-
-
-def along(grooves: Grooves, touch: Touch) -> Floats:
-    """Stiffness (2, Z) of each contact along its line, N/m: 1.5 K overlap^0.5."""
-    return 1.5 * grooves.stiffness * np.sqrt(np.maximum(touch.distance - grooves.gap[:, None], 0))
+    found = grooves.law(distance - grooves.gap[:, None])
+    return Touch(distance, direction, *found, reach)
 
 
 def energy(grooves: Grooves, ball: Floats) -> Floats:
-    """Energy (Z,) in J: 2/5 Q overlap of each spring, less the centrifugal load's work."""
-    now = touch(grooves, ball)
-    squeeze = np.maximum(now.distance - grooves.gap[:, None], 0)
-    return 0.4 * (now.load * squeeze).sum(0) - grooves.centrifugal * (
+    """Energy (Z,) in J of both springs, less the centrifugal load's work."""
+    return touch(grooves, ball).energy.sum(0) - grooves.centrifugal * (
         ball[:, 0] - grooves.outer[:, 0]
     )
 
@@ -74,10 +71,7 @@ def inner_hessian(grooves: Grooves, touch: Touch) -> Floats:
     `circle`."""
     slope, curve = touch.reach.slope, touch.reach.curve
     line = slope[:, :, None] * slope[:, None, :]
-    return (
-        along(grooves, touch)[INNER, :, None, None] * line
-        + touch.load[INNER, :, None, None] * curve
-    )
+    return touch.along[INNER, :, None, None] * line + touch.load[INNER, :, None, None] * curve
 
 
 def outer_hessian(grooves: Grooves, touch: Touch) -> Floats:
@@ -86,9 +80,7 @@ def outer_hessian(grooves: Grooves, touch: Touch) -> Floats:
     direction = touch.direction[OUTER]
     line = direction[:, :, None] * direction[:, None, :]
     across = touch.load[OUTER] / np.maximum(touch.distance[OUTER], 1e-300)
-    return along(grooves, touch)[OUTER, :, None, None] * line + across[:, None, None] * (
-        np.eye(2) - line
-    )
+    return touch.along[OUTER, :, None, None] * line + across[:, None, None] * (np.eye(2) - line)
 
 
 def settle(grooves: Grooves) -> Floats:
@@ -124,11 +116,7 @@ def settle(grooves: Grooves) -> Floats:
         size = np.linalg.norm(slope, axis=-1)
         # distances are known to some last digits of the circle's radius; also where a contact has
         # just closed
-        rounding = (
-            1.5
-            * (stiffness * np.sqrt(np.maximum(now.distance - gap[:, None], 0) + digits)).sum(0)
-            * digits
-        )
+        rounding = 1.5 * (stiffness * np.sqrt(now.elastic + digits)).sum(0) * digits
         if np.all(size <= 1e-12 * scale + rounding):
             break
         curvature = inner_hessian(grooves, now)[:, :2, :2] + outer_hessian(grooves, now)

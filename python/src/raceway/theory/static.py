@@ -33,6 +33,7 @@ from raceway.errors import NoEquilibrium
 from raceway.theory import hertz
 from raceway.theory.balance import Balance
 from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.contact_law import FilmInGap
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
@@ -41,7 +42,7 @@ STRAIGHT = {"rx": 0.0, "ry": 0.0}
 class Contacts(NamedTuple):
     """One raceway's contacts, arrays of one value a ball; zero load where there is none."""
 
-    overlap: Floats  # m
+    overlap: Floats  # m, of the rigid bodies: negative where a film bridges a gap
     load: Floats  # N
     angle: Floats  # rad, positive where the inner ring is pushed to +z
     a: Floats  # m, across the groove
@@ -80,6 +81,7 @@ def equilibrium(
     orbital_speed: float = 0.0,
     ball_density: float = 7800.0,
     finite_shift: bool = False,
+    film: FilmInGap | None = None,
 ) -> Equilibrium:
     """`Equilibrium` of `bearing` under loads in N on the inner ring, toward `load_azimuth` (rad)
     and +z.
@@ -89,9 +91,9 @@ def equilibrium(
     held straight (rx = ry = 0), or free to tilt when a `moment`, zero perhaps, is given.
     `clearance` is diametral, m; `phase` the azimuth of the first ball, rad, or of every ball when
     they are not evenly spaced (Z,); `orbital_speed` of the balls, rad/s, gives each the centrifugal
-    load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift` see above. Raises
-    `NoEquilibrium` when the ring is free to move or the balls are forced out of their grooves,
-    `ValueError` for an unknown degree of freedom.
+    load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift` see above; `film` puts the
+    film in the gap. Raises `NoEquilibrium` when the ring is free to move or the balls are forced
+    out of their grooves, `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -115,7 +117,9 @@ def equilibrium(
     azimuth = np.asarray(phase, float) if np.ndim(phase) else phase + even
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density
     centrifugal = mass * bearing.pitch_radius * orbital_speed**2
-    balance = Balance(bearing, force, couple, place, azimuth, clearance, centrifugal, finite_shift)
+    balance = Balance(
+        bearing, force, couple, place, azimuth, clearance, centrifugal, finite_shift, film
+    )
     return _state(balance, balance.find())
 
 

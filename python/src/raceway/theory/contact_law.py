@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Contact load by overlap, as statics takes it: Hertz alone, or with the film in the gap."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats, Numbers
+from raceway.theory import film, film_factors, film_gap, hertz, kinematics
+from raceway.theory.bearing import Bearing
+from raceway.theory.lubricant import Fluid
+
+
+class Response(NamedTuple):
+    """A contact at an overlap, arrays of one shape."""
+
+    load: Floats  # N
+    slope: Floats  # d(load)/d(overlap), N/m
+    energy: Floats  # J
+    elastic: Floats  # what Hertz's law sees of the overlap, m
+
+
+Law = Callable[[Floats], Response]  # of overlaps in m, negative in a gap
+
+
+def hertzian(stiffness: Floats) -> Law:
+    """Q = K overlap^1.5, K in N/m^1.5."""
+
+    def law(overlap):
+        squeeze = np.maximum(overlap, 0)
+        load = hertz.load(stiffness, overlap)
+        return Response(load, 1.5 * stiffness * np.sqrt(squeeze), 0.4 * (load * squeeze), squeeze)
+
+    return law
+
+
+@dataclass(frozen=True)
+class FilmInGap:
+    """The film of Masjedi and Khonsari between rolling surfaces, thinned by inlet shear.
+
+    Below `film_gap.CUT` newtons it keeps its thickness, so contacts begin at a gap of that height.
+    """
+
+    fluid: Fluid
+    spin: float  # of the inner ring, rad/s
+    starvation: float = 1.0  # factor on the thickness
+    share: float = 1.0  # zeta
+
+    def factor(self, speed: Numbers) -> Numbers:
+        """phi_T of Murch and Wilson times the starvation factor, at u in m/s."""
+        loading = film_factors.thermal_loading(
+            self.fluid.temperature_viscosity, self.fluid.viscosity, speed, self.fluid.conductivity
+        )
+        return film_factors.murch_wilson(loading) * self.starvation
+
+    def law(self, bearing: Bearing, angle: Floats, clearance: float, stiffness: Floats) -> Law:
+        """`Law` of both raceways' contacts: `angle` in rad and `stiffness` (2, Z)."""
+        radii = np.array([bearing.effective_radii(side, angle[side], clearance) for side in (0, 1)])
+        r_x, r_y = radii[:, 0], radii[:, 1]
+        kappa = hertz.ellipticity(r_y / r_x)
+        speed = kinematics.entrainment(bearing, self.spin, angle)
+        exponent, cut = film.load_exponent(kappa), film_gap.CUT
+        thickness = film_gap.power_law(
+            self.fluid.viscosity,
+            self.fluid.pressure_viscosity,
+            bearing.effective_modulus,
+            r_x,
+            kappa,
+            speed,
+            factor=self.factor(speed),
+        )
+        bottom, _ = thickness(np.full(r_x.shape, cut))
+
+        def law(overlap):
+            found = film_gap.solve(overlap, stiffness, thickness, self.share)
+            # the work against the film begins where it begins to thin
+            lifted = np.where(found.load > cut, found.h_c * found.load - bottom * cut, 0.0)
+            stored = self.share * exponent / (1 - exponent) * lifted
+            energy = 0.4 * found.load * found.elastic + stored
+            return Response(found.load, found.slope, energy, found.elastic)
+
+        return law
