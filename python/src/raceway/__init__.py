@@ -28,6 +28,7 @@ NAMES = {
     "film_factors": "theory.film_factors",
     "film_gap": "theory.film_gap",
     "film_regimes": "theory.film_regimes",
+    "friction_torque": "theory.friction_torque",
     "heat": "theory.heat",
     "hertz": "theory.hertz",
     "kinematics": "theory.kinematics",
