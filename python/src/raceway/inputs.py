@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
+from raceway.theory import makers
 from raceway.theory.bearing import Bearing
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 
@@ -79,6 +80,20 @@ def bearing(path: FilePath) -> Bearing:
     young, poisson = data.pop("ball_young"), data.pop("ball_poisson")
     try:
         return Bearing(**data, young=young, poisson=poisson)
+    except ValueError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def boundary(path: FilePath) -> makers.Boundary | None:
+    """`makers.Boundary` of a file of inputs/bearings, None when it has no maker's data. Raises
+    `InputError`."""
+    names = ("bore_diameter", "outside_diameter", "bearing_width", "basic_static_load")
+    if "series" not in values(path):
+        return None
+    bore, outside, width, static = _numbers(path, *names).values()
+    try:
+        series = values(path)["series"]
+        return makers.Boundary(1e3 * bore, 1e3 * outside, 1e3 * width, series, static)
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None
 

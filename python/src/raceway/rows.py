@@ -31,6 +31,8 @@ def _line(row, value):
         shown = value
     elif row.unit == "rpm":
         shown = f"{value:g} rpm"
+    elif row.unit == "°C":
+        shown = f"{value:.4g} °C"
     elif row.unit == "1/GPa":
         shown = f"{value * 1e9:.4g} 1/GPa"
     else:

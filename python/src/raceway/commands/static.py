@@ -14,7 +14,8 @@ DESCRIPTION = """\
 Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and
 axial load and two moments on the inner ring, free contact angles, centrifugal load of the balls.
 With a lubricant and a speed: film (Masjedi-Khonsari) and capacitance of every contact, rolling
-without slip.
+without slip. --models full puts the film in the gap, thins it by inlet shear and adds the friction
+torque by part, beside that of the makers' formulas.
 
 x points along the radial load, z along the bearing's axis. The ring is held straight unless
 --moment frees its tilts or --tilt imposes them. Balls are counted from azimuth --phase, at 0 on the
@@ -24,6 +25,7 @@ examples:
   raceway static --load 5000 --clearance 10e-6
   raceway static --load 2000 --axial 1000 --moment 10 0 --rpm 477.5 --lubricant mineral
   raceway static --load 5000 --tilt 0 20arcmin --json
+  raceway static --load 5000 --rpm 1910 --lubricant vg46 --temperature 70 --models full
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
 
 Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
@@ -136,6 +138,18 @@ def add(commands: Commands) -> None:
     balls.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm"
     )
+    balls.add_argument(
+        "--temperature",
+        type=number(-40, 200, "C"),
+        metavar="C",
+        help="of the lubricant, degrees Celsius (that of its file, 40)",
+    )
+    one.add_argument(
+        "--models",
+        choices=("paper", "full"),
+        default="paper",
+        help="paper: as the publication; full: film in the gap, inlet shear, friction torque",
+    )
     one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
     one.set_defaults(command=run, complain=one.error)
 
@@ -152,6 +166,8 @@ def run(arguments: argparse.Namespace) -> None:
         )
     if arguments.lubricant not in (None, "dry") and not arguments.rpm:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
+    if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
+        arguments.complain("--temperature: of the lubricant; give --lubricant")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
     result = figures(
@@ -167,6 +183,8 @@ def run(arguments: argparse.Namespace) -> None:
         phase=arguments.phase,
         density=arguments.density,
         exact_circle=arguments.exact_circle,
+        models=arguments.models,
+        temperature=arguments.temperature,
     )
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
 

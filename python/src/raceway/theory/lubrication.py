@@ -7,6 +7,7 @@ Each contact has the entrainment speed of pure rolling at its own contact angle
 and the capacitance of eqs 8, 10-12.
 """
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -38,10 +39,16 @@ class Lubrication(NamedTuple):
 
 
 def lubricate(
-    bearing: Bearing, state: Equilibrium, oil: Oil, spin: float, clearance: float = 0.0
+    bearing: Bearing,
+    state: Equilibrium,
+    oil: Oil,
+    spin: float,
+    clearance: float = 0.0,
+    factor: Callable[[Floats], Floats] | None = None,
 ) -> Lubrication:
     """`Lubrication` of an `Equilibrium` with an `inputs.Oil`, the inner ring at `spin` rad/s;
-    `clearance` as there, m.
+    `clearance` as there, m; `factor` on the thickness at an entrainment speed in m/s, 1 unless
+    given.
 
     >>> from raceway.theory.bearing import Bearing
     >>> from raceway.inputs import Oil
@@ -54,14 +61,14 @@ def lubricate(
     303.5
     """
     sides = [
-        _film(bearing, side, contact, oil, spin, clearance)
+        _film(bearing, side, contact, oil, spin, clearance, factor)
         for side, contact in ((INNER, state.inner), (OUTER, state.outer))
     ]
     ball = capacitance.ball(sides[INNER].capacitance, sides[OUTER].capacitance)
     return Lubrication(*sides, ball, float(np.sum(ball)))
 
 
-def _film(bearing, side, contact, oil, spin, clearance):
+def _film(bearing, side, contact, oil, spin, clearance, factor):
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     angle = contact.angle[live]
@@ -76,7 +83,8 @@ def _film(bearing, side, contact, oil, spin, clearance):
         speed,
         contact.load[live],
     )
-    h_min, h_c = film.h_min(r_x, group), film.h_c(r_x, group)
+    thinned = 1.0 if factor is None else factor(speed)
+    h_min, h_c = thinned * film.h_min(r_x, group), thinned * film.h_c(r_x, group)
     electric = capacitance.contact(
         oil.permittivity, contact.pressure[live], contact.a[live], contact.b[live], h_c
     )

@@ -16,16 +16,21 @@ from numpy.typing import ArrayLike
 from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.rows import Row, lines
-from raceway.theory import clearance
+from raceway.theory import clearance, friction_torque, makers
+from raceway.theory.contact_law import FilmInGap
+from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
 from raceway.theory.static import FREEDOMS
 from raceway.units import prefixed
 
+MODELS = ("paper", "full")
 SUPPORT = ("support_x_N", "support_y_N", "support_z_N", "support_rx_N_m", "support_ry_N_m")
 TOPICS = {
     "Operating point": (
         Row("bearing", "bearing", None),
         Row("lubricant", "lubricant", None),
+        Row("temperature_C", "temperature", "°C", "of the lubricant"),
+        Row("models", "models", None),
         Row("load_N", "radial load", "N", "along x"),
         Row("axial_N", "axial load", "N", "along z"),
         Row("moment_x_N_m", "moment about x", "N m"),
@@ -67,6 +72,18 @@ TOPICS = {
         Row("h_min_m", "smallest thickness", "m", "eq 6"),
         Row("h_c_m", "central thickness", "m", "eq 9"),
         Row("lambda", "lambda", "", "eq 7"),
+        Row("film_factor", "factor of inlet shear", "", "Murch-Wilson"),
+        Row("asperity_share", "load share of asperities", "", "Zhou-Hoeprich"),
+    ),
+    "Friction torque": (
+        Row("friction_torque_N_m", "of the inner ring", "N m", "power over speed"),
+        Row("torque_skf_N_m", "SKF, oil to the middle of a ball", "N m", "10000 EN 2013"),
+        Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
+        Row("loss_rolling_W", "hydrodynamic rolling", "W", "Biboulet-Houpert"),
+        Row("loss_slip_W", "differential slip", "W", "Heathcote"),
+        Row("loss_spin_W", "spin", "W"),
+        Row("loss_hysteresis_W", "hysteresis", "W"),
+        Row("loss_drag_W", "drag of the balls", "W"),
     ),
     "Capacitance": (
         Row("capacitance_F", "bearing", "F", "eq 12"),
@@ -103,18 +120,25 @@ def figures(
     phase: float = 0.0,
     density: float | None = None,
     exact_circle: bool = False,
+    models: str = "paper",
+    temperature: float | None = None,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
     (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
-    inner ring and the load along x. What is not `held` is free. Raises `RacewayError`:
-    `NoEquilibrium`, or `InputError` for a data file.
+    inner ring and the load along x. What is not `held` is free. `models` is one of `MODELS`: "full"
+    has the film in the gap, inlet shear and the friction torque. `temperature` of the lubricant is
+    in degrees C, its file's unless given. Raises `RacewayError`: `NoEquilibrium`, or `InputError`
+    for a data file; `ValueError` for other models.
     """
     path = catalogue.find("bearings", bearing, folder)
-    body, oil = inputs.bearing(path), _oil(lubricant, folder)
+    if models not in MODELS:
+        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    body, (oil, fluid) = inputs.bearing(path), _oil(lubricant, folder, temperature)
     spin, held = rpm * math.pi / 30, held or {}
     density = float(inputs.values(path).get("ball_density", 7800.0)) if density is None else density
+    film = FilmInGap(fluid, spin) if models == "full" and oil is not None and spin else None
     state, orbit = turning(
         body,
         spin,
@@ -126,10 +150,15 @@ def figures(
         phase=phase,
         ball_density=density,
         finite_shift=exact_circle,
+        film=film,
     )
     result = dict(
         bearing=path.name,
         lubricant=None if oil is None else str(lubricant),
+        temperature_C=None if oil is None or math.isnan(fluid.temperature) else fluid.temperature,
+        models=models,
+        friction_torque_N_m=None,
+        losses_W=None,
         load_N=load,
         axial_N=axial,
         moment_x_N_m=moment[0],
@@ -150,7 +179,7 @@ def figures(
     result.update(_loads(state))
     films = None
     if oil is not None and spin:
-        films = lubricate(body, state, oil, spin, clearance)
+        films = lubricate(body, state, oil, spin, clearance, film and film.factor)
         top = int(np.argmax(state.inner.load))
         result.update(
             viscosity_Pa_s=oil.viscosity,
@@ -164,6 +193,12 @@ def figures(
             capacitance_top_F=films.ball.max(),
         )
         result["lambda"] = films.inner.ratio[top]
+    if film is not None:
+        boundary = inputs.boundary(path)
+        result.update(film_factor=film.factor(films.inner.entrainment[top]))
+        result.update(
+            _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial)
+        )
     result = {key: _plain(value) for key, value in result.items()}
     result["balls"] = _balls(state, films)
     return result
@@ -172,6 +207,7 @@ def figures(
 def table(result: Mapping[str, Any]) -> str:
     """The mapping of `figures` as text: a topic a block, then a row a ball."""
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
+    filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
     filled["angle_max_rad"] = math.degrees(filled["angle_max_rad"])
     if not filled["rpm"]:
         filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
@@ -190,12 +226,42 @@ def table(result: Mapping[str, Any]) -> str:
     return "\n".join([*lines(filled, TOPICS), "", "Balls", *block])
 
 
-def _oil(lubricant, folder):
-    """`Oil`, or None for no lubricant or a dry one."""
+def _oil(lubricant, folder, temperature):
+    """(`Oil`, `Fluid`), or (None, None) for no lubricant or a dry one."""
     if lubricant is None:
-        return None
+        return None, None
     path = catalogue.find("lubricants", lubricant, folder)
-    return None if inputs.values(path).get("film") == "dry" else inputs.oil(path)
+    if inputs.values(path).get("film") == "dry":
+        return None, None
+    return inputs.oil(path, temperature), inputs.fluid(path, temperature)
+
+
+def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial):
+    """Torque and losses; the makers' torque where the bearing's file has their data."""
+    if missing := [name for name, value in fluid._asdict().items() if math.isnan(value)]:
+        raise inputs.InputError(
+            f"models full need {', '.join(missing)} of the lubricant, and its file has none"
+        )
+    result, surfaces = dict(torque_skf_N_m=None, torque_palmgren_N_m=None), Surfaces()
+    if boundary is not None:
+        rpm, nu = abs(spin) * 30 / math.pi, fluid.kinematic
+        level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
+        own = makers.skf(boundary, load, axial, rpm, nu, level=level)
+        surfaces = Surfaces(starvation=float(own.starvation))
+        result = dict(
+            torque_skf_N_m=1e-3 * own.total,
+            torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, nu)),
+        )
+    found = friction_torque.losses(
+        body, state, films, fluid, spin, orbit, clearance=clearance, surfaces=surfaces
+    )
+    top = int(np.argmax(state.inner.load))
+    return dict(
+        result,
+        friction_torque_N_m=found.power / abs(spin),
+        losses_W=found.parts,
+        asperity_share=found.asperity_share[0, top],
+    )
 
 
 def _ring(state, load, axial, moment, held, play, reach):
