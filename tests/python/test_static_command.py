@@ -183,3 +183,28 @@ def test_help_teaches(capsys):
         main(["static", "--help"])
     assert stop.value.code == 0
     assert "raceway static --load 5000" in capsys.readouterr().out
+
+
+def test_full_models(capsys):
+    common = ("--load", "5000", "--rpm", "1910", "--lubricant", "vg46", "--temperature", "70")
+    paper, full = figures(capsys, *common), figures(capsys, *common, "--models", "full")
+    assert (paper["models"], full["models"]) == ("paper", "full")
+    assert paper["temperature_C"] == full["temperature_C"] == 70
+    assert paper["friction_torque_N_m"] is None and paper["losses_W"] is None
+    oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)
+    assert paper["viscosity_Pa_s"] == oil.viscosity == full["viscosity_Pa_s"]
+    assert full["shift_x_m"] < paper["shift_x_m"]
+    assert set(full["losses_W"]) == {"rolling", "slip", "spin", "hysteresis", "drag"}
+    assert full["friction_torque_N_m"] * 1910 * np.pi / 30 == pytest.approx(
+        sum(full["losses_W"].values())
+    )
+    assert full["torque_skf_N_m"] > 0 and full["torque_palmgren_N_m"] > 0
+
+
+def test_temperature_needs_a_lubricant_that_has_it(capsys):
+    with pytest.raises(SystemExit):
+        main(["static", "--load", "1", "--temperature", "70"])
+    assert "--temperature: of the lubricant; give --lubricant" in capsys.readouterr().err
+    arguments = ["static", "--load", "1", "--rpm", "9", "--temperature", "70"]
+    assert main([*arguments, "--lubricant", "mineral"]) == 1
+    assert "mineral has values for 40 C only and none for 70 C" in capsys.readouterr().err

@@ -40,6 +40,7 @@ NAMES = {
     "sliding": "theory.sliding",
     "spin": "theory.spin",
     "static": "theory.static",
+    "steady_heat": "theory.steady_heat",
     "traction": "theory.traction",
     # runs
     "Run": "runs.run",

@@ -8,7 +8,18 @@ import warnings
 from collections.abc import Sequence
 
 from raceway import __version__, progress
-from raceway.commands import animate, export, gather, paper, plot, spectrum, static, summary, sweep
+from raceway.commands import (
+    animate,
+    export,
+    gather,
+    heat,
+    paper,
+    plot,
+    spectrum,
+    static,
+    summary,
+    sweep,
+)
 from raceway.errors import RacewayError, RunWarning
 
 EXAMPLES = """\
@@ -18,6 +29,7 @@ examples:
   raceway plot build/run/6208 --kind polar               a picture
   raceway animate build/run/6208                         a film of it
   raceway static --load 2000 --clearance 10e-6           theory, without a run
+  raceway heat --load 2000 --rpm 3000                    its steady temperature
   raceway sweep points.csv                               many runs, one a row
 
 `raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the
@@ -59,6 +71,6 @@ def _parser():
     )
     parser.add_argument("--version", action="version", version=f"raceway {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    for module in (summary, plot, animate, export, spectrum, static, sweep, gather, paper):
+    for module in (summary, plot, animate, export, spectrum, static, heat, sweep, gather, paper):
         module.add(commands)
     return parser

@@ -35,8 +35,10 @@ def balance(
     conductance: float,
     ambient: float = 20.0,
     hottest: float = 200.0,
+    tolerance: float = 1e-6,
 ) -> float:
-    """Temperature in degrees C where `power`(T) in W equals `conductance` in W/K times T - T_a.
+    """Temperature in degrees C, to `tolerance`, where `power`(T) in W equals `conductance` in W/K
+    times T - T_a.
 
     Raises `ValueError` when the bearing is still heating at `hottest`. A power that falls with
     temperature, as with every oil, has one such temperature.
@@ -50,7 +52,7 @@ def balance(
             f"power loss {power(hottest):g} W at {hottest:g} C exceeds what {conductance:g} W/K "
             f"carries away to {ambient:g} C"
         )
-    return float(brentq(surplus, ambient, hottest, xtol=1e-6))
+    return float(brentq(surplus, ambient, hottest, xtol=tolerance))
 
 
 class Nodes(NamedTuple):

@@ -103,7 +103,7 @@ class Lubricant:
     >>> vg46 = Lubricant(Walther(46.0, 7.04), 862.9, 0.6, 22.57e-9, 14.5e-9, 2.25, 0.15, 1950.0)
     >>> hot = vg46.at(70.0)
     >>> print(f"{1e3 * hot.viscosity:.2f} mPa s, {hot.temperature_viscosity:.4f} 1/K")
-    12.86 mPa s, 0.0321 1/K
+    12.84 mPa s, 0.0310 1/K
     """
 
     law: Walther | Vogel

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway heat`: the steady temperature of a bearing, and what follows from it."""
+
+import argparse
+import json
+
+from raceway.commands import Commands
+from raceway.commands.quantity import number, takes_negative
+
+HELP = "steady temperature, viscosity, clearance, film and friction torque from theory"
+DESCRIPTION = """\
+The temperature at which cooling carries away the heat of friction. Loads, film in the gap and
+friction torque are those of `raceway static --models full` at that temperature. The lubricant must
+have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
+
+Cooling is that of ISO 15312 unless --conductance gives it. --nodes gives three conductances: inner
+ring to ambient, outer ring to ambient, ring to balls. Then the parts have their own temperatures
+and the clearance follows from them."""
+EXAMPLES = """\
+examples:
+  raceway heat --load 5000 --rpm 1910 --lubricant vg46
+  raceway heat --load 1000 --rpm 9549 --lubricant vg32 --nodes 0.5 2 3 --clearance 20e-6
+  raceway heat --loads 1000 5000 --speeds 500 2000 8000 --json
+
+Exit codes: 0 done, 1 no steady state or unusable data, 2 wrong command line."""
+
+
+def add(commands: Commands) -> None:
+    """Add the parser to those of the `raceway` command."""
+    one = commands.add_parser(
+        "heat",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    takes_negative(one)
+    load, speed = number(0, 1e6, "N"), number(1, 1e5, "rpm")
+    one.add_argument(
+        "--bearing",
+        default="6208",
+        metavar="NAME",
+        help="a file of inputs/bearings, or a path (6208)",
+    )
+    one.add_argument(
+        "--lubricant",
+        default="vg46",
+        metavar="NAME",
+        help="a file of inputs/lubricants with physical data, or a path (vg46)",
+    )
+    one.add_argument(
+        "--inputs",
+        metavar="DIR",
+        help="the inputs folder (default: here or above, else that of the source tree)",
+    )
+    one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")
+    one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, in place of it")
+    one.add_argument(
+        "--axial", type=number(-1e6, 1e6, "N"), default=0.0, metavar="N", help="newtons (0)"
+    )
+    one.add_argument("--rpm", type=speed, metavar="R", help="speed of the inner ring")
+    one.add_argument("--speeds", type=speed, nargs="+", metavar="R", help="several, in place of it")
+    one.add_argument(
+        "--clearance",
+        type=number(-1e-3, 1e-3, "m"),
+        default=0.0,
+        metavar="M",
+        help="diametral clearance at ambient temperature, metres (0)",
+    )
+    one.add_argument(
+        "--ambient",
+        type=number(-40, 150, "C"),
+        default=20.0,
+        metavar="C",
+        help="temperature around, degrees Celsius (20)",
+    )
+    cooling = one.add_mutually_exclusive_group()
+    cooling.add_argument(
+        "--conductance",
+        type=number(1e-3, 1e5, "W/K"),
+        metavar="W/K",
+        help="from the bearing to its surroundings (ISO 15312)",
+    )
+    cooling.add_argument(
+        "--nodes",
+        type=number(1e-3, 1e5, "W/K"),
+        nargs=3,
+        metavar=("SHAFT", "HOUSING", "CONTACT"),
+        help="three conductances in W/K for ring, balls and ring",
+    )
+    one.add_argument(
+        "--json", action="store_true", help="one JSON object, a list with --loads or --speeds"
+    )
+    one.set_defaults(command=run, complain=one.error)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the figures. Raises `RacewayError`."""
+    # scipy takes longer to load than --help to print
+    from raceway.theory.steady_heat import Nodes, curves, figures, table
+
+    if (arguments.rpm is None) == (arguments.speeds is None):
+        arguments.complain("give --rpm or --speeds")
+    many = arguments.loads is not None or arguments.speeds is not None
+    points = [
+        (load, rpm)
+        for load in arguments.loads or [arguments.load]
+        for rpm in arguments.speeds or [arguments.rpm]
+    ]
+    if not arguments.axial and not all(load for load, _ in points):
+        arguments.complain("a load is needed: give --load, --loads or --axial")
+    results = [
+        figures(
+            arguments.bearing,
+            arguments.lubricant,
+            arguments.inputs,
+            load=load,
+            axial=arguments.axial,
+            rpm=rpm,
+            clearance=arguments.clearance,
+            ambient=arguments.ambient,
+            conductance=arguments.conductance,
+            nodes=arguments.nodes and Nodes(*arguments.nodes),
+        )
+        for load, rpm in points
+    ]
+    if arguments.json:
+        print(json.dumps(results if many else results[0], indent=2, allow_nan=False))
+    else:
+        print(curves(results) if many else table(results[0]))

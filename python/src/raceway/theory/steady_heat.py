@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The steady temperature of a bearing: statics, film and friction at the temperature at which
+cooling carries away the heat of that friction.
+
+One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
+ring at their own, the oil at their mean, and the clearance of the warm parts in the statics.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from raceway import catalogue, inputs
+from raceway.errors import NoEquilibrium
+from raceway.files import FilePath
+from raceway.rows import Row, lines
+from raceway.theory import friction_torque, heat, makers
+from raceway.theory.bearing import Bearing
+from raceway.theory.contact_law import FilmInGap
+from raceway.theory.friction_torque import Surfaces
+from raceway.theory.lubricant import Lubricant
+from raceway.theory.lubrication import lubricate, turning
+
+ENOUGH = 0.01  # K
+TOPICS = {
+    "Operating point": (
+        Row("bearing", "bearing", None),
+        Row("lubricant", "lubricant", None),
+        Row("load_N", "radial load", "N"),
+        Row("axial_N", "axial load", "N"),
+        Row("rpm", "inner ring speed", "rpm"),
+        Row("clearance_m", "diametral clearance, cold", "m"),
+        Row("ambient_C", "ambient temperature", "°C"),
+        Row("conductance_W_K", "cooling", "W/K", "ISO 15312 unless given"),
+    ),
+    "Steady state": (
+        Row("temperature_C", "temperature of the lubricant", "°C"),
+        Row("temperature_inner_C", "inner ring", "°C"),
+        Row("temperature_balls_C", "balls", "°C"),
+        Row("temperature_outer_C", "outer ring", "°C"),
+        Row("clearance_warm_m", "diametral clearance, warm", "m"),
+        Row("viscosity_Pa_s", "viscosity", "Pa s"),
+        Row("h_min_m", "minimum film thickness", "m", "largest inner load"),
+        Row("h_c_m", "central film thickness", "m", "the same"),
+        Row("lambda", "lambda", "", "the same"),
+        Row("friction_torque_N_m", "friction torque", "N m"),
+        Row("power_loss_W", "power loss", "W"),
+    ),
+    "Thermal reference speed": (
+        Row("reference_speed_rpm", "oil to the middle of a ball", "rpm", "ISO 15312, SKF's torque"),
+        Row("reference_speed_dry_rpm", "without drag", "rpm"),
+        Row("reference_speed_catalogue_rpm", "of the catalogue", "rpm"),
+    ),
+}
+COLUMNS = (  # of the table of several points: key, heading, scale
+    ("load_N", "load N", 1),
+    ("rpm", "rpm", 1),
+    ("temperature_C", "T °C", 1),
+    ("viscosity_Pa_s", "eta mPa s", 1e3),
+    ("clearance_warm_m", "P_d µm", 1e6),
+    ("h_c_m", "h_c nm", 1e9),
+    ("lambda", "lambda", 1),
+    ("friction_torque_N_m", "torque N mm", 1e3),
+    ("power_loss_W", "loss W", 1),
+)
+
+
+@dataclass(frozen=True)
+class Nodes:
+    """Conductances of `heat.three_nodes`, W/K."""
+
+    shaft: float
+    housing: float
+    contact: float
+
+
+class Scene:
+    """A bearing, its oil and load; the friction follows from temperature and clearance."""
+
+    def __init__(
+        self,
+        bearing: Bearing,
+        boundary: makers.Boundary | None,
+        lubricant: Lubricant,
+        roughness: float,
+        load: float,
+        axial: float,
+        rpm: float,
+        density: float = 7800.0,
+    ) -> None:
+        """`roughness` is composite, m; `density` of the balls in kg/m^3."""
+        self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
+        self.roughness, self.load, self.axial = roughness, load, axial
+        self.ring, self.density = rpm * math.pi / 30, density
+
+    def at(self, temperature: float, clearance: float) -> dict[str, Any]:
+        """Figures of the scene with its oil at a temperature in degrees C and a clearance in m;
+        `sides` has the power in W at the inner and the outer raceway, half the drag to each."""
+        fluid, ring = self.lubricant.at(temperature), self.ring
+        film = FilmInGap(fluid, ring)
+        state, orbit = turning(
+            self.bearing,
+            ring,
+            self.load,
+            self.axial,
+            clearance=clearance,
+            ball_density=self.density,
+            film=film,
+        )
+        oil = inputs.Oil(
+            fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
+        )
+        films = lubricate(self.bearing, state, oil, ring, clearance, film.factor)
+        surfaces = Surfaces()
+        if self.boundary is not None:
+            starved = friction_torque.starvation(self.boundary, fluid, ring)
+            surfaces = Surfaces(starvation=starved)
+        losses = friction_torque.losses(
+            self.bearing, state, films, fluid, ring, orbit, clearance=clearance, surfaces=surfaces
+        )
+        contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
+        top = int(np.argmax(state.inner.load))
+        return {
+            "viscosity_Pa_s": float(fluid.viscosity),
+            "h_min_m": float(films.inner.h_min[top]),
+            "h_c_m": float(films.inner.h_c[top]),
+            "lambda": float(films.inner.ratio[top]),
+            "friction_torque_N_m": losses.power / abs(ring),
+            "power_loss_W": losses.power,
+            "losses_W": losses.parts,
+            "sides": tuple((contacts.sum(1) + losses.drag.sum() / 2).tolist()),
+        }
+
+
+def one_node(scene: Scene, conductance: float, ambient: float, clearance: float) -> dict[str, Any]:
+    """Steady figures with one temperature, `conductance` in W/K to `ambient` in degrees C. Raises
+    `NoEquilibrium` when the bearing heats beyond 200 C."""
+    try:
+        temperature = heat.balance(
+            lambda t: scene.at(t, clearance)["power_loss_W"],
+            conductance,
+            ambient,
+            tolerance=ENOUGH,
+        )
+    except ValueError as error:
+        raise NoEquilibrium(f"no steady temperature: {error}") from None
+    found = dict.fromkeys(
+        ("temperature_inner_C", "temperature_balls_C", "temperature_outer_C"), temperature
+    )
+    return dict(
+        scene.at(temperature, clearance),
+        **found,
+        temperature_C=temperature,
+        clearance_warm_m=clearance,
+    )
+
+
+def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) -> dict[str, Any]:
+    """Steady figures with `Nodes` of their own temperature; the clearance is that of the bearing at
+    `ambient`. Raises `NoEquilibrium` when no steady state is found up to 200 C."""
+    warm, oil = clearance, ambient + 20.0
+    part = 0.6  # of each step: friction falls as the oil warms, so whole steps overshoot
+    for _ in range(80):
+        found = scene.at(oil, warm)
+        inner, outer = found["sides"]
+        at = heat.three_nodes(inner, outer, ambient=ambient, **vars(nodes))
+        rises = (value - ambient for value in at)
+        target = clearance + float(heat.clearance_change(scene.bearing, *rises))
+        mean = sum(at) / 3
+        if abs(mean - oil) < ENOUGH and abs(target - warm) < 1e-9:
+            return dict(
+                found,
+                temperature_C=oil,
+                temperature_inner_C=at.inner,
+                temperature_balls_C=at.balls,
+                temperature_outer_C=at.outer,
+                clearance_warm_m=warm,
+            )
+        oil, warm = oil + part * (mean - oil), warm + part * (target - warm)
+        if oil > 200:
+            break
+    raise NoEquilibrium(f"no steady temperature up to 200 C: the oil is at {oil:.4g} C")
+
+
+def figures(
+    bearing: str,
+    lubricant: str,
+    folder: FilePath | None = None,
+    *,
+    load: float = 0.0,
+    axial: float = 0.0,
+    rpm: float,
+    clearance: float = 0.0,
+    ambient: float = 20.0,
+    conductance: float | None = None,
+    nodes: Nodes | None = None,
+) -> dict[str, Any]:
+    """Steady figures by name in SI units, temperatures in degrees C.
+
+    `bearing` and `lubricant` are names or paths of data files; the lubricant's must have physical
+    data. Cooling: `nodes`, or `conductance` in W/K, or that of ISO 15312. Raises `RacewayError`.
+    """
+    path, oil = (
+        catalogue.find("bearings", bearing, folder),
+        catalogue.find("lubricants", lubricant, folder),
+    )
+    if not inputs.physical(oil):
+        raise inputs.InputError(
+            f"{oil} has no physical data to compute other temperatures from: take vg46 for example"
+        )
+    boundary, rough = inputs.boundary(path), inputs.oil(oil).roughness
+    density = float(inputs.values(path).get("ball_density", 7800.0))
+    if conductance is None and nodes is None:
+        if boundary is None:
+            raise inputs.InputError(
+                f"{path} has no boundary dimensions for ISO 15312: give the conductance"
+            )
+        conductance = heat.cooling(boundary)
+    scene = Scene(
+        inputs.bearing(path), boundary, inputs.lubricant(oil), rough, load, axial, rpm, density
+    )
+    found = (
+        one_node(scene, conductance, ambient, clearance)
+        if nodes is None
+        else three_nodes(scene, nodes, ambient, clearance)
+    )
+    del found["sides"]
+    level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
+    known = inputs.values(path).get("reference_speed")
+    return dict(
+        bearing=path.name,
+        lubricant=oil.name,
+        load_N=load,
+        axial_N=axial,
+        rpm=rpm,
+        clearance_m=clearance,
+        ambient_C=ambient,
+        conductance_W_K=conductance if nodes is None else None,
+        **found,
+        reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
+        reference_speed_dry_rpm=boundary and heat.reference_speed(boundary),
+        reference_speed_catalogue_rpm=known and float(known),
+    )
+
+
+def table(result: Mapping[str, Any]) -> str:
+    """The mapping of `figures` as text."""
+    shown = dict(result)
+    for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
+        shown[key] = shown[key] and round(shown[key])
+    parts = "\n".join(f"  {name:<32}{power:>12.4g} W" for name, power in result["losses_W"].items())
+    return "\n".join([*lines(shown, TOPICS), "", "Losses", parts])
+
+
+def curves(results: list[dict[str, Any]]) -> str:
+    """Several mappings of `figures` as text, a line each."""
+    rows = [[heading for _, heading, _ in COLUMNS]]
+    rows += [[f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS] for one in results]
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return "\n".join(
+        "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows
+    )

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway heat` and what it stands on: balances hold, limits agree, messages and exit codes."""
+
+import json
+from pathlib import Path
+
+import pytest
+from raceway import film, heat, hertz, inputs, steady_heat
+from raceway.cli import main
+from raceway.errors import NoEquilibrium
+from raceway.theory.bearing import INNER
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(autouse=True)
+def in_the_tree(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+def scene(load=5000.0, rpm=1910.0, oil="vg46"):
+    path, data = ROOT / "inputs/bearings/6208", ROOT / "inputs/lubricants" / oil
+    return steady_heat.Scene(
+        inputs.bearing(path),
+        inputs.boundary(path),
+        inputs.lubricant(data),
+        1e-7,
+        load,
+        0.0,
+        rpm,
+    )
+
+
+def test_one_node_balances():
+    found = steady_heat.one_node(scene(), 2.17, 20.0, 0.0)
+    carried = 2.17 * (found["temperature_C"] - 20)
+    assert found["power_loss_W"] == pytest.approx(carried, abs=0.05)
+    assert sum(found["losses_W"].values()) == pytest.approx(found["power_loss_W"], rel=1e-12)
+    assert sum(found["sides"]) == pytest.approx(found["power_loss_W"], rel=1e-12)
+
+
+def test_three_nodes_balance_and_tend_to_one():
+    one = steady_heat.one_node(scene(), 3.0, 20.0, 0.0)
+    tight = steady_heat.three_nodes(scene(), steady_heat.Nodes(1.0, 2.0, 1e6), 20.0, 0.0)
+    assert tight["temperature_C"] == pytest.approx(one["temperature_C"], abs=0.05)
+    # all parts alike: their growth leaves a bearing of no clearance without any
+    assert tight["clearance_warm_m"] == pytest.approx(0, abs=5e-9)
+    found = steady_heat.three_nodes(scene(), steady_heat.Nodes(0.5, 2.0, 1.0), 20.0, 20e-6)
+    inner, outer = found["temperature_inner_C"], found["temperature_outer_C"]
+    carried = 0.5 * (inner - 20) + 2.0 * (outer - 20)
+    assert found["power_loss_W"] == pytest.approx(carried, abs=0.1)
+    assert inner > outer and found["clearance_warm_m"] < 20e-6
+    rises = (found[f"temperature_{part}_C"] - 20 for part in ("inner", "balls", "outer"))
+    warm = 20e-6 + heat.clearance_change(scene().bearing, *rises)
+    assert found["clearance_warm_m"] == pytest.approx(warm, abs=2e-9)
+
+
+@pytest.mark.parametrize(("rpm", "ratio"), [(48.0, 2.3), (477.5, 1.95), (1910.0, 1.1),
+                                            (9549.0, 0.22)])  # fmt: skip
+def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio):
+    """VG 46, 20 C ambient, ISO 15312: central thickness over that of 0.04 Pa s and 22/GPa, both
+    without inlet shear."""
+    found = steady_heat.one_node(scene(rpm=rpm), 2.17, 20.0, 0.0)
+    r_x, r_y = bearing.effective_radii(INNER)
+    kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
+    fluid = inputs.fluid(ROOT / "inputs/lubricants/vg46", found["temperature_C"])
+    speed = 0.724764 * rpm / 477.5
+    thick = [
+        film.h_c(r_x, film.group(eta, xi, modulus, r_x, kappa, speed, 2436.2))
+        for eta, xi in ((fluid.viscosity, fluid.pressure_viscosity), (0.04, 22e-9))
+    ]
+    # the friction model is another than that of the printed row
+    assert thick[0] / thick[1] == pytest.approx(ratio, rel=0.12)
+
+
+def test_no_steady_state():
+    with pytest.raises(NoEquilibrium, match="no steady temperature: power loss"):
+        steady_heat.one_node(scene(rpm=9549.0), 0.05, 20.0, 0.0)
+
+
+def test_command(capsys):
+    assert main(["heat", "--load", "5000", "--rpm", "1910", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["conductance_W_K"] == pytest.approx(2.17, abs=0.005)
+    assert found["power_loss_W"] == pytest.approx(
+        found["conductance_W_K"] * (found["temperature_C"] - 20), abs=0.05
+    )
+    assert found["reference_speed_rpm"] == pytest.approx(18000, rel=0.3)
+    assert main(["heat", "--loads", "500", "5000", "--speeds", "1000", "--json"]) == 0
+    cold, hot = json.loads(capsys.readouterr().out)
+    assert hot["temperature_C"] > cold["temperature_C"]
+    assert main(["heat", "--loads", "500", "--speeds", "500", "1000"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == 3
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "message"),
+    [
+        (["--load", "1", "--rpm", "1", "--lubricant", "mineral"], 1, "has no physical data"),
+        (["--load", "1", "--rpm", "1", "--bearing", "harris209"], 1, "no boundary dimensions"),
+        (["--load", "1"], 2, "give --rpm or --speeds"),
+        (["--rpm", "100"], 2, "a load is needed"),
+        (["--load", "1", "--rpm", "0"], 2, "must lie from 1 to 100000 rpm"),
+        (["--rpm", "9", "--nodes", "1", "1", "1", "--conductance", "1"], 2, "not allowed with"),
+    ],
+)
+def test_messages(capsys, arguments, code, message):
+    try:
+        assert main(["heat", *arguments]) == code
+    except SystemExit as stop:
+        assert stop.code == code
+    assert message in capsys.readouterr().err
