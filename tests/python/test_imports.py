@@ -32,7 +32,19 @@ def loaded(*arguments):
 
 @pytest.mark.parametrize(
     "command",
-    ["", "summary", "plot", "animate", "export", "spectrum", "static", "sweep", "gather", "paper"],
+    [
+        "",
+        "summary",
+        "plot",
+        "animate",
+        "export",
+        "spectrum",
+        "static",
+        "heat",
+        "sweep",
+        "gather",
+        "paper",
+    ],
 )
 def test_help_loads_none(command):
     assert loaded(*command.split(), "--help") == set()
