@@ -140,7 +140,7 @@ def test_so_many_samples_by_default(folder, monkeypatch):
     monkeypatch.setattr(particles, "FRAMES", 20)
     frames = list(particles.frames(RunTables(folder)))
     # 16, the most below 20 that are evenly spaced
-    assert [frame.sample for frame in frames] == list(range(0, 48, 3))
+    assert [frame.sample for frame in frames] == list(range(0, 49, 3))
     part = list(particles.frames(RunTables(folder, slice(6, 12)), 2))
     assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0
 

@@ -164,6 +164,7 @@ class Run:
 
     def _contacts(self, table):
         first, samples = table.attrs["first"], table.attrs["samples"]
+        self.tables.need_balls()
         # balls have the first atom numbers; a table may hold others (many bearings) or not all
         # (clearance)
         balls = np.union1d(table["ball"], np.arange(1, self.settings["balls"] + 1))
