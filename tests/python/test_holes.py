@@ -85,6 +85,24 @@ def test_rows_out_of_step(folder, change):
         RunTables(folder).rings
 
 
+def test_a_table_short_of_a_finished_run(folder):
+    path = folder / "rings.dat"
+    path.write_text("".join(path.read_text().splitlines(keepends=True)[:-1]))
+    with pytest.warns(RunWarning, match="rings.dat ends with sample 47, a finished run with 48"):
+        RunTables(folder).rings
+
+
+@pytest.mark.parametrize("row", [9, 12, 22], ids=["ring", "cage ball", "ball"])
+def test_atoms_that_changed_places_over_samples(folder, row):
+    path = folder / "balls.dump"
+    parts = [part.split("\n") for part in frames(path)]
+    parts[3][row], parts[7][row + 1] = parts[7][row + 1], parts[3][row]
+    path.write_text("".join("\n".join(part) for part in parts))
+    run = raceway.open(folder)
+    with pytest.raises(RunError, match="not every sample has the same atoms"):
+        assert run.balls and run.cage and run.rings
+
+
 def test_a_whole_run_is_read_in_silence(folder):
     run = raceway.open(folder)
     assert len(run.contacts.time) == len(run.balls.time) == len(run.rings.time) == 49

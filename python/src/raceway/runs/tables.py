@@ -202,6 +202,13 @@ class RunTables:
             raise RunError(f"{path} {wrong}")
         samples = samples.astype(int)
         Steps(path, spacing=1).take(samples)
+        last = round(self.settings["passes"] * self.settings["samples_per_pass"])
+        if self.finished and samples[-1] != last:
+            warnings.warn(
+                f"{path} ends with sample {samples[-1]}, a finished run with {last}",
+                RunWarning,
+                stacklevel=3,
+            )
         if "step" in table:
             steps = Steps(path)
             steps.take(table["step"].to_numpy())
