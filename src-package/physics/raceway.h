@@ -5,6 +5,7 @@
 #define RACEWAY_RACEWAY_H
 
 #include "raceway_law.h"
+#include "validity.h"
 
 namespace raceway {
 
@@ -20,18 +21,29 @@ struct Raceway {
 
   // derived by prepare()
   RacewayLaw law;
+  double overlap_limit = 0.0;                                        // of the ball's radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
   double ball_mass = 0.0;                                            // kg
   double reach = 0.0;    // m, gap at which a contact begins; 0 unless a part of the law asks for it
 
-  // pitch_radius (m) sets gamma; overlap_limit is a fraction of the ball's radius.
-  void prepare(double pitch_radius, double mass, double overlap_limit)
+  // What sets the largest overlap, for messages.
+  const char *limit() const
   {
+    return largest_overlap < overlap_limit * groove.ball_radius
+               ? "the contact ellipse is as wide as the groove"
+               : "overlap_limit of the ball radius";
+  }
+
+  // pitch_radius (m) sets gamma; limit is a fraction of the ball's radius.
+  void prepare(double pitch_radius, double mass, double limit)
+  {
+    overlap_limit = limit;
     law = RacewayLaw(groove, pitch_radius, material, model);
     centre_circle = groove.centre_circle();
     slack = groove.slack();
-    largest_overlap = overlap_limit * groove.ball_radius;
+    largest_overlap = std::fmin(overlap_limit * groove.ball_radius,
+                                widest_overlap(law.radial().a, groove.groove_radius));
     roughness = composite_roughness(ring_roughness, ball_roughness);
     inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
     ball_mass = mass;

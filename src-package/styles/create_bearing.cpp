@@ -20,12 +20,13 @@ void CreateBearing::command(int narg, char **arg)
     args.fail("the simulation box does not exist yet: create_box comes first");
   if (modify->nfix_restart_peratom)
     args.fail("comes before read_restart, not after: the restart file has the bearing");
-  const PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
+  PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
   if (!atom->radius_flag || !atom->rmass_flag)
     args.fail("needs atom_style sphere (granular in LIGGGHTS)");
   Plan plan = parse(args);
   check(args, pair, plan);
   place(plan, pair);
+  if (plan.cage_type) pair.expect_sphere(plan.ball_type, plan.cage_type);
 }
 
 CreateBearing::Plan CreateBearing::parse(Arguments &args)

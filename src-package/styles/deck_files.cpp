@@ -4,11 +4,13 @@
 #include "../deck/agree.h"
 #include "../deck/arguments.h"
 #include "../deck/column_list.h"
+#include "../deck/folder_lock.h"
+#include "../deck/restart_sum.h"
 
-#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <sstream>
 
 using namespace LAMMPS_NS;
 namespace fs = std::filesystem;
@@ -16,16 +18,47 @@ using bearing::agree;
 using bearing::Arguments;
 using bearing::text;
 
+// Of UTF-8: editors put it in front, the host takes it for a command.
+static bool starts_with_mark(const fs::path &file)
+{
+  char first[3] = {};
+  std::ifstream(file, std::ios::binary).read(first, 3);
+  return std::string(first, 3) == "\xef\xbb\xbf";
+}
+
+// The names of its `variable` commands. The host does not carry out an include before the command
+// that asks for it has ended.
+static std::set<std::string> variables_of(const fs::path &file)
+{
+  std::set<std::string> names;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string command, name;
+    if (words >> command >> name && command == "variable") names.insert(name);
+  }
+  return names;
+}
+
 void BearingInput::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_input", narg, arg, 0);
   const std::string folder = args.word("folder"), name = args.word("name");
-  if (args.more()) args.unknown("none, the command ends here");
+  std::vector<std::string> keys;
+  const bool included = args.take("set");
+  if (included || args.take("needs"))
+    while (args.more()) keys.push_back(args.word("name of a variable"));
+  if (args.more()) args.unknown("needs, set");
   const fs::path file = fs::path(folder) / name;
   std::string complaint;
   if (comm->me == 0) {
     std::error_code ec;
-    if (!fs::is_regular_file(file, ec)) {
+    if (fs::exists(fs::symlink_status(file, ec)) && !fs::is_regular_file(file, ec)) {
+      complaint = "'" + file.string() + "' is no file but a folder, a pipe or a broken link";
+    } else if (starts_with_mark(file)) {
+      complaint =
+          "'" + file.string() + "' starts with a byte order mark: save it as UTF-8 without one";
+    } else if (!fs::is_regular_file(file, ec)) {
       std::set<std::string> names;
       for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
         names.insert(it->path().filename().string());
@@ -35,35 +68,48 @@ void BearingInput::command(int narg, char **arg)
                   (list.empty()
                        ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
                        : list);
+    } else {
+      const std::set<std::string> set = variables_of(file);
+      std::string missing;
+      for (std::string &key : keys)
+        if (!set.count(key) && input->variable->find(&key[0]) < 0)
+          missing += (missing.empty() ? "" : ", ") + key;
+      if (!missing.empty()) complaint = "'" + file.string() + "' has no variable " + missing;
     }
   }
   complaint = agree(complaint, world);
   if (!complaint.empty()) args.fail(complaint);
-  input->one(("include " + file.string()).c_str());
+  if (!included) input->one(("include " + file.string()).c_str());
 }
 
 void BearingOutput::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_output", narg, arg, 0);
   const std::string folder = args.word("folder");
-  if (args.more()) args.unknown("none, the command ends here");
-  std::string complaint;
+  std::vector<std::string> old;
+  if (args.take("remove"))
+    while (args.more()) old.push_back(args.word("name of a file"));
+  if (args.more())
+    args.fail("a folder's name is one word without blanks, not '" + folder + " " +
+              args.word("folder") + "'");
+  // the host's commands take these for more than letters
+  if (folder.find_first_of("%*\"'$&#") != std::string::npos)
+    args.fail("the folder's name '" + folder + "' may not hold any of % * \" ' $ & #");
+  bearing::FolderClaim claim;
   if (comm->me == 0) {
     std::error_code ec;
     fs::create_directories(folder, ec);
-    if (ec) {
-      complaint = "cannot make output folder '" + folder + "': " + ec.message();
-    } else {
-      const fs::path probe = fs::path(folder) / ".writable";
-      std::ofstream out(probe);
-      out << "x" << std::flush;
-      if (!out) complaint = "output folder '" + folder + "' is not writable: " + strerror(errno);
-      out.close();
-      fs::remove(probe, ec);
-    }
+    if (ec) claim.complaint = "cannot make output folder '" + folder + "': " + ec.message();
+    else claim = bearing::claim_folder(folder);
+    if (!claim.warning.empty()) BRG_WARN("bearing_output: " + claim.warning);
   }
-  complaint = agree(complaint, world);
-  if (!complaint.empty()) args.fail(complaint);
+  claim.complaint = agree(claim.complaint, world);
+  if (!claim.complaint.empty()) args.fail(claim.complaint);
+  if (comm->me == 0)
+    for (const std::string &name : old) {
+      std::error_code ec;
+      fs::remove(fs::path(folder) / name, ec);
+    }
 }
 
 void BearingRange::command(int narg, char **arg)
@@ -72,14 +118,19 @@ void BearingRange::command(int narg, char **arg)
   const std::string name = args.word("name");
   const std::string value = args.word("value of " + name);
   const double lo = args.number("lowest " + name), hi = args.number("highest " + name);
-  const bool whole = args.take("whole");
+  const bool whole = args.take("whole"), or_more = args.take("or");
+  const double also = or_more ? args.number("another value of " + name) : lo;
   const std::string advice = args.take("advice") ? " (" + args.word("advice") + ")" : "";
-  if (args.more()) args.unknown("whole, advice");
+  if (args.more()) args.unknown("whole, or, advice");
   Arguments given(lmp, "bearing_range", {value});
   const double v = given.number(name);
+  // what else C reads as a number, the host's formulas do not
+  if (value.find_first_not_of("0123456789.eE+-") != std::string::npos || value[0] == '+')
+    args.fail(name + " must be a number like 5000 or 5.0e3, not '" + value + "'");
+  if (or_more && v == also) return;
   if (!(v >= lo && v <= hi) || (whole && v != std::floor(v)))
     args.fail(name + " is " + text(v) + ", must be " + (whole ? "a whole number " : "") + "from " +
-              text(lo) + " to " + text(hi) + advice);
+              text(lo) + " to " + text(hi) + (or_more ? ", or " + text(also) : "") + advice);
 }
 
 // A string variable; one of that name and style gets the new value
@@ -115,6 +166,11 @@ void BearingResume::command(int narg, char **arg)
   if (args.more()) args.unknown("none, the command ends here");
   std::error_code ec;
   int there = comm->me == 0 && fs::is_regular_file(file, ec) ? 1 : 0;
+  std::string complaint;
+  if (there && asked && bearing::check_sum(file) == bearing::Sum::wrong)
+    complaint = file + " is damaged: its check sum is wrong. Remove it and start the run anew";
+  complaint = agree(complaint, world);
+  if (!complaint.empty()) args.fail(complaint);
   MPI_Bcast(&there, 1, MPI_INT, 0, world);
   if (asked && comm->me == 0) {
     const std::string say =

@@ -19,22 +19,25 @@ CommandStyle(bearing_columns,BearingColumns)
 
 namespace LAMMPS_NS {
 
-// bearing_input FOLDER NAME: include FOLDER/NAME; if it is not there, say what is.
+// bearing_input FOLDER NAME [needs KEY ...]: include FOLDER/NAME, which must set these variables;
+// if it is not there, say what is. With `set` for `needs` it has been included, and only the
+// variables are checked: those as well that files set which it includes.
 class BearingInput : public bearing::CommandBase {
  public:
   explicit BearingInput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_output FOLDER: make the folder (and those above it) and make sure that it can be written.
+// bearing_output FOLDER [remove NAME ...]: make the folder (and those above it), make sure that it
+// can be written and that no other run does, and remove the files NAME from it.
 class BearingOutput : public bearing::CommandBase {
  public:
   explicit BearingOutput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_range NAME VALUE LO HI [whole] [advice TEXT]: stop with a message unless LO <= VALUE <=
-// HI (and it is a whole number); TEXT says what to do.
+// bearing_range NAME VALUE LO HI [whole] [or V] [advice TEXT]: stop with a message unless LO <=
+// VALUE <= HI (and it is a whole number), or VALUE = V; TEXT says what to do.
 class BearingRange : public bearing::CommandBase {
  public:
   explicit BearingRange(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

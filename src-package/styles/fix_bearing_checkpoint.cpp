@@ -2,6 +2,7 @@
 #include "fix_bearing_checkpoint.h"
 
 #include "../deck/arguments.h"
+#include "../deck/restart_sum.h"
 #include "fix_bearing_capacitance.h"
 #include "fixes.h"
 #include "output.h"
@@ -110,6 +111,11 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
       while (args.more()) files_.push_back(args.word("file"));
     else args.unknown("restart, resume, settings, mean, count, files");
   }
+  for (int k = 0; k < modify->nfix; ++k)
+    if (const Fix *f = modify->fix[k])
+      if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
+        args.fail(std::string("fix ") + f->id + " is of this style already: the host keeps one " +
+                  "kind of restart files");
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
   seen_.assign(files_.size(), -1.0);
@@ -146,8 +152,9 @@ void FixBearingCheckpoint::init()
   if (resume_ && !resumed_)
     BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id +
             " of this style");
-  if (!resumed_ && comm->me == 0 && !written_)
+  if (!resumed_ && comm->me == 0 && !begun_)
     unlink(file_.c_str());    // of a run that this one replaces
+  begun_ = true;
 }
 
 // Before the first step: what the set-up of a continued run wrote is in the files already. Later: a
@@ -190,6 +197,9 @@ void FixBearingCheckpoint::post_run()
 void FixBearingCheckpoint::stop()
 {
   output->write_restart(update->ntimestep);
+  if (comm->me == 0 && !written_)
+    BRG_ONE(command_ + ": stopped without a restart file: a 'restart' command after this fix has " +
+            "taken its place");
   publish();
   if (comm->me == 0) {
     const std::string say = std::string("Stopped by signal ") + strsignal(caught) + " after step " +
@@ -209,6 +219,7 @@ void FixBearingCheckpoint::publish()
   for (const std::string &f : files_) settle_on_disk(f);
   // the host does not look whether its writing succeeded: where there is room for more, it did
   std::string why = no_room(file_);
+  if (why.empty() && !bearing::write_sum(part_)) why = "its check sum does not get into it";
   if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);
   if (why.empty() && rename(part_.c_str(), file_.c_str()) != 0) why = strerror(errno);
   if (why.empty()) return;
@@ -251,8 +262,11 @@ void FixBearingCheckpoint::watch_files()
       const std::string room = no_room(file_);
       BRG_ONE(command_ + ": " + files_[k] + " has stopped growing at step " +
               std::to_string(update->ntimestep) + ": " +
-              (room.empty() ? "the disk was full or the file at its limit for a while" : room) +
-              ". Make room and go on from the last restart file, or start anew");
+              (room.empty() ? "it must grow every " + std::to_string(nevery) +
+                                  " steps. Is it written less often, by another run as well, or "
+                                  "was the disk full for a while?"
+                            : room + '.') +
+              " Make room and go on from the last restart file, or start anew");
     }
     seen_[k] = now;
   }
@@ -275,14 +289,19 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
       samples_,      static_cast<double>(counters_.size()),  static_cast<double>(files_.size())};
   for (size_t k = 0; k < counters_.size(); ++k)
     data.push_back(compute_vector(1 + static_cast<int>(k)));
-  written_ = true;
   if (comm->me != 0) return;
+  // a deck may write restart files of its own: they are none of this fix's business
+  struct stat theirs, ours;
+  written_ = fstat(fileno(fp), &theirs) == 0 && stat(part_.c_str(), &ours) == 0 &&
+             theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;
   for (const std::string &f : files_) data.push_back(bytes(f));
   const int numbers = static_cast<int>(data.size() * sizeof(double));
-  const int size = numbers + static_cast<int>(settings_.size()) + 1;
+  const std::string sum = bearing::empty_sum();
+  const int size = numbers + static_cast<int>(settings_.size() + 1 + sum.size());
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(data.data(), 1, numbers, fp);
   fwrite(settings_.c_str(), 1, settings_.size() + 1, fp);
+  fwrite(sum.data(), 1, sum.size(), fp);
 }
 
 void FixBearingCheckpoint::restart(char *buf)
@@ -294,10 +313,10 @@ void FixBearingCheckpoint::restart(char *buf)
             whole(head[5]) + " files, not " + std::to_string(counters_.size()) + " and " +
             std::to_string(files_.size()));
   const char *rest = buf + sizeof head;
-  memcpy(before_.data(), rest, before_.size() * sizeof(double));
-  rest += before_.size() * sizeof(double);
-  memcpy(length_.data(), rest, length_.size() * sizeof(double));
-  rest += length_.size() * sizeof(double);
+  for (std::vector<double> *to : {&before_, &length_}) {
+    if (!to->empty()) memcpy(to->data(), rest, to->size() * sizeof(double));
+    rest += to->size() * sizeof(double);
+  }
   if (settings_ != rest)
     BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" +
             settings_ + "'. Remove it, or resume with its settings");

@@ -48,7 +48,9 @@ class FixBearingCheckpoint : public Fix {
   std::vector<bearing::DrivenValue> counters_;    // each starts from 0 with every run
   double sum_ = 0.0, samples_ = 0.0;
   std::vector<double> before_;    // counters of the runs before this one
-  bool written_ = false, cut_ = false;
+  // rank 0: the host has written part_, which is not published yet
+  bool written_ = false;
+  bool begun_ = false, cut_ = false;
 };
 
 }    // namespace LAMMPS_NS

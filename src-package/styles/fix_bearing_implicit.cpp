@@ -45,12 +45,13 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   BearingStep::Settings &settings = solver_->settings;
   Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
   while (args.more()) {
-    if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-4);
+    if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-5);
     else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
     else if (args.take("order")) settings.order = args.integer("order", 1, 2);
     else if (args.take("corrections"))
       settings.corrections = args.integer("corrections in a stage", 1, 100);
-    else if (args.take("largest")) largest_ = args.positive("largest step (s)");
+    else if (args.take("largest"))
+      largest_ = args.within("largest step (s)", smallest_step, HUGE_VAL);
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
     else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
     else args.unknown("solve, tolerance, order, corrections, largest, creep, energy");
@@ -291,7 +292,9 @@ static std::string cause(raceway::Failure f, const std::string &who)
   using raceway::Failure;
   switch (f) {
     case Failure::not_a_number: return "the velocity of " + who + " is not a number";
-    case Failure::outside_groove: return "the overlap of " + who + " is beyond the overlap limit";
+    case Failure::outside_groove:
+      return "the overlap of " + who +
+             " is beyond the overlap limit, or its contact ellipse as wide as the groove";
     case Failure::turned_too_far: return "a body turns too far for one stage";
     case Failure::other_links: return "cage contacts open and close between corrections";
     default: return "corrections do not converge";

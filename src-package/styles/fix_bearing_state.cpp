@@ -21,7 +21,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
   restart_peratom = 1;
   create_attribute = 1;
   comm_forward = 4;
-  nevery = 1000;    // how often the step is checked against the contacts
+  nevery = 10;    // how often contacts are looked at, and a hundredth as often the step
   BRG_SET_MAXEXCHANGE(packed_size);
   grow_arrays(atom->nmax);
   atom->add_callback(0);
@@ -79,7 +79,9 @@ void FixBearingState::setup(int)
 
 void FixBearingState::end_of_step()
 {
-  if (update->ntimestep % nevery == 0) check_step();
+  if (update->ntimestep % nevery) return;
+  pair_->validity().look(pair_->table(), pair_->lubricated());
+  if (update->ntimestep % (100 * nevery) == 0) check_step();
 }
 
 void FixBearingState::check_step()
@@ -109,7 +111,12 @@ void FixBearingState::save_forces()
   }
 }
 
-void FixBearingState::post_run() { save_forces(); }
+void FixBearingState::post_run()
+{
+  save_forces();
+  pair_->validity().look(pair_->table(), pair_->lubricated());
+  pair_->validity().report(lmp);
+}
 
 double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
 {

@@ -13,6 +13,8 @@ using namespace FixConst;
 using bearing::Arguments;
 using bearing::text;
 
+static constexpr double shortest_step = 1e-12;    // s
+
 // fix ID group bearing/timestep N [safety F] [adapt yes|no] [max DT] [exceed ignore|warn|stop]
 FixBearingTimestep::FixBearingTimestep(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/timestep"))
@@ -25,7 +27,7 @@ FixBearingTimestep::FixBearingTimestep(LAMMPS *lmp, int narg, char **arg) :
     } else if (args.take("adapt")) {
       adapt_ = args.choice("adapt", {"no", "yes"}) == 1;
     } else if (args.take("max")) {
-      largest_ = args.positive("largest step (s)");
+      largest_ = args.within("largest step (s)", shortest_step, HUGE_VAL);
     } else if (args.take("exceed")) {
       exceed_ = args.choice("exceed", {"ignore", "warn", "stop"});
     } else {
@@ -58,6 +60,9 @@ void FixBearingTimestep::check()
   if (adapt_) {
     // shrink at once, grow by a fifth a check: a contact that is about to close has no say yet
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
+    if (!(wanted >= shortest_step))
+      BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +
+              text(limit_) + " s, less than " + text(shortest_step) + " s: time stands still");
     if (wanted != update->dt) set_step(wanted);
     return;
   }

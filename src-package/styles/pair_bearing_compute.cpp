@@ -108,7 +108,7 @@ void PairBearingHertz::lost(const RacewayContact &c)
           (c.side() == Side::inner ? "inner" : "outer") + " ring " + std::to_string(c.ring) +
           " at step " + std::to_string(update->ntimestep) + ": overlap " + text(c.state.overlap) +
           " m, force " + text(c.state.normal) + " N, largest allowed overlap " +
-          text(c.raceway->largest_overlap) + " m (overlap_limit of the ball radius). The step " +
+          text(c.raceway->largest_overlap) + " m (" + c.raceway->limit() + "). The step " +
           text(update->dt) + " s is too large, the load too high, or the start overlaps");
   std::abort();
 }

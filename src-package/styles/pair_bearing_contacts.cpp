@@ -15,6 +15,7 @@ using bearing::text;
 
 void PairBearingHertz::rebuild_contacts()
 {
+  check_atoms();
   table_.raceway.clear();
   table_.sphere.clear();
   const int nlocal = atom->nlocal, *type = atom->type;

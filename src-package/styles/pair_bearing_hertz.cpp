@@ -15,6 +15,8 @@ using namespace raceway;
 using bearing::Arguments;
 using bearing::text;
 
+static constexpr double shortest_step = 1e-15;    // s
+
 PairBearingHertz::PairBearingHertz(LAMMPS *lmp) : Pair(lmp), ring_sum_(lmp)
 {
   single_enable = 0;
@@ -186,6 +188,9 @@ void PairBearingHertz::init_style()
     BRG_ALL("pair_style bearing needs 'boundary f f f' (or m, s): a bearing is not periodic");
   if (raceways_.empty())
     BRG_ALL("pair_style bearing: no raceway; give pair_coeff BALL RING inner|outer ...");
+  if (!(update->dt >= shortest_step))
+    BRG_ALL("timestep is " + text(update->dt) + " s, must be at least " + text(shortest_step) +
+            " s: time would not go on");
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
   prepare_raceways();
@@ -195,6 +200,8 @@ void PairBearingHertz::init_style()
       implicit_bits_ |= modify->fix[k]->groupbit;
   check_rings();
   check_ghosts();
+  check_cages();
+  atoms_ = count_atoms();
   put_state_last();
   rebuild_ = true;
 }
@@ -300,6 +307,44 @@ void PairBearingHertz::check_ghosts()
             " m (" BRG_GHOST_COMMAND
             " cutoff) is too small: a ball must see the centre of its ring, up to " +
             text(reach) + " m away; leave the cutoff out");
+}
+
+void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
+{
+  cages_.insert({std::min(ball_type, cage_type), std::max(ball_type, cage_type)});
+}
+
+// Types that no pair_coeff names do not interact. For a cage that was made on purpose this is
+// hardly meant.
+void PairBearingHertz::check_cages()
+{
+  for (const TypePair &c : cages_)
+    if (!spheres_.count(c) && comm->me == 0)
+      BRG_WARN("cage balls pass through the balls: there is no 'pair_coeff " +
+               std::to_string(c.first) + " " + std::to_string(c.second) + " sphere ...'");
+  cages_.clear();    // said once
+}
+
+bigint PairBearingHertz::count_atoms() const
+{
+  std::vector<char> named(atom->ntypes + 1, 0);
+  for (int t = 1; t <= atom->ntypes; ++t) named[t] = ring_type_[t] || ball_type_[t];
+  for (const auto &s : spheres_) named[s.first.first] = named[s.first.second] = 1;
+  bigint mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; ++i) mine += named[atom->type[i]];
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
+// The hosts delete an atom that leaves the box; LIGGGHTS does so without a word.
+void PairBearingHertz::check_atoms() const
+{
+  const bigint now = count_atoms();
+  if (now != atoms_)
+    BRG_ALL("lost " + std::to_string(atoms_ - now) + " of " + std::to_string(atoms_) +
+            " balls, cage balls and rings at step " + std::to_string(update->ntimestep) +
+            ": they have left the box. Speed or step too large, a cage without rails "
+            "(fix bearing/cage), or a ring without a fix");
 }
 
 double PairBearingHertz::init_one(int i, int j)

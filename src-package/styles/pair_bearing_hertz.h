@@ -9,9 +9,11 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #define LMP_PAIR_BEARING_HERTZ_H
 
 #include "../contacts/contact_table.h"
+#include "../contacts/validity_check.h"
 #include "../ranks/ring_sum.h"
 
 #include <map>
+#include <set>
 
 namespace bearing {
 class Arguments;
@@ -41,6 +43,9 @@ class PairBearingHertz : public Pair {
   bool lubricated() const { return with_film_; }
   int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
   raceway::Vec3 axis() const;
+  bearing::ValidityCheck &validity() { return validity_; }
+  // A bearing was made with these balls and cage balls: they need a pair_coeff ... sphere.
+  void expect_sphere(int ball_type, int cage_type);
   bool is_ring_type(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball_type(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type) const;    // null: none
@@ -76,6 +81,9 @@ class PairBearingHertz : public Pair {
   void put_state_last();
   void check_rings();
   void check_ghosts();
+  void check_cages();
+  bigint count_atoms() const;
+  void check_atoms() const;
   void rebuild_contacts();
   void add_raceway_contacts();
   template <bool tally> void raceway_forces();
@@ -88,6 +96,7 @@ class PairBearingHertz : public Pair {
   double overlap_limit_ = 0.05;
   std::map<TypePair, raceway::RacewayPhysics> raceways_;    // (ball type, ring type)
   std::map<TypePair, Sphere> spheres_;                      // (smaller type, larger type)
+  std::set<TypePair> cages_;                                // made, (smaller type, larger type)
   std::vector<char> ring_type_, ball_type_;
   std::vector<double> type_radius_;
   unsigned law_ = raceway::dry_parts;
@@ -99,6 +108,8 @@ class PairBearingHertz : public Pair {
   bearing::ContactTable table_;
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
+  bearing::ValidityCheck validity_;
+  bigint atoms_ = 0;    // of the types that pair_coeff names, at the start of the run
   bool rebuild_ = true;
   int builds_ = 0;
 };

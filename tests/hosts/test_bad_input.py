@@ -22,7 +22,7 @@ MAIN_DECK = {
     ),
     "negative viscosity": (
         {"viscosity": -0.04},
-        r"pair_style bearing/ehd: viscosity \(Pa s\) is -0.04, must be > 0",
+        r"bearing_range: viscosity \(Pa s\) is -0.04, must be from 1e-05 to 100",
     ),
     "no room": (
         {"clearance": -1e-3},
@@ -35,7 +35,7 @@ MAIN_DECK = {
             r" the outer one, 0.02 m"
         ),
     ),
-    "step of 1 s": ({"step": 1}, r"bearing_range: step is 1, must be from 0 to 0.001"),
+    "step of 1 s": ({"step": 1}, r"bearing_range: step is 1, must be from 1e-09 to 0.001, or 0"),
     "step too large": (
         {"step": 1e-4, "integrator": "verlet"},
         r"step 0.0001 s exceeds what the contact spring at 1 um overlap allows, 1.8\d*e-05 s",

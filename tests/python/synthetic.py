@@ -51,7 +51,7 @@ def run(
     sample_s = 2 * np.pi / bearing.balls / cage / samples_per_pass
     z, inner_ring, outer_ring = bearing.balls, 2 * bearing.balls + 1, 2 * bearing.balls + 2
     contacts, balls, rings = [], [], []  # mz: the shaft puts in what the contacts lose
-    for sample in range(passes * samples_per_pass):
+    for sample in range(passes * samples_per_pass + 1):  # both ends of the window
         state = static.equilibrium(
             bearing,
             load,

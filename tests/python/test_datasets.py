@@ -16,8 +16,8 @@ SIDE = {"inner": 0, "outer": 1}
 
 def test_contacts(folder, lubricated):
     data = raceway.open(folder).contacts
-    assert data.sizes == {"time": 48, "raceway": 2, "ball": 9}
-    seen = np.zeros((48, 2, 9), dtype=bool)
+    assert data.sizes == {"time": 49, "raceway": 2, "ball": 9}
+    seen = np.zeros((49, 2, 9), dtype=bool)
     place = {name: i for i, name in enumerate(synthetic.LUBRICATED)}
     for sample, frame in enumerate(lubricated["contacts"]):
         for row in frame:
@@ -36,10 +36,10 @@ def test_contacts(folder, lubricated):
 
 def test_coordinates(folder, lubricated):
     run, settings = raceway.open(folder), lubricated["settings"]
-    time = np.arange(48) * settings["sample_s"]
+    time = np.arange(49) * settings["sample_s"]
     for data in (run.contacts, run.balls, run.cage, run.bearing):
         assert np.array_equal(data["time"], time)
-        assert np.array_equal(data["passes"], np.arange(48) / 24)
+        assert np.array_equal(data["passes"], np.arange(49) / 24)
     assert set(run.rings["time"].to_numpy()) <= set(time)  # so that datasets can be put together
     assert run.contacts["raceway"].to_numpy().tolist() == ["inner", "outer"]
     assert run.balls["ball"].to_numpy().tolist() == list(range(1, 10))
@@ -113,7 +113,7 @@ def test_a_sample_without_contacts(tmp_path, lubricated):
     ] == [0] * 4
     assert np.isnan(first["h_min"])
     assert float(run.contacts["load"].isel(time=0).sum()) == 0
-    assert run.bearing.sizes["time"] == 48
+    assert run.bearing.sizes["time"] == 49
 
 
 def test_units(folder):
@@ -178,7 +178,7 @@ def test_growing_run(folder):
     run = raceway.open(folder)
     assert "not finished" in repr(run)
     with pytest.warns(RunWarning, match="the file ends inside"):
-        assert run.contacts.sizes["time"] == 47
+        assert run.contacts.sizes["time"] == 48
 
 
 def test_lammps_and_liggghts_look_alike(folder, tmp_path, lubricated):

@@ -39,9 +39,9 @@ def test_groove_lies_on_its_torus(bearing):
 def test_paraview(folder, lubricated, tmp_path):
     pvd = paraview.write(RunTables(folder), tmp_path / "vtk", every=3)
     listed = entries(pvd)
-    assert len(listed) == 3 * 16 and all(path.exists() for *_, path in listed)
+    assert len(listed) == 3 * 17 and all(path.exists() for *_, path in listed)
     times = [time for time, part, _ in listed if part == 0]
-    assert times == pytest.approx(3 * np.arange(16) * lubricated["settings"]["sample_s"])
+    assert times == pytest.approx(3 * np.arange(17) * lubricated["settings"]["sample_s"])
     # sample 6
     mesh = meshio.read(next(path for time, part, path in listed if part == 0 and time == times[2]))
     rows = {row[0]: row for row in lubricated["balls"][6]}
@@ -139,8 +139,8 @@ def test_ovito(folder, lubricated, tmp_path):
 def test_so_many_samples_by_default(folder, monkeypatch):
     monkeypatch.setattr(particles, "FRAMES", 20)
     frames = list(particles.frames(RunTables(folder)))
-    # 16, the most below 20 that are evenly spaced
-    assert [frame.sample for frame in frames] == list(range(0, 48, 3))
+    # 17, the most below 20 that are evenly spaced
+    assert [frame.sample for frame in frames] == list(range(0, 49, 3))
     part = list(particles.frames(RunTables(folder, slice(6, 12)), 2))
     assert [frame.sample for frame in part] == [6, 8, 10] and part[0].ring_turned == 0
 

@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
+from test_run import spoil
 
-SHORT, LONG = 20, 180  # times the 48 samples of the synthetic run
+SHORT, LONG = 20, 180  # times the 49 samples of the synthetic run
 # bytes read at once, as much smaller than usual as the runs are: the short one has several
 BLOCK = 1 << 18
 TASKS = """
@@ -43,11 +44,16 @@ def folders(tmp_path_factory, lubricated):
     for times in (SHORT, LONG):
         folder = synthetic.write(tmp_path_factory.mktemp("long") / str(times), lubricated)
         for name in ("contacts.dump", "balls.dump"):
-            text = (folder / name).read_bytes()
+            head = b"ITEM: TIMESTEP\n"
+            frames = [
+                part.split(b"\n", 1)[1] for part in (folder / name).read_bytes().split(head)[1:]
+            ]
             with open(folder / name, "wb") as file:
-                for _ in range(times):
-                    file.write(text)
+                for sample, frame in enumerate(frames * times):
+                    file.write(head + b"%d\n" % (100 * sample) + frame)
+        spoil(folder, "^passes: .*", f"passes: {(49 * times - 1) / 24!r}")
         rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))
+        rings[:, 0] = 100 * np.arange(len(rings))
         rings[:, 1] = np.arange(len(rings)) * lubricated["settings"]["sample_s"]
         np.savetxt(folder / "rings.dat", rings, header=" ".join(synthetic.RING_COLUMNS))
         made[times] = folder

@@ -49,7 +49,7 @@ def test_lubricated(folder, lubricated, tmp_path, axes):
     heaviest = load[np.argmax(load[:, 1])]
     assert np.cos(heaviest[0]) > 0.99  # on the load line
     total = drawn(panels["Capacitance"], plot.INK)
-    assert total[:, 0] == pytest.approx(np.arange(48) / 24)
+    assert total[:, 0] == pytest.approx(np.arange(49) / 24)
     assert total[:, 1] == pytest.approx(run.bearing_capacitance * 1e12)
     pressure = drawn(panels["Hertz pressure"], plot.COLOUR[1])
     assert np.all(np.abs(pressure[:, 0]) <= 180)

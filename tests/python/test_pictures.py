@@ -91,7 +91,7 @@ def test_what_a_dry_run_lacks(dry_folder, capsys):
 def test_bands_of_the_waterfall(folder, lubricated):
     run = RunTables(folder)
     samples, psi, each = waterfall.bands(run)
-    assert samples.tolist() == list(range(48)) and psi.shape == each.shape == (48, 9)
+    assert samples.tolist() == list(range(49)) and psi.shape == each.shape == (49, 9)
     assert np.nansum(each, axis=1) == pytest.approx(run.bearing_capacitance)
     assert np.diff(psi, axis=0) == pytest.approx(2 * np.pi / 9 / 24)  # a pitch a pass of 24 samples
     row = next(row for row in lubricated["balls"][7] if row[0] == 4)
@@ -101,7 +101,7 @@ def test_bands_of_the_waterfall(folder, lubricated):
 def test_bands_of_a_long_run_are_thinned(folder, monkeypatch):
     monkeypatch.setattr(waterfall, "ROWS", 30)
     samples, psi, each = waterfall.bands(RunTables(folder))
-    assert samples.tolist() == list(range(0, 48, 2)) and len(psi) == len(each) == 24
+    assert samples.tolist() == list(range(0, 49, 2)) and len(psi) == len(each) == 25
 
 
 def test_scene(folder, lubricated, bearing):
@@ -225,7 +225,7 @@ def test_run_of_full_complement(tmp_path):
 @pytest.mark.parametrize(
     "options, said",
     [
-        (["--passes", "3"], "holds 2 ball passes: 3 are not to be had"),
+        (["--passes", "3"], "holds 2.04 ball passes: 3 are not to be had"),
         (["--out", "a.avi"], "a .gif or an .mp4"),
         (["--out", "no/where.gif"], "cannot write no/where.gif: No such file"),
     ],

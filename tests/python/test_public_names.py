@@ -103,7 +103,7 @@ def test_the_list_is_complete():
     """All formulas and all that reads a run, but for the parts that only these two use."""
     parts = {
         "theory": {"balance", "circle", "seat"},
-        "runs": {"around", "run", "settings", "tables", "totals", "universe"},
+        "runs": {"around", "run", "settings", "steps", "tables", "totals", "universe"},
     }
     for room, inside in parts.items():
         package = importlib.import_module(f"raceway.{room}")

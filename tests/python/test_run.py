@@ -77,7 +77,7 @@ def test_growing_run(folder):
         path.write_bytes(path.read_bytes()[: path.stat().st_size * 2 // 3])
     with pytest.warns(RunWarning):
         tables = [getattr(RunTables(folder), name) for name in ("contacts", "balls", "rings")]
-    assert all(0 < table["sample"].max() < 47 for table in tables)  # of 48
+    assert all(0 < table["sample"].max() < 48 for table in tables)  # of 49
 
 
 def test_blocks_are_the_whole(folder, monkeypatch):
@@ -88,7 +88,7 @@ def test_blocks_are_the_whole(folder, monkeypatch):
         assert len(blocks) > 3
         assert pd.concat(blocks).reset_index(drop=True).equals(whole)
         ends = [block.attrs["first"] + block.attrs["samples"] for block in blocks]
-        assert [block.attrs["first"] for block in blocks] == [0, *ends[:-1]] and ends[-1] == 48
+        assert [block.attrs["first"] for block in blocks] == [0, *ends[:-1]] and ends[-1] == 49
         monkeypatch.undo()
 
 
@@ -97,7 +97,7 @@ def test_window_of_samples(folder, window):
     some, whole = RunTables(folder, window), RunTables(folder)
     for name in ("contacts", "balls", "rings"):
         table = getattr(whole, name)
-        last = 48 if window.stop is None else window.stop
+        last = 49 if window.stop is None else window.stop
         kept = table[(table["sample"] >= window.start) & (table["sample"] < last)].reset_index(
             drop=True
         )
@@ -107,8 +107,8 @@ def test_window_of_samples(folder, window):
 
 
 def test_window_outside_the_run(folder):
-    with pytest.raises(RunError, match="holds 48 complete frames, none from number 48 on"):
-        RunTables(folder, slice(48, None)).contacts
+    with pytest.raises(RunError, match="holds 49 complete frames, none from number 49 on"):
+        RunTables(folder, slice(49, None)).contacts
     for wrong in (slice(3, 3), slice(-1, 4), slice(0, 9, 2)):
         with pytest.raises(ValueError, match="must be slice"):
             RunTables(folder, wrong)

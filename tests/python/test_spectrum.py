@@ -158,7 +158,7 @@ def test_a_missing_sample(folder):
     lines = path.read_text().splitlines(keepends=True)
     del lines[20]
     path.write_text("".join(lines))
-    with pytest.raises(RunError, match="samples are missing"):
+    with pytest.raises(RunError, match="rings.dat: after the sample of step 18, that of step 20"):
         spectrum.of_run(raceway.open(folder))
 
 

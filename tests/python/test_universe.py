@@ -16,14 +16,14 @@ from raceway.runs import universe as module
 
 @pytest.fixture
 def run(folder, monkeypatch):
-    # 7 frames at once: 48 are several readings and a rest
+    # 7 frames at once: 49 are several readings and a rest
     monkeypatch.setattr(module, "ROWS", 7 * 20)
     return raceway.open(folder)
 
 
 def test_atoms(run):
     u = run.universe()
-    assert len(u.atoms) == 20 and len(u.trajectory) == 48
+    assert len(u.atoms) == 20 and len(u.trajectory) == 49
     assert u.atoms.ids.tolist() == list(range(1, 21))
     assert u.select_atoms("name ball").ids.tolist() == list(range(1, 10))
     assert u.select_atoms("name inner or name outer").types.tolist() == ["3", "4"]
@@ -31,7 +31,7 @@ def test_atoms(run):
 
 def test_every_frame_in_any_order(run):
     u, balls, contacts = run.universe(), run.tables.balls, run.contacts
-    for frame in [*range(48), 3, 40, 7, 6, 47, 0]:
+    for frame in [*range(49), 3, 40, 7, 6, 47, 0]:
         ts = u.trajectory[frame]
         rows = balls[balls["sample"] == frame].sort_values("id")
         assert ts.frame == ts.data["sample"] == frame and ts.data["step"] == 100 * frame
@@ -124,7 +124,7 @@ def test_growing_run(folder):
         path.write_bytes(path.read_bytes()[: int(part * path.stat().st_size)])
     with pytest.warns(RunWarning, match="ends inside"):
         u = raceway.open(folder).universe()
-    assert 15 < len(u.trajectory) < 33  # those that both have, about half of 48
+    assert 15 < len(u.trajectory) < 33  # those that both have, about half of 49
     assert [ts.frame for ts in u.trajectory] == list(range(len(u.trajectory)))
 
 
@@ -138,4 +138,4 @@ def test_broken_line_is_named(folder, monkeypatch):
     u = raceway.open(folder).universe()
     u.trajectory[46]
     with pytest.raises(RunError, match=f"line {place + 1}: .* is not a number: 'oops"):
-        u.trajectory[47]
+        u.trajectory[48]

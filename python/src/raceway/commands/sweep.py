@@ -10,6 +10,7 @@ import signal
 import sys
 from pathlib import Path
 
+from raceway import files
 from raceway.commands import Commands
 from raceway.errors import RacewayError
 from raceway.sweeps.points import deck_variables, read_points
@@ -114,7 +115,10 @@ def run(arguments: argparse.Namespace) -> None:
     Raises `RacewayError` for a table that cannot be used and when a point failed.
     """
     points = read_points(arguments.table, deck_variables(arguments.deck))
-    program = shlex.split(arguments.program)
+    try:
+        program = shlex.split(arguments.program)
+    except ValueError as error:
+        raise RacewayError(f"--program {arguments.program!r}: {error}") from None
     if not program or shutil.which(program[0]) is None:
         raise RacewayError(
             f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
@@ -129,6 +133,7 @@ def run(arguments: argparse.Namespace) -> None:
         from raceway.sweeps.sweep import sweep  # pandas takes a while
 
         first, step = arguments.part
+        files.folder(out)
         signal.signal(signal.SIGTERM, _terminated)
         signal.signal(signal.SIGHUP, _terminated)
         counts, before, path = sweep(
@@ -160,6 +165,9 @@ def _terminated(number, _):
 
 def _write_array(arguments, out, points):
     tasks = min(arguments.tasks or 1000, points)
+    for name in (str(out), arguments.slurm, arguments.table, arguments.deck, arguments.program):
+        if not name.isprintable():  # a line break would begin an #SBATCH line of its own
+            raise RacewayError(f"{name!r} holds a line break or another control character")
     words = [
         sys.executable,
         "-m",

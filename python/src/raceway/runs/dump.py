@@ -69,10 +69,9 @@ class _Lines:
 
     def whole(self):
         text = self.take()
-        try:
-            return int(text)
-        except ValueError:
+        if not text.isdigit() or len(text) > 18:
             self.fail(f"expected a whole number, found '{_show(text)}'")
+        return int(text)
 
     def fail(self, what, number=None):
         raise RunError(f"{self.path}, line {number or self.number}: {what}")
@@ -193,6 +192,19 @@ def frames(path: FilePath, columns: Sequence[str]) -> Iterator[Frame]:
         yield from map(Frame, block.steps, np.split(block.values, np.cumsum(block.counts)[:-1]))
 
 
+def first_steps(path: FilePath) -> list[int]:
+    """The steps of the first two frames of the dump at `path`, as far as they are whole."""
+    steps = []
+    with _open(path) as file:
+        lines = _Lines(path, file)
+        while len(steps) < 2 and file.peek(1):
+            try:
+                steps.append(_frame(lines)[0])
+            except _Cut:
+                break
+    return steps
+
+
 def read_dump(
     path: FilePath,
     columns: Sequence[str],
@@ -207,13 +219,16 @@ def read_dump(
     of the first. Raises `RunError` where there are none.
     """
     parts = list(blocks(path, columns, start, stop, index))
-    return Block(
+    steps = sum((part.steps for part in parts), [])
+    table = Block(
         parts[0].first,
-        [],
+        steps,
         sum((part.counts for part in parts), []),
         np.concatenate([part.values for part in parts]),
         parts[-1].end,
     ).table(columns)
+    table.attrs["steps"] = steps
+    return table
 
 
 def read_table(path: FilePath) -> pd.DataFrame:
@@ -322,8 +337,8 @@ def _blame(lines, rows, columns, first):
                 f"{len(words)} columns where {len(columns)} are named ({' '.join(columns)})", number
             )
         for word, name in zip(words, columns):
-            try:
-                bad = np.isnan(float(word))
+            try:  # Python takes 1_0 for a number
+                bad = np.isnan(float(word)) or b"_" in word
             except ValueError:
                 bad = True
             if bad:

@@ -164,6 +164,7 @@ class Run:
 
     def _contacts(self, table):
         first, samples = table.attrs["first"], table.attrs["samples"]
+        self.tables.need_balls()
         # balls have the first atom numbers; a table may hold others (many bearings) or not all
         # (clearance)
         balls = np.union1d(table["ball"], np.arange(1, self.settings["balls"] + 1))
@@ -199,7 +200,10 @@ class Run:
         rows = table[table["type"] == kind].sort_values(["sample", "id"], kind="stable")
         ids = np.unique(rows["id"])
         axis = table[table["id"] == self.settings["outer_ring"]]
-        if len(rows) != samples * len(ids) or len(axis) != samples:
+        same = len(rows) == samples * len(ids) and len(axis) == samples
+        same = same and axis["sample"].is_unique
+        # each atom once in every sample: of two that changed places over samples the sum is right
+        if not same or (rows["id"].to_numpy().reshape(samples, -1) != ids).any():
             raise RunError(
                 f"{self.tables.folder / 'balls.dump'}: not every sample has the same atoms"
             )

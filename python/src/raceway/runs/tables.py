@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run folder: `run.yaml`, `contacts.dump`, `balls.dump`, `rings.dat`."""
 
+import warnings
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
@@ -11,12 +12,13 @@ from numpy.typing import ArrayLike
 
 from raceway import progress
 from raceway.arrays import Floats, Numbers
-from raceway.errors import RunError
+from raceway.errors import RunError, RunWarning
 from raceway.files import FilePath
-from raceway.runs.dump import Index, blocks, read_dump, read_table
+from raceway.runs.dump import Index, blocks, first_steps, frames, read_dump, read_table
 from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings
+from raceway.runs.steps import Steps
 from raceway.runs.totals import pairs, totals
-from raceway.theory.bearing import Bearing
+from raceway.theory.bearing import OUTER, Bearing
 
 BALL, CAGE = 1, 2  # atom types
 DUMPS = {
@@ -28,6 +30,7 @@ DUMPS = {
     "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy")),
 }
 WHOLE = ("ball", "raceway", "id", "type")
+MOST = {"raceway": OUTER}
 
 
 class RunTables:
@@ -108,7 +111,7 @@ class RunTables:
         table = read_table(self.folder / "rings.dat")
         self._need(table, ("time", "x", "y"), "rings.dat")
         # counted from the start of the window, like the dumps; the first row may be a later sample
-        table["sample"] = np.rint(table["time"] / self.settings["sample_s"]).astype(int)
+        table["sample"] = self._samples(table, "rings.dat")
         if (self.first, self.stop) == (0, None):
             return table
         kept = (table["sample"] >= self.first) & (
@@ -142,10 +145,26 @@ class RunTables:
             return
         file, columns = self._columns(name)
         path = self.folder / file
+        steps = self._steps(name)
         for block in progress.reading(
             path, blocks(path, columns, self.first, self.stop, self._index(name))
         ):
-            yield _whole(block.table(columns))
+            steps.take(block.steps)
+            yield _whole(block.table(columns), path)
+        self._need_all(steps)
+
+    def need_balls(self) -> None:
+        """Raise `RunError` where `run.yaml` names more balls than `balls.dump` has."""
+        file, columns = self._columns("balls")
+        if not (self.folder / file).exists():
+            return
+        frame = next(frames(self.folder / file, columns))
+        there = np.count_nonzero(frame.values[:, columns.index("type")] == BALL)
+        if self.settings["balls"] > there:
+            raise RunError(
+                f"{self.folder / 'run.yaml'}: balls = {self.settings['balls']}, but {file} has"
+                f" {there}"
+            )
 
     def passes(self, sample: ArrayLike) -> Numbers:
         """Time of a sample (number or array) in ball passes since the start of the measured
@@ -159,9 +178,58 @@ class RunTables:
 
     def _dump(self, name):
         file, columns = self._columns(name)
-        return _whole(
-            read_dump(self.folder / file, columns, self.first, self.stop, self._index(name))
+        path, steps = self.folder / file, self._steps(name)
+        table = read_dump(path, columns, self.first, self.stop, self._index(name))
+        steps.take(table.attrs.pop("steps"))
+        self._need_all(steps)
+        return _whole(table, path)
+
+    def _steps(self, name):
+        """`Steps` of the dump behind `name`, which are those of the other dump."""
+        path, other = (
+            self.folder / DUMPS[one][0]
+            for one in (name, "balls" if name == "contacts" else "contacts")
         )
+        known = first_steps(other) if other.exists() else []
+        spacing = known[1] - known[0] if len(known) == 2 else None
+        return Steps(path, known[0] if known and not self.first else None, spacing)
+
+    def _samples(self, table, name):
+        """Numbers of the samples, from their time and step."""
+        path, wrong = self.folder / name, "holds times that are no samples"
+        samples = np.rint(table["time"].to_numpy() / self.settings["sample_s"])
+        if not np.all(np.abs(samples) < 1e15):
+            raise RunError(f"{path} {wrong}")
+        samples = samples.astype(int)
+        Steps(path, spacing=1).take(samples)
+        last = round(self.settings["passes"] * self.settings["samples_per_pass"])
+        if self.finished and samples[-1] != last:
+            warnings.warn(
+                f"{path} ends with sample {samples[-1]}, a finished run with {last}",
+                RunWarning,
+                stacklevel=3,
+            )
+        if "step" in table:
+            steps = Steps(path)
+            steps.take(table["step"].to_numpy())
+            for dump, _, _ in DUMPS.values():
+                known = first_steps(self.folder / dump) if (self.folder / dump).exists() else []
+                if len(known) == 2 and np.any(
+                    table["step"] != known[0] + samples * (known[1] - known[0])
+                ):
+                    raise RunError(f"{path} has not the steps of {dump}")
+        return samples
+
+    def _need_all(self, steps):
+        """Warn where a finished run has not all of its samples, or more."""
+        expected = round(self.settings["passes"] * self.settings["samples_per_pass"]) + 1
+        if self.finished and (self.first, self.stop) == (0, None) and steps.count != expected:
+            warnings.warn(
+                f"{steps.path} holds {steps.count} samples, a finished run of"
+                f" {self.settings['passes']:g} passes has {expected}",
+                RunWarning,
+                stacklevel=3,
+            )
 
     def _index(self, name):
         return self.index(name) if self.first else None
@@ -190,7 +258,14 @@ class RunTables:
             raise RunError(f"{self.folder / name} has no column {' '.join(missing)}")
 
 
-def _whole(table):
+def _whole(table, path):
+    for name in (name for name in WHOLE if name in table):
+        values, most = table[name].to_numpy(), MOST.get(name, 1e15)
+        wrong = (values != np.rint(values)) | ~((values >= 0) & (values <= most))
+        if wrong.any():
+            raise RunError(
+                f"{path}: {name} is {values[wrong][0]:g}, must be a whole number from 0 to {most:g}"
+            )
     attrs, table = table.attrs, table.astype({name: int for name in WHOLE if name in table})
     table.attrs = attrs
     return table

@@ -10,7 +10,7 @@ import yaml
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
-from raceway.sweeps.point_run import FINISHED, state
+from raceway.sweeps.point_run import FAILED, FINISHED, mapping, state
 
 KEYS = ("point", "status", "message")
 
@@ -22,15 +22,14 @@ def gather(folder: FilePath) -> pd.DataFrame:
     """
     rows, variables = [], {}
     for path in sorted(Path(folder).glob("*/point.yaml")):
-        try:
-            asked = yaml.safe_load(path.read_text())
-        except (OSError, yaml.YAMLError) as error:
-            raise RacewayError(f"cannot read {path}: {error}") from None
+        asked = mapping(path, yaml.safe_load)
+        if asked is None:
+            broken = f"{path} is broken: remove the folder and run the sweep again"
+            rows.append({"point": path.parent.name, "status": FAILED, "message": broken})
+            continue
         variables.update(asked)
         status, message = state(path.parent, asked)
-        figures = (
-            json.loads((path.parent / "summary.json").read_text()) if status == FINISHED else {}
-        )
+        figures = mapping(path.parent / "summary.json", json.loads) if status == FINISHED else {}
         rows.append(
             {"point": path.parent.name, "status": status, "message": message, **asked, **figures}
         )

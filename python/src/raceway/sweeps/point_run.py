@@ -16,9 +16,10 @@ import os
 import select
 import signal
 import subprocess
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -47,12 +48,12 @@ def state(folder: FilePath, variables: Mapping[str, str]) -> tuple[str, str]:
     """(status, message) of the point in `folder`: finished only if its figures are of these
     `variables`."""
     folder = Path(folder)
-    if _read(folder / "point.yaml", yaml.safe_load) != dict(variables):
+    if mapping(folder / "point.yaml", yaml.safe_load) != dict(variables):
         return PENDING, ""
-    if _read(folder / "summary.json", json.loads):
+    if mapping(folder / "summary.json", json.loads):
         return FINISHED, ""
-    failed = _read(folder / "failed.json", json.loads)
-    return (FAILED, failed["message"]) if failed else (PENDING, "")
+    failed = mapping(folder / "failed.json", json.loads) or {}
+    return (FAILED, failed["message"]) if "message" in failed else (PENDING, "")
 
 
 def run_point(
@@ -78,7 +79,7 @@ def run_point(
             status, message = state(folder, variables)
             if status == FINISHED or status == FAILED and not retry:
                 return status, message
-            known = _read(folder / "point.yaml", yaml.safe_load)
+            known = mapping(folder / "point.yaml", yaml.safe_load)
             if known != dict(variables):
                 for old in ("summary.json", "failed.json", "run.yaml", "restart"):
                     (folder / old).unlink(missing_ok=True)
@@ -189,12 +190,14 @@ def _complaint(log, code):
     return f"{how}; last line: {last[:200]}"
 
 
-def _read(path, parse):
-    """What a file holds; None if it is not there or not whole."""
+def mapping(path: Path, parse: Callable[[str], Any]) -> dict[str, Any] | None:
+    """The map that the file `path` holds; None if it is not there, not whole or no map of names."""
     try:
-        return parse(path.read_text())
-    except (OSError, ValueError, yaml.YAMLError):
+        found = parse(path.read_text())
+    except (OSError, ValueError, yaml.YAMLError, RecursionError):
         return None
+    good = isinstance(found, dict) and all(isinstance(name, str) for name in found)
+    return found if good else None
 
 
 def _write(path, text):

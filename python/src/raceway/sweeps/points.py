@@ -19,6 +19,8 @@ OURS = {
     "out": "the sweep gives every point its folder",
     "resume": "the sweep resumes points by itself",
     "resumed": "the deck sets it",
+    "new": "the deck sets it",
+    "format": "it is the host's spelling of a command",
     "inputs": "it says where the deck's files are; start from the folder that holds them",
 }
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
@@ -80,14 +82,12 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
         if name in OURS:
             wrong.append(f"column '{name}' cannot be swept: {OURS[name]}")
         elif name not in variables:
-            wrong.append(
-                f"column '{name}' is no variable of the deck; there is: "
-                + ", ".join(v for v in variables if v not in OURS)
-            )
+            wrong.append(f"column '{name}' is no variable of the deck")
         if columns.count(name) > 1:
             wrong.append(f"column '{name}' is there {columns.count(name)} times")
     if wrong:
-        raise TableError(f"{table}: " + "; ".join(wrong))
+        names = ", ".join(name for name in variables if name not in OURS)
+        raise TableError(f"{table}: {_some(wrong)}; there is: {names}")
     if len(lines) == 1:
         raise TableError(f"{table} has no row below its columns")
     points, seen, order = [], {}, [name for name in variables if name in columns]
@@ -113,9 +113,13 @@ def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
         point = {name: row[name] for name in order}
         points.append(Point(folder_name(point), point))
     if wrong:
-        more = [f"and {len(wrong) - SHOWN} more"] if len(wrong) > SHOWN else []
-        raise TableError(f"{table}: " + "; ".join(wrong[:SHOWN] + more))
+        raise TableError(f"{table}: {_some(wrong)}")
     return points
+
+
+def _some(wrong):
+    more = [f"and {len(wrong) - SHOWN} more"] if len(wrong) > SHOWN else []
+    return "; ".join(wrong[:SHOWN] + more)
 
 
 def folder_name(variables: Mapping[str, str]) -> str:

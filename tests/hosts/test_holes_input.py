@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Input that was accepted or refused with another's message: numbers of bearings and lubricants,
+words that only C takes for numbers, files that are none."""
+
+import re
+
+import pytest
+from host import ROOT, liggghts
+
+BEARING = (ROOT / "inputs" / "bearings" / "6208").read_text()
+MINERAL = (ROOT / "inputs" / "lubricants" / "mineral").read_text()
+
+NUMBERS = {
+    "balls": (1, "9.5", 1e6),
+    "ball_diameter": (12.6, 1e-6, 0, -1),
+    "inner_radius": (24, 1e-6),
+    "outer_radius": (36.6, -1),
+    "inner_groove": (6.552e4, 0),
+    "outer_groove": (1e-6,),
+    "cage_ball_diameter": (8.38, 0),
+    "ball_young": (1, 1e30, -1),
+    "ball_poisson": (0.6, -0.1),
+    "ball_density": (1e9, 0),
+    "inner_mass": (0, 1e9),
+    "inner_inertia": (0,),
+    "inner_inertia_t": (-1,),
+    "viscosity": (1e10, 0),
+    "pressure_viscosity": (1, -1e-9),
+    "permittivity": (-2, 0.5, 1e3),
+    "roughness": (1, 0),
+    "ball_roughness": (1, -1e-9),
+    "load": ("+5000", "0x1388"),
+    "step": (1e-12,),
+}
+
+
+def refused(end, message):
+    assert end.code > 0, end.text[-2000:]
+    assert re.search(message, end.error), end.error or end.text[-2000:]
+
+
+@pytest.mark.parametrize("name, value", [(n, v) for n, values in NUMBERS.items() for v in values])
+def test_every_number_has_a_range(tmp_path, name, value):
+    end = liggghts("inputs/in.6208", out=tmp_path, **{name: value})
+    refused(end, rf"bearing_range: {name}( \(.+\))? (is \S+, must be |must be a number like)")
+
+
+def inputs(tmp_path, folder, name, text):
+    """A folder of inputs with one file more."""
+    own = tmp_path / "inputs"
+    own.mkdir()
+    for path in (ROOT / "inputs").iterdir():
+        if path.name != folder:
+            (own / path.name).symlink_to(path)
+    (own / folder).mkdir()
+    if text is not None:
+        (own / folder / name).write_text(text)
+    return own
+
+
+def without(text, key):
+    return re.sub(rf"^variable {key} .*\n", "", text, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize("key", re.findall(r"^variable (\w+)", BEARING, re.MULTILINE))
+def test_a_key_that_a_bearing_does_not_have(tmp_path, key):
+    own = inputs(tmp_path, "bearings", "mine", without(BEARING, key))
+    end = liggghts("inputs/in.6208", inputs=own, bearing="mine", out=tmp_path / "out")
+    refused(end, rf"bearing_input: '{own}/bearings/mine' has no variable {key}\b")
+
+
+@pytest.mark.parametrize("key", re.findall(r"^variable (\w+)", MINERAL, re.MULTILINE))
+def test_a_key_that_a_lubricant_does_not_have(tmp_path, key):
+    own = inputs(tmp_path, "lubricants", "mine", without(MINERAL, key))
+    end = liggghts("inputs/in.6208", inputs=own, lubricant="mine", out=tmp_path / "out")
+    refused(end, rf"bearing_input: '{own}/lubricants/mine' has no variable {key}\b")
+
+
+def test_a_lubricant_for_a_bearing(tmp_path):
+    end = liggghts("inputs/in.6208", bearing="../lubricants/mineral", out=tmp_path)
+    refused(end, r"'inputs/bearings/../lubricants/mineral' has no variable balls, ball_diameter")
+
+
+def test_files_that_are_none(tmp_path):
+    own = inputs(tmp_path, "bearings", "mine", "\ufeff" + BEARING)
+    (own / "bearings" / "loop").symlink_to("loop")
+    (own / "bearings" / "folder").mkdir()
+    for name, message in (
+        ("mine", r"mine' starts with a byte order mark"),
+        ("loop", r"loop' is no file but a folder, a pipe or a broken link"),
+        ("folder", r"folder' is no file but a folder, a pipe or a broken link"),
+    ):
+        end = liggghts("inputs/in.6208", inputs=own, bearing=name, out=tmp_path / "out")
+        refused(end, message)
+
+
+@pytest.mark.parametrize("name", ["a b", "a%b", "a*b"])
+def test_names_of_folders(tmp_path, name):
+    refused(
+        liggghts("inputs/in.6208", out=f"{tmp_path}/{name}"),
+        r"bearing_output: (a folder's name is one word without blanks, not '\S+ b'"
+        r"|the folder's name '\S+' may not hold any of)",
+    )
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_file_called_like_an_option_stays(tmp_path):
+    """The host's own `rm` took -f for a file of the current folder."""
+    for name in ("inputs",):
+        (tmp_path / name).symlink_to(ROOT / name)
+    (tmp_path / "-f").write_text("mine")
+    end = liggghts(
+        ROOT / "inputs" / "in.dry", cwd=tmp_path, out=tmp_path / "out", passes=1, samples=10
+    )
+    assert end.code == 0, end.text[-1000:]
+    assert (tmp_path / "-f").read_text() == "mine"
+    assert not (tmp_path / "out" / "restart.deck").exists()
+
+
+def test_a_file_that_the_checkpoint_sees_too_often(tmp_path):
+    """Dumped every 200 steps, looked at every 20: no disk was full."""
+    deck = tmp_path / "in.often"
+    text = (ROOT / "docs" / "decks" / "in.ehd").read_text()
+    deck.write_text(
+        text.replace(
+            "run 40000",
+            f"fix ck all bearing/checkpoint 20 {tmp_path}/ck files ${{out}}/contacts.dump\nrun 400",
+        )
+    )
+    refused(
+        liggghts(deck, out=tmp_path / "out"),
+        r"contacts.dump has stopped growing at step \d+: it must grow every 20 steps."
+        r" Is it written less often",
+    )

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs that went wrong without a word, or ended with another's: contacts beyond validity, lost
+balls, steps that stand still, restart files, two writers in one folder."""
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+from host import ENVIRONMENT, HOSTS, ROOT, liggghts, run, succeed
+from hosts.kills import start
+
+SMALLEST = (ROOT / "docs" / "decks" / "in.smallest").read_text()
+EHD = (ROOT / "docs" / "decks" / "in.ehd").read_text()
+IMPLICIT = (
+    SMALLEST.replace(
+        "fix move balls nve/sphere",
+        "group all_of_it type 1 2 3\nfix move all_of_it bearing/implicit",
+    )
+    .replace("exceed stop", "exceed ignore")
+    .replace("timestep 1.0e-6", "timestep 1.0e-5")
+)
+RUN = "run 20000\n"
+SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
+
+
+def outcome(tmp_path, deck, commands, **kwargs):
+    """The end of `deck` with `commands` in place of its run."""
+    assert deck.count(RUN) == 1
+    file = tmp_path / "in.hole"
+    file.write_text(deck.replace(RUN, commands))
+    return liggghts(file, **kwargs)
+
+
+def refused(end, message):
+    assert end.code > 0, end.text[-2000:]
+    assert re.search(message, end.error), end.error or end.text[-2000:]
+
+
+# ---- atoms, steps, cages -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_a_ball_that_leaves_the_box_is_missed(tmp_path, ranks):
+    """LIGGGHTS deletes it: 1 of 11 atoms was left, all figures 0, exit code 0."""
+    end = outcome(
+        tmp_path,
+        SMALLEST,
+        "thermo_modify lost ignore\nvelocity balls set 0 0 1e5 units box\nrun 500\n",
+        ranks=ranks,
+    )
+    refused(end, r"lost \d of 11 balls, cage balls and rings at step \d+")
+
+
+def test_a_cage_without_rails(tmp_path):
+    """Cage balls flew out of the box: 14 of 20 atoms after 200,000 steps, exit code 0."""
+    deck = tmp_path / "in.norails"
+    text = EHD.replace("fix rails cage bearing/cage 4\n", "").replace(" v_rails", "")
+    text = re.sub(r"variable rails equal .*\n", "", text)
+    deck.write_text(
+        text.replace("run 40000", "velocity cage set 0 0 1e4 units box\nrun 4000").replace(
+            "group moving", "group cage type 2\ngroup moving"
+        )
+    )
+    refused(liggghts(deck, out=tmp_path / "out"), r"lost 9 of 20 balls, cage balls and rings")
+
+
+@pytest.mark.parametrize("step", ["-1.0e-6", "0", "1.0e-300"])
+@pytest.mark.parametrize("deck", [SMALLEST, IMPLICIT], ids=["verlet", "implicit"])
+def test_time_goes_on(tmp_path, deck, step):
+    refused(
+        outcome(tmp_path, deck, f"timestep {step}\nrun 200\n"),
+        r"timestep is \S+ s, must be at least 1e-15 s",
+    )
+
+
+def test_a_step_that_vanishes_is_no_limit(tmp_path):
+    refused(
+        outcome(tmp_path, SMALLEST, "fix grow all bearing/timestep 10 adapt yes max 1e-300\n"),
+        r"fix grow bearing/timestep: largest step \(s\) is 1e-300, must be from 1e-12",
+    )
+
+
+@pytest.mark.parametrize(
+    "words, message",
+    [
+        ("largest 1e-300", r"largest step \(s\) is 1e-300, must be from 1e-12"),
+        ("tolerance 1e-4", r"tolerance \(m\) is 0.0001, must be from 1e-13 to 1e-05"),
+    ],
+)
+def test_limits_of_an_implicit_step(tmp_path, words, message):
+    """The first ran for ever, the second gave 2.7 times the load."""
+    deck = IMPLICIT.replace("bearing/implicit", f"bearing/implicit {words}")
+    refused(outcome(tmp_path, deck, "run 1\n", timeout=20), message)
+
+
+def test_a_cage_without_a_coefficient(tmp_path):
+    """Cage balls that pass through the balls are worth a warning; with a coefficient there is
+    none."""
+    for name, text in (
+        ("without", EHD.replace("pair_coeff 1 2 sphere", "#")),
+        ("with", EHD),
+    ):
+        deck = tmp_path / f"in.{name}"
+        deck.write_text(text.replace("run 40000", "run 200\nrun 200"))
+        end = succeed(deck, out=tmp_path / name)
+        warned = end.text.count("cage balls pass through the balls: there is no 'pair_coeff 1 2")
+        assert warned == (name == "without")
+
+
+# ---- validity of a contact ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("integrator", ["implicit", "verlet"])
+def test_an_ellipse_as_wide_as_the_groove(tmp_path, integrator):
+    """300 kN: `raceway static` refused it, the run went on to 10 GPa."""
+    end = liggghts(
+        "inputs/in.6208", out=tmp_path, load=3e5, integrator=integrator, timeout=120, **SHORT
+    )
+    refused(end, r"contact ellipse (is )?as wide as the groove")
+
+
+def test_an_almost_conformal_groove(tmp_path):
+    """Its ellipse was 429 mm long on a ball of 12.6 mm."""
+    end = liggghts("inputs/in.6208", out=tmp_path, inner_groove=6.3000001e-3, **SHORT)
+    refused(end, r"contact ellipse (is )?as wide as the groove")
+
+
+def doubts(text):
+    return re.findall(r"beyond validity: (.+? of ball \d+) is up to (\S+)", text)
+
+
+def test_pressure_beyond_iso_76(tmp_path):
+    end = succeed("inputs/in.dry", out=tmp_path, load=6e4, **SHORT)
+    (what, value), *more = doubts(end.text)
+    assert not more and what.startswith("Hertz pressure") and 4.2e9 < float(value) < 8e9
+
+
+def test_a_film_thicker_than_its_contact_is_long(tmp_path):
+    deck = tmp_path / "in.thick"
+    deck.write_text(EHD.replace("lubricant 0.040", "lubricant 1.0e8").replace("run 40000", "run 0"))
+    found = dict(doubts(liggghts(deck, out=tmp_path).text))
+    assert any(name.startswith("film parameter Lambda") for name in found)
+    assert any(name.startswith("film thickness over the semi-axis b") for name in found)
+
+
+def test_a_usual_run_is_in_no_doubt(tmp_path):
+    assert not doubts(succeed("inputs/in.6208", out=tmp_path, **SHORT).text)
+
+
+# ---- restart files -----------------------------------------------------------------------------
+
+
+def test_restart_files_of_the_deck_are_its_own(tmp_path):
+    """The fix took any restart file for its own and died at the next step."""
+    end = outcome(
+        tmp_path,
+        SMALLEST,
+        f"fix ck all bearing/checkpoint 50 {tmp_path}/ck restart 100\nrun 200\n"
+        f"write_restart {tmp_path}/mine\nrun 100\n",
+    )
+    assert end.code == 0, end.text[-2000:]
+    assert (tmp_path / "mine").exists() and (tmp_path / "ck").exists()
+
+
+def test_one_checkpoint_fix(tmp_path):
+    refused(
+        outcome(
+            tmp_path,
+            SMALLEST,
+            f"fix a all bearing/checkpoint 50 {tmp_path}/a\n"
+            f"fix b all bearing/checkpoint 50 {tmp_path}/b\nrun 10\n",
+        ),
+        r"fix b bearing/checkpoint: fix a is of this style already",
+    )
+
+
+READ = """units si
+atom_style granular
+communicate single vel yes
+atom_modify map array
+newton off
+read_restart {file}
+neigh_modify delay 0
+group balls type 1
+group inner type 2
+fix move balls nve/sphere
+fix inner inner bearing/ring mass 0.2 x free y free spin speed 50.0 force 0 -5000 0 ramp 3.0e-3
+timestep 1.0e-6
+fix ck all bearing/checkpoint 50 {file} resume yes
+run 100
+"""
+
+
+@pytest.mark.parametrize("sanitized", [False, True])
+def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
+    """No counters, no files: nothing was copied from nowhere."""
+    if sanitized and not HOSTS["sanitized"][0].exists():
+        pytest.skip("make sanitized builds it")
+    file = tmp_path / "ck"
+    end = outcome(
+        tmp_path, SMALLEST, f"fix ck all bearing/checkpoint 50 {file} restart 100\nrun 201\n"
+    )
+    assert end.code == 0, end.text[-2000:]
+    deck = tmp_path / "in.read"
+    deck.write_text(READ.format(file=file))
+    succeed(deck, sanitized=sanitized)
+
+
+@pytest.fixture(scope="module")
+def stopped(tmp_path_factory):
+    """The folder of a run that got SIGTERM in its measurement, to be copied."""
+    out = tmp_path_factory.mktemp("stopped") / "run"
+    process = start({"passes": 40, "samples": 100, "keep": 20}, out)
+    end = time.monotonic() + 60
+    while not (out / "restart").exists():
+        assert time.monotonic() < end
+        time.sleep(0.005)
+    process.terminate()
+    assert process.wait() == 128 + signal.SIGTERM
+    return out
+
+
+def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
+    """The host's format has no sum: 33 of 77 went unnoticed."""
+    out = tmp_path / "run"
+    shutil.copytree(stopped, out)
+    good = (out / "restart").read_bytes()
+    case = {"passes": 40, "samples": 100, "keep": 20, "out": out, "resume": "yes"}
+    for k in range(1, 12):
+        bad = bytearray(good)
+        bad[len(bad) * k // 12] ^= 1 << (k % 8)
+        (out / "restart").write_bytes(bad)
+        end = liggghts("inputs/in.6208", **case)
+        assert end.code != 0, k
+        assert re.search(r"is damaged: its check sum is wrong", end.error), end.text[-800:]
+
+
+# ---- one writer a folder -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
+def test_two_runs_in_one_folder(tmp_path, host):
+    """The second is told who writes there; the first does not notice. When its process is killed,
+    the folder is free at once."""
+    out = tmp_path / "run"
+    program, _ = HOSTS[host]
+    deck = tmp_path / "in.waits"
+    deck.write_text(f"bearing_output {out}\nshell sleep 60\n")
+    words = [program, "-in", deck, "-log", "none"]
+    first = subprocess.Popen(
+        [str(w) for w in words],
+        cwd=ROOT,
+        env=ENVIRONMENT,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    try:
+        end = time.monotonic() + 60
+        while not ((out / ".writer").exists() and (out / ".writer").read_text()):
+            assert time.monotonic() < end and first.poll() is None
+            time.sleep(0.005)
+        for resume in ("no", "yes"):
+            refused(
+                liggghts("inputs/in.6208", out=out, resume=resume, **SHORT),
+                rf"bearing_output: output folder '{out}' is in use: process \d+ on"
+                rf" {os.uname().nodename} writes there",
+            )
+        assert first.poll() is None
+    finally:
+        os.killpg(first.pid, signal.SIGKILL)
+        first.wait()
+    assert (out / ".writer").exists()
+    once = tmp_path / "in.once"
+    once.write_text(f"bearing_output {out}\nbearing_output {out}\n")
+    assert run(once, host=host).code == 0
+    assert not (out / ".writer").exists()
