@@ -8,6 +8,8 @@ import pytest
 from host import ROOT, liggghts
 
 BEARING = (ROOT / "inputs" / "bearings" / "6208").read_text()
+# what the decks need; the rest is for makers' formulas
+OF_BEARING = re.findall(r"^variable (\w+)", BEARING.split("# As in the makers")[0], re.MULTILINE)
 MINERAL = (ROOT / "inputs" / "lubricants" / "mineral").read_text()
 
 NUMBERS = {
@@ -62,14 +64,17 @@ def without(text, key):
     return re.sub(rf"^variable {key} .*\n", "", text, flags=re.MULTILINE)
 
 
-@pytest.mark.parametrize("key", re.findall(r"^variable (\w+)", BEARING, re.MULTILINE))
+@pytest.mark.parametrize("key", OF_BEARING)
 def test_a_key_that_a_bearing_does_not_have(tmp_path, key):
     own = inputs(tmp_path, "bearings", "mine", without(BEARING, key))
     end = liggghts("inputs/in.6208", inputs=own, bearing="mine", out=tmp_path / "out")
     refused(end, rf"bearing_input: '{own}/bearings/mine' has no variable {key}\b")
 
 
-@pytest.mark.parametrize("key", re.findall(r"^variable (\w+)", MINERAL, re.MULTILINE))
+@pytest.mark.parametrize(
+    "key",
+    ["film", "viscosity", "pressure_viscosity", "permittivity", "roughness", "ball_roughness"],
+)
 def test_a_key_that_a_lubricant_does_not_have(tmp_path, key):
     own = inputs(tmp_path, "lubricants", "mine", without(MINERAL, key))
     end = liggghts("inputs/in.6208", inputs=own, lubricant="mine", out=tmp_path / "out")
