@@ -9,7 +9,7 @@ from raceway.cli import main
 from raceway.errors import RacewayError, RunError, RunWarning
 from raceway.runs.tables import RunTables
 from raceway.sweeps.gather import gather
-from raceway.sweeps.point_run import state
+from raceway.sweeps.point_run import run_point, state
 from raceway.sweeps.points import TableError, deck_variables, read_points
 from test_run import spoil
 
@@ -248,6 +248,16 @@ def test_broken_figures(points, name, content):
 def test_a_failure_without_a_message(points):
     (points / "c" / "failed.json").write_text("{}")
     assert state(points / "c", {"load": "3"}) == ("pending", "")
+
+
+@pytest.mark.parametrize("finished", [True, False])
+def test_a_point_that_was_stopped_in_its_measurement(folder, finished):
+    """Its run.yaml says all but the end: it was taken for finished, and so failed for good."""
+    (folder / "point.yaml").write_text("load: '5000'\n")
+    if not finished:
+        spoil(folder, "^step_s: .*\n", "")
+    run_point(folder, {"load": "5000"}, ["true"])
+    assert (folder / "log.txt").exists() != finished  # of the program that was started
 
 
 @pytest.fixture

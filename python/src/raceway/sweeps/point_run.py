@@ -154,10 +154,10 @@ def _execute(folder, variables, command, lock, stop):
 def _whole(folder, variables):
     """Whether an earlier run of these variables finished, and only its figures are missing."""
     try:
-        settings = RunTables(folder).settings
+        run = RunTables(folder)
     except RacewayError:
         return False
-    return not _differs(settings, variables)
+    return run.finished and not _differs(run.settings, variables)
 
 
 def _differs(figures, variables):
