@@ -86,7 +86,8 @@ def write(tmp_path, lubricated, orders, passes=60, samples_per_pass=24):
         [100 * (i + 1), t, 0, -s] + [0.0] * 4 + [50.0] + [0.0] * 6
         for i, (t, s) in enumerate(zip(time, shift))
     ]
-    return synthetic.write(tmp_path / "run", dict(lubricated, rings=rings))
+    settings = dict(settings, passes=passes, samples_per_pass=samples_per_pass)
+    return synthetic.write(tmp_path / "run", dict(lubricated, rings=rings, settings=settings))
 
 
 def test_lines_of_a_run(tmp_path, lubricated, bearing):
