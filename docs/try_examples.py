@@ -102,6 +102,7 @@ def run_session(page, folder=DOCS.parent):
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
+            errors="replace",
         )
         if transcript:
             printed = iter(done.stdout.splitlines())
@@ -167,7 +168,11 @@ def main():
     failed = 0
     for script in sorted((DOCS / "decks").glob("*.py")):
         done = subprocess.run(
-            [sys.executable, script], cwd=DOCS.parent, capture_output=True, text=True
+            [sys.executable, script],
+            cwd=DOCS.parent,
+            capture_output=True,
+            text=True,
+            errors="replace",
         )
         print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
         failed += done.returncode != 0
@@ -195,7 +200,11 @@ def main():
             path = Path(folder) / "in.deck"
             path.write_text("\n".join(lines) + "\n")
             done = subprocess.run(
-                [program, "-in", path, "-log", "none"], cwd=folder, capture_output=True, text=True
+                [program, "-in", path, "-log", "none"],
+                cwd=folder,
+                capture_output=True,
+                text=True,
+                errors="replace",
             )
             good = done.returncode == 0
             print(f"{'ok    ' if good else 'FAILED'} {name}")

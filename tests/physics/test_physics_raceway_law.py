@@ -130,6 +130,8 @@ def test_prepared_constants(physics):
     ring = physics.raceway_6208(INNER, **OIL, overlap_limit=0.05)
     d = ring.derived()
     sigma = np.hypot(40e-9, 30e-9)
+    widest = (6.552e-3 / ring.radial().a) ** 2  # overlap of an ellipse as wide as the groove
+    assert widest < 0.05 * BALL
     assert [
         d.centre_circle,
         d.slack,
@@ -137,7 +139,7 @@ def test_prepared_constants(physics):
         d.roughness,
         d.inverse_roughness,
         d.floor,
-    ] == pytest.approx([30.552e-3, 0.252e-3, 0.05 * BALL, sigma, 1 / sigma, sigma], rel=1e-13)
+    ] == pytest.approx([30.552e-3, 0.252e-3, widest, sigma, 1 / sigma, sigma], rel=1e-13)
     assert d.kt_ratio == pytest.approx(2 * (1 - 0.3) / (2 - 0.3), rel=1e-15)
     # a rolling solid sphere gives way as 1/m + R^2/(2/5 m R^2) = 7/(2 m)
     mass = ring.data["ball_mass"]

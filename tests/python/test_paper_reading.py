@@ -47,7 +47,7 @@ def test_capacitance_and_permittivity(reading, bearing):
 
 def test_loaded_balls(reading):
     balls = reading.loaded_balls()
-    assert len(balls) == 48 and set(balls) <= {3, 4, 5}
+    assert len(balls) == 49 and set(balls) <= {3, 4, 5}
     assert balls.mean() == pytest.approx(reading.figures["loaded_balls_mean"], rel=1e-12)
 
 
