@@ -199,7 +199,7 @@ run 100
 def test_a_checkpoint_of_nothing_but_the_run(tmp_path, sanitized):
     """No counters, no files: nothing was copied from nowhere."""
     if sanitized and not HOSTS["sanitized"][0].exists():
-        pytest.skip("make sanitized builds it")
+        pytest.fail("build/sanitized/liggghts is missing: run make sanitized", pytrace=False)
     file = tmp_path / "ck"
     end = outcome(
         tmp_path, SMALLEST, f"fix ck all bearing/checkpoint 50 {file} restart 100\nrun 201\n"
