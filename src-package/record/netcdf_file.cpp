@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "netcdf_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace bearing {
+
+namespace {
+
+constexpr off_t count_at = 4;                  // bytes
+constexpr double between_counts = 0.2;         // s
+constexpr size_t most_records = 0x7fffffff;    // a signed number in the header
+
+double now()
+{
+  timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return t.tv_sec + 1e-9 * t.tv_nsec;
+}
+
+// All of it, however many pieces the system makes of it.
+std::string write_all(int file, const void *from, size_t n, off_t at)
+{
+  const char *bytes = static_cast<const char *>(from);
+  while (n > 0) {
+    const ssize_t done = pwrite(file, bytes, n, at);
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) return strerror(done < 0 ? errno : ENOSPC);
+    bytes += done;
+    at += done;
+    n -= done;
+  }
+  return "";
+}
+
+}    // namespace
+
+NetcdfFile::~NetcdfFile() { close(); }
+
+std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header, size_t batch)
+{
+  header_ = header;
+  batch_ = batch;
+  filled_ = written_ = 0;
+  blank_.assign(header.record_bytes(), 0);
+  buffer_.resize(header.record_bytes() * batch);
+  file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) return strerror(errno);
+  // some file systems know no locks: that is no reason to refuse
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return leave("another run is writing it");
+  return "";
+}
+
+// A file that is not to be written stays as it is.
+std::string NetcdfFile::leave(const std::string &why)
+{
+  ::close(file_);
+  file_ = -1;
+  return why;
+}
+
+std::string NetcdfFile::create(const std::string &path, const NetcdfHeader &header, size_t batch)
+{
+  std::string why = open(path, header, batch);
+  if (!why.empty()) return why;
+  if (ftruncate(file_, 0) != 0) return leave(strerror(errno));
+  why = write_all(file_, header.bytes().data(), header.bytes().size(), 0);
+  return why.empty() ? why : leave(why);
+}
+
+std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &header, size_t batch,
+                              size_t records, int changing)
+{
+  std::string why = open(path, header, batch);
+  if (!why.empty()) return why;
+  const std::string &want = header.bytes();
+  std::string have(want.size(), '\0');
+  if (pread(file_, &have[0], have.size(), 0) != static_cast<ssize_t>(have.size()))
+    return leave("it has no whole header");
+  const size_t at = header.variable(changing).at;
+  have.replace(count_at, 4, want, count_at, 4);
+  have.replace(at, 4, want, at, 4);
+  if (have != want) return leave("it was written with other settings");
+  const off_t length = static_cast<off_t>(want.size() + records * header.record_bytes());
+  struct stat s;
+  if (fstat(file_, &s) != 0) return leave(strerror(errno));
+  if (s.st_size < length)
+    return leave("it has fewer than " + std::to_string(records) + " samples, which it had");
+  if (ftruncate(file_, length) != 0) return leave(strerror(errno));
+  written_ = records;
+  return count(written_);
+}
+
+void NetcdfFile::blank(int variable, const std::vector<double> &values)
+{
+  const NetcdfHeader::Variable &v = header_.variable(variable);
+  put_netcdf(blank_.data() + v.at, v.type, values.data(), values.size());
+}
+
+void NetcdfFile::start_record()
+{
+  memcpy(&buffer_[filled_ * header_.record_bytes()], blank_.data(), blank_.size());
+  ++filled_;
+}
+
+std::string NetcdfFile::flush()
+{
+  if (filled_ == 0) return "";
+  if (written_ + filled_ > most_records) return "it is full: 2147483647 samples";
+  const size_t before = written_, bytes = filled_ * header_.record_bytes();
+  const std::string why =
+      write_all(file_, buffer_.data(), bytes,
+                static_cast<off_t>(header_.bytes().size() + written_ * header_.record_bytes()));
+  if (!why.empty()) return why;
+  written_ += filled_;
+  filled_ = 0;
+  const double t = now();
+  if (t - counted_at_ < between_counts) return "";
+  counted_at_ = t;
+  return count(before);
+}
+
+std::string NetcdfFile::settle()
+{
+  std::string why = flush();
+  if (why.empty()) why = count(written_);
+  if (why.empty() && fsync(file_) != 0) why = strerror(errno);
+  return why;
+}
+
+std::string NetcdfFile::close()
+{
+  if (file_ < 0) return "";
+  std::string why = flush();
+  if (why.empty()) why = count(written_);
+  if (::close(file_) != 0 && why.empty()) why = strerror(errno);
+  file_ = -1;
+  return why;
+}
+
+std::string NetcdfFile::put_fixed(int variable, double value)
+{
+  const NetcdfHeader::Variable &v = header_.variable(variable);
+  unsigned char bytes[8];
+  put_netcdf(bytes, v.type, &value, 1);
+  return write_all(file_, bytes, v.type == NetcdfHeader::real ? 8 : 4, static_cast<off_t>(v.at));
+}
+
+std::string NetcdfFile::count(size_t records)
+{
+  unsigned char bytes[4];
+  for (int k = 0; k < 4; ++k) bytes[k] = static_cast<unsigned char>(records >> (24 - 8 * k));
+  return write_all(file_, bytes, 4, count_at);
+}
+
+}    // namespace bearing

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "netcdf_header.h"
+
+#include <cstring>
+
+namespace bearing {
+
+namespace {
+
+using Header = NetcdfHeader;
+
+enum Tag { no_list = 0, dimension_list = 0x0A, variable_list = 0x0B, attribute_list = 0x0C };
+
+size_t width(Header::Type t) { return t == Header::text ? 1 : t == Header::real ? 8 : 4; }
+
+// Every item of a header or record begins at a multiple of four bytes.
+size_t padded(size_t n) { return (n + 3) / 4 * 4; }
+
+size_t bytes_of(const Header::Variable &v) { return padded(v.size * width(v.type)); }
+
+void add_4(std::string &s, size_t x)
+{
+  for (int shift = 24; shift >= 0; shift -= 8) s += static_cast<char>(x >> shift & 0xff);
+}
+
+void add_8(std::string &s, uint64_t x)
+{
+  add_4(s, x >> 32);
+  add_4(s, x & 0xffffffff);
+}
+
+void add_padding(std::string &s, size_t written) { s.append(padded(written) - written, '\0'); }
+
+void add_text(std::string &s, const std::string &text)
+{
+  s += text;
+  add_padding(s, text.size());
+}
+
+void add_name(std::string &s, const std::string &name)
+{
+  add_4(s, name.size());
+  add_text(s, name);
+}
+
+void add_numbers(std::string &s, Header::Type type, const std::vector<double> &values)
+{
+  std::string bytes(values.size() * width(type), '\0');
+  put_netcdf(reinterpret_cast<unsigned char *>(&bytes[0]), type, values.data(), values.size());
+  add_text(s, bytes);
+}
+
+void add_list(std::string &s, Tag tag, size_t n)
+{
+  add_4(s, n ? tag : no_list);
+  add_4(s, n);
+}
+
+void add_attributes(std::string &s, const Header::Attributes &list)
+{
+  add_list(s, attribute_list, list.size());
+  for (const Header::Attribute &a : list) {
+    add_name(s, a.name);
+    add_4(s, a.type);
+    if (a.type == Header::text) {
+      add_name(s, a.words);
+    } else {
+      add_4(s, a.of.size());
+      add_numbers(s, a.type, a.of);
+    }
+  }
+}
+
+}    // namespace
+
+void put_netcdf(unsigned char *to, Header::Type type, const double *values, size_t n)
+{
+  for (size_t k = 0; k < n; ++k) {
+    if (type == Header::real) {
+      uint64_t b;
+      memcpy(&b, values + k, 8);
+      b = __builtin_bswap64(b);
+      memcpy(to + 8 * k, &b, 8);
+    } else {
+      uint32_t b;
+      const float x = static_cast<float>(values[k]);
+      if (type == Header::single) memcpy(&b, &x, 4);
+      else b = static_cast<uint32_t>(static_cast<int32_t>(values[k]));
+      b = __builtin_bswap32(b);
+      memcpy(to + 4 * k, &b, 4);
+    }
+  }
+}
+
+int NetcdfHeader::dimension(const std::string &name, size_t length)
+{
+  dimensions_.push_back({name, length});
+  return static_cast<int>(dimensions_.size()) - 1;
+}
+
+int NetcdfHeader::variable(const Variable &v)
+{
+  variables_.push_back(v);
+  return static_cast<int>(variables_.size()) - 1;
+}
+
+void NetcdfHeader::layout()
+{
+  record_bytes_ = 0;
+  for (Variable &v : variables_) {
+    v.size = 1;
+    for (int d : v.dimensions)
+      if (d != 0) v.size *= dimensions_[d].length;
+    if (v.in_record()) record_bytes_ += bytes_of(v);
+  }
+  const size_t head = written(0).size();
+  size_t fixed = head, record = 0;
+  for (Variable &v : variables_) {
+    size_t &at = v.in_record() ? record : fixed;
+    v.at = at;
+    at += bytes_of(v);
+  }
+  bytes_ = written(fixed);
+  for (const Variable &v : variables_) {
+    if (v.in_record()) continue;
+    if (v.type == text) add_text(bytes_, v.words);
+    else add_numbers(bytes_, v.type, v.of);
+  }
+}
+
+std::string NetcdfHeader::written(size_t records_at) const
+{
+  std::string s = "CDF\2";
+  add_4(s, 0);    // records
+  add_list(s, dimension_list, dimensions_.size());
+  for (const Dimension &d : dimensions_) {
+    add_name(s, d.name);
+    add_4(s, d.length);
+  }
+  add_attributes(s, attributes_);
+  add_list(s, variable_list, variables_.size());
+  for (const Variable &v : variables_) {
+    add_name(s, v.name);
+    add_4(s, v.dimensions.size());
+    for (int d : v.dimensions) add_4(s, d);
+    add_attributes(s, v.attributes);
+    add_4(s, v.type);
+    add_4(s, bytes_of(v));
+    add_8(s, v.in_record() ? records_at + v.at : v.at);
+  }
+  return s;
+}
+
+}    // namespace bearing

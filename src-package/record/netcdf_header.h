@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The header of a netCDF classic file with 64-bit offsets (CDF-2): dimensions, attributes,
+// variables, and the values of those without time. All numbers are big-endian (OGC 10-092r3). No
+// host and no library.
+#ifndef BEARING_NETCDF_HEADER_H
+#define BEARING_NETCDF_HEADER_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bearing {
+
+class NetcdfHeader {
+ public:
+  enum Type { text = 2, integer = 4, single = 5, real = 6 };
+  struct Attribute {
+    std::string name;
+    Type type;
+    std::string words;         // of type text
+    std::vector<double> of;    // of other types
+  };
+  using Attributes = std::vector<Attribute>;
+  struct Variable {
+    std::string name;
+    std::vector<int>
+        dimensions;    // numbers; with 0, the record dimension, first: a value a record
+    Type type = real;
+    Attributes attributes;
+    std::string words;         // values of a fixed variable of type text
+    std::vector<double> of;    // of other types
+    // set by layout()
+    size_t size = 1;    // values, of a record or of all
+    size_t at = 0;      // bytes from the start of the record, or of the file
+    bool in_record() const { return !dimensions.empty() && dimensions[0] == 0; }
+  };
+
+  static Attribute attribute(const std::string &name, const std::string &words)
+  {
+    return {name, text, words, {}};
+  }
+  static Attribute attribute(const std::string &name, double value)
+  {
+    return {name, real, "", {value}};
+  }
+
+  // Numbers of what is added. The record dimension comes first, with length 0.
+  int dimension(const std::string &name, size_t length);
+  int variable(const Variable &);
+  void add(const Attribute &a) { attributes_.push_back(a); }
+
+  void layout();    // when all is added
+  const Variable &variable(int k) const { return variables_[k]; }
+  const std::string &bytes() const { return bytes_; }    // with the fixed values; no record yet
+  size_t record_bytes() const { return record_bytes_; }
+
+ private:
+  struct Dimension {
+    std::string name;
+    size_t length;
+  };
+  std::string written(size_t records_at) const;
+
+  std::vector<Dimension> dimensions_;
+  Attributes attributes_;
+  std::vector<Variable> variables_;
+  std::string bytes_;
+  size_t record_bytes_ = 0;
+};
+
+// Values in the byte order and width of the file.
+void put_netcdf(unsigned char *to, NetcdfHeader::Type, const double *values, size_t n);
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The netCDF writer: every reader agrees, also while a file grows, after a kill and after a cut."""
+
+import ctypes
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from scipy.io import netcdf_file
+
+HERE = Path(__file__).resolve().parent
+DIMENSIONS = {"raceway": 2, "ball": 3, "letters": 5}
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    path = tmp_path_factory.mktemp("netcdf") / "netcdf.so"
+    flags = ["-std=c++17", "-O2", "-Wall", "-Wextra", "-Werror", "-fPIC", "-shared"]
+    subprocess.run(["g++", *flags, HERE / "netcdf_c.cpp", "-o", path], check=True)
+    return path
+
+
+class Writer:
+    """The C interface as an object."""
+
+    def __init__(self, library, path, batch=4, records=-1, temperature=40.0):
+        self.c = ctypes.CDLL(str(library))
+        self.c.begin.restype = ctypes.c_void_p
+        self.c.begin.argtypes = [ctypes.c_char_p, ctypes.c_int, ctypes.c_long, ctypes.c_double]
+        self.c.why.restype = ctypes.c_char_p
+        for name in ("record_bytes", "header_bytes"):
+            getattr(self.c, name).restype = ctypes.c_long
+        for name in ("why", "record_bytes", "header_bytes", "settle", "finish", "leave"):
+            getattr(self.c, name).argtypes = [ctypes.c_void_p]
+        self.c.write_record.argtypes = [ctypes.c_void_p, ctypes.c_long]
+        self.at = self.c.begin(str(path).encode(), batch, records, temperature)
+
+    def __getattr__(self, name):
+        return lambda *more: getattr(self.c, name)(self.at, *more)
+
+    @property
+    def complaint(self):
+        return self.c.why(self.at).decode()
+
+    def write(self, first, last):
+        for k in range(first, last):
+            self.write_record(k)
+            assert self.complaint == ""
+
+
+def expected(n):
+    """(time, x, load) of n records."""
+    k = np.arange(n)
+    x = 1e-9 * k[:, None] + 0.1 * np.arange(6)
+    x[:, 5] = np.nan
+    load = (k[:, None] + np.arange(3) / 3.0).astype(np.float32)
+    return k / 8.0, x.reshape(n, 2, 3), load
+
+
+def holds(path, n):
+    """The file has these n records in the eyes of xarray."""
+    with xr.open_dataset(path, engine="scipy") as data:
+        for found, wanted in zip((data["time"], data["x"], data["load"]), expected(n)):
+            assert np.array_equal(found.to_numpy(), wanted, equal_nan=True)
+        return data.load()
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "record.nc"
+
+
+def test_xarray(library, path):
+    writer = Writer(library, path)
+    writer.write(0, 10)
+    writer.leave()
+    data = holds(path, 10)
+    assert data.attrs == {"title": "a test", "temperature": 40.0}
+    assert data["raceway"].values.tolist() == ["inner", "outer"]
+    assert data["ball"].values.tolist() == [4, 5, 70000]
+    assert float(data["pitch"]) == 0.0303 and data["pitch"].attrs == {"units": "m"}
+    assert data["x"].dims == ("time", "raceway", "ball")
+
+
+@pytest.mark.parametrize("mapped", [False, True])
+def test_scipy(library, path, mapped):
+    writer = Writer(library, path)
+    writer.write(0, 9)
+    writer.leave()
+    with netcdf_file(path, mmap=mapped) as data:
+        assert data.version_byte == 2
+        lengths = dict(data.dimensions)
+        assert lengths.pop("time") is None and lengths == DIMENSIONS
+        for name, wanted in zip(("time", "x", "load"), expected(9)):
+            found = data.variables[name][:].copy()
+            assert np.array_equal(found, wanted, equal_nan=True)
+
+
+def test_libnetcdf(library, path):
+    """The reference implementation, through netCDF4."""
+    netCDF4 = pytest.importorskip("netCDF4")
+    writer = Writer(library, path)
+    writer.write(0, 9)
+    writer.finish()
+    writer.leave()
+    with netCDF4.Dataset(path) as data:
+        assert data.data_model == "NETCDF3_64BIT_OFFSET"
+        assert {name: len(d) for name, d in data.dimensions.items()} == {"time": 9, **DIMENSIONS}
+        assert int(data["finished"][...]) == 1
+        for name, wanted in zip(("time", "x", "load"), expected(9)):
+            found = np.ma.filled(data[name][:], np.nan)
+            assert np.array_equal(found, wanted, equal_nan=True)
+
+
+def test_growing(library, path):
+    """Never more than was written; everything once settled."""
+    writer, seen = Writer(library, path, batch=3), 0
+    for k in range(30):
+        writer.write(k, k + 1)
+        with xr.open_dataset(path, engine="scipy") as data:
+            n = data.sizes["time"]
+        assert seen <= n <= k // 3 * 3 + 3
+        seen = n
+        holds(path, n)
+    writer.settle()
+    holds(path, 30)
+    writer.leave()
+
+
+def test_batches_leave_the_same_bytes(library, tmp_path):
+    for batch in (1, 4, 64):
+        writer = Writer(library, tmp_path / f"{batch}.nc", batch=batch)
+        writer.write(0, 21)
+        writer.leave()
+    first, *others = ((tmp_path / f"{batch}.nc").read_bytes() for batch in (1, 4, 64))
+    assert all(other == first for other in others)
+
+
+def test_go_on(library, tmp_path):
+    """Cut to an earlier record, whole or not, and written on: the bytes of one that was left
+    alone."""
+    whole, cut = tmp_path / "whole.nc", tmp_path / "cut.nc"
+    for path in (whole, cut):
+        writer = Writer(library, path)
+        writer.write(0, 20)
+        writer.leave()
+    with open(cut, "ab") as file:
+        file.write(b"a part of a record")
+    writer = Writer(library, cut, batch=7, records=11)
+    assert writer.complaint == ""
+    holds(cut, 11)
+    writer.write(11, 20)
+    writer.leave()
+    assert cut.read_bytes() == whole.read_bytes()
+
+
+def test_go_on_after_the_end(library, path):
+    writer = Writer(library, path)
+    writer.write(0, 5)
+    writer.finish()
+    writer.leave()
+    writer = Writer(library, path, records=5)
+    assert writer.complaint == ""
+    writer.leave()
+
+
+@pytest.mark.parametrize(
+    "change, says",
+    [
+        (lambda path: path.write_bytes(b"CDF\2"), "it has no whole header"),
+        (lambda path: os.truncate(path, path.stat().st_size - 1), "fewer than 5 samples"),
+    ],
+)
+def test_nothing_to_go_on_from(library, path, change, says):
+    writer = Writer(library, path)
+    writer.write(0, 5)
+    writer.leave()
+    change(path)
+    writer = Writer(library, path, records=5)
+    assert says in writer.complaint
+    writer.leave()
+
+
+def test_other_settings(library, path):
+    writer = Writer(library, path)
+    writer.write(0, 5)
+    writer.leave()
+    before = path.read_bytes()
+    writer = Writer(library, path, records=5, temperature=41.0)
+    assert writer.complaint == "it was written with other settings"
+    writer.leave()
+    assert path.read_bytes() == before
+
+
+def test_one_writer(library, path):
+    first, second = Writer(library, path), Writer(library, path)
+    assert first.complaint == "" and second.complaint == "another run is writing it"
+    first.write(0, 8)
+    second.leave()
+    first.leave()
+    holds(path, 8)
+
+
+def test_no_room(library):
+    writer = Writer(library, "/dev/full")
+    assert "No space left" in writer.complaint or "Invalid argument" in writer.complaint
+    writer.leave()
+
+
+def test_killed(library, path):
+    """A process killed at any moment leaves a file that reads, and 30 readers of it while it grows
+    see whole records."""
+    script = textwrap.dedent(f"""
+        import sys
+        sys.path.insert(0, {str(HERE)!r})
+        from test_netcdf import Writer
+        writer = Writer({str(library)!r}, {str(path)!r}, batch=16)
+        k = 0
+        while True:
+            writer.write_record(k)
+            k += 1
+    """)
+    for delay in (0.3, 0.45, 0.61):
+        path.unlink(missing_ok=True)
+        process = subprocess.Popen([sys.executable, "-c", script])
+        try:
+            while not path.exists() or path.stat().st_size < 100_000:
+                assert process.poll() is None
+                time.sleep(0.01)
+            end = time.monotonic() + delay
+            while time.monotonic() < end:
+                with xr.open_dataset(path, engine="scipy") as data:
+                    n = data.sizes["time"]
+                holds_a_few(path, n)
+        finally:
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+        with xr.open_dataset(path, engine="scipy") as data:
+            n = data.sizes["time"]
+        assert n > 0
+        holds_a_few(path, n)
+
+
+def holds_a_few(path, n):
+    with xr.open_dataset(path, engine="scipy") as data:
+        data = data.isel(time=slice(0, n))
+        assert np.array_equal(data["time"], np.arange(n) / 8.0)
+        assert np.array_equal(data["load"][:, 2], (np.arange(n) + 2 / 3.0).astype(np.float32))
