@@ -31,7 +31,7 @@ FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isyst
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
 # deck, ranks and contacts see the host's headers as styles do; implicit does not
-STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck)))
+STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck record)))
 IMPLICIT := $(wildcard src-package/implicit/*.cpp)
 SOURCES := $(STYLES) $(IMPLICIT) src-package/host/interposing_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)

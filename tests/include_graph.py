@@ -17,7 +17,8 @@ from pathlib import Path
 # What each room may include besides itself.
 ARROWS = {
     "host": {"styles", "contacts", "deck", "physics", "compat"},
-    "styles": {"contacts", "deck", "ranks", "implicit", "physics", "compat"},
+    "styles": {"record", "contacts", "deck", "ranks", "implicit", "physics", "compat"},
+    "record": {"contacts", "physics"},
     "ranks": {"contacts", "deck", "implicit", "physics", "compat"},
     "contacts": {"deck", "implicit", "physics", "compat"},
     "deck": {"physics", "compat"},

@@ -32,6 +32,8 @@ enum {
   VZ,
   SPIN,
   ANGLE,
+  TILT_1,
+  TILT_2,
   FX,
   FY,
   FZ,
@@ -61,6 +63,8 @@ const Column list[N] = {
     {"vz", "m/s", "velocity of the ring along z"},
     {"spin", "rad/s", "spin of the ring about its axis"},
     {"angle", "rad", "turned about its axis, from the start"},
+    {"tilt_1", "rad", "tilt of the ring about the first axis across the bearing's (x for z)"},
+    {"tilt_2", "rad", "tilt of the ring about the second axis across the bearing's (y for z)"},
     {"fx", "N", "force of balls and cage on the ring along x"},
     {"fy", "N", "force of balls and cage on the ring along y"},
     {"fz", "N", "force of balls and cage on the ring along z"},
@@ -113,8 +117,99 @@ const Column list[N] = {
 };
 }    // namespace of_total
 
+// ---- one bearing in a record: sums and extremes over its balls
+namespace of_bearing {
+enum {
+  CONTACTS,
+  LOADED_BALLS,
+  LOAD_INNER,
+  LOAD_OUTER,
+  PRESSURE_INNER,
+  PRESSURE_OUTER,
+  H_MIN,
+  LAMBDA,
+  CAGE_SPEED,
+  FRICTION_POWER,
+  DAMPING_POWER,
+  ENTRAINMENT_TOP,
+  H_MIN_TOP,
+  LAMBDA_TOP,
+  H_C_TOP,
+  CAPACITANCE,
+  CAPACITANCE_TOP,
+  N
+};
+const Column list[N] = {
+    {"contacts", "", "contacts of balls with raceways", raceway::has_none, as_whole},
+    {"loaded_balls", "", "balls in contact with both raceways", raceway::has_none, as_whole},
+    {"load_inner", "N", "largest elastic contact load on the inner raceway"},
+    {"load_outer", "N", "largest elastic contact load on the outer raceway"},
+    {"pressure_inner", "Pa", "largest Hertz pressure on the inner raceway"},
+    {"pressure_outer", "Pa", "largest Hertz pressure on the outer raceway"},
+    {"h_min", "m", "smallest film thickness of the contacts"},
+    {"lambda", "", "smallest film parameter of the contacts"},
+    {"cage_speed", "rad/s", "mean speed of the balls about the axis of the outer ring"},
+    {"friction_power", "W", "power lost to tangential forces"},
+    {"damping_power", "W", "power lost to normal damping"},
+    {"entrainment_top", "m/s", "entrainment speed at the largest load on the inner raceway"},
+    {"h_min_top", "m", "smallest film thickness at the largest load on the inner raceway"},
+    {"lambda_top", "", "film parameter at the largest load on the inner raceway"},
+    {"h_c_top", "m", "central film thickness at the largest load on the inner raceway"},
+    {"capacitance", "F", "capacitance of the bearing, without background"},
+    {"capacitance_top", "F", "largest capacitance of one ball, its two contacts in series"},
+};
+}    // namespace of_bearing
+
+// ---- what a bearing is, without time
+namespace of_kind {
+enum {
+  BALLS,
+  BALL_DIAMETER,
+  INNER_RADIUS,
+  OUTER_RADIUS,
+  INNER_GROOVE,
+  OUTER_GROOVE,
+  CLEARANCE,
+  CAGE_BALLS,
+  CAGE_BALL_DIAMETER,
+  BALL_MASS,
+  BALL_YOUNG,
+  BALL_POISSON,
+  RING_YOUNG,
+  RING_POISSON,
+  VISCOSITY,
+  PRESSURE_VISCOSITY,
+  PERMITTIVITY,
+  RING_ROUGHNESS,
+  BALL_ROUGHNESS,
+  N
+};
+const Column list[N] = {
+    {"balls", "", "number of balls", raceway::has_none, as_whole},
+    {"ball_diameter", "m", "diameter of a ball"},
+    {"inner_radius", "m", "radius of the inner raceway at the bottom of its groove"},
+    {"outer_radius", "m", "radius of the outer raceway at the bottom of its groove"},
+    {"inner_groove", "m", "radius of the groove of the inner raceway, in section"},
+    {"outer_groove", "m", "radius of the groove of the outer raceway, in section"},
+    {"clearance", "m", "diametral clearance; negative is preload"},
+    {"cage_balls", "", "number of cage balls", raceway::has_none, as_whole},
+    {"cage_ball_diameter", "m", "diameter of a cage ball"},
+    {"ball_mass", "kg", "mass of a ball"},
+    {"ball_young", "Pa", "Young's modulus of the balls"},
+    {"ball_poisson", "", "Poisson's ratio of the balls"},
+    {"ring_young", "Pa", "Young's modulus of the inner ring"},
+    {"ring_poisson", "", "Poisson's ratio of the inner ring"},
+    {"viscosity", "Pa s", "viscosity of the lubricant"},
+    {"pressure_viscosity", "1/Pa", "pressure-viscosity coefficient of the lubricant"},
+    {"permittivity", "", "relative permittivity of the lubricant at ambient pressure"},
+    {"ring_roughness", "m", "roughness of the inner raceway"},
+    {"ball_roughness", "m", "roughness of the balls"},
+};
+}    // namespace of_kind
+
 // ---- balls, cage balls and rings as the host has them
 namespace of_atom {
+enum { MOTION = 2 };    // the first of place, velocity and spin
 const Column list[] = {
     {"id", "", "atom number", raceway::has_none, as_whole},
     {"type", "", "1 ball, 2 cage ball, 3 inner ring, 4 outer ring", raceway::has_none, as_whole},

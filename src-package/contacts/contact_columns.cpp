@@ -24,13 +24,22 @@ struct PlaceColumn {
   Column is;
   double (*value)(C);
   Needs needs = Needs::nothing;
+  bool names_it = false;
 };
 
 const PlaceColumn place_columns[] = {
-    {{"ball", "", "atom number of the ball", has_none, as_whole}, [](C c) { return c.ball; }},
-    {{"ring", "", "atom number of the ring", has_none, as_whole}, [](C c) { return c.ring; }},
+    {{"ball", "", "atom number of the ball", has_none, as_whole},
+     [](C c) { return c.ball; },
+     Needs::nothing,
+     true},
+    {{"ring", "", "atom number of the ring", has_none, as_whole},
+     [](C c) { return c.ring; },
+     Needs::nothing,
+     true},
     {{"raceway", "", "0 inner, 1 outer", has_none, as_whole},
-     [](C c) { return c.raceway.groove.side == Side::inner ? 0.0 : 1.0; }},
+     [](C c) { return c.raceway.groove.side == Side::inner ? 0.0 : 1.0; },
+     Needs::nothing,
+     true},
     {{"azimuth", "rad", "azimuth of the ball about the ring's axis, from the lab's x"},
      [](C c) { return azimuth(c.state.u, c.axis); }},
     {{"h_c", "m", "central film thickness"},
@@ -58,7 +67,7 @@ std::vector<ContactColumn> in_order()
           if (strcmp(known.is.name, c.is.name) == 0) return;
         all.push_back(c);
       };
-  for (const PlaceColumn &p : place_columns) add(ContactColumn(p.is, p.needs, p.value));
+  for (const PlaceColumn &p : place_columns) add(ContactColumn(p.is, p.needs, p.value, p.names_it));
   for (const StateColumn &s : motion_columns()) add(ContactColumn(s));
   for (const PartEntry &part : part_table())
     for (const StateColumn &s : part.columns) add(ContactColumn(s));

@@ -23,7 +23,8 @@ class Arguments : protected LAMMPS_NS::Pointers {
   size_t left() const { return words_.size() - next_; }
   bool take(const char *keyword);    // true and consumed if the next word is this
   bool next_is_number() const;
-  std::string word(const std::string &what);    // next word; error if there is none
+  const std::string &next() const { return words_[next_]; }    // not consumed; there is one
+  std::string word(const std::string &what);                   // next word; error if there is none
   double number(const std::string &what);
   double positive(const std::string &what);        // > 0
   double non_negative(const std::string &what);    // >= 0

@@ -77,6 +77,8 @@ int main()
   section("ball", bearing::of_ball::list);
   section("ring", bearing::of_ring::list);
   section("total", bearing::of_total::list);
+  section("bearing", bearing::of_bearing::list);
+  section("kind", bearing::of_kind::list);
   section("atom", bearing::of_atom::list);
   section("fix_ring", bearing::of_fix_ring::list);
   section("fix_implicit", bearing::of_fix_implicit::list);

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
-ROOMS = ("physics", "implicit", "deck", "ranks", "contacts", "styles", "compat")
+ROOMS = ("physics", "implicit", "deck", "ranks", "contacts", "record", "styles", "compat")
 MANIFEST = "raceway.manifest"
 
 

@@ -41,6 +41,31 @@ const std::vector<T> &gather_all(const std::vector<T> &mine, std::vector<T> &spa
   return space;
 }
 
+// All ranks' numbers, in rank order, on rank 0 alone. There the result is where each rank's begin,
+// and the end of all; elsewhere it is empty.
+inline std::vector<size_t> gather_to_first(const std::vector<double> &mine,
+                                           std::vector<double> &all, MPI_Comm world)
+{
+  int np, me;
+  MPI_Comm_size(world, &np);
+  MPI_Comm_rank(world, &me);
+  const int n = static_cast<int>(mine.size());
+  std::vector<int> count(np), at(np, 0);
+  MPI_Gather(&n, 1, MPI_INT, count.data(), 1, MPI_INT, 0, world);
+  std::vector<size_t> begin;
+  if (me == 0) {
+    begin.assign(np + 1, 0);
+    for (int p = 0; p < np; ++p) {
+      at[p] = static_cast<int>(begin[p]);
+      begin[p + 1] = begin[p] + count[p];
+    }
+    all.resize(begin[np]);
+  }
+  MPI_Gatherv(mine.data(), n, MPI_DOUBLE, all.data(), count.data(), at.data(), MPI_DOUBLE, 0,
+              world);
+  return begin;
+}
+
 }    // namespace bearing
 
 #endif

@@ -47,7 +47,7 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
 {
   header_ = header;
   batch_ = batch;
-  filled_ = written_ = 0;
+  filled_ = written_ = countable_ = 0;
   blank_.assign(header.record_bytes(), 0);
   buffer_.resize(header.record_bytes() * batch);
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -94,7 +94,7 @@ std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &heade
   if (s.st_size < length)
     return leave("it has fewer than " + std::to_string(records) + " samples, which it had");
   if (ftruncate(file_, length) != 0) return leave(strerror(errno));
-  written_ = records;
+  written_ = countable_ = records;
   return count(written_);
 }
 
@@ -114,7 +114,7 @@ std::string NetcdfFile::flush()
 {
   if (filled_ == 0) return "";
   if (written_ + filled_ > most_records) return "it is full: 2147483647 samples";
-  const size_t before = written_, bytes = filled_ * header_.record_bytes();
+  const size_t bytes = filled_ * header_.record_bytes();
   const std::string why =
       write_all(file_, buffer_.data(), bytes,
                 static_cast<off_t>(header_.bytes().size() + written_ * header_.record_bytes()));
@@ -124,7 +124,9 @@ std::string NetcdfFile::flush()
   const double t = now();
   if (t - counted_at_ < between_counts) return "";
   counted_at_ = t;
-  return count(before);
+  const size_t then = countable_;
+  countable_ = written_;
+  return count(then);
 }
 
 std::string NetcdfFile::settle()

@@ -3,9 +3,9 @@
 //
 // The header counts the records (4 bytes at offset 4). A reader of a growing or a killed file sees
 // whole records only: the count follows the writing. It is renewed a few times a second, with what
-// was written before the present batch, because a reader that maps the file first and reads the
-// count after must not find more counted than mapped. A file cut behind a record is a good file
-// again: going on is a truncate().
+// was written at the renewal before, because a reader that maps the file first and reads the count
+// after must not find more counted than mapped. A file cut behind a record is a good file again:
+// going on is a truncate().
 #ifndef BEARING_NETCDF_FILE_H
 #define BEARING_NETCDF_FILE_H
 
@@ -55,7 +55,7 @@ class NetcdfFile {
 
   NetcdfHeader header_;
   std::vector<unsigned char> buffer_, blank_;
-  size_t batch_ = 1, filled_ = 0, written_ = 0;
+  size_t batch_ = 1, filled_ = 0, written_ = 0, countable_ = 0;
   int file_ = -1;
   double counted_at_ = 0.0;    // s
 };

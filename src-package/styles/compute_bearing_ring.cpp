@@ -5,6 +5,7 @@
 #include "contact_context.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
+#include "ring_values.h"
 
 #include <algorithm>
 
@@ -114,22 +115,6 @@ void ComputeBearingRing::tell()
   }
 }
 
-// Of the n-th ring of this rank.
-void ComputeBearingRing::ring_values(int n, double *of) const
-{
-  const RingSum &rings = pair_->ring_sum();
-  const int i = rings.ring(n);
-  const FixBearingState::RingMotion &ring = pair_->state()->ring(i);
-  of[of_ring::RING] = static_cast<double>(atom->tag[i]);
-  (Vec3::from(atom->x[i]) - ring.origin).to(of + of_ring::X);
-  Vec3::from(atom->v[i]).to(of + of_ring::VX);
-  of[of_ring::SPIN] = dot(Vec3::from(atom->omega[i]), ring.axis);
-  of[of_ring::ANGLE] = ring.angle;
-  rings.force(n).to(of + of_ring::FX);
-  rings.torque(n).to(of + of_ring::MX);
-  of[of_ring::TORQUE] = dot(rings.torque(n), ring.axis);
-}
-
 void ComputeBearingRing::compute_local()
 {
   invoked_local = update->ntimestep;
@@ -139,7 +124,8 @@ void ComputeBearingRing::compute_local()
   const RingSum &rings = pair_->ring_sum();
   std::vector<double> of(static_cast<size_t>(rings.rings()) * of_ring::N, 0.0),
       balls(rings.rings(), 0.0);
-  for (int n = 0; n < rings.rings(); ++n) ring_values(n, &of[static_cast<size_t>(n) * of_ring::N]);
+  for (int n = 0; n < rings.rings(); ++n)
+    bearing::ring_values(*atom, *pair_, n, &of[static_cast<size_t>(n) * of_ring::N]);
   pair_->ring_sum().collect(N_SAID, said_, [&](int n, RingSum::Source source, const double *said) {
     if (source != RingSum::ball) return;
     double *v = &of[static_cast<size_t>(n) * of_ring::N];

@@ -25,7 +25,6 @@ class ComputeBearingRing : public Compute, public bearing::ColumnList {
 
  private:
   void tell();
-  void ring_values(int n, double *of) const;
 
   class PairBearingHertz *pair_;
   std::function<raceway::FilmCapacitorT<double>(const bearing::RacewayContact &)>

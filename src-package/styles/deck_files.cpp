@@ -201,7 +201,7 @@ void BearingColumns::command(int narg, char **arg)
     values += gap + ("c_" + id) + (items.size() > 1 ? "[" + std::to_string(n + 1) + "]" : "");
     formats += gap + items[n].format;
   }
-  replace(input->variable, id + "_columns", names);
+  replace(input->variable, id + "_columns", '"' + names + '"');
   replace(input->variable, id + "_values", values);
   replace(input->variable, id + "_format", '"' + formats + '"');
 }

@@ -61,8 +61,8 @@ class BearingResume : public bearing::CommandBase {
 };
 
 // bearing_columns ID: for a dump of the compute ID, set the string variables ID_columns to the
-// names of its columns, ID_values to the words c_ID[1] c_ID[2] ... and ID_format to their format in
-// quotes.
+// names of its columns, ID_values to the words c_ID[1] c_ID[2] ... and ID_format to their format.
+// Names and format stand in quotes, so that each is one word.
 class BearingColumns : public bearing::CommandBase {
  public:
   explicit BearingColumns(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -34,6 +34,7 @@ class FixBearingCapacitance : public Fix {
   double memory_usage() override;
 
   bool covers(int i) const { return atom->mask[i] & groupbit; }
+  double permittivity() const { return permittivity_; }    // relative, at ambient pressure
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &) const;
 
  private:

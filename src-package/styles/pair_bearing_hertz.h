@@ -63,6 +63,9 @@ class PairBearingHertz : public Pair {
     return builds_;
   }    // counts how often local indices in the table changed
 
+  // The words of pair_style and of every pair_coeff.
+  const std::vector<std::vector<std::string>> &said() const { return said_; }
+
   // The pair style of the run; error naming `asked_by` if it is not one of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
 

@@ -24,11 +24,11 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from host import ENVIRONMENT, ROOT, frames  # noqa: E402
 
-FILES = ("contacts.dump", "balls.dump", "rings.dat")
+FILES = ("record.nc", "contacts.dump", "balls.dump", "rings.dat")
 DECK = ROOT / "inputs" / "in.6208"
 SCENES = (
-    {"lubricant": "mineral", "integrator": "implicit", "passes": 10, "keep": 25},
-    {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25},
+    {"lubricant": "mineral", "integrator": "implicit", "passes": 10, "keep": 25, "dumps": "yes"},
+    {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25, "dumps": "yes"},
 )
 
 

@@ -3,6 +3,7 @@
 is full."""
 
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -16,7 +17,8 @@ from raceway.errors import RunError
 from raceway.runs.dump import read_dump, read_table
 from raceway.runs.tables import RunTables
 
-SCENE = {"passes": 40, "samples": 100, "keep": 50}
+SCENE = {"passes": 40, "samples": 100, "keep": 50, "dumps": "yes"}
+FILES = ("contacts.dump", "balls.dump", "rings.dat", "record.nc")
 
 
 def wait_for(path, size=1, patience=60.0):
@@ -75,13 +77,21 @@ def test_shortened_file_is_refused(stopped):
     )
 
 
+def test_shortened_record_is_refused(stopped):
+    os.truncate(stopped / "record.nc", 20000)
+    failed = liggghts("inputs/in.6208", out=stopped, resume="yes", **SCENE)
+    assert failed.code != 0
+    assert re.search(r"cannot write .*record.nc: it has fewer than \d+ samples", failed.error)
+
+
 def test_new_run_replaces_an_old_restart_file(stopped):
     """Without resume the run starts anew, and nothing of the old one is left."""
-    small = {"passes": 1, "samples": 50}
+    small = {"passes": 1, "samples": 50, "dumps": "yes"}
     succeed("inputs/in.6208", out=stopped, **small)
     assert sorted(path.name for path in stopped.iterdir()) == [
         "balls.dump",
         "contacts.dump",
+        "record.nc",
         "rings.dat",
         "run.yaml",
     ]
@@ -91,8 +101,8 @@ def test_new_run_replaces_an_old_restart_file(stopped):
 def test_restart_files_change_no_bit(tmp_path):
     """Writing them is not seen by the run."""
     for name, keep in (("without", 0), ("with", 7)):
-        succeed("inputs/in.6208", out=tmp_path / name, passes=1, samples=50, keep=keep)
-    for name in ("contacts.dump", "balls.dump", "rings.dat"):
+        succeed("inputs/in.6208", out=tmp_path / name, passes=1, samples=50, keep=keep, dumps="yes")
+    for name in FILES:
         assert (tmp_path / "with" / name).read_bytes() == (tmp_path / "without" / name).read_bytes()
 
 
@@ -119,7 +129,7 @@ def test_killed_run_opens(tmp_path):
     assert abs(samples["contacts"] - rows) <= 2 and abs(samples["balls"] - rows) <= 2
 
 
-def limited(out, bytes_of_a_file):
+def limited(out, bytes_of_a_file, *words):
     return subprocess.run(
         [
             ROOT / "build" / "liggghts",
@@ -133,6 +143,7 @@ def limited(out, bytes_of_a_file):
             "-var",
             "passes",
             "40",
+            *words,
         ],
         cwd=ROOT,
         env=ENVIRONMENT,
@@ -146,7 +157,10 @@ def limited(out, bytes_of_a_file):
 
 
 def test_file_size_limit(tmp_path):
-    done = limited(tmp_path / "run", 12_000_000)  # MPI has files of 4 MB
+    done = limited(tmp_path / "record", 12_000_000)  # MPI has files of 4 MB
+    assert done.returncode != 0
+    assert "record.nc: File too large" in done.stdout
+    done = limited(tmp_path / "run", 30_000_000, "-var", "dumps", "yes", "-var", "record", "none")
     assert done.returncode != 0
     assert "contacts.dump has stopped growing at step" in done.stdout and "Make room" in done.stdout
 
@@ -163,14 +177,14 @@ def test_full_disk(tmp_path):
     ):
         pytest.skip("mounting a small disk needs root")
     try:
-        failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20)
+        failed = liggghts("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes")
         assert failed.code != 0
         assert "No space left on device" in failed.error
         # with room again the run goes on to the end, and to the same bits
         subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
-        succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, resume="yes")
-        succeed("inputs/in.6208", out=tmp_path / "reference", passes=4)
-        for name in ("contacts.dump", "balls.dump", "rings.dat"):
+        succeed("inputs/in.6208", out=disk / "run", passes=4, keep=20, dumps="yes", resume="yes")
+        succeed("inputs/in.6208", out=tmp_path / "reference", passes=4, dumps="yes")
+        for name in FILES:
             assert (disk / "run" / name).read_bytes() == (
                 tmp_path / "reference" / name
             ).read_bytes()

@@ -165,7 +165,7 @@ def test_patches_keep_the_times_of_files(tree):
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])
 def test_main_deck_has_the_same_bits(tmp_path, integrator):
     """Short and fast passes of the main deck: every column of every sample."""
-    case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20}
+    case = {"integrator": integrator, "rpm": 20000, "passes": 1, "samples": 20, "dumps": "yes"}
     succeed("inputs/in.6208", out=tmp_path / "debian", **case)
     succeed("inputs/in.6208", program=PROGRAM, out=tmp_path / "tree", **case)
     for name in ("contacts.dump", "balls.dump"):

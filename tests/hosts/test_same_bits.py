@@ -153,7 +153,7 @@ def test_restart(liggghts, deck, host, write_ranks, read_ranks, tmp_path):
 def test_stopped_run_goes_on(liggghts, host, tmp_path):
     """A run that gets SIGTERM ends with a restart file; resumed, it has written what LIGGGHTS
     writes undisturbed."""
-    variables = {"passes": 40, "keep": 50}
+    variables = {"passes": 40, "keep": 50, "dumps": "yes"}
     program, _ = HOSTS[host]
     words = [
         program,
@@ -170,6 +170,9 @@ def test_stopped_run_goes_on(liggghts, host, tmp_path):
         "-var",
         "keep",
         "50",
+        "-var",
+        "dumps",
+        "yes",
     ]
     with subprocess.Popen(words, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as process:
         end = time.monotonic() + 60

@@ -14,7 +14,7 @@ from pathlib import Path
 import pandas as pd
 import pytest
 import raceway
-from host import ENVIRONMENT, ROOT, frames, succeed
+from host import ENVIRONMENT, ROOT, succeed
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -94,7 +94,9 @@ def test_sweep(table, tmp_path, counter):
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
     # the run is the one that the deck makes by itself
     succeed("inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20)
-    assert frames(out / one.name / "contacts.dump") == frames(tmp_path / "alone" / "contacts.dump")
+    assert (out / one.name / "record.nc").read_bytes() == (
+        tmp_path / "alone" / "record.nc"
+    ).read_bytes()
     # again: nothing runs, failures stay; with --retry only the failed point runs
     again = sweep(table, "--out", out, "--program", counter)
     assert "3 finished (3 before), 1 failed" in again.stdout and set(starts(out).values()) == {1}
@@ -324,9 +326,7 @@ def test_run_scripts(tmp_path, script, tasks):
     )
     assert resumed.returncode == 0 and "Going on from" in resumed.stdout
     succeed("inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100)
-    for name in ("balls.dump", "rings.dat"):
-        assert (out / name).read_bytes() == (tmp_path / "alone" / name).read_bytes()
-    assert frames(out / "contacts.dump") == frames(tmp_path / "alone" / "contacts.dump")
+    assert (out / "record.nc").read_bytes() == (tmp_path / "alone" / "record.nc").read_bytes()
     finished = subprocess.run(
         command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False
     )
@@ -368,10 +368,9 @@ def test_partition_deck(tmp_path):
             passes=1,
             samples=50,
         )
-        for name in ("contacts.dump", "balls.dump", "rings.dat"):
-            assert (tmp_path / "together" / str(number) / name).read_bytes() == (
-                tmp_path / "alone" / name
-            ).read_bytes()
+        assert (tmp_path / "together" / str(number) / "record.nc").read_bytes() == (
+            tmp_path / "alone" / "record.nc"
+        ).read_bytes()
 
 
 def test_table_of_the_docs(tmp_path):

@@ -76,8 +76,16 @@ def test_hints_name_types_that_are():
     from MDAnalysis import Universe
     from raceway.runs.dump import Block
     from raceway.runs.spectrum import Line
+    from raceway.runs.tables import RunTables
 
-    late = {"Run": raceway.Run, "Universe": Universe, "Block": Block, "Line": Line, "xr": xarray}
+    late = {
+        "Run": raceway.Run,
+        "RunTables": RunTables,
+        "Universe": Universe,
+        "Block": Block,
+        "Line": Line,
+        "xr": xarray,
+    }
     functions = [one for name in MODULES for _, one in public(importlib.import_module(name))]
     assert len(functions) > 250
     for one in [raceway.open, *functions]:
@@ -103,7 +111,17 @@ def test_the_list_is_complete():
     """All formulas and all that reads a run, but for the parts that only these two use."""
     parts = {
         "theory": {"balance", "circle", "seat"},
-        "runs": {"around", "run", "settings", "steps", "tables", "totals", "universe"},
+        "runs": {
+            "around",
+            "record",
+            "recorded",
+            "run",
+            "settings",
+            "steps",
+            "tables",
+            "totals",
+            "universe",
+        },
     }
     for room, inside in parts.items():
         package = importlib.import_module(f"raceway.{room}")

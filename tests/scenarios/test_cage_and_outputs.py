@@ -44,13 +44,14 @@ variable bare equal f_cap
 variable pe equal c_energy
 """
     measure = (ROOT / "inputs" / "modules" / "measure").read_text()
-    head, tail = measure.split("variable now equal")
+    here = "include ${inputs}/modules/dumps.${dumps}"
+    head, tail = measure.split(here)
     marker = (
         'fix totals all print ${every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure}'
         " ${thin} ${lam} ${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe} ${virial}"
         ' ${volume} ${more} ${top} ${active} ${bare}" file ${out}/totals.txt screen no\n'
     )
-    (folder / "measure").write_text(head + extra + marker + "variable now equal" + tail)
+    (folder / "measure").write_text(head + extra + marker + here + tail)
     deck.write_text(text.replace("${inputs}/modules/measure", f"{folder}/measure"))
     succeed(deck, out=folder / "run", passes=1, samples=SAMPLES)
     result = RunTables(folder / "run")

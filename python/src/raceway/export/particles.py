@@ -53,7 +53,7 @@ def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
         inner = atoms[atoms["id"] == tables.settings["inner_ring"]]
         if len(inner) != 1:
             raise RunError(
-                f"{tables.folder / 'balls.dump'}: sample {sample} has no atom"
+                f"{tables.source['balls']}: sample {sample} has no atom"
                 f" {tables.settings['inner_ring']}, the inner ring"
             )
         spin = (

@@ -74,7 +74,7 @@ def _window(tables, passes, frames):
         raise RunError(
             f"{tables.folder} holds {have / each:.3g} ball passes: {passes:g} are not to be had"
         )
-    part = RunTables(tables.folder, slice(tables.first, tables.first + wanted))
+    part = tables.window(slice(tables.first, tables.first + wanted))
     return part, tables.first + np.unique(np.arange(frames) * wanted // frames)
 
 

@@ -22,7 +22,7 @@ LARGE, PASSES = (200 << 20, 20)
 def shown(tables: RunTables, note: str = "") -> RunTables:
     """The part of the run `tables` that is drawn: all, unless that would be more curves than memory
     or paper hold. A warning says so, and `note`."""
-    path = tables.folder / "contacts.dump"
+    path = tables.source["contacts"]
     if tables.stop is not None or not path.exists() or path.stat().st_size < LARGE:
         return tables
     warnings.warn(
@@ -30,10 +30,8 @@ def shown(tables: RunTables, note: str = "") -> RunTables:
         RunWarning,
         stacklevel=3,
     )
-    return RunTables(
-        tables.folder,
-        slice(tables.first, tables.first + int(PASSES * tables.settings["samples_per_pass"])),
-    )
+    shown_samples = int(PASSES * tables.settings["samples_per_pass"])
+    return tables.window(slice(tables.first, tables.first + shown_samples))
 
 
 def filmed(tables: RunTables) -> bool:

@@ -59,7 +59,7 @@ def scene(
     axis = _places(table[table["id"] == tables.settings["outer_ring"]], count)[:, 0]
     if not np.isin(samples, np.unique(table["sample"])).all():
         raise RunError(
-            f"{tables.folder / 'balls.dump'}: no sample {samples[-1]}, the last is"
+            f"{tables.source['balls']}: no sample {samples[-1]}, the last is"
             f" {table['sample'].max()}"
         )
     first = int(table["sample"].min())

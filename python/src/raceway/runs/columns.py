@@ -44,4 +44,4 @@ RING = {
     # not of a file: worked out here
     "shift": Column("displacement of the inner ring along the load", "m"),
 }
-BEARING = {**_table(_TABLES["total"]), "capacitance": _RING["capacitance"]}
+BEARING = {**_table(_TABLES["total"]), **_table(_TABLES["bearing"])}

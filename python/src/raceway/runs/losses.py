@@ -27,7 +27,7 @@ def losses(run: Run) -> xr.Dataset:
     _need(run)
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
-        raise RunError(f"{run.tables.folder / 'rings.dat'} has no columns mz and spin")
+        raise RunError(f"{run.tables.source['rings']} has no columns mz and spin")
     torque = -rings["mz"] * np.sign(rings["spin"])
     data = xr.merge(
         [{"torque": torque, "power_in": -rings["mz"] * rings["spin"]}, bearing[list(SUMS)]],
@@ -53,6 +53,5 @@ def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
 def _need(run):
     if missing := [name for name in SUMS if name not in run.settings["contact_columns"].split()]:
         raise RunError(
-            f"{run.tables.folder / 'contacts.dump'} has no column {' '.join(missing)}: run the deck"
-            " again"
+            f"{run.tables.source['contacts']} has no column {' '.join(missing)}: run the deck again"
         )

@@ -12,6 +12,7 @@ import xarray as xr
 from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.runs.columns import ATOM, BEARING, CONTACT, RING
+from raceway.runs.recorded import Recorded
 from raceway.runs.summary import ring_displacement, summary
 from raceway.runs.tables import BALL, CAGE, RunTables
 from raceway.theory.bearing import INNER, OUTER
@@ -48,10 +49,29 @@ class Run:
     far as it is.
     """
 
-    def __init__(self, folder: FilePath, samples: slice = slice(None)) -> None:
-        self.tables = RunTables(folder, samples)
+    def __init__(
+        self, folder: FilePath, samples: slice = slice(None), bearing: int | None = None
+    ) -> None:
+        self.tables = RunTables(folder, samples, bearing)
+
+    @property
+    def bearing_numbers(self) -> list[int]:
+        """Numbers of the bearings in the folder."""
+        return self.tables.record.bearings if self.tables.record else [1]
+
+    def select(self, number: int) -> "Run":
+        """The same run, one bearing of it. Raises `RunError` when there is none of that number."""
+        if number not in self.bearing_numbers:
+            raise RunError(
+                f"{self.tables.folder} has the bearings {self.bearing_numbers[0]} to"
+                f" {self.bearing_numbers[-1]}, not {number}"
+            )
+        tables = self.tables
+        return Run(tables.folder, slice(tables.first, tables.stop), number)
 
     def __repr__(self):
+        if self.tables.record and self.tables.record.bearing is None:
+            return f"<raceway run {self.tables.folder}: {len(self.bearing_numbers)} bearings>"
         settings = self.settings
         state = "" if self.tables.finished else ", not finished"
         return (
@@ -68,17 +88,23 @@ class Run:
 
     @cached_property
     def contacts(self) -> xr.Dataset:
-        """Dataset (time, raceway, ball)."""
+        """Dataset (time, raceway, ball). Of a record, values are read when they are used."""
+        if self.tables.record:
+            return Recorded(self.tables).contacts
         return self._contacts(self.tables.contacts)
 
     @cached_property
     def balls(self) -> xr.Dataset:
         """Dataset (time, ball)."""
+        if self.tables.record:
+            return Recorded(self.tables).balls
         return self._atoms(self.tables.balls, BALL)
 
     @cached_property
     def cage(self) -> xr.Dataset:
         """Dataset (time, ball) of the cage balls; their `ball` is their own atom number."""
+        if self.tables.record:
+            return Recorded(self.tables).cage
         return self._atoms(self.tables.balls, CAGE)
 
     @cached_property
@@ -113,6 +139,10 @@ class Run:
         }
         if name not in makers:
             raise ValueError(f"no dataset '{name}' comes in blocks: {', '.join(makers)} do")
+        if record := self.tables.record:
+            for part in record.blocks(self.tables.first, self.tables.stop):
+                yield getattr(Recorded(self.tables.window(slice(*part))), name)
+            return
         for table in self.tables.blocks("contacts" if name == "contacts" else "balls"):
             yield makers[name](table)
 
@@ -127,9 +157,7 @@ class Run:
         return universe(self.tables)
 
     def _label(self, data, samples, columns):
-        data = xr.Dataset(
-            data, coords={"time": samples * self.settings["sample_s"]}, attrs=self._attrs()
-        )
+        data = xr.Dataset(data, coords={"time": self.tables.time(samples)}, attrs=self._attrs())
         data["time"].attrs.update(
             units="s", long_name="time since the start of the measured window"
         )
@@ -177,8 +205,7 @@ class Run:
         flat = np.ravel_multi_index(place, shape, mode="raise")
         if len(np.unique(flat)) != len(flat):
             raise RunError(
-                f"{self.tables.folder / 'contacts.dump'}: a ball touches one raceway twice in a"
-                " sample"
+                f"{self.tables.source['contacts']}: a ball touches one raceway twice in a sample"
             )
         data, azimuth = {}, None
         for name in table:
@@ -204,9 +231,7 @@ class Run:
         same = same and axis["sample"].is_unique
         # each atom once in every sample: of two that changed places over samples the sum is right
         if not same or (rows["id"].to_numpy().reshape(samples, -1) != ids).any():
-            raise RunError(
-                f"{self.tables.folder / 'balls.dump'}: not every sample has the same atoms"
-            )
+            raise RunError(f"{self.tables.source['balls']}: not every sample has the same atoms")
         names = [name for name in table if name not in ("id", "type", "sample")]
         data = {
             name: (("time", "ball"), rows[name].to_numpy().reshape(samples, len(ids)))

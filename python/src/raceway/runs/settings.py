@@ -119,3 +119,15 @@ class _Loader(yaml.BaseLoader):
                 )
             seen.add(str(key.value))
         return super().construct_mapping(node, deep)
+
+
+def the_end(folder: Path) -> dict[str, float]:
+    """What `run.yaml` says of the end of a run, as far as it is there. Raises `RunError`."""
+    path = folder / "run.yaml"
+    if not path.exists():
+        return {}
+    try:
+        data = yaml.load(path.read_text(), Loader=_Loader) or {}
+        return {key: float(data[key]) for key in AT_THE_END if key in data}
+    except (OSError, UnicodeDecodeError, TypeError, ValueError, yaml.YAMLError) as error:
+        raise RunError(f"cannot read {path}: {error}") from None

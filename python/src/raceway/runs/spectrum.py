@@ -83,7 +83,7 @@ def of_run(run: Run, name: str = "shift") -> xr.DataArray:
     Raises `RunError` when the run has no such column, too few samples, or the samples are not
     evenly spaced.
     """
-    rings, where = run.rings, run.tables.folder / "rings.dat"
+    rings, where = run.rings, run.tables.source["rings"]
     if name not in rings:
         raise RunError(f"{where} has no column {name}; it has {', '.join(rings.data_vars)}")
     if rings.sizes["time"] < 32:

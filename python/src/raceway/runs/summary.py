@@ -96,10 +96,13 @@ def summary(tables: RunTables) -> dict[str, str | float | None]:
         )
     }
     result.update({key: settings[key] if tables.lubricated else None for key in LUBRICANT})
-    contacts = _Contacts(tables)
-    result.update(_mechanics(tables, contacts))
-    result["cage_speed_rad_s"] = _cage_speed(tables)
-    result.update(_film(tables, contacts))
+    if tables.record:
+        result.update(_of_record(tables))
+    else:
+        contacts = _Contacts(tables)
+        result.update(_mechanics(tables, contacts))
+        result["cage_speed_rad_s"] = _cage_speed(tables)
+        result.update(_film(tables, contacts))
     result.update(
         wall_s=settings["wall_s"],
         simulated_s=settings["simulated_s"],
@@ -116,6 +119,32 @@ def ring_displacement(tables: RunTables) -> Floats:
     ).to_numpy()
 
 
+def _of_record(tables):
+    """The figures of a record: its sums and extremes over the bearing have them."""
+    table = tables.totals
+    for name in NAME.values():
+        if not table[f"load_{name}"].max() > 0:
+            raise RunError(
+                f"{tables.source['contacts']}: no ball touches the {name} raceway in any sample"
+            )
+    top = table.loc[table["load_inner"].idxmax()]
+    result = _displacement(tables)
+    result["q_max_N"] = max(table[f"load_{name}"].max() for name in NAME.values())
+    for name in NAME.values():
+        result[f"q_{name}_max_N"] = table[f"load_{name}"].max()
+    for name in NAME.values():
+        result[f"p_max_{name}_Pa"] = table[f"pressure_{name}"].max()
+    result["loaded_balls_mean"] = table["loaded_balls"].mean()
+    result["cage_speed_rad_s"] = table["cage_speed"].mean()
+    result["entrainment_speed_m_s"] = top["entrainment_top"]
+    for key, column in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
+        result[key] = top.get(f"{column}_top")
+    wet = "capacitance" in table
+    result["capacitance_F"] = table["capacitance"].mean() if wet else None
+    result["capacitance_top_F"] = table["capacitance_top"].max() if wet else None
+    return result
+
+
 class _Contacts:
     """What the figures need of the contacts."""
 
@@ -130,8 +159,7 @@ class _Contacts:
         for side, name in NAME.items():
             if side not in self.top:
                 raise RunError(
-                    f"{tables.folder / 'contacts.dump'}: no ball touches the {name} raceway in any"
-                    " sample"
+                    f"{tables.source['contacts']}: no ball touches the {name} raceway in any sample"
                 )
 
     def _add(self, block):
@@ -147,12 +175,18 @@ class _Contacts:
             self.best = max(self.best or 0.0, both["capacitance"].max() if len(both) else 0.0)
 
 
-def _mechanics(tables, contacts):
-    result = {}
+def _displacement(tables):
     # LAMMPS prints the start of the window as well, LIGGGHTS does not
-    shift = result["ring_shift_m"] = ring_displacement(tables)[tables.rings["sample"] > 0].mean()
+    shift = ring_displacement(tables)[tables.rings["sample"] > 0].mean()
     play = tables.settings["clearance_m"]
-    result["load_parameter"] = clearance.load_parameter(play, shift) if shift else None
+    return {
+        "ring_shift_m": shift,
+        "load_parameter": clearance.load_parameter(play, shift) if shift else None,
+    }
+
+
+def _mechanics(tables, contacts):
+    result = _displacement(tables)
     result["q_max_N"] = max(top["load"] for top in contacts.top.values())
     for side, name in NAME.items():
         result[f"q_{name}_max_N"] = contacts.top[side]["load"]
@@ -169,7 +203,7 @@ def _cage_speed(tables):
         rolling = balls[balls["type"] == BALL]
         if rings.empty or rolling.empty:
             raise RunError(
-                f"{tables.folder / 'balls.dump'} has no "
+                f"{tables.source['balls']} has no "
                 f"{'atom ' + str(ring) if rings.empty else 'ball (type 1)'}"
             )
         axis = rings.loc[rolling["sample"], ["x", "y", "vx", "vy"]].to_numpy()

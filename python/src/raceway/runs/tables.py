@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run folder: `run.yaml`, `contacts.dump`, `balls.dump`, `rings.dat`."""
+"""A run folder: its record, or `run.yaml`, `contacts.dump`, `balls.dump`, `rings.dat`."""
 
 import warnings
 from collections.abc import Iterator
@@ -15,7 +15,8 @@ from raceway.arrays import Floats, Numbers
 from raceway.errors import RunError, RunWarning
 from raceway.files import FilePath
 from raceway.runs.dump import Index, blocks, first_steps, frames, read_dump, read_table
-from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings
+from raceway.runs.record import Record, there
+from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings, the_end
 from raceway.runs.steps import Steps
 from raceway.runs.totals import pairs, totals
 from raceway.theory.bearing import OUTER, Bearing
@@ -29,6 +30,7 @@ DUMPS = {
     ),
     "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy")),
 }
+FILES = {"contacts": "contacts.dump", "balls": "balls.dump", "rings": "rings.dat"}
 WHOLE = ("ball", "raceway", "id", "type")
 MOST = {"raceway": OUTER}
 
@@ -45,10 +47,30 @@ class RunTables:
     file is broken.
     """
 
-    def __init__(self, folder: FilePath, samples: slice = slice(None)) -> None:
+    def __init__(
+        self, folder: FilePath, samples: slice = slice(None), bearing: int | None = None
+    ) -> None:
         self.folder = Path(folder)
-        self.settings = settings(self.folder)
+        self.record = Record(folder, bearing) if there(folder) else None
+        if self.record is None and bearing not in (None, 1):
+            raise RunError(f"{self.folder} has one bearing, not {bearing}")
+        self.settings = (
+            {**self.record.settings(), **the_end(self.folder)}
+            if self.record
+            else settings(self.folder)
+        )
         self.first, self.stop = _window(samples)
+
+    def window(self, samples: slice) -> "RunTables":
+        """The same run with other `samples`."""
+        return RunTables(self.folder, samples, self.record.bearing if self.record else None)
+
+    @property
+    def source(self) -> dict[str, Path]:
+        """The file that messages name, by what is in it: contacts, balls, rings."""
+        if self.record:
+            return dict.fromkeys(FILES, self.record.path)
+        return {name: self.folder / file for name, file in FILES.items()}
 
     @property
     def lubricated(self) -> bool:
@@ -63,6 +85,8 @@ class RunTables:
 
     def need_finished(self) -> None:
         """Raise `RunError` for a run that has not come to its end."""
+        if self.record:
+            self.record.need_one()
         if missing := [key for key in AT_THE_END if key not in self.settings]:
             raise RunError(
                 f"run has not finished: {self.folder / 'run.yaml'} has no"
@@ -72,6 +96,8 @@ class RunTables:
     @property
     def geometry(self) -> Bearing:
         """The `Bearing` that was simulated; steel where the run does not say."""
+        if self.record:
+            self.record.need_one()
         names = {
             "balls": "balls",
             "ball_diameter_m": "ball_diameter",
@@ -108,6 +134,8 @@ class RunTables:
     @cached_property
     def rings(self) -> pd.DataFrame:
         """A row per sample: where the inner ring is and how it moves."""
+        if self.record:
+            return self.record.rings(self.first, self._end_of_samples())
         table = read_table(self.folder / "rings.dat")
         self._need(table, ("time", "x", "y"), "rings.dat")
         # counted from the start of the window, like the dumps; the first row may be a later sample
@@ -127,6 +155,8 @@ class RunTables:
     @cached_property
     def totals(self) -> pd.DataFrame:
         """`totals.totals` of the contacts: a row per sample. Read in blocks."""
+        if self.record:
+            return self.record.totals(self.first, self._end_of_samples())
         return pd.concat([totals(block) for block in self.blocks("contacts")])
 
     @property
@@ -143,6 +173,10 @@ class RunTables:
         if name in self.__dict__:  # read already
             yield self.__dict__[name]
             return
+        if self.record:
+            read = self.record.contacts if name == "contacts" else self.record.atoms
+            yield from (read(*part) for part in self.record.blocks(self.first, self.stop))
+            return
         file, columns = self._columns(name)
         path = self.folder / file
         steps = self._steps(name)
@@ -155,6 +189,8 @@ class RunTables:
 
     def need_balls(self) -> None:
         """Raise `RunError` where `run.yaml` names more balls than `balls.dump` has."""
+        if self.record:
+            return
         file, columns = self._columns("balls")
         if not (self.folder / file).exists():
             return
@@ -166,6 +202,12 @@ class RunTables:
                 f" {there}"
             )
 
+    def time(self, samples: Numbers) -> Floats:
+        """Times of `samples` (array of numbers that follow one another) in s."""
+        if self.record:
+            return self.record.read(["time"], samples[0], samples[-1] + 1)["time"]
+        return samples * self.settings["sample_s"]
+
     def passes(self, sample: ArrayLike) -> Numbers:
         """Time of a sample (number or array) in ball passes since the start of the measured
         window."""
@@ -176,7 +218,27 @@ class RunTables:
         -pi..pi."""
         return np.mod(azimuth - self.settings["load_azimuth_rad"] + np.pi, 2 * np.pi) - np.pi
 
+    def _end_of_samples(self):
+        """Number of samples that are there, at most `stop`."""
+        *_, (_, last) = self.record.blocks(self.first, self.stop)
+        return last
+
+    def frames(self, name: str, start: int, stop: int) -> tuple[pd.DataFrame, list[int]]:
+        """(the table `name` of the samples `start` to `stop`, their steps)."""
+        if self.record:
+            read = self.record.contacts if name == "contacts" else self.record.atoms
+            steps = self.record.read(["step"], start, stop)["step"]
+            return read(start, stop), steps.astype(int).tolist()
+        file, columns = self._columns(name)
+        parts = list(blocks(self.folder / file, columns, start, stop, self.index(name)))
+        steps = sum((part.steps for part in parts), [])
+        return pd.concat([part.table(columns) for part in parts]), steps
+
     def _dump(self, name):
+        if self.record:
+            first, stop = self.first, self._end_of_samples()
+            read = self.record.contacts if name == "contacts" else self.record.atoms
+            return read(first, stop)
         file, columns = self._columns(name)
         path, steps = self.folder / file, self._steps(name)
         table = read_dump(path, columns, self.first, self.stop, self._index(name))
@@ -234,8 +296,11 @@ class RunTables:
     def _index(self, name):
         return self.index(name) if self.first else None
 
-    def index(self, name: str) -> Index:
-        """`dump.Index` of the file behind the table `name`."""
+    def index(self, name: str) -> Index | range:
+        """As long as there are samples of the table `name`; `dump.Index` of its file if that is
+        one."""
+        if self.record:
+            return range(len(self.record))
         if name not in self._indices:
             self._indices[name] = Index(self.folder / DUMPS[name][0])
         return self._indices[name]

@@ -18,11 +18,9 @@ are those of the dump (MDAnalysis's own reader of such dumps moves them by the c
 from typing import Any
 
 import numpy as np
-import pandas as pd
 
 from raceway.errors import RunError
 from raceway.runs.columns import CONTACT
-from raceway.runs.dump import blocks
 from raceway.runs.tables import DUMPS, RunTables
 
 try:
@@ -48,12 +46,14 @@ class RunReader(ReaderBase):
 
     @store_init_arguments
     def __init__(
-        self, filename: str, first: int = 0, stop: int | None = None, **kwargs: Any
+        self,
+        filename: str,
+        first: int = 0,
+        stop: int | None = None,
+        bearing: int | None = None,
+        **kwargs: Any,
     ) -> None:
-        self._tables = RunTables(filename, slice(first, stop))
-        self._columns = {
-            name: self._tables.settings[key].split() for name, (_, key, _) in DUMPS.items()
-        }
+        self._tables = RunTables(filename, slice(first, stop), bearing)
         super().__init__(
             filename, **{"convert_units": False, "dt": self._tables.settings["sample_s"], **kwargs}
         )
@@ -105,20 +105,9 @@ class RunReader(ReaderBase):
 
     def _table(self, name, start, stop):
         """(table of frames `start` to `stop`, sorted by sample and atom; their steps)"""
-        columns, first = self._columns[name], self._tables.first
-        parts = list(
-            blocks(
-                self._tables.folder / DUMPS[name][0],
-                columns,
-                first + start,
-                first + stop,
-                self._tables.index(name),
-            )
-        )
-        table = pd.concat([part.table(columns) for part in parts])
-        return table.sort_values(["sample", "id" if name == "balls" else "ball"]), sum(
-            (part.steps for part in parts), []
-        )
+        first = self._tables.first
+        table, steps = self._tables.frames(name, first + start, first + stop)
+        return table.sort_values(["sample", "id" if name == "balls" else "ball"]), steps
 
     def _load(self, part):
         start, stop = part * self._together, min((part + 1) * self._together, self.n_frames)
@@ -126,9 +115,7 @@ class RunReader(ReaderBase):
         if len(table) != (stop - start) * self.n_atoms or not np.array_equal(
             table["id"].to_numpy(int), np.tile(self.ids, stop - start)
         ):
-            raise RunError(
-                f"{self._tables.folder / 'balls.dump'}: not every sample has the same atoms"
-            )
+            raise RunError(f"{self._tables.source['balls']}: not every sample has the same atoms")
         self._atoms = {}
         for name, columns in (
             ("position", "x y z"),
@@ -167,7 +154,8 @@ def universe(tables: RunTables) -> MDAnalysis.Universe:
     The trajectory is a `RunReader`. Raises `RunError` when a file is broken or MDAnalysis is not
     installed.
     """
-    reader = RunReader(str(tables.folder), tables.first, tables.stop)
+    chosen = tables.record.bearing if tables.record else None
+    reader = RunReader(str(tables.folder), tables.first, tables.stop, chosen)
     result = MDAnalysis.Universe.empty(reader.n_atoms)
     result.add_TopologyAttr("names", [NAMES.get(kind, str(kind)) for kind in reader.types])
     result.add_TopologyAttr("types", [str(kind) for kind in reader.types])

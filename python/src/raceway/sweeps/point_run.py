@@ -81,7 +81,7 @@ def run_point(
                 return status, message
             known = mapping(folder / "point.yaml", yaml.safe_load)
             if known != dict(variables):
-                for old in ("summary.json", "failed.json", "run.yaml", "restart"):
+                for old in ("summary.json", "failed.json", "run.yaml", "record.nc", "restart"):
                     (folder / old).unlink(missing_ok=True)
                 _write(folder / "point.yaml", yaml.safe_dump(dict(variables), sort_keys=False))
             (folder / "failed.json").unlink(missing_ok=True)

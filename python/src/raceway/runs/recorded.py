@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The datasets of a run from its record: values stay in the file until they are used."""
+
+from functools import cached_property
+
+import numpy as np
+import xarray as xr
+from xarray.backends import BackendArray
+from xarray.core import indexing
+
+from raceway.errors import RunError
+from raceway.runs.columns import CONTACT
+from raceway.runs.record import MOTION
+from raceway.runs.tables import RunTables
+
+ABOUT = ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearance_m")
+
+
+class _InFile(BackendArray):
+    """A variable with time that stays in the file."""
+
+    def __init__(self, record, name):
+        self.record, self.name = record, name
+        self.shape, self.dtype = record.shape(name), np.dtype(float)
+
+    def __getitem__(self, key):
+        return indexing.explicit_indexing_adapter(
+            key,
+            self.shape,
+            indexing.IndexingSupport.OUTER,
+            lambda at: self.record.pick(self.name, at),
+        )
+
+
+class Recorded:
+    """Contacts, balls and cage of `tables`, which have a record, as `Run` gives them."""
+
+    def __init__(self, tables: RunTables) -> None:
+        self.tables, self.record = tables, tables.record
+
+    @cached_property
+    def _file(self):
+        """Every variable of contacts, balls, cage and rings, in the window and of the bearing."""
+        record, window = self.record, slice(self.tables.first, self.tables.stop)
+        found = {
+            name: xr.Variable(
+                dims, indexing.LazilyIndexedArray(_InFile(record, name)), record.about[name]
+            )[window]
+            for name, dims in record.variables.items()
+            if dims[:1] == ("time",) and dims != ("time", "bearing")
+        }
+        coords = {
+            name: record.fixed(name) for name in ("ball", "cage_ball") if name in record.about
+        }
+        data = xr.Dataset(found, coords={**coords, "raceway": ["inner", "outer"]})
+        for axis in "xyz":
+            data[f"ring_origin_{axis}"] = ("ring", record.fixed(f"ring_origin_{axis}"))
+        return data.set_coords("time")
+
+    @property
+    def _of_one(self):
+        """Ball passes and the loaded zone are those of one bearing."""
+        return self.record.bearing is not None
+
+    def _labelled(self, data):
+        attrs = {key: value for key, value in self.tables.settings.items() if key in ABOUT}
+        samples = self.tables.first + np.arange(data.sizes["time"])
+        if self._of_one:
+            about = {
+                "units": "1",
+                "long_name": "ball passes since the start of the measured window",
+            }
+            data = data.assign_coords(passes=("time", self.tables.passes(samples), about))
+        data["time"].attrs["long_name"] = "time since the start of the measured window"
+        data.attrs = attrs
+        return data
+
+    def _azimuths(self, data, azimuth):
+        found = [("azimuth", azimuth, CONTACT["azimuth"].meaning)]
+        if self._of_one:
+            meaning = "azimuth from the centre of the loaded zone"
+            found.append(("from_load_line", self.tables.from_load_line(azimuth), meaning))
+        for name, values, meaning in found:
+            about = {"units": "rad", "long_name": meaning}
+            data.coords[name] = (azimuth.dims, values.to_numpy(), about)
+        return data
+
+    @property
+    def contacts(self) -> xr.Dataset:
+        """Dataset (time, raceway, ball)."""
+        names = [name for name in self.record.contact_columns if name != "azimuth"]
+        data = self._labelled(self._file[names])
+        if "azimuth" in self.record.contact_columns:
+            data = self._azimuths(data, self._file["azimuth"])
+        return data
+
+    @property
+    def balls(self) -> xr.Dataset:
+        """Dataset (time, ball)."""
+        return self._atoms("ball_", "ball")
+
+    @property
+    def cage(self) -> xr.Dataset:
+        """Dataset (time, ball) of the cage balls."""
+        return self._atoms("cage_", "cage_ball")
+
+    def _atoms(self, prefix, dimension):
+        if f"{prefix}x" not in self._file:
+            raise RunError(f"{self.record.path} has no {dimension.replace('_', ' ')}s")
+        data = self._file[[prefix + name for name in MOTION]]
+        data = data.rename({prefix + name: name for name in MOTION})
+        if dimension != "ball":
+            data = data.rename({dimension: "ball"})
+        data = self._labelled(data)
+        outer = int(np.flatnonzero(self.record.fixed("ring_raceway") == 1)[0])
+        rings = self._file.isel(ring=outer)
+        x, y = (
+            data[name] - (rings[f"ring_{name}"] + rings[f"ring_origin_{name}"]) for name in "xy"
+        )
+        return self._azimuths(data, np.arctan2(y, x))

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace bearing {
+
+using Header = NetcdfHeader;
+
+static Header::Attributes said(const Column &c)
+{
+  return {Header::attribute("units", *c.unit ? c.unit : "1"),
+          Header::attribute("long_name", c.meaning)};
+}
+
+RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
+    layout_(layout), content_(content)
+{
+  const size_t n = layout_.balls.size(), m = layout_.cage.size();
+  const int time = header_.dimension("time", 0), raceway = header_.dimension("raceway", 2),
+            ball = header_.dimension("ball", n), cage = m ? header_.dimension("cage_ball", m) : -1,
+            ring = header_.dimension("ring", layout_.rings.size()),
+            bearing = header_.dimension("bearing", layout_.bearings.size()),
+            letters = header_.dimension("letters", 5);
+  for (const Header::Attribute &a : content_.about) header_.add(a);
+  header_.variable({"raceway",
+                    {raceway, letters},
+                    Header::text,
+                    {Header::attribute("_Encoding", "utf-8")},
+                    "innerouter",
+                    {}});
+  finished_ = header_.variable(
+      {"finished", {}, Header::integer, said({"", "", "1: the run has come to its end"}), "", {0}});
+  const auto fix = [&](const Column &c, int dimension, Header::Type type,
+                       const std::vector<double> &values) {
+    header_.variable({c.name, {dimension}, type, said(c), "", values});
+  };
+  const auto each = [](const auto &list, auto value) {
+    std::vector<double> values;
+    for (const auto &item : list) values.push_back(value(item));
+    return values;
+  };
+  const auto tag = [](const auto &part) { return part.tag; };
+  const auto number = [](const auto &part) { return part.bearing + 1.0; };
+  fix({"ball", "", "atom number of a ball"}, ball, Header::integer, each(layout_.balls, tag));
+  fix({"ball_bearing", "", "its bearing"}, ball, Header::integer, each(layout_.balls, number));
+  if (m) {
+    fix({"cage_ball", "", "atom number of a cage ball"}, cage, Header::integer,
+        each(layout_.cage, tag));
+    fix({"cage_ball_bearing", "", "its bearing"}, cage, Header::integer,
+        each(layout_.cage, number));
+  }
+  fix({"ring", "", "atom number of a ring"}, ring, Header::integer, each(layout_.rings, tag));
+  fix({"ring_bearing", "", "its bearing"}, ring, Header::integer, each(layout_.rings, number));
+  fix({"ring_raceway", "", "0 inner, 1 outer"}, ring, Header::integer,
+      each(layout_.rings, [](const auto &r) { return double(r.raceway); }));
+  const char *const origin[] = {"ring_origin_x", "ring_origin_y", "ring_origin_z"};
+  for (int k = 0; k < 3; ++k)
+    fix({origin[k], "m", "where the ring was at the start"}, ring, Header::real,
+        each(layout_.rings, [k](const auto &r) { return r.origin[k]; }));
+  std::vector<double> numbers;
+  for (size_t b = 0; b < layout_.bearings.size(); ++b) numbers.push_back(b + 1.0);
+  fix({"bearing", "", "number of a bearing"}, bearing, Header::integer, numbers);
+  for (int k = 0; k < of_kind::N; ++k)
+    fix(of_kind::list[k], bearing, Header::real,
+        each(layout_.bearings, [k](const auto &b) { return b.of[k]; }));
+
+  const auto add = [&](const std::string &prefix, const Column &c, std::vector<int> dimensions,
+                       size_t size, Header::Type type = Header::real) {
+    Header::Variable v = {prefix + c.name, std::move(dimensions), type, said(c), "", {}};
+    return add_field(header_.variable(v), size, c.absent);
+  };
+  time_ = add("", {"time", "s", "time since the start of the record"}, {time}, 1);
+  step_ = add("", {"step", "", "step of the host"}, {time}, 1);
+  for (const Column &c : content_.contact)
+    contact_.push_back(
+        add("", c, {time, raceway, ball}, 2 * n, content_.single ? Header::single : Header::real));
+  if (content_.motion)
+    for (int k = 0; k < MOTION; ++k) {
+      const Column &c = of_atom::list[of_atom::MOTION + k];
+      ball_.push_back(add("ball_", c, {time, ball}, n));
+      if (m) cage_.push_back(add("cage_", c, {time, cage}, m));
+    }
+  for (int k = 0; k < RING_VALUES; ++k)
+    ring_.push_back(
+        add("ring_", of_ring::list[FIRST_OF_RING + k], {time, ring}, layout_.rings.size()));
+  for (int k = 0; k < of_bearing::N; ++k) {
+    const bool film = k == of_bearing::H_MIN || k == of_bearing::LAMBDA ||
+                      k == of_bearing::H_MIN_TOP || k == of_bearing::LAMBDA_TOP,
+               capacitance = k == of_bearing::CAPACITANCE || k == of_bearing::CAPACITANCE_TOP ||
+                             k == of_bearing::H_C_TOP;
+    const bool there = (!film || content_.film) && (!capacitance || content_.capacitance);
+    bearing_.push_back(
+        there ? add("bearing_", of_bearing::list[k], {time, bearing}, layout_.bearings.size())
+              : SIZE_MAX);
+  }
+  header_.layout();
+  frame_ = blank_;
+  shares_.resize(n);
+}
+
+size_t RecordFile::add_field(int variable, size_t size, double blank)
+{
+  const size_t at = blank_.size();
+  fields_.push_back({variable, at, size});
+  blank_.insert(blank_.end(), size, blank);
+  return at;
+}
+
+size_t RecordFile::width(Kind kind) const
+{
+  switch (kind) {
+    case BALL: return MOTION + share;
+    case CONTACT: return content_.contact.size();
+    case CAGE: return MOTION;
+    case RING: return RING_VALUES;
+    case END: return 2;
+  }
+  return 0;
+}
+
+const double *RecordFile::take(const double *row, const double *end, bool &whole)
+{
+  whole = false;
+  while (row != end) {
+    const Kind kind = static_cast<Kind>(row[0]);
+    if (kind == END) {
+      whole = true;
+      return row;
+    }
+    const size_t place = static_cast<size_t>(row[1]);
+    const double *value = row + 2;
+    const std::vector<size_t> &at = kind == BALL   ? ball_
+                                    : kind == CAGE ? cage_
+                                    : kind == RING ? ring_
+                                                   : contact_;
+    for (size_t k = 0; k < at.size(); ++k) frame_[at[k] + place] = value[k];
+    if (kind == BALL)
+      memcpy(static_cast<void *>(&shares_[place]), value + MOTION, sizeof(BallShare));
+    reported_ += kind != CONTACT;
+    row = value + width(kind);
+  }
+  return row;
+}
+
+std::string RecordFile::end_sample(double time, double step)
+{
+  if (reported_ != layout_.parts())
+    return "at step " + std::to_string(static_cast<long long>(step)) + " " +
+           std::to_string(reported_) + " of " + std::to_string(layout_.parts()) +
+           " balls, cage balls and rings are there";
+  reported_ = 0;
+  frame_[time_] = time;
+  frame_[step_] = step;
+  sum_up();
+  file_.start_record();
+  for (const Field &f : fields_) file_.put(f.variable, 0, &frame_[f.at], f.size);
+  frame_ = blank_;
+  return file_.full() ? file_.flush() : "";
+}
+
+void RecordFile::sum_up()
+{
+  using namespace of_bearing;
+  size_t ball = 0;
+  for (size_t b = 0; b < layout_.bearings.size(); ++b) {
+    double v[N] = {};
+    v[H_MIN] = v[LAMBDA] = HUGE_VAL;
+    v[ENTRAINMENT_TOP] = v[H_MIN_TOP] = v[LAMBDA_TOP] = v[H_C_TOP] = NAN;
+    const size_t first = ball;
+    for (; ball < shares_.size() && layout_.balls[ball].bearing == static_cast<int>(b); ++ball) {
+      const BallShare &s = shares_[ball];
+      v[CONTACTS] += s.contacts;
+      v[LOADED_BALLS] += s.contacts == 2.0;
+      if (s.load[0] > v[LOAD_INNER]) {
+        v[ENTRAINMENT_TOP] = s.entrainment;
+        v[H_MIN_TOP] = s.film[0];
+        v[LAMBDA_TOP] = s.film[1];
+        v[H_C_TOP] = s.film[2];
+      }
+      v[LOAD_INNER] = std::max(v[LOAD_INNER], s.load[0]);
+      v[LOAD_OUTER] = std::max(v[LOAD_OUTER], s.load[1]);
+      v[PRESSURE_INNER] = std::max(v[PRESSURE_INNER], s.pressure[0]);
+      v[PRESSURE_OUTER] = std::max(v[PRESSURE_OUTER], s.pressure[1]);
+      v[H_MIN] = std::min(v[H_MIN], s.h_min);
+      v[LAMBDA] = std::min(v[LAMBDA], s.lambda);
+      v[CAGE_SPEED] += s.orbit;
+      v[FRICTION_POWER] += s.friction_power;
+      v[DAMPING_POWER] += s.damping_power;
+      v[CAPACITANCE] += s.capacitance;
+      v[CAPACITANCE_TOP] = std::max(v[CAPACITANCE_TOP], s.capacitance);
+    }
+    v[CAGE_SPEED] /= static_cast<double>(ball - first);
+    if (v[CONTACTS] == 0.0) v[H_MIN] = v[LAMBDA] = NAN;
+    for (int k = 0; k < N; ++k)
+      if (bearing_[k] != SIZE_MAX) frame_[bearing_[k] + b] = v[k];
+  }
+}
+
+}    // namespace bearing

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A record as one netCDF file: which variables it has, a sample from the rows that its parts
+// report, and the sums over each bearing. Rows may come in any order; the bytes do not depend on
+// it. No host here.
+#ifndef BEARING_RECORD_FILE_H
+#define BEARING_RECORD_FILE_H
+
+#include "netcdf_file.h"
+#include "record_layout.h"
+
+namespace bearing {
+
+class RecordFile {
+ public:
+  struct Content {
+    std::vector<Column> contact;    // columns of contacts
+    bool single = false;            // their precision
+    bool motion = true;             // of balls and cage
+    bool film = false, capacitance = false;
+    NetcdfHeader::Attributes about;
+  };
+  // A row is its kind, its place in the layout (a contact's is raceway * balls + ball) and its
+  // values; a sample ends with its time and step.
+  enum Kind { BALL, CONTACT, CAGE, RING, END };
+  enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::TORQUE + 1 - of_ring::X };
+  static constexpr size_t share = sizeof(BallShare) / sizeof(double);
+
+  RecordFile(const RecordLayout &, const Content &);
+
+  size_t width(Kind) const;    // values in a row
+  size_t record_bytes() const { return header_.record_bytes(); }
+  int finished() const { return finished_; }
+  const NetcdfHeader &header() const { return header_; }
+  NetcdfFile &file() { return file_; }
+
+  // Rows from here on to the end of a sample, or of the list; where they stop.
+  const double *take(const double *row, const double *end, bool &whole);
+  // All parts have reported: write the sample. A complaint, or empty.
+  std::string end_sample(double time, double step);
+
+ private:
+  void sum_up();
+
+  RecordLayout layout_;
+  Content content_;
+  NetcdfHeader header_;
+  NetcdfFile file_;
+  int finished_ = -1;
+  struct Field {    // a variable of the record, and where its values are in frame_
+    int variable;
+    size_t at, size;
+  };
+  size_t add_field(int variable, size_t size, double blank);
+  std::vector<Field> fields_;
+  size_t time_, step_;    // places in frame_
+  std::vector<size_t> contact_, ball_, cage_, ring_, bearing_;
+  std::vector<double> frame_, blank_;
+  std::vector<BallShare> shares_;
+  size_t reported_ = 0;
+};
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "find_record_layout.h"
+
+#include "../ranks/bearing_parts.h"
+#include "../ranks/gather.h"
+#include "fix_bearing_cage.h"
+#include "fix_bearing_capacitance.h"
+#include "fix_bearing_state.h"
+#include "fixes.h"
+#include "pair_bearing_hertz.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+using namespace LAMMPS_NS;
+using raceway::BearingModel;
+using raceway::RacewayPhysics;
+using raceway::Side;
+
+namespace bearing {
+
+namespace {
+
+// What a home tells all ranks of its bearings.
+struct Piece {
+  enum Kind { kind, ball, cage, ring } what;
+  double bearing, tag;    // the bearing's by its name
+  int raceway;
+  double of[of_kind::N];    // of a bearing; a ring's origin in the first three
+};
+
+bool before(const Piece &a, const Piece &b)
+{
+  return std::make_tuple(a.what, a.bearing, a.tag) < std::make_tuple(b.what, b.bearing, b.tag);
+}
+
+// Relative permittivity by ball, from the fixes bearing/capacitance; the first counts.
+std::map<double, double> permittivities(LAMMPS *lmp)
+{
+  std::vector<double> mine, space;    // ball and permittivity in turn
+  for (const FixBearingCapacitance *f : fixes_of<FixBearingCapacitance>(lmp))
+    for (int i = 0; i < lmp->atom->nlocal; ++i)
+      if (f->covers(i)) {
+        mine.push_back(static_cast<double>(lmp->atom->tag[i]));
+        mine.push_back(f->permittivity());
+      }
+  const std::vector<double> &all = gather_all(mine, space, lmp->world);
+  std::map<double, double> of;
+  for (size_t k = 0; k < all.size(); k += 2) of.emplace(all[k], all[k + 1]);
+  return of;
+}
+
+// The two raceways of a bearing, inner and outer; null where it has none.
+struct Raceways {
+  const RacewayPhysics *of[2] = {};
+};
+
+void describe(const BearingModel &m, const Raceways &both, double permittivity, double *of)
+{
+  std::fill(of, of + of_kind::N, NAN);
+  const RacewayPhysics *inner = both.of[0], *outer = both.of[1], *any = inner ? inner : outer;
+  of[of_kind::BALLS] = of[of_kind::CAGE_BALLS] = 0.0;
+  for (const BearingModel::Body &b : m.bodies) {
+    of[b.spins ? of_kind::BALLS : of_kind::CAGE_BALLS] += 1.0;
+    if (b.spins) of[of_kind::BALL_MASS] = b.mass;
+    else of[of_kind::CAGE_BALL_DIAMETER] = 2.0 * b.radius;
+  }
+  of[of_kind::BALL_DIAMETER] = 2.0 * any->groove.ball_radius;
+  if (inner) {
+    of[of_kind::INNER_RADIUS] = inner->groove.raceway_radius;
+    of[of_kind::INNER_GROOVE] = inner->groove.groove_radius;
+  }
+  if (outer) {
+    of[of_kind::OUTER_RADIUS] = outer->groove.raceway_radius;
+    of[of_kind::OUTER_GROOVE] = outer->groove.groove_radius;
+  }
+  // to a picometre: what is left of the radii's last digits is none
+  of[of_kind::CLEARANCE] =
+      1e-12 * std::round(2e12 * (of[of_kind::OUTER_RADIUS] - of[of_kind::INNER_RADIUS] -
+                                 of[of_kind::BALL_DIAMETER])) +
+      0.0;
+  of[of_kind::BALL_YOUNG] = any->material.ball_young;
+  of[of_kind::BALL_POISSON] = any->material.ball_poisson;
+  of[of_kind::RING_YOUNG] = any->material.ring_young;
+  of[of_kind::RING_POISSON] = any->material.ring_poisson;
+  if (any->model.lubricant.viscosity > 0.0) {
+    of[of_kind::VISCOSITY] = any->model.lubricant.viscosity;
+    of[of_kind::PRESSURE_VISCOSITY] = any->model.lubricant.pressure_viscosity;
+    of[of_kind::PERMITTIVITY] = permittivity;
+    of[of_kind::RING_ROUGHNESS] = any->ring_roughness;
+    of[of_kind::BALL_ROUGHNESS] = any->ball_roughness;
+  }
+}
+
+BearingSources sources_of(LAMMPS *lmp, PairBearingHertz &pair)
+{
+  BearingSources sources;
+  sources.table = &pair.table();
+  sources.axes.along = pair.axis_index();
+  for (const FixBearingCage *c : fixes_of<FixBearingCage>(lmp))
+    sources.cages.push_back(&c->rails());
+  sources.is_ring = [&pair](int type) { return pair.is_ring_type(type); };
+  sources.is_ball = [&pair](int type) { return pair.is_ball_type(type); };
+  sources.raceway = [&pair](int ball, int ring, int) { return pair.raceway(ball, ring); };
+  sources.motion = [&pair](int i) -> RingMotion & { return pair.state()->ring(i); };
+  return sources;
+}
+
+}    // namespace
+
+RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbit,
+                                const std::string &command)
+{
+  BearingParts parts(lmp, command);
+  parts.build(sources_of(lmp, pair), groupbit);
+  parts.gather();
+  const raceway::LabAxes axes = {pair.axis_index()};
+  const std::map<double, double> permittivity = permittivities(lmp);
+  std::vector<Piece> mine;
+  for (int p = 0; p < parts.size(); ++p) {
+    const BearingModel &m = parts.model(p);
+    const double name = static_cast<double>(m.name());
+    Raceways both;
+    std::vector<int> side(m.rings.size(), 0);
+    std::vector<int> seen(2 * m.bodies.size(), 0);
+    for (const BearingModel::Groove &g : m.grooves) {
+      const int s = g.physics->groove.side == Side::inner ? 0 : 1;
+      if (!both.of[s]) both.of[s] = g.physics;
+      side[g.ring] = s;
+      if (seen[2 * g.body + s]++)
+        lmp->error->one(FLERR, BRG_TEXT(command + ": ball " + std::to_string(m.bodies[g.body].tag) +
+                                        " has two raceways on one side; a record has one"));
+    }
+    if (m.grooves.empty()) continue;
+    Piece piece = {Piece::kind, name, 0.0, 0, {}};
+    const auto eps = permittivity.find(static_cast<double>(m.bodies.front().tag));
+    describe(m, both, eps == permittivity.end() ? NAN : eps->second, piece.of);
+    mine.push_back(piece);
+    for (const BearingModel::Body &b : m.bodies)
+      mine.push_back({b.spins ? Piece::ball : Piece::cage, name, double(b.tag), 0, {}});
+    for (size_t r = 0; r < m.rings.size(); ++r) {
+      Piece ring = {Piece::ring, name, double(m.rings[r].tag), side[r], {}};
+      axes.lab(parts.rings(p)[r].origin).to(ring.of);
+      mine.push_back(ring);
+    }
+  }
+  std::vector<Piece> all = gather_all(mine, lmp->world);
+  std::sort(all.begin(), all.end(), before);
+
+  RecordLayout layout;
+  std::map<double, int> number;
+  for (const Piece &p : all) {
+    switch (p.what) {
+      case Piece::kind:
+        number.emplace(p.bearing, static_cast<int>(layout.bearings.size()));
+        layout.bearings.emplace_back();
+        std::copy(p.of, p.of + of_kind::N, layout.bearings.back().of);
+        break;
+      case Piece::ball: layout.balls.push_back({p.tag, number[p.bearing]}); break;
+      case Piece::cage: layout.cage.push_back({p.tag, number[p.bearing]}); break;
+      case Piece::ring:
+        layout.rings.push_back({p.tag, number[p.bearing], p.raceway, {p.of[0], p.of[1], p.of[2]}});
+        break;
+    }
+  }
+  return layout;
+}
+
+}    // namespace bearing

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Motion of a ring and what balls and cage exert on it.
+#ifndef BEARING_RING_VALUES_H
+#define BEARING_RING_VALUES_H
+
+#include "bearing_compat.h"
+
+namespace LAMMPS_NS {
+class PairBearingHertz;
+}
+
+namespace bearing {
+
+// of[of_ring::RING] to of[of_ring::TORQUE] (contacts/bearing_columns.h) of the n-th ring of this
+// rank in the pair style's RingSum.
+void ring_values(const LAMMPS_NS::Atom &, LAMMPS_NS::PairBearingHertz &, int n, double *of);
+
+}    // namespace bearing
+
+#endif
