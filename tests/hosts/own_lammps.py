@@ -8,7 +8,7 @@ from host import ENVIRONMENT, ROOT, frames, succeed
 
 PLUGINS, PACKAGE = OWN / "lammps" / "src" / "lmp_mpi", OWN / "package" / "src" / "lmp_raceway"
 PLUGIN = ROOT / "build" / "plugin" / "raceway_plugin.so"
-CASE = {"passes": 1, "samples": 20}
+CASE = {"passes": 1, "samples": 20, "dumps": "yes"}
 
 
 @pytest.mark.parametrize("integrator", ["implicit", "verlet"])

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from scipy.io import netcdf_file
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
@@ -35,7 +34,7 @@ class Record:
     def __init__(self, folder: FilePath, bearing: int | None = None) -> None:
         self.path = Path(folder) / NAME
         try:
-            with netcdf_file(self.path, mmap=True) as file:
+            with _opened(self.path) as file:
                 self.attrs = {name: _plain(value) for name, value in file._attributes.items()}
                 self.variables = {name: v.dimensions for name, v in file.variables.items()}
                 self.about = {
@@ -66,7 +65,7 @@ class Record:
 
     def __len__(self) -> int:
         """Samples that the header counts now."""
-        with netcdf_file(self.path, mmap=True) as file:
+        with _opened(self.path) as file:
             return file._recs
 
     def part(self, dimension: str) -> slice:
@@ -88,7 +87,7 @@ class Record:
 
     def shape(self, name: str) -> tuple[int, ...]:
         """Of a variable with time: samples now, and what belongs to the bearing."""
-        with netcdf_file(self.path, mmap=True) as file:
+        with _opened(self.path) as file:
             whole = file.variables[name].shape
         parts = (self.part(dim) for dim in self.variables[name][1:])
         return (whole[0], *(len(range(n)[p]) for n, p in zip(whole[1:], parts)))
@@ -96,7 +95,7 @@ class Record:
     def pick(self, name: str, key: tuple) -> Floats:
         """What an index (slices, integers and arrays, one a dimension) picks of a variable with
         time, of the bearing."""
-        with netcdf_file(self.path, mmap=True) as file:
+        with _opened(self.path) as file:
             parts = (slice(None), *(self.part(dim) for dim in self.variables[name][1:]))
             values = np.array(file.variables[name].data[parts][key[0]], dtype=float)
         for axis, one in reversed(list(enumerate(key[1:]))):
@@ -282,6 +281,12 @@ class Record:
 def there(folder: FilePath) -> bool:
     """Whether `folder` has a record."""
     return (Path(folder) / NAME).exists()
+
+
+def _opened(path):
+    from scipy.io import netcdf_file  # takes a while to load; folders of text need none of it
+
+    return netcdf_file(path, mmap=True)
 
 
 def _plain(value):
