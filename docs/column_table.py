@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Sphinx: tables from the file that `make columns` writes: `.. columns:: SECTION`, output columns;
-`.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts."""
+`.. law-keywords:: dry|film`, keywords of the contact law; `.. law-parts::`, its parts;
+`.. validity::`, the rules of validity."""
 
 import json
 from pathlib import Path
@@ -117,8 +118,29 @@ class PartTable(SphinxDirective):
         return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
 
 
+class ValidityTable(SphinxDirective):
+    def run(self):
+        self.env.note_dependency(str(COLUMNS))
+        rules = json.loads(COLUMNS.read_text())["validity"]
+
+        def side(rule):
+            return "below" if rule["below"] else "above"
+
+        rows = [
+            (
+                r["value"],
+                f"{'below' if r['below'] else 'above'} {r['bound']:g} {r['unit']}",
+                r["limit"],
+            )
+            for r in rules
+        ]
+        lines = table("35 20 45", ("figure", "warned of", "because"), rows)
+        return self.parse_text_to_nodes(StringList(lines, source=str(COLUMNS)))
+
+
 def setup(app):
     app.add_directive("columns", ColumnTable)
     app.add_directive("law-keywords", KeywordTable)
     app.add_directive("law-parts", PartTable)
+    app.add_directive("validity", ValidityTable)
     return {"parallel_read_safe": True}

@@ -16,22 +16,25 @@ void ValidityCheck::look(const ContactTable &table, bool film)
                   c.state.overlap, c.state.load, c.state.entrainment, c.state.lambda, film);
 }
 
-void ValidityCheck::report(LAMMPS *lmp)
+void ValidityCheck::report(LAMMPS *lmp, bool capacitance)
 {
   for (int k = 0; k < Validity::N; ++k) {
+    if (k == Validity::CONDUCTS && !capacitance) continue;
     const Validity::Rule &rule = Validity::rule(k);
     double worst = 0.0, ball = 0.0;
-    MPI_Allreduce(&found_.worst[k], &worst, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
+    MPI_Allreduce(&found_.worst[k], &worst, 1, MPI_DOUBLE, rule.below ? MPI_MIN : MPI_MAX,
+                  lmp->world);
     const double mine = found_.worst[k] == worst ? found_.ball[k] : 0.0;
     MPI_Allreduce(&mine, &ball, 1, MPI_DOUBLE, MPI_MAX, lmp->world);
-    if (!(worst > rule.most) || said_[k]) continue;
+    if (!Validity::worse(k, worst, rule.bound) || said_[k]) continue;
     said_[k] = true;
+    const std::string unit = rule.unit[0] ? std::string(" ") + rule.unit : "";
     if (lmp->comm->me == 0)
       lmp->error->warning(FLERR,
                           BRG_TEXT("beyond validity: " + std::string(rule.value) + " of ball " +
-                                   std::to_string(static_cast<long long>(ball)) + " is up to " +
-                                   text(worst) + rule.unit + "; " + rule.limit + " " +
-                                   text(rule.most) + rule.unit));
+                                   std::to_string(static_cast<long long>(ball)) +
+                                   (rule.below ? " is down to " : " is up to ") + text(worst) +
+                                   unit + "; " + rule.limit + " " + text(rule.bound) + unit));
   }
   found_ = Validity();
 }

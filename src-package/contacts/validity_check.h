@@ -12,7 +12,7 @@ class ValidityCheck {
  public:
   void look(const ContactTable &, bool film);    // at the contacts of this step and rank
   // Warns of what was found since the last call, once for each doubt. All ranks call it.
-  void report(LAMMPS_NS::LAMMPS *);
+  void report(LAMMPS_NS::LAMMPS *, bool capacitance);
 
  private:
   raceway::Validity found_;

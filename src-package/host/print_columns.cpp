@@ -5,6 +5,7 @@
 #include "../contacts/contact_columns.h"
 #include "../contacts/fix_columns.h"
 #include "../physics/part_table.h"
+#include "../physics/validity.h"
 
 #include <cstdio>
 
@@ -63,6 +64,19 @@ static void print_law()
   printf("  ]\n");
 }
 
+static void print_validity()
+{
+  printf("  \"validity\": [\n");
+  for (int k = 0; k < raceway::Validity::N; ++k) {
+    const raceway::Validity::Rule &r = raceway::Validity::rule(k);
+    printf("    {\"name\": \"%s\", \"value\": \"%s\", \"unit\": \"%s\", \"limit\": \"%s\", "
+           "\"bound\": %.17g, \"below\": %s}%s\n",
+           r.name, r.value, r.unit, r.limit, r.bound, r.below ? "true" : "false",
+           k + 1 == raceway::Validity::N ? "" : ",");
+  }
+  printf("  ],\n");
+}
+
 int main()
 {
   printf("{\n  \"contact\": [\n");
@@ -86,6 +100,7 @@ int main()
   section("fix_capacitance", bearing::of_fix_capacitance::list);
   section("fix_timestep", bearing::of_fix_timestep::list);
   printf("  ],\n");
+  print_validity();
   print_law();
   printf("}\n");
   return 0;

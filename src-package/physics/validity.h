@@ -3,7 +3,7 @@
 //
 // Refused: a contact ellipse as wide as the groove is, or an overlap beyond the limit of the deck.
 // Warned of: a pressure that leaves dents, a film thicker than the contact is long, a film
-// parameter beyond any bearing.
+// parameter beyond any bearing, a capacitance of a film that conducts.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
 
@@ -23,25 +23,40 @@ inline double widest_overlap(double a, double groove_radius)
 }
 
 struct Validity {
-  enum Doubt { PRESSURE, THICK_FILM, LAMBDA, N };
+  enum Doubt { PRESSURE, THICK_FILM, LAMBDA, CONDUCTS, N };
 
   struct Rule {
-    const char *value, *unit, *limit;    // what is too large, and of what it is the limit
-    double most;
+    const char *name, *value, *unit, *limit;    // `value` beyond `bound` is in doubt
+    double bound;
+    bool below;    // the bound is the least that holds, not the most
   };
   // ISO 76: the largest pressure at the basic static load rating of ball bearings, with a dent of
-  // 1e-4 of the ball diameter. Films of bearings have Lambda below 10.
+  // 1e-4 of the ball diameter. Films of bearings have Lambda below 10; below 1 asperities touch
+  // all the time, and a contact is no capacitor. Python and the pages read these rules too
+  // (`make columns`).
   static const Rule &rule(int doubt)
   {
-    static const Rule rules[N] = {{"Hertz pressure", " Pa", "ISO 76 allows ball bearings", 4.2e9},
-                                  {"film thickness over the semi-axis b of its contact", "",
-                                   "an elastohydrodynamic film is much thinner, at most", 1.0},
-                                  {"film parameter Lambda", "", "films of bearings reach", 1e3}};
+    static const Rule rules[N] = {
+        {"pressure", "Hertz pressure", "Pa", "ISO 76 allows ball bearings", 4.2e9, false},
+        {"thick_film", "film thickness over the semi-axis b of its contact", "",
+         "an elastohydrodynamic film is much thinner, at most", 1.0, false},
+        {"lambda", "film parameter Lambda", "", "films of bearings reach", 1e3, false},
+        {"conducts", "film parameter Lambda beside a capacitance", "",
+         "asperities conduct and a capacitance means little below", 1.0, true}};
     return rules[doubt];
   }
+  static bool worse(int doubt, double value, double than)
+  {
+    return rule(doubt).below ? value < than : value > than;
+  }
 
-  std::array<double, N> worst = {};    // so far
-  std::array<double, N> ball = {};     // whose contact it was, an atom ID
+  std::array<double, N> worst;        // so far
+  std::array<double, N> ball = {};    // whose contact it was, an atom ID
+
+  Validity()
+  {
+    for (int k = 0; k < N; ++k) worst[k] = rule(k).below ? HUGE_VAL : 0.0;
+  }
 
   void note(double ball_id, const RacewayConstants &k, double overlap, double load,
             double entrainment, double lambda, bool film)
@@ -52,12 +67,13 @@ struct Validity {
     const double h_c = film_thickness(k.film.central, film_point(entrainment, load));
     keep(THICK_FILM, h_c / (k.b * root), ball_id);
     keep(LAMBDA, lambda, ball_id);
+    keep(CONDUCTS, lambda, ball_id);
   }
 
  private:
   void keep(int doubt, double value, double ball_id)
   {
-    if (!(value > worst[doubt])) return;
+    if (!worse(doubt, value, worst[doubt])) return;
     worst[doubt] = value;
     ball[doubt] = ball_id;
   }

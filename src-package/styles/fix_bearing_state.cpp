@@ -3,6 +3,7 @@
 
 #include "../contacts/step_check.h"
 #include "../deck/arguments.h"
+#include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
@@ -115,7 +116,7 @@ void FixBearingState::post_run()
 {
   save_forces();
   pair_->validity().look(pair_->table(), pair_->lubricated());
-  pair_->validity().report(lmp);
+  pair_->validity().report(lmp, !bearing::fixes_of<FixBearingCapacitance>(lmp).empty());
 }
 
 double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)

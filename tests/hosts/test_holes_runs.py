@@ -130,7 +130,7 @@ def test_an_almost_conformal_groove(tmp_path):
 
 
 def doubts(text):
-    return re.findall(r"beyond validity: (.+? of ball \d+) is up to (\S+)", text)
+    return re.findall(r"beyond validity: (.+? of ball \d+) is (?:up|down) to ([^\s;]+)", text)
 
 
 def test_pressure_beyond_iso_76(tmp_path):
@@ -145,6 +145,22 @@ def test_a_film_thicker_than_its_contact_is_long(tmp_path):
     found = dict(doubts(liggghts(deck, out=tmp_path).text))
     assert any(name.startswith("film parameter Lambda") for name in found)
     assert any(name.startswith("film thickness over the semi-axis b") for name in found)
+
+
+@pytest.mark.parametrize("capacitance", [True, False])
+def test_a_capacitance_of_a_film_that_conducts(tmp_path, capacitance):
+    """A Lambda of 0.3 at 48 rpm: warned of where a capacitance is asked for, and only there."""
+    text = EHD.replace("lubricant 0.040", "lubricant 0.001").replace("run 40000", "run 20000")
+    if not capacitance:
+        text = re.sub(r"fix cap .*|dump .*&\n.*|dump_modify .*| h_c capacitance| f_cap", "", text)
+        assert "bearing/capacitance" not in text
+    deck = tmp_path / "in.slow"
+    deck.write_text(text)
+    found = dict(doubts(succeed(deck, out=tmp_path).text))
+    names = [
+        name for name in found if name.startswith("film parameter Lambda beside a capacitance")
+    ]
+    assert len(names) == capacitance and all(0.0 < float(found[name]) < 1.0 for name in names)
 
 
 def test_a_usual_run_is_in_no_doubt(tmp_path):

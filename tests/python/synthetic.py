@@ -66,7 +66,7 @@ def run(
         lost = sum(sum(LOSS) * row[6] for row in contacts[-1])
         rings.append(
             [sample * 100, sample * sample_s, *state.shift, 0, 0, 0, spin]
-            + [0.0] * 5
+            + [*state.force, *state.moment[:2]]
             + [-lost / spin]
         )
     settings = {

@@ -35,7 +35,7 @@ def meanings():
                     yield f"{table} {name}", column.meaning
     source = Path(columns.__file__).with_name("columns.json")
     for table, rows in json.loads(source.read_text()).items():
-        if table == "law":  # parts and keywords, no columns
+        if table in ("law", "validity"):  # parts, keywords and rules, no columns
             continue
         for row in rows:
             yield f"{source.name} {table} {row['name']}", row["meaning"]

@@ -72,7 +72,7 @@ def test_dry(dry_folder, tmp_path, axes):
     assert set(axes()) == {
         "Contact load around the ring",
         "Hertz pressure",
-        "Ring shift along the load",
+        "Radial displacement along the load",
     }
 
 

@@ -110,9 +110,10 @@ def test_name(name):
 def test_the_list_is_complete():
     """All formulas and all that reads a run, but for the parts that only these two use."""
     parts = {
-        "theory": {"balance", "circle", "seat"},
+        "theory": {"balance", "circle", "seat", "validity"},
         "runs": {
             "around",
+            "measured",
             "record",
             "recorded",
             "run",

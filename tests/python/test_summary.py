@@ -18,8 +18,10 @@ PROMISED = """bearing lubricant host integrator load_N rpm clearance_m step_s pa
 pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter q_max_N
 q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean cage_speed_rad_s
 entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F wall_s simulated_s
-real_time_factor""".split()
-WORDS = {"bearing", "lubricant", "host", "integrator"}
+real_time_factor force_x_N force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad
+tilt_y_rad rpm_least rpm_most warnings""".split()
+TYPES = dict.fromkeys(("bearing", "lubricant", "host", "integrator"), str) | {"warnings": list}
+TILTS = {"tilt_x_rad", "tilt_y_rad"}  # tables of rings have none
 DRY_NULL = {
     "viscosity_Pa_s",
     "pressure_viscosity_per_Pa",
@@ -34,13 +36,11 @@ DRY_NULL = {
 
 
 def test_promised_keys(folder, dry_folder):
-    for where, null in ((folder, set()), (dry_folder, DRY_NULL)):
+    for where, null in ((folder, TILTS), (dry_folder, TILTS | DRY_NULL)):
         figures = summary(RunTables(where))
         assert list(figures) == PROMISED
         assert {key for key, value in figures.items() if value is None} == null
-        assert all(
-            isinstance(figures[key], str if key in WORDS else float) for key in set(PROMISED) - null
-        )
+        assert all(isinstance(figures[key], TYPES.get(key, float)) for key in set(PROMISED) - null)
         assert json.loads(json.dumps(figures, allow_nan=False)) == figures
 
 
@@ -106,7 +106,7 @@ def test_figures(folder, lubricated, bearing):
 
 
 def test_orbit_is_about_the_outer_ring(tmp_path, lubricated):
-    """Moving the whole bearing sideways, and at a speed, changes no orbital speed."""
+    """Moving the whole bearing sideways, and at a speed, changes no cage speed."""
     moved = [
         [[*row[:2], row[2] + 0.2, row[3] - 0.1, row[4], row[5] + 3.0, *row[6:]] for row in frame]
         for frame in lubricated["balls"]
@@ -131,7 +131,7 @@ def test_runs_without_film_columns(folder, lubricated):
         ],
     }
     figures = summary(RunTables(synthetic.write(folder, data)))
-    assert {key for key, value in figures.items() if value is None} == DRY_NULL - {
+    assert {key for key, value in figures.items() if value is None} == (TILTS | DRY_NULL) - {
         "viscosity_Pa_s",
         "pressure_viscosity_per_Pa",
         "permittivity",
@@ -145,6 +145,77 @@ def test_unmoved_ring_has_no_load_parameter(folder, lubricated):
         summary(RunTables(synthetic.write(folder, dict(lubricated, rings=still))))["load_parameter"]
         is None
     )
+
+
+def forced(folder, data, force):
+    """The run `data` with `force(sample)` (3 numbers) of the balls on the inner ring."""
+    rings = [[*ring[:9], *force(k), *ring[12:]] for k, ring in enumerate(data["rings"])]
+    return summary(RunTables(synthetic.write(folder, dict(data, rings=rings))))
+
+
+def test_the_measured_force_stands_beside_the_set_load(folder, lubricated):
+    figures = forced(folder, lubricated, lambda k: (30.0, 4000.0 + k % 2, -100.0))
+    assert figures["force_x_N"] == 30.0 and figures["force_z_N"] == -100.0
+    assert figures["force_y_N"] == pytest.approx(4000.5, abs=0.02) and figures["load_N"] == 5000.0
+    text = table(figures)
+    assert re.search(r"force of the balls along y +4 kN", text)
+    assert "along x" not in text and re.search(r"along z +-100 N", text)
+
+
+@pytest.mark.parametrize(
+    "force, has_one",
+    [
+        (lambda k: (0.0, 5000.0, 0.0), True),
+        (lambda k: (0.0, 5000.0, 200.0), True),
+        (lambda k: (0.0, 5000.0, 300.0), False),  # axial load
+        (lambda k: (5000 * np.sin(0.3 * k), 5000 * np.cos(0.3 * k), 0.0), False),  # turning load
+        (lambda k: (300 * (-1) ** k, 5000.0, 0.0), True),  # balls that pass
+    ],
+)
+def test_load_distribution_factor_only_under_a_steady_radial_load(
+    folder, lubricated, force, has_one
+):
+    factor = forced(folder, lubricated, force)["load_parameter"]
+    assert (factor is not None) == has_one
+
+
+def test_a_speed_that_changes_is_shown(folder, lubricated):
+    rings = [
+        [*ring[:8], ring[8] * (1 + 0.01 * k), *ring[9:]]
+        for k, ring in enumerate(lubricated["rings"])
+    ]
+    figures = summary(RunTables(synthetic.write(folder, dict(lubricated, rings=rings))))
+    assert figures["rpm_least"] == pytest.approx(477.5 * 1.01)
+    assert figures["rpm_most"] == pytest.approx(477.5 * (1 + 0.01 * (len(rings) - 1)))
+    assert "highest speed" in table(figures)
+    assert "highest speed" not in table(summary(RunTables(synthetic.write(folder, lubricated))))
+
+
+def test_warnings(folder, lubricated):
+    """Those of physics/validity.h, at their bounds."""
+    pressure, ratio = (synthetic.LUBRICATED.index(name) for name in ("pressure", "lambda"))
+
+    def warned(change):
+        contacts = [
+            [change([*row[:ratio], 2.0, *row[ratio + 1 :]]) for row in frame]
+            for frame in lubricated["contacts"]
+        ]
+        figures = summary(RunTables(synthetic.write(folder, dict(lubricated, contacts=contacts))))
+        assert all(text in table(figures) for text in figures["warnings"])
+        return figures["warnings"]
+
+    def put(place, value):
+        def change(row):
+            row[place] = value
+            return row
+
+        return change
+
+    assert warned(put(ratio, 1.0)) == [] == warned(put(pressure, 4.2e9))
+    (one,) = warned(put(ratio, 0.99))
+    assert one.startswith("film parameter Lambda beside a capacitance is down to 0.99; ")
+    (one,) = warned(put(pressure, 4.3e9))
+    assert one == "Hertz pressure is up to 4.3 GPa; ISO 76 allows ball bearings 4.2 GPa"
 
 
 def test_no_contact_at_all(folder, lubricated):
@@ -171,7 +242,7 @@ def test_table(folder, dry_folder):
     ):
         assert re.search(f"^{topic}", text, re.MULTILINE)
     assert re.search(r"radial load +5 kN  \(as set\)", text)
-    assert re.search(r"smallest thickness +[0-9.]+ nm  \(eq 6\)", text)
-    assert re.search(r"bearing, mean +[0-9.]+ pF  \(eq 12\)", text)
+    assert re.search(r"minimum film thickness +[0-9.]+ nm  \(eq 6\)", text)
+    assert re.search(r"bearing +[0-9.]+ pF  \(mean, eq 12\)", text)
     text = table(summary(RunTables(dry_folder)))
     assert "Film" not in text and "Capacitance" not in text and "None" not in text

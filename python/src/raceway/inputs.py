@@ -10,6 +10,7 @@ from raceway.files import FilePath
 from raceway.theory import makers
 from raceway.theory.bearing import Bearing
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
+from raceway.theory.validity import Shoulders
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
 
@@ -96,6 +97,26 @@ def boundary(path: FilePath) -> makers.Boundary | None:
         return makers.Boundary(1e3 * bore, 1e3 * outside, 1e3 * width, series, static)
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None
+
+
+def shoulders(path: FilePath) -> Shoulders:
+    """`Shoulders` of a file of inputs/bearings, NaN for what it does not say. Raises `InputError`
+    for a diameter that is none."""
+    data = bearing(path)
+    bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
+    found = {}
+    for name, bottom in bottoms.items():
+        key = f"{name}_shoulder_diameter"
+        if key not in values(path):
+            continue
+        found[name] = _numbers(path, key)[key]
+        groove = data.inner_groove if name == "inner" else data.outer_groove
+        least, most = sorted((bottom, bottom + (2 if name == "inner" else -2) * groove))
+        if not least < found[name] <= most:
+            raise InputError(
+                f"{path}: {key} = {found[name]:g} m must be between {least:g} and {most:g} m"
+            )
+    return Shoulders(**found)
 
 
 def oil(path: FilePath, temperature: float | None = None) -> Oil:

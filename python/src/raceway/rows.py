@@ -16,6 +16,49 @@ class Row(NamedTuple):
     source: str = ""
 
 
+# Figures that a run and statics both have: what they are called, in one place.
+FIGURES = {
+    row.key: row
+    for row in (
+        Row("bearing", "bearing", None),
+        Row("lubricant", "lubricant", None),
+        Row("models", "models", None),
+        Row("load_N", "radial load", "N"),
+        Row("rpm", "inner ring speed", "rpm"),
+        Row("clearance_m", "diametral clearance P_d", "m"),
+        Row("viscosity_Pa_s", "viscosity", "Pa s", "eta of eq 6"),
+        Row("pressure_viscosity_per_Pa", "pressure-viscosity coefficient", "1/GPa", "xi of eq 6"),
+        Row("permittivity", "relative permittivity at rest", "", "eps_r of eq 10"),
+        Row("roughness_m", "roughness", "m", "sigma of eq 7"),
+        Row("shift_z_m", "axial displacement", "m"),
+        Row("tilt_x_rad", "tilt about x", "rad"),
+        Row("tilt_y_rad", "tilt about y", "rad"),
+        Row(
+            "load_parameter",
+            "load distribution factor",
+            "",
+            "1/2 (1 - P_d/(2 displacement)), app. A",
+        ),
+        Row("q_inner_max_N", "largest load, inner raceway", "N", "eq 2"),
+        Row("q_outer_max_N", "largest load, outer raceway", "N", "eq 2"),
+        Row("p_max_inner_Pa", "Hertz pressure there, inner", "Pa", "1.5 Q/(pi a b)"),
+        Row("p_max_outer_Pa", "Hertz pressure there, outer", "Pa", "1.5 Q/(pi a b)"),
+        Row("entrainment_speed_m_s", "entrainment speed", "m/s", "U_r of eq 6, inner"),
+        Row("h_min_m", "minimum film thickness", "m", "eq 6"),
+        Row("h_c_m", "central film thickness", "m", "eq 9"),
+        Row("lambda", "film parameter", "", "eq 7"),
+        Row("capacitance_F", "bearing", "F", "eq 12"),
+        Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
+        Row("cage_speed_rad_s", "cage speed", "rad/s"),
+    )
+}
+
+
+def row(key: str, source: str | None = None) -> Row:
+    """The row of `FIGURES` with `key`, with another `source` if given. Raises `KeyError`."""
+    return FIGURES[key] if source is None else FIGURES[key]._replace(source=source)
+
+
 def lines(figures: Mapping[str, Any], topics: Mapping[str, Sequence[Row]]) -> list[str]:
     """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out."""
     result = []

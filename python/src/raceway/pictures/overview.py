@@ -65,7 +65,7 @@ def _subtitle(figures):
     parts = (
         ("largest contact load", "q_max_N", "N"),
         ("inner pressure", "p_max_inner_Pa", "Pa"),
-        ("ring shift", "ring_shift_m", "m"),
+        ("radial displacement", "ring_shift_m", "m"),
         ("inner $h_{min}$", "h_min_m", "m"),
         ("Λ", "lambda", ""),
         ("mean capacitance", "capacitance_F", "F"),
@@ -131,7 +131,7 @@ def _ring(axes, tables):
     axes.plot(tables.passes(tables.rings["sample"]), shift * factor, color=INK, lw=2)
     axes.set_ylabel(f"inner ring ({unit})")
     against_time(axes, tables, len(shift))
-    finish(axes, "Ring shift along the load", None, [])
+    finish(axes, "Radial displacement along the load", None, [])
     low, high = shift.min() * factor, shift.max() * factor
     half = max(0.75 * (high - low), 0.01 * abs(high)) or 1  # steady to a per cent looks steady
     axes.set_ylim((low + high) / 2 - half, (low + high) / 2 + half)

@@ -10,12 +10,14 @@ from typing import Any
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
-from raceway.rows import Row, lines
+from raceway.rows import Row, lines, row
+from raceway.runs.measured import load_parameter, measured
 from raceway.runs.settings import LUBRICANT
 from raceway.runs.tables import BALL, RunTables
 from raceway.runs.totals import pairs
-from raceway.theory import clearance, kinematics
+from raceway.theory import kinematics
 from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.validity import doubts
 
 NAME = {INNER: "inner", OUTER: "outer"}
 FILM = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
@@ -23,42 +25,41 @@ FILM = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
 
 TOPICS = {
     "Operating point": (
-        Row("bearing", "bearing", None),
-        Row("lubricant", "lubricant", None),
-        Row("load_N", "radial load", "N", "as set"),
-        Row("rpm", "inner ring speed", "rpm", "as set"),
-        Row("clearance_m", "diametral clearance P_d", "m", "as set"),
-        Row("viscosity_Pa_s", "viscosity", "Pa s", "eta of eq 6"),
-        Row("pressure_viscosity_per_Pa", "pressure-viscosity coefficient", "1/GPa", "xi of eq 6"),
-        Row("permittivity", "relative permittivity at rest", "", "eps_r of eq 10"),
-        Row("roughness_m", "roughness", "m", "sigma of eq 7"),
+        row("bearing"),
+        row("lubricant"),
+        row("load_N", "as set"),
+        row("rpm", "as set"),
+        row("clearance_m", "as set"),
+        row("viscosity_Pa_s"),
+        row("pressure_viscosity_per_Pa"),
+        row("permittivity"),
+        row("roughness_m"),
+    ),
+    "Inner ring, measured": (
+        Row("force_x_N", "force of the balls along x", "N", "mean"),
+        Row("force_y_N", "force of the balls along y", "N", "mean"),
+        Row("force_z_N", "force of the balls along z", "N", "mean"),
+        Row("ring_shift_m", "radial displacement", "m", "mean along the load, fig A.1"),
+        row("shift_z_m", "mean"),
+        row("tilt_x_rad", "mean"),
+        row("tilt_y_rad", "mean"),
+        row("load_parameter"),
+        Row("rpm_least", "lowest speed", "rpm"),
+        Row("rpm_most", "highest speed", "rpm"),
     ),
     "Loads and pressures": (
-        Row("ring_shift_m", "ring shift along the load", "m", "mean, delta_r of fig A.1"),
-        Row("load_parameter", "load parameter", "", "1/2 (1 - P_d/(2 shift)), appendix A"),
         Row("q_max_N", "largest contact load", "N", "eq 2"),
-        Row("q_inner_max_N", "  inner raceway", "N", "eq 2"),
-        Row("q_outer_max_N", "  outer raceway", "N", "eq 2"),
-        Row("p_max_inner_Pa", "Hertz pressure there, inner", "Pa", "1.5 Q/(pi a b)"),
-        Row("p_max_outer_Pa", "Hertz pressure there, outer", "Pa", "1.5 Q/(pi a b)"),
+        row("q_inner_max_N"),
+        row("q_outer_max_N"),
+        row("p_max_inner_Pa"),
+        row("p_max_outer_Pa"),
         Row("loaded_balls_mean", "balls loaded on both raceways", "", "mean, N_l of eq 12"),
     ),
-    "Film at the largest inner load": (
-        Row("h_min_m", "smallest thickness", "m", "eq 6"),
-        Row("h_c_m", "central thickness", "m", "eq 9"),
-        Row("lambda", "lambda", "", "eq 7"),
-    ),
-    "Capacitance": (
-        Row("capacitance_F", "bearing, mean", "F", "eq 12"),
-        Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
-    ),
+    "Film at the largest inner load": (row("h_min_m"), row("h_c_m"), row("lambda")),
+    "Capacitance": (row("capacitance_F", "mean, eq 12"), row("capacitance_top_F")),
     "Kinematics": (
-        Row(
-            "cage_speed_rad_s", "orbital speed of the balls", "rad/s", "mean of (x v_y - y v_x)/r^2"
-        ),
-        Row(
-            "entrainment_speed_m_s", "entrainment at the largest load", "m/s", "U_r of eq 6, inner"
-        ),
+        row("cage_speed_rad_s", "mean of (x v_y - y v_x)/r^2"),
+        row("entrainment_speed_m_s", "U_r of eq 6, largest inner load"),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -70,11 +71,15 @@ TOPICS = {
         Row("real_time_factor", "real-time factor", "", "simulated/wall"),
     ),
 }
+# what is less is rounding, or the ripple of balls that pass, and not worth a line of the table
+SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)  # of the largest of them
+STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
+STEADY = 1e-3  # of the speed
 
 
-def summary(tables: RunTables) -> dict[str, str | float | None]:
+def summary(tables: RunTables) -> dict[str, Any]:
     """The figures of the run `tables` by name, SI units, text or numbers; None where the run has
-    none.
+    none. `warnings` is a list of texts: what is beyond validity (`theory.validity`).
 
     Reads the files once, in blocks: memory does not grow with the run. Raises `RunError` when the
     run has not finished, a file is broken or no ball ever touched a raceway.
@@ -107,8 +112,21 @@ def summary(tables: RunTables) -> dict[str, str | float | None]:
         wall_s=settings["wall_s"],
         simulated_s=settings["simulated_s"],
         real_time_factor=settings["simulated_s"] / settings["wall_s"],
+        **measured(tables),
     )
-    return {key: _plain(value) for key, value in result.items()}
+    result = {key: _plain(value) for key, value in result.items()}
+    return {**result, "warnings": _warnings(tables, result)}
+
+
+def _warnings(tables, figures):
+    thinnest = tables.totals["lambda"].min() if "lambda" in tables.totals else None
+    return doubts(
+        {
+            "pressure": max(figures["p_max_inner_Pa"], figures["p_max_outer_Pa"]),
+            "lambda": figures["lambda"],
+            "conducts": None if figures["capacitance_F"] is None else thinnest,
+        }
+    )
 
 
 def ring_displacement(tables: RunTables) -> Floats:
@@ -178,10 +196,9 @@ class _Contacts:
 def _displacement(tables):
     # LAMMPS prints the start of the window as well, LIGGGHTS does not
     shift = ring_displacement(tables)[tables.rings["sample"] > 0].mean()
-    play = tables.settings["clearance_m"]
     return {
         "ring_shift_m": shift,
-        "load_parameter": clearance.load_parameter(play, shift) if shift else None,
+        "load_parameter": load_parameter(tables, shift),
     }
 
 
@@ -234,6 +251,21 @@ def _plain(value):
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """The mapping of `summary` as text, a topic a block; figures the run has none of are left
-    out."""
-    return "\n".join(lines(figures, TOPICS))
+    """The mapping of `summary` as text, a topic a block; figures the run has none of, or that are
+    next to nothing, are left out. Warnings stand at the end."""
+    shown = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
+    warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
+    return "\n".join(lines(shown, TOPICS) + (warnings if figures["warnings"] else []))
+
+
+def _nothing(key, figures):
+    value = figures[key]
+    if value is None:
+        return True
+    if key in SHOWN:
+        return abs(value) < SHOWN[key] * max(abs(figures[name] or 0.0) for name in SHOWN)
+    if key in STILL:
+        return abs(value) < STILL[key]
+    if key in ("rpm_least", "rpm_most"):
+        return figures["rpm_most"] - figures["rpm_least"] < STEADY * figures["rpm_most"]
+    return False

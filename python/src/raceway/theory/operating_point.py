@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 
 from raceway import catalogue, inputs
 from raceway.files import FilePath
-from raceway.rows import Row, lines
-from raceway.theory import clearance, friction_torque, makers
+from raceway.rows import Row, lines, row
+from raceway.theory import clearance, friction_torque, makers, validity
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
@@ -27,27 +27,27 @@ MODELS = ("paper", "full")
 SUPPORT = ("support_x_N", "support_y_N", "support_z_N", "support_rx_N_m", "support_ry_N_m")
 TOPICS = {
     "Operating point": (
-        Row("bearing", "bearing", None),
-        Row("lubricant", "lubricant", None),
+        row("bearing"),
+        row("lubricant"),
         Row("temperature_C", "temperature", "°C", "of the lubricant"),
-        Row("models", "models", None),
-        Row("load_N", "radial load", "N", "along x"),
+        row("models"),
+        row("load_N", "along x"),
         Row("axial_N", "axial load", "N", "along z"),
         Row("moment_x_N_m", "moment about x", "N m"),
         Row("moment_y_N_m", "moment about y", "N m"),
-        Row("clearance_m", "diametral clearance P_d", "m"),
-        Row("rpm", "inner ring speed", "rpm"),
-        Row("orbital_speed_rad_s", "orbital speed of the balls", "rad/s", "rolling, Harris ch. 10"),
+        row("clearance_m"),
+        row("rpm"),
+        Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
         Row("centrifugal_N", "centrifugal load of a ball", "N", "m r omega^2"),
     ),
     "Inner ring": (
         Row("shift_x_m", "displacement along x", "m", "Harris ch. 7"),
         Row("shift_y_m", "displacement along y", "m", "Harris ch. 7"),
-        Row("shift_z_m", "displacement along z", "m", "Harris ch. 7"),
-        Row("tilt_x_rad", "tilt about x", "rad", "Harris ch. 7"),
-        Row("tilt_y_rad", "tilt about y", "rad", "Harris ch. 7"),
-        Row("load_parameter", "load parameter", "", "1/2 (1 - P_d/(2 shift)), appendix A"),
-        Row("stiffness_x_N_m", "stiffness along x", "N/m", "d(load)/d(shift)"),
+        row("shift_z_m", "Harris ch. 7"),
+        row("tilt_x_rad", "Harris ch. 7"),
+        row("tilt_y_rad", "Harris ch. 7"),
+        row("load_parameter"),
+        Row("stiffness_x_N_m", "stiffness along x", "N/m", "d(load)/d(displacement)"),
         Row("stiffness_z_N_m", "stiffness along z", "N/m", "the others held"),
         Row("stiffness_ry_N_m_rad", "tilting stiffness about y", "N m/rad", "the others held"),
     ),
@@ -60,18 +60,18 @@ TOPICS = {
     ),
     "Loads and pressures": (
         Row("loaded_balls", "balls loaded on both raceways", "", "N_l of eq 12"),
-        Row("q_inner_max_N", "largest load, inner raceway", "N", "eq 2"),
-        Row("q_outer_max_N", "largest load, outer raceway", "N", "eq 2"),
-        Row("p_max_inner_Pa", "Hertz pressure there, inner", "Pa", "1.5 Q/(pi a b)"),
-        Row("p_max_outer_Pa", "Hertz pressure there, outer", "Pa", "1.5 Q/(pi a b)"),
+        row("q_inner_max_N"),
+        row("q_outer_max_N"),
+        row("p_max_inner_Pa"),
+        row("p_max_outer_Pa"),
         Row("angle_max_rad", "largest contact angle", "°", "of loaded balls"),
     ),
     "Film at the largest inner load": (
-        Row("viscosity_Pa_s", "viscosity", "Pa s", "eta of eq 6"),
-        Row("entrainment_speed_m_s", "entrainment speed", "m/s", "U_r of eq 6, rolling"),
-        Row("h_min_m", "smallest thickness", "m", "eq 6"),
-        Row("h_c_m", "central thickness", "m", "eq 9"),
-        Row("lambda", "lambda", "", "eq 7"),
+        row("viscosity_Pa_s"),
+        row("entrainment_speed_m_s", "U_r of eq 6, rolling"),
+        row("h_min_m"),
+        row("h_c_m"),
+        row("lambda"),
         Row("film_factor", "factor of inlet shear", "", "Murch-Wilson"),
         Row("asperity_share", "load share of asperities", "", "Zhou-Hoeprich"),
     ),
@@ -86,8 +86,8 @@ TOPICS = {
         Row("loss_drag_W", "drag of the balls", "W"),
     ),
     "Capacitance": (
-        Row("capacitance_F", "bearing", "F", "eq 12"),
-        Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
+        row("capacitance_F"),
+        row("capacitance_top_F"),
     ),
 }
 COLUMNS = (  # of the table of balls: key, heading, SI unit
@@ -200,8 +200,29 @@ def figures(
             _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial)
         )
     result = {key: _plain(value) for key, value in result.items()}
+    result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
     result["balls"] = _balls(state, films)
     return result
+
+
+def _warnings(figures, body, shoulders, state, films):
+    sides = (state.inner, state.outer)
+    loaded = [side.load > 0 for side in sides]
+    pressure = max(figures["p_max_inner_Pa"], figures["p_max_outer_Pa"])
+    found = {"pressure": pressure}
+    if films is not None:
+        wet = ((films.inner, loaded[0]), (films.outer, loaded[1]))
+        ratios = np.concatenate([side.ratio[live] for side, live in wet])
+        thick = [side.h_c[live] / one.b[live] for (side, live), one in zip(wet, sides)]
+        if len(ratios):
+            found["thick_film"] = np.concatenate(thick).max()
+            found["lambda"], found["conducts"] = ratios.max(), ratios.min()
+    return validity.doubts(found) + validity.past_shoulder(
+        body,
+        shoulders,
+        tuple(side.angle[live] for side, live in zip(sides, loaded)),
+        tuple(side.a[live] for side, live in zip(sides, loaded)),
+    )
 
 
 def table(result: Mapping[str, Any]) -> str:
@@ -223,7 +244,10 @@ def table(result: Mapping[str, Any]) -> str:
     block = [
         "  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows
     ]
-    return "\n".join([*lines(filled, TOPICS), "", "Balls", *block])
+    text = [*lines(filled, TOPICS), "", "Balls", *block]
+    if result["warnings"]:
+        text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
+    return "\n".join(text)
 
 
 def _oil(lubricant, folder, temperature):

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What happened to the inner ring in a run, measured over its window: forces, displacement, tilt,
+speed; whether a load distribution factor means anything."""
+
+import math
+
+import numpy as np
+
+from raceway.runs.tables import RunTables
+from raceway.theory import clearance
+
+FEW = 0.05  # of the radial load or displacement: more is another kind of load
+TURNED = 0.1  # rad; a load that turns further does not stand still
+
+
+def measured(tables: RunTables) -> dict[str, float | None]:
+    """Means over the window, SI units, None where the run did not write them.
+
+    - `force_x_N`, `force_y_N`, `force_z_N`: force of balls and cage on the inner ring
+    - `moment_x_N_m`, `moment_y_N_m`: their moment on it
+    - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: where it lies
+    - `rpm_least`, `rpm_most`: between what speeds it turned
+    """
+    rings = _window(tables)
+    result = {
+        key: float(rings[name].mean()) if name in rings else None
+        for key, name in (
+            ("force_x_N", "fx"),
+            ("force_y_N", "fy"),
+            ("force_z_N", "fz"),
+            ("moment_x_N_m", "mx"),
+            ("moment_y_N_m", "my"),
+            ("shift_z_m", "z"),
+            ("tilt_x_rad", "tilt_1"),
+            ("tilt_y_rad", "tilt_2"),
+        )
+    }
+    spin = np.abs(rings["spin"]) * 30 / math.pi if "spin" in rings else None
+    result["rpm_least"] = None if spin is None else float(spin.min())
+    result["rpm_most"] = None if spin is None else float(spin.max())
+    return result
+
+
+def load_parameter(tables: RunTables, displacement: float) -> float | None:
+    """Load distribution factor of a run with the mean radial `displacement` (m), None where it
+    means nothing: without displacement, under a load that is not radial or turns, with a tilt."""
+    rings = _window(tables)
+    if not displacement:
+        return None
+    if "fx" in rings and "fy" in rings:
+        x, y = rings["fx"].to_numpy(), rings["fy"].to_numpy()
+        mean = math.hypot(x.mean(), y.mean())
+        away = np.angle((x + 1j * y) * (x.mean() - 1j * y.mean()))
+        # a ball that passes shakes a steady load's direction less than that
+        if math.sqrt(np.mean(away**2)) > TURNED:
+            return None
+        if "fz" in rings and abs(rings["fz"].mean()) > FEW * mean:
+            return None
+    tilts = [rings[name].mean() for name in ("tilt_1", "tilt_2") if name in rings]
+    if math.hypot(*tilts) * tables.geometry.pitch_radius > FEW * abs(displacement):
+        return None
+    return clearance.load_parameter(tables.settings["clearance_m"], displacement)
+
+
+def _window(tables):
+    # LAMMPS prints the start of the window as well, LIGGGHTS does not
+    return tables.rings[tables.rings["sample"] > 0]

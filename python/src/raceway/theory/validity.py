@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Where the formulas of a contact are in doubt.
+
+The rules stand in C++ (`src-package/physics/validity.h`), which warns in a run; `make columns`
+writes them to `columns.json`, and summary and statics judge by the same.
+"""
+
+import json
+import math
+from collections.abc import Mapping
+from importlib.resources import files
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.theory.bearing import Bearing
+from raceway.units import prefixed
+
+
+class Rule(NamedTuple):
+    """`value` is in doubt above `bound`, or `below` it; `limit` says whose bound it is."""
+
+    name: str
+    value: str
+    unit: str
+    limit: str
+    bound: float
+    below: bool
+
+
+class Shoulders(NamedTuple):
+    """Diameters of the shoulders of both rings, m; NaN where they are not known."""
+
+    inner: float = math.nan
+    outer: float = math.nan
+
+
+RULES = {
+    row["name"]: Rule(**row)
+    for row in json.loads(files("raceway").joinpath("runs/columns.json").read_text())["validity"]
+}
+
+
+def doubts(values: Mapping[str, float | None]) -> list[str]:
+    """What is beyond validity of `values` by the names of `RULES`, SI units: a text for each. None
+    and NaN are values that are not there."""
+    texts = []
+    for name, value in values.items():
+        rule = RULES[name]
+        if value is None or not (value < rule.bound if rule.below else value > rule.bound):
+            continue
+        texts.append(
+            f"{rule.value} is {'down' if rule.below else 'up'} to {_shown(value, rule.unit)};"
+            f" {rule.limit} {_shown(rule.bound, rule.unit)}"
+        )
+    return texts
+
+
+def _shown(value, unit):
+    return prefixed(value, unit) if unit else f"{value:.4g}"
+
+
+def past_shoulder(
+    bearing: Bearing,
+    shoulders: Shoulders,
+    angle: tuple[np.ndarray, np.ndarray],
+    semi_axis: tuple[np.ndarray, np.ndarray],
+) -> list[str]:
+    """Which contact ellipses reach past the edge of their groove: a text for each raceway that has
+    any.
+
+    `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
+    raceway. The groove ends at the angle theta with cos(theta) = 1 - depth/r_c from its bottom; an
+    ellipse reaches to |alpha| + asin(a/r_c).
+    """
+    grooves = (bearing.inner_groove, bearing.outer_groove)
+    depths = (
+        shoulders.inner / 2 - bearing.inner_radius,
+        bearing.outer_radius - shoulders.outer / 2,
+    )
+    texts = []
+    for name, groove, depth, alpha, a in zip(("inner", "outer"), grooves, depths, angle, semi_axis):
+        if math.isnan(depth) or len(alpha) == 0:
+            continue
+        edge = math.acos(max(-1.0, 1 - depth / groove))
+        reach = float(np.max(np.abs(alpha) + np.arcsin(np.minimum(a / groove, 1.0))))
+        if reach > edge:
+            texts.append(
+                f"the contact ellipse of the {name} raceway reaches {math.degrees(reach):.1f}° up"
+                f" the groove; its shoulder is at {math.degrees(edge):.1f}°"
+            )
+    return texts
