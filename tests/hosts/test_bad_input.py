@@ -58,6 +58,10 @@ MAIN_DECK = {
         {"integrator": "euler"},
         r"bearing_input: there is no 'euler' in folder inputs/integrators; there is: ",
     ),
+    "unknown models": (
+        {"models": "papers"},
+        r"bearing_input: there is no 'papers' in folder inputs/models; there is: .*paper",
+    ),
     "cage ball too large": (
         {"cage_ball_diameter": 9e-3},
         (

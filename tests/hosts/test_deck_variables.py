@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+import raceway
 from host import ENVIRONMENT, ROOT, run, succeed
 
 SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
@@ -14,7 +15,8 @@ HOSTS = ["liggghts", "lammps", "wheel"]
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize(
-    "name, nearest", [("lod", "load"), ("Rpm", "rpm"), ("tolerence", "tolerance")]
+    "name, nearest",
+    [("lod", "load"), ("Rpm", "rpm"), ("tolerence", "tolerance"), ("film_lwa", "film_law")],
 )
 def test_unknown(tmp_path, host, ranks, name, nearest):
     done = run("inputs/in.6208", host=host, ranks=ranks, out=tmp_path / "run", **{name: 1})
@@ -28,6 +30,20 @@ def test_unknown(tmp_path, host, ranks, name, nearest):
 def test_known(tmp_path, host):
     """Of the deck, of a module, of an integrator, of bearing_host."""
     succeed("inputs/in.6208", host=host, out=tmp_path, tolerance=1e-9, host_name="mine", **SHORT)
+
+
+def test_models(tmp_path):
+    """A file of words for the pair style; the record and the summary name it."""
+
+    def commands():
+        return raceway.open(tmp_path).tables.record.attrs["pair_commands"]
+
+    succeed("inputs/in.6208", out=tmp_path, models="paper", **SHORT)
+    ran = raceway.open(tmp_path)
+    assert ran.settings["models"] == ran.summary()["models"] == "paper"
+    assert "friction stribeck 0.12 0.05" in commands()
+    succeed("inputs/in.6208", out=tmp_path, film_law="friction none", **SHORT)
+    assert "friction none" in commands() and "stribeck" not in commands()
 
 
 def test_other_spelling_of_the_option(tmp_path):

@@ -74,6 +74,7 @@ def run(
         "lubricant": "mineral" if oil else "dry",
         "host": "liggghts",
         "integrator": "implicit",
+        "models": "paper",
         "load_N": load,
         "rpm": rpm,
         "clearance_m": clearance,

@@ -14,13 +14,14 @@ from raceway.runs.tables import RunTables
 from test_run import spoil
 
 # the table of INTERFACE.md, in its order: a promise, so written out here a second time
-PROMISED = """bearing lubricant host integrator load_N rpm clearance_m step_s passes viscosity_Pa_s
-pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter q_max_N
-q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean cage_speed_rad_s
-entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F wall_s simulated_s
-real_time_factor force_x_N force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad
-tilt_y_rad rpm_least rpm_most warnings""".split()
-TYPES = dict.fromkeys(("bearing", "lubricant", "host", "integrator"), str) | {"warnings": list}
+PROMISED = """bearing lubricant host integrator models load_N rpm clearance_m step_s passes
+viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter
+q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean
+cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F wall_s
+simulated_s real_time_factor force_x_N force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m
+tilt_x_rad tilt_y_rad rpm_least rpm_most warnings""".split()
+WORDS = ("bearing", "lubricant", "host", "integrator", "models")
+TYPES = dict.fromkeys(WORDS, str) | {"warnings": list}
 TILTS = {"tilt_x_rad", "tilt_y_rad"}  # tables of rings have none
 DRY_NULL = {
     "viscosity_Pa_s",

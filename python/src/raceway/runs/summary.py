@@ -64,6 +64,7 @@ TOPICS = {
     "Cost": (
         Row("host", "host", None),
         Row("integrator", "integrator", None),
+        row("models"),
         Row("step_s", "mean time step", "s", "as run"),
         Row("passes", "ball passes measured", "", "as set"),
         Row("simulated_s", "simulated", "s", "measured passes"),
@@ -93,6 +94,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
             "lubricant",
             "host",
             "integrator",
+            "models",
             "load_N",
             "rpm",
             "clearance_m",

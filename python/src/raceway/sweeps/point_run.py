@@ -41,6 +41,7 @@ RECORDED = {
     "bearing": "bearing",
     "lubricant": "lubricant",
     "integrator": "integrator",
+    "models": "models",
 }
 
 
