@@ -12,6 +12,7 @@ import xarray as xr
 from raceway import kinematics, spectrum
 from raceway.cli import main
 from raceway.errors import RunError
+from raceway.pictures import spectrum as picture
 
 SAMPLE = 1e-3
 
@@ -101,7 +102,9 @@ def test_lines_of_a_run(tmp_path, lubricated, bearing):
     }
     run = raceway.open(write(tmp_path, lubricated, given))
     found = {(line.name, line.harmonic): line for line in spectrum.lines(run, spectrum.of_run(run))}
-    assert set(found) == {(name, n) for name in ("FTF", "BSF", "BPFO", "BPFI") for n in (1, 2, 3)}
+    assert set(found) == {
+        (name, n) for name in ("FTF", "BSF", "BPFO", "BPFI", "shaft") for n in (1, 2, 3)
+    }
     expected = {
         ("BPFO", 1): (-4e-4, 4e-7),
         ("BPFO", 2): (-4e-4, 4e-8),
@@ -193,7 +196,7 @@ def test_command(tmp_path, lubricated, bearing, capsys):
     ).stat().st_size > 10_000
     assert main(["spectrum", str(folder), "--json", "--harmonics", "1"]) == 0
     data = {line["name"]: line for line in json.loads(capsys.readouterr().out)}
-    assert list(data) == ["FTF", "BSF", "BPFO", "BPFI"]
+    assert list(data) == ["FTF", "BSF", "BPFO", "BPFI", "shaft"]
     assert (
         data["BPFO"]["difference"] == pytest.approx(-4e-4, abs=2e-5)
         and data["BPFI"]["found"] is None
@@ -208,3 +211,12 @@ def test_command_refuses(folder, tmp_path, capsys):
     with pytest.raises(SystemExit) as stop:
         main(["spectrum", str(folder), "--harmonics", "0"])
     assert stop.value.code == 2 and "number from 1 to 50" in capsys.readouterr().err
+
+
+def test_labels_do_not_cover_each_other():
+    places = [100.0, 101.0, 102.0, 150.0, 99.5]
+    rows = picture.levels(places, 1.0)
+    assert rows == [1, 0, 0, 0, 0]
+    for row in set(rows):
+        inside = sorted(p for p, r in zip(places, rows) if r == row)
+        assert all(b - a >= 1.0 for a, b in zip(inside, inside[1:]))

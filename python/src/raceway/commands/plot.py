@@ -6,14 +6,15 @@ from pathlib import Path
 
 from raceway.commands import Commands
 
-KINDS = ("overview", "polar", "waterfall", "bearing")
+KINDS = ("overview", "polar", "waterfall", "bearing", "motion")
 DESCRIPTION = """\
 Draw a run to a PNG:
   overview   loads, film, pressure and capacitance on one page
   polar      load and film around the ring, with quasi-static theory as dots
   waterfall  capacitance of every ball over azimuth and time
   bearing    rings, balls and cage at the moment of the largest load
-             (`raceway animate` moves them)"""
+             (`raceway animate` moves them)
+  motion     orbit of the inner ring, its displacement, tilt and friction torque over time"""
 EXAMPLES = """\
 examples:
   raceway plot build/run/6208                            build/run/6208/overview.png

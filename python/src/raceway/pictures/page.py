@@ -12,26 +12,52 @@ from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 
 from raceway.pictures.style import SOFT
+from raceway.runs.measured import loading, measured
 from raceway.runs.tables import RunTables
 from raceway.units import prefixed
 
 LEFT, RIGHT = 0.075, 0.965  # of the figure's width
+LITTLE = 0.01  # of a load or a speed: less is not in the title
 
 
 def title(tables: RunTables) -> str:
-    """What the run `tables` was, in a line."""
+    """What the run `tables` was, in a line: load and speed as measured."""
     settings = tables.settings
     oil = f"{settings['lubricant']} lubricant" if tables.lubricated else "dry"
     clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")
     return "  ·  ".join(
         (
             f"{settings['bearing']} ball bearing",
-            f"{prefixed(settings['load_N'], 'N')} radial",
-            f"{settings['rpm']:g} rpm",
+            *_loads(tables),
+            _speed(tables),
             oil,
             f"clearance {clearance}",
         )
     )
+
+
+def _loads(tables):
+    load = loading(tables)
+    if load is None:
+        return [f"{prefixed(tables.settings['load_N'], 'N')} radial"]
+    largest = max(load.radial, abs(load.axial))
+    parts = (
+        (load.radial, "turning radial load" if load.turns else "radial"),
+        (load.axial, "axial"),
+    )
+    return [
+        f"{prefixed(value, 'N', 3).replace('-', '−')} {name}"
+        for value, name in parts
+        if abs(value) > LITTLE * largest or largest == 0.0
+    ]
+
+
+def _speed(tables):
+    found = measured(tables)
+    least, most = found["rpm_least"], found["rpm_most"]
+    if least is None or most - least < LITTLE * most:
+        return f"{tables.settings['rpm']:g} rpm"
+    return f"{least:.4g} to {most:.4g} rpm"
 
 
 def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> None:

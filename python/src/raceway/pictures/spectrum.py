@@ -9,14 +9,27 @@ import numpy as np
 import xarray as xr
 
 from raceway.files import FilePath
+from raceway.pictures.page import title
 from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
 from raceway.runs.run import Run
 from raceway.runs.spectrum import Line
 from raceway.units import axis
 
-COLOUR = dict(zip(("BPFI", "BPFO", "FTF", "BSF"), PALETTE))
+COLOUR = dict(zip(("BPFI", "BPFO", "FTF", "BSF", "shaft"), PALETTE))
+WIDE, NARROW = 0.075, 0.014  # of the axis: a label across, a label along its line
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # shown below the strongest line
+ROOM = 9.0  # on the axis of amplitudes, for a row of labels
+
+
+def levels(places: Sequence[float], width: float) -> list[int]:
+    """For labels at `places`, each `width` wide, rows (0, 1 ...) in which none covers another."""
+    ends, rows = [], dict.fromkeys(places, 0)
+    for place in sorted(rows):
+        row = next((k for k, end in enumerate(ends) if place - end >= width), len(ends))
+        ends[row:] = [place, *ends[row + 1 :]]
+        rows[place] = row
+    return [rows[place] for place in places]
 
 
 def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FilePath) -> None:
@@ -30,6 +43,11 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
     shown = (frequency > 0) & (frequency <= last)
     factor, unit = axis(amplitude[shown].max(), spectrum.attrs["units"])
     top = amplitude[shown].max() * factor
+    row = {}
+    for faint, width in ((False, WIDE), (True, NARROW)):
+        kind = [line for line in found if bool(line.note) == faint]
+        row.update(zip(kind, levels([line.expected for line in kind], width * last)))
+    above = 1 + max((row[line] for line in found if not line.note), default=0)
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(12, 5.6), dpi=130, layout="constrained")
         axes.semilogy(
@@ -37,7 +55,7 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
         )
         axes.set(
             xlim=(0, last),
-            ylim=(top / 10**DECADES, 12 * top),
+            ylim=(top / 10**DECADES, 1.3 * top * ROOM**above),
             xlabel="frequency (Hz)",
             ylabel=f"amplitude ({unit})" if unit else "amplitude",
         )
@@ -53,7 +71,7 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
             if line.note:
                 axes.annotate(
                     label,
-                    (line.expected, 1.5 * top / 10**DECADES),
+                    (line.expected, 1.5 * top / 10**DECADES * ROOM ** row[line]),
                     ha="center",
                     va="bottom",
                     fontsize=8.5,
@@ -73,7 +91,7 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
                 )
                 axes.annotate(
                     f"{label}\n{line.difference:+.3%}".replace("-", "−"),
-                    (line.expected, 9 * top),
+                    (line.expected, top * ROOM ** (1 + row[line])),
                     ha="center",
                     va="top",
                     fontsize=9,
@@ -81,10 +99,6 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
                     fontweight="bold",
                     bbox=PAPER,
                 )
-        settings = run.settings
-        axes.set_title(
-            f"{settings['bearing']}, {settings['load_N']:g} N, {settings['rpm']:g} rpm: "
-            f"{spectrum.attrs['long_name']}",
-            pad=10,
-        )
+        axes.set_title(spectrum.attrs["long_name"], pad=26)
+        axes.text(0, 1.02, title(run.tables), transform=axes.transAxes, fontsize=10, color=SOFT)
         save(figure, path)

@@ -3,6 +3,7 @@
 speed; whether a load distribution factor means anything."""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -41,21 +42,36 @@ def measured(tables: RunTables) -> dict[str, float | None]:
     return result
 
 
+class Loading(NamedTuple):
+    """What the balls carried, N: `radial`, the mean size of the radial force; `axial` along the
+    axis; whether the radial force `turns`."""
+
+    radial: float
+    axial: float
+    turns: bool
+
+
+def loading(tables: RunTables) -> Loading | None:
+    """The load on the inner ring as measured, opposite to the force of its balls; None where the
+    run did not write forces."""
+    rings = _window(tables)
+    if "fx" not in rings or "fy" not in rings or not len(rings):
+        return None
+    force = rings["fx"].to_numpy() + 1j * rings["fy"].to_numpy()
+    # the ripple of balls that pass turns a steady load's direction less than that
+    away = np.angle(force * np.conj(force.mean()))
+    axial = -float(rings["fz"].mean()) if "fz" in rings else 0.0
+    return Loading(float(np.abs(force).mean()), axial, bool(math.sqrt(np.mean(away**2)) > TURNED))
+
+
 def load_parameter(tables: RunTables, displacement: float) -> float | None:
     """Load distribution factor of a run with the mean radial `displacement` (m), None where it
     means nothing: without displacement, under a load that is not radial or turns, with a tilt."""
-    rings = _window(tables)
+    rings, load = _window(tables), loading(tables)
     if not displacement:
         return None
-    if "fx" in rings and "fy" in rings:
-        x, y = rings["fx"].to_numpy(), rings["fy"].to_numpy()
-        mean = math.hypot(x.mean(), y.mean())
-        away = np.angle((x + 1j * y) * (x.mean() - 1j * y.mean()))
-        # a ball that passes shakes a steady load's direction less than that
-        if math.sqrt(np.mean(away**2)) > TURNED:
-            return None
-        if "fz" in rings and abs(rings["fz"].mean()) > FEW * mean:
-            return None
+    if load and (load.turns or abs(load.axial) > FEW * load.radial):
+        return None
     tilts = [rings[name].mean() for name in ("tilt_1", "tilt_2") if name in rings]
     if math.hypot(*tilts) * tables.geometry.pitch_radius > FEW * abs(displacement):
         return None

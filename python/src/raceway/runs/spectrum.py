@@ -30,12 +30,13 @@ RESOLVED = HALF_WIDTH + 1.5  # periods in the record from which on a line is apa
 STANDS_OUT = 10.0  # times the median around it
 FAINT = 1e-4  # of the strongest: the window's own side lobes are at 2.5e-5
 NAMES = {"cage": "FTF", "spin": "BSF", "outer": "BPFO", "inner": "BPFI"}
+SHAFT = "shaft"  # order 1: unbalance
 
 
 class Line(NamedTuple):
     """A line expected in a spectrum, and what is there."""
 
-    name: str  # FTF, BSF, BPFO, BPFI
+    name: str  # FTF, BSF, BPFO, BPFI, shaft
     harmonic: int
     order: float  # of the shaft's rotation
     expected: float  # Hz
@@ -101,10 +102,11 @@ def expected(
 ) -> dict[tuple[str, int], tuple[float, float]]:
     """{(name, harmonic): order} and their frequencies in Hz for a shaft at `shaft` Hz: kinematics,
     balls rolling."""
-    orders = kinematics.frequencies(bearing, angle)._asdict()
+    of = kinematics.frequencies(bearing, angle)._asdict()
+    orders = {**{short: of[name] for name, short in NAMES.items()}, SHAFT: 1.0}
     return {
-        (short, n): (n * orders[name], n * orders[name] * abs(shaft))
-        for name, short in NAMES.items()
+        (name, n): (n * order, n * order * abs(shaft))
+        for name, order in orders.items()
         for n in range(1, harmonics + 1)
     }
 

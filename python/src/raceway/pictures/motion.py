@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How the inner ring moved: its orbit, displacement, tilt, torque."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from raceway.errors import RunError
+from raceway.files import FilePath
+from raceway.pictures import style
+from raceway.pictures.page import LEFT, RIGHT, against_time, finish, head, key
+from raceway.pictures.style import INK, PALETTE
+from raceway.runs.tables import RunTables
+from raceway.units import axis, prefixed
+
+
+def motion(tables: RunTables, path: FilePath) -> None:
+    """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
+    displacement, tilt and friction torque over time.
+
+    What a run did not record, or what did not move, has no panel. Raises `RunError` when the run's
+    files are broken, have no ring, or the picture cannot be written.
+    """
+    rings = tables.rings
+    if not len(rings):
+        raise RunError(f"{tables.source['rings']} has no sample of the inner ring")
+    panels = [_orbit, _displacement]
+    if {"tilt_1", "tilt_2"} <= set(rings) and rings[["tilt_1", "tilt_2"]].to_numpy().any():
+        panels.append(_tilt)
+    if {"mz", "spin"} <= set(rings):
+        panels.append(_torque)
+    rows = (len(panels) + 1) // 2
+    with plt.rc_context(style.STYLE):
+        figure = plt.figure(figsize=(12, 1.9 + 4.6 * rows), dpi=130)
+        height = figure.get_figheight()
+        grid = figure.add_gridspec(
+            rows,
+            2,
+            left=LEFT + 0.02,
+            right=RIGHT,
+            bottom=0.65 / height,
+            top=1 - 1.6 / height,
+            hspace=0.36,
+            wspace=0.24,
+        )
+        try:
+            head(figure, tables, "inner ring, displacement from its place at the start")
+            for place, panel in zip(grid, panels):
+                panel(figure.add_subplot(place), tables)
+            style.save(figure, path)
+        finally:
+            plt.close(figure)
+
+
+def _orbit(axes, tables):
+    x, y = (tables.rings[name].to_numpy() for name in "xy")
+    middle = np.array([x.mean(), y.mean()])
+    factor, unit = axis(max(np.ptp(x), np.ptp(y), 1e-15), "m")
+    axes.plot((x - middle[0]) * factor, (y - middle[1]) * factor, color=INK, lw=1.2)
+    axes.set(xlabel=f"x from its mean ({unit})", ylabel=f"y from its mean ({unit})")
+    axes.set_aspect("equal", adjustable="datalim")
+    where = f"{prefixed(middle[0], 'm', 3)}, {prefixed(middle[1], 'm', 3)}".replace("-", "−")
+    finish(axes, f"Orbit of the centre about {where}", None, [])
+
+
+def _displacement(axes, tables):
+    _lines(axes, tables, {name: tables.rings[name] for name in "xyz" if name in tables.rings}, "m")
+    axes.set_title("Displacement", pad=10)
+
+
+def _tilt(axes, tables):
+    _lines(
+        axes, tables, {"about x": tables.rings["tilt_1"], "about y": tables.rings["tilt_2"]}, "rad"
+    )
+    axes.set_title("Tilt", pad=10)
+
+
+def _torque(axes, tables):
+    torque = -tables.rings["mz"] * np.sign(tables.rings["spin"])
+    _lines(axes, tables, {f"mean {prefixed(torque.mean(), 'N m', 3)}": torque}, "N m")
+    axes.set_title("Friction torque", pad=10)
+
+
+def _lines(axes, tables, curves, unit):
+    moving = {name: values for name, values in curves.items() if np.any(values)} or curves
+    factor, shown = axis(max(float(np.abs(v).max()) for v in moving.values()) or 1.0, unit)
+    time = tables.passes(tables.rings["sample"])
+    for (_, values), colour in zip(moving.items(), PALETTE):
+        axes.plot(time, values * factor, color=colour, lw=1.6)
+    axes.set_ylabel(shown)
+    against_time(axes, tables, int(tables.rings["sample"].iloc[-1]) + 1)
+    keys = [key(name, color=colour, lw=2) for name, colour in zip(moving, PALETTE)]
+    finish(axes, "", None, keys)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.22 * (high - low))

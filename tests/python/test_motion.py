@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The picture of the ring's motion, and what titles say of a run: what was measured."""
+
+import numpy as np
+import pytest
+import synthetic
+from raceway.cli import main
+from raceway.pictures import motion as plot
+from raceway.pictures.page import title
+from raceway.runs.tables import RunTables
+
+
+@pytest.fixture
+def panels(monkeypatch):
+    kept = []
+    monkeypatch.setattr(plot.plt, "close", kept.append)
+    yield lambda: {panel.get_title(loc="left"): panel for panel in kept[-1].axes}
+    monkeypatch.undo()
+    for figure in kept:
+        plot.plt.close(figure)
+
+
+def test_panels(folder, lubricated, tmp_path, panels):
+    plot.motion(RunTables(folder), tmp_path / "motion.png")
+    orbit, displacement, torque = panels().values()
+    rings = np.array(lubricated["rings"])
+    x, y = orbit.lines[0].get_data()
+    assert np.ptp(x) > 0 and np.ptp(y) > 0
+    assert np.ptp(x) / np.ptp(y) == pytest.approx(np.ptp(rings[:, 2]) / np.ptp(rings[:, 3]))
+    along = next(line for line in displacement.lines if line.get_ydata().min() < -1)
+    assert along.get_ydata() == pytest.approx(rings[:, 3] * 1e6)
+    assert along.get_xdata() == pytest.approx(np.arange(len(rings)) / 24)
+    assert np.sign(torque.lines[0].get_ydata()).tolist() == [1.0] * len(rings)
+    assert f"{-rings[:, 14].mean() * 1e6:.3g}" in torque.get_legend().get_texts()[0].get_text()
+
+
+def test_command(folder, capsys):
+    assert main(["plot", str(folder), "--kind", "motion"]) == 0
+    assert (folder / "motion.png").exists() and "motion.png" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "force, says",
+    [
+        (lambda k: (0, 4000, 0), ["4 kN radial"]),
+        (lambda k: (0, 4000, -1500), ["4 kN radial", "1.5 kN axial"]),
+        (lambda k: (0, 1, 1500), ["−1.5 kN axial"]),
+        (lambda k: (500 * np.sin(k), 500 * np.cos(k), 0), ["500 N turning radial load"]),
+    ],
+)
+def test_title_says_what_was_measured(folder, lubricated, force, says):
+    rings = [[*row[:9], *force(k), *row[12:]] for k, row in enumerate(lubricated["rings"])]
+    parts = title(RunTables(synthetic.write(folder, dict(lubricated, rings=rings)))).split("  ·  ")
+    assert parts[1:-3] == says and parts[-3] == "477.5 rpm"
+
+
+def test_title_of_a_ramp(folder, lubricated):
+    rings = [[*row[:8], 10 + k, *row[9:]] for k, row in enumerate(lubricated["rings"])]
+    text = title(RunTables(synthetic.write(folder, dict(lubricated, rings=rings))))
+    assert f"{11 * 30 / np.pi:.4g} to {(9 + len(rings)) * 30 / np.pi:.4g} rpm" in text
