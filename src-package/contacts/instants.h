@@ -1,25 +1,49 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Raceway contacts between the steps of the host, as fix bearing/implicit knows them.
+// Bearings between the steps of the host, as fix bearing/implicit knows them; vectors are in the
+// lab.
 #ifndef BEARING_INSTANTS_H
 #define BEARING_INSTANTS_H
 
-#include "../physics/groove.h"
+#include "../physics/capacitance.h"
+#include "bearing_columns.h"
 #include "bearing_compat.h"
+
+#include <functional>
 
 namespace bearing {
 
-// What is wanted: contacts at the shares k/number of a host's step, k = 1 to number - 1, for a
-// lubricant of relative permittivity eps and films of at least `shortest` (m). number 0: nothing.
+// What is wanted: everything at the shares k/number of a host's step, k = 1 to number - 1;
+// capacitances for a lubricant of relative permittivity eps and films of at least `shortest` (m).
+// number 0: nothing; eps 0: no capacitances.
 struct Instants {
   int number = 0;
-  double eps = 1.0, shortest = 0.0;
+  double eps = 0.0, shortest = 0.0;
 };
 
+// A ball and a groove that may touch.
 struct InstantContact {
-  int instant;    // k of number
-  tag_t ball;
-  raceway::Side side;
-  double load, h_c, capacitance;    // N, m, F
+  tag_t ball, ring;
+  const raceway::RacewayPhysics &raceway;
+  double orbit;    // rad/s, of the ball about the ring's axis
+  bool live;       // nothing below is set where it is not
+  const raceway::ContactState &state;
+  raceway::FilmCapacitorT<double> capacitor;    // 0 where none is wanted
+};
+
+struct InstantBody {
+  tag_t tag;
+  raceway::Vec3 x, v, w;
+};
+
+struct InstantRing {
+  double of[of_ring::TORQUE + 1];    // from of_ring::RING on
+};
+
+// Who is told of the parts of a bearing; contacts come ball by ball, and before the bodies.
+struct InstantReader {
+  std::function<void(const InstantContact &)> contact;
+  std::function<void(const InstantBody &)> body;    // or none
+  std::function<void(const InstantRing &)> ring;    // or none
 };
 
 }    // namespace bearing

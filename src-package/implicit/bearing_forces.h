@@ -25,11 +25,19 @@ enum class Failure {
   not_converged      // more corrections than allowed
 };
 
+// Four contacts as an evaluation finds them. Vectors of the state are in the lab.
+struct alignas(32) ContactLook {
+  ContactStateT<Lane> state;
+  LaneMask live;    // the state is set where they are
+  Lane orbit;       // rad/s, of the ball about the ring's axis; the surfaces need not touch
+};
+
 // What is evaluated.
 struct Stage {
   double h = 0.0;               // s, its length
   bool dampers_only = false;    // positions are given: springs have no derivative
   Evaluate evaluate = Evaluate::only;
+  ContactLook *looks = nullptr;    // by group of contacts, with `only`: they and forces on rings
 
   double follows() const { return dampers_only ? 0.0 : h; }    // s, positions follow velocities
 };

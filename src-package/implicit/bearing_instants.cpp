@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bearing_instants.h"
 
-#include "../physics/capacitance.h"
 #include "cubic.h"
+
+#include <cstring>
 
 namespace raceway {
 
@@ -10,70 +11,137 @@ void BearingInstants::want(const Instants &i)
 {
   instants_ = i;
   if (i.number < 2) return;
-  passed_.resize(b_.groups.size());
-  looks_.assign((i.number - 1) * b_.n_contacts, Look());
+  const size_t n = i.number - 1;
+  looks_.resize(n * b_.n_contacts);
+  capacitors_.resize(i.eps > 0.0 ? n * b_.n_contacts : 0);
+  bodies_.resize(n * b_.groups.size());
+  rings_.resize(n * b_.rings.size());
+  end_.resize(b_.groups.size());
+  ring_end_.resize(b_.rings.size());
 }
 
-InstantLoad BearingInstants::at(int k, int groove) const
+// One lane of a struct that is made of lanes, as the same struct of doubles.
+template <class One, class Four> static One lane_of(const Four &four, int lane)
 {
-  const Look &l = looks_[(k - 1) * b_.n_contacts + b_.contact_at[groove] / lanes];
-  const int i = b_.contact_at[groove] % lanes;
-  return {l.load[i], l.h_c[i], l.capacitance[i]};
+  static_assert(sizeof(Four) == lanes * sizeof(One) && std::is_trivially_copyable<One>::value,
+                "the same numbers in the same order");
+  double numbers[sizeof(One) / sizeof(double)];
+  const char *from = reinterpret_cast<const char *>(&four) + lane * sizeof(double);
+  for (double &n : numbers) {
+    memcpy(&n, from, sizeof n);
+    from += sizeof(Lane);
+  }
+  One one;
+  memcpy(static_cast<void *>(&one), numbers, sizeof one);
+  return one;
 }
 
-void BearingInstants::pass(double h, double s0, double s1)
+BearingInstants::Contact BearingInstants::contact(int k, int groove) const
+{
+  const size_t at = (k - 1) * b_.n_contacts + b_.contact_at[groove] / lanes;
+  const int lane = b_.contact_at[groove] % lanes;
+  Contact c;
+  c.orbit = looks_[at].orbit[lane];
+  c.live = looks_[at].live[lane];
+  if (!c.live) return c;
+  c.state = lane_of<ContactState>(looks_[at].state, lane);
+  if (!capacitors_.empty()) c.capacitor = lane_of<FilmCapacitorT<double>>(capacitors_[at].of, lane);
+  return c;
+}
+
+BodyPose BearingInstants::body(int k, int body) const
+{
+  const int slot = b_.slot[body];
+  return lane_of<BodyPose>(bodies_[(k - 1) * b_.groups.size() + slot / lanes], slot % lanes);
+}
+
+Failure BearingInstants::pass(double h, double s0, double s1)
 {
   const int n = instants_.number;
-  if (n < 2) return;
+  if (n < 2) return Failure::none;
   if (s0 == 0.0) next_ = 1;
-  for (; next_ < n && (s1 == 1.0 || next_ <= s1 * n); ++next_) {
+  const auto passed = [&] { return next_ < n && (s1 == 1.0 || next_ <= s1 * n); };
+  if (!passed()) return Failure::none;
+  keep();
+  Failure failure = Failure::none;
+  for (; failure == Failure::none && passed(); ++next_) {
     const double s = (double(next_) / n - s0) / (s1 - s0);
-    look_at(h, s < 1.0 ? s : 1.0, looks_.data() + (next_ - 1) * b_.n_contacts);
+    move(h, s < 1.0 ? s : 1.0);
+    failure = look_at(next_);
   }
+  put_back();
+  return failure;
 }
 
-RACEWAY_LANES void BearingInstants::look_at(double h, double s, Look *look)
+void BearingInstants::keep()
+{
+  for (size_t k = 0; k < b_.groups.size(); ++k)
+    end_[k] = {b_.groups[k].now, b_.groups[k].v, b_.groups[k].w};
+  for (size_t k = 0; k < b_.rings.size(); ++k) ring_end_[k] = b_.rings[k].now;
+  kept_end_ = b_.kept;
+}
+
+void BearingInstants::put_back()
+{
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    BodyGroup &g = b_.groups[k];
+    g.now = end_[k].frame;
+    g.v = end_[k].v;
+    g.w = end_[k].w;
+  }
+  for (size_t k = 0; k < b_.rings.size(); ++k) b_.rings[k].now = ring_end_[k];
+  std::swap(b_.kept, kept_end_);
+}
+
+// Everything to the share s of the internal step.
+RACEWAY_LANES void BearingInstants::move(double h, double s)
 {
   const Cubic at(s, h);
   for (size_t k = 0; k < b_.groups.size(); ++k) {
-    const BodyGroup &g = b_.groups[k];
-    if (!g.spins) continue;    // cage balls
-    Passed &p = passed_[k];
-    p.frame.r = at(g.from.r, g.v_from.x, g.now.r, g.v.x);
-    p.frame.z = at(g.from.z, g.v_from.z, g.now.z, g.v.z);
-    p.frame.turn_from(g.from, at(Lane{}, Lane(g.v_from.y / g.from.r), Lane(g.turned + g.turn),
-                                 Lane(g.v.y / g.now.r)));
-    p.v = g.v_from + (g.v - g.v_from) * s;
-    p.w = g.w_from + (g.w - g.w_from) * s;
+    BodyGroup &g = b_.groups[k];
+    const Motion &end = end_[k];
+    g.now.r = at(g.from.r, g.v_from.x, end.frame.r, end.v.x);
+    g.now.z = at(g.from.z, g.v_from.z, end.frame.z, end.v.z);
+    g.now.turn_from(g.from, at(Lane{}, Lane(g.v_from.y / g.from.r), Lane(g.turned + g.turn),
+                               Lane(end.v.y / end.frame.r)));
+    g.v = g.v_from + (end.v - g.v_from) * s;
+    g.w = g.w_from + (end.w - g.w_from) * s;
   }
-  for (const BearingBodies::Track &track : b_.tracks) {
-    const RingBody &ring = b_.rings[track.ring];
-    const RacewayPhysics &p = *track.physics;
-    const RingPose pose = between(ring.from, ring.now, h, s);
-    const Vec3 centre = pose.x - b_.centre, spin = pose.angular_velocity();
-    for (int k = track.first; k < track.end; ++k, ++look) {
-      const LaneFrame &f = passed_[k].frame;
-      const Vec3L there = f.local(centre), d = {f.r - there.x, -there.y, f.z - there.z};
-      RingStateT<Lane> r;
-      r.e = f.local(pose.e);
-      ContactStateT<Lane> c;
-      locate(d, r.e, p.centre_circle, c);
-      c.overlap = c.s - p.slack;
-      const LaneMask live = b_.groups[k].used & (c.overlap > -p.reach);
-      *look = Look();
-      if (!any(live)) continue;
-      c.overlap = where(live, c.overlap, 1e-9);
-      r.v = f.local(pose.v);
-      r.w = f.local(spin);
-      const BallStateT<Lane> ball = {d, passed_[k].v, passed_[k].w};
-      act<Law<HertzContactPart>>(p, ball, r, LawStates<Lane>(), c);
-      look->load = where(live, c.load, 0.0);
-      if (!p.has<FilmThicknessPart>()) continue;
-      const FilmCapacitorT<Lane> q = film_capacitor(p, c, instants_.eps, instants_.shortest);
-      look->h_c = where(live, q.h_c, 0.0);
-      look->capacitance = where(live, q.capacitance, 0.0);
-    }
+  for (size_t k = 0; k < b_.rings.size(); ++k)
+    b_.rings[k].now = between(b_.rings[k].from, ring_end_[k], h, s);
+  for (size_t k = 0; k < b_.kept.size(); ++k)
+    for (int m = 0; m < b_.states(); ++m)
+      b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
+}
+
+RACEWAY_LANES Failure BearingInstants::look_at(int k)
+{
+  Stage stage;
+  stage.looks = looks_.data() + (k - 1) * b_.n_contacts;
+  const Failure failure = forces_.evaluate(stage);
+  if (failure != Failure::none) return failure;
+  Bodies *body = bodies_.data() + (k - 1) * b_.groups.size();
+  for (const BodyGroup &g : b_.groups) {
+    const Vec3L x = g.now.place();
+    body->x = {x.x + b_.centre.x, x.y + b_.centre.y, x.z + b_.centre.z};
+    body->v = g.now.lab(g.v);
+    body->w = g.now.lab(g.w);
+    ++body;
   }
+  Ring *ring = rings_.data() + (k - 1) * b_.rings.size();
+  for (const RingBody &r : b_.rings) *ring++ = {r.now, r.force, r.moment};
+  if (instants_.eps > 0.0) capacitors(k);
+  return failure;
+}
+
+RACEWAY_LANES void BearingInstants::capacitors(int k)
+{
+  const ContactLook *look = looks_.data() + (k - 1) * b_.n_contacts;
+  Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
+  for (const BearingBodies::Track &track : b_.tracks)
+    for (int g = track.first; g < track.end; ++g, ++look, ++to)
+      if (any(look->live) && track.physics->has<FilmThicknessPart>())
+        to->of = film_capacitor(*track.physics, look->state, instants_.eps, instants_.shortest);
 }
 
 }    // namespace raceway

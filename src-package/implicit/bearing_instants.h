@@ -1,53 +1,78 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts between two steps, for those who sample faster than the motion changes: places by the
-// cubic through both ends of the internal step (cubic.h), velocities linear, and the contact
-// formulas as anywhere else. Nothing of it feeds back.
+// A bearing between two steps, for those who sample faster than the motion changes: places by the
+// cubic through both ends of the internal step (cubic.h), velocities and what contacts keep linear,
+// and forces by the evaluation that the step itself uses. Nothing of it feeds back.
 #ifndef RACEWAY_BEARING_INSTANTS_H
 #define RACEWAY_BEARING_INSTANTS_H
 
-#include "bearing_bodies.h"
+#include "../physics/capacitance.h"
+#include "bearing_forces.h"
 
 namespace raceway {
 
-// A raceway contact between two steps; all 0 where there is none.
-struct InstantLoad {
-  double load, h_c, capacitance;    // N, m, F
-};
-
-// What is wanted: at shares k/number of the host's step, k = 1 to number - 1, for a lubricant of
-// relative permittivity eps and films of at least `shortest` (m). number 0: nothing.
+// What is wanted: at shares k/number of the host's step, k = 1 to number - 1; capacitances for a
+// lubricant of relative permittivity eps and films of at least `shortest` (m). number 0: nothing;
+// eps 0: no capacitances.
 struct Instants {
   int number = 0;
-  double eps = 1.0, shortest = 0.0;
+  double eps = 0.0, shortest = 0.0;
 };
 
 class BearingInstants {
  public:
-  explicit BearingInstants(const BearingBodies &b) : b_(b) {}
+  struct Contact {
+    double orbit;         // rad/s, of the ball about the ring's axis
+    bool live = false;    // nothing below is set where it is not
+    ContactState state;
+    FilmCapacitorT<double> capacitor = {0.0, 0.0};
+  };
+  struct Ring {
+    RingPose pose;
+    Vec3 force, moment;    // of balls and cage, N and N m
+  };
+
+  BearingInstants(BearingBodies &b, BearingForces &f) : b_(b), forces_(f) {}
 
   void want(const Instants &);
-  InstantLoad at(int k,
-                 int groove) const;    // k from 1; groove of the model; of the last host step
+  // Of the last host step; k from 1, the others as in the model.
+  Contact contact(int k, int groove) const;
+  BodyPose body(int k, int body) const;
+  const Ring &ring(int k, int ring) const { return rings_[(k - 1) * b_.rings.size() + ring]; }
 
   // Those that a step of h seconds passes, from share s0 to s1 of the host's, before it is
   // accepted.
-  void pass(double h, double s0, double s1);
+  Failure pass(double h, double s0, double s1);
 
  private:
-  struct alignas(32) Passed {    // a group between two steps
+  struct alignas(32) Motion {    // of a group
     LaneFrame frame;
     Vec3L v, w;
   };
-  struct alignas(32) Look {
-    Lane load, h_c, capacitance;
+  struct alignas(32) Bodies {    // of a group, in the lab
+    Vec3L x, v, w;
   };
-  void look_at(double h, double s, Look *);
+  struct alignas(32) Capacitors {    // of a group of contacts
+    FilmCapacitorT<Lane> of;
+  };
+  void keep();
+  void put_back();
+  void move(double h, double s);
+  Failure look_at(int k);
+  void capacitors(int k);
 
-  const BearingBodies &b_;
+  BearingBodies &b_;
+  BearingForces &forces_;
   Instants instants_;
   int next_ = 1;
-  std::vector<Passed> passed_;    // groups
-  std::vector<Look> looks_;       // instant by instant, then contact by contact
+  // instant by instant, then by group of contacts, group or ring
+  std::vector<ContactLook> looks_;
+  std::vector<Capacitors> capacitors_;
+  std::vector<Bodies> bodies_;
+  std::vector<Ring> rings_;
+  // the end of the step, while the bearing is put elsewhere
+  std::vector<Motion> end_;
+  std::vector<RingPose> ring_end_;
+  std::vector<BearingBodies::States> kept_end_;
 };
 
 }    // namespace raceway

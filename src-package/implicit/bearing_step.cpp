@@ -228,12 +228,13 @@ RACEWAY_LANES double BearingStep::apply(double h, Outcome &o)
   return finite ? h * largest : HUGE_VAL;
 }
 
-void BearingStep::accept()
+Failure BearingStep::accept()
 {
-  instants_.pass(present_.h, present_.s0, present_.s1);
+  const Failure failure = instants_.pass(present_.h, present_.s0, present_.s1);
   bodies_.accept();
   energy_.work += pending_.work;
   energy_.dissipated += pending_.dissipated;
+  return failure;
 }
 
 }    // namespace raceway

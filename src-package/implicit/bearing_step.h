@@ -58,7 +58,7 @@ class BearingStep {
   };
 
   explicit BearingStep(const BearingModel &model) :
-      bodies_(model), system_(bodies_), forces_(bodies_, system_), instants_(bodies_)
+      bodies_(model), system_(bodies_), forces_(bodies_, system_), instants_(bodies_, forces_)
   {
   }
   BearingStep(const BearingStep &) = delete;    // its pieces refer to one another
@@ -73,7 +73,8 @@ class BearingStep {
 
   // From share s0 to share s1 of the host's step, h seconds. Nothing has moved until accept().
   Outcome step(const Settings &, double h, double s0, double s1);
-  void accept();
+  // Failure of the contacts at an instant within the step (bearing_instants.h), which ends the run.
+  Failure accept();
 
   BearingInstants &instants() { return instants_; }
   const BearingInstants &instants() const { return instants_; }

@@ -114,7 +114,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
 // Balls and cage balls: each closed contact is a link.
 Failure BearingForces::pockets(const Stage &stage)
 {
-  if (b_.model.pockets.empty()) return Failure::none;
+  if (b_.model.pockets.empty() || stage.looks) return Failure::none;    // no force on a ring
   const bool only = stage.evaluate == Evaluate::only;
   const bool fresh = stage.evaluate == Evaluate::derivatives;
   const double h = stage.h;

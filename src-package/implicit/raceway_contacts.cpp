@@ -89,6 +89,10 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       if constexpr (L::states > 0)
         for (int m = 0; m < L::states && stage.evaluate != Evaluate::only; ++m)
           b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
+      if (stage.looks) {
+        stage.looks[contact].live = live;
+        stage.looks[contact].orbit = dot(g.v - f.local(ring.now.v), c.t) / c.r;
+      }
       if (!any(live)) continue;
       if (any(live & ~(c.overlap < p.largest_overlap))) {
         for (int i = 0; i < lanes; ++i)
@@ -118,6 +122,13 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
       ring.force_lanes -= f.lab(q.force);
       ring.moment_lanes += f.lab(q.ring_torque);
+      if (stage.looks) {
+        ContactStateT<Lane> &seen = stage.looks[contact].state;
+        seen = c;
+        seen.u = f.lab(c.u);
+        seen.t = f.lab(c.t);
+        continue;
+      }
       if (stage.evaluate == Evaluate::only) {
         power_lost_ += sum(where(live, L::loss(c), 0.0));
         contact_energy_ += sum(where(live, Lane(0.4 * c.load * c.compression), 0.0));

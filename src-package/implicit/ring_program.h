@@ -318,6 +318,8 @@ inline RingPose between(const RingPose &from, const RingPose &to, double h, doub
     r.e = at(from.e, cross(from.across(), from.e), to.e, cross(to.across(), to.e));
     r.e = r.e * (1.0 / norm(r.e));
   }
+  r.angle = at(from.angle, from.spin, to.angle, to.spin);
+  tilt_of(r.e, r.tilt);
   for (int k = 0; k < 2; ++k) r.rate[k] = from.rate[k] + s * (to.rate[k] - from.rate[k]);
   r.spin = from.spin + s * (to.spin - from.spin);
   return r;

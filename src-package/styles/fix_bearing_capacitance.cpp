@@ -96,12 +96,18 @@ void FixBearingCapacitance::find_integrators()
             "' needs fix bearing/implicit, which knows what happens within a step; with other "
             "integrators sample every step");
   for (FixBearingImplicit *f : integrators_)
-    f->want_instants({within_, permittivity_, shortest_film_});
+    f->want_instants(instants(within_), std::string("fix ") + id + " bearing/capacitance");
+  members_ = find_members();
+}
+
+std::vector<tag_t> FixBearingCapacitance::find_members() const
+{
   std::vector<tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) mine.push_back(atom->tag[i]);
-  members_ = bearing::gather_all(mine, world);
-  std::sort(members_.begin(), members_.end());
+  std::vector<tag_t> all = bearing::gather_all(mine, world);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c) const
@@ -109,13 +115,27 @@ FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c)
   return film_capacitor(*c.raceway, c.state, permittivity_, shortest_film_);
 }
 
+// What the homes of the bearings know.
+void FixBearingCapacitance::add_instants()
+{
+  for (FixBearingImplicit *f : integrators_)
+    for (int k = 1; k < within_; ++k)
+      f->read_instant(k,
+                      {[this, k](const bearing::InstantContact &c) {
+                         if (c.live && std::binary_search(members_.begin(), members_.end(), c.ball))
+                           mine_.push_back({k, c.ball, c.raceway.groove.side, c.state.load,
+                                            c.capacitor.h_c, c.capacitor.capacitance});
+                       },
+                       {},
+                       {}});
+}
+
 // What the owners of the balls know. Sums over all ranks wait until somebody asks: a table by ring
 // does not.
 void FixBearingCapacitance::sample(bool between)
 {
   mine_.clear();
-  if (between)
-    for (FixBearingImplicit *f : integrators_) f->add_instants(members_, mine_);
+  if (between) add_instants();
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
   for (const RacewayContact &c : pair_->table().raceway)
     if (c.live && (atom->mask[c.i_ball] & groupbit)) {

@@ -33,6 +33,10 @@ class FixBearingCapacitance : public Fix {
   void set_arrays(int) override;
   double memory_usage() override;
 
+  // Its balls, sorted; all ranks.
+  std::vector<bearing::tag_t> find_members() const;
+  // At `number` instants of a step.
+  bearing::Instants instants(int number) const { return {number, permittivity_, shortest_film_}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   double permittivity() const { return permittivity_; }    // relative, at ambient pressure
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &) const;
@@ -42,9 +46,15 @@ class FixBearingCapacitance : public Fix {
   struct Total {
     double sum, largest, active;
   };
-  using Row = bearing::InstantContact;
+  struct Row {
+    int instant;    // of within_
+    bearing::tag_t ball;
+    raceway::Side side;
+    double load, h_c, capacitance;    // N, m, F
+  };
 
   void find_integrators();
+  void add_instants();
   void sample(bool between);
   void sum_up();
   Total add_up(const Row *first, const Row *end) const;

@@ -10,6 +10,7 @@
 #include "fix_bearing_state.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
+#include "ring_values.h"
 
 #include <algorithm>
 
@@ -242,7 +243,10 @@ void FixBearingImplicit::advance(Part &p)
       if (p.step < smallest_step) give_up(p, h);
       continue;
     }
-    p.bearing->accept();
+    if (const raceway::Failure f = p.bearing->accept(); f != raceway::Failure::none) {
+      p.outcome.failure = f;
+      give_up(p, h);
+    }
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
     worst_ = std::max(worst_, o.error);
@@ -254,35 +258,52 @@ void FixBearingImplicit::advance(Part &p)
   }
 }
 
-void FixBearingImplicit::want_instants(const Instants &i)
+// Those who want the same instants share one evaluation.
+void FixBearingImplicit::want_instants(const Instants &i, const std::string &command)
 {
-  if (instants_.number > 1 &&
-      (i.number != instants_.number || i.eps != instants_.eps || i.shortest != instants_.shortest))
-    BRG_ALL(
-        std::string("fix ") + id +
-        " bearing/implicit: two fixes want different things between its steps; give them the same "
-        "'within', permittivity and film_floor");
-  instants_ = i;
+  const bool others = instants_.number > 1;
+  if (others && i.number != instants_.number)
+    BRG_ALL(command + ": 'within " + std::to_string(i.number) +
+            "', but another fix wants 'within " + std::to_string(instants_.number) + "' of fix " +
+            id + " bearing/implicit");
+  if (others && i.eps > 0.0 && instants_.eps > 0.0 &&
+      (i.eps != instants_.eps || i.shortest != instants_.shortest))
+    BRG_ALL(command + ": two fixes want different things between the steps of fix " + id +
+            " bearing/implicit; give them the same permittivity and film_floor");
+  if (i.eps > 0.0 || !others) instants_ = i;
 }
 
-void FixBearingImplicit::add_instants(const std::vector<tag_t> &of,
-                                      std::vector<bearing::InstantContact> &add) const
+void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const
 {
-  std::vector<int> wanted;    // grooves
+  const raceway::LabAxes axes = {pair_->axis_index()};
   for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
     const raceway::BearingModel &m = solver_->bearings.model(p);
-    auto ball = [&m](int groove) {
-      return static_cast<tag_t>(m.bodies[m.grooves[groove].body].tag);
-    };
-    wanted.clear();
-    for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g)
-      if (std::binary_search(of.begin(), of.end(), ball(g))) wanted.push_back(g);
-    for (int k = 1; k < instants_.number; ++k)
-      for (int g : wanted) {
-        const raceway::InstantLoad c = solver_->parts[p].bearing->instants().at(k, g);
-        if (c.load > 0.0)
-          add.push_back(
-              {k, ball(g), m.grooves[g].physics->groove.side, c.load, c.h_c, c.capacitance});
+    const raceway::BearingInstants &at = solver_->parts[p].bearing->instants();
+    for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
+      const raceway::BearingModel::Groove &groove = m.grooves[g];
+      raceway::BearingInstants::Contact c = at.contact(k, g);
+      c.state.u = axes.lab(c.state.u);
+      c.state.t = axes.lab(c.state.t);
+      tell.contact({static_cast<tag_t>(m.bodies[groove.body].tag),
+                    static_cast<tag_t>(m.rings[groove.ring].tag), *groove.physics, c.orbit, c.live,
+                    c.state, c.capacitor});
+    }
+    if (tell.body)
+      for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
+        const raceway::BodyPose pose = at.body(k, b);
+        // the step leaves the spin of a cage ball alone
+        const raceway::Vec3 &w = m.bodies[b].spins ? pose.w : solver_->bearings.bodies(p)[b].w;
+        tell.body(
+            {static_cast<tag_t>(m.bodies[b].tag), axes.lab(pose.x), axes.lab(pose.v), axes.lab(w)});
+      }
+    if (tell.ring)
+      for (int r = 0; r < static_cast<int>(m.rings.size()); ++r) {
+        const raceway::BearingInstants::Ring &now = at.ring(k, r);
+        bearing::InstantRing ring;
+        bearing::ring_values(
+            {static_cast<double>(m.rings[r].tag), now.pose, now.pose.spin, now.force, now.moment},
+            axes, ring.of);
+        tell.ring(ring);
       }
   }
 }

@@ -35,11 +35,10 @@ class FixBearingImplicit : public Fix {
   double compute_scalar() override;
   double compute_vector(int) override;
 
-  // Contacts between host steps: asked for in another fix's setup(), there after every step.
-  void want_instants(const bearing::Instants &);    // one set of wishes a fix
-  // Those of the balls `of` (sorted) in bearings at home here.
-  void add_instants(const std::vector<bearing::tag_t> &of,
-                    std::vector<bearing::InstantContact> &) const;
+  // Bearings between host steps: asked for in another fix's setup(), there after every step.
+  void want_instants(const bearing::Instants &, const std::string &command);
+  // The k-th instant, from 1, of the bearings at home here.
+  void read_instant(int k, const bearing::InstantReader &) const;
 
  private:
   // The solver, its settings and the bearings at home here: in the source alone, so that no other

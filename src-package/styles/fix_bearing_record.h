@@ -2,9 +2,10 @@
 // fix bearing/record: a folder with everything about the bearings of a group, sampled evenly, in
 // one netCDF file (record/record_file.h).
 //
-// Every rank reports what it owns; reports of a batch of samples go to rank 0 together, which puts
-// them in order, sums over bearings and writes. How long the file was is in the restart file: a run
-// that goes on cuts the file to that and writes the same bytes.
+// At the end of a step every rank says what it owns, between steps what is at home there
+// (record/record_rows.h). Rows of a batch of samples go to rank 0 together, which puts them in
+// order, sums over bearings and writes. How long the file was is in the restart file: a run that
+// goes on cuts the file to that and writes the same bytes.
 #ifdef FIX_CLASS
 FixStyle(bearing/record,FixBearingRecord)
 #else
@@ -12,10 +13,10 @@ FixStyle(bearing/record,FixBearingRecord)
 #define LMP_FIX_BEARING_RECORD_H
 
 #include "../contacts/contact_reader.h"
-#include "../record/record_file.h"
+#include "../contacts/instants.h"
+#include "../record/record_rows.h"
 
 #include <memory>
-#include <unordered_map>
 
 namespace LAMMPS_NS {
 
@@ -33,21 +34,15 @@ class FixBearingRecord : public Fix {
   double memory_usage() override;
 
  private:
-  using Kind = bearing::RecordFile::Kind;
-  struct Place {
-    Kind kind;
-    int at;
-  };
-
   void read_options(class bearing::Arguments &);
   void check_path();
   void open();
-  bearing::NetcdfHeader::Attributes about() const;
-  void add_bearing(bearing::NetcdfHeader::Attributes &) const;
-  void sample();
-  void report_contacts();
-  void report_parts();
-  double *row(Kind, int place);
+  void find_integrators();
+  void check_time_step() const;
+  void sample(bool between);
+  void sample_instants();
+  void sample_contacts();
+  void sample_parts();
   void end_sample(double step);
   void flush();
   void refuse(const std::string &complaint) const;    // if there is one
@@ -57,8 +52,6 @@ class FixBearingRecord : public Fix {
     double wall, steps;    // s; of the integrator
   };
   Spent spent_now() const;
-  void write_settings(bool done) const;
-  bool holds_finished_run() const;
 
   class PairBearingHertz *pair_;
   std::string command_, folder_, path_;
@@ -66,15 +59,14 @@ class FixBearingRecord : public Fix {
   bearing::NetcdfHeader::Attributes notes_, about_;    // given in the command; with what is known
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
+  int within_ = 1;                                         // samples a step, the last one its end
+  std::vector<class FixBearingImplicit *> integrators_;    // that know what happens between steps
+  std::vector<bearing::tag_t> capacitors_;                 // balls that have one, sorted
 
   bool open_ = false;
   std::unique_ptr<bearing::RecordFile> file_;    // of rank 0
   bearing::RecordLayout layout_;
-  std::vector<Place> places_;    // by tag
-  size_t widths_[4] = {};
-  size_t batch_ = 1, in_batch_ = 0;
-  std::vector<double> said_;                  // rows of this rank, since the last flush
-  std::vector<bearing::BallShare> shares_;    // by ball, of the present sample
+  bearing::RecordRows rows_;    // of this rank, since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
   bool resumed_ = false, running_ = false;

@@ -5,12 +5,24 @@
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
 
-#include "../implicit/ring_program.h"
-
 using namespace LAMMPS_NS;
 using raceway::Vec3;
 
 namespace bearing {
+
+void ring_values(const RingView &r, const raceway::LabAxes &axes, double *of)
+{
+  of[of_ring::RING] = r.tag;
+  axes.lab(r.place.x - r.place.origin).to(of + of_ring::X);
+  axes.lab(r.place.v).to(of + of_ring::VX);
+  of[of_ring::SPIN] = r.spin;
+  of[of_ring::ANGLE] = r.place.angle;
+  raceway::tilt_of(r.place.e, of + of_ring::TILT_1);
+  axes.lab(r.force).to(of + of_ring::FX);
+  const Vec3 moment = axes.lab(r.moment);
+  moment.to(of + of_ring::MX);
+  of[of_ring::TORQUE] = dot(moment, axes.lab(r.place.e));
+}
 
 void ring_values(const Atom &atom, PairBearingHertz &pair, int n, double *of)
 {
@@ -18,15 +30,11 @@ void ring_values(const Atom &atom, PairBearingHertz &pair, int n, double *of)
   const int i = rings.ring(n);
   const raceway::LabAxes axes = {pair.axis_index()};
   const RingMotion &ring = pair.state()->ring(i);
-  of[of_ring::RING] = static_cast<double>(atom.tag[i]);
-  (Vec3::from(atom.x[i]) - ring.origin).to(of + of_ring::X);
-  Vec3::from(atom.v[i]).to(of + of_ring::VX);
-  of[of_ring::SPIN] = dot(Vec3::from(atom.omega[i]), ring.axis);
-  of[of_ring::ANGLE] = ring.angle;
-  raceway::tilt_of(axes.third(ring.axis), of + of_ring::TILT_1);
-  rings.force(n).to(of + of_ring::FX);
-  rings.torque(n).to(of + of_ring::MX);
-  of[of_ring::TORQUE] = dot(rings.torque(n), ring.axis);
+  raceway::RingPlace place;
+  read_place(atom, i, ring, axes, place);
+  ring_values({static_cast<double>(atom.tag[i]), place, dot(Vec3::from(atom.omega[i]), ring.axis),
+               axes.third(rings.force(n)), axes.third(rings.torque(n))},
+              axes, of);
 }
 
 }    // namespace bearing

@@ -3,6 +3,8 @@
 #ifndef BEARING_RING_VALUES_H
 #define BEARING_RING_VALUES_H
 
+#include "../implicit/ring_program.h"
+#include "../physics/lab_axes.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {
@@ -11,8 +13,18 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// of[of_ring::RING] to of[of_ring::TORQUE] (contacts/bearing_columns.h) of the n-th ring of this
-// rank in the pair style's RingSum.
+// A ring and what acts on it, with the bearing axis third.
+struct RingView {
+  double tag;
+  const raceway::RingPlace &place;
+  double spin;    // rad/s, about its own axis
+  raceway::Vec3 force, moment;
+};
+
+// of[of_ring::RING] to of[of_ring::TORQUE] (contacts/bearing_columns.h).
+void ring_values(const RingView &, const raceway::LabAxes &, double *of);
+
+// The same of the n-th ring of this rank in the pair style's RingSum.
 void ring_values(const LAMMPS_NS::Atom &, LAMMPS_NS::PairBearingHertz &, int n, double *of);
 
 }    // namespace bearing

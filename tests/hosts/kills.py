@@ -27,7 +27,14 @@ from host import ENVIRONMENT, ROOT, frames  # noqa: E402
 FILES = ("record.nc", "contacts.dump", "balls.dump", "rings.dat")
 DECK = ROOT / "inputs" / "in.6208"
 SCENES = (
-    {"lubricant": "mineral", "integrator": "implicit", "passes": 10, "keep": 25, "dumps": "yes"},
+    {
+        "lubricant": "mineral",
+        "integrator": "implicit",
+        "passes": 10,
+        "keep": 25,
+        "dumps": "yes",
+        "within": 5,
+    },
     {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25, "dumps": "yes"},
 )
 

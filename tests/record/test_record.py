@@ -219,7 +219,7 @@ def test_resume(ranks, tmp_path):
         ("contacts weight", "unknown attribute 'weight'; known: all, usual, ball"),
         ("contacts h_min", "attribute 'h_min' needs a lubricant"),
         ("content most", "content is 'most', must be one of: none, summary, all"),
-        ("wobble", r"unknown keyword .*'wobble'; known: contacts, content, single"),
+        ("wobble", r"unknown keyword .*'wobble'; known: contacts, content, within"),
         ("number mass heavy", "mass"),
     ],
 )

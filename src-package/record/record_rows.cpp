@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record_rows.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace bearing {
+
+using raceway::ContactState;
+using raceway::Side;
+using raceway::Vec3;
+
+void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const Columns &columns,
+                       bool film, size_t batch)
+{
+  columns_ = columns;
+  film_ = film;
+  batch_ = batch;
+  double top = 0.0;
+  for (const auto &p : layout.balls) top = std::max(top, p.tag);
+  for (const auto &p : layout.cage) top = std::max(top, p.tag);
+  for (const auto &p : layout.rings) top = std::max(top, p.tag);
+  places_.assign(static_cast<size_t>(top) + 1, {RecordFile::END, 0});
+  const auto put = [this](const auto &list, Kind kind) {
+    for (size_t k = 0; k < list.size(); ++k)
+      places_[static_cast<size_t>(list[k].tag)] = {kind, static_cast<int>(k)};
+  };
+  put(layout.balls, RecordFile::BALL);
+  put(layout.cage, RecordFile::CAGE);
+  put(layout.rings, RecordFile::RING);
+  shares_.assign(layout.balls.size(), Share());
+  for (Kind k : {RecordFile::BALL, RecordFile::CONTACT, RecordFile::CAGE, RecordFile::RING})
+    widths_[k] = file.width(k);
+  said_.reserve(batch * (file.record_bytes() / sizeof(double) + 3 * layout.parts()));
+}
+
+int RecordRows::ball(Tag tag) const
+{
+  const Place p = place(tag);
+  return p.kind == RecordFile::BALL ? p.at : -1;
+}
+
+double *RecordRows::row(Kind kind, int at)
+{
+  const size_t begin = said_.size();
+  said_.resize(begin + 2 + widths_[kind]);
+  said_[begin] = kind;
+  said_[begin + 1] = at;
+  return &said_[begin + 2];
+}
+
+void RecordRows::contact(int ball, const ContactView &view)
+{
+  const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
+  if (!columns_.empty()) {
+    double *to = row(RecordFile::CONTACT, s * static_cast<int>(shares_.size()) + ball);
+    for (const ContactColumn *c : columns_) *to++ = c->value(view);
+  }
+  Share &share = shares_[ball];
+  BallShare &sum = share.sum;
+  const ContactState &state = view.state;
+  sum.contacts += 1.0;
+  sum.load[s] = state.load;
+  sum.pressure[s] = view.raceway.law.at(state.cos_angle).p * state.root;
+  sum.friction_power += friction_power(state);
+  sum.damping_power += raceway::NormalForcePart::loss(state);
+  share.capacitance[s] = view.capacitor.capacitance;
+  sum.capacitance = raceway::series_capacitance(share.capacitance[0], share.capacitance[1]);
+  if (s == 0) sum.entrainment = state.entrainment;
+  if (!film_) return;
+  sum.h_min = std::min(sum.h_min, state.h_min);
+  sum.lambda = std::min(sum.lambda, state.lambda);
+  if (s == 0) {
+    sum.film[0] = state.h_min;
+    sum.film[1] = state.lambda;
+    sum.film[2] = view.capacitor.h_c;
+  }
+}
+
+void RecordRows::body(Tag tag, const Vec3 &x, const Vec3 &v, const Vec3 &w)
+{
+  const Place p = place(tag);
+  if (p.kind != RecordFile::BALL && p.kind != RecordFile::CAGE) return;
+  double *to = row(p.kind, p.at);
+  x.to(to);
+  v.to(to + 3);
+  w.to(to + 6);
+  if (p.kind == RecordFile::CAGE) return;
+  memcpy(to + RecordFile::MOTION, &shares_[p.at].sum, sizeof(BallShare));
+  shares_[p.at] = Share();
+}
+
+void RecordRows::ring(const double *of)
+{
+  const Place p = place(static_cast<Tag>(of[of_ring::RING]));
+  if (p.kind != RecordFile::RING) return;
+  std::copy(of + RecordFile::FIRST_OF_RING,
+            of + RecordFile::FIRST_OF_RING + RecordFile::RING_VALUES, row(p.kind, p.at));
+}
+
+void RecordRows::end(double time, double step)
+{
+  said_.push_back(RecordFile::END);
+  said_.push_back(time);
+  said_.push_back(step);
+  ++samples_;
+}
+
+void RecordRows::clear()
+{
+  said_.clear();
+  samples_ = 0;
+}
+
+}    // namespace bearing

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What one rank says of the parts of a record that it knows, sample by sample: rows for RecordFile
+// (record_file.h). Of a ball its contacts come first. No host here.
+#ifndef BEARING_RECORD_ROWS_H
+#define BEARING_RECORD_ROWS_H
+
+#include "../contacts/contact_columns.h"
+#include "record_file.h"
+
+#include <cstdint>
+
+namespace bearing {
+
+class RecordRows {
+ public:
+  using Tag = std::int64_t;
+  using Columns = std::vector<const ContactColumn *>;
+
+  // For samples of that file, `batch` at a time.
+  void begin(const RecordLayout &, const RecordFile &, const Columns &, bool film, size_t batch);
+
+  int ball(Tag) const;    // its place in the layout; -1: it is none of the record
+  // The speed of a ball about the axis of the outer ring, or of the only ring it has, rad/s.
+  bool needs_orbit(int ball, raceway::Side s) const
+  {
+    return s == raceway::Side::outer || shares_[ball].sum.orbit == 0.0;
+  }
+  void orbit(int ball, double value) { shares_[ball].sum.orbit = value; }
+  void contact(int ball, const ContactView &);    // a live one
+  // A ball or cage ball; its contacts are complete.
+  void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
+  void ring(const double *of);    // from of_ring::RING on
+  void end(double time, double step);
+
+  bool full() const { return samples_ == batch_; }
+  size_t samples() const { return samples_; }
+  const std::vector<double> &said() const { return said_; }
+  void clear();
+  size_t bytes() const { return said_.capacity() * sizeof(double); }
+
+ private:
+  using Kind = RecordFile::Kind;
+  struct Place {
+    Kind kind;
+    int at;
+  };
+  struct Share {
+    BallShare sum;
+    double capacitance[2] = {0.0, 0.0};
+  };
+  Place place(Tag t) const
+  {
+    return static_cast<size_t>(t) < places_.size() ? places_[t] : Place{RecordFile::END, 0};
+  }
+  double *row(Kind, int at);
+
+  Columns columns_;
+  bool film_ = false;
+  std::vector<Place> places_;    // by tag
+  size_t widths_[4] = {};
+  size_t batch_ = 1, samples_ = 0;
+  std::vector<double> said_;
+  std::vector<Share> shares_;    // by ball, of the present sample
+};
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "record_settings.h"
+
+#include "fix_bearing_implicit.h"
+#include "fixes.h"
+#include "pair_bearing_hertz.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <map>
+
+using namespace LAMMPS_NS;
+namespace fs = std::filesystem;
+
+namespace bearing {
+
+using Attributes = NetcdfHeader::Attributes;
+
+static bool has(const Attributes &list, const std::string &name)
+{
+  return std::any_of(list.begin(), list.end(),
+                     [&](const NetcdfHeader::Attribute &a) { return a.name == name; });
+}
+
+// What the one bearing of a record is: names with units, as in the decks' data files.
+static void add_bearing(const RecordLayout &layout, Attributes &list)
+{
+  static const std::map<std::string, const char *> suffix = {
+      {"", ""}, {"m", "_m"}, {"kg", "_kg"}, {"Pa", "_Pa"}, {"Pa s", "_Pa_s"}, {"1/Pa", "_per_Pa"}};
+  const double *of = layout.bearings.front().of;
+  const auto add = [&list](const std::string &name, double value) {
+    if (!has(list, name) && !std::isnan(value))
+      list.push_back(NetcdfHeader::attribute(name, value));
+  };
+  for (int k = 0; k < of_kind::N; ++k) {
+    const raceway::Column &c = of_kind::list[k];
+    // that of a bearing without clearance, which stands beside it
+    const double outside = k == of_kind::OUTER_RADIUS ? 0.5 * of[of_kind::CLEARANCE] : 0.0;
+    add(c.name + std::string(suffix.at(c.unit)), of[k] - outside);
+  }
+  add("roughness_m", std::hypot(of[of_kind::RING_ROUGHNESS], of[of_kind::BALL_ROUGHNESS]));
+  const char *const ring[] = {"inner_ring", "outer_ring"};
+  for (const auto &r : layout.rings) add(ring[r.raceway], r.tag);
+}
+
+Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout,
+                           const Attributes &notes, const RunTimes &times)
+{
+  Attributes list = notes;
+  list.insert(list.begin(), NetcdfHeader::attribute("title", "ball bearing run"));
+  const bool implicit = !fixes_of<FixBearingImplicit>(lmp).empty();
+  if (!has(list, "integrator"))
+    list.push_back(NetcdfHeader::attribute("integrator", implicit ? "implicit" : "verlet"));
+  if (layout.bearings.size() == 1) add_bearing(layout, list);
+  list.push_back(NetcdfHeader::attribute("source", "Raceway 0.1.0, fix bearing/record"));
+  list.push_back(NetcdfHeader::attribute("host", BRG_HOST_NAME));
+  list.push_back(NetcdfHeader::attribute("axis", std::string(1, "xyz"[pair.axis_index()])));
+  list.push_back(NetcdfHeader::attribute("sample_s", times.sample));
+  list.push_back(NetcdfHeader::attribute("start_s", times.start));
+  std::string commands = std::string("pair_style ") + lmp->force->pair_style;
+  for (const std::vector<std::string> &words : pair.said()) {
+    if (&words != &pair.said().front()) commands += "\npair_coeff";
+    for (const std::string &w : words) commands += " " + w;
+  }
+  list.push_back(NetcdfHeader::attribute("pair_commands", commands));
+  return list;
+}
+
+std::string write_run_yaml(const std::string &folder, const Attributes &about,
+                           const Attributes &more)
+{
+  const fs::path file = fs::path(folder) / "run.yaml";
+  std::ofstream to(file);
+  to << std::setprecision(15);
+  for (const Attributes *list : {&about, &more})
+    for (const NetcdfHeader::Attribute &a : *list)
+      if (a.type == NetcdfHeader::real) to << a.name << ": " << a.of[0] << "\n";
+      else if (a.words.find('\n') == std::string::npos) to << a.name << ": " << a.words << "\n";
+  to << std::flush;
+  return to ? "" : "cannot write " + file.string() + ": " + strerror(errno);
+}
+
+bool holds_finished_run(const std::string &folder)
+{
+  std::ifstream from(fs::path(folder) / "run.yaml");
+  for (std::string line; std::getline(from, line);)
+    if (line.compare(0, 7, "wall_s:") == 0) return true;
+  return false;
+}
+
+}    // namespace bearing
