@@ -115,6 +115,7 @@ def test_the_list_is_complete():
             "around",
             "measured",
             "record",
+            "named",
             "recorded",
             "run",
             "settings",

@@ -10,6 +10,7 @@ from xarray.core import indexing
 
 from raceway.errors import RunError
 from raceway.runs.columns import CONTACT
+from raceway.runs.named import NamedDataset
 from raceway.runs.record import MOTION
 from raceway.runs.tables import RunTables
 
@@ -52,7 +53,7 @@ class Recorded:
         coords = {
             name: record.fixed(name) for name in ("ball", "cage_ball") if name in record.about
         }
-        data = xr.Dataset(found, coords={**coords, "raceway": ["inner", "outer"]})
+        data = NamedDataset(found, coords={**coords, "raceway": ["inner", "outer"]})
         for axis in "xyz":
             data[f"ring_origin_{axis}"] = ("ring", record.fixed(f"ring_origin_{axis}"))
         return data.set_coords("time")

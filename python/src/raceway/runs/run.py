@@ -12,6 +12,7 @@ import xarray as xr
 from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.runs.columns import ATOM, BEARING, CONTACT, RING
+from raceway.runs.named import NamedDataset
 from raceway.runs.recorded import Recorded
 from raceway.runs.summary import ring_displacement, summary
 from raceway.runs.tables import BALL, CAGE, RunTables
@@ -35,6 +36,10 @@ class Run:
       balls on it
     - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded, largest
       loads, losses
+
+    Every variable is an attribute, too: `run.contacts.mu`. Those that Python takes for something
+    else have a second name: `Q` for `load`, `lambda_ratio` for `lambda`, `radial_displacement` for
+    `shift`.
 
     `time` is in s from the start of the measured window, the same values in all of them; `passes`
     beside it counts ball passes. `ball` is the atom number, `raceway` "inner" or "outer". Where a
@@ -157,7 +162,8 @@ class Run:
         return universe(self.tables)
 
     def _label(self, data, samples, columns):
-        data = xr.Dataset(data, coords={"time": self.tables.time(samples)}, attrs=self._attrs())
+        coords = {"time": self.tables.time(samples)}
+        data = NamedDataset(data, coords=coords, attrs=self._attrs())
         data["time"].attrs.update(
             units="s", long_name="time since the start of the measured window"
         )
