@@ -5,6 +5,7 @@
 #include "../physics/step_limit.h"
 
 using namespace LAMMPS_NS;
+using raceway::FilmBranches;
 using raceway::verlet_step_limit;
 
 namespace bearing {
@@ -21,9 +22,10 @@ std::string StepLimit::why() const
   return s;
 }
 
-static void keep_smaller(StepLimit &limit, double k, double c, double m, int cause, tag_t ball)
+static void keep_smaller(StepLimit &limit, double k, double c, double m, int cause, tag_t ball,
+                         const FilmBranches &film = {})
 {
-  const double step = verlet_step_limit(k, c, m);
+  const double step = verlet_step_limit(k, c, m, film);
   if (step >= limit.step) return;
   // a damper is to blame when the spring alone would allow twice as much
   if (cause == StepLimit::spring && verlet_step_limit(k, 0.0, m) > 2.0 * step)
@@ -48,15 +50,17 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
     const RacewayContact &first = rows[i];
     const double m = rmass[first.i_ball];
     double k = 0.0, c = 0.0, kt = 0.0, ct = 0.0, k0 = 0.0;
+    FilmBranches film;
     for (; i < rows.size() && rows[i].ball == first.ball; ++i) {
       k0 += 1.5 * rows[i].raceway->law.radial().K * 1e-3;    // sqrt(1 um)
       if (!rows[i].live) continue;
       k += rows[i].state.stiffness;
       c += rows[i].state.damping;
+      film.add(rows[i].state.film_stiffness, rows[i].state.film_rate);
       kt += rows[i].state.kt;
       ct += steepest_friction(rows[i].state);
     }
-    keep_smaller(limit, k, c, m, StepLimit::spring, first.ball);
+    keep_smaller(limit, k, c, m, StepLimit::spring, first.ball, film);
     keep_smaller(limit, kt, ct, 2.0 / 7.0 * m, StepLimit::tangential, first.ball);
     unloaded = std::fmin(unloaded, verlet_step_limit(k0, 0.0, m));
   }

@@ -11,9 +11,10 @@ namespace bearing {
 void ValidityCheck::look(const ContactTable &table, bool film)
 {
   for (const RacewayContact &c : table.raceway)
-    if (c.live && c.state.overlap > 0.0)
+    if (c.live && c.state.compression > 0.0)
       found_.note(static_cast<double>(c.ball), c.raceway->law.at(c.state.cos_angle),
-                  c.state.overlap, c.state.load, c.state.entrainment, c.state.lambda, film);
+                  c.state.compression, c.state.film_load, c.state.entrainment, c.state.lambda,
+                  film);
 }
 
 void ValidityCheck::report(LAMMPS *lmp, bool capacitance)

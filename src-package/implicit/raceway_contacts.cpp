@@ -84,7 +84,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
       // what is not a number must not pass for a gap
-      const LaneMask live = g.used & ~(c.overlap <= -p.reach);
+      LaneMask live = g.used & ~(c.overlap <= -p.reach);
       Lane unused[L::states > 0 ? L::states : 1];
       if constexpr (L::states > 0)
         for (int m = 0; m < L::states && stage.evaluate != Evaluate::only; ++m)
@@ -103,7 +103,12 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       r.v = f.local(ring.now.v);
       r.w = f.local(spin);
       const BallStateT<Lane> ball = {d, g.v, g.w};
-      find_motions<L::couples>(p, ball, r, c);
+      const auto open = approach<L>(p, ball, r, c);
+      if constexpr (L::decides) {
+        live &= ~open;
+        if (!any(live)) continue;
+        c.overlap = where(live, c.overlap, 1e-9);
+      }
       LawStates<Lane> memory;
       if constexpr (L::states > 0) {
         BearingBodies::States &kept = b_.kept[contact];
@@ -131,7 +136,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       }
       if (stage.evaluate == Evaluate::only) {
         power_lost_ += sum(where(live, L::loss(c), 0.0));
-        contact_energy_ += sum(where(live, Lane(0.4 * c.load * c.compression), 0.0));
+        contact_energy_ += sum(where(live, L::energy(c), 0.0));
         continue;
       }
       g.rhs[0] += stage.h * q.force.x;

@@ -40,8 +40,10 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
                                                 double eps_ambient, double shortest)
 {
   const RacewayConstantsT<T> k = p.law.at(c.cos_angle);
-  const T h = film_thickness(k.film.central, film_point(c.entrainment, c.load)),
-          h_c = where(h > shortest, h, shortest);
+  const FilmPointT<T> at = film_point(c.entrainment, c.film_load);
+  T h = film_thickness(k.film.central, at);
+  if (p.factors.any) h = h * p.factors.of(at.ln_speed);
+  const T h_c = where(h > shortest, h, shortest);
   const T eps = permittivity_at(eps_ambient, T(k.p * c.root));
   return {h_c, contact_capacitance(eps, T(k.a * c.root), T(k.b * c.root), h_c)};
 }

@@ -8,21 +8,30 @@
 #include "law.h"
 #include "part_damping.h"
 #include "part_film.h"
+#include "part_film_branch.h"
+#include "part_film_gap.h"
 #include "part_friction.h"
 #include "part_hertz.h"
 
 namespace raceway {
 
 // The order is that of the bits of a set of parts, and of tables in the docs.
-using Parts = PartList<HertzContactPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,
-                       NormalForcePart, ConstantFrictionPart, StribeckFrictionPart,
-                       TangentialSpringPart, SmoothedFrictionPart>;
+using Parts = PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart,
+                       FilmDamperPart, NormalForcePart, FilmBranchPart, ConstantFrictionPart,
+                       StribeckFrictionPart, TangentialSpringPart, SmoothedFrictionPart>;
 
 template <class... P> using Law = LawOf<Parts, P...>;
 template <class... P> using DryLaw = Law<HertzContactPart, HysteresisPart, NormalForcePart, P...>;
 template <class... P>
 using LubricatedLaw =
     Law<HertzContactPart, HysteresisPart, FilmThicknessPart, FilmDamperPart, NormalForcePart, P...>;
+// Film in the gap; damped by the film's branch, or as in the paper.
+template <class... P>
+using FullLaw =
+    Law<FilmInGapPart, HysteresisPart, FilmThicknessPart, NormalForcePart, FilmBranchPart, P...>;
+template <class... P>
+using GapLaw =
+    Law<FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart, NormalForcePart, P...>;
 
 template <class... L> struct LawList {};
 
@@ -32,7 +41,11 @@ using Laws = LawList<DryLaw<>, DryLaw<ConstantFrictionPart, TangentialSpringPart
                      LubricatedLaw<ConstantFrictionPart, TangentialSpringPart>,
                      LubricatedLaw<ConstantFrictionPart, SmoothedFrictionPart>,
                      LubricatedLaw<StribeckFrictionPart, TangentialSpringPart>,
-                     LubricatedLaw<StribeckFrictionPart, SmoothedFrictionPart>>;
+                     LubricatedLaw<StribeckFrictionPart, SmoothedFrictionPart>,
+                     GapLaw<StribeckFrictionPart, TangentialSpringPart>,
+                     GapLaw<StribeckFrictionPart, SmoothedFrictionPart>, FullLaw<>,
+                     FullLaw<StribeckFrictionPart, TangentialSpringPart>,
+                     FullLaw<StribeckFrictionPart, SmoothedFrictionPart>>;
 
 namespace detail {
 template <class... P> constexpr unsigned parts_when(PartList<P...>, When when)
@@ -134,12 +147,23 @@ template <class F> RACEWAY_INLINE bool with_law(unsigned parts, const F &f)
 constexpr int most_states =
     detail::most_states(Laws());    // of any law: what a contact has room for
 
-// Motions, and what law L makes of them, of a contact whose overlap is set and positive.
+// Motions of a contact whose position is known and within reach. Returns whether there is no
+// contact after all.
+template <class L, class T>
+RACEWAY_INLINE auto approach(const RacewayPhysics &p, const BallStateT<T> &ball,
+                             const RingStateT<T> &ring, ContactStateT<T> &c)
+{
+  find_motions<L::couples>(p, ball, ring, c);
+  if constexpr (L::decides) return L::misses(p, p.law.at(c.cos_angle), c);
+  else return std::false_type();
+}
+
+// Motions, and what law L makes of them, of a contact.
 template <class L, class T>
 RACEWAY_INLINE void act(const RacewayPhysics &p, const BallStateT<T> &ball,
                         const RingStateT<T> &ring, const LawStates<T> &memory, ContactStateT<T> &c)
 {
-  find_motions<L::couples>(p, ball, ring, c);
+  approach<L>(p, ball, ring, c);
   L::act(p, p.law.at(c.cos_angle), memory, c);
 }
 

@@ -30,6 +30,7 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
   static_cast<GroovePositionT<B> &>(x) = c;
   x.cos_angle = c.cos_angle;
   x.entrainment = c.entrainment;
+  x.h_edge = c.h_edge;
   x.overlap = c.overlap;
   x.overlap.d[0] = B() + follows;
   x.overlap_rate = c.overlap_rate;
@@ -56,8 +57,15 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
   c.stiffness = x.stiffness;
   c.damping = x.damping;
   c.normal = held(x.normal);
+  c.film_load = x.film_load;
+  c.h_c = x.h_c;
   c.h_min = x.h_min;
   c.lambda = x.lambda;
+  c.film_energy = x.film_energy;
+  c.film_force = x.film_force;
+  c.film_stiffness = x.film_stiffness;
+  c.film_rate = x.film_rate;
+  c.branch_energy = x.branch_energy;
   c.mu = x.mu;
   c.kt = x.kt;
   c.ct = held(x.ct);

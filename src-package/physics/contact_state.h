@@ -14,21 +14,27 @@ namespace raceway {
 template <class T> struct ContactStateT : GroovePositionT<Value<T>> {
   using Plain = Value<T>;
   // motions of the ball against the raceway (kinematics.h)
-  T overlap = T();    // m, of the rigid surfaces; negative for a gap
-  T compression =
-      T();    // m, what the elastic bodies give way: the overlap and what parts add // m
+  T overlap = T();        // m, of the rigid surfaces; negative for a gap
+  T compression = T();    // m, what the elastic bodies give way: the overlap and what parts add
   Plain cos_angle = Plain();                     // of the contact angle
   T overlap_rate = T();                          // m/s
   Plain entrainment = Plain();                   // m/s
   T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
   T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; if the law has couples
   // what parts leave for one another and for output
-  T root = T();                               // sqrt(m), of the overlap
+  T root = T();                               // sqrt(m), of the compression
   T load = T();                               // N, Q, elastic
   Plain stiffness = Plain();                  // N/m, dQ/d(overlap)
   Plain damping = Plain();                    // N s/m, C
   T normal = T();                             // N, max(0, Q + C d(overlap)/dt)
+  Plain film_load = Plain();                  // N, at which the film is taken
+  Plain h_edge = Plain(), h_c = Plain();      // m, central film, where it begins and here
   Plain h_min = Plain(), lambda = Plain();    // m; film parameter
+  Plain film_energy = Plain();                // J, of the film in the gap
+  Plain film_force = Plain();                 // N, of the film's branch
+  Plain film_stiffness = Plain();             // N/m, of the film's branch
+  Plain film_rate = Plain();                  // 1/s, 1/tau of the film's branch
+  Plain branch_energy = Plain();              // J, of the film's branch
   Plain mu = Plain();                         // friction coefficient
   Plain kt = Plain();                         // N/m, tangential spring
   T ct = T();                                 // N s/m, tangential dashpot

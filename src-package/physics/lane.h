@@ -60,6 +60,7 @@ RACEWAY_INLINE Lane where(const LaneMask &test, double yes, double no)
   return test ? all_lanes(yes) : all_lanes(no);
 }
 
+RACEWAY_INLINE bool any(bool m) { return m; }
 RACEWAY_INLINE bool any(const LaneMask &m) { return (m[0] | m[1] | m[2] | m[3]) != 0; }
 RACEWAY_INLINE double sum(const Lane &a) { return ((a[0] + a[1]) + a[2]) + a[3]; }
 

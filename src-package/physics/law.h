@@ -30,6 +30,16 @@ template <class... P> struct PartList {
   template <class F> static void each(const F &f) { (f(Tag<P>()), ...); }    // type of its argument
 };
 
+namespace detail {
+template <class Part, class = void> struct Decides : std::false_type {};
+template <class Part>
+struct Decides<
+    Part, std::void_t<decltype(Part::misses(
+              std::declval<const typename Part::Parameters &>(), std::declval<const Raceway &>(),
+              std::declval<const RacewayConstants &>(), std::declval<ContactState &>()))>>
+    : std::true_type {};
+}    // namespace detail
+
 // A law: its parts act in this order. All is the list of all parts.
 template <class All, class... P> struct LawOf {
   static constexpr unsigned parts = (All::template bit<P>() | ...);
@@ -49,6 +59,25 @@ template <class All, class... P> struct LawOf {
     (one<P>(p, k, m, c), ...);
   }
 
+  // Whether there is no contact, although the overlap is above -reach: a part may know.
+  static constexpr bool decides = (detail::Decides<P>::value || ...);
+  template <class Physics, class T>
+  static RACEWAY_INLINE auto misses(const Physics &p, const RacewayConstantsT<T> &k,
+                                    ContactStateT<T> &c)
+  {
+    auto some = c.overlap < -p.reach;
+    (ask<P>(p, k, c, some), ...);
+    return some;
+  }
+
+  // J, stored
+  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &c)
+  {
+    Value<T> sum = Value<T>();
+    ((sum += P::energy(c)), ...);
+    return sum;
+  }
+
   // W, lost to damping, friction and whatever else a part takes
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
@@ -58,6 +87,13 @@ template <class All, class... P> struct LawOf {
   }
 
  private:
+  template <class Part, class Physics, class T, class Mask>
+  static RACEWAY_INLINE void ask(const Physics &p, const RacewayConstantsT<T> &k,
+                                 ContactStateT<T> &c, Mask &some)
+  {
+    if constexpr (detail::Decides<Part>::value)
+      some = some | Part::misses(p.template of<Part>(), p, k, c);
+  }
   template <class Part, class Physics, class T>
   static RACEWAY_INLINE void one(const Physics &p, const RacewayConstantsT<Value<T>> &k,
                                  LawStates<T> &m, ContactStateT<T> &c)

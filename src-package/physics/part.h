@@ -11,8 +11,12 @@
 //   couples      true if it sets couple_n, couple_t, couple_w
 //   explicit_step   true if an implicit step cannot take it
 //   columns()    what of it can be read from a contact
+//   misses()     whether there is no contact, where an overlap above -reach does not tell; writes
+//                what act() takes from it
 //   act()        what it does to a contact: reads motions and what earlier parts left, writes its
-//   own loss()       the power that it takes out of the motion, W
+//                own
+//   loss()       the power that it takes out of the motion, W
+//   energy()     what it stores, J
 //
 // PartBase has the defaults. docs/extend says how to add a part.
 #ifndef RACEWAY_PART_H
@@ -59,9 +63,10 @@ template <class Own> struct Parameter {
   {
     return {symbol, meaning, least, most, false, nullptr, at, nullptr, unset};
   }
-  static Parameter one_of(const char *meaning, const char *choices, Choose choose)
+  static Parameter one_of(const char *meaning, const char *choices, Choose choose,
+                          const char *unset = nullptr)
   {
-    return {choices, meaning, 0.0, 0.0, false, choices, nullptr, choose, nullptr};
+    return {choices, meaning, 0.0, 0.0, false, choices, nullptr, choose, unset};
   }
 };
 
@@ -99,6 +104,10 @@ struct PartBase {
   static std::vector<Keyword<Parameters>> keywords() { return {}; }
   static std::vector<StateColumn> columns() { return {}; }
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &)
+  {
+    return Value<T>();
+  }
+  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &)
   {
     return Value<T>();
   }

@@ -42,7 +42,7 @@ struct HysteresisPart : PartBase {
 };
 
 struct FilmDamperPart : PartBase {
-  static constexpr const char *name = "film_damper";
+  static constexpr const char *name = "film_damper", *slot = "film_damping";
   static constexpr When when = When::with_film;
   struct Parameters {
     double film_floor = -1.0;    // m, as set; < 0: composite roughness
@@ -53,7 +53,8 @@ struct FilmDamperPart : PartBase {
   static std::vector<Keyword<Parameters>> keywords()
   {
     using P = Parameter<Parameters>;
-    return {{"floor",
+    return {{"film_damping", "eq5", true, {}, nullptr, "the film damper of the paper"},
+            {"floor",
              "",
              false,
              {P::positive(
@@ -83,6 +84,9 @@ struct FilmDamperPart : PartBase {
   }
 };
 
+// W, lost to a contact's normal damping: of a film's branch f^2/(k_m tau).
+inline double damping_power(const ContactState &s);
+
 struct NormalForcePart : PartBase {
   static constexpr const char *name = "normal_force";
   static constexpr When when = When::always;
@@ -92,7 +96,7 @@ struct NormalForcePart : PartBase {
     return {{{"normal", "N", "normal force with damping", vanishes},
              [](const Raceway &, const ContactState &s) { return s.normal; }},
             {{"damping_power", "W", "power lost to normal damping", vanishes},
-             [](const Raceway &, const ContactState &s) { return loss(s); }}};
+             [](const Raceway &, const ContactState &s) { return damping_power(s); }}};
   }
 
   template <class T>
@@ -104,11 +108,18 @@ struct NormalForcePart : PartBase {
     c.normal = where(N > 0.0, N, 0.0);
   }
 
+  // what the film's branch stores on the way is no loss: its own is with it
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
-    return (held(c.normal) - held(c.load)) * held(c.overlap_rate);
+    return (held(c.normal) - held(c.load) - c.film_force) * held(c.overlap_rate);
   }
 };
+
+inline double damping_power(const ContactState &s)
+{
+  const double dashpots = NormalForcePart::loss(s);
+  return s.branch_energy > 0.0 ? dashpots + 2.0 * s.branch_energy * s.film_rate : dashpots;
+}
 
 }    // namespace raceway
 

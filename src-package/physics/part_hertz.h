@@ -8,7 +8,7 @@
 namespace raceway {
 
 struct HertzContactPart : PartBase {
-  static constexpr const char *name = "hertz";
+  static constexpr const char *name = "hertz", *slot = "elastic";
   static constexpr When when = When::always;
 
   static std::vector<Keyword<Parameters>> keywords()
@@ -64,6 +64,12 @@ struct HertzContactPart : PartBase {
     c.root = square_root(c.compression);
     c.load = k.K * c.compression * c.root;
     c.stiffness = 1.5 * k.K * held(c.root);
+    c.film_load = held(c.load);
+  }
+
+  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &c)
+  {
+    return 0.4 * held(c.load) * held(c.compression);
   }
 };
 

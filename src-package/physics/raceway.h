@@ -4,6 +4,7 @@
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 
+#include "film_factors.h"
 #include "raceway_law.h"
 #include "validity.h"
 
@@ -16,6 +17,7 @@ struct Raceway {
   RacewayModel model;
   double ring_roughness = 0.0;    // m
   double ball_roughness = 0.0;    // m
+  FilmFactors factors;
   // film parameter at the end of the boundary regime and at the start of the full film
   double lambda_1 = 1.0, lambda_2 = 3.0;
 
@@ -47,6 +49,7 @@ struct Raceway {
     roughness = composite_roughness(ring_roughness, ball_roughness);
     inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
     ball_mass = mass;
+    factors.prepare(model.lubricant.viscosity);
   }
 };
 

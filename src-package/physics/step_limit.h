@@ -4,18 +4,42 @@
 // For m x'' = -k x - c x' that scheme advances v' = (1 - h c/m) v - (h k/m) x, x' = x + h v'; its
 // two multipliers stay inside the unit circle when h^2 k/m + 2 h c/m < 4. Hence
 //   h_max = (sqrt(c^2 + 4 k m) - c)/k,  2 sqrt(m/k) without damper, 2 m/c without spring.
+//
+// A Maxwell branch k_m, tau whose force is advanced by its exact step adds one multiplier; the
+// limit is where one of them is -1:
+//   h^2 k/m + 2 h c/m + (2 h/m) k_m tau tanh(h/(2 tau)) = 4.
+// tanh(x) is below x and below 1: the branch counts no more than a spring k_m, and no more than a
+// dashpot k_m tau. The larger of both bounds is safe.
 #ifndef RACEWAY_STEP_LIMIT_H
 #define RACEWAY_STEP_LIMIT_H
 
+#include <algorithm>
 #include <cmath>
 
 namespace raceway {
+
+// The branches of a body, together.
+struct FilmBranches {
+  double stiffness = 0.0, dashpot = 0.0;    // N/m, N s/m: sums of k_m and of k_m tau
+
+  void add(double k_m, double rate)    // rate = 1/tau, 1/s
+  {
+    stiffness += k_m;
+    if (k_m > 0.0) dashpot += k_m / rate;    // infinite at rest
+  }
+};
 
 // k N/m, c N s/m, m kg; infinite where nothing acts. Written so that k -> 0 is exact.
 inline double verlet_step_limit(double k, double c, double m)
 {
   const double q = c + std::sqrt(c * c + 4.0 * k * m);
   return q > 0.0 ? 4.0 * m / q : HUGE_VAL;
+}
+inline double verlet_step_limit(double k, double c, double m, const FilmBranches &film)
+{
+  if (!(film.stiffness > 0.0)) return verlet_step_limit(k, c, m);
+  return std::max(verlet_step_limit(k + film.stiffness, c, m),
+                  verlet_step_limit(k, c + film.dashpot, m));
 }
 
 }    // namespace raceway

@@ -58,10 +58,10 @@ struct Validity {
     for (int k = 0; k < N; ++k) worst[k] = rule(k).below ? HUGE_VAL : 0.0;
   }
 
-  void note(double ball_id, const RacewayConstants &k, double overlap, double load,
+  void note(double ball_id, const RacewayConstants &k, double compression, double load,
             double entrainment, double lambda, bool film)
   {
-    const double root = std::sqrt(overlap);
+    const double root = std::sqrt(compression);
     keep(PRESSURE, k.p * root, ball_id);
     if (!film || !(load > 0.0) || !(entrainment > 0.0)) return;
     const double h_c = film_thickness(k.film.central, film_point(entrainment, load));

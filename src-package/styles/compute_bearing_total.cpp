@@ -60,7 +60,7 @@ void ComputeBearingTotal::compute_vector()
       }
       count[0] += 1.0;
       ball.friction += friction_power(s);
-      ball.damping += NormalForcePart::loss(s);
+      ball.damping += damping_power(s);
     }
     count[1] += sides == 3;
     count[2] += 1.0;

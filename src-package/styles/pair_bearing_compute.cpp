@@ -44,21 +44,24 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     ball.x = Vec3::from(x[c.i_ball]);
     ring.x = Vec3::from(x[c.i_ring]);
     ring.e = state_->axis(c.i_ring);
+    const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
     c.live = touch(p, ball.x - ring.x, ring.e, c.state);
+    if (c.live) {
+      if (!(c.state.overlap < p.largest_overlap)) lost(c);
+      ball.v = Vec3::from(v[c.i_ball]);
+      ball.w = Vec3::from(w[c.i_ball]);
+      ring.v = Vec3::from(v[c.i_ring]);
+      ring.w = Vec3::from(w[c.i_ring]);
+      c.live = !approach<L>(p, ball, ring, c.state);
+    }
     if (!c.live) {
-      if (L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_))
-        std::fill(c.kept, c.kept + L::states, 0.0);
+      if (keeps) std::fill(c.kept, c.kept + L::states, 0.0);
       continue;
     }
-    if (!(c.state.overlap < p.largest_overlap)) lost(c);
-    ball.v = Vec3::from(v[c.i_ball]);
-    ball.w = Vec3::from(w[c.i_ball]);
-    ring.v = Vec3::from(v[c.i_ring]);
-    ring.w = Vec3::from(w[c.i_ring]);
     double after[L::states > 0 ? L::states : 1];
-    const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
     const LawStates<double> memory = {keeps ? dt : 0.0, c.kept, after};
-    const ContactForces forces = contact_forces<L>(p, ball, ring, memory, c.state);
+    L::act(p, p.law.at(c.state.cos_angle), memory, c.state);
+    const ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
     if (keeps) std::copy(after, after + L::states, c.kept);
     if (!std::isfinite(c.state.normal)) lost(c);
     forces.force.add_to(f[c.i_ball]);
@@ -66,10 +69,9 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
     if (tally) {
       const Vec3 d = ball.x - ring.x;
-      // int Q d(overlap) = 2/5 Q overlap. Only this rank sees the pair: count it whole (newton = 1)
-      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
-                   eflag_either ? 0.4 * c.state.load * c.state.compression : 0.0, 0.0,
-                   forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
+      // only this rank sees the pair: count it whole (newton = 1)
+      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? L::energy(c.state) : 0.0,
+                   0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
     }
   }
 }

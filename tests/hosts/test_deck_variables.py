@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """bearing_variables: a -var that the deck does not have ends the run."""
 
+import shutil
 import subprocess
 import sys
 
@@ -41,9 +42,28 @@ def test_models(tmp_path):
     succeed("inputs/in.6208", out=tmp_path, models="paper", **SHORT)
     ran = raceway.open(tmp_path)
     assert ran.settings["models"] == ran.summary()["models"] == "paper"
-    assert "friction stribeck 0.12 0.05" in commands()
-    succeed("inputs/in.6208", out=tmp_path, film_law="friction none", **SHORT)
-    assert "friction none" in commands() and "stribeck" not in commands()
+    assert "friction stribeck 0.12 0.05" in commands() and "gap" not in commands()
+    succeed("inputs/in.6208", out=tmp_path, models="full", lubricant="vg46", **SHORT)
+    assert "gap 1 film_damping branch inlet_shear murch" in commands()
+    assert raceway.open(tmp_path).settings["models"] == "full"
+    succeed("inputs/in.dry", out=tmp_path, models="full", **SHORT)
+    assert "friction constant 0.1" in commands() and "gap" not in commands()
+
+
+def test_models_of_an_oil_without_the_numbers(tmp_path):
+    """A lubricant file of the user's own, with what the paper needs only."""
+    inputs = tmp_path / "inputs"
+    shutil.copytree(ROOT / "inputs", inputs)
+    (inputs / "lubricants" / "mine").write_text(
+        "variable film index film\nvariable viscosity index 0.04\n"
+        "variable pressure_viscosity index 22e-9\nvariable permittivity index 2.2\n"
+        "variable roughness index 1e-7\nvariable ball_roughness index 0\n"
+    )
+    case = {"inputs": inputs, "lubricant": "mine", "out": tmp_path / "run"} | SHORT
+    succeed("inputs/in.6208", **case)
+    done = run("inputs/in.6208", models="full", **case)
+    assert done.code != 0
+    assert "mine' has no variable temperature_viscosity, oil_conductivity" in done.text
 
 
 def test_other_spelling_of_the_option(tmp_path):

@@ -79,10 +79,13 @@ Scene scene(unsigned parts, int n)
   s.p.model.lubricant = {0.04, 22e-9};
   s.p.ring_roughness = 1e-7;
   s.p.parts = parts;
+  s.p.factors = {InletShear::murch, 0.047, 0.134, 0.9};
   s.p.of<ConstantFrictionPart>().mu = 0.1;
   s.p.of<StribeckFrictionPart>().curve = {0.12, 0.05, 0.0, 0.0};
   s.p.prepare(30.3e-3, 8.17e-3, 0.05);
-  const double overlap = between(1e-6, 30e-6), distance = s.p.slack + overlap;
+  const double overlap = s.p.has<FilmInGapPart>() && n % 5 == 0 ? between(-3e-8, 3e-8)
+                                                                : between(1e-6, 30e-6),
+               distance = s.p.slack + overlap;
   const double angle = n % 3 ? between(-0.6, 0.6) : 0.0, azimuth = between(-3.0, 3.0);
   const double side = inner ? -1.0 : 1.0;
   const double r = s.p.centre_circle + side * distance * std::cos(angle);
@@ -92,7 +95,9 @@ Scene scene(unsigned parts, int n)
   s.ball.v = u * between(-5e-3, 5e-3) + t * between(0.3, 1.5) + s.ring.e * between(-5e-3, 5e-3);
   s.ball.w = {between(-5.0, 5.0), between(-5.0, 5.0), between(-120.0, -60.0)};
   s.ring.w = {0.0, 0.0, between(0.0, 50.0)};
+  // m of a spring, N of the film's branch, which comes first
   for (double &b : s.before) b = between(-1e-7, 1e-7);
+  if (s.p.has<FilmBranchPart>()) s.before[0] = between(-0.05, 0.05);
   s.dt = between(1e-6, 1e-4);
   s.follows = s.dt;
   return s;
@@ -103,6 +108,7 @@ template <class T> void take_motions(const ContactState &c, ContactStateT<T> &x)
   static_cast<GroovePosition &>(x) = c;
   x.cos_angle = c.cos_angle;
   x.entrainment = c.entrainment;
+  x.h_edge = c.h_edge;
   x.overlap = c.overlap;
   x.overlap_rate = c.overlap_rate;
   x.sliding_t = c.sliding_t;
@@ -146,7 +152,7 @@ template <class L> int slopes_of(const Scene &s, double *dual, double *differenc
   constexpr int n = L::motions;
   ContactState c;
   touch(s.p, s.ball.x, s.ring.e, c);
-  find_motions<L::couples>(s.p, s.ball, s.ring, c);
+  approach<L>(s.p, s.ball, s.ring, c);
   const ContactState start = c;
   double after[L::states > 0 ? L::states : 1];
   ContactSlopesT<double, n> slopes;
@@ -197,7 +203,7 @@ template <class L> int bit_differences(const Scene &s)
     const LawStates<Lane> states = {s.dt, before, later};
     if (with_slopes) {
       ContactSlopesT<Lane, L::motions> lane_slopes;
-      find_motions<L::couples>(s.p, ball, ring, four);
+      approach<L>(s.p, ball, ring, four);
       act_with_slopes<L>(s.p, states, s.follows, four, lane_slopes);
     } else {
       act<L>(s.p, ball, ring, states, four);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Film factors, film in the gap and film branch, for test_physics_film_laws.py.
+#include "../../src-package/physics/contact_slopes.h"
+#include "../../src-package/physics/film_branch.h"
+#include "../../src-package/physics/film_factors.h"
+#include "../../src-package/physics/step_limit.h"
+#include "../exports.h"
+
+using namespace raceway;
+
+RECORD(FilmContact, double load, compression, h_c, h_min, slope, stiffness, energy, reach;)
+
+// shear: 0 none, 1 Murch and Wilson, 2 Wilson
+EXPORT(double, film_factor,
+       (double shear, double beta, double viscosity, double conductivity, double starvation,
+        double speed))
+{
+  FilmFactors f;
+  f.inlet_shear = InletShear(int(shear));
+  f.temperature_viscosity = beta;
+  f.conductivity = conductivity;
+  f.starvation = starvation;
+  f.prepare(viscosity);
+  return f.of(logarithm(speed));
+}
+
+namespace {
+RacewayPhysics with_gap(const RacewayPhysics &p, double share, double starvation)
+{
+  RacewayPhysics q = p;
+  q.of<FilmInGapPart>().share = share;
+  q.of<HysteresisPart>().alpha_e = 0.0;
+  q.factors.starvation = starvation;
+  q.factors.prepare(q.model.lubricant.viscosity);
+  q.reach = q.of<FilmInGapPart>().reach(q);
+  return q;
+}
+
+// At rest normally, so that the normal force is the load. Returns whether there is none.
+template <class T, class Mask = decltype(T() < T())>
+Mask squeeze(const RacewayPhysics &p, const T &overlap, const T &speed, ContactStateT<T> &c,
+             T &slope)
+{
+  using L = FullLaw<>;
+  c.cos_angle = T() + 1.0;
+  c.overlap = overlap;
+  c.entrainment = speed;
+  const Mask open = L::misses(p, p.law.at(c.cos_angle), c);
+  const T before = T();
+  T after = T();
+  ContactSlopesT<T, L::motions> slopes;
+  act_with_slopes<L>(p, LawStates<T>{0.0, &before, &after}, 1.0, c, slopes);
+  slope = slopes.of[0][0];
+  return open;
+}
+}    // namespace
+
+EXPORT(int, film_contact,
+       (const RacewayPhysics *p, double share, double starvation, double overlap, double speed,
+        FilmContact *out))
+{
+  const RacewayPhysics q = with_gap(*p, share, starvation);
+  ContactState c;
+  double slope = 0.0;
+  const bool open = squeeze(q, overlap, speed, c, slope);
+  *out = {c.load, c.compression, c.h_c, c.h_min, slope, c.stiffness, FullLaw<>::energy(c), q.reach};
+  return open;
+}
+
+// Number of values in which four contacts side by side differ in their bits from each alone.
+EXPORT(int, film_lanes,
+       (const RacewayPhysics *p, double share, const double overlap[4], const double speed[4]))
+{
+  const RacewayPhysics q = with_gap(*p, share, 1.0);
+  Lane d, u, slope;
+  for (int i = 0; i < lanes; ++i) {
+    d[i] = overlap[i];
+    u[i] = speed[i];
+  }
+  ContactStateT<Lane> four;
+  const LaneMask open = squeeze(q, d, u, four, slope);
+  int different = 0;
+  for (int i = 0; i < lanes; ++i) {
+    ContactState one;
+    double alone;
+    different += squeeze(q, overlap[i], speed[i], one, alone) != (open[i] != 0);
+    if (open[i]) continue;
+    different += four.load[i] != one.load;
+    different += four.h_c[i] != one.h_c;
+    different += four.h_min[i] != one.h_min;
+    different += slope[i] != alone;
+    different += four.film_stiffness[i] != one.film_stiffness;
+  }
+  return different;
+}
+
+// {k_m, 1/tau, f after dt, its slope}
+EXPORT(void, film_step,
+       (double k, double h_c, double compression, double b, double speed, double force, double rate,
+        double dt, double out[4]))
+{
+  const FilmBranchT<double> f = film_branch(k, h_c, compression, b, speed);
+  const BranchStepT<double> s = branch_step(f, dt);
+  out[0] = f.stiffness;
+  out[1] = f.rate;
+  out[2] = s.left * force + s.slope * rate;
+  out[3] = s.slope;
+}
+
+EXPORT(double, largest_step_with_branch, (double k, double c, double m, double k_m, double rate))
+{
+  FilmBranches film;
+  film.add(k_m, rate);
+  return verlet_step_limit(k, c, m, film);
+}
