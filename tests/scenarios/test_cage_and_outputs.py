@@ -53,7 +53,7 @@ variable pe equal c_energy
     )
     (folder / "measure").write_text(head + extra + marker + here + tail)
     deck.write_text(text.replace("${inputs}/modules/measure", f"{folder}/measure"))
-    succeed(deck, out=folder / "run", passes=1, samples=SAMPLES)
+    succeed(deck, out=folder / "run", passes=1, samples=SAMPLES, within=1)
     result = RunTables(folder / "run")
     result.totals = np.loadtxt(folder / "run" / "totals.txt").T
     return result

@@ -12,9 +12,10 @@ from raceway.cli import main
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory):
-    """40 ball passes: 4.4 turns of the cage."""
+    """40 ball passes: 4.4 turns of the cage. With 0.1 nm, since the ripple of the force along the
+    load, fy, is no more than what 1 nm leaves open (docs/output.rst)."""
     folder = tmp_path_factory.mktemp("long") / "run"
-    succeed("inputs/in.6208", out=folder, passes=40)
+    succeed("inputs/in.6208", out=folder, passes=40, tolerance=1e-10)
     return raceway.open(folder)
 
 
