@@ -21,6 +21,7 @@ NAME = "record.nc"
 BLOCK = 8 << 20  # bytes read together
 RAD_S = np.pi / 30  # of one revolution a minute
 MOTION = "x y z vx vy vz omegax omegay omegaz".split()
+NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 RING = "x y z vx vy vz spin fx fy fz mx my mz".split()
 
 
@@ -46,7 +47,8 @@ class Record:
                     for name, v in file.variables.items()
                     if "time" not in v.dimensions
                 }
-                self.record_bytes = max(1, sum(_record_bytes(v) for v in file.variables.values()))
+                self._row = _row(file)
+                self._begin = _begin(file)
         except (OSError, TypeError, ValueError, KeyError, IndexError) as error:
             raise RunError(
                 f"cannot read {self.path}: {getattr(error, 'strerror', None) or error}"
@@ -62,6 +64,8 @@ class Record:
                 f" not {bearing}"
             )
         self.bearing = bearing
+        self.record_bytes = self._row.itemsize
+        self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((0, 0), {})
 
     def __len__(self) -> int:
         """Samples that the header counts now."""
@@ -82,8 +86,35 @@ class Record:
         return self._fixed[name][tuple(self.part(dim) for dim in dims)]
 
     def read(self, names: list[str], start: int = 0, stop: int | None = None) -> dict[str, Floats]:
-        """{name: array} of variables with time, native byte order, of the bearing."""
-        return {name: self.pick(name, (slice(start, stop),)) for name in names}
+        """{name: array} of variables with time, native byte order, of the bearing.
+
+        The file is gone through once. What is one number a sample and bearing or ring is read
+        together and kept until other samples are asked for: summaries ask for one after another.
+        """
+        first, last, _ = slice(start, stop).indices(len(self))
+        numbers = [n for n, dims in self.variables.items() if dims in NUMBERS]
+        if not set(names) <= set(numbers):
+            return self._scan(names, first, last)
+        if self._numbers[0] != (first, last):
+            self._numbers = (first, last), self._scan(numbers, first, last)
+        return {name: self._numbers[1][name] for name in names}
+
+    def _scan(self, names, first, last):
+        """{name: array} of the samples `first` to `last`, a few MB of the file at a time."""
+        parts = {n: (slice(None), *map(self.part, self.variables[n][1:])) for n in names}
+        count = max(0, last - first)
+        none = np.empty(0, self._row)
+        found = {n: np.empty((count, *none[n][part].shape[1:])) for n, part in parts.items()}
+        rows = np.empty(min(count, max(1, BLOCK // self.record_bytes)), self._row)
+        with open(self.path, "rb", buffering=0) as file:
+            file.seek(self._begin + first * self.record_bytes)
+            for at in range(0, count, max(1, len(rows))):
+                some = rows[: count - at]
+                if file.readinto(memoryview(some).cast("B")) != some.nbytes:
+                    raise RunError(f"{self.path} ends before its sample {first + at + len(some)}")
+                for name, part in parts.items():
+                    found[name][at : at + len(some)] = some[name][part]
+        return found
 
     def shape(self, name: str) -> tuple[int, ...]:
         """Of a variable with time: samples now, and what belongs to the bearing."""
@@ -95,9 +126,13 @@ class Record:
     def pick(self, name: str, key: tuple) -> Floats:
         """What an index (slices, integers and arrays, one a dimension) picks of a variable with
         time, of the bearing."""
-        with _opened(self.path) as file:
-            parts = (slice(None), *(self.part(dim) for dim in self.variables[name][1:]))
-            values = np.array(file.variables[name].data[parts][key[0]], dtype=float)
+        time = key[0]
+        if isinstance(time, slice) and time.step in (None, 1):
+            values = self.read([name], time.start or 0, time.stop)[name]
+        else:
+            with _opened(self.path) as file:
+                parts = (slice(None), *(self.part(dim) for dim in self.variables[name][1:]))
+                values = np.array(file.variables[name].data[parts][time], dtype=float)
         for axis, one in reversed(list(enumerate(key[1:]))):
             at = axis + (0 if isinstance(key[0], (int, np.integer)) else 1)
             values = values[(slice(None),) * at + (one,)]
@@ -293,7 +328,30 @@ def _plain(value):
     return value.decode() if isinstance(value, bytes) else float(np.ravel(value)[0])
 
 
-def _record_bytes(variable):
-    if "time" not in variable.dimensions:
-        return 0
-    return int(np.prod(variable.shape[1:], dtype=int)) * variable.data.dtype.itemsize
+def _timed(file):
+    return {name: v for name, v in file.variables.items() if "time" in v.dimensions}
+
+
+def _place(variable):
+    """Where in memory the first value of a variable is."""
+    return variable.data.__array_interface__["data"][0]
+
+
+def _begin(file):
+    """Where in the file the first sample is."""
+    first = min(map(_place, _timed(file).values()), default=0)
+    return first - file._mm_buf.__array_interface__["data"][0]
+
+
+def _row(file):
+    """The type of one sample: all variables with time, where they are in it."""
+    timed = _timed(file)
+    begin = min(map(_place, timed.values()), default=0)
+    return np.dtype(
+        {
+            "names": list(timed),
+            "formats": [(v.data.dtype, v.data.shape[1:]) for v in timed.values()],
+            "offsets": [_place(v) - begin for v in timed.values()],
+            "itemsize": next((v.data.strides[0] for v in timed.values()), 1),
+        }
+    )

@@ -18,10 +18,10 @@ ABOUT = ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearan
 
 
 class _InFile(BackendArray):
-    """A variable with time that stays in the file."""
+    """A variable with time that stays in the file; `of`: what is made of its values."""
 
-    def __init__(self, record, name):
-        self.record, self.name = record, name
+    def __init__(self, record, name, of=np.asarray):
+        self.record, self.name, self.of = record, name, of
         self.shape, self.dtype = record.shape(name), np.dtype(float)
 
     def __getitem__(self, key):
@@ -29,7 +29,7 @@ class _InFile(BackendArray):
             key,
             self.shape,
             indexing.IndexingSupport.OUTER,
-            lambda at: self.record.pick(self.name, at),
+            lambda at: self.of(self.record.pick(self.name, at)),
         )
 
 
@@ -44,9 +44,7 @@ class Recorded:
         """Every variable of contacts, balls, cage and rings, in the window and of the bearing."""
         record, window = self.record, slice(self.tables.first, self.tables.stop)
         found = {
-            name: xr.Variable(
-                dims, indexing.LazilyIndexedArray(_InFile(record, name)), record.about[name]
-            )[window]
+            name: self._in_file(name)[window]
             for name, dims in record.variables.items()
             if dims[:1] == ("time",) and dims != ("time", "bearing")
         }
@@ -57,6 +55,10 @@ class Recorded:
         for axis in "xyz":
             data[f"ring_origin_{axis}"] = ("ring", record.fixed(f"ring_origin_{axis}"))
         return data.set_coords("time")
+
+    def _in_file(self, name, **made):
+        values = indexing.LazilyIndexedArray(_InFile(self.record, name, **made))
+        return xr.Variable(self.record.variables[name], values, self.record.about[name])
 
     @property
     def _of_one(self):
@@ -76,14 +78,16 @@ class Recorded:
         data.attrs = attrs
         return data
 
-    def _azimuths(self, data, azimuth):
+    def _azimuths(self, data, azimuth, from_load_line):
+        """`data` with these two as coordinates, `Variable`s."""
         found = [("azimuth", azimuth, CONTACT["azimuth"].meaning)]
         if self._of_one:
-            meaning = "azimuth from the centre of the loaded zone"
-            found.append(("from_load_line", self.tables.from_load_line(azimuth), meaning))
+            found.append(
+                ("from_load_line", from_load_line, "azimuth from the centre of the loaded zone")
+            )
         for name, values, meaning in found:
-            about = {"units": "rad", "long_name": meaning}
-            data.coords[name] = (azimuth.dims, values.to_numpy(), about)
+            values.attrs = {"units": "rad", "long_name": meaning}
+            data.coords[name] = values
         return data
 
     @property
@@ -92,7 +96,10 @@ class Recorded:
         names = [name for name in self.record.contact_columns if name != "azimuth"]
         data = self._labelled(self._file[names])
         if "azimuth" in self.record.contact_columns:
-            data = self._azimuths(data, self._file["azimuth"])
+            window = slice(self.tables.first, self.tables.stop)
+            azimuth = self._in_file("azimuth")[window]
+            line = self._in_file("azimuth", of=self.tables.from_load_line)[window]
+            data = self._azimuths(data, azimuth, line)
         return data
 
     @property
@@ -118,4 +125,8 @@ class Recorded:
         x, y = (
             data[name] - (rings[f"ring_{name}"] + rings[f"ring_origin_{name}"]) for name in "xy"
         )
-        return self._azimuths(data, np.arctan2(y, x))
+        azimuth = np.arctan2(y, x).variable
+        line = (
+            azimuth.copy(data=self.tables.from_load_line(azimuth.values)) if self._of_one else None
+        )
+        return self._azimuths(data, azimuth, line)
