@@ -46,7 +46,7 @@ BENCH_STAMP := .venv/.installed-bench
 PIP_INSTALL := .venv/bin/pip install -q --disable-pip-version-check -c python/requirements.lock
 
 run: build
-	build/liggghts -in inputs/in.6208 -log none
+	build/liggghts -in inputs/in.6208 -log none -var overwrite yes
 	.venv/bin/raceway summary build/run/6208
 	.venv/bin/raceway plot build/run/6208
 	@echo "The picture is build/run/6208/overview.png"

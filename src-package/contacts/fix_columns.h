@@ -14,7 +14,29 @@ using raceway::Column;
 // ---- fix bearing/ring, a row per ring; an axis across is one of the two lab axes across the
 // bearing's axis
 namespace of_fix_ring {
-enum { X, Y, Z, VX, VY, VZ, TILT1, TILT2, SPIN, ANGLE, FX, FY, FZ, MX, MY, MZ, TORQUE, N };
+enum {
+  X,
+  Y,
+  Z,
+  VX,
+  VY,
+  VZ,
+  TILT1,
+  TILT2,
+  SPIN,
+  ANGLE,
+  FX,
+  FY,
+  FZ,
+  MX,
+  MY,
+  MZ,
+  TORQUE,
+  LOAD_X,
+  LOAD_Y,
+  LOAD_Z,
+  N
+};
 const Column list[N] = {
     {"x", "m", "displacement along x, from the start"},
     {"y", "m", "displacement along y, from the start"},
@@ -22,8 +44,8 @@ const Column list[N] = {
     {"vx", "m/s", "velocity along x"},
     {"vy", "m/s", "velocity along y"},
     {"vz", "m/s", "velocity along z"},
-    {"tilt1", "rad", "tilt about the first axis across"},
-    {"tilt2", "rad", "tilt about the second axis across"},
+    {"tilt_1", "rad", "tilt about the first axis across"},
+    {"tilt_2", "rad", "tilt about the second axis across"},
     {"spin", "rad/s", "spin about the ring's axis"},
     {"angle", "rad", "turned about the ring's axis, from the start"},
     {"fx", "N", "force of balls and cage on the ring along x, without the load"},
@@ -33,6 +55,9 @@ const Column list[N] = {
     {"my", "N m", "moment of balls and cage about y through the ring's centre"},
     {"mz", "N m", "moment of balls and cage about z through the ring's centre"},
     {"torque", "N m", "of these moments, that about the ring's axis: friction"},
+    {"load_x", "N", "load on the ring along x: force, rotating force and unbalance"},
+    {"load_y", "N", "load on the ring along y, likewise"},
+    {"load_z", "N", "load on the ring along z"},
 };
 }    // namespace of_fix_ring
 

@@ -12,7 +12,7 @@ void BearingStep::add_energy(double weight, double s)
   double power = 0.0;
   for (const RingBody &r : bodies_.rings) {
     double push[3], pull[3], v[3];
-    r.program.force_at(s).to(push);
+    r.program.force_at(s, r.now.angle).to(push);
     r.force.to(pull);
     r.now.v.to(v);
     for (int k = 0; k < 3; ++k) power += v[k] * (r.program.free(k) ? push[k] : -pull[k]);

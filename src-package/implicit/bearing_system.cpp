@@ -52,7 +52,7 @@ void BearingSystem::add_rings(double h, double s)
     const double inertia = r.program.inertia_of(dof);
     border_.a[f * nf + f] += inertia;
     if (dof < RingProgram::TILT) {
-      const Vec3 push = r.force + r.program.force_at(s);
+      const Vec3 push = r.force + r.program.force_at(s, now.angle);
       y_[f] = h * (dof == 0 ? push.x : dof == 1 ? push.y : push.z) - inertia * r.gained[dof];
       continue;
     }

@@ -28,6 +28,18 @@ struct RingValue {
   double value;
 };
 
+// A force across the bearing axis that turns about it, from its first axis across.
+struct TurningForce {
+  double size = 0.0, speed = 0.0, phase = 0.0;    // N, rad/s, rad
+};
+
+// A mass that turns with a ring of imposed spin, beside its axis.
+struct Unbalance {
+  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, from the ring's angle
+};
+
+inline Vec3 across_at(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
+
 // What happens to a ring over the host's step. Times within it are shares s, 0 at its start to 1 at
 // its end.
 struct RingProgram {
@@ -39,6 +51,9 @@ struct RingProgram {
   double target[2][N_DOF] =
       {};    // driven speed or position (m or rad from the origin) at both ends, linear between
   Vec3 force[2], moment[2];    // N, N m, at both ends, linear between, before the ramp
+  TurningForce turning;
+  Unbalance unbalance;
+  double spin_growth = 0.0;    // rad/s^2, of a driven spin
   double ramp = 0.0;           // s, over which the loads come on (3s^2 - 2s^3)
   double end = 0.0,
          length = 0.0;    // s: age of the load at the end of the host's step, length of that step
@@ -61,16 +76,30 @@ struct RingProgram {
   {
     return target[0][dof] + s * (target[1][dof] - target[0][dof]);
   }
+  double age_at(double s) const { return end - (1.0 - s) * length; }
   double share_of_load(double s) const
   {
-    const double age = end - (1.0 - s) * length;
+    const double age = age_at(s);
     if (age >= ramp) return 1.0;
     const double x = age / ramp;
     return x * x * (3.0 - 2.0 * x);
   }
-  Vec3 force_at(double s) const
+  // The load of a ring that has turned by `angle`.
+  Vec3 force_at(double s, double angle) const
   {
-    return (force[0] + (force[1] - force[0]) * s) * share_of_load(s);
+    Vec3 total = force[0] + (force[1] - force[0]) * s;
+    if (turning.size != 0.0)
+      total += across_at(turning.speed * age_at(s) + turning.phase) * turning.size;
+    total = total * share_of_load(s);
+    return unbalance.moment == 0.0 ? total : total + unbalance_force(s, angle);
+  }
+  // The mass that is off centre lags behind its acceleration about the ring's centre.
+  Vec3 unbalance_force(double s, double angle) const
+  {
+    if (mode[SPIN] != Freedom::speed) return {};
+    const Vec3 out = across_at(angle + unbalance.phase);
+    const double w = target_at(SPIN, s);
+    return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * unbalance.moment;
   }
   Vec3 moment_at(double s) const
   {

@@ -87,6 +87,7 @@ std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &heade
   const size_t at = header.variable(changing).at;
   have.replace(count_at, 4, want, count_at, 4);
   have.replace(at, 4, want, at, 4);
+  for (size_t a : header.changing()) have.replace(a, 8, want, a, 8);
   if (have != want) return leave("it was written with other settings");
   const off_t length = static_cast<off_t>(want.size() + records * header.record_bytes());
   struct stat s;
@@ -94,6 +95,10 @@ std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &heade
   if (s.st_size < length)
     return leave("it has fewer than " + std::to_string(records) + " samples, which it had");
   if (ftruncate(file_, length) != 0) return leave(strerror(errno));
+  for (size_t a : header.changing()) {
+    why = write_all(file_, &want[a], 8, static_cast<off_t>(a));
+    if (!why.empty()) return leave(why);
+  }
   written_ = countable_ = records;
   return count(written_);
 }

@@ -56,7 +56,8 @@ void add_list(std::string &s, Tag tag, size_t n)
   add_4(s, n);
 }
 
-void add_attributes(std::string &s, const Header::Attributes &list)
+// `changing` gets the places of the values that may change.
+void add_attributes(std::string &s, const Header::Attributes &list, std::vector<size_t> &changing)
 {
   add_list(s, attribute_list, list.size());
   for (const Header::Attribute &a : list) {
@@ -66,6 +67,7 @@ void add_attributes(std::string &s, const Header::Attributes &list)
       add_name(s, a.words);
     } else {
       add_4(s, a.of.size());
+      if (a.changes) changing.push_back(s.size());
       add_numbers(s, a.type, a.of);
     }
   }
@@ -128,7 +130,7 @@ void NetcdfHeader::layout()
   }
 }
 
-std::string NetcdfHeader::written(size_t records_at) const
+std::string NetcdfHeader::written(size_t records_at)
 {
   std::string s = "CDF\2";
   add_4(s, 0);    // records
@@ -137,13 +139,14 @@ std::string NetcdfHeader::written(size_t records_at) const
     add_name(s, d.name);
     add_4(s, d.length);
   }
-  add_attributes(s, attributes_);
+  changing_.clear();
+  add_attributes(s, attributes_, changing_);
   add_list(s, variable_list, variables_.size());
   for (const Variable &v : variables_) {
     add_name(s, v.name);
     add_4(s, v.dimensions.size());
     for (int d : v.dimensions) add_4(s, d);
-    add_attributes(s, v.attributes);
+    add_attributes(s, v.attributes, changing_);
     add_4(s, v.type);
     add_4(s, bytes_of(v));
     add_8(s, v.in_record() ? records_at + v.at : v.at);

@@ -19,6 +19,7 @@ class NetcdfHeader {
     Type type;
     std::string words;         // of type text
     std::vector<double> of;    // of other types
+    bool changes = false;      // a number that a run may change when it goes on
   };
   using Attributes = std::vector<Attribute>;
   struct Variable {
@@ -37,11 +38,11 @@ class NetcdfHeader {
 
   static Attribute attribute(const std::string &name, const std::string &words)
   {
-    return {name, text, words, {}};
+    return {name, text, words, {}, false};
   }
   static Attribute attribute(const std::string &name, double value)
   {
-    return {name, real, "", {value}};
+    return {name, real, "", {value}, false};
   }
 
   // Numbers of what is added. The record dimension comes first, with length 0.
@@ -53,18 +54,21 @@ class NetcdfHeader {
   const Variable &variable(int k) const { return variables_[k]; }
   const std::string &bytes() const { return bytes_; }    // with the fixed values; no record yet
   size_t record_bytes() const { return record_bytes_; }
+  // Where the attributes that may change are: 8 bytes each.
+  const std::vector<size_t> &changing() const { return changing_; }
 
  private:
   struct Dimension {
     std::string name;
     size_t length;
   };
-  std::string written(size_t records_at) const;
+  std::string written(size_t records_at);
 
   std::vector<Dimension> dimensions_;
   Attributes attributes_;
   std::vector<Variable> variables_;
   std::string bytes_;
+  std::vector<size_t> changing_;
   size_t record_bytes_ = 0;
 };
 

@@ -12,7 +12,7 @@ using bearing::text;
 
 // create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
 // [cage_density RHO]
-//   [centre x y z] [phase PHI] [speed W_i W_o]
+//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus]
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
@@ -49,7 +49,10 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     else if (args.take("speed")) {
       p.inner_speed = args.number("speed of the inner ring (rad/s)");
       p.outer_speed = args.number("speed of the outer ring (rad/s)");
-    } else args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed");
+    } else if (args.take("seat")) {
+      static const int way[] = {0, 1, -1};
+      p.seat = way[args.choice("seat", {"none", "plus", "minus"})];
+    } else args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed, seat");
   }
   if (p.balls == 0) args.fail("'balls Z' is missing");
   if (p.ball_radius == 0.0) args.fail("'diameter D' is missing");
@@ -77,7 +80,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
       args.fail("groove radius " + text(r->groove.groove_radius) +
                 " m must be larger than the ball radius " + text(R) +
                 " m (a conformal groove is no Hertz point contact)");
-  p.pitch = 0.5 * (Ri + Re);
+  p.pitch = p.middle = 0.5 * (Ri + Re);
   // both contacts share the interference -P_d/2 of a ball that has no room
   const double clearance = 2.0 * (Re - Ri - 2.0 * R), squeeze = -0.25 * clearance;
   const double allowed = 0.02 * R;
@@ -88,6 +91,15 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
   if (clearance > 2.0 * (in->groove.groove_radius - R + out->groove.groove_radius - R))
     args.fail("clearance " + text(clearance) +
               " m is so large that the grooves do not hold the balls: rings at odds?");
+  if (p.seat) {
+    // the line through both centres of curvature is inclined by the contact angle (docs/theory)
+    const double in_gap = in->groove.groove_radius - R, out_gap = out->groove.groove_radius - R;
+    p.cosine = std::min(1.0, 1.0 - 0.5 * clearance / (in_gap + out_gap));
+    const double sine = std::sqrt(1.0 - p.cosine * p.cosine);
+    p.pitch = Re - out->groove.groove_radius + out_gap * p.cosine;
+    p.ball_z = p.seat * out_gap * sine;
+    p.inner_z = p.seat * (in_gap + out_gap) * sine;
+  }
   if (p.balls > 1) {
     const double apart = 2.0 * p.pitch * std::sin(3.14159265358979323846 / p.balls);
     if (apart < 2.0 * R)
@@ -126,22 +138,23 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   const double pi = 3.14159265358979323846;
   const Vec3 e = pair.axis(), centre = Vec3::from(p.centre);
   const Vec3 a = {e.z, e.x, e.y}, b = {e.y, e.z, e.x};    // azimuth 0 and 90 degrees
-  const Rolling roll = pure_rolling(p.ball_radius, p.pitch, p.inner_speed, p.outer_speed);
+  // contacts lie at the ball's radius times the cosine from its axis of spin
+  const Rolling roll =
+      pure_rolling(p.ball_radius * p.cosine, p.pitch, p.inner_speed, p.outer_speed);
   auto mass = [pi](double R, double rho) { return 4.0 / 3.0 * pi * R * R * R * rho; };
   for (int cage = 0; cage < (p.cage_type ? 2 : 1); ++cage)
     for (int k = 0; k < p.balls; ++k) {
       const double phi = p.phase + 2.0 * pi * (k + 0.5 * cage) / p.balls;
       const Vec3 u = a * std::cos(phi) + b * std::sin(phi);
-      const Vec3 v = cross(e, u) * (roll.orbit * p.pitch);
-      if (cage)
-        add(p.cage_type, centre + u * p.pitch, p.cage_radius, mass(p.cage_radius, p.cage_density),
-            v, Vec3());
+      // cage balls stay between the rails, half-way between the raceways
+      const Vec3 at = centre + (cage ? u * p.middle : u * p.pitch + e * p.ball_z);
+      const Vec3 v = cross(e, u) * (roll.orbit * (cage ? p.middle : p.pitch));
+      if (cage) add(p.cage_type, at, p.cage_radius, mass(p.cage_radius, p.cage_density), v, Vec3());
       else
-        add(p.ball_type, centre + u * p.pitch, p.ball_radius, mass(p.ball_radius, p.ball_density),
-            v, e * roll.spin);
+        add(p.ball_type, at, p.ball_radius, mass(p.ball_radius, p.ball_density), v, e * roll.spin);
     }
   // a ring is one small atom at its centre; fix bearing/ring gives it mass and inertia
-  add(p.inner_type, centre, 1e-4, 1.0, Vec3(), e * p.inner_speed);
+  add(p.inner_type, centre + e * p.inner_z, 1e-4, 1.0, Vec3(), e * p.inner_speed);
   add(p.outer_type, centre, 1e-4, 1.0, Vec3(), e * p.outer_speed);
   bearing::make_atoms(lmp, atoms_);
 

@@ -6,6 +6,7 @@
 #include "../deck/column_list.h"
 #include "../deck/folder_lock.h"
 #include "../deck/restart_sum.h"
+#include "record_settings.h"
 
 #include <filesystem>
 #include <fstream>
@@ -163,12 +164,18 @@ void BearingResume::command(int narg, char **arg)
   const std::string name = args.word("name of a variable");
   const bool asked = args.choice("resume", {"no", "yes"}) == 1;
   const std::string file = args.word("restart file");
-  if (args.more()) args.unknown("none, the command ends here");
+  const bool keeps = args.take("overwrite") && args.choice("overwrite", {"no", "yes"}) == 0;
+  if (args.more()) args.unknown("overwrite");
   std::error_code ec;
   int there = comm->me == 0 && fs::is_regular_file(file, ec) ? 1 : 0;
   std::string complaint;
   if (there && asked && bearing::check_sum(file) == bearing::Sum::wrong)
     complaint = file + " is damaged: its check sum is wrong. Remove it and start the run anew";
+  const fs::path folder = fs::path(file).parent_path();
+  if (keeps && comm->me == 0 && !(there && asked) && bearing::holds_finished_run(folder.string()))
+    complaint = folder.string() + " holds a finished run. Name another folder with -var out, " +
+                (there ? "make it longer with -var resume yes and more passes, " : "") +
+                "or replace it with -var overwrite yes";
   complaint = agree(complaint, world);
   if (!complaint.empty()) args.fail(complaint);
   MPI_Bcast(&there, 1, MPI_INT, 0, world);
@@ -182,26 +189,54 @@ void BearingResume::command(int narg, char **arg)
   input->one(("variable " + name + " index " + (asked && there ? "yes" : "no")).c_str());
 }
 
+// Of a compute: c_ID[k]. Of a fix: what `fix print` puts a number in place of.
+static const bearing::ColumnList *find_list(LAMMPS *lmp, Arguments &args, const std::string &id,
+                                            bool &compute)
+{
+  const int c = lmp->modify->find_compute(id.c_str()), f = lmp->modify->find_fix(id.c_str());
+  compute = c >= 0;
+  if (c < 0 && f < 0) args.fail("there is no compute or fix '" + id + "'");
+  const auto *list = compute ? dynamic_cast<const bearing::ColumnList *>(lmp->modify->compute[c])
+                             : dynamic_cast<const bearing::ColumnList *>(lmp->modify->fix[f]);
+  if (!list)
+    args.fail((compute ? "compute '" : "fix '") + id + "' is of style " +
+              (compute ? lmp->modify->compute[c]->style : lmp->modify->fix[f]->style) +
+              ", must be a compute bearing/contact, bearing/ball or bearing/ring or a fix "
+              "bearing/ring");
+  return list;
+}
+
 void BearingColumns::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_columns", narg, arg, 0);
-  const std::string id = args.word("ID of a compute");
+  const std::string id = args.word("ID of a compute or fix");
+  const std::string stem = args.more() ? args.word("stem of the variables' names") : id;
   if (args.more()) args.unknown("none, the command ends here");
-  const int k = modify->find_compute(id.c_str());
-  if (k < 0) args.fail("there is no compute '" + id + "'");
-  const auto *list = dynamic_cast<const bearing::ColumnList *>(modify->compute[k]);
-  if (!list)
-    args.fail("compute '" + id + "' is of style " + modify->compute[k]->style +
-              ", must be bearing/contact, bearing/ball or bearing/ring");
-  std::string names, values, formats;
+  bool compute;
+  const bearing::ColumnList *list = find_list(lmp, args, id, compute);
   const std::vector<bearing::ColumnList::Item> items = list->columns();
+  std::string names = compute ? "" : "# step time", formats;
+  std::string values = compute ? "" : "$(step) $(step*dt)";
   for (size_t n = 0; n < items.size(); ++n) {
     const char *gap = n ? " " : "";
-    names += gap + items[n].name;
-    values += gap + ("c_" + id) + (items.size() > 1 ? "[" + std::to_string(n + 1) + "]" : "");
+    const std::string at = items.size() > 1 ? "[" + std::to_string(n + 1) + "]" : "";
+    names += (compute ? gap : " ") + items[n].name;
+    values += compute ? gap + ("c_" + id) + at : " $(f_" + id + at + ")";
     formats += gap + items[n].format;
   }
-  replace(input->variable, id + "_columns", '"' + names + '"');
-  replace(input->variable, id + "_values", values);
-  replace(input->variable, id + "_format", '"' + formats + '"');
+  replace(input->variable, stem + "_columns", '"' + names + '"');
+  replace(input->variable, stem + "_values", compute ? values : '"' + values + '"');
+  if (compute) replace(input->variable, stem + "_format", '"' + formats + '"');
+}
+
+void BearingStep::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_step", narg, arg, 0);
+  const int step = args.integer("number of the step", 0, 2000000000);
+  if (args.more()) args.unknown("none, the command ends here");
+  const double time =
+      update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
+  input->one(("reset_timestep " + std::to_string(step)).c_str());
+  update->atime = time;    // the hosts differ in what they make of it
+  update->atimestep = update->ntimestep;
 }

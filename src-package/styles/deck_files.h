@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_columns: a
-// deck's data files, result folder, numbers, host, restart file and the columns of its dumps, with
-// errors that help before anything runs.
+// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_columns,
+// bearing_step: a deck's data files, result folder, numbers, host, restart file, the columns of its
+// dumps and the number of its step, with errors that help before anything runs.
 #ifdef COMMAND_CLASS
 // clang-format off
 CommandStyle(bearing_input,BearingInput)
@@ -10,6 +10,7 @@ CommandStyle(bearing_range,BearingRange)
 CommandStyle(bearing_host,BearingHost)
 CommandStyle(bearing_resume,BearingResume)
 CommandStyle(bearing_columns,BearingColumns)
+CommandStyle(bearing_step,BearingStep)
 // clang-format on
 #else
 #ifndef LMP_DECK_FILES_H
@@ -52,20 +53,28 @@ class BearingHost : public bearing::CommandBase {
   void command(int, char **);
 };
 
-// bearing_resume NAME yes|no FILE: set the index variable NAME to yes if asked to and FILE is
-// there, else to no.
+// bearing_resume NAME yes|no FILE [overwrite yes|no]: set the index variable NAME to yes if asked to
+// and FILE is there, else to no. A finished run beside FILE is then refused, with `overwrite no`.
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_columns ID: for a dump of the compute ID, set the string variables ID_columns to the
-// names of its columns, ID_values to the words c_ID[1] c_ID[2] ... and ID_format to their format.
-// Names and format stand in quotes, so that each is one word.
+// bearing_columns ID [STEM]: for a dump of the compute ID, set the string variables STEM_columns to
+// the names of its columns, STEM_values to the words c_ID[1] c_ID[2] ... and STEM_format to their
+// format. Names and format stand in quotes, so that each is one word. For `fix print` of a fix:
+// STEM_columns is a title and STEM_values a line, with step and time first.
 class BearingColumns : public bearing::CommandBase {
  public:
   explicit BearingColumns(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_step N: the number of the present step is N; the time goes on.
+class BearingStep : public bearing::CommandBase {
+ public:
+  explicit BearingStep(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

@@ -88,9 +88,8 @@ std::string whole(double n) { return std::to_string(static_cast<long long>(n)); 
 
 }    // namespace
 
-// fix ID group bearing/checkpoint N FILE [restart M] [resume yes|no] [settings TEXT] [mean V]
-// [count K V1 ... VK]
-//     [files F1 F2 ...]
+// fix ID group bearing/checkpoint N FILE [restart M] [resume yes|no] [last yes|no] [settings TEXT]
+// [mean V] ... [count K V1 ... VK] [files F1 F2 ...]
 FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), command_(std::string("fix ") + id + " bearing/checkpoint")
 {
@@ -102,26 +101,29 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     if (args.take("restart"))
       every_restart_ = args.integer("steps between restart files", 0, 2000000000);
     else if (args.take("resume")) resume_ = args.choice("resume", {"no", "yes"}) == 1;
+    else if (args.take("last")) last_ = args.choice("last", {"no", "yes"}) == 1;
     else if (args.take("settings")) settings_ = args.word("settings");
-    else if (args.take("mean")) sampled_ = DrivenValue::read(args, "mean");
+    else if (args.take("mean")) means_.push_back(DrivenValue::read(args, "mean"));
     else if (args.take("count"))
       for (int n = args.integer("number of counters", 1, 100); n > 0; --n)
         counters_.push_back(DrivenValue::read(args, "count"));
     else if (args.take("files"))
       while (args.more()) files_.push_back(args.word("file"));
-    else args.unknown("restart, resume, settings, mean, count, files");
+    else args.unknown("restart, resume, last, settings, mean, count, files");
   }
   for (int k = 0; k < modify->nfix; ++k)
     if (const Fix *f = modify->fix[k])
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
         args.fail(std::string("fix ") + f->id + " is of this style already: the host keeps one " +
                   "kind of restart files");
+  if (means_.empty()) means_.emplace_back();    // of nothing: counters come second
+  sums_.assign(means_.size(), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
   seen_.assign(files_.size(), -1.0);
   restart_global = 1;
   vector_flag = 1;
-  size_vector = 1 + static_cast<int>(counters_.size());
+  size_vector = static_cast<int>(means_.size() + counters_.size());
   extvector = 0;
   global_freq = 1;
   // the host writes under a name of its own; publish() gives the whole file its name
@@ -139,12 +141,12 @@ int FixBearingCheckpoint::setmask() { return INITIAL_INTEGRATE | END_OF_STEP | P
 
 void FixBearingCheckpoint::init()
 {
-  sampled_.check(lmp, command_);
-  bool reads = sampled_.is_variable();
-  for (DrivenValue &c : counters_) {
-    c.check(lmp, command_);
-    reads = reads || c.is_variable();
-  }
+  bool reads = false;
+  for (std::vector<DrivenValue> *list : {&means_, &counters_})
+    for (DrivenValue &v : *list) {
+      v.check(lmp, command_);
+      reads = reads || v.is_variable();
+    }
   if (reads)
     for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp))
       bearing::require_order(lmp, *f, *this,
@@ -167,7 +169,7 @@ void FixBearingCheckpoint::initial_integrate(int)
 
 void FixBearingCheckpoint::end_of_step()
 {
-  sum_ += sampled_.now(lmp);
+  for (size_t k = 0; k < means_.size(); ++k) sums_[k] += means_[k].now(lmp);
   samples_ += 1.0;
   if (comm->me == 0) watch_files();
   int signal = caught;
@@ -186,6 +188,7 @@ void FixBearingCheckpoint::post_run()
   caught = signal;
   if (resumed_ && !cut_) cut_files();    // a run of no step
   if (signal) stop();
+  if (last_) output->write_restart(update->ntimestep);
   if (written_) publish();
   if (comm->me == 0 && !files_.empty()) {    // of the last sample there is no next one to tell
     const std::string room = no_room(file_);
@@ -272,23 +275,29 @@ void FixBearingCheckpoint::watch_files()
   }
 }
 
-// 1: mean over the samples, 2 ...: counters, both over all parts of a run that was stopped and
+// Means over the samples, then counters, both over all parts of a run that was stopped and
 // continued
-double FixBearingCheckpoint::compute_vector(int k)
+double FixBearingCheckpoint::compute_vector(int n)
 {
-  if (k == 0) return samples_ > 0.0 ? sum_ / samples_ : 0.0;
-  counters_[k - 1].check(
-      lmp, command_);    // asked for between runs, where a redefined variable has moved
-  return before_[k - 1] + counters_[k - 1].now(lmp);
+  size_t k = static_cast<size_t>(n);
+  if (k < means_.size()) return samples_ > 0.0 ? sums_[k] / samples_ : 0.0;
+  k -= means_.size();
+  // asked for between runs, where a redefined variable has moved
+  counters_[k].check(lmp, command_);
+  return before_[k] + counters_[k].now(lmp);
 }
 
 void FixBearingCheckpoint::write_restart(FILE *fp)
 {
-  std::vector<double> data = {
-      update->atime, static_cast<double>(update->atimestep), sum_,
-      samples_,      static_cast<double>(counters_.size()),  static_cast<double>(files_.size())};
+  std::vector<double> data = {update->atime,
+                              static_cast<double>(update->atimestep),
+                              samples_,
+                              static_cast<double>(means_.size()),
+                              static_cast<double>(counters_.size()),
+                              static_cast<double>(files_.size())};
+  data.insert(data.end(), sums_.begin(), sums_.end());
   for (size_t k = 0; k < counters_.size(); ++k)
-    data.push_back(compute_vector(1 + static_cast<int>(k)));
+    data.push_back(compute_vector(static_cast<int>(means_.size() + k)));
   if (comm->me != 0) return;
   // a deck may write restart files of its own: they are none of this fix's business
   struct stat theirs, ours;
@@ -308,12 +317,13 @@ void FixBearingCheckpoint::restart(char *buf)
 {
   double head[6];
   memcpy(head, buf, sizeof head);
-  if (head[4] != counters_.size() || head[5] != files_.size())
-    BRG_ALL(command_ + ": the restart file was written with " + whole(head[4]) + " counters and " +
-            whole(head[5]) + " files, not " + std::to_string(counters_.size()) + " and " +
+  if (head[3] != means_.size() || head[4] != counters_.size() || head[5] != files_.size())
+    BRG_ALL(command_ + ": the restart file was written with " + whole(head[3]) + " means, " +
+            whole(head[4]) + " counters and " + whole(head[5]) + " files, not " +
+            std::to_string(means_.size()) + ", " + std::to_string(counters_.size()) + " and " +
             std::to_string(files_.size()));
   const char *rest = buf + sizeof head;
-  for (std::vector<double> *to : {&before_, &length_}) {
+  for (std::vector<double> *to : {&sums_, &before_, &length_}) {
     if (!to->empty()) memcpy(to->data(), rest, to->size() * sizeof(double));
     rest += to->size() * sizeof(double);
   }
@@ -322,8 +332,7 @@ void FixBearingCheckpoint::restart(char *buf)
             settings_ + "'. Remove it, or resume with its settings");
   update->atime = head[0];    // the thermo keyword time goes on with the same bits
   update->atimestep = static_cast<bigint>(head[1]);
-  sum_ = head[2];
-  samples_ = head[3];
+  samples_ = head[2];
   resumed_ = true;
   check_files();
 }

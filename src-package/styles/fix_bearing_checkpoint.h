@@ -44,9 +44,11 @@ class FixBearingCheckpoint : public Fix {
   std::vector<std::string> files_;                // watched: each grows with every sample
   std::vector<double> length_;                    // bytes at the restart file's step
   std::vector<double> seen_;                      // bytes at the last sample
-  bearing::DrivenValue sampled_;                  // averaged over samples
+  bool last_ = false;                             // restart file at the end of a run, too
+  std::vector<bearing::DrivenValue> means_;       // averaged over samples
   std::vector<bearing::DrivenValue> counters_;    // each starts from 0 with every run
-  double sum_ = 0.0, samples_ = 0.0;
+  double samples_ = 0.0;
+  std::vector<double> sums_;      // of the means
   std::vector<double> before_;    // counters of the runs before this one
   // rank 0: the host has written part_, which is not published yet
   bool written_ = false;

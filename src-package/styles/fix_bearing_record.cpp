@@ -27,7 +27,8 @@ namespace of_ring = bearing::of_ring;
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
 // fix ID group bearing/record N FOLDER [content all|summary|none] [contacts all|usual|none|NAME
-// ...] [within M] [single yes|no] [overwrite yes|no] [number NAME VALUE] [text NAME VALUE]
+// ...] [within M] [single yes|no] [overwrite yes|no] [number NAME VALUE] [goal NAME VALUE]
+// [text NAME VALUE]
 FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/record")),
     command_(std::string("fix ") + id + " bearing/record")
@@ -74,11 +75,15 @@ void FixBearingRecord::read_options(Arguments &args)
     } else if (args.take("number")) {
       const std::string name = args.word("name of a number");
       notes_.push_back(NetcdfHeader::attribute(name, args.number(name)));
+    } else if (args.take("goal")) {
+      const std::string name = args.word("name of a number");
+      notes_.push_back(NetcdfHeader::attribute(name, args.number(name)));
+      notes_.back().changes = true;
     } else if (args.take("text")) {
       const std::string name = args.word("name of a text");
       notes_.push_back(NetcdfHeader::attribute(name, args.word(name)));
     } else {
-      args.unknown("contacts, content, within, single, overwrite, number, text");
+      args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
   }
   if (within_ > 1 && nevery != 1)

@@ -129,13 +129,22 @@ void FixBearingRing::parse(int narg, char **arg)
     } else if (args.take("moment")) {
       for (int k = 0; k < 3; ++k)
         value_[RingProgram::MOMENT + number[k]] = DrivenValue::read(args, "moment (N m)", true);
+    } else if (args.take("rotating")) {
+      program_.turning.size = args.number("rotating force (N)");
+      program_.turning.speed = args.number("speed of the rotating force (rad/s)");
+      program_.turning.phase = args.number("phase of the rotating force (rad)");
+    } else if (args.take("unbalance")) {
+      program_.unbalance.moment = args.non_negative("unbalance (kg m)");
+      program_.unbalance.phase = args.number("phase of the unbalance (rad)");
     } else if (args.take("ramp")) {
       program_.ramp = args.non_negative("ramp time (s)");
     } else {
       args.unknown(std::string("x, y, z, ") + turn[across[0]] + ", " + turn[across[1]] +
-                   ", spin, mass, inertia, force, moment, ramp");
+                   ", spin, mass, inertia, force, moment, rotating, unbalance, ramp");
     }
   }
+  if (program_.unbalance.moment > 0.0 && program_.mode[RingProgram::SPIN] != Freedom::speed)
+    args.fail("unbalance needs 'spin speed W': the mass off centre turns with an imposed spin");
   for (int k = 0; k < 3; ++k)
     if (program_.free(number[k]) && program_.mass == 0.0)
       args.fail(std::string(lab[k]) + " free needs 'mass M'");
@@ -266,6 +275,7 @@ RingProgram FixBearingRing::program(const std::vector<RingValue> &own) const
   p.end = time_;
   p.length = update->dt;
   for (int end = 0; end < 2; ++end) p.set_values(end, of[end].of);
+  p.spin_growth = (of[1].of[RingProgram::SPIN] - of[0].of[RingProgram::SPIN]) / p.length;
   return p;
 }
 
@@ -276,6 +286,7 @@ RingProgram FixBearingRing::at_end(int i) const
   p.end = time_;
   const Values of = values(i);
   for (int end = 0; end < 2; ++end) p.set_values(end, of.of);
+  p.spin_growth = (now_.of[RingProgram::SPIN] - before_.of[RingProgram::SPIN]) / update->dt;
   return p;
 }
 
@@ -317,6 +328,7 @@ void FixBearingRing::initial_integrate(int)
   time_ += update->dt;
   reported_ = -1;
   kick();
+  before_ = now_;
   evaluate(0, RingProgram::N_DOF);
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) write(i, coasted(at_end(i), read(i), update->dt));
@@ -334,9 +346,14 @@ void FixBearingRing::post_force(int)
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) {
       const RingProgram p = at_end(i);
-      axes_.lab(p.force_at(1.0)).add_to(atom->f[i]);
+      axes_.lab(load_of(p, i)).add_to(atom->f[i]);
       axes_.lab(p.moment_at(1.0)).add_to(atom->torque[i]);
     }
+}
+
+Vec3 FixBearingRing::load_of(const RingProgram &p, int i) const
+{
+  return p.force_at(1.0, state_->ring(i).angle);
 }
 
 void FixBearingRing::final_integrate()
@@ -365,6 +382,7 @@ void FixBearingRing::gather_reports()
     raceway::tilt_of(axes_.third(ring.axis), r + TILT1);
     r[SPIN] = dot(w, ring.axis);
     r[ANGLE] = ring.angle;
+    axes_.lab(load_of(at_end(i), i)).to(r + LOAD_X);
     const auto contact =
         std::lower_bound(contacts_.begin(), contacts_.end(), atom->tag[i],
                          [](const ContactLoad &c, bearing::tag_t tag) { return c.ring < tag; });
@@ -386,6 +404,15 @@ double FixBearingRing::compute_array(int row, int k)
   gather_reports();
   // rows of rings that joined the group come with the next run
   return static_cast<size_t>(row) < tags_.size() ? report_[row * size_vector + k] : 0.0;
+}
+
+std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
+{
+  // its motion and what it meets; the load is what the deck gave
+  std::vector<Item> list;
+  for (int k = 0; k < bearing::of_fix_ring::LOAD_X; ++k)
+    list.push_back({bearing::of_fix_ring::list[k].name, bearing::of_fix_ring::list[k].format});
+  return list;
 }
 
 void FixBearingRing::write_restart(FILE *fp)

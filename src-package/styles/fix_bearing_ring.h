@@ -6,6 +6,7 @@ FixStyle(bearing/ring,FixBearingRing)
 #ifndef LMP_FIX_BEARING_RING_H
 #define LMP_FIX_BEARING_RING_H
 
+#include "../deck/column_list.h"
 #include "../deck/driven_value.h"
 #include "../implicit/ring_program.h"
 #include "../physics/lab_axes.h"
@@ -16,7 +17,7 @@ namespace LAMMPS_NS {
 class FixBearingState;
 class PairBearingHertz;
 
-class FixBearingRing : public Fix {
+class FixBearingRing : public Fix, public bearing::ColumnList {
  public:
   FixBearingRing(class LAMMPS *, int, char **);
   ~FixBearingRing() override;
@@ -28,6 +29,7 @@ class FixBearingRing : public Fix {
   void final_integrate() override;
   double compute_vector(int) override;
   double compute_array(int, int) override;
+  std::vector<Item> columns() const override;
   void write_restart(FILE *) override;
   void restart(char *) override;
 
@@ -66,6 +68,7 @@ class FixBearingRing : public Fix {
   void evaluate(int first, int last);
   Values values(int i) const;
   RingProgram at_end(int i) const;
+  raceway::Vec3 load_of(const RingProgram &, int i) const;    // the bearing axis third, N
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
   void kick();

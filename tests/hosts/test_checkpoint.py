@@ -92,6 +92,8 @@ def test_new_run_replaces_an_old_restart_file(stopped):
         "balls.dump",
         "contacts.dump",
         "record.nc",
+        "restart",
+        "restart.deck",
         "rings.dat",
         "run.yaml",
     ]
@@ -197,7 +199,7 @@ def test_full_disk(tmp_path):
     [
         ("0 x", "steps between samples is 0, must be"),
         ("10", "restart file"),
-        ("10 x wrong", "restart, resume, settings, mean, count, files"),
+        ("10 x wrong", "restart, resume, last, settings, mean, count, files"),
         ("10 x resume maybe", "no, yes"),
         ("10 x mean y", "must be a number or an equal-style variable v_NAME"),
         ("10 x mean v_nobody", "there is no equal-style variable 'nobody'"),

@@ -282,7 +282,7 @@ def test_the_command_says_why(tmp_path, table, words, message, capsys):
     assert not (tmp_path / "job.sh").exists()
 
 
-@pytest.mark.parametrize("name", ["new", "format", "resumed"])
+@pytest.mark.parametrize("name", ["out", "resume", "overwrite"])
 def test_columns_that_are_no_settings(tmp_path, name):
     table = tmp_path / "t.csv"
     table.write_text(f"{name}\n1\n")

@@ -157,8 +157,8 @@ def test_what_nobody_told(one_line):
 def test_many(tmp_path):
     deck = tmp_path / "in.many"
     text = (ROOT / "inputs" / "in.many").read_text()
-    line = "fix rec all bearing/record ${every} ${out}\n"
-    deck.write_text(text.replace("timestep ${dt}", line + "timestep ${dt}"))
+    line = "fix rec all bearing/record ${b_every} ${out}\n"
+    deck.write_text(text.replace("timestep ${b_dt}", line + "timestep ${b_dt}"))
     succeed(deck, out=tmp_path / "run", bearings=4, columns=2, time=6e-3, ramp=1e-3)
     run = raceway.open(tmp_path / "run")
     assert run.bearing_numbers == [1, 2, 3, 4] and run.contacts.sizes["ball"] == 36

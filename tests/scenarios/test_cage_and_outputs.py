@@ -36,7 +36,7 @@ compute energy all pe
 compute virial all pressure thermo_temp virial
 variable virial equal c_virial
 variable volume equal vol
-fix more balls bearing/capacitance ${every} permittivity ${permittivity} background 30e-12
+fix more balls bearing/capacitance ${b_every} permittivity ${permittivity} background 30e-12
 variable more equal f_more[1]
 variable top equal f_more[2]
 variable active equal f_more[3]
@@ -47,7 +47,7 @@ variable pe equal c_energy
     here = "include ${inputs}/modules/dumps.${dumps}"
     head, tail = measure.split(here)
     marker = (
-        'fix totals all print ${every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure}'
+        'fix totals all print ${b_every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure}'
         " ${thin} ${lam} ${orbit} ${rail} ${sum_inner} ${max_outer} ${mean_orbit} ${pe} ${virial}"
         ' ${volume} ${more} ${top} ${active} ${bare}" file ${out}/totals.txt screen no\n'
     )

@@ -18,8 +18,8 @@ variable outer equal 36.6e-3+${play}
 pair_style bearing/hertz friction constant 0.1
 pair_coeff 1 3 inner 24.0e-3 6.552e-3
 pair_coeff 1 4 outer ${outer} 6.552e-3
-variable omega index 0
-create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed ${omega} 0
+variable b_omega index 0
+create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed ${b_omega} 0
 group balls type 1
 group inner type 3
 group outer type 4

@@ -39,6 +39,11 @@ FLUID = {
 }
 
 
+# of `Bearing`, and what a bearing given by its usual data may leave out
+RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
+STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
+
+
 class InputError(RacewayError):
     """A data file is missing, broken or incomplete."""
 
@@ -66,23 +71,39 @@ def values(path: FilePath) -> dict[str, str]:
 
 def bearing(path: FilePath) -> Bearing:
     """`Bearing` of a file of inputs/bearings. Raises `InputError`."""
-    data = _numbers(
-        path,
-        "balls",
-        "ball_diameter",
-        "inner_radius",
-        "outer_radius",
-        "inner_groove",
-        "outer_groove",
-        "ball_young",
-        "ball_poisson",
-    )
+    known = values(path)
+    data = _numbers(path, "balls", "ball_diameter")
+    if "pitch_diameter" in known:
+        data |= _radii(path)
+    given = [name for name in RADII if name in known or "pitch_diameter" not in known]
+    data |= _numbers(path, *given)
     data["balls"] = int(data["balls"])
-    young, poisson = data.pop("ball_young"), data.pop("ball_poisson")
+    steel = [] if "pitch_diameter" in known else ["ball_young", "ball_poisson"]
+    names = steel or [name for name in ("ball_young", "ball_poisson") if name in known]
+    elastic = STEEL | _numbers(path, *names)
+    young, poisson = elastic["ball_young"], elastic["ball_poisson"]
     try:
         return Bearing(**data, young=young, poisson=poisson)
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None
+
+
+def _radii(path):
+    """Raceways and grooves from the usual data, as inputs/modules/bearing.usual has them (m)."""
+    pitch, ball, inner, outer = _numbers(
+        path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
+    ).values()
+    angle = (
+        _numbers(path, "contact_angle")["contact_angle"] if "contact_angle" in values(path) else 0
+    )
+    cosine, radius = math.cos(math.radians(angle)), ball / 2
+    inner, outer = inner * ball, outer * ball
+    return {
+        "inner_radius": pitch / 2 - inner + (inner - radius) * cosine,
+        "outer_radius": pitch / 2 + outer - (outer - radius) * cosine,
+        "inner_groove": inner,
+        "outer_groove": outer,
+    }
 
 
 def boundary(path: FilePath) -> makers.Boundary | None:

@@ -127,6 +127,7 @@ class Runner:
             "-var",
             "out",
             str(folder),
+            *("-var", "overwrite", "yes"),
         ]
         for name, value in case.settings:
             command += ["-var", name, value]

@@ -18,9 +18,7 @@ WORD = re.compile(r"[A-Za-z0-9_.+-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
     "resume": "the sweep resumes points by itself",
-    "resumed": "the deck sets it",
-    "new": "the deck sets it",
-    "format": "it is the host's spelling of a command",
+    "overwrite": "the sweep knows which points are done",
     "inputs": "it says where the deck's files are; start from the folder that holds them",
 }
 LONGEST = 160  # characters of a folder's name, well below the 255 of file systems
@@ -59,7 +57,8 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
                 f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}"
             ) from None
         for name, default in INDEX.findall(text):
-            found.setdefault(name, default)
+            if not name.startswith("b_"):  # of the modules themselves
+                found.setdefault(name, default)
     if not found:
         raise TableError(
             f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary"

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A finished run is not overwritten unasked, and goes on with more ball passes."""
+
+import pytest
+from host import ROOT, liggghts, run, succeed
+
+DECK = "inputs/in.6208"
+SHORT = {"samples": 20, "rpm": 20000, "passes": 2}
+
+
+@pytest.mark.parametrize("deck", ["in.6208", "in.dry", "in.nocage", "in.preload"])
+def test_finished_run_stays(tmp_path, deck):
+    scene = {**SHORT, "out": tmp_path, "clearance": 0}
+    succeed(f"inputs/{deck}", **scene)
+    before = (tmp_path / "record.nc").read_bytes()
+    for more in ({}, {"passes": 3}, {"overwrite": "no"}):
+        failed = liggghts(f"inputs/{deck}", **{**scene, **more})
+        assert failed.code != 0
+        assert f"{tmp_path} holds a finished run" in failed.error
+        assert "-var resume yes and more passes" in failed.error
+    assert (tmp_path / "record.nc").read_bytes() == before
+    succeed(f"inputs/{deck}", overwrite="yes", **{**scene, "passes": 1})
+    assert (tmp_path / "record.nc").read_bytes() != before
+
+
+def test_finished_run_that_cannot_go_on(tmp_path):
+    """Without its restart file, of an older version for example."""
+    succeed(DECK, out=tmp_path, **SHORT)
+    (tmp_path / "restart").unlink()
+    failed = liggghts(DECK, out=tmp_path, resume="yes", **SHORT)
+    assert failed.code != 0 and "holds a finished run" in failed.error
+    assert "more passes" not in failed.error
+
+
+@pytest.mark.parametrize("integrator", ["implicit", "verlet"])
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+def test_more_passes(tmp_path, host, integrator):
+    """To the bytes of a run that had them from the start."""
+    scene = {**SHORT, "integrator": integrator, "dumps": "yes", "unbalance": 1e-5}
+    succeed(DECK, host=host, out=tmp_path / "whole", **{**scene, "passes": 5})
+    for passes in (2, 3, 5):
+        succeed(
+            DECK, host=host, out=tmp_path / "parts", resume="yes", **{**scene, "passes": passes}
+        )
+    for name in ("record.nc", "contacts.dump", "balls.dump", "rings.dat"):
+        whole, parts = ((tmp_path / way / name).read_bytes() for way in ("whole", "parts"))
+        assert whole == parts, name
+    lines = [(tmp_path / way / "run.yaml").read_text().splitlines() for way in ("whole", "parts")]
+    assert [line for line in lines[0] if "wall_s" not in line] == [
+        line for line in lines[1] if "wall_s" not in line
+    ]
+
+
+def test_fewer_passes_are_refused(tmp_path):
+    succeed(DECK, out=tmp_path, **SHORT)
+    failed = run(DECK, out=tmp_path, resume="yes", **{**SHORT, "passes": 1})
+    assert failed.code != 0
+
+
+def test_make_run_replaces_its_own():
+    (rule,) = [
+        line
+        for line in (ROOT / "Makefile").read_text().splitlines()
+        if "-in inputs/in.6208" in line
+    ]
+    assert rule.endswith("-var overwrite yes")

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Unbalance and rotating force of fix bearing/ring, under both integrators.
+
+In the air (no contact) the equations are those of a point mass with a force that turns:
+M x'' = A cos(w t + p), M y'' = A sin(w t + p), from rest.
+"""
+
+import re
+
+import numpy as np
+import pytest
+from host import liggghts, succeed
+
+DECK = "tests/scenarios/in.whirl"
+MASS = 0.5  # kg
+KEYS = ("x", "y", "vx", "vy", "angle", "load_x", "load_y")
+
+
+def end(**variables):
+    """What the deck says of the ring at its end."""
+    text = succeed(DECK, **variables).text
+    numbers = [float(word) for word in re.search(r"^END (.*)$", text, re.M)[1].split()]
+    ring = dict(zip(KEYS, numbers, strict=True))
+    if energy := re.search(r"^ENERGY (.*)$", text, re.M):
+        names = ("work", "dissipated", "stored", "lost")
+        ring.update(zip(names, map(float, energy[1].split()), strict=True))
+    return ring
+
+
+def whirl(force, speed, phase, time):
+    """Displacement and velocity of a free mass (m, m/s); force in N."""
+    a, t = force / MASS / speed**2, time
+    turned = speed * t + phase
+    return {
+        "x": -a * (np.cos(turned) - np.cos(phase)) - a * speed * t * np.sin(phase),
+        "y": -a * (np.sin(turned) - np.sin(phase)) + a * speed * t * np.cos(phase),
+        "vx": a * speed * (np.sin(turned) - np.sin(phase)),
+        "vy": -a * speed * (np.cos(turned) - np.cos(phase)),
+    }
+
+
+def error(found, exact):
+    """Largest displacement error over the 20 um."""
+    return max(abs(found[key] - exact[key]) for key in ("x", "y")) / 2e-5
+
+
+@pytest.mark.parametrize(
+    "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
+)
+def test_closed_form_verlet(words, speed):
+    """Second order in the step."""
+    force = 1e-5 * 100**2 if "unbalance" in words else 0.05
+    exact = whirl(force, speed, 0.3, 0.1)
+    coarse, fine = (
+        error(end(integrator="verlet", words=words, step=step), exact) for step in (1e-5, 5e-6)
+    )
+    assert fine < 1e-4 and coarse / fine == pytest.approx(4.0, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    "words, speed", [("unbalance 1e-5 0.3", 100), ("rotating 0.05 -60 0.3", -60)]
+)
+def test_closed_form_implicit(words, speed):
+    """The internal steps follow the tolerance; host steps of a quarter of a turn do no harm."""
+    force = 1e-5 * 100**2 if "unbalance" in words else 0.05
+    exact = whirl(force, speed, 0.3, 0.1)
+    found = [
+        end(words=words, step=2e-2, control=f"tolerance {tolerance} energy yes")
+        for tolerance in (1e-10, 1e-12)
+    ]
+    errors = [error(one, exact) for one in found]
+    assert errors[1] < 1e-5 and errors[1] < 0.2 * errors[0]
+    # all work of the load is in the motion; the balls stand
+    ring = found[1]
+    kinetic = 0.5 * MASS * (exact["vx"] ** 2 + exact["vy"] ** 2)
+    assert ring["stored"] == pytest.approx(kinetic, rel=1e-4)
+    assert abs(ring["lost"]) < 1e-4 * kinetic and ring["dissipated"] == 0.0
+
+
+@pytest.mark.parametrize("integrator", ["implicit", "verlet"])
+def test_same_as_rotating_force(integrator):
+    """M E w^2 that turns with the ring, in a preloaded bearing."""
+    words = ("unbalance 2e-3 0.7", "rotating 20 100 0.7")
+    step = {"implicit": 1e-3, "verlet": 1e-6}[integrator]
+    one, other = (
+        end(integrator=integrator, air=0, words=words, step=step, time=0.02) for words in words
+    )
+    size = np.hypot(one["x"], one["y"])
+    assert size > 1e-8
+    for key in ("x", "y"):
+        assert one[key] == pytest.approx(other[key], abs=1e-6 * size)
+    assert np.hypot(one["load_x"], one["load_y"]) == pytest.approx(20.0, rel=1e-12)
+    assert np.arctan2(one["load_y"], one["load_x"]) == pytest.approx(
+        np.angle(np.exp(1j * (one["angle"] + 0.7)))
+    )
+
+
+@pytest.mark.parametrize("integrator", ["implicit", "verlet"])
+def test_run_up(integrator):
+    """w = b t: the momentum of the mass off centre, M E w (-sin, cos), is what the ring lost."""
+    growth, time = 500.0, 0.1
+    ring = end(integrator=integrator, spin=f"{growth}*time", words="unbalance 1e-5 0", step=1e-5)
+    turned, speed = 0.5 * growth * time**2, growth * time
+    a = 1e-5 / MASS
+    assert ring["angle"] == pytest.approx(turned, rel=1e-3)
+    assert ring["vx"] == pytest.approx(a * speed * np.sin(turned), rel=1e-3)
+    assert ring["vy"] == pytest.approx(-a * speed * np.cos(turned), rel=1e-3)
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+@pytest.mark.parametrize("ranks", [2, 4])
+def test_same_bits_on_ranks(host, ranks):
+    scene = {"air": 0, "words": "unbalance 2e-3 0.7 rotating 50 30 0.1 ramp 1e-3", "time": 0.01}
+    for integrator, step in (("implicit", 1e-3), ("verlet", 1e-6)):
+        one = end(integrator=integrator, step=step, **scene)
+        assert end(integrator=integrator, step=step, host=host, ranks=ranks, **scene) == one
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        ("unbalance -1 0", "unbalance (kg m) is -1, must be"),
+        ("unbalance 1e-3", "phase of the unbalance (rad)"),
+        ("rotating 5 v_x 0", "speed of the rotating force (rad/s)"),
+        ("unbalance 1e-3 0 spin free inertia 1e-4 1e-4", "unbalance needs 'spin speed W'"),
+    ],
+)
+def test_errors(words, says):
+    failed = liggghts(DECK, words=words)
+    assert failed.code != 0 and says in failed.error, failed.error
