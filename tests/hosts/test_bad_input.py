@@ -51,7 +51,7 @@ MAIN_DECK = {
         {"bearing": "9999"},
         (
             r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6206, 6208,"
-            r" 6306, harris209"
+            r" 6306, 7208, harris209"
         ),
     ),
     "unknown integrator": (

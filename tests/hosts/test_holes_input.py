@@ -119,7 +119,6 @@ def test_a_file_called_like_an_option_stays(tmp_path):
     )
     assert end.code == 0, end.text[-1000:]
     assert (tmp_path / "-f").read_text() == "mine"
-    assert not (tmp_path / "out" / "restart.deck").exists()
 
 
 def test_a_file_that_the_checkpoint_sees_too_often(tmp_path):

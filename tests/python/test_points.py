@@ -53,7 +53,7 @@ def test_mark_of_spreadsheets(tmp_path):
     [
         ("", "is empty"),
         ("load,rpm\n", "no row below its columns"),
-        ("load,rpn\n1,2\n", "column 'rpn' is no variable of the deck; there is: load, rpm"),
+        ("load,rpn\n1,2\n", "column 'rpn' is no variable of the deck; there is: load, axial"),
         ("load,load\n1,2\n", "column 'load' is there 2 times"),
         ("load,out\n1,x\n", "column 'out' cannot be swept"),
         ("load,\n1,2\n", "column '' is no variable"),
