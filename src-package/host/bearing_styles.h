@@ -14,6 +14,7 @@
 #include "../styles/fix_bearing_capacitance.h"
 #include "../styles/fix_bearing_checkpoint.h"
 #include "../styles/fix_bearing_implicit.h"
+#include "../styles/fix_bearing_progress.h"
 #include "../styles/fix_bearing_record.h"
 #include "../styles/fix_bearing_ring.h"
 #include "../styles/fix_bearing_state.h"
@@ -31,6 +32,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingImplicit>("bearing/implicit");
   add.template fix<FixBearingCage>("bearing/cage");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");
+  add.template fix<FixBearingProgress>("bearing/progress");
   add.template fix<FixBearingRecord>("bearing/record");
   add.template fix<FixBearingTimestep>("bearing/timestep");
   add.template fix<FixBearingCheckpoint>("bearing/checkpoint");

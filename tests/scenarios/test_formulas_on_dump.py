@@ -24,7 +24,7 @@ def run(request, tmp_path_factory):
         text = (ROOT / "inputs" / "in.6208").read_text()
         contact = (ROOT / "inputs" / "modules" / "contact.film").read_text()
         (folder / "contact.film").write_text(
-            contact.replace("friction stribeck", "film masjedi/printed friction stribeck")
+            contact.replace("${film_law}", "film masjedi/printed ${film_law}")
         )
         deck.write_text(text.replace("${inputs}/modules/contact.${film}", f"{folder}/contact.film"))
     clearance = {"preload": -56.7e-6, "play": 56.7e-6}.get(request.param, 0.0)

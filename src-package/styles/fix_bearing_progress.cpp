@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_progress.h"
+
+#include "../contacts/bearing_columns.h"
+#include "../contacts/fix_columns.h"
+#include "compute_bearing_total.h"
+#include "fix_bearing_ring.h"
+#include "fixes.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using bearing::Arguments;
+using bearing::DrivenValue;
+
+// fix ID group bearing/progress N COMPUTE [title WORD] [share V]
+FixBearingProgress::FixBearingProgress(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  Arguments args(lmp, std::string("fix ") + id + " bearing/progress", narg, arg, 3);
+  nevery = args.integer("steps between rows", 1, 1000000000);
+  total_id_ = args.word("ID of a compute bearing/total");
+  while (args.more()) {
+    if (args.take("title")) title_ = args.word("title");
+    else if (args.take("share")) share_ = DrivenValue::read(args, "share");
+    else args.unknown("title, share");
+  }
+}
+
+int FixBearingProgress::setmask() { return END_OF_STEP | POST_RUN; }
+
+void FixBearingProgress::init()
+{
+  share_.check(lmp, bearing::name_of(*this));
+  const int k = modify->find_compute(total_id_.c_str());
+  total_ = k < 0 ? nullptr : dynamic_cast<ComputeBearingTotal *>(modify->compute[k]);
+  if (!total_)
+    BRG_ALL(bearing::name_of(*this) + ": there is no compute bearing/total '" + total_id_ + "'");
+}
+
+void FixBearingProgress::setup(int)
+{
+  if (!headed_ || !share_.is_variable()) began_ = MPI_Wtime();
+  if (!headed_) {
+    say(title_);
+    say("  done %    left s      step      time s    ring um  loaded     load N    p GPa"
+        "  cage rad/s");
+  }
+  headed_ = true;
+}
+
+void FixBearingProgress::end_of_step() { show(); }
+
+// The last row, unless the run is one of many.
+void FixBearingProgress::post_run()
+{
+  if (!share_.is_variable()) show();
+}
+
+double FixBearingProgress::share() const
+{
+  if (share_.is_variable()) return std::min(1.0, std::max(0.0, share_.now(lmp)));
+  const bigint all = update->laststep - update->firststep;
+  return all > 0 ? static_cast<double>(update->ntimestep - update->firststep) / all : 1.0;
+}
+
+void FixBearingProgress::show()
+{
+  if (update->ntimestep == shown_) return;
+  shown_ = update->ntimestep;
+  if (total_->invoked_vector != update->ntimestep) total_->compute_vector();
+  const double *of = total_->vector;
+  double moved = 0.0;    // the ring that has moved most, m
+  for (FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp)) {
+    double x[3];
+    for (int k = 0; k < 3; ++k) x[k] = f->compute_vector(bearing::of_fix_ring::X + k);
+    moved = std::max(moved, std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
+  }
+  const double done = share(), spent = MPI_Wtime() - began_;
+  const double time =
+      update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
+  char left[16] = "-";
+  if (done > 0.0) snprintf(left, sizeof left, "%.1f", spent * (1.0 - done) / done);
+  namespace is = bearing::of_total;
+  char line[160];
+  snprintf(line, sizeof line, "%8.1f  %8s  %8.0f  %10.6f  %9.3f  %6.0f  %9.1f  %7.3f  %10.3f",
+           100.0 * done, left, static_cast<double>(update->ntimestep), time, 1e6 * moved,
+           of[is::LOADED_BALLS], std::max(of[is::LOAD_INNER], of[is::LOAD_OUTER]),
+           1e-9 * of[is::PRESSURE], of[is::CAGE_SPEED]);
+  say(line);
+}
+
+void FixBearingProgress::say(const std::string &line) const
+{
+  if (comm->me != 0 || line.empty()) return;
+  for (FILE *to : {screen, logfile})
+    if (to) {
+      fprintf(to, "%s\n", line.c_str());
+      fflush(to);
+    }
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/progress: how far a run is and what the bearings do, as a table to read: names with
+// units, share done, time left. The host's own table has eight letters a column and no units.
+#ifdef FIX_CLASS
+FixStyle(bearing/progress,FixBearingProgress)
+#else
+#ifndef LMP_FIX_BEARING_PROGRESS_H
+#define LMP_FIX_BEARING_PROGRESS_H
+
+#include "../deck/driven_value.h"
+
+namespace LAMMPS_NS {
+
+class FixBearingProgress : public Fix {
+ public:
+  FixBearingProgress(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void end_of_step() override;
+  void post_run() override;
+
+ private:
+  double share() const;    // done, 0 to 1
+  void show();
+  void say(const std::string &line) const;
+
+  std::string title_, total_id_;
+  bearing::DrivenValue share_;
+  class ComputeBearingTotal *total_ = nullptr;
+  double began_ = 0.0;    // s, wall time
+  bigint shown_ = -1;     // step
+  bool headed_ = false;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/progress: the table of a run, with names, units, share done and time left."""
+
+import re
+
+import pytest
+import raceway
+from host import liggghts, succeed
+
+SHORT = {"passes": 4, "samples": 200, "rpm": 20000}
+HEAD = ["done", "%", "left", "s", "step", "time", "s", "ring", "um", "loaded", "load", "N"]
+HEAD += ["p", "GPa", "cage", "rad/s"]
+
+
+def table(text, title):
+    """Rows of numbers under a title."""
+    lines = text.split(title + "\n")[1].splitlines()
+    assert lines[0].split() == HEAD
+    rows = []
+    for line in lines[1:]:
+        if len(words := line.split()) == 9 and all(
+            re.fullmatch(r"[-\d.]+", word) for word in words
+        ):
+            rows.append([float(word) if word != "-" else None for word in words])
+    return rows
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_main_deck(tmp_path, host, ranks):
+    end = succeed("inputs/in.6208", host=host, ranks=ranks, out=tmp_path, **SHORT)
+    rows = table(end.text, "Measuring 4 ball passes")
+    assert [row[0] for row in rows] == sorted(row[0] for row in rows)
+    done, left, step, time, ring, loaded, load, pressure, cage = rows[-1]
+    assert (done, left, step) == (100.0, 0.0, 800)
+    run = raceway.open(tmp_path)
+    last = run.contacts.isel(time=-1)
+    assert load == pytest.approx(float(last["load"].max()), rel=1e-4)
+    assert pressure == pytest.approx(1e-9 * float(last["pressure"].max()), rel=1e-3)
+    assert cage == pytest.approx(0.4 * SHORT["rpm"] * 3.14159 / 30, rel=0.05)
+    assert ring > 1.0 and loaded >= 1
+    settled = table(end.text, "Settling")[-1]
+    assert time > settled[3] > 0.01  # s: the time has gone on
+
+
+def test_settling_with_verlet_is_one_table(tmp_path):
+    end = succeed("inputs/in.6208", out=tmp_path, integrator="verlet", **{**SHORT, "passes": 1})
+    assert end.text.count("done %") == 2
+    shares = [row[0] for row in table(end.text.split("Measuring")[0], "Settling")]
+    assert shares == sorted(shares) and 0.0 <= shares[0] and 90 < shares[-1] <= 100.0
+
+
+def test_needs_its_compute(tmp_path):
+    deck = tmp_path / "in.deck"
+    deck.write_text("include inputs/in.6208\nfix more all bearing/progress 10 nothing\nrun 0\n")
+    failed = liggghts(deck, out=tmp_path / "run", **{**SHORT, "passes": 1})
+    assert failed.code != 0
+    assert "fix more bearing/progress: there is no compute bearing/total 'nothing'" in failed.error
