@@ -40,13 +40,7 @@ void FixBearingProgress::init()
 
 void FixBearingProgress::setup(int)
 {
-  if (!headed_ || !share_.is_variable()) began_ = MPI_Wtime();
-  if (!headed_) {
-    say(title_);
-    say("  done %    left s      step      time s    ring um  loaded     load N    p GPa"
-        "  cage rad/s");
-  }
-  headed_ = true;
+  if (began_ == 0.0 || !share_.is_variable()) began_ = MPI_Wtime();
 }
 
 void FixBearingProgress::end_of_step() { show(); }
@@ -68,6 +62,12 @@ void FixBearingProgress::show()
 {
   if (update->ntimestep == shown_) return;
   shown_ = update->ntimestep;
+  if (!headed_) {    // not at the set-up, of which the host says something
+    say(title_);
+    say("  done %    left s      step      time s    ring um  loaded     load N    p GPa"
+        "  cage rad/s");
+    headed_ = true;
+  }
   if (total_->invoked_vector != update->ntimestep) total_->compute_vector();
   const double *of = total_->vector;
   double moved = 0.0;    // the ring that has moved most, m
