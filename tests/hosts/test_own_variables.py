@@ -40,14 +40,13 @@ def variables(folder):
 
 
 def test_prefix():
-    """Without it stand what a user may give with -var, and what a lubricant's physical data
-    give."""
+    """Without it stand what a user may give with -var, and numbers of bearings and lubricants that
+    follow from other data."""
     page = (ROOT / "docs" / "main_deck.rst").read_text()
-    oil = {"viscosity", "pressure_viscosity", "temperature_viscosity", "oil_density"}
-    oil |= {"permittivity"}
+    data = set(variables("bearings")) | set(variables("lubricants"))
     for folder in ("modules", "integrators"):
         for name, styles in variables(folder).items():
             if name.startswith("b_"):
                 continue
             assert styles == {"index"}, name
-            assert name in oil or f"``{name}``" in page, name
+            assert name in data or f"``{name}``" in page, name
