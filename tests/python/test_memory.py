@@ -2,7 +2,7 @@
 """Memory does not grow with the run: every way of reading that says so, on a run and on one nine
 times as long.
 
-tests/bench/big_dump.py does the same with 2 GB.
+tests/bench/large_runs.py does the same with 2 GB.
 """
 
 import subprocess

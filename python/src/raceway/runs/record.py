@@ -65,12 +65,17 @@ class Record:
             )
         self.bearing = bearing
         self.record_bytes = self._row.itemsize
-        self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((0, 0), {})
+        self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
 
     def __len__(self) -> int:
         """Samples that the header counts now."""
-        with _opened(self.path) as file:
-            return file._recs
+        with open(self.path, "rb", buffering=0) as file:
+            return int.from_bytes(
+                file.read(8)[4:], "big"
+            )  # netCDF classic: after "CDF" and version
+
+    def __bool__(self) -> bool:
+        return True  # one without samples is a record, too: its run has just begun
 
     def part(self, dimension: str) -> slice:
         """What of a dimension belongs to the bearing: a slice."""
@@ -101,7 +106,7 @@ class Record:
 
     def _scan(self, names, first, last):
         """{name: array} of the samples `first` to `last`, a few MB of the file at a time."""
-        parts = {n: (slice(None), *map(self.part, self.variables[n][1:])) for n in names}
+        parts = {n: (slice(None), *self._parts(n)) for n in names}
         count = max(0, last - first)
         none = np.empty(0, self._row)
         found = {n: np.empty((count, *none[n][part].shape[1:])) for n, part in parts.items()}
@@ -117,11 +122,11 @@ class Record:
         return found
 
     def shape(self, name: str) -> tuple[int, ...]:
-        """Of a variable with time: samples now, and what belongs to the bearing."""
-        with _opened(self.path) as file:
-            whole = file.variables[name].shape
-        parts = (self.part(dim) for dim in self.variables[name][1:])
-        return (whole[0], *(len(range(n)[p]) for n, p in zip(whole[1:], parts)))
+        """Of one sample of a variable with time: what belongs to the bearing."""
+        return np.empty(0, self._row)[name][(slice(None), *self._parts(name))].shape[1:]
+
+    def _parts(self, name):
+        return tuple(self.part(dim) for dim in self.variables[name][1:])
 
     def pick(self, name: str, key: tuple) -> Floats:
         """What an index (slices, integers and arrays, one a dimension) picks of a variable with
@@ -130,11 +135,10 @@ class Record:
         if isinstance(time, slice) and time.step in (None, 1):
             values = self.read([name], time.start or 0, time.stop)[name]
         else:
-            with _opened(self.path) as file:
-                parts = (slice(None), *(self.part(dim) for dim in self.variables[name][1:]))
-                values = np.array(file.variables[name].data[parts][time], dtype=float)
+            rows = np.memmap(self.path, self._row, "r", self._begin, (len(self),))
+            values = np.array(rows[name][(slice(None), *self._parts(name))][time], dtype=float)
         for axis, one in reversed(list(enumerate(key[1:]))):
-            at = axis + (0 if isinstance(key[0], (int, np.integer)) else 1)
+            at = axis + (0 if isinstance(time, (int, np.integer)) else 1)
             values = values[(slice(None),) * at + (one,)]
         return values
 

@@ -20,17 +20,23 @@ ABOUT = ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearan
 class _InFile(BackendArray):
     """A variable with time that stays in the file; `of`: what is made of its values."""
 
-    def __init__(self, record, name, of=np.asarray):
+    def __init__(self, record, name, samples, of=np.asarray):
         self.record, self.name, self.of = record, name, of
-        self.shape, self.dtype = record.shape(name), np.dtype(float)
+        self.shape, self.dtype = (samples, *record.shape(name)), np.dtype(float)
 
     def __getitem__(self, key):
         return indexing.explicit_indexing_adapter(
             key,
             self.shape,
             indexing.IndexingSupport.OUTER,
-            lambda at: self.of(self.record.pick(self.name, at)),
+            self._pick,
         )
+
+    def _pick(self, at):
+        time, *others = at
+        if isinstance(time, slice) and time.step in (None, 1):
+            time = slice(*time.indices(self.shape[0]))  # not what has come since
+        return self.of(self.record.pick(self.name, (time, *others)))
 
 
 class Recorded:
@@ -38,6 +44,7 @@ class Recorded:
 
     def __init__(self, tables: RunTables) -> None:
         self.tables, self.record = tables, tables.record
+        self._samples = len(self.record)  # the file may be growing: all that is made here has these
 
     @cached_property
     def _file(self):
@@ -57,7 +64,7 @@ class Recorded:
         return data.set_coords("time")
 
     def _in_file(self, name, **made):
-        values = indexing.LazilyIndexedArray(_InFile(self.record, name, **made))
+        values = indexing.LazilyIndexedArray(_InFile(self.record, name, self._samples, **made))
         return xr.Variable(self.record.variables[name], values, self.record.about[name])
 
     @property

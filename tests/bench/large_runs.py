@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run larger than memory should need: simulates a 6208 until its record holds 2 GB, and the same
+ball passes as text, looks at both in every way the package has, and writes seconds and memory to
+docs/performance/large_runs.rst.
+
+    .venv/bin/python tests/bench/large_runs.py [GIGABYTES [FOLDER]]
+
+FOLDER (default build/run/large) needs three times as much; runs that are there and large enough are
+used again, and those made here are left for that. Exit code 1 when anything fails, needs 1 GB of
+memory, or takes longer than LONGEST in a record.
+"""
+
+import subprocess
+import sys
+import time
+from datetime import date
+from pathlib import Path
+
+from machine import machine
+
+ROOT = Path(__file__).resolve().parents[2]
+LIMIT = 1000  # MB
+FORMATS = {
+    "record": {"record": "all", "dumps": "no"},
+    "text": {"record": "none", "dumps": "yes"},
+}
+FILES = {"record": ("record.nc",), "text": ("contacts.dump", "balls.dump", "rings.dat")}
+FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
+LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
+TASKS = {  # name: what is done to `run`, in a process of its own
+    "load the package only": "",
+    FIGURES: "run.summary()",
+    "bearing totals, every sample": "run.bearing",
+    "regime shares around the ring": "from raceway.runs.regimes import shares; shares(run)",
+    "pressure and permittivity around the ring": (
+        "from raceway.runs.electrical import by_raceway; by_raceway(run)"
+    ),
+    "losses, every sample": "from raceway.runs.losses import losses; losses(run)",
+    "spectrum of the ring, lines found": (
+        "from raceway.runs.spectrum import lines, of_run; lines(run, of_run(run))"
+    ),
+    LARGEST: (
+        "import functools, numpy; run.contacts.Q.max('time').values if run.tables.record else"
+        " functools.reduce(numpy.maximum, (b.Q.max('time') for b in run.blocks('contacts')))"
+    ),
+    "one ball pass from the middle as datasets": (
+        "raceway.open(sys.argv[1], slice(MIDDLE, MIDDLE + 200)).contacts['load'].max()"
+    ),
+    "MDAnalysis: 1000 frames spread over the run": (
+        "u = run.universe(); [u.trajectory[i] for i in range(0, len(u.trajectory), "
+        "max(1, len(u.trajectory) // 1000))]"
+    ),
+    "picture (`raceway plot`)": (
+        "from raceway.pictures.overview import overview; overview(run.tables, sys.argv[1] +"
+        " '/overview.png')"
+    ),
+}
+
+
+def run_deck(folder, passes, output):
+    """The main deck with an output of FORMATS into `folder`."""
+    print(f"simulating {passes} ball passes into {folder}", flush=True)
+    words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
+    for name, value in {**output, "passes": passes, "out": folder}.items():
+        words += ["-var", name, str(value)]
+    done = subprocess.run(
+        words, cwd=ROOT, capture_output=True, text=True, errors="replace", check=False
+    )
+    if done.returncode:
+        sys.exit(f"the deck failed:\n{done.stdout[-2000:]}")
+
+
+def passes_of(folder):
+    """Ball passes of a finished run; 0: there is none."""
+    if not (folder / "run.yaml").exists():
+        return 0
+    said = dict(line.split(": ", 1) for line in (folder / "run.yaml").open() if ": " in line)
+    return int(float(said["passes"])) if "wall_s" in said else 0
+
+
+def simulate(folder, size):
+    """Make the runs unless they are there; the length is judged from a short one."""
+    record = folder / "record" / "record.nc"
+    if not (passes_of(folder / "record") and record.stat().st_size >= size):
+        run_deck(folder / "record", 4, FORMATS["record"])
+        per_pass = record.stat().st_size / 4
+        run_deck(folder / "record", int(1.01 * size / per_pass) + 1, FORMATS["record"])
+    passes = passes_of(folder / "record")
+    if passes_of(folder / "text") != passes:
+        run_deck(folder / "text", passes, FORMATS["text"])
+    return passes
+
+
+def measure(folder, task, middle):
+    """(seconds without loading the package, largest resident memory in MB) of a task."""
+    code = (
+        "import sys, time, warnings; warnings.simplefilter('ignore'); import raceway\n"
+        "raceway.open(sys.argv[1])  # loads all that is needed\n"
+        "begun = time.perf_counter(); run = raceway.open(sys.argv[1])\n"
+        + task.replace("MIDDLE", str(middle))
+        + "\nprint(time.perf_counter() - begun, next(line.split()[1] for line in"
+        " open('/proc/self/status') if line.startswith('VmHWM')))"
+    )
+    start = time.perf_counter()
+    done = subprocess.run(
+        [sys.executable, "-c", code, folder], capture_output=True, text=True, check=False
+    )
+    whole = time.perf_counter() - start
+    if done.returncode:
+        sys.exit(f"{task} failed:\n{done.stderr[-2000:]}")
+    seconds, memory = map(float, done.stdout.splitlines()[-1].split())
+    return seconds if task else whole, memory / 1024
+
+
+def main():
+    """Simulate, measure, print, write."""
+    gigabytes = float(sys.argv[1]) if len(sys.argv) > 1 else 2.0
+    folder = Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "build" / "run" / "large").resolve()
+    passes = simulate(folder, gigabytes * 1e9)
+    size = {
+        name: (folder / kind / name).stat().st_size / 1e9
+        for kind, names in FILES.items()
+        for name in names
+    }
+    rows = []
+    for name, task in TASKS.items():
+        rows.append((name, *(measure(folder / kind, task, passes * 100) for kind in FORMATS)))
+        said = "".join(f"{seconds:8.1f} s{memory:8.0f} MB" for seconds, memory in rows[-1][1:])
+        print(f"{name:<52}{said}", flush=True)
+    lines = [
+        ".. written by make bench (tests/bench/large_runs.py); do not edit",
+        "",
+        "Large runs",
+        "==========",
+        "",
+        f"Measured on {date.today()}: {passes} ball passes of the main deck, {passes * 200}"
+        " samples; "
+        + ", ".join(f"``{name}`` {value:.2f} GB" for name, value in size.items())
+        + ".",
+        "",
+    ]
+    lines += [f"- {fact}" for fact in machine()]
+    lines += [
+        "",
+        *"""\
+The same run as a record and as text. Each task runs in a process of its own. Seconds are without
+loading the package, which the first row has. Files are in the page cache or not, as it happens.
+Memory is the largest resident size of the process.
+""".splitlines(),
+        "",
+        ".. list-table::",
+        "   :header-rows: 1",
+        "   :widths: 40 15 15 15 15",
+        "",
+        "   * - task",
+        *(f"     - {kind}, {what}" for kind in FORMATS for what in ("seconds", "memory (MB)")),
+    ]
+    for name, *found in rows:
+        lines.append(f"   * - {name.replace('`', '``')}")
+        for seconds, memory in found:
+            lines += [f"     - {seconds:.2g}", f"     - {memory:.0f}"]
+    text = "\n".join([*lines, ""])
+    (ROOT / "docs" / "performance" / "large_runs.rst").write_text(text)
+    worst = max(memory for _, *found in rows for _, memory in found)
+    print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
+    slow = [name for name, (seconds, _), _ in rows if seconds > LONGEST.get(name, 1e9)]
+    print("longer in a record than asked for:", ", ".join(slow) or "nothing")
+    return int(worst >= LIMIT or bool(slow))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

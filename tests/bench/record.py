@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a record costs: against the host's text, against nothing written, with samples inside long
+steps, and for a hundred bearings; writes docs/performance/record.rst.
+
+    .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: leave the page alone
+
+The runs of a round follow each other, so that a drift of the machine hits them alike. Ratios are
+formed within a round; the median counts. Exit code 1 when one misses its limit.
+"""
+
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+from machine import machine
+
+ROOT = Path(__file__).resolve().parents[2]
+SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}  # rpm: least real-time factor of the main deck
+# Outputs of the main deck, with one sample a host step and with ten.
+TEXT = {"record": "none", "dumps": "yes", "within": 1}
+RECORD, NOTHING = ({"record": record, "dumps": "no", "within": 1} for record in ("all", "none"))
+OUTPUTS = {
+    "text": TEXT,
+    "record": RECORD,
+    "nothing": NOTHING,
+    "record, 10 samples a step": {**RECORD, "within": 10},
+    "nothing, a tenth of the steps": {**NOTHING, "within": 10},
+}
+PASSES, TEXT_PASSES = 400, 40
+FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
+MANY, MANY_COST = 100, 1.3
+PAGE = """\
+What a record costs
+===================
+
+Written by ``tests/bench/record.py`` (``make bench``), {today}.
+
+The main deck was run at 5000 N, with 200 samples in a ball pass: {text_passes} passes as text,
+{passes} otherwise. *text* is contacts, balls and the table of the ring as the host's dumps.
+*record* is :doc:`../fix_bearing_record` with all its columns. The motion is the same in the first
+three rows, to the bit. The median of the rounds counts: {rounds}.
+
+.. list-table:: microseconds a sample, and how much faster than real time
+   :header-rows: 1
+
+   * - output
+{heads}
+{rows}
+
+.. list-table::
+   :header-rows: 1
+
+   * - ratio
+{heads}
+     - asked for
+{ratios}
+
+A hundred bearings in one box on one rank (:doc:`many`): recording takes {many:.2f} times what not
+recording takes. At most {many_cost} is asked for.
+
+{machine}
+"""
+
+
+def liggghts(deck, folder, **variables):
+    """Run a deck into `folder`; what it printed."""
+    words = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none", "-var", "out", folder]
+    for name, value in variables.items():
+        words += ["-var", name, str(value)]
+    done = subprocess.run(
+        [str(word) for word in words],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        check=False,
+    )
+    if done.returncode:
+        sys.exit(f"{deck} failed:\n{done.stdout[-2000:]}")
+    return done.stdout
+
+
+def main_deck(folder, rpm, output):
+    """(s a sample, real-time factor) of a run of the main deck."""
+    passes = TEXT_PASSES if output == "text" else PASSES
+    liggghts("inputs/in.6208", folder, rpm=rpm, passes=passes, **OUTPUTS[output])
+    said = dict(
+        line.split(": ", 1)
+        for line in (folder / "run.yaml").read_text().splitlines()
+        if ": " in line
+    )
+    wall = float(said["wall_s"])
+    return wall / (200 * passes), float(said["simulated_s"]) / wall
+
+
+def many(folder, record):
+    """s of the loop of a hundred bearings."""
+    text = (ROOT / "inputs" / "in.many").read_text()
+    text = re.sub(r"(?m)^dump(_modify)? table .*\n", "", text)
+    line = "fix record all bearing/record ${every} ${out} overwrite yes\n" if record else ""
+    deck = folder / "in.many"
+    deck.write_text(text.replace("timestep ${dt}", line + "timestep ${dt}"))
+    printed = liggghts(deck, folder / "run", bearings=MANY, columns=10)
+    return float(re.findall(r"Loop time of (\S+)", printed)[-1])
+
+
+def measure(rounds):
+    """[{(rpm, output): (s a sample, real-time factor), "many": ratio}] of every round."""
+    results = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for k in range(rounds):
+            one = {}
+            for rpm in SPEEDS:
+                for output in OUTPUTS:
+                    one[rpm, output] = main_deck(folder / "run", rpm, output)
+            one["many"] = many(folder, True) / many(folder, False)
+            results.append(one)
+            print(f"round {k + 1} of {rounds}", flush=True)
+    return results
+
+
+def ratios(results):
+    """[(name, {rpm: ratio}, {rpm: limit}, whether at least)] over the rounds."""
+    inside = "record, 10 samples a step"
+
+    def ratio(slow, fast):
+        return {
+            rpm: statistics.median(one[rpm, slow][0] / one[rpm, fast][0] for one in results)
+            for rpm in SPEEDS
+        }
+
+    factor = {rpm: statistics.median(one[rpm, inside][1] for one in results) for rpm in SPEEDS}
+    every = dict.fromkeys(SPEEDS, FASTER)
+    return [
+        ("text over record", ratio("text", "record"), every, True),
+        ("text over record, 10 samples a step", ratio("text", inside), FASTER_WITHIN, True),
+        ("record over nothing", ratio("record", "nothing"), dict.fromkeys(SPEEDS, COST), False),
+        (
+            "the same with 10 samples a step",
+            ratio(inside, "nothing, a tenth of the steps"),
+            dict.fromkeys(SPEEDS, COST),
+            False,
+        ),
+        ("real-time factor of ``make run``", factor, SPEEDS, True),
+    ]
+
+
+def row(cells):
+    """A row of a list-table."""
+    return "\n".join([f"   * - {cells[0]}", *(f"     - {cell}" for cell in cells[1:])])
+
+
+def main():
+    """Measure, print, write."""
+    words = [word for word in sys.argv[1:] if word != "--print"]
+    results = measure(int(words[0]) if words else 5)
+    rows = []
+    for output in OUTPUTS:
+        cells = [output]
+        for rpm in SPEEDS:
+            micro = 1e6 * statistics.median(one[rpm, output][0] for one in results)
+            factor = statistics.median(one[rpm, output][1] for one in results)
+            cells.append(f"{micro:.1f} ({factor:.3g})")
+        rows.append(row(cells))
+    missed, table = [], []
+    for name, found, limit, least in ratios(results):
+        limits = sorted({*limit.values()}, reverse=True)
+        said = ", ".join(f"{value:g}" for value in limits)
+        table.append(
+            row(
+                [
+                    name,
+                    *(f"{found[rpm]:.3g}" for rpm in SPEEDS),
+                    f"{'>=' if least else '<='} {said}",
+                ]
+            )
+        )
+        missed += [
+            f"{name} at {rpm:g} rpm: {found[rpm]:.3g}, asked for {limit[rpm]:g}"
+            for rpm in SPEEDS
+            if (found[rpm] < limit[rpm] if least else found[rpm] > limit[rpm])
+        ]
+    hundred = statistics.median(one["many"] for one in results)
+    if hundred > MANY_COST:
+        missed.append(f"a hundred bearings: {hundred:.2f}, asked for {MANY_COST:g}")
+    page = PAGE.format(
+        today=date.today(),
+        text_passes=TEXT_PASSES,
+        passes=PASSES,
+        rounds=len(results),
+        heads="\n".join(f"     - {rpm:g} rpm" for rpm in SPEEDS),
+        rows="\n".join(rows),
+        ratios="\n".join(table),
+        many=hundred,
+        many_cost=MANY_COST,
+        machine="\n".join(f"- {fact}" for fact in machine()),
+    )
+    print(page)
+    if "--print" not in sys.argv:
+        (ROOT / "docs" / "performance" / "record.rst").write_text(page)
+    for line in missed:
+        print("missed:", line)
+    return int(bool(missed))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
