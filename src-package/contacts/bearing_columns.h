@@ -137,6 +137,12 @@ enum {
   H_C_TOP,
   CAPACITANCE,
   CAPACITANCE_TOP,
+  ROLLING_POWER,
+  HYSTERESIS_POWER,
+  SPIN_POWER,
+  DRAG_POWER,
+  CAGE_POWER,
+  ASPERITY_SHARE_TOP,
   N
 };
 const Column list[N] = {
@@ -157,7 +163,15 @@ const Column list[N] = {
     {"h_c_top", "m", "central film thickness at the largest load on the inner raceway"},
     {"capacitance", "F", "capacitance of the bearing, without background"},
     {"capacitance_top", "F", "largest capacitance of one ball, its two contacts in series"},
+    {"rolling_power", "W", "power lost to the hydrodynamic couple"},
+    {"hysteresis_power", "W", "power lost to hysteresis in rolling"},
+    {"spin_power", "W", "power lost to spin"},
+    {"drag_power", "W", "power lost to drag of the oil on balls"},
+    {"cage_power", "W", "power lost between balls and cage balls"},
+    {"asperity_share_top", "", "share of asperities at the largest load on the inner raceway"},
 };
+// with a law that has couples
+inline bool needs_couples(int k) { return k >= ROLLING_POWER && k <= CAGE_POWER; }
 }    // namespace of_bearing
 
 // ---- what a bearing is, without time

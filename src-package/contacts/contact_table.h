@@ -35,6 +35,7 @@ struct SphereContact {
   double reach = 0.0;                                    // m, sum of the radii
   double mass = 0.0;                                     // kg, reduced
   double stiffness = 0.0, damping = 0.0, force = 0.0;    // of this step
+  double loss = 0.0;                                     // W, to damping
 };
 
 struct ContactTable {

@@ -82,12 +82,24 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
     o.last = apply(h, o);
     if (!(o.last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
-    if (o.last <= set.newton) return true;
+    if (o.last <= set.newton) return keep_states(stage, o);
     // derivatives of the last correction will do as long as each is a tenth of the one before
     fresh = !(o.last < 0.1 * before);
     before = o.last;
   }
-  return set.corrections == 1 || failed(o, Failure::not_converged).solved();
+  return set.corrections == 1 ? keep_states(stage, o) : failed(o, Failure::not_converged).solved();
+}
+
+// What contacts keep belongs to the velocities at the end of the stage, not to those before the
+// last correction.
+bool BearingStep::keep_states(Stage &stage, Outcome &o)
+{
+  if (bodies_.states() == 0) return true;
+  stage.evaluate = Evaluate::residual;
+  system_.start(stage.h, false);
+  const Failure failure = forces_.evaluate(stage);
+  if (failure == Failure::none || failure == Failure::other_links) return true;
+  return failed(o, failure, forces_.body()).solved();
 }
 
 // Everything to the end of the stage with the present velocities. False: a body turns too far for

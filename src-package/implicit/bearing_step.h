@@ -85,6 +85,7 @@ class BearingStep {
 
  private:
   bool solve_stage(const Settings &, double h, double s, Outcome &);
+  bool keep_states(Stage &, Outcome &);
   bool move(double h, double s, bool dampers_only);
   bool coast(double h, double s, bool to_end);
   double stability(double h) const;

@@ -7,18 +7,25 @@
 #include "kinematics.h"
 #include "law.h"
 #include "part_damping.h"
+#include "part_differential_slip.h"
+#include "part_drag.h"
 #include "part_film.h"
 #include "part_film_branch.h"
 #include "part_film_gap.h"
 #include "part_friction.h"
 #include "part_hertz.h"
+#include "part_mixed_friction.h"
+#include "part_rolling.h"
+#include "part_spin.h"
 
 namespace raceway {
 
 // The order is that of the bits of a set of parts, and of tables in the docs.
-using Parts = PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart,
-                       FilmDamperPart, NormalForcePart, FilmBranchPart, ConstantFrictionPart,
-                       StribeckFrictionPart, TangentialSpringPart, SmoothedFrictionPart>;
+using Parts =
+    PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,
+             NormalForcePart, FilmBranchPart, ConstantFrictionPart, StribeckFrictionPart,
+             TangentialSpringPart, SmoothedFrictionPart, MixedFrictionPart, DifferentialSlipPart,
+             HydrodynamicRollingPart, RollingHysteresisPart, SpinPart, DragPart>;
 
 template <class... P> using Law = LawOf<Parts, P...>;
 template <class... P> using DryLaw = Law<HertzContactPart, HysteresisPart, NormalForcePart, P...>;
@@ -36,16 +43,24 @@ using GapLaw =
 template <class... L> struct LawList {};
 
 // The laws that are compiled: those that decks use.
-using Laws = LawList<DryLaw<>, DryLaw<ConstantFrictionPart, TangentialSpringPart>,
-                     DryLaw<ConstantFrictionPart, SmoothedFrictionPart>, LubricatedLaw<>,
-                     LubricatedLaw<ConstantFrictionPart, TangentialSpringPart>,
-                     LubricatedLaw<ConstantFrictionPart, SmoothedFrictionPart>,
-                     LubricatedLaw<StribeckFrictionPart, TangentialSpringPart>,
-                     LubricatedLaw<StribeckFrictionPart, SmoothedFrictionPart>,
-                     GapLaw<StribeckFrictionPart, TangentialSpringPart>,
-                     GapLaw<StribeckFrictionPart, SmoothedFrictionPart>, FullLaw<>,
-                     FullLaw<StribeckFrictionPart, TangentialSpringPart>,
-                     FullLaw<StribeckFrictionPart, SmoothedFrictionPart>>;
+using Laws =
+    LawList<DryLaw<>, DryLaw<ConstantFrictionPart, TangentialSpringPart>,
+            DryLaw<ConstantFrictionPart, SmoothedFrictionPart>, LubricatedLaw<>,
+            LubricatedLaw<ConstantFrictionPart, TangentialSpringPart>,
+            LubricatedLaw<ConstantFrictionPart, SmoothedFrictionPart>,
+            LubricatedLaw<StribeckFrictionPart, TangentialSpringPart>,
+            LubricatedLaw<StribeckFrictionPart, SmoothedFrictionPart>,
+            GapLaw<StribeckFrictionPart, TangentialSpringPart>,
+            GapLaw<StribeckFrictionPart, SmoothedFrictionPart>, FullLaw<>,
+            FullLaw<StribeckFrictionPart, TangentialSpringPart>,
+            FullLaw<StribeckFrictionPart, SmoothedFrictionPart>,
+            DryLaw<ConstantFrictionPart, DifferentialSlipPart>,
+            DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>,
+            LubricatedLaw<ConstantFrictionPart, DifferentialSlipPart>,
+            LubricatedLaw<MixedFrictionPart, DifferentialSlipPart, HydrodynamicRollingPart,
+                          RollingHysteresisPart, SpinPart, DragPart>,
+            FullLaw<MixedFrictionPart, DifferentialSlipPart, HydrodynamicRollingPart,
+                    RollingHysteresisPart, SpinPart, DragPart>>;
 
 namespace detail {
 template <class... P> constexpr unsigned parts_when(PartList<P...>, When when)

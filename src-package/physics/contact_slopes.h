@@ -67,6 +67,7 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
   c.film_rate = x.film_rate;
   c.branch_energy = x.branch_energy;
   c.mu = x.mu;
+  c.asperity_share = x.asperity_share;
   c.kt = x.kt;
   c.ct = held(x.ct);
   c.v_0 = x.v_0;
@@ -75,6 +76,11 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
   const D *forces[] = {&x.normal,   &x.friction_t, &x.friction_w,
                        &x.couple_n, &x.couple_t,   &x.couple_w};
   if constexpr (L::couples) {
+    c.slip_couple = x.slip_couple;
+    c.rolling_couple = x.rolling_couple;
+    c.hysteresis_couple = x.hysteresis_couple;
+    c.drag = x.drag;
+    c.drag_power = x.drag_power;
     c.couple_n = held(x.couple_n);
     c.couple_t = held(x.couple_t);
     c.couple_w = held(x.couple_w);

@@ -43,6 +43,11 @@ template <class T> struct ContactStateT : GroovePositionT<Value<T>> {
   T friction_t = T(), friction_w = T();    // N
   // the couple of the ring on the ball is -couple_n n - couple_t t - couple_w w
   T couple_n = T(), couple_t = T(), couple_w = T();    // N m
+  Plain asperity_share = Plain();                      // of the load
+  // parts of couple_w, N m
+  Plain slip_couple = Plain(), rolling_couple = Plain(), hysteresis_couple = Plain();
+  // of the oil on the ball's centre, -drag t, if the law has couples; its power
+  Plain drag = Plain(), drag_power = Plain();    // N, W
 };
 using ContactState = ContactStateT<double>;
 

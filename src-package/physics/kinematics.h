@@ -96,6 +96,9 @@ RACEWAY_INLINE ContactForcesT<T> assemble(const Raceway &p, const Vec3T<T> &e,
         c.u * T(mn * c.nu - mw * c.ne) + c.t * mt + e * T(mn * c.ne + mw * c.nu);
     f.ball_torque -= couple;
     f.ring_torque += couple;
+    // along t at the ball's centre r u + z e of the ring
+    f.force -= c.t * T(c.drag);
+    f.ring_torque += e * T(c.r * c.drag) - c.u * T(c.z * c.drag);
   }
   return f;
 }

@@ -55,7 +55,10 @@ template <class All, class... P> struct LawOf {
   {
     c.compression = c.overlap;
     c.friction_t = c.friction_w = T();
-    if constexpr (couples) c.couple_n = c.couple_t = c.couple_w = T();
+    if constexpr (couples) {
+      c.couple_n = c.couple_t = c.couple_w = T();
+      c.slip_couple = c.rolling_couple = c.hysteresis_couple = c.drag = Value<T>();
+    }
     (one<P>(p, k, m, c), ...);
   }
 

@@ -13,13 +13,16 @@
 
 namespace raceway {
 
-// What both tangential laws lose: what a spring stores on the way counts as lost until given back.
+// What tangential laws lose: what a spring stores on the way counts as lost until given back.
 template <class T> RACEWAY_INLINE Value<T> friction_power(const ContactStateT<T> &c)
 {
-  return held(c.friction_t) * held(c.sliding_t) + held(c.friction_w) * held(c.sliding_w);
+  const Value<T> slid =
+      held(c.friction_t) * held(c.sliding_t) + held(c.friction_w) * held(c.sliding_w);
+  const Value<T> turned = c.slip_couple * held(c.roll_w);
+  return where(turned == 0.0, slid, Value<T>(slid + turned));
 }
 
-// The columns of both friction coefficients, and of both tangential laws.
+// The columns of all friction coefficients, and of all tangential laws.
 inline std::vector<StateColumn> coefficient_columns()
 {
   return {{{"mu", "", "friction coefficient"},

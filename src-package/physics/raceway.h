@@ -27,6 +27,7 @@ struct Raceway {
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
   double ball_mass = 0.0;                                            // kg
+  double pitch_radius = 0.0;                                         // m
   double reach = 0.0;    // m, gap at which a contact begins; 0 unless a part of the law asks for it
 
   // What sets the largest overlap, for messages.
@@ -37,11 +38,22 @@ struct Raceway {
                : "overlap_limit of the ball radius";
   }
 
-  // pitch_radius (m) sets gamma; limit is a fraction of the ball's radius.
-  void prepare(double pitch_radius, double mass, double limit)
+  // Effective radii along and across rolling, m (groove_radii).
+  template <class T> RACEWAY_INLINE T rolling_radius(const T &cos_angle) const
+  {
+    const double gamma = groove.ball_radius / pitch_radius;
+    return groove.ball_radius * (1.0 + (groove.side == Side::inner ? -gamma : gamma) * cos_angle);
+  }
+  double transverse_radius() const
+  {
+    return groove.ball_radius * groove.groove_radius / (groove.groove_radius - groove.ball_radius);
+  }
+
+  // pitch (m) sets gamma; limit is a fraction of the ball's radius.
+  void prepare(double pitch, double mass, double limit)
   {
     overlap_limit = limit;
-    law = RacewayLaw(groove, pitch_radius, material, model);
+    law = RacewayLaw(groove, pitch, material, model);
     centre_circle = groove.centre_circle();
     slack = groove.slack();
     largest_overlap = std::fmin(overlap_limit * groove.ball_radius,
@@ -49,6 +61,7 @@ struct Raceway {
     roughness = composite_roughness(ring_roughness, ball_roughness);
     inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
     ball_mass = mass;
+    pitch_radius = pitch;
     factors.prepare(model.lubricant.viscosity);
   }
 };

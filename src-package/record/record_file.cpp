@@ -92,7 +92,9 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
                       k == of_bearing::H_MIN_TOP || k == of_bearing::LAMBDA_TOP,
                capacitance = k == of_bearing::CAPACITANCE || k == of_bearing::CAPACITANCE_TOP ||
                              k == of_bearing::H_C_TOP;
-    const bool there = (!film || content_.film) && (!capacitance || content_.capacitance);
+    const bool there = (!film || content_.film) && (!capacitance || content_.capacitance) &&
+                       (!of_bearing::needs_couples(k) || content_.couples) &&
+                       (k != of_bearing::ASPERITY_SHARE_TOP || content_.asperities);
     bearing_.push_back(
         there ? add("bearing_", of_bearing::list[k], {time, bearing}, layout_.bearings.size())
               : SIZE_MAX);
@@ -169,7 +171,7 @@ void RecordFile::sum_up()
   for (size_t b = 0; b < layout_.bearings.size(); ++b) {
     double v[N] = {};
     v[H_MIN] = v[LAMBDA] = HUGE_VAL;
-    v[ENTRAINMENT_TOP] = v[H_MIN_TOP] = v[LAMBDA_TOP] = v[H_C_TOP] = NAN;
+    v[ENTRAINMENT_TOP] = v[H_MIN_TOP] = v[LAMBDA_TOP] = v[H_C_TOP] = v[ASPERITY_SHARE_TOP] = NAN;
     const size_t first = ball;
     for (; ball < shares_.size() && layout_.balls[ball].bearing == static_cast<int>(b); ++ball) {
       const BallShare &s = shares_[ball];
@@ -180,6 +182,7 @@ void RecordFile::sum_up()
         v[H_MIN_TOP] = s.film[0];
         v[LAMBDA_TOP] = s.film[1];
         v[H_C_TOP] = s.film[2];
+        v[ASPERITY_SHARE_TOP] = s.asperity_share;
       }
       v[LOAD_INNER] = std::max(v[LOAD_INNER], s.load[0]);
       v[LOAD_OUTER] = std::max(v[LOAD_OUTER], s.load[1]);
@@ -190,6 +193,11 @@ void RecordFile::sum_up()
       v[CAGE_SPEED] += s.orbit;
       v[FRICTION_POWER] += s.friction_power;
       v[DAMPING_POWER] += s.damping_power;
+      v[ROLLING_POWER] += s.rolling;
+      v[HYSTERESIS_POWER] += s.hysteresis;
+      v[SPIN_POWER] += s.spin;
+      v[DRAG_POWER] += s.drag;
+      v[CAGE_POWER] += s.cage;
       v[CAPACITANCE] += s.capacitance;
       v[CAPACITANCE_TOP] = std::max(v[CAPACITANCE_TOP], s.capacitance);
     }

@@ -17,6 +17,7 @@ class RecordFile {
     bool single = false;            // their precision
     bool motion = true;             // of balls and cage
     bool film = false, capacitance = false;
+    bool couples = false, asperities = false;    // of the law
     NetcdfHeader::Attributes about;
   };
   // A row is its kind, its place in the layout (a contact's is raceway * balls + ball) and its

@@ -40,6 +40,8 @@ struct BallShare {
   double orbit = 0.0, friction_power = 0.0, damping_power = 0.0;
   double capacitance = 0.0;                               // both contacts in series
   double entrainment = 0.0, film[3] = {NAN, NAN, NAN};    // inner: h_min, lambda, h_c
+  double rolling = 0.0, hysteresis = 0.0, spin = 0.0, drag = 0.0, cage = 0.0;    // W
+  double asperity_share = NAN;                                                   // inner
 };
 
 }    // namespace bearing

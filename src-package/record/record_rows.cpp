@@ -64,6 +64,11 @@ void RecordRows::contact(int ball, const ContactView &view)
   sum.pressure[s] = view.raceway.law.at(state.cos_angle).p * state.root;
   sum.friction_power += friction_power(state);
   sum.damping_power += raceway::NormalForcePart::loss(state);
+  sum.rolling += raceway::HydrodynamicRollingPart::loss(state);
+  sum.hysteresis += raceway::RollingHysteresisPart::loss(state);
+  sum.spin += raceway::SpinPart::loss(state);
+  sum.drag += raceway::DragPart::loss(state);
+  if (s == 0) sum.asperity_share = state.asperity_share;
   share.capacitance[s] = view.capacitor.capacitance;
   sum.capacitance = raceway::series_capacitance(share.capacitance[0], share.capacitance[1]);
   if (s == 0) sum.entrainment = state.entrainment;

@@ -27,6 +27,7 @@ class RecordRows {
   }
   void orbit(int ball, double value) { shares_[ball].sum.orbit = value; }
   void contact(int ball, const ContactView &);    // a live one
+  void cage_loss(int ball, double watt) { shares_[ball].sum.cage += watt; }
   // A ball or cage ball; its contacts are complete.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
   void ring(const double *of);    // from of_ring::RING on

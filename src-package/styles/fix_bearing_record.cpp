@@ -182,6 +182,8 @@ void FixBearingRecord::open()
   content.motion = motion_;
   content.film = pair_->lubricated();
   content.capacitance = static_cast<bool>(context_.capacitor);
+  raceway::with_law(pair_->law(), [&](auto law) { content.couples = decltype(law)::couples; });
+  content.asperities = pair_->law() & raceway::Parts::bit<raceway::MixedFrictionPart>();
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
   content.about = about_;
@@ -221,6 +223,7 @@ void FixBearingRecord::sample(bool between)
   }
   if (sampled_) {
     sample_contacts();
+    sample_cage();
     sample_parts();
     end_sample(step);
   }
@@ -241,7 +244,11 @@ void FixBearingRecord::sample_instants()
     rows_.contact(ball, {double(c.ball), double(c.ring), c.raceway, c.state, context_.axis,
                          capacitor ? c.capacitor : raceway::FilmCapacitorT<double>{0.0, 0.0}});
   };
-  tell.body = [this](const bearing::InstantBody &b) { rows_.body(b.tag, b.x, b.v, b.w); };
+  tell.body = [this](const bearing::InstantBody &b) {
+    const int ball = rows_.ball(b.tag);
+    if (ball >= 0) rows_.cage_loss(ball, NAN);    // known at the ends of steps only
+    rows_.body(b.tag, b.x, b.v, b.w);
+  };
   tell.ring = [this](const bearing::InstantRing &r) { rows_.ring(r.of); };
   for (int k = 1; k < within_; ++k) {
     for (const FixBearingImplicit *f : integrators_) f->read_instant(k, tell);
@@ -257,6 +264,17 @@ void FixBearingRecord::sample_contacts()
     if (ball < 0) continue;
     if (rows_.needs_orbit(ball, c.side())) rows_.orbit(ball, bearing::orbit_of(*atom, *pair_, c));
     if (c.live) rows_.contact(ball, context_.view(c));
+  }
+}
+
+// Half of what a ball loses to other balls, and all that it loses to cage balls.
+void FixBearingRecord::sample_cage()
+{
+  for (const bearing::SphereContact &s : pair_->table().sphere) {
+    const int i = rows_.ball(s.tag_i), j = rows_.ball(s.tag_j);
+    const double share = i >= 0 && j >= 0 ? 0.5 * s.loss : s.loss;
+    if (i >= 0 && s.i < atom->nlocal) rows_.cage_loss(i, share);
+    if (j >= 0 && s.j < atom->nlocal) rows_.cage_loss(j, share);
   }
 }
 

@@ -84,15 +84,17 @@ void PairBearingHertz::sphere_forces(bool tally)
     const Vec3 d = Vec3::from(x[s.i]) - Vec3::from(x[s.j]);
     const double r2 = dot(d, d);
     if (r2 >= s.reach * s.reach) {
-      s.stiffness = s.damping = s.force = 0.0;
+      s.stiffness = s.damping = s.force = s.loss = 0.0;
       continue;
     }
     const double r = std::sqrt(r2);
     const Vec3 n = d * (1.0 / r), dv = Vec3::from(v[s.i]) - Vec3::from(v[s.j]);
-    const DampedHertz h = damped_hertz(s.K, s.reach - r, -dot(dv, n), s.mass);
+    const double overlap = s.reach - r, rate = -dot(dv, n);
+    const DampedHertz h = damped_hertz(s.K, overlap, rate, s.mass);
     s.stiffness = h.stiffness;
     s.damping = h.damping;
     s.force = h.force;
+    s.loss = (h.force - h.stiffness * overlap / 1.5) * rate;
     const Vec3 force = n * h.force;
     if (s.i < nlocal) force.add_to(f[s.i]);
     if (s.j < nlocal) (-force).add_to(f[s.j]);

@@ -82,6 +82,8 @@ Scene scene(unsigned parts, int n)
   s.p.factors = {InletShear::murch, 0.047, 0.134, 0.9};
   s.p.of<ConstantFrictionPart>().mu = 0.1;
   s.p.of<StribeckFrictionPart>().curve = {0.12, 0.05, 0.0, 0.0};
+  s.p.of<HydrodynamicRollingPart>().beta = 0.047;
+  s.p.of<DragPart>().share = 0.1;
   s.p.prepare(30.3e-3, 8.17e-3, 0.05);
   const double overlap = s.p.has<FilmInGapPart>() && n % 5 == 0 ? between(-3e-8, 3e-8)
                                                                 : between(1e-6, 30e-6),
@@ -95,8 +97,9 @@ Scene scene(unsigned parts, int n)
   s.ball.v = u * between(-5e-3, 5e-3) + t * between(0.3, 1.5) + s.ring.e * between(-5e-3, 5e-3);
   s.ball.w = {between(-5.0, 5.0), between(-5.0, 5.0), between(-120.0, -60.0)};
   s.ring.w = {0.0, 0.0, between(0.0, 50.0)};
-  // m of a spring, N of the film's branch, which comes first
-  for (double &b : s.before) b = between(-1e-7, 1e-7);
+  // m of a spring, N of differential slip, N of the film's branch, which comes first
+  const double most = s.p.has<DifferentialSlipPart>() ? 20.0 : 1e-7;
+  for (double &b : s.before) b = between(-most, most);
   if (s.p.has<FilmBranchPart>()) s.before[0] = between(-0.05, 0.05);
   s.dt = between(1e-6, 1e-4);
   s.follows = s.dt;
@@ -136,7 +139,7 @@ void shifted_forces(const Scene &s, const ContactState &c, int k, double step, d
   Shifted *motions[] = {&x.overlap_rate, &x.sliding_t, &x.sliding_w,
                         &x.spin_n,       &x.turn_t,    &x.roll_w};
   Shifted &motion = *motions[k];
-  size = step * (k == 0 ? c.overlap / s.follows : k < 3 ? 0.1 : 1.0);
+  size = step * (k == 0 ? c.overlap / s.follows : k < 3 ? 0.1 : 10.0);
   motion.moved += size;
   if (k == 0) x.overlap.moved += s.follows * size;
   Shifted after[L::states > 0 ? L::states : 1];
@@ -162,11 +165,14 @@ template <class L> int slopes_of(const Scene &s, double *dual, double *differenc
     for (int k = 0; k < n; ++k) dual[n * i + k] = slopes.of[i][k];
   }
   const double step = 1e-5;
-  for (int k = 0; k < n; ++k) {
-    double up[n], down[n], size;
-    shifted_forces<L>(s, start, k, step, up, size);
-    shifted_forces<L>(s, start, k, -step, down, size);
-    for (int i = 0; i < n; ++i) difference[n * i + k] = (up[i] - down[i]) / (-2.0 * size);
+  for (int k = 0; k < n; ++k) {    // of fourth order
+    double change[n], size;
+    for (int i = 0; i < n; ++i) difference[n * i + k] = 0.0;
+    for (int far : {-2, -1, 1, 2}) {
+      shifted_forces<L>(s, start, k, far * step, change, size);
+      const double weight = (far == 1 || far == -1 ? 8.0 : -1.0) / 12.0 * far / size;
+      for (int i = 0; i < n; ++i) difference[n * i + k] += weight * (far > 0 ? 1 : -1) * change[i];
+    }
   }
   return n;
 }

@@ -2,9 +2,8 @@
 """Every compiled contact law: its derivative in duals against differences, and its bits.
 
 A law says in its text what its derivative holds fixed; the differences hold the same. Central
-differences have a step of 1e-5 of the natural size of a motion. They are good to 1e-10 of the slope
-(third derivative) and to rounding, 2e-16/1e-5 of the force over that size: 1e-9 of the largest
-slope.
+differences of fourth order have a step of 1e-5 of the natural size of a motion. They are good to
+rounding, 2e-16/1e-5 of the force over that size: 1e-9 of the largest slope.
 """
 
 import numpy as np

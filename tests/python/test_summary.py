@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 import synthetic
-from raceway import clearance, kinematics
+from raceway import clearance, kinematics, makers
 from raceway.errors import RunError
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
@@ -19,10 +19,11 @@ viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m l
 q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean
 cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F wall_s
 simulated_s real_time_factor force_x_N force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m
-tilt_x_rad tilt_y_rad rpm_least rpm_most warnings""".split()
+tilt_x_rad tilt_y_rad rpm_least rpm_most friction_torque_N_m power_loss_W
+losses_W torque_skf_N_m torque_palmgren_N_m asperity_share warnings""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
-TYPES = dict.fromkeys(WORDS, str) | {"warnings": list}
-TILTS = {"tilt_x_rad", "tilt_y_rad"}  # tables of rings have none
+TYPES = dict.fromkeys(WORDS, str) | {"warnings": list, "losses_W": dict}
+TILTS = {"tilt_x_rad", "tilt_y_rad", "asperity_share"}  # tables of rings and contacts have none
 DRY_NULL = {
     "viscosity_Pa_s",
     "pressure_viscosity_per_Pa",
@@ -33,6 +34,8 @@ DRY_NULL = {
     "lambda",
     "capacitance_F",
     "capacitance_top_F",
+    "torque_skf_N_m",
+    "torque_palmgren_N_m",
 }
 
 
@@ -137,7 +140,38 @@ def test_runs_without_film_columns(folder, lubricated):
         "pressure_viscosity_per_Pa",
         "permittivity",
         "roughness_m",
+        "torque_skf_N_m",
+        "torque_palmgren_N_m",
     }
+
+
+def test_friction(folder, lubricated):
+    """The torque of the shaft, the losses by part, and the makers' figures at the same forces."""
+    figures = summary(RunTables(folder))
+    column = synthetic.LUBRICATED.index("load")
+    loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]
+    spin = 477.5 * np.pi / 30
+    friction, damping = (part * np.mean(loads) for part in synthetic.LOSS)
+    assert figures["friction_torque_N_m"] == pytest.approx((friction + damping) / spin, rel=1e-9)
+    losses = figures["losses_W"]
+    assert {part for part, loss in losses.items() if loss is not None} == {"slip", "film"}
+    assert (losses["slip"], losses["film"]) == pytest.approx((friction, damping), rel=1e-3)
+    assert figures["power_loss_W"] == losses["slip"] + losses["film"]
+    boundary = makers.Boundary(40, 80, 18, "62", 19e3)
+    nu = 1e6 * 0.04 / 870
+    radial = np.hypot(figures["force_x_N"], figures["force_y_N"])
+    assert 1e3 * figures["torque_skf_N_m"] == pytest.approx(
+        makers.skf(boundary, radial, 0.0, 477.5, nu, level=6.3).total, rel=1e-12
+    )
+    assert 1e3 * figures["torque_palmgren_N_m"] == pytest.approx(
+        sum(makers.palmgren(boundary, radial, 477.5, nu)), rel=1e-12
+    )
+
+
+def test_makers_know_no_bearing_of_the_user_s(folder, lubricated):
+    own = {**lubricated, "settings": {**lubricated["settings"], "bearing": "mine"}}
+    figures = summary(RunTables(synthetic.write(folder, own)))
+    assert figures["torque_skf_N_m"] is None and figures["friction_torque_N_m"] > 0
 
 
 def test_unmoved_ring_has_no_load_parameter(folder, lubricated):

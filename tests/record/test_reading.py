@@ -35,6 +35,10 @@ def one_line(tmp_path_factory):
     return folder / "run"
 
 
+# of forces in rings.dat
+MAKERS = ("torque_skf_N_m", "torque_palmgren_N_m")
+
+
 def close(found, wanted, rtol=1e-9, atol=0.0):
     np.testing.assert_allclose(found, wanted, rtol=rtol, atol=atol)
 
@@ -45,7 +49,13 @@ def test_summary(both):
     for key, value in wanted.items():
         if isinstance(value, str):
             assert found[key] == value
-        elif key == "ring_shift_m":  # rings.dat has six digits
+        elif key == "losses_W":
+            assert {part for part, loss in value.items() if loss is not None} == {"slip", "film"}
+            for part, loss in value.items():
+                assert (found[key][part] is None) == (loss is None)
+                if loss is not None:
+                    close(found[key][part], loss, 1e-9)
+        elif key in ("ring_shift_m", "friction_torque_N_m", *MAKERS):  # rings.dat has six digits
             close(found[key], value, 1e-5)
         elif value is None or isinstance(value, list):
             assert found[key] == value

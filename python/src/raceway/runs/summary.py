@@ -11,6 +11,7 @@ from typing import Any
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
+from raceway.runs.friction import PARTS, friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.settings import LUBRICANT
 from raceway.runs.tables import BALL, RunTables
@@ -60,6 +61,20 @@ TOPICS = {
     "Kinematics": (
         row("cage_speed_rad_s", "mean of (x v_y - y v_x)/r^2"),
         row("entrainment_speed_m_s", "U_r of eq 6, largest inner load"),
+    ),
+    "Friction torque": (
+        Row("friction_torque_N_m", "of the inner ring", "N m", "mean"),
+        Row("torque_skf_N_m", "SKF, oil to the middle of a ball", "N m", "10000 EN 2013"),
+        Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
+        Row("asperity_share", "load share of asperities", "", "largest inner load"),
+        Row("power_loss_W", "power lost", "W", "mean"),
+        Row("loss_rolling_W", "  hydrodynamic rolling", "W", "Biboulet-Houpert"),
+        Row("loss_slip_W", "  sliding", "W", "tangential forces, differential slip"),
+        Row("loss_spin_W", "  spin", "W"),
+        Row("loss_hysteresis_W", "  hysteresis in rolling", "W"),
+        Row("loss_film_W", "  normal damping", "W", "film and steel"),
+        Row("loss_drag_W", "  drag of the balls", "W"),
+        Row("loss_cage_W", "  balls and cage", "W"),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -115,6 +130,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
         simulated_s=settings["simulated_s"],
         real_time_factor=settings["simulated_s"] / settings["wall_s"],
         **measured(tables),
+        **friction(tables),
     )
     result = {key: _plain(value) for key, value in result.items()}
     return {**result, "warnings": _warnings(tables, result)}
@@ -246,9 +262,11 @@ def _film(tables, contacts):
 
 
 def _plain(value):
-    """Something JSON has: text, a finite float, or None."""
+    """Something JSON has: text, a finite float, None, or a mapping to them."""
     if value is None or isinstance(value, str):
         return value
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
     return float(value) if math.isfinite(value) else None
 
 
@@ -256,6 +274,8 @@ def table(figures: Mapping[str, Any]) -> str:
     """The mapping of `summary` as text, a topic a block; figures the run has none of, or that are
     next to nothing, are left out. Warnings stand at the end."""
     shown = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
+    losses = figures["losses_W"] or dict.fromkeys(PARTS)
+    shown.update({f"loss_{part}_W": loss or None for part, loss in losses.items()})
     warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
     return "\n".join(lines(shown, TOPICS) + (warnings if figures["warnings"] else []))
 

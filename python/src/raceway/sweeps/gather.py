@@ -17,7 +17,8 @@ KEYS = ("point", "status", "message")
 
 def gather(folder: FilePath) -> pd.DataFrame:
     """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
-    `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units).
+    `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units),
+    the losses as `loss_rolling_W` and so on.
     Sorted by the variables. Raises `RacewayError` for no point.
     """
     rows, variables = [], {}
@@ -30,6 +31,8 @@ def gather(folder: FilePath) -> pd.DataFrame:
         variables.update(asked)
         status, message = state(path.parent, asked)
         figures = mapping(path.parent / "summary.json", json.loads) if status == FINISHED else {}
+        losses = figures.pop("losses_W", None) or {}
+        figures.update({f"loss_{part}_W": loss for part, loss in losses.items()})
         rows.append(
             {"point": path.parent.name, "status": status, "message": message, **asked, **figures}
         )

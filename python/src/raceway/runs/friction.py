@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Friction torque of a run and where its power went, beside the makers' formulas."""
+
+import math
+from typing import Any
+
+from raceway import catalogue, inputs
+from raceway.runs.tables import RunTables
+from raceway.theory import makers
+
+# part of `losses_W`: column of a run's sums over the bearing
+PARTS = {
+    "rolling": "rolling_power",
+    "slip": "friction_power",
+    "spin": "spin_power",
+    "hysteresis": "hysteresis_power",
+    "film": "damping_power",
+    "drag": "drag_power",
+    "cage": "cage_power",
+}
+KEYS = (
+    "friction_torque_N_m",
+    "power_loss_W",
+    "losses_W",
+    "torque_skf_N_m",
+    "torque_palmgren_N_m",
+    "asperity_share",
+)
+FEW = 1e-2  # of the radial force: less axial force is ripple
+
+
+def friction(tables: RunTables) -> dict[str, Any]:
+    """Means over the window, SI units, None where the run has none.
+
+    - `friction_torque_N_m`: what the balls hold against the inner ring's spin
+    - `power_loss_W`, `losses_W`: lost in all contacts, and by part of the contact law
+    - `asperity_share`: of the load, at the largest inner load
+    - `torque_skf_N_m`, `torque_palmgren_N_m`: the makers' figures at the measured forces, for
+      bearings and lubricants whose files are at hand and have their data
+    """
+    totals, rings = tables.totals, tables.rings
+    rings = rings[rings["sample"] > 0]
+    result: dict[str, Any] = dict.fromkeys(KEYS)
+    if "mz" in rings and "spin" in rings:
+        result["friction_torque_N_m"] = -float(rings["mz"].mean()) * _sign(rings["spin"].mean())
+    losses = {
+        part: float(totals[name].mean()) if name in totals else None for part, name in PARTS.items()
+    }
+    known = [loss for loss in losses.values() if loss is not None]
+    result["losses_W"] = losses if known else None
+    result["power_loss_W"] = sum(known) if known else None
+    if "asperity_share_top" in totals:
+        top = totals["load_inner"].idxmax()
+        result["asperity_share"] = float(totals["asperity_share_top"].loc[top])
+    result.update(_makers(tables, rings))
+    return result
+
+
+def _makers(tables, rings):
+    """SKF's torque with oil to the middle of a ball, and Palmgren's, N m."""
+    settings = tables.settings
+    if not tables.lubricated or "fx" not in rings or "fz" not in rings:
+        return {}
+    try:
+        boundary = inputs.boundary(catalogue.find("bearings", settings["bearing"]))
+        fluid = inputs.fluid(catalogue.find("lubricants", settings["lubricant"]))
+    except inputs.InputError:
+        return {}
+    if boundary is None or math.isnan(fluid.density):
+        return {}
+    radial = math.hypot(rings["fx"].mean(), rings["fy"].mean())
+    axial = abs(rings["fz"].mean())
+    axial = axial if axial > FEW * radial else 0.0
+    nu = 1e6 * settings["viscosity_Pa_s"] / fluid.density
+    level = 500 * settings["ball_diameter_m"]  # mm above the lowest raceway
+    rpm = abs(settings["rpm"])
+    own = makers.skf(boundary, radial, axial, rpm, nu, level=level)
+    result = {"torque_skf_N_m": 1e-3 * float(own.total)}
+    if not axial:
+        result["torque_palmgren_N_m"] = 1e-3 * float(
+            sum(makers.palmgren(boundary, radial, rpm, nu))
+        )
+    return result
+
+
+def _sign(value):
+    return math.copysign(1.0, value)

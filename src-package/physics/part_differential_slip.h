@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Differential slip along rolling and Coulomb's law of matching width across it, each in series
+// with the contact's tangential spring k_t (Mindlin):
+//   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
+// s the distance from free rolling, c the secant of the slip law. A slip law for dt >> tau, a
+// spring for dt << tau, sticking at rest. |f| stays below mu N. The states are the forces, in the
+// frame that turns with the ball's azimuth. Explicit steps see no more than the spring, so both
+// integrators take this law.
+//
+// The derivative holds mu, k_t, the ellipse and the shape of the secant; N it follows.
+#ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
+#define RACEWAY_PART_DIFFERENTIAL_SLIP_H
+
+#include "differential_slip.h"
+#include "part_friction.h"
+
+namespace raceway {
+
+struct DifferentialSlipPart : PartBase {
+  static constexpr const char *name = "differential_slip", *slot = "tangential";
+  static constexpr int states = 2;    // N, forces along t and w
+  static constexpr bool couples = true;
+  struct Parameters {
+    double least = 1e-4;                  // m/s, of s_e: towards rest the law is Coulomb's
+    double kt_ratio = 0.0, lift = 0.0;    // derived; 1/m, 1/(2 R_d)
+    void prepare(const Raceway &p)
+    {
+      kt_ratio = tangential_ratio(p.material.ball_young, p.material.ball_poisson,
+                                  p.material.ring_young, p.material.ring_poisson);
+      lift = 0.5 / deformed_radius(p.groove.groove_radius, p.groove.ball_radius);
+    }
+  };
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    using P = Parameter<Parameters>;
+    return {{"heathcote",
+             "",
+             true,
+             {P::positive("S_LEAST", "least width of the differential slip (m/s)",
+                          [](Raceway &, Parameters &own) -> double & { return own.least; })},
+             nullptr,
+             "after friction: differential slip in series with the tangential spring"}};
+  }
+
+  static std::vector<StateColumn> columns() { return tangential_columns(); }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &m,
+                                 ContactStateT<T> &c)
+  {
+    using B = Value<T>;
+    const B curve = k.a * k.a * held(c.compression) * own.lift;    // m, a^2/(2 R_d)
+    const B turn = held(c.roll_w), forward = where(turn < 0.0, B() - 1.0, B() + 1.0);
+    const B edge = magnitude(turn) * curve, width = where(edge > own.least, edge, own.least);
+    const T along = c.sliding_t - turn * curve * free_part;
+    const B off_t = held(along) * forward / width, off_w = held(c.sliding_w) / width;
+
+    // secants in the plane: each direction shares the friction that the other uses
+    const B alone = slip_secant(off_t), cross = alone * off_w;
+    const B secant_t = alone / square_root(B(1.0 + cross * cross));
+    const B secant_w =
+        1.0 / square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
+    const T cap = c.mu * c.normal;
+    const T ct = cap * B(secant_t / width) + none, cw = cap * B(secant_w / width) + none;
+
+    c.kt = own.kt_ratio * c.stiffness;
+    const B spring = -m.dt * c.kt;
+    const T left_t = left_of(T(spring / ct)), left_w = left_of(T(spring / cw));
+    T ft = m.before[0] * left_t + ct * along * (1.0 - left_t);
+    T fw = m.before[1] * left_w + cw * c.sliding_w * (1.0 - left_w);
+    const B most = held(cap), size2 = held(ft) * held(ft) + held(fw) * held(fw);
+    const B share = where(size2 > most * most, B(most / square_root(B(size2 + none))), B() + 1.0);
+    c.friction_t = ft * share;
+    c.friction_w = fw * share;
+    m.after[0] = c.friction_t;
+    m.after[1] = c.friction_w;
+
+    // the couple belongs to the slip that the spring leaves
+    const B slip = held(c.friction_t) / held(ct) * forward / width;
+    const B against = -slip_couple(slip) * most * curve * curve / width;    // N m s
+    c.slip_couple = against * turn;
+    c.couple_w += c.slip_couple + where(against > 0.0, against, 0.0) * (c.roll_w - turn);
+  }
+
+  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
+  {
+    return friction_power(c);
+  }
+
+ private:
+  // e^x; where next to nothing is left, and a contact may have no load, without a derivative.
+  template <class T> static RACEWAY_INLINE T left_of(const T &x)
+  {
+    return exponential(T(where(x < -100.0, -100.0, x)));
+  }
+  static constexpr double none = 1e-200;    // keeps 0/0 out of a contact without load or friction
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The laws of rolling friction behind a C interface, for test_physics_rolling_friction.py: formulas
+// alone, and parts in a law whose contact the test describes by its motions.
+#include "../../src-package/physics/contact.h"
+#include "../exports.h"
+
+using namespace raceway;
+
+RECORD(SlipLaw, double root, secant, couple;)
+EXPORT(void, differential_slip, (double off, SlipLaw *out))
+{
+  out->root = slip_root(off);
+  out->secant = slip_secant(off);
+  out->couple = slip_couple(off);
+}
+EXPORT(double, surface_radius, (double groove, double ball))
+{
+  return deformed_radius(groove, ball);
+}
+EXPORT(double, asperities, (double b, double c, double Lambda))
+{
+  return asperity_share(Asperities{b, c}, Lambda);
+}
+EXPORT(double, rolling_resistance,
+       (double viscosity, double modulus, double Rx, double Ry, double speed, double load))
+{
+  const RollingConstants k(viscosity, modulus, Ry);
+  return rolling_force(k, logarithm(speed), logarithm(load), logarithm(Rx));
+}
+EXPORT(double, inlet_heating, (double heating, double speed))
+{
+  return inlet_shear(std::log(heating), logarithm(speed));
+}
+EXPORT(double, steel_hysteresis, (double alpha, double load, double b))
+{
+  return hysteresis_couple(alpha, load, b);
+}
+EXPORT(double, sphere_drag, (double reynolds)) { return drag_coefficient(drag_table(), reynolds); }
+
+// A contact by its motions, and what the laws of full models make of it.
+RECORD(Rolled, double side, overlap, overlap_rate, cos_angle, entrainment, sliding_t, sliding_w,
+       spin_n, roll_w, dt, mu, mu_boundary, mu_film, beta, starvation, alpha, density, oil;)
+RECORD(Resisted, double load, normal, mu, lambda_, asperity_share, kt, a, b, friction_t, friction_w,
+       couple_n, couple_w, slip_couple, rolling_couple, hysteresis_couple, drag, drag_power,
+       friction_power, loss, states[2];)
+
+static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
+{
+  RacewayPhysics p;
+  const bool inner = in.side == 0.0;
+  p.groove = {inner ? Side::inner : Side::outer, inner ? 24e-3 : 36.6e-3, 6.552e-3, 6.3e-3};
+  p.model.lubricant = {0.04, 22e-9};
+  p.ring_roughness = 1e-7;
+  p.parts = parts;
+  p.of<ConstantFrictionPart>().mu = in.mu;
+  p.of<MixedFrictionPart>().mu_boundary = in.mu_boundary;
+  p.of<MixedFrictionPart>().mu_film = in.mu_film;
+  p.of<HydrodynamicRollingPart>().beta = in.beta;
+  p.of<HydrodynamicRollingPart>().conductivity = 0.134;
+  p.of<HydrodynamicRollingPart>().starvation = in.starvation;
+  p.of<RollingHysteresisPart>().alpha = in.alpha;
+  p.of<DragPart>().density = in.density;
+  p.of<DragPart>().share = in.oil;
+  p.prepare(30.3e-3, 8.17e-3, 0.05);
+  ContactState c;
+  c.overlap = in.overlap;
+  c.overlap_rate = in.overlap_rate;
+  c.cos_angle = in.cos_angle;
+  c.entrainment = in.entrainment;
+  c.sliding_t = in.sliding_t;
+  c.sliding_w = in.sliding_w;
+  c.spin_n = in.spin_n;
+  c.roll_w = in.roll_w;
+  Resisted out = {};
+  with_law(parts, [&](auto law) {
+    using L = decltype(law);
+    if constexpr (L::states == 2) {
+      const RacewayConstants k = p.law.at(c.cos_angle);
+      L::act(p, k, LawStates<double>{in.dt, before, out.states}, c);
+      out.loss = L::loss(c);
+      out.a = k.a * c.root;
+      out.b = k.b * c.root;
+    }
+  });
+  out.load = c.load;
+  out.normal = c.normal;
+  out.mu = c.mu;
+  out.lambda_ = c.lambda;
+  out.asperity_share = c.asperity_share;
+  out.kt = c.kt;
+  out.friction_t = c.friction_t;
+  out.friction_w = c.friction_w;
+  out.couple_n = c.couple_n;
+  out.couple_w = c.couple_w;
+  out.slip_couple = c.slip_couple;
+  out.rolling_couple = c.rolling_couple;
+  out.hysteresis_couple = c.hysteresis_couple;
+  out.drag = c.drag;
+  out.drag_power = c.drag_power;
+  out.friction_power = friction_power(c);
+  return out;
+}
+
+EXPORT(void, slip_of, (const Rolled *in, const double before[2], Resisted *out))
+{
+  using L = DryLaw<ConstantFrictionPart, DifferentialSlipPart>;
+  *out = resisted(*in, L::parts, before);
+}
+EXPORT(void, dry_of, (const Rolled *in, const double before[2], Resisted *out))
+{
+  using L = DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>;
+  *out = resisted(*in, L::parts, before);
+}
+EXPORT(void, all_of, (const Rolled *in, const double before[2], Resisted *out))
+{
+  using L = LubricatedLaw<MixedFrictionPart, DifferentialSlipPart, HydrodynamicRollingPart,
+                          RollingHysteresisPart, SpinPart, DragPart>;
+  *out = resisted(*in, L::parts, before);
+}

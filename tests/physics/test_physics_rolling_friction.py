@@ -1,0 +1,338 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Slip, spin, rolling resistance, mixed friction and drag in C++: against the theory in Python,
+which is written independently, and against numbers that were computed before either."""
+
+import numpy as np
+import pytest
+from physics_c import INNER, OUTER
+from raceway import asperity, drag, film_factors, hertz, rolling, sliding, spin
+
+GROOVE, BALL, PITCH = 6.552e-3, 6.3e-3, 30.3e-3
+MODULUS = 210e9 / (1 - 0.3**2)
+FRICTION = 0.05
+REST = dict(
+    side=INNER,
+    overlap=18e-6,
+    overlap_rate=0.0,
+    cos_angle=1.0,
+    entrainment=0.724764,
+    sliding_t=0.0,
+    sliding_w=0.0,
+    spin_n=0.0,
+    roll_w=0.0,
+    dt=1.0,
+    mu=FRICTION,
+    mu_boundary=0.12,
+    mu_film=0.05,
+    beta=0.047,
+    starvation=0.9,
+    alpha=0.01,
+    density=870.0,
+    oil=0.1,
+)
+NONE = np.zeros(2)
+
+
+def radii(side, cos_angle=1.0):
+    gamma = BALL * cos_angle / PITCH
+    r_x = BALL * (1 - gamma if side == INNER else 1 + gamma)
+    return r_x, BALL * GROOVE / (GROOVE - BALL)
+
+
+def turning(side=INNER, speed=0.724764, **changes):
+    """A contact that rolls at `speed` in m/s."""
+    at = REST | dict(side=side, entrainment=abs(speed)) | changes
+    return at | dict(roll_w=speed / radii(side, at["cos_angle"])[0])
+
+
+def of(physics, kind, contact, before=NONE):
+    return physics.call(kind, contact, np.array(before, float))
+
+
+def slip_arguments(found, side=INNER, speed=0.724764, cos_angle=1.0):
+    """(load, friction, speed, a, R_d, R_x) of theory.sliding."""
+    r_d = sliding.deformed_radius(GROOVE, BALL)
+    return found.load, FRICTION, speed, found.a, r_d, radii(side, cos_angle)[0]
+
+
+# ---- differential slip ---------------------------------------------------------------------------
+def test_closed_form(physics):
+    unit = dict(load=1.0, friction=1.0, speed=1.0, a=1.0, r_d=0.5, r_x=1.0)  # s_e = a^2/2R_d = 1
+    for slip in (-0.7, -1e-6, 1e-6, 0.05, 0.120614, 0.3, 0.999999, 1.0, 1.4):
+        found = physics.call("differential_slip", off=slip - sliding.FREE**2)
+        theory = sliding.heathcote(slip, **unit)
+        assert found.secant == pytest.approx(sliding.secant(slip, **unit), rel=1e-12)
+        force = found.secant * (slip - sliding.FREE**2)
+        assert force == pytest.approx(theory.force, abs=1e-12)
+        assert found.couple == pytest.approx(theory.couple, abs=1e-12)
+    free = physics.call("differential_slip", off=0.0)
+    assert free.root == pytest.approx(0.347296, abs=5e-7)
+    assert free.secant == pytest.approx(3.80, abs=5e-3)
+    assert free.couple == pytest.approx(-0.161142, abs=5e-7)
+    assert physics.call("surface_radius", groove=GROOVE, ball=BALL) == pytest.approx(
+        6.42353e-3, rel=1e-6
+    )
+
+
+@pytest.mark.parametrize(
+    "side, edge, power", [(INNER, 0.047939, 0.94098), (OUTER, 0.029443, 0.57793)]
+)
+def test_free_rolling_loses_its_power(physics, side, edge, power):
+    """At 2436.2 N and mu 0.05: F = 0 at the slip 0.120615 s_e, and the couple takes the power."""
+    r_x = radii(side)[0]
+    k = hertz.exact(*radii(side))
+    stiffness = physics.raceway_6208(side).radial().K
+    contact = turning(side, overlap=(2436.2 / stiffness) ** (2 / 3))
+    found = of(physics, "slip_of", contact)
+    assert found.load == pytest.approx(2436.2, rel=1e-12)
+    assert found.a == pytest.approx(hertz.semi_axes(k, MODULUS, 2436.2)[0], rel=1e-9)
+    s_e = sliding.edge_slip(0.724764, found.a, sliding.deformed_radius(GROOVE, BALL), r_x)
+    assert s_e == pytest.approx(edge, abs=5e-7)
+    found = of(physics, "slip_of", contact | dict(sliding_t=sliding.FREE**2 * s_e))
+    assert abs(found.friction_t) < 1e-10 * found.load
+    assert found.friction_power == pytest.approx(power, abs=6e-6)
+    assert found.friction_power == found.loss - 0.0
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+@pytest.mark.parametrize("speed", [0.0724764, 0.724764, -0.724764, 14.4946])
+@pytest.mark.parametrize("part", [-0.5, 0.0, 0.1, 0.120615, 0.5, 1.3])
+def test_slip_law_after_a_long_time(physics, side, speed, part):
+    """dt >> tau: force, couple and power of theory.sliding; mirrored where the ball rolls back."""
+    contact = turning(side, speed)
+    arguments = slip_arguments(of(physics, "slip_of", contact), side, abs(speed))
+    edge = sliding.edge_slip(abs(speed), *arguments[3:])
+    slip = part * edge
+    back = np.sign(speed)
+    found = of(physics, "slip_of", contact | dict(sliding_t=back * slip))
+    theory = sliding.heathcote(slip, *arguments)
+    limit = FRICTION * found.load
+    assert back * found.friction_t == pytest.approx(theory.force, abs=1e-11 * limit)
+    # +C acts on the ball; couple_w is what acts against it
+    assert back * found.couple_w == pytest.approx(
+        -theory.couple, abs=1e-11 * limit * found.a**2 / 0.0128
+    )
+    assert found.friction_power == pytest.approx(theory.power, abs=1e-11 * limit * edge)
+    assert found.friction_power > 0
+
+
+def test_friction_has_one_circle(physics):
+    """Gross sliding at any angle: mu Q against the sliding, in its direction."""
+    for angle in np.linspace(0, 2 * np.pi, 13):
+        along, across = 50 * np.cos(angle), 50 * np.sin(angle)
+        found = of(physics, "slip_of", turning(sliding_t=along, sliding_w=across))
+        force = np.array([found.friction_t, found.friction_w])
+        assert np.hypot(*force) == pytest.approx(FRICTION * found.load, rel=1e-3)
+        np.testing.assert_allclose(
+            force / np.hypot(*force), [np.cos(angle), np.sin(angle)], atol=2e-3
+        )
+    # creep across meets the slope of free rolling
+    found = of(physics, "slip_of", turning())
+    arguments = slip_arguments(found)
+    free = sliding.free_slip(*arguments[2:])
+    found = of(physics, "slip_of", turning(sliding_t=free, sliding_w=1e-7))
+    assert found.friction_w / 1e-7 == pytest.approx(sliding.free_slope(*arguments), rel=1e-6)
+
+
+@pytest.mark.parametrize("step", [1e-9, 1e-6, 5e-5, 1e-2])
+def test_spring_in_series(physics, step):
+    """Force and couple of theory.sliding's series, from a force at the start."""
+    contact = turning(sliding_t=0.009, dt=step)
+    before = np.array([15.0, 0.0])
+    found = of(physics, "slip_of", contact, before)
+    arguments = slip_arguments(found)
+    distance = 0.009 - sliding.free_slip(*arguments[2:])
+    secant = sliding.secant(0.009, *arguments)
+    force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
+    assert found.friction_t == pytest.approx(force, rel=1e-11)
+    assert list(found.states) == [found.friction_t, found.friction_w]
+    # the couple is that of the slip which the spring leaves
+    slip = found.friction_t / secant + sliding.free_slip(*arguments[2:])
+    couple = sliding.heathcote(slip, *arguments).couple
+    assert found.couple_w == pytest.approx(-couple, rel=1e-10)
+
+
+def test_no_time_changes_nothing(physics):
+    before = [31.0, -7.5]
+    found = of(physics, "slip_of", turning(sliding_t=0.02, sliding_w=-0.1, dt=0.0), before)
+    assert [found.friction_t, found.friction_w] == before == list(found.states)
+
+
+def test_spring_sticks_at_rest(physics):
+    """Without rolling a push below mu Q creeps, at 1e-4 m/s over 3.80 for the full force."""
+    found = of(physics, "slip_of", REST | dict(sliding_t=1e-3, dt=1e-6))
+    assert found.friction_t == pytest.approx(found.kt * 1e-3 * 1e-6, rel=1e-3)  # a spring
+    assert found.couple_w == 0
+    found = of(physics, "slip_of", REST | dict(sliding_t=1e-9, dt=1e3))
+    assert found.friction_t == pytest.approx(FRICTION * found.load * 1e-9 * 3.80 / 1e-4, rel=2e-3)
+
+
+def test_force_falls_with_the_load(physics):
+    """A spring that holds more than mu Q after the ball has unloaded is cut to it; with the load
+    the force vanishes."""
+    for overlap in (18e-6, 1e-6, 1e-8, 1e-12):
+        found = of(physics, "slip_of", turning(overlap=overlap, dt=1e-7), [120.0, -50.0])
+        assert np.hypot(found.friction_t, found.friction_w) <= FRICTION * found.load * (1 + 1e-14)
+    assert abs(found.friction_t) < 1e-6
+    found = of(physics, "slip_of", turning(overlap_rate=-1e3, dt=1e-7), [120.0, -50.0])
+    assert found.normal == 0
+    assert max(abs(found.friction_t), abs(found.friction_w), abs(found.couple_w)) < 1e-190
+
+
+def test_couple_goes_through_zero_speed_on_a_line(physics):
+    speeds = np.array([-2e-6, -1e-6, 0.0, 1e-6, 2e-6])
+    couples = [of(physics, "slip_of", turning(speed=speed)).couple_w for speed in speeds]
+    assert couples[2] == 0
+    np.testing.assert_allclose(couples, couples[3] * speeds / 1e-6, rtol=1e-3)
+    assert couples[3] > 0
+
+
+# ---- mixed friction ------------------------------------------------------------------------------
+def test_asperity_share(physics):
+    for ratio, share in ((0.3, 0.47015), (1, 0.12246), (2, 0.022703), (3, 0.0047823)):
+        found = physics.call("asperities", b=2.1, c=0.85, Lambda=ratio)
+        assert found == pytest.approx(share, rel=5e-5)
+        assert found == pytest.approx(asperity.zhou_hoeprich(ratio), rel=1e-13)
+    assert physics.call("asperities", b=2.1, c=0.85, Lambda=0.0) == 1.0
+
+
+def test_mixed_friction(physics):
+    shares = []
+    for speed in (0.0725, 0.725, 2.9, 14.5):
+        found = of(physics, "all_of", turning(speed=speed))
+        shares.append(found.asperity_share)
+        assert found.asperity_share == pytest.approx(
+            asperity.zhou_hoeprich(found.lambda_), rel=1e-13
+        )
+        share = found.asperity_share
+        assert found.mu == pytest.approx(share * 0.12 + (1 - share) * 0.05, rel=1e-14)
+    assert shares[0] > 0.3 and np.all(np.diff(shares) < 0)
+    assert of(physics, "all_of", REST | dict(entrainment=0.0)).mu == pytest.approx(0.12, rel=1e-15)
+
+
+# ---- rolling -------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "side, forces",
+    [(INNER, (0.0271, 0.1529, 0.4344, 1.4692)), (OUTER, (0.0292, 0.1650, 0.4696, 1.5976))],
+)
+def test_hydrodynamic_rolling(physics, side, forces):
+    r_x, r_y = radii(side)
+    for speed, expected in zip((0.0725, 0.725, 2.9, 14.5), forces, strict=True):
+        given = dict(viscosity=0.04, modulus=MODULUS, Rx=r_x, Ry=r_y, speed=speed, load=2436.0)
+        found = physics.call("rolling_resistance", **given)
+        assert found == pytest.approx(
+            rolling.hydrodynamic_powers(0.04, MODULUS, r_x, r_y, speed, 2436.0), rel=1e-12
+        )
+        # the powers are within 0.6 % of eq 32, whose digits these are
+        assert found == pytest.approx(expected, rel=6e-3)
+    assert physics.call("rolling_resistance", **given | dict(speed=0.0)) == 0
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+@pytest.mark.parametrize("cos_angle", [1.0, 0.9])
+def test_rolling_couples(physics, side, cos_angle):
+    r_x, r_y = radii(side, cos_angle)
+    for speed in (0.0725, 0.7248, 2.899, 14.4946):
+        found = of(physics, "all_of", turning(side, speed, cos_angle=cos_angle))
+        force = rolling.hydrodynamic_powers(0.04, MODULUS, r_x, r_y, speed, found.load)
+        heating = film_factors.thermal_loading(0.047, 0.04, speed, 0.134)
+        factor = 0.9 * film_factors.murch_wilson(heating)
+        assert found.rolling_couple == pytest.approx(factor * rolling.couple(force, r_x), rel=1e-12)
+        assert found.hysteresis_couple == pytest.approx(
+            rolling.hysteresis(found.load, found.b), rel=1e-13
+        )
+        back = of(physics, "all_of", turning(side, -speed, cos_angle=cos_angle))
+        assert back.rolling_couple == -found.rolling_couple
+        assert back.hysteresis_couple == -found.hysteresis_couple
+        total = found.slip_couple + found.rolling_couple + found.hysteresis_couple
+        assert found.couple_w == pytest.approx(total, rel=1e-14)
+
+
+def test_numbers_of_rolling(physics):
+    for speed, factor in ((0.7248, 0.9881), (2.899, 0.9368), (14.4946, 0.6684)):
+        found = physics.call("inlet_heating", heating=0.047 * 0.04 / 0.134, speed=speed)
+        assert found == pytest.approx(factor, abs=5e-5)
+    assert physics.call("inlet_heating", heating=0.0, speed=10.0) == 1.0
+    _, b = hertz.semi_axes(hertz.exact(*radii(INNER)), MODULUS, 2436.2)
+    found = physics.call("steel_hysteresis", alpha=0.01, load=2436.2, b=b)
+    assert found == pytest.approx(1.1357e-3, abs=5e-8)
+
+
+def test_rolling_couples_go_through_zero_speed_on_a_line(physics):
+    found = [
+        of(physics, "dry_of", turning(speed=speed)).hysteresis_couple
+        for speed in (-1e-3, -5e-4, 0.0, 5e-4, 1e-3, 2e-3)
+    ]
+    np.testing.assert_allclose(np.array(found) / found[-1], [-1, -0.5, 0, 0.5, 1, 1], rtol=1e-12)
+
+
+# ---- spin ----------------------------------------------------------------------------------------
+@pytest.mark.parametrize("cos_angle", [1.0, 0.8])
+@pytest.mark.parametrize("side", [INNER, OUTER])
+def test_pure_spin(physics, side, cos_angle):
+    found = of(physics, "dry_of", REST | dict(spin_n=30.0, side=side, cos_angle=cos_angle))
+    ellipse = hertz.exact(*radii(side, cos_angle))
+    theory = spin.moment(found.load, FRICTION, found.a, ellipse.second)
+    assert found.couple_n == pytest.approx(theory, rel=1e-9 if cos_angle < 1 else 1e-12)
+    back = of(physics, "dry_of", REST | dict(spin_n=-30.0, side=side, cos_angle=cos_angle))
+    assert back.couple_n == -found.couple_n
+
+
+@pytest.mark.parametrize("part", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0])
+def test_spin_beside_differential_slip(physics, part):
+    """Moment and power against Gauss points over the ellipse; omega a = part s_e, no force."""
+    free = of(physics, "dry_of", turning())
+    r_d = sliding.deformed_radius(GROOVE, BALL)
+    edge = sliding.edge_slip(0.724764, free.a, r_d, radii(INNER)[0])
+    contact = turning(spin_n=part * edge / free.a, sliding_t=sliding.FREE**2 * edge)
+    found = of(physics, "dry_of", contact)
+    curve = edge / free.a**2
+    slips = np.linspace(0.0, 0.15, 31) * edge
+    gauss = [
+        spin.with_slip(
+            free.load, FRICTION, free.a, free.b, slip, 0.0, contact["spin_n"], curve=curve,
+            width=1e-4 * edge,
+        )
+        for slip in slips
+    ]  # fmt: skip
+    best = gauss[np.argmin([abs(one.along) for one in gauss])]
+    limit = FRICTION * found.load
+    assert found.couple_n == pytest.approx(best.moment, abs=0.05 * limit * free.a)
+    lost = found.couple_n * contact["spin_n"] + found.slip_couple * contact["roll_w"]
+    assert lost == pytest.approx(best.power, abs=0.05 * limit * edge)
+
+
+# ---- drag ----------------------------------------------------------------------------------------
+def test_drag_of_a_ball(physics):
+    for reynolds in (1e-3, 0.1, 0.5, 1, 33, 1e3, 4e4, 1e5, 3e6):
+        found = physics.call("sphere_drag", reynolds=reynolds)
+        assert found == pytest.approx(drag.coefficient(reynolds), rel=1e-13)
+    # the ball's centre moves at -R_b roll_w where nothing slides
+    for speed in (-7.0, -0.3, 1e-6, 0.3, 7.0):
+        contact = REST | dict(side=OUTER, roll_w=-speed / BALL)
+        found = of(physics, "all_of", contact)
+        assert found.drag == pytest.approx(drag.force(BALL, speed, 0.04, 870.0, 0.1), rel=1e-12)
+        assert found.drag_power == pytest.approx(found.drag * speed, rel=1e-12)
+    assert of(physics, "all_of", REST | dict(side=OUTER)).drag == 0
+    assert of(physics, "all_of", contact | dict(side=INNER)).drag == 0
+    # 0.3 N a ball of a 6208 at 9549 rpm, a tenth of oil
+    found = of(physics, "all_of", REST | dict(side=OUTER, roll_w=-12.0 / BALL))
+    assert found.drag == pytest.approx(0.3, rel=0.25)
+
+
+# ---- energy --------------------------------------------------------------------------------------
+def test_losses_are_the_work_on_the_motions(physics):
+    """All forces and couples times their motions, but for the spring of Hertz."""
+    contact = turning(
+        OUTER, 2.9, sliding_t=0.01, sliding_w=-0.02, spin_n=20.0, overlap_rate=0.003, cos_angle=0.9
+    )
+    found = of(physics, "all_of", contact, [4.0, 2.0])
+    work = (
+        (found.normal - found.load) * contact["overlap_rate"]
+        + found.friction_t * contact["sliding_t"]
+        + found.friction_w * contact["sliding_w"]
+        + found.couple_n * contact["spin_n"]
+        + found.couple_w * contact["roll_w"]
+        + found.drag_power
+    )
+    assert found.loss == pytest.approx(work, rel=1e-12)
