@@ -106,6 +106,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       const auto open = approach<L>(p, ball, r, c);
       if constexpr (L::decides) {
         live &= ~open;
+        if (stage.looks) stage.looks[contact].live = live;
         if (!any(live)) continue;
         c.overlap = where(live, c.overlap, 1e-9);
       }

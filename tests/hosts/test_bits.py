@@ -16,6 +16,11 @@ from host import frames, succeed
 LAST = 400  # steps
 SCENES = {
     "film, ring free to tilt": {"lubricant": "mineral", "tilt": "free"},
+    "film in the gap, ring free to tilt": {
+        "lubricant": "mineral",
+        "tilt": "free",
+        "models": "full",
+    },
     "dry, ring not tilting": {"lubricant": "dry", "tilt": "fixed"},
 }
 

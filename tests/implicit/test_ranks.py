@@ -143,6 +143,24 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
         assert last(out) == last(unbroken)
 
 
+def test_film_in_the_gap(tmp_path):
+    """Film in the gap and its branch, which keeps a force from step to step: two ranks, written in
+    the middle and resumed by four, give the bits of one."""
+    words = {"models": "full", "lubricant": "mineral"}
+    succeed(DECK, out=tmp_path / "one", **words)
+    succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)
+    assert state(tmp_path / "two")[:2] == state(tmp_path / "one")[:2]
+    succeed(
+        DECK,
+        ranks=4,
+        out=tmp_path / "resumed",
+        begin="resume",
+        first=38,
+        **{"from": tmp_path / "two/restart.22"},
+    )
+    assert last(tmp_path / "resumed") == last(tmp_path / "one")
+
+
 def test_only_dampers_implicit(tmp_path):
     """`solve damping` on two ranks, written in the middle and resumed by four: the bits of one
     rank."""

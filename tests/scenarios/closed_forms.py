@@ -25,8 +25,9 @@ def shaft_speed(settings):
     return settings["rpm"] * np.pi / 30
 
 
-def equilibrium(run, sample):
-    """Static equilibrium with the balls where they are at a sample of the run."""
+def equilibrium(run, sample, film=None):
+    """Static equilibrium with the balls where they are at a sample of the run; `film` is that in
+    the gap, a `FilmInGap`."""
     settings, balls = run.settings, run.balls
     now = balls[(balls["sample"] == sample) & (balls["type"] == 1)].sort_values("id")
     orbit = kinematics.frequencies(bearing_of(settings)).cage * shaft_speed(settings)
@@ -38,6 +39,7 @@ def equilibrium(run, sample):
         finite_shift=True,
         orbital_speed=orbit,
         phase=np.arctan2(now["y"], now["x"]).to_numpy(),
+        film=film,
     )
 
 

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs with the models `full` against statics with the film in the gap, written apart in Python;
+light load; both integrators; the longest explicit step."""
+
+import re
+
+import numpy as np
+import pytest
+from host import BOX, ROOT, run, succeed
+from raceway import contact_law, inputs
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER
+
+from scenarios import closed_forms
+
+# mean over balls and samples, the quasi-static run against statics: of the effect, or of the whole
+OF_THE_EFFECT, OF_THE_WHOLE = 0.1, 3e-4
+
+
+def film_of(tables):
+    fluid = inputs.fluid(ROOT / "inputs/lubricants" / tables.settings["lubricant"])
+    return contact_law.FilmInGap(fluid, closed_forms.shaft_speed(tables.settings))
+
+
+@pytest.mark.parametrize("rpm, every", [(48, 8), (477.5, 40), (1910, 40), (9549, 40)])
+def test_displacement_and_loads(tmp_path, rpm, every):
+    """Mean radial displacement; mean over samples of the largest and of the third load."""
+    succeed("inputs/in.6208", out=tmp_path, rpm=rpm, models="full", tolerance=1e-8, passes=2)
+    tables = RunTables(tmp_path)
+    film = film_of(tables)
+    found, thin, dry = [], [], []
+    for sample in range(0, 401, every):
+        rows = tables.contacts[
+            (tables.contacts["sample"] == sample) & (tables.contacts["raceway"] == INNER)
+        ]
+        loads = np.sort(rows["load"].to_numpy())[::-1]
+        ring = tables.rings.iloc[sample]
+        found.append([-ring["y"], loads[0], loads[2]])
+        for list_, law in ((thin, film), (dry, None)):
+            state = closed_forms.equilibrium(tables, sample, law)
+            loads = np.sort(state.inner.load)[::-1]
+            list_.append([-state.shift[1], loads[0], loads[2]])
+    found, thin, dry = (np.mean(values, axis=0) for values in (found, thin, dry))
+    effect = thin - dry
+    allowed = np.maximum(OF_THE_EFFECT * np.abs(effect), OF_THE_WHOLE * np.abs(dry))
+    assert np.all(np.abs(found - thin) <= allowed), (found / thin - 1, effect / dry)
+    assert effect[0] < 0 and effect[2] > 0  # the displacement falls, outer balls take more
+
+
+def test_light_load_rolls(tmp_path):
+    """50 N at 9549 rpm: the centrifugal load takes the balls off the inner raceway; the film in the
+    gap drives them."""
+    succeed("inputs/in.6208", out=tmp_path, load=50, rpm=9549, models="full", settle=4, passes=3)
+    tables = RunTables(tmp_path)
+    rolling = closed_forms.cage_speed(tables, None)
+    found = summary(tables)["cage_speed_rad_s"]
+    assert found == pytest.approx(rolling, rel=2e-3)
+
+
+def test_both_integrators(tmp_path):
+    """The film's branch and the film in the gap by velocity Verlet and by the implicit step: mean
+    displacement and largest load. They differ in friction: a spring, or Coulomb's law smoothed."""
+    figures = []
+    for integrator in ("verlet", "implicit"):
+        case = {"integrator": integrator, "rpm": 5000, "passes": 1, "models": "full"}
+        succeed("inputs/in.6208", out=tmp_path / integrator, **case)
+        tables = RunTables(tmp_path / integrator)
+        figures.append([tables.rings["y"].mean(), tables.contacts["load"].max()])
+    assert figures[0] == pytest.approx(figures[1], rel=1e-3)
+
+
+LONGEST = (
+    BOX
+    + """
+bearing_input inputs/bearings 6208
+pair_style bearing/ehd lubricant 0.04 22e-9 roughness 1.0e-7 0 gap 1 film_damping branch &
+  hysteresis 0 friction none
+pair_coeff 1 3 inner ${inner_radius} ${inner_groove}
+pair_coeff 1 4 outer ${outer_radius} ${outer_groove}
+variable omega equal 2*PI*${rpm}/60
+create_bearing 1 none 3 4 balls ${balls} diameter ${ball_diameter} density ${ball_density} &
+  speed ${omega} 0
+group balls type 1
+group inner type 3
+fix move balls nve/sphere
+variable y equal -${shift}*step/4000
+fix inner inner bearing/ring y position v_y spin speed ${omega}
+fix limit all bearing/timestep 1 exceed ignore
+variable load equal c_total[3]
+compute total all bearing/total
+thermo_style custom step v_load f_limit
+timestep 5.0e-7
+thermo 4000
+run 4000
+variable y equal -${shift}
+timestep ${step}
+thermo 1
+run 400
+"""
+)
+
+
+@pytest.mark.parametrize("rpm", [48, 477.5, 1910])
+def test_longest_explicit_step(tmp_path, rpm):
+    """At 98 % of what fix bearing/timestep allows the loads stay bounded, at 125 % they do not. The
+    ring is held where a ball has about 2.4 kN: friction and other dampers are off."""
+    deck = tmp_path / "in.longest"
+    deck.write_text(LONGEST)
+
+    def largest(step):
+        done = run(deck, rpm=rpm, shift=3.4e-5, step=step)
+        rows = re.findall(r"^ +(\d+) +(\S+) +(\S+) *$", done.text, re.MULTILINE)
+        rows = np.array([[float(v) for v in row] for row in rows])
+        return done.code, rows[rows[:, 0] > 4000]
+
+    _, rows = largest(1e-7)
+    limit = rows[:, 2].min()
+    assert limit > 4e-6  # the film damper of eq 5 allows 0.02 to 0.9 us
+    code, rows = largest(0.98 * limit)
+    assert code == 0 and rows[:, 1].max() < 2 * rows[0, 1]
+    code, rows = largest(1.25 * limit)
+    assert code != 0 or rows[:, 1].max() > 2 * rows[0, 1]
