@@ -61,7 +61,7 @@ def run_deck(folder, passes, output):
     """The main deck with an output of FORMATS into `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
     words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
-    for name, value in {**output, "passes": passes, "out": folder}.items():
+    for name, value in {**output, "passes": passes, "out": folder, "overwrite": "yes"}.items():
         words += ["-var", name, str(value)]
     done = subprocess.run(
         words, cwd=ROOT, capture_output=True, text=True, errors="replace", check=False

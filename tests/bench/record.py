@@ -87,7 +87,8 @@ def liggghts(deck, folder, **variables):
 def main_deck(folder, rpm, output):
     """(s a sample, real-time factor) of a run of the main deck."""
     passes = TEXT_PASSES if output == "text" else PASSES
-    liggghts("inputs/in.6208", folder, rpm=rpm, passes=passes, **OUTPUTS[output])
+    output = {**OUTPUTS[output], "overwrite": "yes"}
+    liggghts("inputs/in.6208", folder, rpm=rpm, passes=passes, **output)
     said = dict(
         line.split(": ", 1)
         for line in (folder / "run.yaml").read_text().splitlines()
