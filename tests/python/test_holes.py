@@ -136,7 +136,7 @@ def test_numbers_out_of_domain(folder, key):
 
 def test_a_key_twice(folder):
     spoil(folder, "^load_N: .*$", r"\g<0>\nload_N: 1")
-    with pytest.raises(RunError, match="run.yaml, line 6: load_N is there twice"):
+    with pytest.raises(RunError, match="run.yaml, line 7: load_N is there twice"):
         RunTables(folder)
 
 
