@@ -39,14 +39,16 @@ def test_models(tmp_path):
     def commands():
         return raceway.open(tmp_path).tables.record.attrs["pair_commands"]
 
-    succeed("inputs/in.6208", out=tmp_path, models="paper", **SHORT)
+    succeed("inputs/in.6208", out=tmp_path, models="paper", overwrite="yes", **SHORT)
     ran = raceway.open(tmp_path)
     assert ran.settings["models"] == ran.summary()["models"] == "paper"
     assert "friction stribeck 0.12 0.05" in commands() and "gap" not in commands()
-    succeed("inputs/in.6208", out=tmp_path, models="full", lubricant="vg46", **SHORT)
+    succeed(
+        "inputs/in.6208", out=tmp_path, models="full", lubricant="vg46", overwrite="yes", **SHORT
+    )
     assert "gap 1 film_damping branch inlet_shear murch" in commands()
     assert raceway.open(tmp_path).settings["models"] == "full"
-    succeed("inputs/in.dry", out=tmp_path, models="full", **SHORT)
+    succeed("inputs/in.dry", out=tmp_path, models="full", overwrite="yes", **SHORT)
     assert "friction constant 0.1" in commands() and "gap" not in commands()
 
 
@@ -59,7 +61,12 @@ def test_models_of_an_oil_without_the_numbers(tmp_path):
         "variable pressure_viscosity index 22e-9\nvariable permittivity index 2.2\n"
         "variable roughness index 1e-7\nvariable ball_roughness index 0\n"
     )
-    case = {"inputs": inputs, "lubricant": "mine", "out": tmp_path / "run"} | SHORT
+    case = {
+        "inputs": inputs,
+        "lubricant": "mine",
+        "out": tmp_path / "run",
+        "overwrite": "yes",
+    } | SHORT
     succeed("inputs/in.6208", **case)
     done = run("inputs/in.6208", models="full", **case)
     assert done.code != 0
