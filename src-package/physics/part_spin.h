@@ -17,7 +17,8 @@
 namespace raceway {
 
 // N m, from mu Q and the constants of Hertz: with K, a and b in hand E needs no evaluation,
-//   (3/8) mu Q a E = mu Q sqrt(delta) pi E' a^2 b^2 (1/R_x + 1/R_y)/(16 K), a and b over sqrt(delta).
+//   (3/8) mu Q a E = mu Q sqrt(delta) pi E' a^2 b^2 (1/R_x + 1/R_y)/(16 K),
+// a and b over sqrt(delta).
 template <class T>
 RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, const T &a, const T &b,
                              const T &K, const T &rolling_radius, double transverse_radius)

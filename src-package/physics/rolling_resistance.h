@@ -2,7 +2,7 @@
 // Couples that resist rolling (docs/theory, Rolling resistance).
 //
 // Hydrodynamic: the inlet of the film pushes back with f and takes the power 2 f u (Biboulet and
-// Houpert 2010, part 2, eq 32; here in powers of u and Q, Balan et al. 2015, the same within 0.6 %):
+// Houpert 2010, part 2, eq 32; here in powers of u and Q, Balan et al. 2015, within 0.6 % of it):
 //   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
 //   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
 //   M = 0.5549 r^-0.6029 W U^(-3/4).
