@@ -53,8 +53,9 @@ class BearingHost : public bearing::CommandBase {
   void command(int, char **);
 };
 
-// bearing_resume NAME yes|no FILE [overwrite yes|no]: set the index variable NAME to yes if asked to
-// and FILE is there, else to no. A finished run beside FILE is then refused, with `overwrite no`.
+// bearing_resume NAME yes|no FILE [overwrite yes|no]: set the index variable NAME to yes if asked
+// to and FILE is there, else to no. A finished run beside FILE is then refused, with `overwrite
+// no`.
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
