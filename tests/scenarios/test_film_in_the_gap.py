@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs with the models `full` against statics with the film in the gap, written apart in Python;
+"""Runs with the models `film` against statics with the film in the gap, written apart in Python;
 light load; both integrators; the longest explicit step."""
 
 import re
@@ -26,7 +26,7 @@ def film_of(tables):
 @pytest.mark.parametrize("rpm, every", [(48, 8), (477.5, 40), (1910, 40), (9549, 40)])
 def test_displacement_and_loads(tmp_path, rpm, every):
     """Mean radial displacement; mean over samples of the largest and of the third load."""
-    succeed("inputs/in.6208", out=tmp_path, rpm=rpm, models="full", tolerance=1e-8, passes=2)
+    succeed("inputs/in.6208", out=tmp_path, rpm=rpm, models="film", tolerance=1e-8, passes=2)
     tables = RunTables(tmp_path)
     film = film_of(tables)
     found, thin, dry = [], [], []
@@ -51,7 +51,7 @@ def test_displacement_and_loads(tmp_path, rpm, every):
 def test_light_load_rolls(tmp_path):
     """50 N at 9549 rpm: the centrifugal load takes the balls off the inner raceway; the film in the
     gap drives them."""
-    succeed("inputs/in.6208", out=tmp_path, load=50, rpm=9549, models="full", settle=4, passes=3)
+    succeed("inputs/in.6208", out=tmp_path, load=50, rpm=9549, models="film", settle=4, passes=3)
     tables = RunTables(tmp_path)
     rolling = closed_forms.cage_speed(tables, None)
     found = summary(tables)["cage_speed_rad_s"]
@@ -63,7 +63,7 @@ def test_both_integrators(tmp_path):
     displacement and largest load. They differ in friction: a spring, or Coulomb's law smoothed."""
     figures = []
     for integrator in ("verlet", "implicit"):
-        case = {"integrator": integrator, "rpm": 5000, "passes": 1, "models": "full"}
+        case = {"integrator": integrator, "rpm": 5000, "passes": 1, "models": "film"}
         succeed("inputs/in.6208", out=tmp_path / integrator, **case)
         tables = RunTables(tmp_path / integrator)
         figures.append([tables.rings["y"].mean(), tables.contacts["load"].max()])
