@@ -121,19 +121,8 @@ def test_orbit_is_about_the_outer_ring(tmp_path, lubricated):
 
 
 def test_runs_without_film_columns(folder, lubricated):
-    kept = [
-        name
-        for name in synthetic.LUBRICATED
-        if name not in ("h_min", "h_c", "lambda", "regime", "capacitance")
-    ]
-    places = [synthetic.LUBRICATED.index(name) for name in kept]
-    data = {
-        **lubricated,
-        "settings": {**lubricated["settings"], "contact_columns": " ".join(kept)},
-        "contacts": [
-            [[row[i] for i in places] for row in frame] for frame in lubricated["contacts"]
-        ],
-    }
+    columns = ("h_min", "h_c", "lambda", "regime", "capacitance")
+    data = {**lubricated, **_without(lubricated, columns)}
     figures = summary(RunTables(synthetic.write(folder, data)))
     assert {key for key, value in figures.items() if value is None} == (TILTS | DRY_NULL) - {
         "viscosity_Pa_s",
@@ -145,6 +134,16 @@ def test_runs_without_film_columns(folder, lubricated):
     }
 
 
+def _without(data, columns):
+    """Settings and contacts of a run that did not record these columns."""
+    kept = [name for name in synthetic.LUBRICATED if name not in columns]
+    places = [synthetic.LUBRICATED.index(name) for name in kept]
+    return {
+        "settings": {**data["settings"], "contact_columns": " ".join(kept)},
+        "contacts": [[[row[i] for i in places] for row in frame] for frame in data["contacts"]],
+    }
+
+
 def test_friction(folder, lubricated):
     """The torque of the shaft, the losses by part, and the makers' figures at the same forces."""
     figures = summary(RunTables(folder))
@@ -152,7 +151,13 @@ def test_friction(folder, lubricated):
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]
     spin = 477.5 * np.pi / 30
     friction, damping = (part * np.mean(loads) for part in synthetic.LOSS)
-    assert figures["friction_torque_N_m"] == pytest.approx((friction + damping) / spin, rel=1e-9)
+    torque = figures["power_loss_W"] / spin
+    assert figures["friction_torque_N_m"] == pytest.approx(torque, rel=1e-12)
+    without = {**lubricated, **_without(lubricated, ("friction_power", "damping_power"))}
+    measured = summary(RunTables(synthetic.write(folder, without)))
+    assert measured["losses_W"] is None and measured["friction_torque_N_m"] == pytest.approx(
+        (friction + damping) / spin, rel=1e-9
+    )
     losses = figures["losses_W"]
     assert {part for part, loss in losses.items() if loss is not None} == {"slip", "film"}
     assert (losses["slip"], losses["film"]) == pytest.approx((friction, damping), rel=1e-3)

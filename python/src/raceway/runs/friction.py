@@ -32,7 +32,9 @@ FEW = 1e-2  # of the radial force: less axial force is ripple
 def friction(tables: RunTables) -> dict[str, Any]:
     """Means over the window, SI units, None where the run has none.
 
-    - `friction_torque_N_m`: what the balls hold against the inner ring's spin
+    - `friction_torque_N_m`: the power lost over the inner ring's speed, as in statics. Without
+      losses the mean moment of the balls against its spin, which a tolerance of 1 nm leaves
+      uncertain by some 1e-5 N m
     - `power_loss_W`, `losses_W`: lost in all contacts, and by part of the contact law
     - `asperity_share`: of the load, at the largest inner load
     - `torque_skf_N_m`, `torque_palmgren_N_m`: the makers' figures at the measured forces, for
@@ -41,14 +43,17 @@ def friction(tables: RunTables) -> dict[str, Any]:
     totals, rings = tables.totals, tables.rings
     rings = rings[rings["sample"] > 0]
     result: dict[str, Any] = dict.fromkeys(KEYS)
-    if "mz" in rings and "spin" in rings:
-        result["friction_torque_N_m"] = -float(rings["mz"].mean()) * _sign(rings["spin"].mean())
     losses = {
         part: float(totals[name].mean()) if name in totals else None for part, name in PARTS.items()
     }
     known = [loss for loss in losses.values() if loss is not None]
     result["losses_W"] = losses if known else None
     result["power_loss_W"] = sum(known) if known else None
+    spin = float(rings["spin"].mean()) if "spin" in rings else 0.0
+    if known and spin:
+        result["friction_torque_N_m"] = result["power_loss_W"] / abs(spin)
+    elif spin and "mz" in rings:
+        result["friction_torque_N_m"] = -float(rings["mz"].mean()) * math.copysign(1.0, spin)
     if "asperity_share_top" in totals:
         top = totals["load_inner"].idxmax()
         result["asperity_share"] = float(totals["asperity_share_top"].loc[top])
@@ -81,7 +86,3 @@ def _makers(tables, rings):
             sum(makers.palmgren(boundary, radial, rpm, nu))
         )
     return result
-
-
-def _sign(value):
-    return math.copysign(1.0, value)

@@ -63,7 +63,7 @@ TOPICS = {
         row("entrainment_speed_m_s", "U_r of eq 6, largest inner load"),
     ),
     "Friction torque": (
-        Row("friction_torque_N_m", "of the inner ring", "N m", "mean"),
+        Row("friction_torque_N_m", "of the inner ring", "N m", "power over speed"),
         Row("torque_skf_N_m", "SKF, oil to the middle of a ball", "N m", "10000 EN 2013"),
         Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
         Row("asperity_share", "load share of asperities", "", "largest inner load"),
