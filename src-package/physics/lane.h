@@ -12,16 +12,21 @@
 #include <cmath>
 
 // A function that takes a Lane must be compiled for the instruction set of its caller, so it is
-// never called.
+// never called. A function that calls such functions is compiled for several instruction sets; the
+// best one is chosen at run time. Without fused multiply-add, so all give the same bits.
+//
+// For one instruction set both are plain functions, which compile several times faster: sanitizers,
+// which do not know the mechanism, and builds that are not for speed (RACEWAY_ONE_TARGET).
+#if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
+#define RACEWAY_INLINE inline
+#define RACEWAY_LANES
+#else
 #define RACEWAY_INLINE __attribute__((always_inline)) inline
-
-// A function that calls such functions: compiled for each of these instruction sets, the best one
-// is chosen at run time. Without fused multiply-add, so all give the same bits. Sanitizers do not
-// know the mechanism.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__)
 #define RACEWAY_LANES __attribute__((target_clones("avx2", "default")))
 #else
 #define RACEWAY_LANES
+#endif
 #endif
 
 namespace raceway {
