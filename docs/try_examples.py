@@ -177,7 +177,7 @@ def main():
         print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
         failed += done.returncode != 0
     subprocess.run(
-        [program, "-in", "inputs/in.6208", "-log", "none"],
+        [program, "-in", "inputs/in.6208", "-log", "none", "-var", "overwrite", "yes"],
         cwd=DOCS.parent,
         capture_output=True,
         check=True,
