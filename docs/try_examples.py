@@ -193,9 +193,11 @@ def main():
     failed += subprocess.run([sys.executable, DOCS / "gallery.py", "--check"]).returncode != 0
     with tempfile.TemporaryDirectory() as top:
         for number, (name, lines) in enumerate(jobs):
-            folder = Path(top) / str(number)
-            folder.mkdir()
-            (folder / "inputs").symlink_to(DOCS.parent / "inputs")
+            # decks read what those before them wrote, examples write what others did
+            folder = Path(top) / ("decks" if name.startswith("in.") else str(number))
+            if not folder.exists():
+                folder.mkdir()
+                (folder / "inputs").symlink_to(DOCS.parent / "inputs")
             path = folder / "in.deck"
             path.write_text("\n".join(lines) + "\n")
             done = subprocess.run(
