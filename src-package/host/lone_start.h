@@ -18,6 +18,8 @@ class LoneStart {
     if (launched()) return;
     offer("OMPI_MCA_ess_singleton_isolated", "1");    // no daemon
     offer("OMPI_MCA_pml", "ob1");                     // no search for fast networks
+    // no folder below /tmp that processes which come and go at once take away from one another
+    offer("OMPI_MCA_orte_create_session_dirs", "0");
   }
 
   // After MPI_Init: programs that a deck starts (`shell mpirun ...`) must not inherit it.

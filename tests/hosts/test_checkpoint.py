@@ -112,7 +112,7 @@ def test_killed_run_opens(tmp_path):
     """Its good part can be read: a last frame that is cut off is left out, with a warning."""
     out = tmp_path / "run"
     process = start(SCENE, out)
-    wait_for(out / "rings.dat", 5000)
+    wait_for(out / "rings.dat", 9000)
     process.kill()
     process.wait()
     settings = dict(line.split(": ", 1) for line in (out / "run.yaml").read_text().splitlines())

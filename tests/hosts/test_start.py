@@ -4,11 +4,12 @@ them, and by the user's settings always."""
 
 import re
 import subprocess
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-from host import ENVIRONMENT, HOSTS, OPEN_MPI
+from host import ENVIRONMENT, HOSTS, OPEN_MPI, run
 
-OURS = {"ess_singleton_isolated": "true", "pml": "ob1"}
+OURS = {"ess_singleton_isolated": "true", "pml": "ob1", "orte_create_session_dirs": "false"}
 
 
 def settings(host, tmp_path, deck="", ranks=1, **environment):
@@ -64,3 +65,16 @@ def test_programs_that_a_deck_starts(tmp_path):
     assert not [line for line in seen if "ess_singleton_isolated" in line]
     settings("liggghts", tmp_path, "shell env > seen")
     assert not [line for line in (tmp_path / "seen").read_text().splitlines() if "pml" in line]
+
+
+def test_many_starts_at_once(tmp_path):
+    """Of 400 starts, eight at a time, ten ended before MPI_Init was through: processes that end
+    took the session folder of those that start."""
+    deck = tmp_path / "in.nothing"
+    deck.write_text("units si\n")
+
+    def start(_):
+        return run(deck).code
+
+    with ThreadPoolExecutor(8) as pool:
+        assert sum(code != 0 for code in pool.map(start, range(200))) == 0

@@ -168,9 +168,9 @@ def test_stopped_half_way(tmp_path, counter, which, code):
     file."""
     table, out = tmp_path / "table.csv", tmp_path / "out"
     table.write_text(
-        "load,passes,samples,record\n"
-        + "".join(f"{load},40,50,summary\n" for load in range(1000, 9000, 1000))
-        + "9000,1500,100,summary\n"  # still in work when the signal comes
+        "load,passes,samples,integrator\n"
+        + "".join(f"{load},4,50,implicit\n" for load in range(1000, 9000, 1000))
+        + "9000,40,20,verlet\n"  # still in work when the signal comes
     )
     process = subprocess.Popen(
         words("sweep", table, "--out", out, "--jobs", 2, "--program", counter),

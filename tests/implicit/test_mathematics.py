@@ -23,6 +23,7 @@ def lib():
             "g++",
             "-std=c++17",
             "-O1",
+            "-DRACEWAY_ONE_TARGET",
             "-ffp-contract=off",
             "-Wall",
             "-Wextra",

@@ -125,7 +125,8 @@ def test_the_deck_runs_with_both_integrators(touched):
 
 def test_the_main_deck_has_the_new_columns(touched):
     tree = touched[0]
-    run(["build/liggghts", "-in", "inputs/in.6208", "-log", "none", "-var", "passes", "1"], tree)
+    words = "-in inputs/in.6208 -log none -var passes 1 -var dumps yes -var overwrite yes"
+    run(["build/liggghts", *words.split()], tree)
     settings = yaml.safe_load((tree / "build/run/6208/run.yaml").read_text())
     names = settings["contact_columns"].split()
     assert {"depth", "density", "toy_couple"} <= set(names)
