@@ -164,13 +164,22 @@ def test_friction(folder, lubricated):
     assert figures["power_loss_W"] == losses["slip"] + losses["film"]
     boundary = makers.Boundary(40, 80, 18, "62", 19e3)
     nu = 1e6 * 0.04 / 870
-    radial = np.hypot(figures["force_x_N"], figures["force_y_N"])
+    radial = np.mean([np.hypot(ring[9], ring[10]) for ring in lubricated["rings"][1:]])
     assert 1e3 * figures["torque_skf_N_m"] == pytest.approx(
         makers.skf(boundary, radial, 0.0, 477.5, nu, level=6.3).total, rel=1e-12
     )
     assert 1e3 * figures["torque_palmgren_N_m"] == pytest.approx(
         sum(makers.palmgren(boundary, radial, 477.5, nu)), rel=1e-12
     )
+
+
+def test_makers_see_a_load_that_turns(folder, lubricated):
+    """Its mean vector is next to nothing, its size is not."""
+    turning = forced(
+        folder, lubricated, lambda k: (3e3 * np.sin(0.3 * k), 3e3 * np.cos(0.3 * k), 0)
+    )
+    steady = forced(folder, lubricated, lambda k: (0.0, 3e3, 0.0))
+    assert turning["torque_skf_N_m"] == pytest.approx(steady["torque_skf_N_m"], rel=1e-12)
 
 
 def test_makers_know_no_bearing_of_the_user_s(folder, lubricated):

@@ -5,6 +5,7 @@ import math
 from typing import Any
 
 from raceway import catalogue, inputs
+from raceway.runs.measured import loading
 from raceway.runs.tables import RunTables
 from raceway.theory import makers
 
@@ -64,7 +65,8 @@ def friction(tables: RunTables) -> dict[str, Any]:
 def _makers(tables, rings):
     """SKF's torque with oil to the middle of a ball, and Palmgren's, N m."""
     settings = tables.settings
-    if not tables.lubricated or "fx" not in rings or "fz" not in rings:
+    load = loading(tables)
+    if not tables.lubricated or load is None or "fz" not in rings:
         return {}
     try:
         boundary = inputs.boundary(catalogue.find("bearings", settings["bearing"]))
@@ -73,8 +75,7 @@ def _makers(tables, rings):
         return {}
     if boundary is None or math.isnan(fluid.density):
         return {}
-    radial = math.hypot(rings["fx"].mean(), rings["fy"].mean())
-    axial = abs(rings["fz"].mean())
+    radial, axial = load.radial, abs(load.axial)
     axial = axial if axial > FEW * radial else 0.0
     nu = 1e6 * settings["viscosity_Pa_s"] / fluid.density
     level = 500 * settings["ball_diameter_m"]  # mm above the lowest raceway
