@@ -14,7 +14,7 @@ Draw a run to a PNG:
   waterfall  capacitance of every ball over azimuth and time
   bearing    rings, balls and cage at the moment of the largest load
              (`raceway animate` moves them)
-  motion     orbit of the inner ring, its displacement, tilt and friction torque over time"""
+  motion     orbit of the inner ring, its displacement, tilt and the moment against its spin"""
 EXAMPLES = """\
 examples:
   raceway plot build/run/6208                            build/run/6208/overview.png

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the inner ring moved: its orbit, displacement, tilt, torque."""
+"""How the inner ring moved: its orbit, displacement, tilt, and the moment against its spin."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -15,7 +15,7 @@ from raceway.units import axis, prefixed
 
 def motion(tables: RunTables, path: FilePath) -> None:
     """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
-    displacement, tilt and friction torque over time.
+    displacement, tilt and the moment against its spin over time.
 
     What a run did not record, or what did not move, has no panel. Raises `RunError` when the run's
     files are broken, have no ring, or the picture cannot be written.
@@ -75,9 +75,10 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
+    # its mean, the friction torque, is far below the ripple: the summary has it from the losses
     torque = -tables.rings["mz"] * np.sign(tables.rings["spin"])
-    _lines(axes, tables, {f"mean {prefixed(torque.mean(), 'N m', 3)}": torque}, "N m")
-    axes.set_title("Friction torque", pad=10)
+    _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
+    axes.set_title("Moment against the spin", pad=10)
 
 
 def _lines(axes, tables, curves, unit):
