@@ -59,7 +59,7 @@ build: setup
 test: build sanitized tree lint
 	@$(MAKE) --no-print-directory docs
 	.venv/bin/python docs/try_examples.py
-	.venv/bin/python -m pytest tests
+	.venv/bin/python -m pytest tests -n $(shell nproc) --dist loadfile
 
 bench: build
 	@$(MAKE) --no-print-directory -s $(BENCH_STAMP)
@@ -256,10 +256,9 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -c $< -o $@
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: src-package/host/print_columns.cpp src-package/contacts/contact_columns.cpp
-	@mkdir -p $(@D)
-	@echo "  CXX  $@"
-	@g++ $(FLAGS) $^ -o $@ -MF $@.d
+build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o
+	@echo "  LINK $@"
+	@g++ $(FLAGS) $^ -o $@
 
 # our own: source trees of hosts have folders of such names
 -include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)

@@ -35,6 +35,12 @@ enum {
   LOAD_X,
   LOAD_Y,
   LOAD_Z,
+  SUPPORT_X,
+  SUPPORT_Y,
+  SUPPORT_Z,
+  AX,
+  AY,
+  AZ,
   N
 };
 const Column list[N] = {
@@ -58,6 +64,12 @@ const Column list[N] = {
     {"load_x", "N", "load on the ring along x: force, rotating force and unbalance"},
     {"load_y", "N", "load on the ring along y, likewise"},
     {"load_z", "N", "load on the ring along z"},
+    {"support_x", "N", "force of the supports on the ring along x"},
+    {"support_y", "N", "force of the supports on the ring along y"},
+    {"support_z", "N", "force of the supports on the ring along z"},
+    {"ax", "m/s^2", "acceleration along x, 0 where the displacement is not free"},
+    {"ay", "m/s^2", "acceleration along y, likewise"},
+    {"az", "m/s^2", "acceleration along z, likewise"},
 };
 }    // namespace of_fix_ring
 

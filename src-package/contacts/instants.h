@@ -36,7 +36,7 @@ struct InstantBody {
 };
 
 struct InstantRing {
-  double of[of_ring::TORQUE + 1];    // from of_ring::RING on
+  double of[of_ring::AZ + 1];    // from of_ring::RING on
 };
 
 // Who is told of the parts of a bearing; contacts come ball by ball, and before the bodies.

@@ -14,6 +14,7 @@ struct RingMotion {
   raceway::Vec3 origin;           // m, where the ring was at the start
   double angle = 0.0;             // rad, turned about its axis
   double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two axes across
+  raceway::Vec3 acceleration;     // m/s^2, of the last step
   double step = 0.0;    // s, next internal step that fix bearing/implicit wishes, at its first
                         // ring; 0: none yet
 };

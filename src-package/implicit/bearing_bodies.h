@@ -77,6 +77,8 @@ class BearingBodies {
   std::vector<RingBody> rings;
   std::vector<Free> free;    // degrees of freedom of the rings: the border
   Vec3 centre;               // of the turning frames
+  Vec3 gravity;              // m/s^2, on all bodies and rings
+  bool heavy = false;        // there is any
 
  private:
   void place();

@@ -23,8 +23,29 @@ void BearingStep::add_energy(double weight, double s)
     for (int k = 0; k < 3; ++k)
       power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
   }
+  if (bodies_.heavy) power += power_of_gravity();
+  double lost = forces_.power_lost();
+  for (const RingBody &r : bodies_.rings)
+    if (r.program.supported) lost += r.program.support_loss(r.now, r.now.rate[0], r.now.rate[1]);
   pending_.work += weight * power;
-  pending_.dissipated += weight * forces_.power_lost();
+  pending_.dissipated += weight * lost;
+}
+
+// W, on bodies and on what is free of the rings.
+double BearingStep::power_of_gravity() const
+{
+  const double fall[] = {bodies_.gravity.x, bodies_.gravity.y, bodies_.gravity.z};
+  Lane of_bodies = {};
+  for (const BodyGroup &g : bodies_.groups)
+    of_bodies += where(g.used, g.mass * dot(g.v, g.now.local(bodies_.gravity)), 0.0);
+  double power = sum(of_bodies);
+  for (const RingBody &r : bodies_.rings) {
+    double v[3];
+    r.now.v.to(v);
+    for (int k = 0; k < 3; ++k)
+      if (r.program.free(k)) power += r.program.mass * fall[k] * v[k];
+  }
+  return power;
 }
 
 const BearingStep::Energy &BearingStep::energy()
@@ -56,6 +77,7 @@ double BearingStep::stored_energy()
     for (int k = 0; k < 2; ++k)
       if (r.program.free(RingProgram::TILT + k))
         total += 0.5 * r.program.inertia.transverse * r.now.rate[k] * r.now.rate[k];
+    if (r.program.supported) total += r.program.support_energy(r.now);
     if (r.program.free(RingProgram::SPIN))
       total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
   }

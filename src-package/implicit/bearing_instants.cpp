@@ -67,7 +67,7 @@ Failure BearingInstants::pass(double h, double s0, double s1)
   for (; failure == Failure::none && passed(); ++next_) {
     const double s = (double(next_) / n - s0) / (s1 - s0);
     move(h, s < 1.0 ? s : 1.0);
-    failure = look_at(next_);
+    failure = look_at(next_, double(next_) / n);
   }
   put_back();
   return failure;
@@ -114,7 +114,8 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
       b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
 }
 
-RACEWAY_LANES Failure BearingInstants::look_at(int k)
+// s: share of the host's step.
+RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
 {
   Stage stage;
   stage.looks = looks_.data() + (k - 1) * b_.n_contacts;
@@ -129,7 +130,15 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k)
     ++body;
   }
   Ring *ring = rings_.data() + (k - 1) * b_.rings.size();
-  for (const RingBody &r : b_.rings) *ring++ = {r.now, r.force, r.moment};
+  for (const RingBody &r : b_.rings) {
+    Vec3 push = r.force;
+    if (r.loose) {
+      push += r.program.force_at(s, r.now.angle);
+      if (r.program.supported) push += r.program.support_force(r.now);
+      if (b_.heavy) push += b_.gravity * r.program.mass;
+    }
+    *ring++ = {r.now, r.force, r.moment, r.program.acceleration(push)};
+  }
   if (instants_.eps > 0.0) capacitors(k);
   return failure;
 }

@@ -29,6 +29,7 @@ class BearingInstants {
   struct Ring {
     RingPose pose;
     Vec3 force, moment;    // of balls and cage, N and N m
+    Vec3 acceleration;     // m/s^2
   };
 
   BearingInstants(BearingBodies &b, BearingForces &f) : b_(b), forces_(f) {}
@@ -57,7 +58,7 @@ class BearingInstants {
   void keep();
   void put_back();
   void move(double h, double s);
-  Failure look_at(int k);
+  Failure look_at(int k, double s);
   void capacitors(int k);
 
   BearingBodies &b_;

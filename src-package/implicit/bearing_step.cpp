@@ -75,7 +75,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
       failure = forces_.evaluate(stage);
     }
     if (failure != Failure::none) return failed(o, failure, forces_.body()).solved();
-    system_.add_rings(h, s);
+    system_.add_rings(h, stage.follows(), s);
     if (fresh) system_.factor();
     system_.solve();
     ++o.corrections;
@@ -136,6 +136,15 @@ RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
   return !any(far);
 }
 
+// 1/s^2, of the supports of a ring.
+static double stiffest(const RingProgram &p)
+{
+  double most = 0.0;
+  for (int k = 0; k < RingProgram::SPIN; ++k)
+    if (p.free(k)) most = std::max(most, p.support[k].stiffness / p.inertia_of(k));
+  return most;
+}
+
 RACEWAY_LANES double BearingStep::stability(double h) const
 {
   Lane most = {};
@@ -147,6 +156,8 @@ RACEWAY_LANES double BearingStep::stability(double h) const
   for (const RingBody &r : bodies_.rings)
     if (r.loose && r.program.mass > 0.0)
       largest = std::max(largest, h * h * r.spring / (3.0 * r.program.mass));
+  for (const RingBody &r : bodies_.rings)
+    if (r.program.supported) largest = std::max(largest, h * h * stiffest(r.program) / 3.0);
   return largest;
 }
 

@@ -66,6 +66,11 @@ class BearingStep {
   void load(const std::vector<BodyPose> &b, const std::vector<RingPose> &r) { bodies_.load(b, r); }
   void store(std::vector<BodyPose> &b, std::vector<RingPose> &r) const { bodies_.store(b, r); }
   void set_program(int ring, const RingProgram &p) { bodies_.rings[ring].program = p; }
+  void set_gravity(const Vec3 &g)    // m/s^2
+  {
+    bodies_.gravity = g;
+    bodies_.heavy = dot(g, g) > 0.0;
+  }
   // What the contacts keep: groove by groove of the model, states() numbers each.
   int states() const { return bodies_.states(); }
   void load_states(const double *values) { bodies_.load_states(values); }
@@ -93,6 +98,7 @@ class BearingStep {
   void second_base();
   double error(double h, const Settings &) const;
   void add_energy(double weight, double s);
+  double power_of_gravity() const;
   double stored_energy();
 
   BearingBodies bodies_;

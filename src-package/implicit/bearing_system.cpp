@@ -22,7 +22,9 @@ RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
   if (fresh) resize();
   for (BodyGroup &g : b_.groups) {
     const Lane rate = g.v.y / g.now.r;
-    const Vec3L dv = (g.v_base - g.v + frame_acceleration(rate, g.v) * h) * g.mass;
+    Vec3L free_fall = frame_acceleration(rate, g.v);
+    if (b_.heavy) free_fall += g.now.local(b_.gravity);
+    const Vec3L dv = (g.v_base - g.v + free_fall * h) * g.mass;
     dv.to(g.rhs);
     if (g.spins) {
       const Vec3L dw = (g.w_base - g.w + frame_acceleration(rate, g.w) * h) * g.inertia;
@@ -42,7 +44,7 @@ RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
   std::fill(border_.a.begin(), border_.a.end(), 0.0);
 }
 
-void BearingSystem::add_rings(double h, double s)
+void BearingSystem::add_rings(double h, double follows, double s)
 {
   const int nf = static_cast<int>(b_.free.size());
   for (int f = 0; f < nf; ++f) {
@@ -51,12 +53,20 @@ void BearingSystem::add_rings(double h, double s)
     const RingPose &now = r.now;
     const double inertia = r.program.inertia_of(dof);
     border_.a[f * nf + f] += inertia;
+    const bool held = r.program.supported && dof < RingProgram::SPIN;
+    if (held) {
+      const Support &on = r.program.support[dof];
+      border_.a[f * nf + f] += h * (on.damping + follows * on.stiffness);
+    }
     if (dof < RingProgram::TILT) {
-      const Vec3 push = r.force + r.program.force_at(s, now.angle);
+      Vec3 push = r.force + r.program.force_at(s, now.angle);
+      if (held) push += r.program.support_force(now);
+      if (b_.heavy) push += b_.gravity * inertia;
       y_[f] = h * (dof == 0 ? push.x : dof == 1 ? push.y : push.z) - inertia * r.gained[dof];
       continue;
     }
-    const Vec3 M = r.moment + r.program.moment_at(s);
+    Vec3 M = r.moment + r.program.moment_at(s);
+    if (held) M += r.program.support_moment(now, now.rate[0], now.rate[1]);
     const double along = dot(M, now.e);
     if (dof == RingProgram::SPIN) {
       y_[f] = h * along - inertia * r.gained[dof];

@@ -25,7 +25,8 @@ class BearingSystem {
   // What is still missing of M (V_base - V) + h frame; `fresh`: masses into the blocks, all else 0.
   void start(double h, bool fresh);
   // The rings' right-hand sides and the part of D that no contact brings, at share s of the step.
-  void add_rings(double h, double s);
+  // Positions follow velocities over `follows` seconds.
+  void add_rings(double h, double follows, double s);
   void factor();
   void solve();    // corrections: BodyGroup::rhs and y()
 

@@ -38,6 +38,13 @@ struct Unbalance {
   double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, from the ring's angle
 };
 
+// A spring and a damper beside it, from a ring to the ground, where the ring was at the start.
+struct Support {
+  double stiffness = 0.0, damping = 0.0;    // N/m and N s/m; of a tilt N m/rad and N m s/rad
+};
+
+struct RingPlace;
+
 inline Vec3 across_at(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
 
 // What happens to a ring over the host's step. Times within it are shares s, 0 at its start to 1 at
@@ -53,6 +60,8 @@ struct RingProgram {
   Vec3 force[2], moment[2];    // N, N m, at both ends, linear between, before the ramp
   TurningForce turning;
   Unbalance unbalance;
+  Support support[SPIN];    // of displacements and tilts
+  bool supported = false;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin
   double ramp = 0.0;           // s, over which the loads come on (3s^2 - 2s^3)
   double end = 0.0,
@@ -105,6 +114,17 @@ struct RingProgram {
   {
     return (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s);
   }
+  // Of the supports on the ring, N and N m; the rates of tilt are W across its axis.
+  Vec3 support_force(const RingPlace &) const;
+  Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
+  double support_energy(const RingPlace &) const;    // J, of the springs
+  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W, dampers
+  // m/s^2 of what is free, under all forces (N).
+  Vec3 acceleration(const Vec3 &push) const
+  {
+    return {free(0) ? push.x / mass : 0.0, free(1) ? push.y / mass : 0.0,
+            free(2) ? push.z / mass : 0.0};
+  }
 };
 
 // Where a ring is and how it got there.
@@ -113,6 +133,50 @@ struct RingPlace {
   double angle = 0.0;             // rad, turned about its axis
   double tilt[2] = {0.0, 0.0};    // rad, rotation vector from the bearing axis to e
 };
+
+inline Vec3 RingProgram::support_force(const RingPlace &r) const
+{
+  const Vec3 d = r.x - r.origin;
+  return {-(support[0].stiffness * d.x + support[0].damping * r.v.x),
+          -(support[1].stiffness * d.y + support[1].damping * r.v.y),
+          -(support[2].stiffness * d.z + support[2].damping * r.v.z)};
+}
+
+inline Vec3 RingProgram::support_moment(const RingPlace &r, double rate_1, double rate_2) const
+{
+  const Support &first = support[TILT], &second = support[TILT + 1];
+  return {-(first.stiffness * r.tilt[0] + first.damping * rate_1),
+          -(second.stiffness * r.tilt[1] + second.damping * rate_2), 0.0};
+}
+
+inline double RingProgram::support_energy(const RingPlace &r) const
+{
+  const Vec3 d = r.x - r.origin;
+  const double moved[] = {d.x, d.y, d.z, r.tilt[0], r.tilt[1]};
+  double sum = 0.0;
+  for (int k = 0; k < SPIN; ++k) sum += 0.5 * support[k].stiffness * moved[k] * moved[k];
+  return sum;
+}
+
+inline double RingProgram::support_loss(const RingPlace &r, double rate_1, double rate_2) const
+{
+  const double rate[] = {r.v.x, r.v.y, r.v.z, rate_1, rate_2};
+  double sum = 0.0;
+  for (int k = 0; k < SPIN; ++k) sum += support[k].damping * rate[k] * rate[k];
+  return sum;
+}
+
+// Springs and dampers of velocity Verlet at the end of its step, whose velocities are half a step
+// behind (half, s; 0 where they are not). `push` (N) is everything else. A damper is implicit, so it
+// sets no limit to the step: v = v_half + half (push - K d - C v)/m.
+inline double verlet_support(const Support &on, double displacement, double behind, double push,
+                             double inertia, double half)
+{
+  const double spring = -on.stiffness * displacement;
+  const double rate =
+      (behind + half * (push + spring) / inertia) / (1.0 + half * on.damping / inertia);
+  return spring - on.damping * rate;
+}
 
 // As velocity Verlet carries it: the host's atom.
 struct RingAtom : RingPlace {

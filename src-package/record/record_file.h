@@ -23,7 +23,7 @@ class RecordFile {
   // A row is its kind, its place in the layout (a contact's is raceway * balls + ball) and its
   // values; a sample ends with its time and step.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
-  enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::TORQUE + 1 - of_ring::X };
+  enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
   static constexpr size_t share = sizeof(BallShare) / sizeof(double);
 
   RecordFile(const RecordLayout &, const Content &);

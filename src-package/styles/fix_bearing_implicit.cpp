@@ -73,6 +73,7 @@ int FixBearingImplicit::setmask() { return INITIAL_INTEGRATE; }
 void FixBearingImplicit::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/implicit");
+  gravity_.clear();
   check_fixes();
   find_rings();
   instants_ = Instants();
@@ -126,6 +127,10 @@ void FixBearingImplicit::check_fixes()
   for (int k = 0; k < modify->nfix; ++k) {
     const Fix &f = *modify->fix[k];
     if (strncmp(f.style, "bearing/", 8) == 0) continue;    // ours: the step knows what they do
+    if (strcmp(f.style, "gravity") == 0) {
+      add_gravity(*modify->fix[k]);
+      continue;
+    }
     const char *does = f.time_integrate                ? "moves them too"
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not see"
@@ -134,6 +139,36 @@ void FixBearingImplicit::check_fixes()
       BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id +
               " (" + f.style + "), which " + does);
   }
+}
+
+// Gravity is the same for all bodies of a bearing, or the step would not know where it acts.
+void FixBearingImplicit::add_gravity(Fix &f)
+{
+  int inside = 0;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & groupbit) inside |= atom->mask[i] & f.groupbit ? 1 : 2;
+  MPI_Allreduce(MPI_IN_PLACE, &inside, 1, MPI_INT, MPI_BOR, world);
+  if (inside == 3)
+    BRG_ALL(std::string("fix ") + id + " bearing/implicit: fix " + f.id +
+            " (gravity) pulls some atoms of its group, but not all of them");
+  if (inside == 1) gravity_.push_back(&f);
+}
+
+// m/s^2 in this step, the bearing axis third: what the fixes do to an atom. All ranks ask, since a
+// variable may be evaluated.
+raceway::Vec3 FixBearingImplicit::gravity()
+{
+  if (gravity_.empty()) return {};
+  const size_t n = 3 * static_cast<size_t>(atom->nlocal);
+  if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
+  raceway::Vec3 fall;
+  int one = 0;
+  while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
+  if (one < atom->nlocal) fall.to(atom->f[one]);
+  for (Fix *f : gravity_) f->post_force(0);
+  if (one < atom->nlocal) fall = raceway::Vec3::from(atom->f[one]) * (1.0 / atom->rmass[one]);
+  if (n > 0) std::copy(forces_.begin(), forces_.end(), &atom->f[0][0]);
+  return raceway::LabAxes{pair_->axis_index()}.third(fall);
 }
 
 void FixBearingImplicit::setup(int)
@@ -196,7 +231,9 @@ void FixBearingImplicit::initial_integrate(int)
   bearing::BearingParts &bearings = solver_->bearings;
   std::vector<Part> &parts = solver_->parts;
   bearings.gather();
+  const raceway::Vec3 fall = gravity();
   for (int p = 0; p < bearings.size(); ++p) {
+    parts[p].bearing->set_gravity(fall);
     const std::vector<raceway::BearingModel::Ring> &rings = bearings.model(p).rings;
     for (size_t k = 0; k < rings.size(); ++k)
       if (rings[k].mover >= 0)
@@ -300,9 +337,9 @@ void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell)
       for (int r = 0; r < static_cast<int>(m.rings.size()); ++r) {
         const raceway::BearingInstants::Ring &now = at.ring(k, r);
         bearing::InstantRing ring;
-        bearing::ring_values(
-            {static_cast<double>(m.rings[r].tag), now.pose, now.pose.spin, now.force, now.moment},
-            axes, ring.of);
+        bearing::ring_values({static_cast<double>(m.rings[r].tag), now.pose, now.pose.spin,
+                              now.force, now.moment, now.acceleration},
+                             axes, ring.of);
         tell.ring(ring);
       }
   }

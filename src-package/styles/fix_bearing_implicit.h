@@ -47,6 +47,8 @@ class FixBearingImplicit : public Fix {
   struct Part;
 
   void check_fixes();
+  void add_gravity(Fix &);
+  raceway::Vec3 gravity();
   void find_rings();
   void build();
   void begin_energy();
@@ -60,6 +62,8 @@ class FixBearingImplicit : public Fix {
   double largest_ = HUGE_VAL;    // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
+  std::vector<Fix *> gravity_;             // that pull all atoms of the group
+  std::vector<double> forces_;             // kept while these are asked
   std::unique_ptr<Solver> solver_;
   int build_ = -1;
   // of the bearings at home here, since the start of the run

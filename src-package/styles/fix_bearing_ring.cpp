@@ -20,6 +20,7 @@ using raceway::Freedom;
 using raceway::RingAtom;
 using raceway::RingProgram;
 using raceway::RingValue;
+using raceway::Support;
 using raceway::Vec3;
 
 FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
@@ -89,10 +90,20 @@ void FixBearingRing::read_freedom(Arguments &args, const std::string &name, int 
     value_[dof] = DrivenValue::read(args, name, true);
 }
 
+static const char *const lab[] = {"x", "y", "z"}, *const turn[] = {"rx", "ry", "rz"};
+
+// A displacement or a tilt by its name.
+int FixBearingRing::read_direction(Arguments &args) const
+{
+  std::vector<std::string> names(RingProgram::SPIN);
+  for (int k = 0; k < 3; ++k) names[k] = lab[axes_.lab_axis(k)];
+  for (int k = 0; k < 2; ++k) names[RingProgram::TILT + k] = turn[axes_.lab_axis(k)];
+  return args.choice("support", names);
+}
+
 void FixBearingRing::parse(int narg, char **arg)
 {
   Arguments args(lmp, std::string("fix ") + id + " bearing/ring", narg, arg, 3);
-  static const char *lab[] = {"x", "y", "z"}, *turn[] = {"rx", "ry", "rz"};
   const int across[] = {axes_.lab_axis(0), axes_.lab_axis(1)};
   int number[3];    // of a lab axis, with the bearing axis third
   for (int k = 0; k < 3; ++k) number[axes_.lab_axis(k)] = k;
@@ -136,15 +147,29 @@ void FixBearingRing::parse(int narg, char **arg)
     } else if (args.take("unbalance")) {
       program_.unbalance.moment = args.non_negative("unbalance (kg m)");
       program_.unbalance.phase = args.number("phase of the unbalance (rad)");
+    } else if (args.take("support")) {
+      const int dof = read_direction(args);
+      Support &on = program_.support[dof];
+      on.stiffness = args.within("stiffness of the support", 0.0, 1e15);
+      on.damping = args.within("damping of the support", 0.0, 1e12);
+      if (on.stiffness == 0.0 && on.damping == 0.0)
+        args.fail("a support with neither stiffness nor damping");
+      program_.supported = true;
     } else if (args.take("ramp")) {
       program_.ramp = args.non_negative("ramp time (s)");
     } else {
       args.unknown(std::string("x, y, z, ") + turn[across[0]] + ", " + turn[across[1]] +
-                   ", spin, mass, inertia, force, moment, rotating, unbalance, ramp");
+                   ", spin, mass, inertia, force, moment, rotating, unbalance, support, ramp");
     }
   }
   if (program_.unbalance.moment > 0.0 && program_.mode[RingProgram::SPIN] != Freedom::speed)
     args.fail("unbalance needs 'spin speed W': the mass off centre turns with an imposed spin");
+  for (int k = 0; k < RingProgram::SPIN; ++k)
+    if ((program_.support[k].stiffness > 0.0 || program_.support[k].damping > 0.0) &&
+        !program_.free(k)) {
+      const std::string name = k < 3 ? lab[axes_.lab_axis(k)] : turn[axes_.lab_axis(k - 3)];
+      args.fail("'support " + name + "' needs '" + name + " free'");
+    }
   for (int k = 0; k < 3; ++k)
     if (program_.free(number[k]) && program_.mass == 0.0)
       args.fail(std::string(lab[k]) + " free needs 'mass M'");
@@ -199,6 +224,8 @@ void FixBearingRing::setup(int vflag)
       }
     }
   post_force(vflag);
+  hold(0.0);
+  note_accelerations();
 }
 
 // Numbers and equal-style variables.
@@ -351,14 +378,49 @@ void FixBearingRing::post_force(int)
     }
 }
 
+// The supports' share of force and moment, when all other forces are there. Velocities are `half`
+// seconds behind.
+void FixBearingRing::hold(double half)
+{
+  if (!program_.supported) return;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i)) hold(i, program_, half);
+}
+
+void FixBearingRing::hold(int i, const RingProgram &p, double half)
+{
+  const RingAtom r = read(i);
+  const Vec3 d = r.x - r.origin, push = axes_.third(Vec3::from(atom->f[i])),
+             moment = axes_.third(Vec3::from(atom->torque[i])), across = r.w - r.e * dot(r.w, r.e);
+  const double moved[] = {d.x, d.y, d.z, r.tilt[0], r.tilt[1]},
+               rate[] = {r.v.x, r.v.y, r.v.z, across.x, across.y},
+               other[] = {push.x, push.y, push.z, moment.x, moment.y};
+  double on[RingProgram::SPIN] = {};
+  for (int k = 0; k < RingProgram::SPIN; ++k)
+    if (p.free(k))
+      on[k] = verlet_support(p.support[k], moved[k], rate[k], other[k], p.inertia_of(k), half);
+  axes_.lab(Vec3{on[0], on[1], on[2]}).add_to(atom->f[i]);
+  axes_.lab(Vec3{on[3], on[4], 0.0}).add_to(atom->torque[i]);
+}
+
 Vec3 FixBearingRing::load_of(const RingProgram &p, int i) const
 {
   return p.force_at(1.0, state_->ring(i).angle);
 }
 
+void FixBearingRing::note_accelerations()
+{
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i))
+      state_->ring(i).acceleration =
+          axes_.lab(program_.acceleration(axes_.third(Vec3::from(atom->f[i]))));
+}
+
 void FixBearingRing::final_integrate()
 {
+  hold(by_another_ ? 0.0 : 0.5 * update->dt * force->ftm2v);
   if (!by_another_) kick();
+  note_accelerations();
   reported_ = -1;    // a variable may have asked in the middle of the step
 }
 
@@ -382,7 +444,10 @@ void FixBearingRing::gather_reports()
     raceway::tilt_of(axes_.third(ring.axis), r + TILT1);
     r[SPIN] = dot(w, ring.axis);
     r[ANGLE] = ring.angle;
-    axes_.lab(load_of(at_end(i), i)).to(r + LOAD_X);
+    const RingProgram p = at_end(i);
+    axes_.lab(load_of(p, i)).to(r + LOAD_X);
+    if (p.supported) axes_.lab(p.support_force(read(i))).to(r + SUPPORT_X);
+    ring.acceleration.to(r + AX);
     const auto contact =
         std::lower_bound(contacts_.begin(), contacts_.end(), atom->tag[i],
                          [](const ContactLoad &c, bearing::tag_t tag) { return c.ring < tag; });

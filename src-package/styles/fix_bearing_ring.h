@@ -62,6 +62,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   };
   void parse(int, char **);
   void read_freedom(bearing::Arguments &, const std::string &name, int dof);
+  int read_direction(bearing::Arguments &) const;
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
@@ -72,6 +73,9 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
   void kick();
+  void hold(double half);
+  void hold(int i, const RingProgram &, double half);
+  void note_accelerations();
   void gather_reports();
 
   PairBearingHertz *pair_;

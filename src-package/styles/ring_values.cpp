@@ -22,6 +22,7 @@ void ring_values(const RingView &r, const raceway::LabAxes &axes, double *of)
   const Vec3 moment = axes.lab(r.moment);
   moment.to(of + of_ring::MX);
   of[of_ring::TORQUE] = dot(moment, axes.lab(r.place.e));
+  axes.lab(r.acceleration).to(of + of_ring::AX);
 }
 
 void ring_values(const Atom &atom, PairBearingHertz &pair, int n, double *of)
@@ -33,7 +34,8 @@ void ring_values(const Atom &atom, PairBearingHertz &pair, int n, double *of)
   raceway::RingPlace place;
   read_place(atom, i, ring, axes, place);
   ring_values({static_cast<double>(atom.tag[i]), place, dot(Vec3::from(atom.omega[i]), ring.axis),
-               axes.third(rings.force(n)), axes.third(rings.torque(n))},
+               axes.third(rings.force(n)), axes.third(rings.torque(n)),
+               axes.third(ring.acceleration)},
               axes, of);
 }
 

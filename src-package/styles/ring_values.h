@@ -18,10 +18,10 @@ struct RingView {
   double tag;
   const raceway::RingPlace &place;
   double spin;    // rad/s, about its own axis
-  raceway::Vec3 force, moment;
+  raceway::Vec3 force, moment, acceleration;
 };
 
-// of[of_ring::RING] to of[of_ring::TORQUE] (contacts/bearing_columns.h).
+// of[of_ring::RING] to of[of_ring::AZ] (contacts/bearing_columns.h).
 void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 
 // The same of the n-th ring of this rank in the pair style's RingSum.

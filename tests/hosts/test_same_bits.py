@@ -28,6 +28,7 @@ SCENES = {
     "no cage": {"scene": "inputs/in.nocage"},
     "axial": {"scene": "inputs/in.axial", "quiet": "slow_ring"},
     "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
+    "supports and gravity": {"scene": "tests/scenarios/in.support", "quiet": "ring", "fall": 9.81},
     "velocity Verlet": {
         "scene": "inputs/in.6208",
         "integrator": "verlet",

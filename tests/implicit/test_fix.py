@@ -201,7 +201,7 @@ def test_other_integrators_and_forces_are_refused(tmp_path):
     text = (ROOT / CASE).read_text()
     for line, message in (
         ("fix nve moving nve/sphere", "moves them too"),
-        ("fix g all gravity 9.81 vector 0 0 -1", "adds forces"),
+        ("fix g all addforce 1.0 0 0", "adds forces"),
         ("fix again moving bearing/implicit", "both move atom"),
     ):
         deck.write_text(text.replace("neigh_modify", line + "\nneigh_modify", 1))

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A ring on supports, under gravity, against damped oscillators in closed form."""
+
+import re
+
+import numpy as np
+import pytest
+from host import ROOT, liggghts, succeed
+
+DECK = "tests/scenarios/in.support"
+MASS, ACROSS = 0.5, 2.5e-4
+# column of ring.dat: load, inertia, stiffness, damping
+DIRECTIONS = {
+    "x": (200.0, MASS, 1e8, 2000.0),
+    "y": (1000.0, MASS, 2e8, 0.0),
+    "z": (-400.0, MASS, 5e7, 3000.0),
+    "rx": (2.0, ACROSS, 4e4, 0.5),
+    "ry": (-1.0, ACROSS, 2e4, 0.0),
+}
+FALL = np.array([1.0, -1.0, 0.5]) / 1.5  # direction of the deck's gravity
+MOVERS = {"implicit": {}, "verlet": {"mover": "moving nve/sphere", "show": "time"}}
+
+
+def swing(t, load, inertia, stiffness, damping):
+    """Displacement and its second derivative at t (s) after a load from rest."""
+    free = np.sqrt(stiffness / inertia)
+    ratio = damping / (2 * np.sqrt(stiffness * inertia))
+    root = -ratio * free + 1j * free * np.sqrt(1 - ratio**2)
+    part = load / stiffness * np.exp(root * t) * root.conjugate() / (root - root.conjugate())
+    return load / stiffness + 2 * part.real, 2 * (part * root**2).real
+
+
+@pytest.mark.parametrize("fall", [0, 9.81])
+@pytest.mark.parametrize("mover", MOVERS)
+def test_free_decay(tmp_path, mover, fall):
+    succeed(DECK, out=tmp_path, fall=fall, **MOVERS[mover])
+    names = (tmp_path / "ring.dat").read_text().splitlines()[0].split()[1:]
+    data = dict(zip(names, np.loadtxt(tmp_path / "ring.dat").T))
+    t = data["step"] * 1e-6
+    weight = dict(zip("xyz", MASS * fall * FALL))
+    for name, (load, *law) in DIRECTIONS.items():
+        want, bend = swing(t, load + weight.get(name, 0.0), *law)
+        assert np.abs(data[name] - want).max() < 1e-3 * np.abs(want).max(), name
+        if name in "xy":
+            # the undamped phase lags by h^2 w^3 t/24 in velocity Verlet: 5e-4 in the displacement
+            assert np.abs(data["a" + name] - bend).max() < 2e-3 * np.abs(bend).max(), name
+
+
+@pytest.mark.parametrize("name", DIRECTIONS)
+def test_frequency_and_damping(name, swings):
+    """The rate of decay and the frequency, from a fit, are those of the springs and dampers."""
+    load, inertia, stiffness, damping = DIRECTIONS[name]
+    free, decay = np.sqrt(stiffness / inertia), damping / (2 * inertia)
+    for data in swings:
+        t, x = data["step"] * 1e-6, data[name] - load / stiffness
+        # x = c cos(w t) + s sin(w t), times the decay: linear in x(t + d) + e^(-2 b d) x(t - d)
+        step = 5
+        before, here, after = x[: -2 * step], x[step:-step], x[2 * step :]
+        (twice, less), *_ = np.linalg.lstsq(np.c_[here, before], after, rcond=None)
+        d = step * (t[1] - t[0])
+        found_decay = -np.log(-less) / (2 * d)
+        found_speed = np.arccos(0.5 * twice / np.sqrt(-less)) / d
+        assert found_speed == pytest.approx(np.sqrt(free**2 - decay**2), rel=1e-3)
+        assert found_decay == pytest.approx(decay, abs=1e-3 * free)
+
+
+@pytest.fixture(scope="module")
+def swings(tmp_path_factory):
+    """Columns of ring.dat of both integrators."""
+    found = []
+    for words in MOVERS.values():
+        folder = tmp_path_factory.mktemp("swing")
+        succeed(DECK, out=folder, **words)
+        names = (folder / "ring.dat").read_text().splitlines()[0].split()[1:]
+        found.append(dict(zip(names, np.loadtxt(folder / "ring.dat").T)))
+    return found
+
+
+@pytest.mark.parametrize("fall", [0, 9.81])
+def test_energy(tmp_path, fall):
+    """Work of load and gravity is heat in the dampers and energy in motion and springs."""
+    text = succeed(DECK, out=tmp_path, fall=fall).text
+    work, lost, stored, rest = map(float, re.findall(r"^ *4000 +(.*)$", text, re.M)[-1].split())
+    assert work == pytest.approx(lost + stored, abs=1e-6 * work)
+    # the integrator has an estimated local error of 0.1 nm a step; springs of 2e8 N/m at 10 um
+    assert abs(rest) < 1e-6 * work
+
+
+def test_momentum(tmp_path):
+    """Force of the supports, load and weight make the acceleration, at every sample."""
+    succeed(DECK, out=tmp_path, fall=9.81)
+    x, y, fx, fy, ax, ay = np.loadtxt(tmp_path / "ring.dat").T[[1, 2, 6, 7, 8, 9]]
+    assert MASS * ax == pytest.approx(fx + 200 + MASS * 9.81 * FALL[0], abs=1e-3)
+    assert MASS * ay == pytest.approx(fy + 1000 + MASS * 9.81 * FALL[1], abs=1e-3)
+    assert fy == pytest.approx(-2e8 * y, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        ("support x 1e8", "damping of the support"),
+        ("support w 1e8 1", "support"),
+        ("support x -1 0", "must be"),
+        ("support x 0 0", "neither stiffness nor damping"),
+        ("x fixed support x 1e8 0", "'support x' needs 'x free'"),
+        ("rx fixed support rx 1e4 0", "'support rx' needs 'rx free'"),
+    ],
+)
+def test_mistakes_are_named(tmp_path, words, says):
+    deck = tmp_path / "in.mistake"
+    text = re.sub(r"x free y free.*&\n.*\n", words + "\n", (ROOT / DECK).read_text())
+    deck.write_text(text)
+    failed = liggghts(deck, out=tmp_path / "out")
+    assert failed.code != 0 and "fix outer bearing/ring" in failed.error and says in failed.error
+
+
+def test_gravity_pulls_all_or_none(tmp_path):
+    deck = tmp_path / "in.part"
+    text = (ROOT / DECK).read_text().replace("fix weight all", "fix weight moving")
+    deck.write_text(text)
+    failed = liggghts(deck, out=tmp_path / "out", fall=9.81)
+    assert failed.code != 0 and "pulls some atoms of its group, but not all" in failed.error
