@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
-from raceway.theory import makers
+from raceway.theory import life, makers
 from raceway.theory.bearing import Bearing
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
@@ -88,15 +88,20 @@ def bearing(path: FilePath) -> Bearing:
         raise InputError(f"{path}: {error}") from None
 
 
+def nominal_angle(path: FilePath) -> float:
+    """Contact angle (rad) of a file of inputs/bearings, 0 where it states none. Raises
+    `InputError`."""
+    if "contact_angle" not in values(path):
+        return 0.0
+    return math.radians(_numbers(path, "contact_angle")["contact_angle"])
+
+
 def _radii(path):
     """Raceways and grooves from the usual data, as inputs/modules/bearing.usual has them (m)."""
     pitch, ball, inner, outer = _numbers(
         path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
     ).values()
-    angle = (
-        _numbers(path, "contact_angle")["contact_angle"] if "contact_angle" in values(path) else 0
-    )
-    cosine, radius = math.cos(math.radians(angle)), ball / 2
+    cosine, radius = math.cos(nominal_angle(path)), ball / 2
     inner, outer = inner * ball, outer * ball
     return {
         "inner_radius": pitch / 2 - inner + (inner - radius) * cosine,
@@ -118,6 +123,27 @@ def boundary(path: FilePath) -> makers.Boundary | None:
         return makers.Boundary(1e3 * bore, 1e3 * outside, 1e3 * width, series, static)
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None
+
+
+def ratings(path: FilePath) -> life.Ratings | None:
+    """`life.Ratings` of a file of inputs/bearings, None when it does not state both load ratings.
+    Raises `InputError` for a rating that is none."""
+    names = ("basic_dynamic_load", "basic_static_load")
+    if not values(path).keys() >= set(names):
+        return None
+    numbers = _numbers(path, *names)
+    for name, value in numbers.items():
+        if not 0 < value < math.inf:
+            raise InputError(f"{path}: {name} = {value:g} N must be above 0")
+    estimate = life.ratings(*numbers.values(), 2 * bearing(path).pitch_radius)
+    if "fatigue_load_limit" in values(path):
+        limit = _numbers(path, "fatigue_load_limit")["fatigue_load_limit"]
+        if not 0 < limit < numbers["basic_static_load"]:
+            raise InputError(
+                f"{path}: fatigue_load_limit = {limit:g} N must lie between 0 and the static rating"
+            )
+        return estimate._replace(fatigue=limit)
+    return estimate
 
 
 def shoulders(path: FilePath) -> Shoulders:

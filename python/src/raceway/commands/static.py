@@ -8,6 +8,7 @@ import math
 
 from raceway.commands import Commands
 from raceway.commands.quantity import angle, number, takes_negative
+from raceway.theory.cleanliness import CLEANLINESS
 
 HELP = "loads, tilt, film and capacitance from theory, without a simulation"
 DESCRIPTION = """\
@@ -150,6 +151,13 @@ def add(commands: Commands) -> None:
         default="paper",
         help="paper: as the publication; full: film in the gap, inlet shear, friction torque",
     )
+    one.add_argument(
+        "--cleanliness",
+        choices=CLEANLINESS,
+        default="normal",
+        metavar="WORD",
+        help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
+    )
     one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
     one.set_defaults(command=run, complain=one.error)
 
@@ -185,6 +193,7 @@ def run(arguments: argparse.Namespace) -> None:
         exact_circle=arguments.exact_circle,
         models=arguments.models,
         temperature=arguments.temperature,
+        cleanliness=arguments.cleanliness,
     )
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
 

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.rows import Row, lines, row
-from raceway.theory import clearance, friction_torque, makers, validity
+from raceway.theory import clearance, friction_torque, life, makers, validity
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
@@ -65,6 +65,15 @@ TOPICS = {
         row("p_max_inner_Pa"),
         row("p_max_outer_Pa"),
         Row("angle_max_rad", "largest contact angle", "°", "of loaded balls"),
+    ),
+    "Rating life": (
+        Row("static_safety", "static safety", "", "(4.2 GPa/p)^3, ISO 76"),
+        Row("equivalent_load_N", "equivalent load", "N", "ISO/TS 16281"),
+        Row("life_reference_Mrev", "reference life, 10^6 turns", "", "ISO/TS 16281"),
+        Row("life_reference_h", "reference life, hours", "", "90 % survive"),
+        Row("viscosity_ratio", "viscosity ratio kappa", "", "ISO 281"),
+        Row("life_factor", "life modification factor", "", "a_ISO of ISO 281"),
+        Row("life_modified_h", "modified reference life, hours", "", "a_ISO L_10r"),
     ),
     "Film at the largest inner load": (
         row("viscosity_Pa_s"),
@@ -122,6 +131,7 @@ def figures(
     exact_circle: bool = False,
     models: str = "paper",
     temperature: float | None = None,
+    cleanliness: str = "normal",
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
@@ -129,8 +139,9 @@ def figures(
     (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
     inner ring and the load along x. What is not `held` is free. `models` is one of `MODELS`: "full"
     has the film in the gap, inlet shear and the friction torque. `temperature` of the lubricant is
-    in degrees C, its file's unless given. Raises `RacewayError`: `NoEquilibrium`, or `InputError`
-    for a data file; `ValueError` for other models.
+    in degrees C, its file's unless given. `cleanliness` is a word of `cleanliness.CLEANLINESS`.
+    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
+    models or another word.
     """
     path = catalogue.find("bearings", bearing, folder)
     if models not in MODELS:
@@ -177,6 +188,7 @@ def figures(
     )
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
     result.update(_loads(state))
+    result.update(_life(path, body, state, rpm, fluid, cleanliness))
     films = None
     if oil is not None and spin:
         films = lubricate(body, state, oil, spin, clearance, film and film.factor)
@@ -286,6 +298,36 @@ def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load,
         losses_W=found.parts,
         asperity_share=found.asperity_share[0, top],
     )
+
+
+def _life(path, body, state, rpm, fluid, cleanliness):
+    """Static safety, and the life of a bearing whose file states its load ratings."""
+    pressure = max(state.inner.pressure.max(), state.outer.pressure.max())
+    result = dict(static_safety=life.static_safety(pressure))
+    rated, nominal = inputs.ratings(path), inputs.nominal_angle(path)
+    if rated is None:
+        return result
+    viscosity = None if fluid is None or math.isnan(fluid.kinematic) else fluid.kinematic
+    found = life.of_loads(
+        body,
+        rated,
+        state.inner.load,
+        state.outer.load,
+        angle=nominal,
+        rpm=rpm,
+        viscosity=viscosity,
+        cleanliness=cleanliness,
+    )
+    result.update(equivalent_load_N=found.equivalent, life_reference_Mrev=found.reference)
+    if rpm:
+        result.update(life_reference_h=found.reference * 1e6 / (60 * abs(rpm)))
+    if not math.isnan(found.factor):
+        result.update(
+            viscosity_ratio=found.viscosity_ratio,
+            life_factor=found.factor,
+            life_modified_h=found.modified * 1e6 / (60 * abs(rpm)),
+        )
+    return result
 
 
 def _ring(state, load, axial, moment, held, play, reach):

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How clean a lubricant is, for the rating life: the words of ISO 281 and what they stand for."""
+
+from collections.abc import Mapping
+
+# e_C of ISO 281:2007, table 13: pitch diameters below 100 mm, and from there on
+CLEANLINESS: Mapping[str, tuple[tuple[float, float], tuple[float, float]]] = {
+    "extreme": ((1.0, 1.0), (1.0, 1.0)),
+    "high": ((0.6, 0.8), (0.8, 0.9)),
+    "normal": ((0.5, 0.6), (0.6, 0.8)),
+    "slight": ((0.3, 0.5), (0.4, 0.6)),
+    "typical": ((0.1, 0.3), (0.2, 0.4)),
+    "severe": ((0.0, 0.1), (0.0, 0.1)),
+    "very severe": ((0.0, 0.0), (0.0, 0.0)),
+}
+
+
+def contamination(cleanliness: str, pitch_diameter: float) -> float:
+    """e_C, the middle of the range of a word of `CLEANLINESS`; `pitch_diameter` in m. Raises
+    `ValueError` for another word."""
+    if cleanliness not in CLEANLINESS:
+        raise ValueError(f"cleanliness '{cleanliness}' is none of {', '.join(CLEANLINESS)}")
+    return sum(CLEANLINESS[cleanliness][pitch_diameter >= 0.1]) / 2
