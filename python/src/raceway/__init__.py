@@ -50,6 +50,7 @@ NAMES = {
     "columns": "runs.columns",
     "dump": "runs.dump",
     "electrical": "runs.electrical",
+    "envelope": "runs.envelope",
     "losses": "runs.losses",
     "regimes": "runs.regimes",
     "spectrum": "runs.spectrum",

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from raceway.commands import Commands
+from raceway.commands.quantity import number
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
@@ -18,12 +19,18 @@ if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
 DESCRIPTION = """\
 Spectrum of a column of rings.dat, and where the kinematic lines are in it. Measure enough ball
 passes: -var passes 40 separates all lines but FTF; the record must hold more than five periods of a
-line."""
+line.
+
+--envelope takes the spectrum of the signal's envelope, in a band around a resonance: the rate at
+which flaws strike it, with the sidebands of the shaft and the cage.
+
+The last column compares with the run's own cage speed, which slips."""
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var passes 40 -var out build/run/long
   raceway spectrum build/run/long --signal x --out spectrum.png
   raceway spectrum build/run/long --signal capacitance --harmonics 5 --json
+  raceway spectrum build/run/long --signal ay --envelope --band 2000 8000
 
 Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command line."""
 
@@ -54,19 +61,44 @@ def add(commands: Commands) -> None:
         metavar="DEG",
         help="contact angle of the kinematics (default 0)",
     )
+    one.add_argument(
+        "--envelope", action="store_true", help="of the signal's envelope, with sidebands"
+    )
+    one.add_argument(
+        "--band",
+        type=number(1e-3, 1e8, "Hz"),
+        nargs=2,
+        metavar=("LOW", "HIGH"),
+        help="of the envelope, hertz (default: the most impulsive one)",
+    )
     one.add_argument("--json", action="store_true", help="a JSON list instead of a table")
     one.add_argument("--out", metavar="PNG", help="draw the spectrum with its lines marked")
-    one.set_defaults(command=run)
+    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the lines of the run and draw them when asked."""
     import raceway
+    from raceway.runs import envelope
     from raceway.runs.spectrum import lines, of_run
 
+    if arguments.band and not arguments.envelope:
+        arguments.complain("--band: of an envelope; give --envelope")
+    if arguments.band and not arguments.band[0] < arguments.band[1]:
+        arguments.complain(f"--band: {arguments.band[0]:g} Hz must be below {arguments.band[1]:g}")
     opened = raceway.open(arguments.folder)
-    spectrum = of_run(opened, arguments.signal)
-    found = lines(opened, spectrum, arguments.harmonics, math.radians(arguments.angle))
+    spectrum = (
+        envelope.of_run(opened, arguments.signal, arguments.band)
+        if arguments.envelope
+        else of_run(opened, arguments.signal)
+    )
+    found = lines(
+        opened,
+        spectrum,
+        arguments.harmonics,
+        math.radians(arguments.angle),
+        sidebands=arguments.envelope,
+    )
     if arguments.out:
         # matplotlib takes longer to load than a spectrum to compute
         from raceway.pictures.spectrum import picture
@@ -82,23 +114,27 @@ def run(arguments: argparse.Namespace) -> None:
 def table(spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
     """The `Line`s `found` in `spectrum` as text."""
     unit, resolution = spectrum.attrs["units"], spectrum.attrs["resolution"]
-    rows = [
-        f"{spectrum.attrs['long_name']}; resolution {prefixed(resolution, 'Hz', 3)}",
+    rows = [f"{spectrum.attrs['long_name']}; resolution {prefixed(resolution, 'Hz', 3)}"]
+    if "band" in spectrum.attrs:
+        low, high = spectrum.attrs["band"]
+        rows.append(f"band {prefixed(low, 'Hz')} to {prefixed(high, 'Hz')}")
+    rows += [
         "",
         (
-            f"  {'line':<8}{'order':>9}{'kinematics':>14}"
-            f"{'found':>12}{'difference':>12}{'amplitude':>12}"
+            f"  {'line':<14}{'order':>9}{'kinematics':>14}"
+            f"{'found':>12}{'difference':>12}{'amplitude':>12}{'to cage':>10}"
         ),
     ]
     for line in found:
         name = line.name if line.harmonic == 1 else f"{line.name} x{line.harmonic}"
-        start = f"  {name:<8}{line.order:>9.4f}{line.expected:>11.4f} Hz"
+        start = f"  {name:<14}{line.order:>9.4f}{line.expected:>11.4f} Hz"
+        slip = "" if math.isnan(line.by_cage) else f"{line.found / line.by_cage - 1:>+10.4%}"
         rows.append(
             f"{start}  {line.note}"
             if line.note
             else (
                 f"{start}{line.found:>9.4f} Hz{line.difference:>+10.4%} "
-                f" {prefixed(line.amplitude, unit, 3):>12}"
+                f" {prefixed(line.amplitude, unit, 3):>12}{slip}"
             )
         )
     return "\n".join(rows)

@@ -41,6 +41,8 @@ def _loads(tables):
     if load is None:
         return [f"{prefixed(tables.settings['load_N'], 'N')} radial"]
     largest = max(load.radial, abs(load.axial))
+    if largest == 0.0:
+        return ["no load"]
     parts = (
         (load.radial, "turning radial load" if load.turns else "radial"),
         (load.axial, "axial"),
@@ -48,7 +50,7 @@ def _loads(tables):
     return [
         f"{prefixed(value, 'N', 3).replace('-', '−')} {name}"
         for value, name in parts
-        if abs(value) > LITTLE * largest or largest == 0.0
+        if abs(value) > LITTLE * largest
     ]
 
 

@@ -22,6 +22,11 @@ DECADES = 6  # shown below the strongest line
 ROOM = 9.0  # on the axis of amplitudes, for a row of labels
 
 
+def of_flaw(line: Line) -> str:
+    """The line that a sideband belongs to, or its own name."""
+    return line.name.split("+")[0].split("-")[0]
+
+
 def levels(places: Sequence[float], width: float) -> list[int]:
     """For labels at `places`, each `width` wide, rows (0, 1 ...) in which none covers another."""
     ends, rows = [], dict.fromkeys(places, 0)
@@ -62,7 +67,7 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
         for line in found:
             axes.axvline(
                 line.expected,
-                color=FAINT if line.note else COLOUR[line.name],
+                color=FAINT if line.note else COLOUR[of_flaw(line)],
                 lw=1,
                 zorder=0.5,
                 ls=(0, (1, 2)) if line.note else "-",
@@ -86,7 +91,7 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
                     "o",
                     ms=6,
                     mfc="none",
-                    mec=COLOUR[line.name],
+                    mec=COLOUR[of_flaw(line)],
                     mew=2,
                 )
                 axes.annotate(

@@ -45,6 +45,8 @@ class Line(NamedTuple):
     amplitude: float  # of the peak, or of the spectrum there, in the unit of the signal
     prominence: float  # times the median of the spectrum around it
     note: str  # why nothing was found, or ""
+    # Hz, expected from the run's own cage speed, which slips; NaN where that says nothing
+    by_cage: float = math.nan
 
 
 def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
@@ -84,35 +86,64 @@ def of_run(run: Run, name: str = "shift") -> xr.DataArray:
     Raises `RunError` when the run has no such column, too few samples, or the samples are not
     evenly spaced.
     """
+    result = spectrum(signal_of(run, name), run.settings["sample_s"])
+    result.attrs.update(of_column(name))
+    return result
+
+
+def signal_of(run: Run, name: str) -> np.ndarray:
+    """Samples (N,) of a column of the rings of `run`. Raises `RunError` as `of_run` does."""
     rings, where = run.rings, run.tables.source["rings"]
     if name not in rings:
         raise RunError(f"{where} has no column {name}; it has {', '.join(rings.data_vars)}")
     if rings.sizes["time"] < 32:
         raise RunError(f"{where} has {rings.sizes['time']} samples: a spectrum needs 32")
-    result = spectrum(rings[name], run.settings["sample_s"])
+    return rings[name].to_numpy()
+
+
+def of_column(name: str) -> dict[str, str]:
+    """Unit and meaning of a column of the rings, as attributes."""
     column = RING.get(name)
-    result.attrs.update(
-        units=column.unit if column else "", long_name=column.meaning if column else name
-    )
-    return result
+    return {"units": column.unit if column else "", "long_name": column.meaning if column else name}
 
 
 def expected(
-    bearing: Bearing, shaft: float, angle: float = 0.0, harmonics: int = 3
+    bearing: Bearing,
+    shaft: float,
+    angle: float = 0.0,
+    harmonics: int = 3,
+    sidebands: bool = False,
+    cage: float | None = None,
 ) -> dict[tuple[str, int], tuple[float, float]]:
     """{(name, harmonic): order} and their frequencies in Hz for a shaft at `shaft` Hz: kinematics,
-    balls rolling."""
+    balls rolling. With a `cage` (order of the shaft), FTF, BPFO and BPFI are those of its speed.
+
+    `sidebands` adds those of a flaw that the load or the cage modulates: BPFI with the shaft, the
+    even harmonics of BSF, at which a flaw on a ball strikes, with FTF.
+    """
     of = kinematics.frequencies(bearing, angle)._asdict()
+    if cage is not None:
+        of.update(cage=cage, outer=bearing.balls * cage, inner=bearing.balls * (1 - cage))
     orders = {**{short: of[name] for name, short in NAMES.items()}, SHAFT: 1.0}
-    return {
-        (name, n): (n * order, n * order * abs(shaft))
-        for name, order in orders.items()
-        for n in range(1, harmonics + 1)
+    places = {
+        (name, n): n * order for name, order in orders.items() for n in range(1, harmonics + 1)
     }
+    if sidebands:
+        for n in range(1, harmonics + 1):
+            for sign, shift in (("+", 1.0), ("-", -1.0)):
+                places[f"BPFI{sign}{SHAFT}", n] = n * orders["BPFI"] + shift
+                if n % 2 == 0:
+                    places[f"BSF{sign}FTF", n] = n * orders["BSF"] + shift * orders["FTF"]
+    return {key: (order, order * abs(shaft)) for key, order in places.items()}
 
 
 def lines(
-    run: Run, found_in: xr.DataArray, harmonics: int = 3, angle: float = 0.0, within: float = 0.005
+    run: Run,
+    found_in: xr.DataArray,
+    harmonics: int = 3,
+    angle: float = 0.0,
+    within: float = 0.005,
+    sidebands: bool = False,
 ) -> list[Line]:
     """The kinematic lines of `run` (from `raceway.open`) in its spectrum `found_in`: a list of
     `Line`.
@@ -120,13 +151,16 @@ def lines(
     A line is found where a peak no further than `within` (of the frequency; or a tenth of the
     resolution) stands out of the median around it by a factor of ten, is not 80 dB below the
     strongest, and is nearer to this than to another kinematic line. Kinematics take the run's speed
-    and a contact `angle` in rad; clearance is left out.
+    and a contact `angle` in rad; clearance is left out. `sidebands` as in `expected`.
     """
-    places = expected(run.tables.geometry, run.settings["rpm"] / 60, angle, harmonics)
+    bearing, shaft = run.tables.geometry, run.settings["rpm"] / 60
+    places = expected(bearing, shaft, angle, harmonics, sidebands)
+    slipping = expected(bearing, shaft, angle, harmonics, sidebands, cage_order(run))
     result = []
     for (name, n), (order, hertz) in places.items():
         *numbers, note = find(found_in, hertz, within)
-        line = Line(name, n, *map(float, (order, hertz, *numbers)), note)
+        own = slipping[name, n][1] if "BSF" not in name and name != SHAFT else math.nan
+        line = Line(name, n, *map(float, (order, hertz, *numbers)), note, float(own))
         if not line.note:
             other = min(places, key=lambda key: abs(places[key][1] - line.found))
             if other != (name, n):
@@ -135,6 +169,15 @@ def lines(
                 )
         result.append(line)
     return result
+
+
+def cage_order(run: Run) -> float | None:
+    """Mean speed of the balls about the axis over the shaft's, as the run has it; None where it
+    does not say or has no record."""
+    if not run.tables.record or not run.settings["rpm"]:  # text would be read as a whole
+        return None
+    mean = float(run.bearing["cage_speed"].mean())
+    return mean / (run.settings["rpm"] * math.pi / 30) if math.isfinite(mean) else None
 
 
 def find(

@@ -81,17 +81,16 @@ def reference(
     bearing: Bearing, dynamic: float, inner: ArrayLike, outer: ArrayLike, angle: float = 0.0
 ) -> float:
     """L_10r in 1e6 revolutions, from the loads (N) of the `inner` and `outer` contacts (..., Z) of
-        one or many positions of the balls; the inner ring turns (ISO/TS 16281, eqs 20 to 22).
+    one or many positions of the balls; the inner ring turns (ISO/TS 16281, eqs 20 to 22).
 
-        Raises `ValueError` for a load below 0 or none at all.
+    Raises `ValueError` for a load below 0 or none at all.
 
-        >>> from raceway.theory import static
-        >>> from raceway.theory.bearing import Bearing
-    from raceway.theory.cleanliness import contamination
-        >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
-        >>> rest = static.equilibrium(b, 3000.0)
-        >>> round(reference(b, 32.5e3, rest.inner.load, rest.outer.load), 1)
-        1255.9
+    >>> from raceway.theory import static
+    >>> from raceway.theory.bearing import Bearing
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> rest = static.equilibrium(b, 3000.0)
+    >>> round(reference(b, 32.5e3, rest.inner.load, rest.outer.load), 1)
+    1255.9
     """
     loads = np.asarray(inner, float), np.asarray(outer, float)
     if any((one < 0).any() for one in loads) or not all(one.any() for one in loads):

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Envelope spectra: the rate at which a resonance is struck.
+
+A flaw strikes the structure once a ball pass, and each blow rings at the structure's own frequency.
+The spectrum of the signal shows the ringing. That of its envelope in the resonance's band shows the
+rate of the blows, with the sidebands of what modulates them.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+from scipy import fft, signal
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.runs import spectrum
+from raceway.runs.run import Run
+
+LEVELS = 6  # the narrowest bands are 1/64 of half the sampling rate
+EDGE = 0.05  # of the signal at each end, faded out for the bands and not counted
+ENOUGH = 64  # values of an envelope for its kurtosis
+
+
+class Band(NamedTuple):
+    """A band of frequencies and how impulsive the signal is in it."""
+
+    low: float  # Hz
+    high: float  # Hz
+    kurtosis: float  # of the complex envelope: 0 for noise, large for rare blows
+
+
+def of_values(values: ArrayLike, sample_s: float, low: float, high: float) -> Floats:
+    """Envelope of evenly sampled `values` (N,), `sample_s` apart, in the band `low` to `high` in
+    Hz: (N,), in their unit.
+
+    The magnitude of the analytic signal after a Butterworth filter of order 4, run forwards and
+    backwards, so nothing is delayed. Raises `ValueError` for a band outside 0 to half the sampling
+    rate.
+
+    >>> time = np.arange(8000) / 8000
+    >>> beat = (1 + 0.5 * np.cos(2 * np.pi * 20 * time)) * np.sin(2 * np.pi * 1000 * time)
+    >>> found = of_values(beat, 1 / 8000, 800, 1200)
+    >>> print(f"{found[1000:-1000].max():.2f} {found[1000:-1000].min():.2f}")
+    1.50 0.50
+    """
+    values = np.asarray(values, float)
+    nyquist = 0.5 / sample_s
+    if not 0 < low < high <= nyquist:
+        raise ValueError(f"band {low:g} to {high:g} Hz must lie between 0 and {nyquist:g} Hz")
+    passes = ((low, high), "bandpass") if high < nyquist else (low, "highpass")
+    sections = signal.butter(4, *passes, fs=1 / sample_s, output="sos")
+    return np.abs(signal.hilbert(signal.sosfiltfilt(sections, signal.detrend(values))))
+
+
+def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Band]:
+    """Kurtosis of `values` (N,), `sample_s` apart, in halves, quarters ... of 0 to half the
+    sampling rate; none narrower than `narrowest` in Hz.
+
+    E|x|^4/(E|x|^2)^2 - 2 of the complex envelope x (Antoni, Mech. Syst. Signal Process. 21 (2007)
+    108), with brick-wall bands. The lowest band of each level is left out: slow motion is no blow.
+    """
+    values = signal.detrend(np.asarray(values, float))
+    lines = fft.rfft(values * signal.get_window(("tukey", 2 * EDGE), len(values)))
+    nyquist, found = 0.5 / sample_s, []
+    for level in range(1, LEVELS + 1):
+        width = len(lines) >> level
+        if width < ENOUGH or nyquist / 2**level < narrowest:
+            break
+        for k in range(1, 2**level):
+            power = np.abs(fft.ifft(lines[k * width : (k + 1) * width])) ** 2
+            power = power[int(EDGE * width) : width - int(EDGE * width)]
+            mean = power.mean()
+            if mean > 0:
+                step = nyquist / 2**level
+                found.append(Band(k * step, (k + 1) * step, np.mean(power**2) / mean**2 - 2))
+    return found
+
+
+def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Band:
+    """The most impulsive of `bands`. Raises `ValueError` when there are too few values for any."""
+    found = bands(values, sample_s, narrowest)
+    if not found:
+        raise ValueError(
+            f"{np.size(values)} values, {sample_s:g} s apart, are too few to find a band wider"
+            f" than {narrowest:g} Hz"
+        )
+    return max(found, key=lambda band: band.kurtosis)
+
+
+def of_run(run: Run, name: str, band: tuple[float, float] | None = None) -> xr.DataArray:
+    """`spectrum.spectrum` of the envelope of a column of the rings of `run`, in a `band` (Hz, Hz)
+    or in the most impulsive one that is three times as wide as BPFI; `attrs["band"]` says which.
+
+    Raises `RunError` as `spectrum.of_run` does, and for a band that the sampling does not hold.
+    """
+    values, sample_s = spectrum.signal_of(run, name), run.settings["sample_s"]
+    shaft = abs(run.settings["rpm"]) / 60
+    passes = spectrum.expected(run.tables.geometry, shaft, harmonics=1)["BPFI", 1][1]
+    try:
+        chosen = band or best_band(values, sample_s, 3 * passes)[:2]
+        result = spectrum.spectrum(of_values(values, sample_s, *chosen), sample_s)
+    except ValueError as error:
+        raise RunError(f"{run.tables.source['rings']}: {error}") from None
+    result.attrs.update(spectrum.of_column(name), band=tuple(map(float, chosen)))
+    result.attrs["long_name"] = f"envelope of: {result.attrs['long_name']}"
+    return result

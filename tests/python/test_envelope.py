@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Envelopes of made-up signals: blows at a known rate that ring at a known frequency, in noise."""
+
+import json
+
+import numpy as np
+import pytest
+import raceway
+import synthetic
+from raceway import envelope, kinematics, spectrum
+from raceway.cli import main
+from raceway.errors import RunError
+
+RATE = 48e3
+RING = 7e3  # Hz
+TIME = np.arange(2 * int(RATE)) / RATE
+
+
+def blows(hertz, carrier=None, depth=0.0, loud=1.0):
+    """Decaying 7 kHz, `hertz` times a second, its loudness modulated at `carrier` Hz; (N,)."""
+    total = np.zeros(len(TIME))
+    for when in np.arange(0.3 / hertz, TIME[-1], 1 / hertz):
+        size = loud * (1 + depth * np.cos(2 * np.pi * carrier * when)) if carrier else loud
+        since = TIME - when
+        first = int(np.ceil(when * RATE))
+        last = min(first + 400, len(TIME))
+        s = since[first:last]
+        total[first:last] += size * np.exp(-2e3 * s) * np.sin(2 * np.pi * RING * s)
+    return total
+
+
+@pytest.fixture(scope="module")
+def noisy():
+    """Blows at 107.3 Hz, under a hum ten times as loud and noise half as loud."""
+    noise = np.random.default_rng(3).normal(0, 0.5, len(TIME))
+    return blows(107.3) + 10 * np.sin(2 * np.pi * 50 * TIME) + noise
+
+
+def test_the_band_is_where_it_rings(noisy):
+    low, high, kurtosis = envelope.best_band(noisy, 1 / RATE, narrowest=400)
+    assert low < RING < high and high - low >= 400
+    assert kurtosis > 10 * 2 / np.sqrt(len(TIME) * (high - low) / RATE)  # ten times noise's scatter
+
+
+def test_rate_of_the_blows(noisy):
+    """Known to a thousandth of the resolution of 0.5 Hz in quiet; noise adds some hundredths."""
+    band = envelope.best_band(noisy, 1 / RATE, narrowest=400)
+    one = spectrum.spectrum(envelope.of_values(noisy, 1 / RATE, *band[:2]), 1 / RATE)
+    found = spectrum.find(one, 107.3)
+    assert found[-1] == "" and found[0] == pytest.approx(107.3, abs=0.05)
+    plain = spectrum.spectrum(noisy, 1 / RATE)
+    assert spectrum.find(plain, 107.3)[-1] != ""
+
+
+def test_sidebands_of_what_modulates():
+    """1 + d cos: sidebands of d/2 of the line between them."""
+    signal = blows(160.0, carrier=25.0, depth=0.6)
+    one = spectrum.spectrum(envelope.of_values(signal, 1 / RATE, 5e3, 9e3), 1 / RATE)
+    middle, below, above = (spectrum.find(one, hertz) for hertz in (160.0, 135.0, 185.0))
+    for side in (below, above):
+        assert side[-1] == "" and side[2] / middle[2] == pytest.approx(0.3, rel=0.05)
+
+
+def test_noise_is_not_impulsive():
+    """The kurtosis of N values of noise scatters by 2/sqrt(N): five times that is never reached."""
+    noise = np.random.default_rng(4).normal(size=len(TIME))
+    for band in envelope.bands(noise, 1 / RATE):
+        count = len(TIME) * (band.high - band.low) / RATE
+        assert abs(band.kurtosis) < 10 / np.sqrt(count), band
+
+
+def test_mistakes():
+    with pytest.raises(ValueError, match="band 30000 to 40000 Hz must lie between 0 and 24000 Hz"):
+        envelope.of_values(TIME, 1 / RATE, 3e4, 4e4)
+    with pytest.raises(ValueError, match="100 values, .* too few to find a band"):
+        envelope.best_band(TIME[:100], 1 / RATE)
+
+
+@pytest.fixture(scope="module")
+def struck(tmp_path_factory, lubricated, bearing):
+    """A run whose ring rings at a third of the sampling rate, once a passage over the inner
+    raceway, as loud as the shaft's angle says."""
+    settings = dict(lubricated["settings"], passes=60, samples_per_pass=96)
+    step, shaft = settings["sample_s"] / 4, 477.5 / 60
+    settings["sample_s"] = step
+    order = kinematics.frequencies(bearing).inner
+    time = np.arange(1, 60 * 96 + 1) * step
+    phase = (time * shaft * order) % 1 / (shaft * order)  # s since the last blow
+    loud = 1 + 0.5 * np.cos(2 * np.pi * shaft * time)
+    ring = 1e-7 * loud * np.exp(-phase / (8 * step)) * np.sin(2 * np.pi * phase / (3 * step))
+    rows = [
+        [100 * (k + 1), t, 0, -35e-6 - x] + [0.0] * 4 + [50.0] + [0.0] * 6
+        for k, (t, x) in enumerate(zip(time, ring))
+    ]
+    folder = tmp_path_factory.mktemp("struck") / "run"
+    return synthetic.write(folder, dict(lubricated, rings=rows, settings=settings))
+
+
+def test_of_a_run(struck):
+    run = raceway.open(struck)
+    nyquist = 0.5 / run.settings["sample_s"]
+    one = envelope.of_run(run, "y", (0.5 * nyquist, 0.9 * nyquist))
+    assert one.attrs["units"] == "m" and one.attrs["long_name"].startswith("envelope of: ")
+    found = {(line.name, line.harmonic): line for line in spectrum.lines(run, one, sidebands=True)}
+    assert {"BPFI+shaft", "BPFI-shaft", "BSF+FTF", "BSF-FTF"} <= {name for name, _ in found}
+    for name in ("BPFI", "BPFI+shaft", "BPFI-shaft"):
+        assert found[name, 1].note == "" and abs(found[name, 1].difference) < 2e-3
+    assert found["BPFO", 1].note and found["BSF", 2].note
+    with pytest.raises(RunError, match="rings.dat: band 1 to"):
+        envelope.of_run(run, "y", (1.0, 10 * nyquist))
+
+
+def test_command(struck, capsys, tmp_path):
+    words = ["spectrum", str(struck), "--signal", "y", "--envelope"]
+    assert main([*words, "--out", str(tmp_path / "x.png")]) == 0
+    said = capsys.readouterr().out.splitlines()
+    assert said[0].startswith("envelope of: ") and said[1].startswith("band ")
+    assert (tmp_path / "x.png").stat().st_size > 10_000
+    assert main([*words, "--json"]) == 0
+    assert "BPFI-shaft" in {line["name"] for line in json.loads(capsys.readouterr().out)}
+    with pytest.raises(SystemExit):
+        main(["spectrum", str(struck), "--band", "10", "20"])
+    assert "--band: of an envelope" in capsys.readouterr().err
