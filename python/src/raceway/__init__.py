@@ -16,6 +16,7 @@ __version__ = "0.1.0"
 NAMES = {
     # theory, without a run
     "asperity": "theory.asperity",
+    "beam": "theory.beam",
     "bearing": "theory.bearing",
     "capacitance": "theory.capacitance",
     "cleanliness": "theory.cleanliness",
@@ -39,6 +40,7 @@ NAMES = {
     "makers": "theory.makers",
     "operating_point": "theory.operating_point",
     "rolling": "theory.rolling",
+    "shaft": "theory.shaft",
     "sliding": "theory.sliding",
     "spin": "theory.spin",
     "static": "theory.static",
@@ -59,6 +61,7 @@ NAMES = {
     "catalogue": "catalogue",
     "errors": "errors",
     "inputs": "inputs",
+    "shaft_file": "shaft_file",
     "units": "units",
 }
 __all__ = ["open", *NAMES]

@@ -15,6 +15,7 @@ from raceway.commands import (
     heat,
     paper,
     plot,
+    shaft,
     spectrum,
     static,
     summary,
@@ -29,6 +30,7 @@ examples:
   raceway plot build/run/6208 --kind polar               a picture
   raceway animate build/run/6208                         a film of it
   raceway static --load 2000 --clearance 10e-6           theory, without a run
+  raceway shaft inputs/shafts/motor                     bearings on one shaft
   raceway heat --load 2000 --rpm 3000                    its steady temperature
   raceway sweep points.csv                               many runs, one a row
 
@@ -71,6 +73,18 @@ def _parser():
     )
     parser.add_argument("--version", action="version", version=f"raceway {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    for module in (summary, plot, animate, export, spectrum, static, heat, sweep, gather, paper):
+    for module in (
+        summary,
+        plot,
+        animate,
+        export,
+        spectrum,
+        static,
+        shaft,
+        heat,
+        sweep,
+        gather,
+        paper,
+    ):
         module.add(commands)
     return parser

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway shaft FILE`: a shaft on several bearings at rest."""
+
+import argparse
+import json
+import math
+from typing import Any
+
+from raceway.commands import Commands
+from raceway.theory.cleanliness import CLEANLINESS
+from raceway.units import prefixed
+
+DESCRIPTION = """\
+A shaft on several ball bearings at rest, from theory: loads and tilt of every bearing, its
+rating life, displacements of the shaft. The shaft is a Timoshenko beam, each bearing the statics of
+`raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst)."""
+EXAMPLES = """\
+examples:
+  raceway shaft inputs/shafts/motor
+  raceway shaft inputs/shafts/motor --json
+  raceway shaft inputs/shafts/motor --out build/motor.png
+
+Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
+AXES = ("x", "y", "z", "rx", "ry")
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "shaft",
+        help="loads, tilt and life of bearings on one shaft, without a simulation",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument("file", metavar="FILE", help="YAML file of the shaft")
+    one.add_argument(
+        "--inputs",
+        metavar="DIR",
+        help="the inputs folder (default: here or above, else what comes with raceway)",
+    )
+    one.add_argument(
+        "--cleanliness",
+        choices=CLEANLINESS,
+        default="normal",
+        metavar="WORD",
+        help=f"of the lubricant, for the rating life: {', '.join(CLEANLINESS)} (normal)",
+    )
+    one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
+    one.add_argument("--out", metavar="PNG", help="draw the shaft's displacement")
+    one.set_defaults(command=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the figures and draw when asked. Raises `RacewayError`."""
+    # scipy takes longer to load than --help to print
+    from raceway import shaft_file
+    from raceway.errors import RacewayError
+    from raceway.theory import shaft
+
+    case = shaft_file.read(arguments.file, arguments.inputs)
+    speed = case.rpm * math.pi / 30
+    try:
+        rest = shaft.rest(case.shaft, case.seats, case.loads, speed=speed)
+    except ValueError as error:
+        raise RacewayError(f"{arguments.file}: {error}") from None
+    result = figures(case, rest, arguments.inputs, arguments.cleanliness)
+    if arguments.out:
+        from raceway.pictures.shaft import picture
+
+        picture(case, rest, arguments.out)
+    print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
+
+
+def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[str, Any]:
+    """Figures by name in SI units of a `shaft_file.Case` and its `shaft.Rest`."""
+    from raceway import catalogue, inputs
+    from raceway.theory import life
+
+    viscosity = None
+    if case.lubricant is not None:
+        found = inputs.fluid(catalogue.find("lubricants", case.lubricant, folder)).kinematic
+        viscosity = None if math.isnan(found) else found
+    bearings = []
+    for name, rated, angle, one in zip(case.names, case.ratings, case.angles, rest.bearings):
+        state = one.state
+        largest = max(state.inner.load.max(), state.outer.load.max())
+        pressure = max(state.inner.pressure.max(), state.outer.pressure.max())
+        row = dict(
+            bearing=name,
+            at_m=one.seat.at,
+            **{f"load_{axis}": float(value) for axis, value in zip(AXES, one.load)},
+            **{f"place_{axis}": float(value) for axis, value in zip(AXES, one.place)},
+            tilt_rad=float(math.hypot(*one.place[3:])),
+            q_max_N=float(largest),
+            p_max_Pa=float(pressure),
+            static_safety=float(life.static_safety(pressure)) if pressure else None,
+            stiffness=state.stiffness.tolist(),
+        )
+        if rated is not None and largest > 0:
+            found = life.of_loads(
+                one.seat.bearing,
+                rated,
+                state.inner.load,
+                state.outer.load,
+                angle=angle,
+                rpm=case.rpm,
+                viscosity=viscosity,
+                cleanliness=cleanliness,
+            )
+            row.update(life_reference_Mrev=found.reference, equivalent_load_N=found.equivalent)
+            if case.rpm:
+                row.update(life_reference_h=found.reference * 1e6 / (60 * case.rpm))
+            if not math.isnan(found.factor):
+                row.update(life_factor=found.factor)
+        bearings.append(row)
+    return dict(
+        rpm=case.rpm,
+        lubricant=case.lubricant,
+        bearings=bearings,
+        z_m=rest.z.tolist(),
+        place=rest.place.tolist(),
+        residual=rest.residual,
+    )
+
+
+def table(result: dict[str, Any]) -> str:
+    """The mapping of `figures` as text."""
+    columns = (
+        ("bearing", "bearing", ""),
+        ("at_m", "at", "m"),
+        ("load_x", "F_x", "N"),
+        ("load_y", "F_y", "N"),
+        ("load_z", "F_z", "N"),
+        ("load_rx", "M_x", "N m"),
+        ("load_ry", "M_y", "N m"),
+        ("tilt_rad", "tilt", "rad"),
+        ("q_max_N", "Q max", "N"),
+        ("p_max_Pa", "p max", "Pa"),
+        ("static_safety", "s_0", ""),
+        ("life_reference_h", "L_10r, h", ""),
+        ("life_factor", "a_ISO", ""),
+    )
+    shown = [column for column in columns if any(column[0] in row for row in result["bearings"])]
+    rows = [[heading for _, heading, _ in shown]]
+    rows += [[_cell(row.get(key), unit) for key, _, unit in shown] for row in result["bearings"]]
+    text = ["Bearings", *_block(rows), "", "Shaft"]
+    rows = [["z", "x", "y", "z", "tilt x", "tilt y"]]
+    for z, place in zip(result["z_m"], result["place"]):
+        units = ("m", "m", "m", "rad", "rad")
+        rows.append([prefixed(z, "m"), *map(_cell, place, units)])
+    return "\n".join([*text, *_block(rows)])
+
+
+def _block(rows):
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+
+
+def _cell(value, unit):
+    if value is None:
+        return "-"
+    if isinstance(value, str):
+        return value
+    return "0" if unit and abs(value) < 1e-12 else prefixed(value, unit)

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A shaft with its bearings and loads as a YAML file (`docs/shaft.rst`)."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import yaml
+
+from raceway import catalogue, inputs
+from raceway.files import FilePath
+from raceway.inputs import InputError
+from raceway.theory import life
+from raceway.theory.beam import Section, Steel
+from raceway.theory.shaft import Load, Seat, Shaft
+
+# what a part of the file may have: name: (default or None for needed, least, most)
+NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
+    "file": {"rpm": (0.0, 0.0, 1e5)},
+    "steel": {
+        "young": (210e9, 1e8, 1e13),
+        "poisson": (0.3, 0.0, 0.5),
+        "density": (7800.0, 100.0, 3e4),
+    },
+    "sections": {
+        "length": (None, 1e-6, 100.0),
+        "diameter": (None, 1e-4, 10.0),
+        "bore": (0.0, 0.0, 10.0),
+    },
+    "bearings": {
+        "at": (None, 0.0, 1e3),
+        "clearance": (0.0, -1e-3, 1e-3),
+        "phase": (0.0, -2 * math.pi, 2 * math.pi),
+    },
+    "loads": {"at": (None, 0.0, 1e3)},
+}
+LISTS = {  # name: (length, largest size)
+    "file": {"gravity": (3, 1e3)},
+    "bearings": {"offset": (5, 0.1)},
+    "loads": {"force": (3, 1e7), "moment": (2, 1e6)},
+}
+OTHERS = {
+    "file": ("steel", "sections", "bearings", "loads", "lubricant"),
+    "bearings": ("name", "floating"),
+}
+
+
+class Case(NamedTuple):
+    """What a file says."""
+
+    shaft: Shaft
+    names: list[str]  # of the bearings
+    seats: list[Seat]
+    ratings: list[life.Ratings | None]
+    angles: list[float]  # rad, nominal contact angles
+    loads: list[Load]
+    rpm: float
+    lubricant: str | None
+
+
+def read(path: FilePath, folder: FilePath | None = None) -> Case:
+    """`Case` of the YAML file at `path`; bearings are looked up in the inputs `folder`
+    (`catalogue.find`). Raises `InputError` with the place and the range of what is wrong."""
+    try:
+        data = yaml.safe_load(Path(path).read_text())
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise InputError(f"cannot read {path}: {error}") from None
+    whole = _part(data, str(path), "file")
+    steel = Steel(**_part(whole.get("steel", {}), f"{path}: steel", "steel"))
+    sections = [Section(**one) for one in _parts(whole, path, "sections")]
+    for k, one in enumerate(sections, 1):
+        if one.bore >= one.diameter:
+            raise InputError(
+                f"{path}: sections {k}: bore {one.bore:g} m must be below the diameter"
+                f" {one.diameter:g} m"
+            )
+    names, seats, ratings, angles = [], [], [], []
+    for one in _parts(whole, path, "bearings"):
+        name, floating = one.pop("name", None), one.pop("floating", False)
+        if not isinstance(name, str | int) or not isinstance(floating, bool):
+            raise InputError(
+                f"{path}: bearings {len(seats) + 1}: needs a name, and floating is yes or no"
+            )
+        found = catalogue.find("bearings", str(name), folder)
+        names.append(str(name))
+        seats.append(Seat(bearing=inputs.bearing(found), floating=floating, **one))
+        ratings.append(inputs.ratings(found))
+        angles.append(inputs.nominal_angle(found))
+    loads = [Load(**one) for one in _parts(whole, path, "loads")]
+    return Case(
+        Shaft(sections, steel, whole["gravity"]),
+        names,
+        seats,
+        ratings,
+        angles,
+        loads,
+        whole["rpm"],
+        whole.get("lubricant"),
+    )
+
+
+def _parts(whole: Mapping[str, Any], path: FilePath, kind: str) -> list[dict[str, Any]]:
+    entries = whole.get(kind)
+    if not isinstance(entries, list) or not entries:
+        raise InputError(f"{path}: needs a list of {kind}")
+    return [_part(one, f"{path}: {kind} {k}", kind) for k, one in enumerate(entries, 1)]
+
+
+def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
+    """The numbers of one part of the file, checked, with their defaults."""
+    numbers, lists, others = NUMBERS[kind], LISTS.get(kind, {}), OTHERS.get(kind, ())
+    if not isinstance(data, Mapping):
+        raise InputError(f"{where}: must be names and values")
+    known = [*numbers, *lists, *others]
+    if unknown := [name for name in data if name not in known]:
+        raise InputError(f"{where}: unknown '{unknown[0]}'; known: {', '.join(known)}")
+    result = {name: data[name] for name in others if name in data}
+    for name, (default, least, most) in numbers.items():
+        value = data.get(name, default)
+        if value is None:
+            raise InputError(f"{where}: needs {name}")
+        result[name] = _number(value, f"{where}: {name}", least, most)
+    for name, (length, most) in lists.items():
+        values = data.get(name, [0.0] * length)
+        if not isinstance(values, list) or len(values) != length:
+            raise InputError(f"{where}: {name} must be a list of {length} numbers")
+        result[name] = tuple(_number(one, f"{where}: {name}", -most, most) for one in values)
+    return result
+
+
+def _number(value: Any, what: str, least: float, most: float) -> float:
+    try:
+        number = float(value)  # YAML takes 1e-5 without a point for text
+    except (TypeError, ValueError):
+        number = math.nan
+    if not least <= number <= most:
+        raise InputError(f"{what} is {value}, must be from {least:g} to {most:g}")
+    return number

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Stiffness of a round shaft of straight sections: Timoshenko's beam along z.
+
+A node has five degrees of freedom, as a ring has: x, y, z and the tilts rx, ry. A tilt of the
+cross-section is that of the ring on it, so dx/dz = ry and dy/dz = -rx where nothing shears.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats
+
+FREEDOMS = 5
+
+
+class Section(NamedTuple):
+    """A straight piece of a shaft, m."""
+
+    length: float
+    diameter: float
+    bore: float = 0.0
+
+
+class Steel(NamedTuple):
+    """What a shaft is made of; bearing steel unless given."""
+
+    young: float = 210e9  # Pa
+    poisson: float = 0.3
+    density: float = 7800.0  # kg/m^3
+
+
+STEEL = Steel()
+
+
+def area(section: Section) -> float:
+    """Of the cross-section, m^2."""
+    return np.pi / 4 * (section.diameter**2 - section.bore**2)
+
+
+def second_moment(section: Section) -> float:
+    """Of the cross-section about a diameter, m^4."""
+    return np.pi / 64 * (section.diameter**4 - section.bore**4)
+
+
+def shear_coefficient(section: Section, poisson: float) -> float:
+    """Share of the cross-section that carries shear (Cowper, J. Appl. Mech. 33 (1966) 335).
+
+    >>> round(shear_coefficient(Section(1.0, 0.04), 0.3), 4)
+    0.8864
+    """
+    hollow = (section.bore / section.diameter) ** 2
+    even = (1 + hollow) ** 2
+    return 6 * (1 + poisson) * even / ((7 + 6 * poisson) * even + (20 + 12 * poisson) * hollow)
+
+
+def element(section: Section, steel: Steel = STEEL) -> Floats:
+    """(10, 10) stiffness of a piece between two nodes, N/m, N and N m/rad."""
+    length, bending = section.length, steel.young * second_moment(section)
+    modulus = steel.young / (2 * (1 + steel.poisson))
+    shear = shear_coefficient(section, steel.poisson) * area(section) * modulus
+    soft = 12 * bending / (shear * length**2)
+    k = bending / ((1 + soft) * length**3)
+    plane = k * np.array(
+        [
+            [12, 6 * length, -12, 6 * length],
+            [6 * length, (4 + soft) * length**2, -6 * length, (2 - soft) * length**2],
+            [-12, -6 * length, 12, -6 * length],
+            [6 * length, (2 - soft) * length**2, -6 * length, (4 + soft) * length**2],
+        ]
+    )
+    stiffness = np.zeros((2 * FREEDOMS, 2 * FREEDOMS))
+    for across, tilt, sign in ((0, 4, 1.0), (1, 3, -1.0)):
+        at = [across, tilt, FREEDOMS + across, FREEDOMS + tilt]
+        turn = np.array([1.0, sign, 1.0, sign])
+        stiffness[np.ix_(at, at)] += plane * np.outer(turn, turn)
+    axial = steel.young * area(section) / length
+    stiffness[np.ix_([2, 7], [2, 7])] += axial * np.array([[1, -1], [-1, 1]])
+    return stiffness
+
+
+def divided(sections: Sequence[Section], places: Sequence[float]) -> tuple[Floats, list[Section]]:
+    """(nodes' z in m, pieces between them): the ends of the sections and `places` (m) are nodes.
+    Raises `ValueError` for a place off the shaft."""
+    ends = np.concatenate([[0.0], np.cumsum([one.length for one in sections])])
+    if off := [place for place in places if not 0 <= place <= ends[-1] * (1 + 1e-12)]:
+        raise ValueError(f"{off[0]:g} m is not on the shaft, which reaches from 0 to {ends[-1]:g}")
+    nodes = np.unique(np.round(np.concatenate([ends, places]), 9))
+    middle = (nodes[1:] + nodes[:-1]) / 2
+    inside = np.clip(np.searchsorted(ends, middle) - 1, 0, len(sections) - 1)
+    return nodes, [
+        sections[k]._replace(length=float(length)) for k, length in zip(inside, np.diff(nodes))
+    ]
+
+
+def stiffness(pieces: Sequence[Section], steel: Steel = STEEL) -> Floats:
+    """(5 N, 5 N) stiffness of N - 1 pieces in a row; node by node in x, y, z, rx, ry."""
+    whole = np.zeros((FREEDOMS * (len(pieces) + 1),) * 2)
+    for k, piece in enumerate(pieces):
+        at = slice(FREEDOMS * k, FREEDOMS * (k + 2))
+        whole[at, at] += element(piece, steel)
+    return whole
+
+
+def weight(pieces: Sequence[Section], gravity: Floats, steel: Steel = STEEL) -> Floats:
+    """(5 N,) loads of the shaft's own weight under `gravity` (3,) in m/s^2, with the moments that
+    an even load gives an element's ends."""
+    loads = np.zeros(FREEDOMS * (len(pieces) + 1))
+    for k, piece in enumerate(pieces):
+        per_length = steel.density * area(piece) * np.asarray(gravity, float)
+        for end, sign in ((k, 1.0), (k + 1, -1.0)):
+            at = FREEDOMS * end
+            loads[at : at + 3] += per_length * piece.length / 2
+            loads[at + 4] += sign * per_length[0] * piece.length**2 / 12
+            loads[at + 3] -= sign * per_length[1] * piece.length**2 / 12
+    return loads

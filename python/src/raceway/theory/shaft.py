@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A shaft on several ball bearings at rest: displacements, loads and tilts of the bearings.
+
+The shaft is a beam (`beam`), each bearing the full statics of five degrees of freedom (`static`).
+The balance of all nodes
+
+    K q + sum of bearing forces(q) = loads
+
+is solved by Newton's method with the bearings' own stiffness matrices. Clearance makes a bearing
+carry nothing at first. So soft springs to the ground help at the start and are taken away in steps.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.errors import NoEquilibrium
+from raceway.theory import beam, static
+from raceway.theory.beam import FREEDOMS, Section, Steel
+from raceway.theory.bearing import Bearing
+
+HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, of the soft springs, one after the other
+STEPS = 60  # of Newton's method for each
+EXACT = 1e-9  # of the loads, what may be left of the balance
+
+
+@dataclass(frozen=True)
+class Seat:
+    """A bearing on the shaft, its outer ring in the housing."""
+
+    at: float  # m, of the ball plane along the shaft
+    bearing: Bearing
+    clearance: float = 0.0  # m, diametral
+    # (5,), m and rad: where the outer ring sits off its place, x, y, z, rx, ry
+    offset: tuple[float, ...] = (0.0,) * FREEDOMS
+    floating: bool = False  # the outer ring slides along z: no axial load
+    phase: float = 0.0  # rad, azimuth of the first ball
+
+
+@dataclass(frozen=True)
+class Load:
+    """What acts on the shaft at a place."""
+
+    at: float  # m
+    force: tuple[float, float, float] = (0.0, 0.0, 0.0)  # N
+    moment: tuple[float, float] = (0.0, 0.0)  # N m, about x and y
+
+
+@dataclass(frozen=True)
+class Shaft:
+    """Sections from z = 0 on, what they are made of, and gravity."""
+
+    sections: Sequence[Section]
+    steel: Steel = field(default_factory=Steel)
+    gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # m/s^2
+
+
+@dataclass(frozen=True)
+class Carried:
+    """A bearing of a shaft at rest."""
+
+    seat: Seat
+    place: Floats  # (5,), m and rad: inner ring against outer
+    load: Floats  # (5,), N and N m: of the shaft on the inner ring
+    state: static.Equilibrium
+
+
+@dataclass(frozen=True)
+class Rest:
+    """Where a shaft rests."""
+
+    z: Floats  # (N,), m, of the nodes
+    place: Floats  # (N, 5), m and rad
+    bearings: list[Carried]
+    residual: float  # what is left of the balance, over the loads
+
+
+def rest(
+    shaft: Shaft,
+    seats: Sequence[Seat],
+    loads: Sequence[Load],
+    *,
+    speed: float = 0.0,
+    ball_density: float = 7800.0,
+) -> Rest:
+    """`Rest` of `shaft` on `seats` under `loads`; `speed` of the shaft in rad/s brings the
+    centrifugal loads of the balls.
+
+    Raises `ValueError` for a place off the shaft, `NoEquilibrium` when the bearings cannot hold the
+    loads.
+
+    >>> from raceway.theory.bearing import Bearing
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> stiff = Shaft([Section(0.4, 0.2)])
+    >>> seats = [Seat(0.1, b), Seat(0.4, b, floating=True)]
+    >>> found = rest(stiff, seats, [Load(0.2, (0.0, -3000.0, 0.0))])
+    >>> [round(float(one.load[1])) for one in found.bearings]
+    [-2000, -1000]
+    """
+    places = [seat.at for seat in seats] + [load.at for load in loads]
+    z, pieces = beam.divided(shaft.sections, places)
+    node = {place: int(np.argmin(np.abs(z - place))) for place in places}
+    stiffness = beam.stiffness(pieces, shaft.steel)
+    given = beam.weight(pieces, np.array(shaft.gravity), shaft.steel)
+    for load in loads:
+        at = FREEDOMS * node[load.at]
+        given[at : at + FREEDOMS] += [*load.force, *load.moment]
+    if not seats or not np.any(given):
+        raise NoEquilibrium("a shaft at rest needs bearings and a load")
+    holders = [_Holder(seat, FREEDOMS * node[seat.at], speed, ball_density) for seat in seats]
+    place = np.zeros(len(given))
+    for soft in HELP:
+        place, left = _newton(stiffness, given, holders, place, soft)
+    if not left <= EXACT:
+        raise NoEquilibrium(
+            f"the bearings do not hold the shaft: {left:.1e} of its loads are not balanced"
+        )
+    return Rest(z, place.reshape(-1, FREEDOMS), [one.carried(place) for one in holders], left)
+
+
+class _Holder:
+    """A bearing's forces on the shaft. Where it slides along z, its axial force is none."""
+
+    def __init__(self, seat, first, speed, density):
+        self.seat, self.at = seat, slice(first, first + FREEDOMS)
+        gamma = seat.bearing.ball_radius / seat.bearing.pitch_radius
+        self.ball = dict(orbital_speed=speed * (1 - gamma) / 2, ball_density=density)
+
+    def state(self, place):
+        relative = place[self.at] - self.seat.offset
+        held = dict(zip(static.FREEDOMS, relative))
+        if self.seat.floating:
+            del held["z"]
+        return static.equilibrium(
+            self.seat.bearing,
+            held=held,
+            clearance=self.seat.clearance,
+            phase=self.seat.phase,
+            **self.ball,
+        )
+
+    def respond(self, place):
+        """(force (5,), stiffness (5, 5)) on the shaft."""
+        try:
+            state = self.state(place)
+        except NoEquilibrium:
+            if not self.seat.floating:
+                raise
+            return np.zeros(FREEDOMS), np.zeros((FREEDOMS, FREEDOMS))  # nothing carries
+        force = np.array([*state.force, *state.moment[:2]])
+        stiffness = state.stiffness
+        if self.seat.floating:
+            others = [0, 1, 3, 4]
+            force[2] = 0.0
+            full, stiffness = stiffness, np.zeros_like(stiffness)
+            inner = full[np.ix_(others, others)]
+            if full[2, 2] > 0:
+                inner = inner - np.outer(full[others, 2], full[2, others]) / full[2, 2]
+            stiffness[np.ix_(others, others)] = inner
+        return force, stiffness
+
+    def carried(self, place):
+        state, relative = self.state(place), place[self.at] - self.seat.offset
+        if self.seat.floating:
+            relative = np.array([*relative[:2], state.shift[2], *relative[3:]])
+        force = -np.array([*state.force, *state.moment[:2]])
+        if self.seat.floating:
+            force[2] = 0.0
+        return Carried(self.seat, relative, force, state)
+
+
+def _newton(stiffness, given, holders, place, soft):
+    """(place, what is left of the balance over the loads) with springs `soft` (N/m) to the
+    ground."""
+    lengths = np.tile([1.0, 1.0, 1.0, 0.1, 0.1], len(given) // FREEDOMS)  # m per unit of a place
+    size = np.abs(given / lengths).max()
+
+    def balance(at):
+        left, slope = given - stiffness @ at - soft * lengths**2 * at, stiffness.copy()
+        slope[np.diag_indices_from(slope)] += soft * lengths**2
+        for one in holders:
+            force, own = one.respond(at)
+            left[one.at] += force
+            slope[one.at, one.at] += own
+        return left, slope
+
+    left, slope = balance(place)
+    for _ in range(STEPS):
+        if np.abs(left / lengths).max() <= 0.1 * EXACT * size:
+            break
+        try:
+            step = np.linalg.solve(slope, left)
+        except np.linalg.LinAlgError:
+            break
+        # the energy is convex but for contact angles: go on while it falls along the step
+        share, start = min(1.0, 50e-6 / np.abs(step * lengths).max()), left @ step
+        while True:
+            try:
+                further, bend = balance(place + share * step)
+            except NoEquilibrium:  # out of a groove
+                further = None
+            if further is not None and abs(further @ step) <= abs(start):
+                break
+            share *= 0.5
+            if share < 1e-6:
+                return place, float(np.abs(left / lengths).max() / size)
+        place, left, slope = place + share * step, further, bend
+    return place, float(np.abs(left / lengths).max() / size)

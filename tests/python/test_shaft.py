@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Shafts on bearings against beams in closed form and the statics of one bearing."""
+
+import json
+
+import numpy as np
+import pytest
+from host import ROOT
+from raceway import beam, shaft, static
+from raceway.cli import main
+from raceway.errors import NoEquilibrium
+from raceway.theory.beam import STEEL, Section
+from raceway.theory.bearing import Bearing
+from raceway.theory.shaft import Load, Seat, Shaft
+
+B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+THIN = Section(0.3, 0.04)
+BENDING = STEEL.young * beam.second_moment(THIN)
+SHEAR = beam.shear_coefficient(THIN, 0.3) * beam.area(THIN) * STEEL.young / 2.6
+MOTOR = ROOT / "inputs/shafts/motor"
+
+
+def clamped(pieces, loads):
+    """Places (N, 5) of a beam whose first node is held."""
+    whole = beam.stiffness(pieces)[5:, 5:]
+    return np.linalg.solve(whole, loads[5:]).reshape(-1, 5)
+
+
+@pytest.mark.parametrize("number", [1, 3])
+def test_cantilever(number):
+    """F L^3/3EI + F L/kAG and slope F L^2/2EI, in both planes, whatever the number of pieces."""
+    pieces = [THIN._replace(length=0.3 / number)] * number
+    loads = np.zeros(5 * (number + 1))
+    loads[-5:-2] = 700.0, -300.0, 5000.0
+    end = clamped(pieces, loads)[-1]
+    bend = 0.3**3 / (3 * BENDING) + 0.3 / SHEAR
+    assert end[:2] == pytest.approx([700 * bend, -300 * bend], rel=1e-9)
+    turn = 0.3**2 / (2 * BENDING)
+    assert end[3:] == pytest.approx([300 * turn, 700 * turn], rel=1e-9)
+    assert end[2] == pytest.approx(5000 * 0.3 / (STEEL.young * beam.area(THIN)), rel=1e-9)
+
+
+def test_own_weight():
+    """w L^4/8EI + w L^2/2kAG: exact at the nodes with the ends' moments of an even load."""
+    pieces = [THIN._replace(length=0.15)] * 2
+    end = clamped(pieces, beam.weight(pieces, [0.0, -9.81, 0.0]))[-1]
+    w = 9.81 * STEEL.density * beam.area(THIN)
+    want = w * 0.3**4 / (8 * BENDING) + w * 0.3**2 / (2 * SHEAR)
+    assert end[1] == pytest.approx(-want, rel=1e-6)
+
+
+def test_rigid_motions_cost_nothing():
+    """Energy of a shift and of a small turn about x and y, against that of a bend."""
+    z, pieces = beam.divided([THIN, Section(0.1, 0.02, 0.01)], [0.05])
+    whole = beam.stiffness(pieces)
+    moves = np.zeros((5, len(z), 5))
+    for k in range(3):
+        moves[k, :, k] = 1
+    moves[3, :, 1], moves[3, :, 3] = -z, 1
+    moves[4, :, 0], moves[4, :, 4] = z, 1
+    for move in moves.reshape(5, -1):
+        assert np.abs(whole @ move).max() < 1e-9 * np.abs(whole).max()
+
+
+@pytest.mark.parametrize("clearance", [-10e-6, 0.0, 10e-6])
+def test_lever_rule(clearance):
+    """A shaft 0.2 m thick is rigid beside its bearings."""
+    seats = [Seat(0.1, B6208, clearance), Seat(0.4, B6208, clearance, floating=True)]
+    found = shaft.rest(Shaft([Section(0.5, 0.2)]), seats, [Load(0.2, (600.0, -3000.0, 0.0))])
+    shares = np.array([one.load[:2] for one in found.bearings])
+    assert shares == pytest.approx(np.outer([2 / 3, 1 / 3], [600, -3000]), rel=1e-3)
+
+
+def test_simply_supported():
+    """With soft tilts of the bearings: F L^3/48EI + F L/4kAG between them, slope F L^2/16EI."""
+    seats = [Seat(0.0, B6208, 20e-6), Seat(0.3, B6208, 20e-6, floating=True)]
+    found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
+    assert found.z == pytest.approx([0, 0.15, 0.3])
+    down = found.place[:, 1]
+    bend = 3000 * 0.3**3 / (48 * BENDING) + 3000 * 0.3 / (4 * SHEAR)
+    held = abs(found.bearings[0].load[3]) / (3000 * 0.3 / 8)  # of the moment of clamped ends
+    assert held < 2e-3
+    assert (down[0] + down[2]) / 2 - down[1] == pytest.approx(bend, rel=1e-3 + held)
+    # clamped ends would take all of the slope
+    assert found.place[0, 3] == pytest.approx(3000 * 0.3**2 / (16 * BENDING), rel=1e-3 + 2 * held)
+
+
+def test_a_bearing_stiffens_its_own_slope():
+    slope = []
+    for clearance in (20e-6, -20e-6):
+        seats = [Seat(0.0, B6208, clearance), Seat(0.3, B6208, clearance, floating=True)]
+        found = shaft.rest(Shaft([THIN]), seats, [Load(0.15, (0.0, -3000.0, 0.0))])
+        slope.append(abs(found.place[0, 3]))
+        turned = found.bearings[0].load[3] * found.place[0, 3]
+        assert turned > 0  # the shaft turns the bearing: work is done on it
+    assert slope[1] < slope[0]
+
+
+def test_everything_balances():
+    """Forces and moments of shaft, gravity and bearings about the origin."""
+    sections = [Section(0.2, 0.05), Section(0.3, 0.03, 0.01)]
+    seats = [
+        Seat(0.05, B6208, 5e-6),
+        Seat(0.3, B6208, 5e-6),
+        Seat(0.45, B6208, 5e-6, floating=True),
+    ]
+    loads = [Load(0.2, (500.0, -2000.0, 300.0)), Load(0.5, (0.0, 400.0, 0.0), (5.0, -8.0))]
+    found = shaft.rest(Shaft(sections, gravity=(0.0, -9.81, 0.0)), seats, loads, speed=300.0)
+    force, moment = np.zeros(3), np.zeros(2)
+    for at, push, couple in (
+        *((one.seat.at, -one.load[:3], -one.load[3:]) for one in found.bearings),
+        *((load.at, np.array(load.force), np.array(load.moment)) for load in loads),
+    ):
+        force += push
+        moment += couple + [-at * push[1], at * push[0]]
+    start = 0.0
+    for one in sections:
+        heavy = 9.81 * STEEL.density * beam.area(one) * one.length
+        force[1] -= heavy
+        moment[0] += (start + one.length / 2) * heavy
+        start += one.length
+    assert force == pytest.approx(np.zeros(3), abs=1e-5)
+    assert moment == pytest.approx(np.zeros(2), abs=1e-5)
+
+
+def test_one_bearing_is_its_statics():
+    """A stiff stub with everything at the ball plane, and a tilted seat."""
+    tilt = 5e-4
+    seat = Seat(0.05, B6208, 10e-6, offset=(0.0, 0.0, 0.0, tilt, 0.0))
+    stub = Shaft([Section(0.1, 0.3)])
+    found = shaft.rest(stub, [seat], [Load(0.05, (2000.0, 0.0, 500.0), (3.0, 2.0))])
+    want = static.equilibrium(B6208, 2000.0, 500.0, moment=(3.0, 2.0), clearance=10e-6)
+    assert found.bearings[0].place[:3] == pytest.approx(want.shift, rel=1e-6, abs=1e-12)
+    assert found.bearings[0].place[3:] == pytest.approx(want.tilt, rel=1e-6)
+    assert found.place[1, 3] == pytest.approx(want.tilt[0] + tilt, rel=1e-6)
+    assert found.bearings[0].state.inner.load == pytest.approx(want.inner.load, abs=1e-3)
+
+
+def test_preload_by_a_spacer():
+    """Two bearings pushed apart by their outer rings carry each other's axial load."""
+    seats = [
+        Seat(0.1, B6208, 20e-6, offset=(0, 0, -120e-6, 0, 0)),
+        Seat(0.3, B6208, 20e-6, offset=(0, 0, 120e-6, 0, 0)),
+    ]
+    found = shaft.rest(Shaft([Section(0.4, 0.1)]), seats, [Load(0.2, (0.0, -1.0, 0.0))])
+    pushes = [one.load[2] for one in found.bearings]
+    assert pushes[0] > 100 and pushes[0] == pytest.approx(-pushes[1], rel=1e-6)
+
+
+def test_mistakes():
+    seats = [Seat(0.1, B6208), Seat(0.3, B6208, floating=True)]
+    with pytest.raises(ValueError, match="0.5 m is not on the shaft"):
+        shaft.rest(Shaft([THIN]), seats, [Load(0.5, (1.0, 0.0, 0.0))])
+    with pytest.raises(NoEquilibrium, match="needs bearings and a load"):
+        shaft.rest(Shaft([THIN]), seats, [])
+    loose = [Seat(0.1, B6208, floating=True), Seat(0.3, B6208, floating=True)]
+    with pytest.raises(NoEquilibrium, match="do not hold the shaft"):
+        shaft.rest(Shaft([THIN]), loose, [Load(0.2, (500.0, 0.0, 100.0))])
+
+
+# ---- the command
+
+
+def test_command(capsys, tmp_path):
+    assert main(["shaft", str(MOTOR), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    first, second = found["bearings"]
+    assert first["load_z"] == 0.0 and second["load_z"] == pytest.approx(400.0, rel=1e-6)
+    # about the second bearing: the belt's lever is 0.06 m, the shaft's 0.3 m; its tilts hold 9 N m
+    held = first["load_ry"] + second["load_ry"]
+    assert first["load_x"] == pytest.approx((held - 1500 * 0.06) / 0.3, rel=1e-6)
+    assert second["life_reference_h"] > 0 and second["tilt_rad"] < 1e-3
+    assert main(["shaft", str(MOTOR), "--out", str(tmp_path / "x.png")]) == 0
+    said = capsys.readouterr().out
+    assert "6208" in said and "tilt" in said
+    assert (tmp_path / "x.png").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    "old, new, says",
+    [
+        ("rpm: 1500", "rpm: -3", "rpm is -3, must be from 0 to 100000"),
+        ("rpm: 1500", "speed: 3", "unknown 'speed'; known: rpm, gravity, steel"),
+        ("diameter: 0.090", "diameter: wide", "sections 2: diameter is wide, must be from"),
+        ("length: 0.24, ", "", "sections 2: needs length"),
+        ("name: 6208, at: 0.03,", "at: 0.03,", "bearings 1: needs a name"),
+        ("name: 6208, at: 0.03,", "name: 9999, at: 0.03,", "there is no bearing '9999'"),
+        ("force: [1500, 0, 0]", "force: [1500, 0]", "loads 1: force must be a list of 3 numbers"),
+        ("at: 0.39", "at: 3.9", "3.9 m is not on the shaft"),
+        ("{length: 0.06, diameter: 0.036}", "{length: 0.06, diameter: 0.036, bore: 0.04}", "bore"),
+        ("loads:", "load:", "unknown 'load'"),
+    ],
+)
+def test_files_with_mistakes(tmp_path, capsys, old, new, says):
+    text = MOTOR.read_text()
+    assert old in text
+    path = tmp_path / "shaft"
+    path.write_text(text.replace(old, new, 1))
+    assert main(["shaft", str(path), "--inputs", str(ROOT / "inputs")]) == 1
+    assert says in capsys.readouterr().err
+
+
+def test_no_file(capsys):
+    assert main(["shaft", "nowhere"]) == 1
+    assert "cannot read nowhere" in capsys.readouterr().err
