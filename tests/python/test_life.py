@@ -92,6 +92,14 @@ def test_whole_life():
     assert np.isnan(dry.factor) and dry.reference == found.reference
 
 
+def test_duties():
+    """One duty is itself; ten per cent at a tenth of the life take half of it."""
+    assert life.of_duties([123.0], [1.0]) == pytest.approx(123.0)
+    assert life.of_duties([900.0, 100.0], [0.9, 0.1]) == pytest.approx(500.0)
+    with pytest.raises(ValueError, match="add up to 1"):
+        life.of_duties([1.0, 2.0], [0.5, 0.6])
+
+
 def test_mistakes():
     with pytest.raises(ValueError, match="cleanliness 'spotless' is none of extreme, high"):
         cleanliness.contamination("spotless", 0.05)

@@ -100,6 +100,20 @@ def reference(
     return float(sum((c / q) ** (-10 / 3) for c, q in zip(rated, equivalent)) ** (-9 / 10))
 
 
+def of_duties(lives: ArrayLike, shares: ArrayLike) -> float:
+    """Life under several operating points in turn, in the unit of `lives` (N,): 1/sum(share/life)
+    with the `shares` (N,) of the revolutions (Palmgren-Miner; ISO/TS 16281, clause 5). Shares of
+    time go with lives in hours. Raises `ValueError` for shares that do not add up to 1.
+
+    >>> round(of_duties([1000.0, 100.0], [0.9, 0.1]), 1)
+    526.3
+    """
+    life, share = np.asarray(lives, float), np.asarray(shares, float)
+    if (share < 0).any() or not np.isclose(share.sum(), 1.0) or not (life > 0).all():
+        raise ValueError("shares must be 0 or more and add up to 1, lives must be above 0")
+    return float(1 / (share / life).sum())
+
+
 def reference_viscosity(rpm: ArrayLike, pitch_diameter: float) -> np.ndarray:
     """nu_1 in mm2/s at which kappa is 1 (ISO 281:2007, eqs 28 and 29); `pitch_diameter` in m. It
     jumps by 2 % at 1000 rpm, as the standard's does."""
