@@ -12,6 +12,7 @@
 #include "ring_values.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 using namespace LAMMPS_NS;
@@ -25,6 +26,26 @@ namespace fs = std::filesystem;
 namespace of_ring = bearing::of_ring;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
+
+// A note becomes an attribute of the file. Names that scipy's reader of netCDF has for itself would
+// break it.
+static std::string note_name(Arguments &args, const char *what)
+{
+  static const char *const taken[] = {
+      "filename",  "fp",    "use_mmap", "mode", "version_byte",    "maskandscale",  "dimensions",
+      "variables", "close", "flush",    "sync", "createDimension", "createVariable"};
+  const std::string name = args.word(what);
+  const bool word = std::isalpha(static_cast<unsigned char>(name[0])) &&
+                    std::all_of(name.begin(), name.end(),
+                                [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  if (!word)
+    args.fail(std::string(what) + " is '" + name +
+              "': it begins with a letter and has letters, digits and '_' only");
+  if (std::find(std::begin(taken), std::end(taken), name) != std::end(taken))
+    args.fail(std::string(what) + " is '" + name +
+              "', which readers of netCDF keep for themselves");
+  return name;
+}
 
 // fix ID group bearing/record N FOLDER [content all|summary|none] [contacts all|usual|none|NAME
 // ...] [within M] [single yes|no] [overwrite yes|no] [number NAME VALUE] [goal NAME VALUE]
@@ -73,14 +94,14 @@ void FixBearingRecord::read_options(Arguments &args)
     } else if (args.take("overwrite")) {
       overwrite_ = args.choice("overwrite", {"no", "yes"}) == 1;
     } else if (args.take("number")) {
-      const std::string name = args.word("name of a number");
+      const std::string name = note_name(args, "name of a number");
       notes_.push_back(NetcdfHeader::attribute(name, args.number(name)));
     } else if (args.take("goal")) {
-      const std::string name = args.word("name of a number");
+      const std::string name = note_name(args, "name of a number");
       notes_.push_back(NetcdfHeader::attribute(name, args.number(name)));
       notes_.back().changes = true;
     } else if (args.take("text")) {
-      const std::string name = args.word("name of a text");
+      const std::string name = note_name(args, "name of a text");
       notes_.push_back(NetcdfHeader::attribute(name, args.word(name)));
     } else {
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");

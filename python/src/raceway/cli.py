@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from raceway import __version__, progress
 from raceway.commands import (
     animate,
+    check,
     export,
     gather,
     heat,
@@ -27,6 +28,7 @@ EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var load 2000       run a bearing; results go to build/run/6208
   raceway summary build/run/6208                         its figures
+  raceway check build/run/6208                           and their numerical errors
   raceway plot build/run/6208 --kind polar               a picture
   raceway animate build/run/6208                         a film of it
   raceway static --load 2000 --clearance 10e-6           theory, without a run
@@ -75,6 +77,7 @@ def _parser():
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     for module in (
         summary,
+        check,
         plot,
         animate,
         export,

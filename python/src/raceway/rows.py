@@ -59,26 +59,38 @@ def row(key: str, source: str | None = None) -> Row:
     return FIGURES[key] if source is None else FIGURES[key]._replace(source=source)
 
 
-def lines(figures: Mapping[str, Any], topics: Mapping[str, Sequence[Row]]) -> list[str]:
-    """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out."""
+def lines(
+    figures: Mapping[str, Any],
+    topics: Mapping[str, Sequence[Row]],
+    errors: Mapping[str, float] | None = None,
+) -> list[str]:
+    """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
+    Where there are `errors` by key, in the unit of the figure, a column has them."""
     result = []
     for topic, rows in topics.items():
-        block = [_line(row, figures[row.key]) for row in rows if figures[row.key] is not None]
+        block = [
+            _line(row, figures[row.key], errors) for row in rows if figures[row.key] is not None
+        ]
         if block:
             result += ["", topic, *block]
     return result[1:]
 
 
-def _line(row, value):
-    if row.unit is None:
-        shown = value
-    elif row.unit == "rpm":
-        shown = f"{value:g} rpm"
-    elif row.unit == "°C":
-        shown = f"{value:.4g} °C"
-    elif row.unit == "1/GPa":
-        shown = f"{value * 1e9:.4g} 1/GPa"
-    else:
-        shown = prefixed(value, row.unit) if row.unit else f"{value:.4g}"
+def _line(row, value, errors):
     source = f"({row.source})" if row.source else ""
-    return f"  {row.label:<32}{shown:>14}  {source}".rstrip()
+    error = ""
+    if errors is not None:
+        known = errors.get(row.key) and row.unit is not None
+        error = f"{'±' + _shown(errors[row.key], row.unit, 3) if known else '':>12}"
+    shown = value if row.unit is None else _shown(value, row.unit, 4)
+    return f"  {row.label:<32}{shown:>14}{error}  {source}".rstrip()
+
+
+def _shown(value, unit, digits):
+    if unit == "rpm":
+        return f"{value:g} rpm"
+    if unit == "°C":
+        return f"{value:.{digits}g} °C"
+    if unit == "1/GPa":
+        return f"{value * 1e9:.{digits}g} 1/GPa"
+    return prefixed(value, unit, digits) if unit else f"{value:.{digits}g}"

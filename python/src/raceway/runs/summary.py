@@ -4,6 +4,7 @@
 The mapping's keys are a promise to scripts outside this package; add, never rename.
 """
 
+import json
 import math
 from collections.abc import Mapping
 from typing import Any
@@ -91,6 +92,7 @@ TOPICS = {
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)  # of the largest of them
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # of the speed
+CHECK = "check.json"  # in the run's folder, by `raceway check`
 
 
 def summary(tables: RunTables) -> dict[str, Any]:
@@ -133,7 +135,29 @@ def summary(tables: RunTables) -> dict[str, Any]:
         **friction(tables),
     )
     result = {key: _plain(value) for key, value in result.items()}
-    return {**result, "warnings": _warnings(tables, result)}
+    result["warnings"] = _warnings(tables, result)
+    if errors := numerical_errors(tables):
+        result["numerical_errors"] = errors
+    return result
+
+
+def identity(tables: RunTables) -> list[float]:
+    """What no two runs have alike: the time it took, its step, its length."""
+    return [tables.settings[key] for key in ("wall_s", "step_s", "simulated_s")]
+
+
+def numerical_errors(tables: RunTables) -> dict[str, float]:
+    """{key: error in the figure's unit} of a run that `raceway check` repeated, else nothing: the
+    sum of what a finer integration and more samples change."""
+    try:
+        found = json.loads((tables.folder / CHECK).read_text())
+        if found["run"] != identity(tables):  # of a run that is no longer here
+            return {}
+        return {key: sum(parts.values()) for key, parts in found["errors"].items()}
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise RunError(f"{tables.folder / CHECK} is no result of raceway check: {error}") from None
 
 
 def _warnings(tables, figures):
@@ -277,7 +301,8 @@ def table(figures: Mapping[str, Any]) -> str:
     losses = figures["losses_W"] or dict.fromkeys(PARTS)
     shown.update({f"loss_{part}_W": loss or None for part, loss in losses.items()})
     warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
-    return "\n".join(lines(shown, TOPICS) + (warnings if figures["warnings"] else []))
+    text = lines(shown, TOPICS, figures.get("numerical_errors"))
+    return "\n".join(text + (warnings if figures["warnings"] else []))
 
 
 def _nothing(key, figures):

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The numerical error of a run: the same run with a finer integration, and with more samples.
+
+Both repeats are points as a sweep has them, in the folder `check` of the run: they can be stopped
+and go on. `check.json` holds what came out.
+"""
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.runs.summary import CHECK, identity, summary
+from raceway.runs.tables import RunTables
+from raceway.sweeps.point_run import FAILED, FINISHED, run_point
+
+FINER = 0.1  # of the tolerance; velocity Verlet: half the step
+MORE = 2  # samples for one
+# cost and settings: no figures
+LEFT_OUT = (
+    *("wall_s", "real_time_factor", "step_s", "simulated_s", "passes"),
+    *("load_N", "rpm", "clearance_m", "viscosity_Pa_s", "pressure_viscosity_per_Pa"),
+    *("permittivity", "roughness_m"),
+)
+# a repeat whose settings are others is another run: a value came by -var that the run does not note
+SAME = (
+    "balls",
+    "ball_diameter_m",
+    "inner_radius_m",
+    "outer_radius_m",
+    "inner_groove_m",
+    "outer_groove_m",
+    "ball_young_Pa",
+    "cage_ball_diameter_m",
+    "viscosity_Pa_s",
+    "pressure_viscosity_per_Pa",
+    "permittivity",
+    "roughness_m",
+)
+
+
+def variables(tables: RunTables) -> dict[str, str]:
+    """The main deck's variables of the run `tables`. Raises `RacewayError` for a run that does not
+    say them."""
+    said = tables.settings.get("deck_variables")
+    if not isinstance(said, str):
+        raise RacewayError(
+            f"{tables.folder} does not say the deck's variables: only runs of inputs/in.6208 with a"
+            " record can be repeated"
+        )
+    known = dict(word.split("=", 1) for word in said.split(","))
+    return {**known, "passes": f"{tables.settings['passes']:.15g}"}
+
+
+def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
+    """{"integration": ..., "sampling": ...}: the variables of both repeats."""
+    own = variables(tables)
+    finer = dict(own)
+    if own["integrator"] == "implicit":
+        finer["tolerance"] = f"{FINER * float(own['tolerance']):.15g}"
+    else:
+        finer["step"] = f"{0.5 * tables.settings['step_s']:.15g}"
+        del finer["tolerance"]
+    sampled = {**own, "samples": f"{MORE * int(float(own['samples']))}"}
+    if own["integrator"] != "implicit":
+        del sampled["tolerance"]
+    return {"integration": finer, "sampling": sampled}
+
+
+def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> dict[str, Any]:
+    """Errors by figure in SI units: {key: {"integration": error, "sampling": error}}, written to
+    `check.json` in `folder`, too.
+
+    `command` is a list: program, options, deck. `more` are variables that the run was given beside
+    those it notes. An error is the difference of a figure between the run and its repeat. Raises
+    `RacewayError` when a repeat fails or is not the same run.
+    """
+    tables = RunTables(folder)
+    figures, errors = summary(tables), {}
+    for name, words in repeats(tables).items():
+        place = Path(folder) / "check" / name
+        status, message = run_point(place, {**words, **more}, command, retry=True)
+        if status != FINISHED:
+            why = message if status == FAILED else f"{status}: {message}"
+            raise RacewayError(f"{place}: {why}")
+        again = RunTables(place)
+        for key in SAME:
+            before, now = (one.settings.get(key) for one in (tables, again))
+            if before != now:
+                raise RacewayError(
+                    f"{place} has {key} {now}, {folder} has {before}: give --var for what the run"
+                    " was given"
+                )
+        for key, value in summary(again).items():
+            if key in LEFT_OUT or not _number(value) or not _number(figures.get(key)):
+                continue
+            errors.setdefault(key, {})[name] = abs(value - figures[key])
+    result = {"run": identity(tables), "errors": errors}
+    (Path(folder) / CHECK).write_text(json.dumps(result, indent=2, allow_nan=False))
+    return errors
+
+
+def _number(value):
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway check` with the real program: a run repeated finer, and its errors beside the figures."""
+
+import json
+
+import pytest
+from host import ROOT, succeed
+from raceway.cli import main
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
+
+COARSE = {"passes": 1, "samples": 20, "settle": 1, "tolerance": 1e-7, "load": 2000}
+
+
+@pytest.fixture(scope="module")
+def checked(tmp_path_factory):
+    """A run of a coarse tolerance, and what raceway check made of it."""
+    folder = tmp_path_factory.mktemp("check") / "run"
+    succeed("inputs/in.6208", out=folder, **COARSE)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(ROOT)
+        assert main(["check", str(folder)]) == 0
+    return folder
+
+
+def test_errors_are_those_of_the_run(checked, tmp_path):
+    """Each is the difference to a run made by hand, to the last digit."""
+    figures = summary(RunTables(checked))
+    errors = figures["numerical_errors"]
+    assert {"q_max_N", "h_min_m", "capacitance_F", "friction_torque_N_m"} <= set(errors)
+    assert "wall_s" not in errors and "load_N" not in errors
+    differences = dict.fromkeys(errors, 0.0)
+    for name, words in (("fine", {"tolerance": 1e-8}), ("many", {"samples": 40, "within": 1})):
+        succeed("inputs/in.6208", out=tmp_path / name, **{**COARSE, "within": 1, **words})
+        other = summary(RunTables(tmp_path / name))
+        for key in differences:
+            differences[key] += abs(other[key] - figures[key])
+    for key, error in errors.items():
+        assert error == pytest.approx(differences[key], rel=1e-9, abs=1e-30), key
+    # a coarse run has an error, and a small one
+    assert 0 < errors["q_max_N"] < 0.1 * figures["q_max_N"]
+
+
+def test_summary_shows_them(checked, capsys):
+    assert main(["summary", str(checked)]) == 0
+    said = capsys.readouterr().out
+    (line,) = (one for one in said.splitlines() if one.lstrip().startswith("largest contact load"))
+    assert "±" in line
+    assert main(["summary", str(checked), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["numerical_errors"]["q_max_N"] > 0
+
+
+def test_of_another_run_they_are_not_shown(checked, tmp_path):
+    again = tmp_path / "run"
+    succeed("inputs/in.6208", out=again, **COARSE)
+    (again / "check.json").write_text((checked / "check.json").read_text())
+    assert "numerical_errors" not in summary(RunTables(again))
+
+
+def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    words = {"integrator": "verlet", "passes": 1, "samples": 20, "rpm": 9549, "settle": 1}
+    succeed("inputs/in.6208", out=tmp_path, **words)
+    assert main(["check", str(tmp_path)]) == 0
+    steps = [
+        RunTables(where).settings["step_s"]
+        for where in (tmp_path, tmp_path / "check" / "integration")
+    ]
+    assert steps[1] == pytest.approx(steps[0] / 2, rel=0.02)  # a whole number a sample
+
+
+def test_mistakes(checked, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(ROOT)
+    assert main(["check", str(checked), "--program", "nowhere/liggghts"]) == 1
+    assert "there is no program 'nowhere/liggghts'" in capsys.readouterr().err
+    own = tmp_path / "own"
+    succeed("inputs/in.6208", out=own, ball_young=200e9, **COARSE)
+    assert main(["check", str(own)]) == 1
+    assert "give --var for what the run was given" in capsys.readouterr().err
+    assert main(["check", str(own), "--var", "ball_young", "200e9"]) == 0
+    (own / "check.json").write_text("[]")
+    assert main(["summary", str(own)]) == 1
+    assert "check.json is no result of raceway check" in capsys.readouterr().err
