@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway check` with the real program: a run repeated finer, and its errors beside the figures."""
+"""`raceway check` with the real program: a run repeated finer, its errors beside its figures."""
 
 import json
 
