@@ -54,6 +54,7 @@ enum {
   FRICTION_POWER,
   DAMPING_POWER,
   CAPACITANCE,
+  CAPACITANCE_TOTAL,
   N
 };
 const Column list[N] = {
@@ -88,8 +89,10 @@ const Column list[N] = {
     {"friction_power", "W", "power lost to tangential forces"},
     {"damping_power", "W", "power lost to normal damping"},
     {"capacitance", "F", "sum over balls in contact with both raceways, their two in series"},
+    {"capacitance_total", "F", "sum over all balls with their surroundings, their two in series"},
 };
-inline bool needs_film(int k) { return k == H_MIN || k == LAMBDA || k == CAPACITANCE; }
+inline bool needs_capacitance(int k) { return k == CAPACITANCE || k == CAPACITANCE_TOTAL; }
+inline bool needs_film(int k) { return k == H_MIN || k == LAMBDA || needs_capacitance(k); }
 }    // namespace of_ring
 
 // ---- compute bearing/total: all bearings of the run
@@ -149,6 +152,8 @@ enum {
   DRAG_POWER,
   CAGE_POWER,
   ASPERITY_SHARE_TOP,
+  CAPACITANCE_TOTAL,
+  CAPACITANCE_TOTAL_TOP,
   N
 };
 const Column list[N] = {
@@ -175,7 +180,10 @@ const Column list[N] = {
     {"drag_power", "W", "power lost to drag of the oil on balls"},
     {"cage_power", "W", "power lost between balls and cage balls"},
     {"asperity_share_top", "", "share of asperities at the largest load on the inner raceway"},
+    {"capacitance_total", "F", "capacitance of all balls with their surroundings, no background"},
+    {"capacitance_total_top", "F", "largest of one ball with its surroundings, both in series"},
 };
+inline bool needs_surroundings(int k) { return k >= CAPACITANCE_TOTAL; }
 // with a law that has couples
 inline bool needs_couples(int k) { return k >= ROLLING_POWER && k <= CAGE_POWER; }
 }    // namespace of_bearing

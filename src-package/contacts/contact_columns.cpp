@@ -48,6 +48,15 @@ const PlaceColumn place_columns[] = {
     {{"capacitance", "F", "capacitance of the contact ellipse", vanishes},
      [](C c) { return c.capacitor.capacitance; },
      Needs::capacitance},
+    {{"separation", "m", "distance of the surfaces, also without contact"},
+     [](C c) { return c.capacitor.separation; },
+     Needs::surroundings},
+    {{"capacitance_outside", "F", "capacitance outside the contact ellipse, also without contact"},
+     [](C c) { return c.capacitor.outside; },
+     Needs::surroundings},
+    {{"capacitance_total", "F", "capacitance of ball and raceway, also without contact"},
+     [](C c) { return c.capacitor.total(); },
+     Needs::surroundings},
 };
 
 // Outputs keep the order that they had before parts had columns; the others follow as they come.

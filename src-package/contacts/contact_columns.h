@@ -4,7 +4,7 @@
 #ifndef BEARING_CONTACT_COLUMNS_H
 #define BEARING_CONTACT_COLUMNS_H
 
-#include "../physics/capacitance.h"
+#include "../physics/film_capacitor.h"
 #include "../physics/motion_columns.h"
 
 #include <string>
@@ -43,7 +43,9 @@ class ContactColumn {
     return of_state_ ? of_state_(c.raceway, c.state) : of_view_(c);
   }
   bool needs_film() const { return needs != raceway::Needs::nothing; }
-  bool needs_capacitance() const { return needs == raceway::Needs::capacitance; }
+  bool needs_capacitance() const { return needs >= raceway::Needs::capacitance; }
+  // has a value for surfaces that do not touch, too
+  bool needs_surroundings() const { return needs == raceway::Needs::surroundings; }
 
   raceway::Column is;
   raceway::Needs needs;

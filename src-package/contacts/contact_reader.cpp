@@ -7,7 +7,8 @@ namespace bearing {
 
 bool Offer::gives(const ContactColumn &c) const
 {
-  return (film || !c.needs_film()) && (capacitance || !c.needs_capacitance());
+  return (film || !c.needs_film()) && (capacitance || !c.needs_capacitance()) &&
+         (surroundings || !c.needs_surroundings());
 }
 
 void select_columns(const Arguments &args, const std::string &name, const Offer &offer,

@@ -15,7 +15,7 @@ using ContactSelection = std::vector<const ContactColumn *>;
 
 // What a pair style and its fixes can give.
 struct Offer {
-  bool film, capacitance;
+  bool film, capacitance, surroundings;
   bool gives(const ContactColumn &) const;
 };
 
@@ -27,12 +27,13 @@ void select_columns(const Arguments &, const std::string &name, const Offer &, C
 struct ContactContext {
   int axis = 2;
   std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)> capacitor;    // or none
+  bool surroundings = false;    // it has values for surfaces that do not touch
 
   ContactView view(const RacewayContact &c) const
   {
     return {double(c.ball), double(c.ring),
             *c.raceway,     c.state,
-            axis,           capacitor && c.live ? capacitor(c) : raceway::FilmCapacitorT<double>{}};
+            axis,           capacitor ? capacitor(c) : raceway::FilmCapacitorT<double>{}};
   }
 };
 

@@ -21,6 +21,9 @@ struct RacewayContact {
   double *kept = nullptr;         // what the law keeps of it from step to step
   bool live = false;              // surfaces overlap
   raceway::ContactState state;    // of this step; beyond the frame only where live
+  // where the pair style looks at gaps: rad/s, of the ball about the ring; and without contact the
+  // state has frame, overlap and entrainment speed
+  double orbit = 0.0;
 
   raceway::Side side() const { return raceway->groove.side; }
   int groove() const { return raceway->number; }

@@ -113,7 +113,20 @@ const Column list[N] = {
 
 // ---- fix bearing/capacitance
 namespace of_fix_capacitance {
-enum { TOTAL, LARGEST, ACTIVE, MEAN, LEAST, MOST, N };
+enum {
+  TOTAL,
+  LARGEST,
+  ACTIVE,
+  MEAN,
+  LEAST,
+  MOST,
+  ALL_TOTAL,
+  ALL_LARGEST,
+  ALL_MEAN,
+  ALL_LEAST,
+  ALL_MOST,
+  N
+};
 const Column list[N] = {
     {"total", "F", "sum over the balls, with background, at the end of the step"},
     {"largest", "F", "largest value of one ball at the end of the step"},
@@ -121,6 +134,11 @@ const Column list[N] = {
     {"mean", "F", "mean of the total over the instants of the step"},
     {"least", "F", "smallest total over the instants of the step"},
     {"most", "F", "largest total over the instants of the step"},
+    {"capacitance_total", "F", "total with surroundings; 0 unless asked for, as the next"},
+    {"capacitance_total_top", "F", "largest value of one ball with its surroundings"},
+    {"capacitance_total_mean", "F", "mean of capacitance_total over the instants of the step"},
+    {"capacitance_total_least", "F", "smallest capacitance_total over the instants of the step"},
+    {"capacitance_total_most", "F", "largest capacitance_total over the instants of the step"},
 };
 }    // namespace of_fix_capacitance
 

@@ -4,7 +4,7 @@
 #ifndef BEARING_INSTANTS_H
 #define BEARING_INSTANTS_H
 
-#include "../physics/capacitance.h"
+#include "../physics/film_capacitor.h"
 #include "bearing_columns.h"
 #include "bearing_compat.h"
 
@@ -12,12 +12,11 @@
 
 namespace bearing {
 
-// What is wanted: everything at the shares k/number of a host's step, k = 1 to number - 1;
-// capacitances for a lubricant of relative permittivity eps and films of at least `shortest` (m).
-// number 0: nothing; eps 0: no capacitances.
+// What is wanted: everything at the shares k/number of a host's step, k = 1 to number - 1. number
+// 0: nothing; permittivity 0: no capacitances.
 struct Instants {
   int number = 0;
-  double eps = 0.0, shortest = 0.0;
+  raceway::CapacitorModel capacitor;
 };
 
 // A ball and a groove that may touch.
@@ -25,7 +24,7 @@ struct InstantContact {
   tag_t ball, ring;
   const raceway::RacewayPhysics &raceway;
   double orbit;    // rad/s, of the ball about the ring's axis
-  bool live;       // nothing below is set where it is not
+  bool live;       // the state is set where it is
   const raceway::ContactState &state;
   raceway::FilmCapacitorT<double> capacitor;    // 0 where none is wanted
 };

@@ -81,7 +81,7 @@ int main()
 {
   printf("{\n  \"contact\": [\n");
   const auto &contacts = bearing::contact_columns();
-  const char *const needs[] = {"nothing", "film", "capacitance"};
+  const char *const needs[] = {"nothing", "film", "capacitance", "surroundings"};
   for (const bearing::ContactColumn &c : contacts)
     print(c.is,
           (std::string(", \"needs\": \"") + needs[static_cast<int>(c.needs)] +

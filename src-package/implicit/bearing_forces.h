@@ -28,7 +28,7 @@ enum class Failure {
 // Four contacts as an evaluation finds them. Vectors of the state are in the lab.
 struct alignas(32) ContactLook {
   ContactStateT<Lane> state;
-  LaneMask live;    // the state is set where they are
+  LaneMask live;    // the state is set where they are; elsewhere its motions, if gaps are wanted
   Lane orbit;       // rad/s, of the ball about the ring's axis; the surfaces need not touch
 };
 
@@ -38,6 +38,7 @@ struct Stage {
   bool dampers_only = false;    // positions are given: springs have no derivative
   Evaluate evaluate = Evaluate::only;
   ContactLook *looks = nullptr;    // by group of contacts, with `only`: they and forces on rings
+  bool gaps = false;               // look at surfaces that do not touch, too
 
   double follows() const { return dampers_only ? 0.0 : h; }    // s, positions follow velocities
 };

@@ -13,7 +13,11 @@ void BearingInstants::want(const Instants &i)
   if (i.number < 2) return;
   const size_t n = i.number - 1;
   looks_.resize(n * b_.n_contacts);
-  capacitors_.resize(i.eps > 0.0 ? n * b_.n_contacts : 0);
+  capacitors_.resize(i.capacitor.permittivity > 0.0 ? n * b_.n_contacts : 0);
+  surrounded_.clear();
+  if (i.capacitor.surrounded())
+    for (const BearingBodies::Track &t : b_.tracks)
+      surrounded_.emplace_back(*t.physics, i.capacitor);
   bodies_.resize(n * b_.groups.size());
   rings_.resize(n * b_.rings.size());
   end_.resize(b_.groups.size());
@@ -43,9 +47,9 @@ BearingInstants::Contact BearingInstants::contact(int k, int groove) const
   Contact c;
   c.orbit = looks_[at].orbit[lane];
   c.live = looks_[at].live[lane];
-  if (!c.live) return c;
-  c.state = lane_of<ContactState>(looks_[at].state, lane);
+  if (!c.live && surrounded_.empty()) return c;
   if (!capacitors_.empty()) c.capacitor = lane_of<FilmCapacitorT<double>>(capacitors_[at].of, lane);
+  if (c.live) c.state = lane_of<ContactState>(looks_[at].state, lane);
   return c;
 }
 
@@ -119,6 +123,7 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
 {
   Stage stage;
   stage.looks = looks_.data() + (k - 1) * b_.n_contacts;
+  stage.gaps = !surrounded_.empty();
   const Failure failure = forces_.evaluate(stage);
   if (failure != Failure::none) return failure;
   Bodies *body = bodies_.data() + (k - 1) * b_.groups.size();
@@ -139,7 +144,8 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
     }
     *ring++ = {r.now, r.force, r.moment, r.program.acceleration(push)};
   }
-  if (instants_.eps > 0.0) capacitors(k);
+  if (!surrounded_.empty()) surrounded(k);
+  else if (!capacitors_.empty()) capacitors(k);
   return failure;
 }
 
@@ -150,7 +156,16 @@ RACEWAY_LANES void BearingInstants::capacitors(int k)
   for (const BearingBodies::Track &track : b_.tracks)
     for (int g = track.first; g < track.end; ++g, ++look, ++to)
       if (any(look->live) && track.physics->has<FilmThicknessPart>())
-        to->of = film_capacitor(*track.physics, look->state, instants_.eps, instants_.shortest);
+        to->of = film_capacitor(*track.physics, look->state, instants_.capacitor);
+}
+
+RACEWAY_LANES void BearingInstants::surrounded(int k)
+{
+  const ContactLook *look = looks_.data() + (k - 1) * b_.n_contacts;
+  Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
+  for (size_t t = 0; t < b_.tracks.size(); ++t)
+    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to)
+      to->of = surrounded_[t].capacitor(look->state, look->live, look->orbit);
 }
 
 }    // namespace raceway

@@ -5,26 +5,25 @@
 #ifndef RACEWAY_BEARING_INSTANTS_H
 #define RACEWAY_BEARING_INSTANTS_H
 
-#include "../physics/capacitance.h"
+#include "../physics/film_capacitor.h"
 #include "bearing_forces.h"
 
 namespace raceway {
 
-// What is wanted: at shares k/number of the host's step, k = 1 to number - 1; capacitances for a
-// lubricant of relative permittivity eps and films of at least `shortest` (m). number 0: nothing;
-// eps 0: no capacitances.
+// What is wanted: at shares k/number of the host's step, k = 1 to number - 1. number 0: nothing;
+// permittivity 0: no capacitances.
 struct Instants {
   int number = 0;
-  double eps = 0.0, shortest = 0.0;
+  CapacitorModel capacitor;
 };
 
 class BearingInstants {
  public:
   struct Contact {
     double orbit;         // rad/s, of the ball about the ring's axis
-    bool live = false;    // nothing below is set where it is not
+    bool live = false;    // the state is set where it is
     ContactState state;
-    FilmCapacitorT<double> capacitor = {0.0, 0.0};
+    FilmCapacitorT<double> capacitor = {};
   };
   struct Ring {
     RingPose pose;
@@ -60,6 +59,7 @@ class BearingInstants {
   void move(double h, double s);
   Failure look_at(int k, double s);
   void capacitors(int k);
+  void surrounded(int k);
 
   BearingBodies &b_;
   BearingForces &forces_;
@@ -68,6 +68,7 @@ class BearingInstants {
   // instant by instant, then by group of contacts, group or ring
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
+  std::vector<SurroundedRaceway> surrounded_;    // by track, where surroundings are wanted
   std::vector<Bodies> bodies_;
   std::vector<Ring> rings_;
   // the end of the step, while the bearing is put elsewhere

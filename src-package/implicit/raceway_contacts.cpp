@@ -66,6 +66,18 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
 }
 
+// Place and motions of contacts that may be open.
+static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT<Lane> &ball,
+                                       const LaneFrame &f, const RingBody &body,
+                                       RingStateT<Lane> ring, const ContactStateT<Lane> &c,
+                                       ContactStateT<Lane> &seen)
+{
+  ring.v = f.local(body.now.v);
+  ring.w = f.local(body.now.angular_velocity());
+  seen = c;
+  find_motions<false>(p, ball, ring, seen);
+}
+
 template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &stage)
 {
   int contact = 0;
@@ -93,6 +105,8 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         stage.looks[contact].live = live;
         stage.looks[contact].orbit = dot(g.v - f.local(ring.now.v), c.t) / c.r;
       }
+      const Lane apart = -c.overlap;
+      if (stage.gaps) look_at_gap(p, {d, g.v, g.w}, f, ring, r, c, stage.looks[contact].state);
       if (!any(live)) continue;
       if (any(live & ~(c.overlap < p.largest_overlap))) {
         for (int i = 0; i < lanes; ++i)
@@ -131,6 +145,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       if (stage.looks) {
         ContactStateT<Lane> &seen = stage.looks[contact].state;
         seen = c;
+        if (stage.gaps) seen.overlap = where(live, c.overlap, -apart);
         seen.u = f.lab(c.u);
         seen.t = f.lab(c.t);
         continue;

@@ -20,7 +20,8 @@ struct Column {
   const char *format = as_real;
 };
 
-enum class Needs { nothing, film, capacitance };    // a lubricant; a fix bearing/capacitance too
+// a lubricant; a fix bearing/capacitance too, and one with surroundings
+enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway
 

@@ -94,7 +94,8 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
                              k == of_bearing::H_C_TOP;
     const bool there = (!film || content_.film) && (!capacitance || content_.capacitance) &&
                        (!of_bearing::needs_couples(k) || content_.couples) &&
-                       (k != of_bearing::ASPERITY_SHARE_TOP || content_.asperities);
+                       (k != of_bearing::ASPERITY_SHARE_TOP || content_.asperities) &&
+                       (!of_bearing::needs_surroundings(k) || content_.surroundings);
     bearing_.push_back(
         there ? add("bearing_", of_bearing::list[k], {time, bearing}, layout_.bearings.size())
               : SIZE_MAX);
@@ -200,6 +201,8 @@ void RecordFile::sum_up()
       v[CAGE_POWER] += s.cage;
       v[CAPACITANCE] += s.capacitance;
       v[CAPACITANCE_TOP] = std::max(v[CAPACITANCE_TOP], s.capacitance);
+      v[CAPACITANCE_TOTAL] += s.capacitance_total;
+      v[CAPACITANCE_TOTAL_TOP] = std::max(v[CAPACITANCE_TOTAL_TOP], s.capacitance_total);
     }
     v[CAGE_SPEED] /= static_cast<double>(ball - first);
     if (v[CONTACTS] == 0.0) v[H_MIN] = v[LAMBDA] = NAN;

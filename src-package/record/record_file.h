@@ -16,7 +16,7 @@ class RecordFile {
     std::vector<Column> contact;    // columns of contacts
     bool single = false;            // their precision
     bool motion = true;             // of balls and cage
-    bool film = false, capacitance = false;
+    bool film = false, capacitance = false, surroundings = false;
     bool couples = false, asperities = false;    // of the law
     NetcdfHeader::Attributes about;
   };

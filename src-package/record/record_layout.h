@@ -42,6 +42,7 @@ struct BallShare {
   double entrainment = 0.0, film[3] = {NAN, NAN, NAN};    // inner: h_min, lambda, h_c
   double rolling = 0.0, hysteresis = 0.0, spin = 0.0, drag = 0.0, cage = 0.0;    // W
   double asperity_share = NAN;                                                   // inner
+  double capacitance_total = 0.0;    // with surroundings, both in series
 };
 
 }    // namespace bearing

@@ -71,6 +71,7 @@ void RecordRows::contact(int ball, const ContactView &view)
   if (s == 0) sum.asperity_share = state.asperity_share;
   share.capacitance[s] = view.capacitor.capacitance;
   sum.capacitance = raceway::series_capacitance(share.capacitance[0], share.capacitance[1]);
+  add_total(ball, view);
   if (s == 0) sum.entrainment = state.entrainment;
   if (!film_) return;
   sum.h_min = std::min(sum.h_min, state.h_min);
@@ -80,6 +81,24 @@ void RecordRows::contact(int ball, const ContactView &view)
     sum.film[1] = state.lambda;
     sum.film[2] = view.capacitor.h_c;
   }
+}
+
+void RecordRows::gap(int ball, const ContactView &view)
+{
+  const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
+  if (!columns_.empty()) {
+    double *to = row(RecordFile::CONTACT, s * static_cast<int>(shares_.size()) + ball);
+    for (const ContactColumn *c : columns_)
+      *to++ = c->needs_surroundings() ? c->value(view) : c->is.absent;
+  }
+  add_total(ball, view);
+}
+
+void RecordRows::add_total(int ball, const ContactView &view)
+{
+  Share &share = shares_[ball];
+  share.total[view.raceway.groove.side == Side::inner ? 0 : 1] = view.capacitor.total();
+  share.sum.capacitance_total = raceway::series_capacitance(share.total[0], share.total[1]);
 }
 
 void RecordRows::body(Tag tag, const Vec3 &x, const Vec3 &v, const Vec3 &w)

@@ -27,6 +27,8 @@ class RecordRows {
   }
   void orbit(int ball, double value) { shares_[ball].sum.orbit = value; }
   void contact(int ball, const ContactView &);    // a live one
+  // Surfaces that do not touch; only what surrounds contacts has a value.
+  void gap(int ball, const ContactView &);
   void cage_loss(int ball, double watt) { shares_[ball].sum.cage += watt; }
   // A ball or cage ball; its contacts are complete.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
@@ -47,8 +49,9 @@ class RecordRows {
   };
   struct Share {
     BallShare sum;
-    double capacitance[2] = {0.0, 0.0};
+    double capacitance[2] = {0.0, 0.0}, total[2] = {0.0, 0.0};
   };
+  void add_total(int ball, const ContactView &);
   Place place(Tag t) const
   {
     return static_cast<size_t>(t) < places_.size() ? places_[t] : Place{RecordFile::END, 0};

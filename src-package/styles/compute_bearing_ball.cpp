@@ -88,7 +88,8 @@ void ComputeBearingBall::compute_peratom()
                              context_.axis);
       } else if (columns_[k].kind == orbit) {
         v = bearing::orbit_of(*atom, *pair_, c);
-      } else if (c.live && (columns_[k].kind == inner) == (c.side() == Side::inner)) {
+      } else if ((c.live || columns_[k].attribute->needs_surroundings()) &&
+                 (columns_[k].kind == inner) == (c.side() == Side::inner)) {
         v = columns_[k].attribute->value(view);
       }
       if (k == 0) vector_[c.i_ball] = v;

@@ -28,6 +28,7 @@ enum Said {
   FRICTION,
   DAMPING,
   CAPACITANCE,
+  CAPACITANCE_TOTAL,
   ORBIT,
   ALONG,
   N_SAID = ALONG + 3
@@ -46,7 +47,9 @@ ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
     const std::string name = args.word("a value");
     if (name == "all") {
       for (int k = 0; k < of_ring::N; ++k)
-        if (k == of_ring::CAPACITANCE ? offer.capacitance : offer.film || !of_ring::needs_film(k))
+        if (k == of_ring::CAPACITANCE         ? offer.capacitance
+            : k == of_ring::CAPACITANCE_TOTAL ? offer.surroundings
+                                              : offer.film || !of_ring::needs_film(k))
           columns_.push_back(k);
       continue;
     }
@@ -73,8 +76,11 @@ void ComputeBearingRing::init()
   const std::string name = std::string("compute ") + id + " bearing/ring";
   pair_ = PairBearingHertz::find(lmp, name);
   capacitor_ = nullptr;
-  if (std::count(columns_.begin(), columns_.end(), of_ring::CAPACITANCE))
-    capacitor_ = bearing::capacitor_of(lmp, name, "value 'capacitance'");
+  for (int k : columns_) {
+    const std::string wants = std::string("value '") + of_ring::list[k].name + "'";
+    if (of_ring::needs_capacitance(k)) capacitor_ = bearing::capacitor_of(lmp, name, wants);
+    if (k == of_ring::CAPACITANCE_TOTAL) bearing::check_surroundings(lmp, *pair_, name, wants);
+  }
 }
 
 // By claim, which is how a contact reaches the owner of its ring.
@@ -83,14 +89,16 @@ void ComputeBearingRing::tell()
   said_.assign(static_cast<size_t>(pair_->ring_sum().claims()) * N_SAID, 0.0);
   const std::vector<RacewayContact> &table = pair_->table().raceway;
   for (size_t first = 0, end; first < table.size(); first = end) {
-    double side[2] = {0.0, 0.0};    // capacitance on the inner and the outer raceway
+    double side[2] = {}, whole[2] = {};    // capacitance, inner and outer; with surroundings
     int loaded = 0;
     for (end = first; end < table.size() && table[end].ball == table[first].ball; ++end) {
       const RacewayContact &c = table[end];
-      if (!c.live) continue;
       const int s = c.side() == Side::inner ? 0 : 1;
-      loaded |= 1 << s;
-      if (capacitor_) side[s] = capacitor_(c).capacitance;
+      if (c.live) loaded |= 1 << s;
+      if (!capacitor_) continue;
+      const FilmCapacitorT<double> of = capacitor_(c);
+      if (c.live) side[s] = of.capacitance;
+      whole[s] = of.total();
     }
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
@@ -102,6 +110,7 @@ void ComputeBearingRing::tell()
       (g.t * (1.0 / g.r)).to(said + ALONG);
       said[LOADED] = loaded == 3;
       said[CAPACITANCE] = series_capacitance(side[0], side[1]);
+      said[CAPACITANCE_TOTAL] = series_capacitance(whole[0], whole[1]);
       if (!c.live) continue;
       const ContactState &s = c.state;
       said[LIVE] = 1.0;
@@ -134,6 +143,7 @@ void ComputeBearingRing::compute_local()
         said[ORBIT] - dot(Vec3::from(atom->v[rings.ring(n)]), Vec3::from(said + ALONG));
     v[of_ring::BALLS] += said[LOADED];
     v[of_ring::CAPACITANCE] += said[CAPACITANCE];
+    v[of_ring::CAPACITANCE_TOTAL] += said[CAPACITANCE_TOTAL];
     if (said[LIVE] == 0.0) return;
     v[of_ring::LOAD] = std::max(v[of_ring::LOAD], said[LOAD]);
     v[of_ring::PRESSURE] = std::max(v[of_ring::PRESSURE], said[PRESSURE]);

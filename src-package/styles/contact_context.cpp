@@ -6,13 +6,18 @@
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 
 namespace bearing {
 
 Offer offer_of(LAMMPS *lmp, const PairBearingHertz &pair)
 {
-  return {pair.lubricated(), !fixes_of<FixBearingCapacitance>(lmp).empty()};
+  const std::vector<FixBearingCapacitance *> fixes = fixes_of<FixBearingCapacitance>(lmp);
+  return {pair.lubricated(), !fixes.empty(),
+          std::any_of(fixes.begin(), fixes.end(),
+                      [](const FixBearingCapacitance *f) { return f->model().surrounded(); })};
 }
 
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
@@ -21,10 +26,18 @@ capacitor_of(LAMMPS *lmp, const std::string &asked_by, const std::string &wants)
   const std::vector<FixBearingCapacitance *> fixes = fixes_of<FixBearingCapacitance>(lmp);
   if (fixes.empty()) BRG_ALL_OF(lmp, asked_by + ": " + wants + " needs a fix bearing/capacitance");
   return [fixes](const RacewayContact &c) -> raceway::FilmCapacitorT<double> {
-    for (const FixBearingCapacitance *f : fixes)
+    for (FixBearingCapacitance *f : fixes)
       if (f->covers(c.i_ball)) return f->capacitor(c);
     return {};
   };
+}
+
+void check_surroundings(LAMMPS *lmp, const PairBearingHertz &pair, const std::string &asked_by,
+                        const std::string &wants)
+{
+  if (!offer_of(lmp, pair).surroundings)
+    BRG_ALL_OF(lmp,
+               asked_by + ": " + wants + " needs a fix bearing/capacitance with 'surroundings'");
 }
 
 ContactContext context_of(LAMMPS *lmp, const PairBearingHertz &pair, const ContactSelection &list,
@@ -32,10 +45,12 @@ ContactContext context_of(LAMMPS *lmp, const PairBearingHertz &pair, const Conta
 {
   ContactContext context;
   context.axis = pair.axis_index();
-  for (const ContactColumn *c : list)
+  for (const ContactColumn *c : list) {
+    const std::string wants = "attribute '" + std::string(c->is.name) + "'";
     if (c->needs_capacitance() && !context.capacitor)
-      context.capacitor =
-          capacitor_of(lmp, asked_by, "attribute '" + std::string(c->is.name) + "'");
+      context.capacitor = capacitor_of(lmp, asked_by, wants);
+    if (c->needs_surroundings()) check_surroundings(lmp, pair, asked_by, wants);
+  }
   return context;
 }
 

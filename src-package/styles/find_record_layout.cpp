@@ -43,7 +43,7 @@ std::map<double, double> permittivities(LAMMPS *lmp)
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {
         mine.push_back(static_cast<double>(lmp->atom->tag[i]));
-        mine.push_back(f->permittivity());
+        mine.push_back(f->model().permittivity);
       }
   const std::vector<double> &all = gather_all(mine, space, lmp->world);
   std::map<double, double> of;

@@ -18,52 +18,93 @@ using bearing::Arguments;
 using bearing::RacewayContact;
 using bearing::tag_t;
 
-// fix ID group bearing/capacitance N permittivity EPS [background C] [film_floor H] [within M]
-// [file F] [contacts F]
+// fix ID group bearing/capacitance N permittivity EPS [permittivity_at maximum|mean|two_thirds]
+// [surroundings none|flooded|dry|cavitated EPS_OUT] [shoulders D_INNER D_OUTER]
+// [roughness none|gamma] [background C] [film_floor H] [within M] [file F] [contacts F]
 FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/capacitance"))
 {
   Arguments args(lmp, std::string("fix ") + id + " bearing/capacitance", narg, arg, 3);
-  std::string totals, contacts;
   nevery = args.integer("steps between samples", 1, 1000000000);
-  while (args.more()) {
-    if (args.take("permittivity")) {
-      permittivity_ = args.within("relative permittivity at ambient pressure", 1.0, 10.0);
-    } else if (args.take("background")) {
-      background_ = args.non_negative("background capacitance (F)");
-    } else if (args.take("film_floor")) {
-      shortest_film_ = args.positive("thinnest film of a capacitor (m)");
-    } else if (args.take("within")) {
-      within_ = args.integer("instants a step", 1, 100000);
-    } else if (args.take("file")) {
-      totals = args.word("name of the file");
-    } else if (args.take("contacts")) {
-      contacts = args.word("name of the file for contacts");
-    } else {
-      args.unknown("permittivity, background, film_floor, within, file, contacts");
-    }
-  }
-  if (within_ > 1 && nevery != 1)
-    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
-              std::to_string(nevery));
-  if (permittivity_ == 0.0) args.fail("'permittivity EPS' is missing");
-  if (!pair_->lubricated())
-    args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
-  if (!totals.empty())
-    totals_.open(args, totals, "step time capacitance largest_ball active_balls", world);
-  if (!contacts.empty())
-    contacts_.open(args, contacts, "step time ball raceway load h_c capacitance", world);
+  read_options(args);
+  const bool all = model_.surrounded();
+  if (!totals_name_.empty())
+    totals_.open(args, totals_name_,
+                 all ? "step time capacitance largest_ball active_balls capacitance_total "
+                       "capacitance_total_top"
+                     : "step time capacitance largest_ball active_balls",
+                 world);
+  if (!contacts_name_.empty())
+    contacts_.open(args, contacts_name_,
+                   all ? "step time ball raceway load h_c capacitance separation "
+                         "capacitance_outside capacitance_total"
+                       : "step time ball raceway load h_c capacitance",
+                   world);
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_capacitance::N;
   extscalar = extvector = 0;
   global_freq = nevery;
   peratom_flag = 1;
-  size_peratom_cols = 3;
+  size_peratom_cols = all ? 6 : 3;
   peratom_freq = nevery;
   create_attribute = 1;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
+}
+
+void FixBearingCapacitance::read_options(Arguments &args)
+{
+  while (args.more()) {
+    if (args.take("permittivity")) {
+      model_.permittivity = args.within("relative permittivity at ambient pressure", 1.0, 10.0);
+    } else if (args.take("permittivity_at")) {
+      model_.at = static_cast<PermittivityAt>(
+          args.choice("permittivity_at", {"maximum", "mean", "two_thirds"}));
+    } else if (args.take("surroundings")) {
+      read_surroundings(args);
+    } else if (args.take("shoulders")) {
+      model_.inner_shoulder = args.positive("shoulder diameter of the inner ring (m)");
+      model_.outer_shoulder = args.positive("shoulder diameter of the outer ring (m)");
+    } else if (args.take("roughness")) {
+      model_.rough = args.choice("roughness", {"none", "gamma"}) == 1;
+    } else if (args.take("background")) {
+      background_ = args.non_negative("background capacitance (F)");
+    } else if (args.take("film_floor")) {
+      model_.film_floor = args.positive("thinnest film of a capacitor (m)");
+    } else if (args.take("within")) {
+      within_ = args.integer("instants a step", 1, 100000);
+    } else if (args.take("file")) {
+      totals_name_ = args.word("name of the file");
+    } else if (args.take("contacts")) {
+      contacts_name_ = args.word("name of the file for contacts");
+    } else {
+      args.unknown("permittivity, permittivity_at, surroundings, shoulders, roughness, background, "
+                   "film_floor, within, file, contacts");
+    }
+  }
+  if (within_ > 1 && nevery != 1)
+    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
+              std::to_string(nevery));
+  if (model_.permittivity == 0.0) args.fail("'permittivity EPS' is missing");
+  if (model_.surroundings == Surroundings::cavitated &&
+      model_.permittivity_outlet > model_.permittivity)
+    args.fail("'surroundings cavitated': relative permittivity of the outlet is " +
+              bearing::text(model_.permittivity_outlet) + ", must be 1 to that of the lubricant, " +
+              bearing::text(model_.permittivity));
+  if (model_.inner_shoulder > 0.0 && !model_.surrounded())
+    args.fail("'shoulders' needs 'surroundings flooded', 'dry' or 'cavitated EPS_OUT': without "
+              "surroundings no shoulder counts");
+  if (!pair_->lubricated())
+    args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
+}
+
+void FixBearingCapacitance::read_surroundings(Arguments &args)
+{
+  model_.surroundings = static_cast<Surroundings>(
+      args.choice("surroundings", {"none", "flooded", "dry", "cavitated"}));
+  if (model_.surroundings == Surroundings::cavitated)
+    model_.permittivity_outlet = args.within("relative permittivity of the outlet", 1.0, 10.0);
 }
 
 FixBearingCapacitance::~FixBearingCapacitance()
@@ -77,6 +118,36 @@ int FixBearingCapacitance::setmask() { return END_OF_STEP; }
 void FixBearingCapacitance::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
+  planned_ = -1;
+  filled_ = -1;
+  if (model_.surrounded()) check_shoulders();
+}
+
+// Of the raceways that balls of the group may run on.
+void FixBearingCapacitance::check_shoulders()
+{
+  std::vector<int> there(atom->ntypes + 1, 0);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (covers(i)) there[atom->type[i]] = 1;
+  MPI_Allreduce(MPI_IN_PLACE, there.data(), atom->ntypes + 1, MPI_INT, MPI_MAX, world);
+  for (int ball = 1; ball <= atom->ntypes; ++ball)
+    for (int ring = 1; ring <= atom->ntypes; ++ring) {
+      const RacewayPhysics *p = there[ball] ? pair_->raceway(ball, ring) : nullptr;
+      if (!p) continue;
+      const std::string who = std::string("fix ") + id + " bearing/capacitance: ";
+      const bool inner = p->groove.side == Side::inner;
+      const double bottom = 2.0 * p->groove.raceway_radius,
+                   centre = bottom + (inner ? 2.0 : -2.0) * p->groove.ball_radius,
+                   depth = model_.groove_depth(p->groove);
+      if (!(depth > 0.0 && depth < p->groove.ball_radius))
+        BRG_ALL(who + "shoulder diameter of the " + (inner ? "inner" : "outer") + " ring is " +
+                bearing::text(inner ? model_.inner_shoulder : model_.outer_shoulder) +
+                " m; it must lie between the raceway, " + bearing::text(bottom) +
+                " m, and the ball's centre, " + bearing::text(centre) + " m");
+      if (p->model.ellipse == Ellipse::printed)
+        BRG_ALL(who + "'surroundings' needs 'ellipse exact' or 'hamrock' in the pair style: "
+                      "'printed' does not meet the gap outside the ellipse");
+    }
 }
 
 void FixBearingCapacitance::setup(int)
@@ -110,9 +181,21 @@ std::vector<tag_t> FixBearingCapacitance::find_members() const
   return all;
 }
 
-FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c) const
+FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c)
 {
-  return film_capacitor(*c.raceway, c.state, permittivity_, shortest_film_);
+  if (!model_.surrounded())
+    return c.live ? film_capacitor(*c.raceway, c.state, model_) : FilmCapacitorT<double>{};
+  const bearing::ContactTable &table = pair_->table();
+  if (planned_ != pair_->table_build()) {
+    planned_ = pair_->table_build();
+    filled_ = -1;
+    table_.plan(table, model_, [this](const RacewayContact &one) { return covers(one.i_ball); });
+  }
+  if (filled_ != pair_->table_fill()) {
+    filled_ = pair_->table_fill();
+    table_.fill(table);
+  }
+  return table_[static_cast<size_t>(&c - table.raceway.data())];
 }
 
 // What the homes of the bearings know.
@@ -120,14 +203,14 @@ void FixBearingCapacitance::add_instants()
 {
   for (FixBearingImplicit *f : integrators_)
     for (int k = 1; k < within_; ++k)
-      f->read_instant(k,
-                      {[this, k](const bearing::InstantContact &c) {
-                         if (c.live && std::binary_search(members_.begin(), members_.end(), c.ball))
-                           mine_.push_back({k, c.ball, c.raceway.groove.side, c.state.load,
-                                            c.capacitor.h_c, c.capacitor.capacitance});
-                       },
-                       {},
-                       {}});
+      f->read_instant(k, {[this, k](const bearing::InstantContact &c) {
+                            if ((c.live || model_.surrounded()) &&
+                                std::binary_search(members_.begin(), members_.end(), c.ball))
+                              mine_.push_back({k, c.ball, c.raceway.groove.side, c.live,
+                                               c.live ? c.state.load : 0.0, c.capacitor});
+                          },
+                          {},
+                          {}});
 }
 
 // What the owners of the balls know. Sums over all ranks wait until somebody asks: a table by ring
@@ -138,13 +221,16 @@ void FixBearingCapacitance::sample(bool between)
   if (between) add_instants();
   for (int i = 0; i < atom->nlocal; ++i) set_arrays(i);
   for (const RacewayContact &c : pair_->table().raceway)
-    if (c.live && (atom->mask[c.i_ball] & groupbit)) {
+    if ((c.live || model_.surrounded()) && covers(c.i_ball)) {
       const FilmCapacitorT<double> q = capacitor(c);
-      per_ball_[c.i_ball][c.side() == Side::inner ? 0 : 1] = q.capacitance;
-      mine_.push_back({within_, c.ball, c.side(), c.state.load, q.h_c, q.capacitance});
+      const int s = c.side() == Side::inner ? 0 : 1;
+      per_ball_[c.i_ball][s] = q.capacitance;
+      if (model_.surrounded()) per_ball_[c.i_ball][3 + s] = q.total();
+      mine_.push_back({within_, c.ball, c.side(), c.live, c.live ? c.state.load : 0.0, q});
     }
   for (int i = 0; i < atom->nlocal; ++i)
-    per_ball_[i][2] = series_capacitance(per_ball_[i][0], per_ball_[i][1]);
+    for (int k = 0; k < size_peratom_cols; k += 3)
+      per_ball_[i][k + 2] = series_capacitance(per_ball_[i][k], per_ball_[i][k + 1]);
   between_ = between;
   summed_ = false;
   if (totals_.wanted() || contacts_.wanted()) sum_up();
@@ -166,19 +252,27 @@ void FixBearingCapacitance::sum_up()
     all = &space;
   }
   const int first_instant = between_ ? 1 : within_;
-  double sum = 0.0;
   const Row *row = all->data(), *last = row + all->size();
   for (int k = first_instant; k <= within_; ++k) {
     const Row *end = row;
     while (end != last && end->instant == k) ++end;
     total_ = add_up(row, end);
-    sum += total_.sum;
-    least_ = k == first_instant ? total_.sum : std::min(least_, total_.sum);
-    most_ = k == first_instant ? total_.sum : std::max(most_, total_.sum);
+    plates_.add(total_.plates.all, k == first_instant);
+    whole_.add(total_.whole.all, k == first_instant);
     if (between_ || written_ != update->ntimestep) write(row, end, k);
     row = end;
   }
-  mean_ = sum / (within_ - first_instant + 1);
+  plates_.mean /= within_ - first_instant + 1;
+  whole_.mean /= within_ - first_instant + 1;
+}
+
+// The mean is a sum until all are there.
+void FixBearingCapacitance::Spread::add(double value, bool first)
+{
+  if (first) *this = {0.0, value, value};
+  mean += value;
+  least = std::min(least, value);
+  most = std::max(most, value);
 }
 
 // A ball's two contacts stand side by side; one alone adds nothing.
@@ -187,13 +281,18 @@ FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const
   Total t = {};
   for (; row + 1 < end; ++row) {
     if (row[0].ball != row[1].ball) continue;
-    const double both = series_capacitance(row[0].capacitance, row[1].capacitance);
-    t.sum += both;
-    t.largest = std::max(t.largest, both);
-    t.active += 1.0;
+    const auto add = [](double one, double other, Sum &to) {
+      const double both = series_capacitance(one, other);
+      to.all += both;
+      to.largest = std::max(to.largest, both);
+    };
+    add(row[0].of.capacitance, row[1].of.capacitance, t.plates);
+    if (model_.surrounded()) add(row[0].of.total(), row[1].of.total(), t.whole);
+    t.active += row[0].live && row[1].live;
     ++row;
   }
-  t.sum += background_;
+  t.plates.all += background_;
+  if (model_.surrounded()) t.whole.all += background_;
   return t;
 }
 
@@ -203,13 +302,21 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
   const double back = double(within_ - instant) / within_;    // steps before the end of this one
   const double time = update->atime + (update->ntimestep - update->atimestep - back) * update->dt;
   const double step = update->ntimestep - back;
-  if (FILE *f = totals_.file())
-    fprintf(f, "%.15g %.12g %.12g %.12g %.0f\n", step, time, total_.sum, total_.largest,
+  const bool all = model_.surrounded();
+  if (FILE *f = totals_.file()) {
+    fprintf(f, "%.15g %.12g %.12g %.12g %.0f", step, time, total_.plates.all, total_.plates.largest,
             total_.active);
+    if (all) fprintf(f, " %.12g %.12g", total_.whole.all, total_.whole.largest);
+    fputc('\n', f);
+  }
   if (FILE *f = contacts_.file())
-    for (; row != end; ++row)
-      fprintf(f, "%.15g %.12g %d %d %.12g %.12g %.12g\n", step, time, static_cast<int>(row->ball),
-              static_cast<int>(row->side), row->load, row->h_c, row->capacitance);
+    for (; row != end; ++row) {
+      const FilmCapacitorT<double> &c = row->of;
+      fprintf(f, "%.15g %.12g %d %d %.12g %.12g %.12g", step, time, static_cast<int>(row->ball),
+              static_cast<int>(row->side), row->load, c.h_c, c.capacitance);
+      if (all) fprintf(f, " %.12g %.12g %.12g", c.separation, c.outside, c.total());
+      fputc('\n', f);
+    }
   if (update->ntimestep == update->laststep)
     for (FILE *f : {totals_.file(), contacts_.file()})
       if (f) fflush(f);
@@ -217,7 +324,8 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
 
 double FixBearingCapacitance::compute_scalar()
 {
-  return compute_vector(bearing::of_fix_capacitance::TOTAL);
+  using namespace bearing::of_fix_capacitance;
+  return compute_vector(model_.surrounded() ? ALL_TOTAL : TOTAL);
 }
 
 double FixBearingCapacitance::compute_vector(int k)
@@ -225,30 +333,38 @@ double FixBearingCapacitance::compute_vector(int k)
   sum_up();
   using namespace bearing::of_fix_capacitance;
   switch (k) {
-    case TOTAL: return total_.sum;
-    case LARGEST: return total_.largest;
+    case TOTAL: return total_.plates.all;
+    case LARGEST: return total_.plates.largest;
     case ACTIVE: return total_.active;
-    case MEAN: return mean_;
-    case LEAST: return least_;
-    case MOST: return most_;
+    case MEAN: return plates_.mean;
+    case LEAST: return plates_.least;
+    case MOST: return plates_.most;
+    case ALL_TOTAL: return total_.whole.all;
+    case ALL_LARGEST: return total_.whole.largest;
+    case ALL_MEAN: return whole_.mean;
+    case ALL_LEAST: return whole_.least;
+    case ALL_MOST: return whole_.most;
   }
   return 0.0;
 }
 
 void FixBearingCapacitance::grow_arrays(int n)
 {
-  memory->grow(per_ball_, n, 3, "bearing/capacitance:per_ball");
+  memory->grow(per_ball_, n, size_peratom_cols, "bearing/capacitance:per_ball");
   array_atom = per_ball_;
 }
 
 void FixBearingCapacitance::copy_arrays(int i, int j, int)
 {
-  for (int k = 0; k < 3; ++k) per_ball_[j][k] = per_ball_[i][k];
+  for (int k = 0; k < size_peratom_cols; ++k) per_ball_[j][k] = per_ball_[i][k];
 }
 
 void FixBearingCapacitance::set_arrays(int i)
 {
-  per_ball_[i][0] = per_ball_[i][1] = per_ball_[i][2] = 0.0;
+  std::fill(per_ball_[i], per_ball_[i] + size_peratom_cols, 0.0);
 }
 
-double FixBearingCapacitance::memory_usage() { return 3.0 * atom->nmax * sizeof(double); }
+double FixBearingCapacitance::memory_usage()
+{
+  return double(size_peratom_cols) * atom->nmax * sizeof(double);
+}

@@ -8,10 +8,13 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 #ifndef LMP_FIX_BEARING_CAPACITANCE_H
 #define LMP_FIX_BEARING_CAPACITANCE_H
 
-#include "../contacts/contact_table.h"
+#include "../contacts/capacitor_table.h"
 #include "../contacts/instants.h"
 #include "../deck/text_file.h"
-#include "../physics/capacitance.h"
+
+namespace bearing {
+class Arguments;
+}
 
 namespace LAMMPS_NS {
 
@@ -36,23 +39,36 @@ class FixBearingCapacitance : public Fix {
   // Its balls, sorted; all ranks.
   std::vector<bearing::tag_t> find_members() const;
   // At `number` instants of a step.
-  bearing::Instants instants(int number) const { return {number, permittivity_, shortest_film_}; }
+  bearing::Instants instants(int number) const { return {number, model_}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
-  double permittivity() const { return permittivity_; }    // relative, at ambient pressure
-  raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &) const;
+  const raceway::CapacitorModel &model() const { return model_; }
+  // Of a contact in the table of the pair style; without contact what surrounds it, or 0.
+  raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
  private:
-  // Of all balls of the group at one instant of a step.
+  struct Sum {    // F, of all balls of the group at one instant of a step
+    double all, largest;
+  };
   struct Total {
-    double sum, largest, active;
+    Sum plates, whole;
+    double active;
+  };
+  struct Spread {    // F, over the instants of a step
+    double mean, least, most;
+    void add(double value, bool first);
   };
   struct Row {
     int instant;    // of within_
     bearing::tag_t ball;
     raceway::Side side;
-    double load, h_c, capacitance;    // N, m, F
+    bool live;
+    double load;    // N
+    raceway::FilmCapacitorT<double> of;
   };
 
+  void read_options(bearing::Arguments &);
+  void read_surroundings(bearing::Arguments &);
+  void check_shoulders();
   void find_integrators();
   void add_instants();
   void sample(bool between);
@@ -61,19 +77,23 @@ class FixBearingCapacitance : public Fix {
   void write(const Row *first, const Row *end, int instant);
 
   PairBearingHertz *pair_ = nullptr;
-  double permittivity_ = 0.0, background_ = 0.0;
-  double shortest_film_ = 1e-9;    // m; below it a capacitor of this model would be a short circuit
-  double **per_ball_ = nullptr;    // inner, outer, series
+  raceway::CapacitorModel model_;
+  std::string totals_name_, contacts_name_;
+  double background_ = 0.0;
+  bearing::CapacitorTable table_;    // with surroundings
+  int planned_ = -1;                 // its build and filling of the contact table
+  bigint filled_ = -1;
+  double **per_ball_ = nullptr;    // inner, outer, series; the same with surroundings
   int within_ = 1;                 // instants a step, the last one its end
   std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
   std::vector<bearing::tag_t>
       members_;              // balls of the group, sorted; known where integrators_ are
   std::vector<Row> mine_;    // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;
-  bool between_ = false, summed_ = true;            // what mine_ holds; the numbers below are of it
-  Total total_ = {};                                // at the end of the step
-  bigint written_ = -1;                             // step of the last row in the files
-  double mean_ = 0.0, least_ = 0.0, most_ = 0.0;    // of the sum, over the instants of the step
+  bool between_ = false, summed_ = true;    // what mine_ holds; the numbers below are of it
+  Total total_ = {};                        // at the end of the step
+  bigint written_ = -1;                     // step of the last row in the files
+  Spread plates_ = {}, whole_ = {};         // of the sum
 };
 
 }    // namespace LAMMPS_NS

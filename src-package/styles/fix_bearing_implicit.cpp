@@ -210,8 +210,7 @@ void FixBearingImplicit::build()
     model.parts = pair_->law();
     all.parts.push_back({std::make_unique<BearingStep>(model), 0.0, {}});
     all.parts.back().bearing->keep_energy(energy_wanted_);
-    all.parts.back().bearing->instants().want(
-        {instants_.number, instants_.eps, instants_.shortest});
+    all.parts.back().bearing->instants().want({instants_.number, instants_.capacitor});
   }
 }
 
@@ -303,11 +302,13 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
     BRG_ALL(command + ": 'within " + std::to_string(i.number) +
             "', but another fix wants 'within " + std::to_string(instants_.number) + "' of fix " +
             id + " bearing/implicit");
-  if (others && i.eps > 0.0 && instants_.eps > 0.0 &&
-      (i.eps != instants_.eps || i.shortest != instants_.shortest))
+  const bool capacitor = i.capacitor.permittivity > 0.0;
+  if (others && capacitor && instants_.capacitor.permittivity > 0.0 &&
+      i.capacitor != instants_.capacitor)
     BRG_ALL(command + ": two fixes want different things between the steps of fix " + id +
-            " bearing/implicit; give them the same permittivity and film_floor");
-  if (i.eps > 0.0 || !others) instants_ = i;
+            " bearing/implicit; give them the same permittivity, film_floor, permittivity_at, "
+            "surroundings, shoulders and roughness");
+  if (capacitor || !others) instants_ = i;
 }
 
 void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const

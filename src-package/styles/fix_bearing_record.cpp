@@ -136,8 +136,10 @@ void FixBearingRecord::init()
   pair_ = PairBearingHertz::find(lmp, command_);
   context_ = bearing::context_of(lmp, *pair_, columns_, command_);
   // sums over bearings need it whatever the columns
-  if (!context_.capacitor && bearing::offer_of(lmp, *pair_).capacitance)
+  const bearing::Offer offer = bearing::offer_of(lmp, *pair_);
+  if (!context_.capacitor && offer.capacitance)
     context_.capacitor = bearing::capacitor_of(lmp, command_, "a capacitance");
+  context_.surroundings = offer.surroundings;
 }
 
 // At the start of every run: the first sample, unless the run before ended with it.
@@ -180,7 +182,7 @@ void FixBearingRecord::find_integrators()
     for (bearing::tag_t ball : c->find_members()) capacitors_.push_back(ball);
   std::sort(capacitors_.begin(), capacitors_.end());
   for (FixBearingImplicit *f : integrators_) {
-    f->want_instants({within_}, command_);
+    f->want_instants({within_, {}}, command_);
     for (const FixBearingCapacitance *c : fixes) f->want_instants(c->instants(within_), command_);
   }
 }
@@ -203,6 +205,7 @@ void FixBearingRecord::open()
   content.motion = motion_;
   content.film = pair_->lubricated();
   content.capacitance = static_cast<bool>(context_.capacitor);
+  content.surroundings = context_.surroundings;
   raceway::with_law(pair_->law(), [&](auto law) { content.couples = decltype(law)::couples; });
   content.asperities = pair_->law() & raceway::Parts::bit<raceway::MixedFrictionPart>();
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
@@ -260,10 +263,14 @@ void FixBearingRecord::sample_instants()
     const int ball = rows_.ball(c.ball);
     if (ball < 0) return;
     if (rows_.needs_orbit(ball, c.raceway.groove.side)) rows_.orbit(ball, c.orbit);
-    if (!c.live) return;
+    if (!c.live && !context_.surroundings) return;
     const bool capacitor = std::binary_search(capacitors_.begin(), capacitors_.end(), c.ball);
-    rows_.contact(ball, {double(c.ball), double(c.ring), c.raceway, c.state, context_.axis,
-                         capacitor ? c.capacitor : raceway::FilmCapacitorT<double>{0.0, 0.0}});
+    const bearing::ContactView view = {
+        double(c.ball), double(c.ring),
+        c.raceway,      c.state,
+        context_.axis,  capacitor ? c.capacitor : raceway::FilmCapacitorT<double>{}};
+    if (c.live) rows_.contact(ball, view);
+    else sample_gap(ball, view);
   };
   tell.body = [this](const bearing::InstantBody &b) {
     const int ball = rows_.ball(b.tag);
@@ -285,7 +292,14 @@ void FixBearingRecord::sample_contacts()
     if (ball < 0) continue;
     if (rows_.needs_orbit(ball, c.side())) rows_.orbit(ball, bearing::orbit_of(*atom, *pair_, c));
     if (c.live) rows_.contact(ball, context_.view(c));
+    else if (context_.surroundings) sample_gap(ball, context_.view(c));
   }
+}
+
+// Of a ball for which a fix gives surroundings.
+void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
+{
+  if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
 }
 
 // Half of what a ball loses to other balls, and all that it loses to cage balls.

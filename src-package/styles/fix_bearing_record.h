@@ -42,6 +42,7 @@ class FixBearingRecord : public Fix {
   void sample(bool between);
   void sample_instants();
   void sample_contacts();
+  void sample_gap(int ball, const bearing::ContactView &);
   void sample_cage();
   void sample_parts();
   void end_sample(double step);

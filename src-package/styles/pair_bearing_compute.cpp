@@ -20,6 +20,7 @@ void PairBearingHertz::compute(int eflag, int vflag)
   BRG_EV_INIT(eflag, vflag);
   state_->forward_axes();
   if (neighbor->ago == 0 || rebuild_) rebuild_contacts();
+  ++fills_;
   if (evflag) raceway_forces<true>();
   else raceway_forces<false>();
   sphere_forces(evflag);
@@ -54,6 +55,7 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
       ring.w = Vec3::from(w[c.i_ring]);
       c.live = !approach<L>(p, ball, ring, c.state);
     }
+    if (gaps_) look_at_gap(c);
     if (!c.live) {
       if (keeps) std::fill(c.kept, c.kept + L::states, 0.0);
       continue;
@@ -74,6 +76,23 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
                    0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
     }
   }
+}
+
+// Place and motion of a ball on a raceway, whether they touch or not.
+void PairBearingHertz::look_at_gap(RacewayContact &c)
+{
+  ContactState &s = c.state;
+  const Vec3 centre = Vec3::from(atom->x[c.i_ring]);
+  const BallState ball = {Vec3::from(atom->x[c.i_ball]), Vec3::from(atom->v[c.i_ball]),
+                          Vec3::from(atom->omega[c.i_ball])};
+  const RingState ring = {centre, Vec3::from(atom->v[c.i_ring]), Vec3::from(atom->omega[c.i_ring]),
+                          state_->axis(c.i_ring)};
+  if (!c.live) {
+    locate(ball.x - centre, ring.e, c.raceway->centre_circle, s);
+    s.overlap = s.s - c.raceway->slack;
+    find_motions<false>(*c.raceway, ball, ring, s);
+  }
+  c.orbit = dot(ball.v - ring.v, s.t) / s.r;
 }
 
 void PairBearingHertz::sphere_forces(bool tally)

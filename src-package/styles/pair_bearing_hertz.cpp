@@ -6,7 +6,9 @@
 #include "../contacts/raceway_options.h"
 #include "../deck/arguments.h"
 #include "../physics/part_table.h"
+#include "fix_bearing_capacitance.h"
 #include "fix_bearing_state.h"
+#include "fixes.h"
 
 #include <algorithm>
 
@@ -198,6 +200,9 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
       implicit_bits_ |= modify->fix[k]->groupbit;
+  gaps_ = false;
+  for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp))
+    gaps_ = gaps_ || f->model().surrounded();
   check_rings();
   check_ghosts();
   check_cages();

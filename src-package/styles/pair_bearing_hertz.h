@@ -62,6 +62,7 @@ class PairBearingHertz : public Pair {
   {
     return builds_;
   }    // counts how often local indices in the table changed
+  bigint table_fill() const { return fills_; }    // counts how often it was filled
 
   // The words of pair_style and of every pair_coeff.
   const std::vector<std::vector<std::string>> &said() const { return said_; }
@@ -92,6 +93,7 @@ class PairBearingHertz : public Pair {
   template <bool tally> void raceway_forces();
   template <class L, bool tally> void raceway_forces();
   void sphere_forces(bool tally);
+  void look_at_gap(bearing::RacewayContact &);
   [[noreturn]] void lost(const bearing::RacewayContact &);
 
   raceway::RacewayPhysics defaults_;
@@ -115,6 +117,8 @@ class PairBearingHertz : public Pair {
   bigint atoms_ = 0;    // of the types that pair_coeff names, at the start of the run
   bool rebuild_ = true;
   int builds_ = 0;
+  bigint fills_ = 0;
+  bool gaps_ = false;    // a fix bearing/capacitance asks for what surrounds contacts
 };
 
 }    // namespace LAMMPS_NS

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The capacitor that a ball and a raceway are: plates of the contact ellipse, and where it is asked
+// for what surrounds them, also where they do not touch (docs/fix_bearing_capacitance).
+#ifndef RACEWAY_FILM_CAPACITOR_H
+#define RACEWAY_FILM_CAPACITOR_H
+
+#include "capacitance.h"
+#include "contact.h"
+#include "gap_integral.h"
+#include "groove_shoulder.h"
+
+namespace raceway {
+
+enum class PermittivityAt { maximum, mean, two_thirds };    // of the Hertz pressure
+enum class Surroundings { none, flooded, dry, cavitated };
+
+// What is asked for.
+struct CapacitorModel {
+  double permittivity = 0.0;    // relative, of the lubricant at ambient pressure; 0: no capacitor
+  double film_floor = 1e-9;     // m; below it a capacitor of this model would be a short circuit
+  PermittivityAt at = PermittivityAt::maximum;
+  bool rough = false;
+  Surroundings surroundings = Surroundings::none;
+  double permittivity_outlet = 1.0;    // of what fills the downstream half, if cavitated
+  double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: usual depth
+
+  bool surrounded() const { return surroundings != Surroundings::none; }
+  // Relative, of what fills the gap outside; both halves of it are alike.
+  double outside() const
+  {
+    return surroundings == Surroundings::flooded ? permittivity
+           : surroundings == Surroundings::dry   ? 1.0
+                                                 : 0.5 * (permittivity + permittivity_outlet);
+  }
+  double groove_depth(const Groove &g) const    // m
+  {
+    const bool inner = g.side == Side::inner;
+    const double shoulder = inner ? inner_shoulder : outer_shoulder;
+    if (shoulder == 0.0) return usual_groove_depth * 2.0 * g.ball_radius;
+    return inner ? 0.5 * shoulder - g.raceway_radius : g.raceway_radius - 0.5 * shoulder;
+  }
+  bool operator==(const CapacitorModel &m) const
+  {
+    return permittivity == m.permittivity && film_floor == m.film_floor && at == m.at &&
+           rough == m.rough && surroundings == m.surroundings &&
+           permittivity_outlet == m.permittivity_outlet && inner_shoulder == m.inner_shoulder &&
+           outer_shoulder == m.outer_shoulder;
+  }
+  bool operator!=(const CapacitorModel &m) const { return !(*this == m); }
+};
+
+// The central film (eq 9) and the capacitance of the ellipse; what surrounds it, 0 unless asked
+// for.
+template <class T> struct FilmCapacitorT {
+  T h_c, capacitance;       // m, F; 0 without contact
+  T separation, outside;    // m, F
+  T total() const { return capacitance + outside; }
+};
+
+template <class T>
+RACEWAY_INLINE T film_permittivity(const CapacitorModel &m, const T &largest_pressure)
+{
+  if (m.at == PermittivityAt::mean) return mean_permittivity(m.permittivity, largest_pressure);
+  if (m.at == PermittivityAt::two_thirds)
+    return permittivity_at(m.permittivity, T(2.0 / 3 * largest_pressure));
+  return permittivity_at(m.permittivity, largest_pressure);
+}
+
+template <class T>
+RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
+                              const FilmPointT<T> &at)
+{
+  T h = film_thickness(k.film.central, at);
+  if (p.factors.any) h = h * p.factors.of(at.ln_speed);
+  return h;
+}
+
+// The plates of a lubricated contact.
+template <class T>
+RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const ContactStateT<T> &c,
+                                                const CapacitorModel &m)
+{
+  const RacewayConstantsT<T> k = p.law.at(c.cos_angle);
+  const T h = central_film(p, k, film_point(c.entrainment, c.film_load));
+  const T h_c = where(h > m.film_floor, h, m.film_floor);
+  const T eps = film_permittivity(m, T(k.p * c.root));
+  T C = contact_capacitance(eps, T(k.a * c.root), T(k.b * c.root), h_c);
+  if (m.rough) C = C * rough_film_factor(T(p.roughness / h_c));
+  return {h_c, C, T(), T()};
+}
+
+// A raceway and what surrounds its contacts.
+//
+// The separation is that of the film at no less than the load Q_u of a ball that only the outer
+// raceway guides, m_b r_pitch omega_c^2, nor than 0.1 N: so it has a value where the contact load
+// vanishes. Without contact it is the gap, if that is larger. With film in the gap (part_film_gap)
+// contacts begin at a gap already; the gap then counts from where it equals the film.
+class SurroundedRaceway {
+ public:
+  static constexpr double least_load = 0.1;    // N
+
+  SurroundedRaceway() = default;
+  SurroundedRaceway(const RacewayPhysics &p, const CapacitorModel &m) :
+      p_(&p), m_(m), modulus_(p.material.Eprime()),
+      shoulder_(p.groove, m.groove_depth(p.groove), p.pitch_radius),
+      radial_(gap_shape(p.law.radial(), modulus_, p.rolling_radius(1.0)))
+  {
+    if (!p.has<FilmInGapPart>()) return;
+    begins_ = p.of<FilmInGapPart>().share;
+    least_load_ = FilmInGapPart::cut;
+  }
+
+  const RacewayPhysics *raceway() const { return p_; }
+  GrooveReachT<double> reach(double sine, double cosine) const
+  {
+    return shoulder_.reach(sine, cosine);
+  }
+
+  // cage_speed of the ball (rad/s). Of a ball that does not touch the state has place, overlap and
+  // entrainment speed.
+  template <class T, class Mask>
+  RACEWAY_INLINE FilmCapacitorT<T> capacitor(const ContactStateT<T> &c, const Mask &live,
+                                             const T &cage_speed) const
+  {
+    const T none = T();
+    const RacewayConstantsT<T> k = p_->law.at(c.cos_angle);
+    const T ln_u = logarithm(c.entrainment);
+    const T Q_u = p_->ball_mass * p_->pitch_radius * cage_speed * cage_speed;
+    const T least = where(Q_u > least_load_, Q_u, least_load_);
+    FilmCapacitorT<T> to = {none, none, none, none};
+    // the film under the load of a contact, and under no less than the least
+    const T Q = where(live, c.film_load, least);
+    T h = central_film(*p_, k, FilmPointT<T>{ln_u, logarithm(Q)}), at_least = h;
+    const auto light = !(Q >= least);
+    if (any(light)) at_least = central_film(*p_, k, FilmPointT<T>{ln_u, logarithm(least)});
+    const T floor = none + m_.film_floor;
+    T apart = where(light, at_least, h);
+    if (any(live)) {
+      const T h_c = where(h > floor, h, floor);
+      T C = contact_capacitance(film_permittivity(m_, T(k.p * c.root)), T(k.a * c.root),
+                                T(k.b * c.root), h_c);
+      if (m_.rough) C = C * rough_film_factor(T(p_->roughness / h_c));
+      to.h_c = where(live, h_c, 0.0);
+      to.capacitance = where(live, C, 0.0);
+    }
+    const auto open = !live;
+    if (any(open)) {
+      T gap = -c.overlap;
+      if (begins_ > 0.0) {
+        const T film = central_film(*p_, k, FilmPointT<T>{ln_u, none + std::log(least_load_)});
+        const T excess = begins_ * film - apart;
+        gap = gap - where(excess > 0.0, excess, 0.0);
+      }
+      apart = where(open & (gap > apart), gap, apart);
+    }
+    to.separation = where(apart > floor, apart, floor);
+    to.outside = vacuum_permittivity * m_.outside() * integral(c, k, live, to.separation);
+    return to;
+  }
+
+ private:
+  template <class T, class Mask>
+  RACEWAY_INLINE T integral(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
+                            const Mask &live, const T &h) const
+  {
+    // as the law's constants: radial ones are exact
+    const auto oblique = 1.0 - c.cos_angle >= 1e-12;
+    const GapShapeT<T> s =
+        any(oblique)
+            ? gap_shape(k, modulus_, p_->rolling_radius(T(where(oblique, c.cos_angle, 1.0))))
+            : of_radial<T>();
+    const GrooveReachT<T> r = shoulder_.reach(T(magnitude(c.ne)), T(magnitude(c.nu)));
+    const bool leans = any(r.near < r.far);
+    T I = T();
+    if (any(live)) {
+      const LoadedGapT<T> loaded(s, T(where(live, c.root, 1e-8)), h);
+      I = loaded.integral(r.far);
+      if (leans) I = 0.5 * (I + loaded.integral(r.near));
+    }
+    if (any(!live)) {
+      T far = open_gap(s, h, r.far);
+      if (leans) far = 0.5 * (far + open_gap(s, h, r.near));
+      I = where(live, I, far);
+    }
+    return I;
+  }
+  template <class T> RACEWAY_INLINE GapShapeT<T> of_radial() const
+  {
+    const T n = T();
+    return {n + radial_.a,           n + radial_.Fbar, n + radial_.scale, n + radial_.ends,
+            n + radial_.log_4_kappa, n + radial_.e,    n + radial_.root_e};
+  }
+
+  const RacewayPhysics *p_ = nullptr;
+  CapacitorModel m_;
+  double modulus_ = 0.0;    // Pa
+  GrooveShoulder shoulder_;
+  GapShape radial_;
+  double begins_ = 0.0;    // share of the film at which contacts begin
+  double least_load_ = least_load;
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How far a groove of finite depth reaches across a ball, for the gap beside the contact
+// (docs/fix_bearing_capacitance).
+//
+// The shoulder of a groove of depth t lies at the angle theta_b from the bottom, seen from the
+// ball's centre:
+//   cos theta = 1 - t/r_c,  tan theta_b = r_c sin theta/(R_b - t).
+// Along y across the groove the gap's parabola ends at
+//   S = R_b [4 tan((theta_b -+ alpha)/4) +- 0.09 gamma],  +0.09 inner, -0.09 outer,
+// on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch.
+#ifndef RACEWAY_GROOVE_SHOULDER_H
+#define RACEWAY_GROOVE_SHOULDER_H
+
+#include "groove.h"
+
+namespace raceway {
+
+// Depth of a groove without data of its shoulder, over the ball's diameter.
+constexpr double usual_groove_depth = 0.18;
+
+// Tangent of half an angle from its sine and cosine; 0 <= angle < pi.
+template <class T> RACEWAY_INLINE T half_tangent(const T &sine, const T &cosine)
+{
+  return sine / (1.0 + cosine);
+}
+// and of half of that again.
+template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
+{
+  return tangent / (1.0 + square_root(T(1.0 + tangent * tangent)));
+}
+
+template <class T> struct GrooveReachT {
+  T near, far;    // m, on the side to which the contact leans, and on the other
+};
+
+class GrooveShoulder {
+ public:
+  GrooveShoulder() = default;
+  // depth (m) at the shoulder; pre-condition 0 < depth < ball radius
+  GrooveShoulder(const Groove &g, double depth, double pitch_radius) :
+      radius_(g.ball_radius),
+      curved_((g.side == Side::inner ? 0.09 : -0.09) * g.ball_radius / pitch_radius)
+  {
+    const double cosine = 1.0 - depth / g.groove_radius;
+    const double across = g.groove_radius * std::sqrt(1.0 - cosine * cosine),
+                 down = g.ball_radius - depth;
+    quarter_ = half_tangent(across / (down + std::hypot(across, down)));
+  }
+
+  // sine and cosine (0 or more) of the contact angle. A shoulder that the contact has passed is at
+  // less than 0.
+  template <class T> RACEWAY_INLINE GrooveReachT<T> reach(const T &sine, const T &cosine) const
+  {
+    const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,
+            curved = curved_ * cosine;
+    return {radius_ * (4.0 * (quarter_ - lean) / (1.0 + both) + curved),
+            radius_ * (4.0 * (quarter_ + lean) / (1.0 - both) + curved)};
+  }
+
+ private:
+  double radius_ = 0.0, curved_ = 0.0;
+  double quarter_ = 0.0;    // tan(theta_b/4)
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Capacitance with its surroundings, for test_physics_surroundings.py.
+#include "../../src-package/physics/film_capacitor.h"
+#include "../exports.h"
+
+#include <chrono>
+
+using namespace raceway;
+
+RECORD(CapacitorInput, double permittivity, film_floor, at, rough, surroundings, outlet,
+       inner_shoulder, outer_shoulder, gap;)
+
+namespace {
+constexpr int columns = 4;    // h_c, capacitance, separation, outside
+
+CapacitorModel model_from(const CapacitorInput &in)
+{
+  CapacitorModel m;
+  m.permittivity = in.permittivity;
+  m.film_floor = in.film_floor;
+  m.at = PermittivityAt(int(in.at));
+  m.rough = in.rough != 0.0;
+  m.surroundings = Surroundings(int(in.surroundings));
+  m.permittivity_outlet = in.outlet;
+  m.inner_shoulder = in.inner_shoulder;
+  m.outer_shoulder = in.outer_shoulder;
+  return m;
+}
+
+RacewayPhysics with_gap(const RacewayPhysics &p, double share)
+{
+  RacewayPhysics q = p;
+  if (share == 0.0) return q;
+  q.choose<FilmInGapPart>();
+  q.of<FilmInGapPart>().share = share;
+  q.prepare(q.pitch_radius, q.ball_mass, q.overlap_limit);
+  return q;
+}
+
+// A contact at rest normally; returns whether there is one.
+template <class T, class Mask = decltype(T() < T())>
+Mask meet(const RacewayPhysics &p, const T &overlap, const T &cos_angle, const T &speed,
+          ContactStateT<T> &c)
+{
+  c.cos_angle = c.nu = cos_angle;
+  c.ne = square_root(T(1.0 - cos_angle * cos_angle));
+  c.overlap = overlap;
+  c.entrainment = speed;
+  c.compression = overlap;
+  const RacewayConstantsT<T> k = p.law.at(c.cos_angle);
+  if (!p.has<FilmInGapPart>()) {
+    HertzContactPart::act({}, p, k, LawStates<T>(), c);
+    return overlap > 0.0;
+  }
+  const FilmInGapPart::Parameters &own = p.of<FilmInGapPart>();
+  const Mask open = FilmInGapPart::misses(own, p, k, c);
+  FilmInGapPart::act(own, p, k, LawStates<T>(), c);
+  return !open;
+}
+
+template <class T> void put(const FilmCapacitorT<T> &c, T *out)
+{
+  out[0] = c.h_c;
+  out[1] = c.capacitance;
+  out[2] = c.separation;
+  out[3] = c.outside;
+}
+}    // namespace
+
+EXPORT(double, permittivity_mean, (double ambient, double p))
+{
+  return mean_permittivity(ambient, p);
+}
+EXPORT(double, rough_factor, (double sigma_over_h)) { return rough_film_factor(sigma_over_h); }
+EXPORT(double, gap_beside, (double H)) { return gap_beside_ellipse(std::pow(H, 1.0 / 6)); }
+
+// near and far side, m
+EXPORT(void, groove_reach,
+       (const RacewayPhysics *p, double depth, double sine, double cosine, double out[2]))
+{
+  const GrooveReachT<double> r =
+      GrooveShoulder(p->groove, depth, p->pitch_radius).reach(sine, cosine);
+  out[0] = r.near;
+  out[1] = r.far;
+}
+
+// m, of a contact with that load (N); 0: no contact, at the gap h
+EXPORT(double, gap_integral,
+       (const RacewayPhysics *p, double cos_angle, double load, double h, double reach))
+{
+  const RacewayConstants k = p->law.at(cos_angle);
+  const GapShape s = gap_shape(k, p->material.Eprime(), p->rolling_radius(cos_angle));
+  if (load == 0.0) return open_gap(s, h, reach);
+  return LoadedGapT<double>(s, std::cbrt(load / k.K), h).integral(reach);
+}
+
+// n balls on a raceway, one by one and four side by side; columns numbers each. n is a multiple of
+// 4.
+EXPORT(void, capacitors,
+       (const RacewayPhysics *raceway, const CapacitorInput *in, double n, const double *overlap,
+        const double *cos_angle, const double *speed, const double *cage_speed, double *one,
+        double *four))
+{
+  const RacewayPhysics p = with_gap(*raceway, in->gap);
+  const CapacitorModel m = model_from(*in);
+  const SurroundedRaceway s(p, m);
+  for (int i = 0; i < int(n); ++i) {
+    ContactState c;
+    const bool live = meet(p, overlap[i], cos_angle[i], speed[i], c);
+    if (m.surrounded()) put(s.capacitor(c, live, cage_speed[i]), one + columns * i);
+    else put(live ? film_capacitor(p, c, m) : FilmCapacitorT<double>{}, one + columns * i);
+  }
+  for (int i = 0; i < int(n); i += lanes) {
+    Lane x[4];
+    for (int k = 0; k < lanes; ++k) {
+      x[0][k] = overlap[i + k];
+      x[1][k] = cos_angle[i + k];
+      x[2][k] = speed[i + k];
+      x[3][k] = cage_speed[i + k];
+    }
+    ContactStateT<Lane> c;
+    const LaneMask live = meet(p, x[0], x[1], x[2], c);
+    Lane out[columns];
+    if (m.surrounded()) {
+      put(s.capacitor(c, live, x[3]), out);
+    } else {
+      put(film_capacitor(p, c, m), out);
+      for (Lane &v : out) v = where(live, v, 0.0);
+    }
+    for (int k = 0; k < lanes; ++k)
+      for (int q = 0; q < columns; ++q) four[columns * (i + k) + q] = out[q][k];
+  }
+}
+
+namespace {
+RACEWAY_LANES double sum_of(const RacewayPhysics &p, const CapacitorModel &m,
+                            const SurroundedRaceway &s, const ContactStateT<Lane> &c,
+                            const LaneMask &live, const Lane &cage_speed, int repeats)
+{
+  Lane sum = {};
+  for (int i = 0; i < repeats; ++i) {
+    ContactStateT<Lane> one = c;
+    one.entrainment = c.entrainment + 1e-9 * i;    // so that nothing can be kept
+    if (m.surrounded()) sum += s.capacitor(one, live, cage_speed).total();
+    else sum += film_capacitor(p, one, m).capacitance;
+  }
+  return raceway::sum(sum);
+}
+}    // namespace
+
+// s, of one of four contacts side by side; sum (F) is what they add up to
+EXPORT(double, capacitor_time,
+       (const RacewayPhysics *p, const CapacitorInput *in, double overlap, double speed,
+        double cage_speed, double repeats, double sum[1]))
+{
+  const CapacitorModel m = model_from(*in);
+  const SurroundedRaceway s(*p, m);
+  ContactStateT<Lane> c;
+  const LaneMask live = meet(*p, all_lanes(overlap), all_lanes(1.0), all_lanes(speed), c);
+  const auto start = std::chrono::steady_clock::now();
+  sum[0] = sum_of(*p, m, s, c, live, all_lanes(cage_speed), int(repeats));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  return took.count() / repeats / lanes;
+}

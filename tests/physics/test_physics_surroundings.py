@@ -1,0 +1,298 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""film_capacitor.h, gap_integral.h, groove_shoulder.h: the surroundings of a contact against exact
+integrals and limits."""
+
+import numpy as np
+import pytest
+from physics_c import BALL, INNER, OIL, OUTER, PITCH
+from scipy.constants import epsilon_0
+from scipy.integrate import quad
+
+ALL, DRY, CAVITATED = 1, 2, 3  # Surroundings
+HEIGHTS = np.array([30e-9, 70e-9, 300e-9, 1000e-9])  # m
+MODEL = dict(
+    permittivity=2.2,
+    film_floor=1e-9,
+    at=0,
+    rough=0,
+    surroundings=ALL,
+    outlet=1.0,
+    inner_shoulder=52.6e-3,
+    outer_shoulder=68.6e-3,  # 2.3 mm deep, as the inner one
+    gap=0.0,
+)
+SMALL = dict(
+    ball_radius=7.938e-3 / 2, pitch_radius=39.04e-3 / 2, groove_radius=0.515 * 7.938e-3, side=OUTER
+)
+TINY = dict(
+    ball_radius=3.968e-3 / 2, pitch_radius=7.5e-3, groove_radius=0.53 * 3.968e-3, side=INNER
+)
+LARGE = dict(side=OUTER, raceway_radius=36.6e-3)
+
+# Exact Hertz gap integrated outside the ellipse, parabola in y to +-S: N, m, mm.
+EXACT = [
+    ({}, 8, 4.2e-3, [1914.2, 1628.5, 1247.5, 991.6]),
+    ({}, 120, 4.2e-3, [2477.3, 1999.7, 1412.0, 1066.1]),
+    ({}, 900, 4.2e-3, [3299.4, 2568.6, 1692.8, 1207.3]),
+    (LARGE, 120, 4.2e-3, [3013.9, 2439.9, 1730.7, 1310.6]),
+    (LARGE, 2000, 4.2e-3, [4546.6, 3505.6, 2263.1, 1581.6]),
+    (SMALL, 600, 2.8e-3, [2673.7, 2070.0, 1344.3, 939.4]),
+    (TINY, 60, 1.4e-3, [588.3, 469.4, 322.9, 236.7]),
+]
+
+
+def integral(physics, raceway, load, height, reach, cos_angle=1.0):
+    """m"""
+    return physics.call(
+        "gap_integral", p=raceway._handle, cos_angle=cos_angle, load=load, h=height, reach=reach
+    )
+
+
+def reach(physics, raceway, depth, angle=0.0):
+    return physics.call(
+        "groove_reach", p=raceway._handle, depth=depth, sine=np.sin(angle), cosine=np.cos(angle)
+    )
+
+
+def capacitors(physics, raceway, overlap, speed=1.5, cage_speed=62.0, cos_angle=1.0, **changes):
+    """h_c, capacitance, separation, outside by overlap; one by one is four side by side."""
+    columns = np.broadcast_arrays(np.asarray(overlap, float), cos_angle, speed, cage_speed)
+    n = columns[0].size
+    padded = [np.pad(np.ravel(c), (0, -n % 4), mode="edge") for c in columns]
+    one, four = (np.full(4 * padded[0].size, np.nan) for _ in range(2))
+    named = zip(("overlap", "cos_angle", "speed", "cage_speed"), padded, strict=True)
+    physics.call(
+        "capacitors",
+        raceway=raceway._handle,
+        n=padded[0].size,
+        one=one,
+        four=four,
+        **{"in": MODEL | changes},
+        **dict(named),
+    )
+    np.testing.assert_array_equal(one, four)
+    return one.reshape(-1, 4)[:n].T
+
+
+@pytest.mark.parametrize("changes, load, edge, exact", EXACT)
+def test_t1_exact_integral(physics, changes, load, edge, exact):
+    raceway = physics.raceway(**changes)
+    found = [integral(physics, raceway, load, h, edge) for h in HEIGHTS]
+    np.testing.assert_allclose(np.multiply(found, 1e3), exact, rtol=0.011)
+
+
+@pytest.mark.parametrize(
+    "side, edge, exact, closed",
+    [
+        (INNER, 5.850e-3, [3434, 2703, 1825, 1338], [3410.1, 2685.3, 1814.7, 1330.3]),
+        (OUTER, 5.614e-3, [4135, 3258, 2205, 1617], [4100.2, 3234.7, 2192.2, 1609.1]),
+    ],
+)
+def test_t2_groove_as_an_arc(physics, side, edge, exact, closed):
+    """The arc integral of a loaded 6208, and what the closed form gives elsewhere."""
+    raceway = physics.raceway_6208(side)
+    near, far = reach(physics, raceway, 2.3e-3)
+    assert near == far == pytest.approx(edge, abs=5e-7)
+    found = [1e3 * integral(physics, raceway, 900, h, near) for h in HEIGHTS]
+    np.testing.assert_allclose(found, exact, rtol=0.009)
+    np.testing.assert_allclose(found, closed, atol=0.06)
+
+
+@pytest.mark.parametrize(
+    "side, exact", [(INNER, [1303.6, 893.7, 654.4, 460.5]), (OUTER, [1591.0, 1085.8, 792.0, 555.4])]
+)
+def test_t3_rigid_surfaces(physics, side, exact):
+    raceway = physics.raceway_6208(side)
+    edge = reach(physics, raceway, 2.3e-3)[0]
+    found = [1e3 * integral(physics, raceway, 0, g, edge) for g in (0.3e-6, 3e-6, 12e-6, 40e-6)]
+    np.testing.assert_allclose(found, exact, rtol=0.024)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+def test_rigid_form_is_that_of_two_parabolas(physics, side):
+    """4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius across is within 1 % of R_y."""
+    raceway = physics.raceway_6208(side)
+    gap, edge = 5e-6, 5e-3
+    r_x, r_y = physics.radii(side)
+    exact = 4 * np.pi * np.sqrt(r_x * r_y) * np.arcsinh(edge / np.sqrt(2 * r_y * gap))
+    assert integral(physics, raceway, 0, gap, edge) == pytest.approx(exact, rel=0.005)
+
+
+@pytest.mark.parametrize(
+    "h, exact",
+    [(1e-3, 33.816), (1e-2, 14.909), (0.1, 6.2766), (1, 2.4636), (10, 0.89114), (100, 0.30126)]
+    + [(1e3, 0.097902), (1e-9, 3.5501e3), (1e9, np.pi * 10**-4.5)],
+)
+def test_t4_beside_the_ellipse(physics, h, exact):
+    """The quadrature's values, and the limits 3.5501 H^(-1/3) and pi H^(-1/2)."""
+    assert physics.call("gap_beside", H=h) == pytest.approx(exact, rel=0.002 if h > 1e-8 else 0.006)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+@pytest.mark.parametrize("cos_angle", [1.0, 0.97])
+def test_t5_and_t7_one_form_ends_where_the_other_begins(physics, side, cos_angle):
+    raceway = physics.raceway_6208(side)
+    for gap in (20e-9, 0.3e-6, 12e-6):
+        light, open_ = (
+            integral(physics, raceway, load, gap, 5e-3, cos_angle) for load in (1e-12, 0.0)
+        )
+        assert light == pytest.approx(open_, rel=1e-5)
+
+
+def test_t5_grows_with_load_and_falls_with_film(physics):
+    raceway = physics.raceway()
+    by_load = [integral(physics, raceway, Q, 300e-9, 5e-3) for Q in np.geomspace(0.01, 3000, 30)]
+    by_film = [integral(physics, raceway, 900, h, 5e-3) for h in np.geomspace(1e-9, 1e-5, 30)]
+    assert np.all(np.diff(by_load) > 0) and np.all(np.diff(by_film) < 0)
+
+
+def test_t5_plates_dominate_thin_films(physics):
+    raceway = physics.raceway(**OIL)
+    _, plates, separation, outside = capacitors(
+        physics, raceway, [20e-6, 20e-6], speed=[1.5, 1e-6], film_floor=1e-12
+    )
+    assert separation[1] < 1e-9
+    assert outside[0] / plates[0] > 0.2 and outside[1] / plates[1] < 0.02
+
+
+def test_t5_what_fills_the_gap(physics):
+    raceway = physics.raceway(**OIL)
+    overlap = [15e-6, 1e-7, -4e-6]
+    fill = {
+        kind: capacitors(physics, raceway, overlap, surroundings=kind)[3]
+        for kind in (ALL, DRY, CAVITATED)
+    }
+    foam = capacitors(physics, raceway, overlap, surroundings=CAVITATED, outlet=1.6)[3]
+    np.testing.assert_allclose(fill[CAVITATED], (fill[ALL] + fill[DRY]) / 2, rtol=1e-14)
+    np.testing.assert_allclose(fill[ALL], 2.2 * fill[DRY], rtol=1e-14)
+    np.testing.assert_allclose(foam, 1.9 * fill[DRY], rtol=1e-14)
+    derived = reach(physics, raceway, 2.3e-3)[0]
+    h = capacitors(physics, raceway, overlap)[2][2]
+    assert h == 4e-6
+    exact = epsilon_0 * integral(physics, raceway, 0, h, derived)
+    assert fill[DRY][2] == pytest.approx(exact, rel=1e-9)
+
+
+@pytest.mark.parametrize("gap", [0.0, 0.5, 1.0, 1.5])
+@pytest.mark.parametrize("cage_speed", [0.0, 62.0, 250.0])
+def test_t7_through_loss_of_contact(physics, gap, cage_speed):
+    """Steps of 1 nm, and of 1e-12 m where contacts begin; with film in the gap too."""
+    raceway = physics.raceway(**OIL)
+    overlap = np.arange(-1e-6, 1e-6, 1e-9)
+    named = dict(cage_speed=cage_speed, gap=gap)
+    h_c, plates, h, outside = capacitors(physics, raceway, overlap, **named)
+    assert np.all(h > 0) and np.all(outside > 0)
+    assert np.all((h_c > 0) == (plates > 0))
+    first = overlap[np.argmax(plates > 0)]
+    fine = first - 1e-9 + 1e-12 * np.arange(1001)
+    _, fine_plates, fine_h, fine_outside = capacitors(physics, raceway, fine, **named)
+    assert fine_plates[0] == 0 < fine_plates[-1]
+    total = fine_plates + fine_outside
+    assert np.abs(np.diff(fine_h)).max() < 1e-10
+    # film in the gap begins with the plates of an overlap of h/1000: Q^(2/3) under a film
+    assert np.abs(np.diff(total)).max() < 2e-4 * total.mean()
+
+
+def test_the_separation(physics):
+    """h_c of max(Q, Q_u), then the gap."""
+    raceway = physics.raceway(**OIL)
+    derived = raceway.radial()
+    cage_speed = 200.0
+    q_u = raceway.data["ball_mass"] * PITCH * cage_speed**2
+    film = dict(lnA=derived.central_lnA, p=derived.central_p, m=derived.central_m, speed=1.5)
+    heavy, light = (4 * q_u / derived.K) ** (2 / 3), (0.1 * q_u / derived.K) ** (2 / 3)
+    h = capacitors(physics, raceway, [heavy, light, -1e-9, -1e-5], cage_speed=cage_speed)[2]
+    least = physics.call("thickness", load=q_u, **film)
+    assert h[0] == pytest.approx(physics.call("thickness", load=4 * q_u, **film), rel=1e-12)
+    np.testing.assert_allclose(h[1:3], least, rtol=1e-12)
+    assert h[3] == 1e-5
+    at_rest = capacitors(physics, raceway, [-1e-9], cage_speed=0.0)[2]
+    assert at_rest == pytest.approx(physics.call("thickness", load=0.1, **film), rel=1e-12)
+    assert capacitors(physics, raceway, [-1e-9, 1e-7], film_floor=2e-6)[2] == pytest.approx(2e-6)
+
+
+def test_plates_are_those_without_surroundings(physics):
+    raceway = physics.raceway(**OIL)
+    overlap = np.r_[np.geomspace(1e-12, 3e-5, 15), -1e-6]
+    for changes in ({}, dict(at=1, rough=1), dict(at=2)):
+        alone = capacitors(physics, raceway, overlap, surroundings=0, **changes)
+        with_all = capacitors(physics, raceway, overlap, **changes)
+        np.testing.assert_array_equal(alone[:2], with_all[:2])
+        assert not np.any(alone[2:])
+
+
+@pytest.mark.parametrize("ambient", [1.0, 2.2, 4.0, 9.9])
+@pytest.mark.parametrize("pressure", [0.0, 1e3, 2e7, 1e8, 1.5e9, 4e9])
+def test_mean_permittivity(physics, ambient, pressure):
+    def ring(q):
+        return 2 * q * physics.call("permittivity", ambient, pressure * q)
+
+    exact = quad(ring, 0, 1, epsabs=1e-13, epsrel=1e-13)[0]
+    assert physics.call("permittivity_mean", ambient, pressure) == pytest.approx(exact, rel=1e-10)
+
+
+@pytest.mark.parametrize("at, eps", [(0, 2.654), (1, 2.578), (2, 2.593)])
+def test_where_the_permittivity_is_taken(physics, at, eps):
+    """Relative permittivity 2.2 under 1.5 GPa."""
+    raceway = physics.raceway(**OIL)
+    derived = raceway.radial()
+    overlap = (1.5e9 / derived.p) ** 2
+    h_c, plates, _, _ = capacitors(physics, raceway, [overlap], at=at, surroundings=0)
+    area = np.pi * derived.a * derived.b * overlap
+    assert plates * h_c / (epsilon_0 * area) == pytest.approx(eps, abs=6e-4)
+
+
+def test_t12_rough_films(physics):
+    factors = [physics.call("rough_factor", 1 / x) for x in (3, 4, 5, 6, 10, 2.5)]
+    known = [1.125, 1.0667, 1.0417, 1.0286, 1.0101, 25 / 21]
+    np.testing.assert_allclose(factors, known, atol=5e-5)
+    assert physics.call("rough_factor", 0.0) == 1
+    assert physics.call("rough_factor", 1 / 0.3) == pytest.approx(25 / 21)
+    raceway = physics.raceway(**OIL)
+    smooth, rough = (capacitors(physics, raceway, [1e-5], rough=r) for r in (0, 1))
+    film_parameter = smooth[0] / 50e-9  # 40 nm and 30 nm
+    assert rough[1] / smooth[1] == pytest.approx(1 / (1 - film_parameter**-2), rel=1e-12)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+def test_reach_of_a_groove(physics, side):
+    """With a contact angle the sides differ; half a turn of the ball is 4 tan."""
+    raceway = physics.raceway_6208(side)
+    gamma = 0.09 * (BALL / PITCH) * (1 if side == INNER else -1)
+    cosine = 1 - 2.3e-3 / 6.552e-3
+    across = 6.552e-3 * np.sqrt(1 - cosine**2)
+    shoulder = np.arctan2(across, BALL - 2.3e-3)
+    for angle in (0.0, 0.3, 1.2):
+        near, far = reach(physics, raceway, 2.3e-3, angle) / BALL
+        curved = gamma * np.cos(angle)
+        assert near == pytest.approx(4 * np.tan((shoulder - angle) / 4) + curved, rel=1e-12)
+        assert far == pytest.approx(4 * np.tan((shoulder + angle) / 4) + curved, rel=1e-12)
+
+
+# T6: 6208 at 1500 rpm: film of table 1's oil, groove 2.3 mm deep; N, pF of the ball
+@pytest.mark.parametrize(
+    "load, plates, flooded, cavitated",
+    [(1461.7, 44.9, 65.5, 59.9), (980.1, 33.3, 52.9, 47.5), (105.8, 6.27, 22.0, 17.7)],
+)
+def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
+    speed = 1500 * 2 * np.pi / 60
+    gamma = BALL / PITCH
+    u = 0.5 * PITCH * (1 - gamma**2) * speed  # of both contacts, kinematic
+    cage_speed = 0.5 * speed * (1 - gamma)
+    oil = dict(viscosity=0.03, pressure_viscosity=1.8e-8)
+    q_u = 0.96
+    found = {}
+    for kind in (ALL, CAVITATED):
+        both = []
+        for side, Q in ((INNER, load), (OUTER, load + q_u)):
+            raceway = physics.raceway_6208(side, **oil)
+            overlap = (Q / raceway.radial().K) ** (2 / 3)
+            both.append(
+                capacitors(physics, raceway, [overlap], u, cage_speed, surroundings=kind)[[1, 3], 0]
+            )
+        (p_i, o_i), (p_o, o_o) = both
+        found[kind] = 1e12 / (1 / (p_i + o_i) + 1 / (p_o + o_o))
+        found[0] = 1e12 / (1 / p_i + 1 / p_o)
+    assert found[0] == pytest.approx(plates, rel=0.005)
+    assert found[ALL] == pytest.approx(flooded, rel=0.005)
+    assert found[CAVITATED] == pytest.approx(cavitated, rel=0.005)
