@@ -26,6 +26,7 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
 {
   Arguments args(lmp, std::string("fix ") + id + " bearing/capacitance", narg, arg, 3);
   nevery = args.integer("steps between samples", 1, 1000000000);
+  for (int k = 4; k < narg; ++k) said_ += (k > 4 ? " " : "") + std::string(arg[k]);
   read_options(args);
   const bool all = model_.surrounded();
   if (!totals_name_.empty())
@@ -92,9 +93,6 @@ void FixBearingCapacitance::read_options(Arguments &args)
     args.fail("'surroundings cavitated': relative permittivity of the outlet is " +
               bearing::text(model_.permittivity_outlet) + ", must be 1 to that of the lubricant, " +
               bearing::text(model_.permittivity));
-  if (model_.inner_shoulder > 0.0 && !model_.surrounded())
-    args.fail("'shoulders' needs 'surroundings flooded', 'dry' or 'cavitated EPS_OUT': without "
-              "surroundings no shoulder counts");
   if (!pair_->lubricated())
     args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
 }

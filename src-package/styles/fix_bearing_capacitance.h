@@ -42,6 +42,7 @@ class FixBearingCapacitance : public Fix {
   bearing::Instants instants(int number) const { return {number, model_}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
+  std::string said() const { return said_; }    // the words of its command after N
   // Of a contact in the table of the pair style; without contact what surrounds it, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
@@ -78,7 +79,7 @@ class FixBearingCapacitance : public Fix {
 
   PairBearingHertz *pair_ = nullptr;
   raceway::CapacitorModel model_;
-  std::string totals_name_, contacts_name_;
+  std::string said_, totals_name_, contacts_name_;
   double background_ = 0.0;
   bearing::CapacitorTable table_;    // with surroundings
   int planned_ = -1;                 // its build and filling of the contact table

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "record_settings.h"
 
+#include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
@@ -66,6 +67,11 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));
+  std::string surroundings;    // what the columns with surroundings are of
+  for (const FixBearingCapacitance *f : fixes_of<FixBearingCapacitance>(lmp))
+    if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
+  if (!surroundings.empty())
+    list.push_back(NetcdfHeader::attribute("capacitance_commands", surroundings));
   return list;
 }
 
