@@ -13,6 +13,7 @@ COLUMNS = Path(__file__).resolve().parents[1] / "python/src/raceway/runs/columns
 NEEDS = {
     "film": "*bearing/ehd* only",
     "capacitance": "needs :doc:`fix_bearing_capacitance`",
+    "surroundings": "needs :doc:`fix_bearing_capacitance` with *surroundings*",
 }
 
 
