@@ -32,7 +32,7 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
 {
   const int n = static_cast<int>(batch.rows.size());
   ContactStateT<Lane> c;
-  Lane orbit, live;
+  Lane orbit = {}, live = {};
   for (int first = 0; first < n; first += lanes) {
     for (int i = 0; i < lanes; ++i) {    // the last one fills up
       const RacewayContact &one = table.raceway[batch.rows[std::min(first + i, n - 1)]];

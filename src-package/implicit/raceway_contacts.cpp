@@ -106,7 +106,8 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         stage.looks[contact].orbit = dot(g.v - f.local(ring.now.v), c.t) / c.r;
       }
       const Lane apart = -c.overlap;
-      if (stage.gaps) look_at_gap(p, {d, g.v, g.w}, f, ring, r, c, stage.looks[contact].state);
+      if (stage.gaps && (L::decides || any(g.used & ~live)))
+        look_at_gap(p, {d, g.v, g.w}, f, ring, r, c, stage.looks[contact].state);
       if (!any(live)) continue;
       if (any(live & ~(c.overlap < p.largest_overlap))) {
         for (int i = 0; i < lanes; ++i)
