@@ -7,6 +7,9 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Numbers
 
 VACUUM = 8.8541878128e-12  # F/m
+PERMITTIVITY_AT = ("maximum", "mean", "two_thirds")
+MEAN, MEAN_WEIGHT = np.polynomial.legendre.leggauss(8)
+MEAN = (1 + MEAN) / 2  # on 0 to 1, where the weights add up to one half
 
 
 def density_ratio(pressure: Numbers) -> Numbers:
@@ -41,6 +44,29 @@ def permittivity_at(ambient: Numbers, ratio: Numbers) -> Numbers:
     if np.any(x >= 1):
         raise ValueError(f"permittivity = {ambient} is too large at {ratio} times its density")
     return (1 + 2 * x) / (1 - x)
+
+
+def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
+    """Mean of `permittivity` over the area of a Hertz ellipse whose largest pressure is `pressure`
+    in Pa; raises `ValueError` as that.
+
+    >>> print(f"{mean_permittivity(2.2, 1.5e9):.3f}, at its largest {permittivity(2.2, 1.5e9):.3f}")
+    2.578, at its largest 2.654
+    """
+    # p = pressure sqrt(1 - r^2): with u for the root, the area is 2 u du
+    parts = [w * u * permittivity(ambient, pressure * u) for u, w in zip(MEAN, MEAN_WEIGHT)]
+    return sum(parts[1:], parts[0])
+
+
+def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") -> Numbers:
+    """Relative permittivity of a film by the largest `pressure` of its ellipse in Pa: "maximum" at
+    that (the paper), "two_thirds" at two thirds of it, "mean" the area's mean. Raises `ValueError`
+    for another word."""
+    if at not in PERMITTIVITY_AT:
+        raise ValueError(f"permittivity_at '{at}' is none of {', '.join(PERMITTIVITY_AT)}")
+    if at == "mean":
+        return mean_permittivity(ambient, pressure)
+    return permittivity(ambient, pressure * (2 / 3 if at == "two_thirds" else 1.0))
 
 
 def contact(ambient: Numbers, pressure: Numbers, a: Numbers, b: Numbers, h_c: Numbers) -> Numbers:

@@ -42,7 +42,9 @@ STRAIGHT = {"rx": 0.0, "ry": 0.0}
 class Contacts(NamedTuple):
     """One raceway's contacts, arrays of one value a ball; zero load where there is none."""
 
-    overlap: Floats  # m, of the rigid bodies: negative where a film bridges a gap
+    # m, of the rigid bodies: negative where a film bridges a gap, and minus the play of a ball that
+    # its centrifugal load holds on the outer raceway; zero of a ball that nothing holds
+    overlap: Floats
     load: Floats  # N
     angle: Floats  # rad, positive where the inner ring is pushed to +z
     a: Floats  # m, across the groove
@@ -165,7 +167,8 @@ def _state(balance, place):
                 f"angle {np.degrees(np.abs(angle[side]).max()):.0f} degrees, contact half-width "
                 f"{a.max():.2g} m in a groove of radius {bearing.groove(side):g} m"
             )
-        overlap = np.where(load[side] > 0, touch.distance[side] - balance.gap[side], 0.0)
+        placed = (load[side] > 0) | (balance.centrifugal > 0)
+        overlap = np.where(placed, touch.distance[side] - balance.gap[side], 0.0)
         sides.append(
             Contacts(
                 overlap, load[side], angle[side], a, b, hertz.pressure(ellipse, modulus, load[side])

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Voltages over films: how two films share one, the field in a film, the voltage at which one
+fails, and what a discharge takes. Numbers or arrays of one shape, SI units.
+
+A smooth thin film fails at 15 to 60 V/um (from memory, unchecked). Measured bearings fail first at
+1.5 to 6 V over two films (Lubricants 2024, 12, 1, table A1), far below that: roughness decides, so
+the local gap is that of three standard deviations.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Numbers
+from raceway.theory.asperity import CONDUCTS
+
+STRENGTH = 15e6  # V/m, the lower end of smooth thin films (from memory, unchecked)
+PEAKS = 3.0  # standard deviations of the roughness that a film is locally thinner
+# A/m^2 of peak current over Hertz area (from memory, unchecked)
+HARMLESS, HARMFUL = 0.1e6, 0.7e6
+HARDNESS = 7.5e9  # Pa, of bearing steel: 7 to 8 GPa (from memory, unchecked)
+STATES = ("capacitive", "leaking", "metallic")
+
+
+class Shares(NamedTuple):
+    """A voltage over a ball, divided."""
+
+    inner: Numbers  # V
+    outer: Numbers
+
+
+def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
+    """`Shares` of a `voltage` between the rings by the capacitances of the films: V_i = V C_o/(C_i
+    + C_o). Both must be positive; raises `ValueError`.
+
+    >>> [round(float(one), 6) for one in divided(3.0, 2e-10, 1e-10)]
+    [1.0, 2.0]
+    """
+    inner, outer = _positive("capacitance", inner), _positive("capacitance", outer)
+    return Shares(voltage * outer / (inner + outer), voltage * inner / (inner + outer))
+
+
+def local_gap(separation: Numbers, roughness: float = 0.0) -> Numbers:
+    """h - 3 sigma in m, zero where the peaks meet."""
+    return np.maximum(separation - PEAKS * roughness, 0.0)
+
+
+def field(voltage: Numbers, separation: Numbers, roughness: float = 0.0) -> Numbers:
+    """Field in V/m of a `voltage` over a film: of the mean gap, or with the composite `roughness`
+    sigma (m) of the local gap; infinite where the peaks meet."""
+    gap = np.asarray(local_gap(separation, roughness), float)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return (np.abs(voltage) / gap)[()]
+
+
+class Threshold(NamedTuple):
+    """The smallest voltage at which a film fails."""
+
+    bearing: float  # V, of the weakest ball
+    ball: Numbers  # (Z,), V
+    weakest: int  # index of that ball
+    first: Numbers  # (Z,), 0 inner or 1 outer film: which fails first; the other follows
+
+
+def threshold(
+    separation: tuple[Numbers, Numbers],
+    capacitance: tuple[Numbers, Numbers],
+    strength: float = STRENGTH,
+    roughness: float = 0.0,
+) -> Threshold:
+    """`Threshold` of a bearing from gaps (m) and capacitances (F) of inner and outer films, arrays
+    (Z,); a film fails where `strength` (V/m) times its local gap is reached.
+
+    The smaller of E h_i (C_i + C_o)/C_o and E h_o (C_i + C_o)/C_i, then of all balls. Raises
+    `ValueError` for a capacitance or strength that is not positive.
+
+    >>> found = threshold(([1e-7], [2e-7]), ([2e-10], [1e-10]), 15e6)
+    >>> round(found.bearing, 3), found.first.tolist()
+    (4.5, [0])
+    """
+    _positive("strength", strength)
+    share = divided(1.0, *capacitance)
+    own = np.array(
+        [
+            strength * local_gap(np.asarray(gap, float), roughness) / part
+            for gap, part in zip(separation, share)
+        ]
+    )
+    ball = own.min(0)
+    return Threshold(float(np.min(ball)), ball, int(np.argmin(ball)), own.argmin(0))
+
+
+def stored_energy(capacitance: Numbers, voltage: Numbers) -> Numbers:
+    """C V^2/2 in J, all of which a discharge may take: of the bearing and what hangs on it."""
+    return capacitance * np.square(voltage) / 2
+
+
+def apparent_current_density(current: Numbers, area: Numbers) -> Numbers:
+    """Peak `current` (A) over the Hertz area (m^2) of all contacts it may take, A/m^2. Up to 0.1
+    A/mm^2 is called harmless, from 0.7 harmful (from memory, unchecked)."""
+    return current / _positive("area", area)
+
+
+def states(asperity_share: Numbers, loss: Numbers = 0.0) -> Numbers:
+    """Indices into `STATES`: metallic where asperities carry more than `CONDUCTS` of the load; else
+    leaking where `loss` = 1/(omega R C), conduction over displacement current, is above one.
+
+    >>> states([0.0, 0.0, 0.3], [0.1, 5.0, 0.0]).tolist()
+    [0, 1, 2]
+    """
+    return np.where(np.asarray(asperity_share) > CONDUCTS, 2, np.where(np.asarray(loss) > 1, 1, 0))[
+        ()
+    ]
+
+
+def real_area(asperity_share: Numbers, load: Numbers, hardness: float = HARDNESS) -> Numbers:
+    """A_r = L_a Q/H_m in m^2 of metal that meets under the share L_a of a load in N."""
+    return asperity_share * load / _positive("hardness", hardness)
+
+
+def constriction(area: Numbers, spots: int, resistivity: float) -> Numbers:
+    """Resistance in ohm of `area` (m^2) of metal in `spots` round spots: rho/(2 n a), Holm (from
+    memory, unchecked), without their oxide films. `resistivity` of the metal in ohm m."""
+    if spots < 1:
+        raise ValueError(f"spots = {spots} must be 1 or more")
+    radius = np.sqrt(_positive("area", area) / (np.pi * spots))
+    return resistivity / (2 * spots * radius)
+
+
+def _positive(name, value):
+    value = np.asarray(value, float)[()]
+    if not np.all(value > 0):
+        raise ValueError(f"{name} = {value} must be positive")
+    return value

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The gap around a ball as a capacitor, by integrals: I = integral of dA/(h + g), m. The reference
+for `capacitance_outside`, and for whoever wants it: a few milliseconds a contact.
+
+The gap g of a loaded contact is Hertz's own (Carlson's integrals, DLMF 19.16; Johnson 1985, ch. 4;
+derived here: docs/electric). Its plane is that of the contact: x along rolling, without end, y
+across to the shoulders.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.special import elliprd, elliprf
+
+from raceway.arrays import Floats, Numbers
+from raceway.theory import hertz
+from raceway.theory.bearing import INNER, Bearing
+from raceway.theory.groove_width import shoulder_angle
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(10)
+# e-folds of the distance from an edge: where the steps along x end and how wide they are; how deep
+# and how wide the panels along y are
+NEAR, FAR, STEP = -22.0, 22.0, 0.4
+DEEP, PANEL = 25.0, 2.5
+
+
+class Hertz(NamedTuple):
+    """A loaded elliptical contact, SI units."""
+
+    r_x: float
+    r_y: float
+    a: float
+    b: float
+    overlap: float
+    strength: float  # p = 3 Q/(2 pi E'), m^2
+
+
+def contact(r_x: float, r_y: float, modulus: float, load: float) -> Hertz:
+    """`Hertz` of effective radii in m under `load` in N, E' = `modulus` in Pa. Raises `ValueError`
+    for a load that is not positive."""
+    if not load > 0:
+        raise ValueError(f"load = {load} N must be positive")
+    ellipse = hertz.exact(r_x, r_y)
+    a, b = (float(axis) for axis in hertz.semi_axes(ellipse, modulus, load))
+    strength = 3 * load / (2 * np.pi * modulus)
+    overlap = 2 * strength * elliprf(0, b * b, a * a)
+    return Hertz(r_x, r_y, a, b, float(overlap), strength)
+
+
+def gap(one: Hertz, x: ArrayLike, y: ArrayLike) -> Numbers:
+    """g in m at (x along rolling, y across) from the centre, zero inside the ellipse; broadcasts.
+
+    >>> one = contact(4.990476e-3, 163.8e-3, 210e9 / 0.91, 120.0)
+    >>> print(f"{1e9 * gap(one, 2 * one.b, 0.0):.0f} nm, {1e9 * gap(one, 0.0, 2 * one.a):.0f} nm")
+    1410 nm, 4800 nm
+    """
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    beyond = one.a**2 * (x**2 - one.b**2) + one.b**2 * y**2
+    return _gap(one, x, y, np.maximum(beyond, 0.0))
+
+
+def _gap(one, x, y, beyond):
+    """The gap where a^2 x^2 + b^2 y^2 - a^2 b^2 = `beyond`, which near the ellipse is no
+    difference of squares."""
+    aa, bb, xx, yy = one.a**2, one.b**2, x * x, y * y
+    half = (aa + bb - xx - yy) / 2
+    root = np.sqrt(half * half + beyond)
+    # the larger root of l^2 + 2 half l - beyond = 0, without cancellation
+    positive = half > 0
+    lift = np.where(positive, beyond / np.where(positive, half + root, 1.0), root - half)
+    p = elliprf(lift, lift + bb, lift + aa)
+    p_x = elliprd(lift, lift + aa, lift + bb)
+    p_y = elliprd(lift, lift + bb, lift + aa)
+    elastic = one.strength * (2 * p - 2 / 3 * (xx * p_x + yy * p_y))
+    value = xx / (2 * one.r_x) + yy / (2 * one.r_y) - one.overlap + elastic
+    return np.maximum(value, 0.0)[()]
+
+
+def parabola(
+    r_x: float, r_y: float, modulus: float, load: float, separation: ArrayLike, width: float
+) -> Numbers:
+    """I in m around the ellipse, the groove a parabola to y = ± `width` (m); the shape of
+    `separation` h (m), whose gaps are all alike and cost once.
+
+    Raises `ValueError` for a load that is not positive.
+
+    >>> one = parabola(4.990476e-3, 163.8e-3, 210e9 / 0.91, 120.0, [30e-9, 1e-6], 4.2e-3)
+    >>> (1e3 * one).round(1).tolist()  # mm
+    [2477.3, 1066.1]
+    """
+    one = contact(r_x, r_y, modulus, load)
+    beside = _strips(one, *_inward(one.a, min(one.a, width)), separation)
+    beyond = 0.0
+    if width > one.a:
+        beyond = _strips(one, *_outward(one.a, width), separation)
+    return 2 * (beside + beyond)
+
+
+def arc(
+    bearing: Bearing,
+    raceway: int,
+    load: float,
+    separation: ArrayLike,
+    depth: float,
+    angle: float = 0.0,
+) -> Numbers:
+    """I in m around the ellipse of a circular groove `depth` deep (m) at a contact angle (rad); the
+    shape of `separation` (m).
+
+    Within the ellipse's width as `parabola`; beyond, the arc's gap over the parabola's is added to
+    it, and the radius along rolling follows the raceway. Raises `ValueError` for a load that is not
+    positive.
+    """
+    r_x, r_y = (float(value) for value in bearing.effective_radii(raceway, angle))
+    one = contact(r_x, r_y, bearing.effective_modulus, load)
+    edge = float(shoulder_angle(bearing.groove(raceway), bearing.ball_radius, depth))
+    total = 0.0
+    for side in (-1, 1):
+        reach = bearing.ball_radius * (edge + side * abs(angle))
+        total = total + _strips(one, *_inward(one.a, min(one.a, reach)), separation)
+        if reach <= one.a:
+            continue
+        y, weight = _outward(one.a, reach)
+        psi = y / bearing.ball_radius
+        air, start = (
+            _arc_gap(bearing, raceway, 0.0, at) for at in (psi, one.a / bearing.ball_radius)
+        )
+        bend = air - y**2 / (2 * r_y) - (start - one.a**2 / (2 * r_y))
+        area = weight * (1 + air / (2 * bearing.ball_radius))
+        # side * psi leans to the shoulder the contact angle points to
+        slope = _along(bearing, raceway, psi if side < 0 else -psi, abs(angle))
+        turned = slope - _along(bearing, raceway, 0.0, abs(angle))
+        total = total + _strips(one, y, area, separation, bend, turned)
+    return total
+
+
+def rigid_arc(
+    bearing: Bearing, raceway: int, separation: ArrayLike, depth: float, angle: float = 0.0
+) -> Numbers:
+    """I in m of a ball `separation` (m) from the bottom of a circular groove `depth` deep (m),
+    without load; the shape of `separation`. Exact to 6e-5 for two eccentric cylinders."""
+    gaps = np.atleast_1d(np.asarray(separation, float))
+    total = np.zeros(gaps.shape)
+    for place, g0 in np.ndenumerate(gaps):
+        edge = float(shoulder_angle(bearing.groove(raceway), bearing.ball_radius, depth, g0))
+        for side in (-1, 1):
+            psi, weight = _outward(0.0, edge + side * abs(angle))
+            air = _arc_gap(bearing, raceway, g0, psi)
+            slope = _along(bearing, raceway, psi if side < 0 else -psi, abs(angle))
+            width = np.pi * np.sqrt(2 / (slope * air))
+            total[place] += np.sum(weight * (bearing.ball_radius + air / 2) * width)
+    return total.reshape(np.shape(separation))[()]
+
+
+def beside(ratio: ArrayLike) -> Numbers:
+    """G(H) of `capacitance_outside.beside` by its integral: strips of a line contact across the
+    ellipse."""
+    ratio = np.atleast_1d(np.asarray(ratio, float))
+    y, weight = _inward(1.0, 1.0)
+    xi = np.exp(np.arange(NEAR, FAR, STEP))  # beyond one
+    line = (1 + xi) * np.sqrt(xi * (2 + xi)) - np.log1p(xi + np.sqrt(xi * (2 + xi)))
+    height = ratio[:, None] / (1 - y * y)
+    strip = STEP * np.sum(xi / (height[..., None] + line), axis=-1)
+    return 2 * np.sum(weight / np.sqrt(1 - y * y) * strip, axis=-1)
+
+
+def _arc_gap(bearing, raceway, g0, psi):
+    """From ball to groove along a ray at `psi` from the ball's centre, g0 at the bottom."""
+    groove, radius = bearing.groove(raceway), bearing.ball_radius
+    c = groove - radius - g0
+    return np.sqrt(groove**2 - (c * np.sin(psi)) ** 2) - c * np.cos(psi) - radius
+
+
+def _along(bearing, raceway, psi, angle):
+    """1/R_x at `psi` from the contact, towards the bottom, of a contact at `angle`."""
+    cosine = np.cos(angle - psi)
+    if raceway == INNER:
+        curve = cosine / (bearing.inner_radius + bearing.inner_groove * (1 - cosine))
+    else:
+        curve = -cosine / (bearing.outer_radius - bearing.outer_groove * (1 - cosine))
+    return 1 / bearing.ball_radius + curve
+
+
+def _strips(one, y, weight, separation, bend=0.0, turned=0.0):
+    """Sum of weight times the integral of dx/(h + g) at `y`, for each h."""
+    inside = np.maximum(1 - (y / one.a) ** 2, 0.0)
+    edge = one.b * np.sqrt(inside)
+    away = one.b * np.exp(np.arange(NEAR, FAR, STEP))
+    x = edge[:, None] + away
+    past = one.b**2 * np.maximum(y**2 - one.a**2, 0.0)
+    beyond = one.a**2 * away * (2 * edge[:, None] + away) + past[:, None]
+    gaps = _gap(one, x, y[:, None], beyond)
+    gaps = gaps + np.reshape(bend, (-1, 1)) + x * x / 2 * np.reshape(turned, (-1, 1))
+    heights = np.asarray(separation, float)
+    sums = [2 * STEP * np.sum(weight @ (away / (h + gaps))) for h in heights.ravel()]
+    return np.reshape(sums, heights.shape)[()]
+
+
+def _panels(length, last):
+    """Nodes and weights over distances from `length` down, in e-folds, `last` of them or more."""
+    count = int(np.ceil(last / PANEL))
+    width = last / count
+    start = width * np.arange(count)[:, None]
+    fold = (start + width * (1 + NODES) / 2).ravel()
+    away = length * np.exp(-fold)
+    return away, np.tile(width / 2 * WEIGHTS, count) * away
+
+
+def _inward(a, reach) -> tuple[Floats, Floats]:
+    """(y, weights) from 0 to `reach`, at most a, dense towards a."""
+    away, weight = _panels(a, DEEP)
+    if reach < a:  # the groove ends within the ellipse
+        half = reach / 2
+        return half * (1 + NODES), half * WEIGHTS
+    return a - away, weight
+
+
+def _outward(a, reach) -> tuple[Floats, Floats]:
+    """(y, weights) from a to `reach`, dense towards a."""
+    away, weight = _panels(reach - a, DEEP)
+    return a + away, weight

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Both gaps of every ball as capacitors: contact ellipse and surroundings of a loaded contact, the
+rigid gap of one without load. Arrays of one value a ball, SI units. Derived on docs/electric.
+
+A ball between the rings always has both capacitors. One without load lies on the outer raceway
+under its centrifugal load Q_u, and its play is the gap to the inner one.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Floats, Numbers
+from raceway.inputs import Oil
+from raceway.theory import (
+    capacitance,
+    capacitance_outside,
+    film,
+    groove_width,
+    hertz,
+    kinematics,
+    rough_film,
+)
+from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.static import Contacts, Equilibrium
+from raceway.theory.validity import Shoulders
+
+LEAST = 0.1  # N, of Q_u: a ball that does not turn still lies somewhere
+ROUGHNESS = ("none", "gamma")
+WET_SHARE = {"flooded": 1.0, "cavitated": 0.5, "dry": 0.0}  # of the gap outside that oil fills
+
+
+class Filling(NamedTuple):
+    """What fills the gaps and how it counts."""
+
+    kind: str = "flooded"  # of `capacitance_outside.FILLS`
+    outlet: float = 1.0  # relative permittivity of what fills the outlet where "cavitated"
+    permittivity_at: str = "maximum"  # of `capacitance.PERMITTIVITY_AT`
+    roughness: str = "none"  # of `ROUGHNESS`: the factor of a rough film on the ellipse
+    shoulders: Shoulders = Shoulders()
+
+
+FLOODED = Filling()
+
+
+class Capacitors(NamedTuple):
+    """Those of one raceway, arrays (Z,) of one value a ball."""
+
+    load: Floats  # N, of the elastic contact; zero in a rigid gap
+    separation: Floats  # m: h_c, or the play of a ball without load
+    area: Floats  # m^2, of the Hertz ellipse
+    plates: Floats  # F, of the ellipse; zero without load
+    outside: Floats  # F, of the gap around it
+    paths: Floats  # m: of a uniform current through the oil, resistivity over resistance
+
+    @property
+    def total(self) -> Floats:
+        """Plates and outside in parallel, (Z,), F."""
+        return self.plates + self.outside
+
+
+class BearingCapacitors(NamedTuple):
+    """Those of both raceways and what they make together."""
+
+    inner: Capacitors
+    outer: Capacitors
+
+    @property
+    def ball(self) -> Floats:
+        """(Z,), F: inner and outer in series."""
+        return capacitance.ball(self.inner.total, self.outer.total)
+
+    @property
+    def total(self) -> float:
+        """F: all balls in parallel."""
+        return float(np.sum(self.ball))
+
+    @property
+    def plates(self) -> float:
+        """F, of the ellipses alone: a ball without load on either raceway adds nothing (eq 12)."""
+        loaded = self.inner.load > 0
+        return float(np.sum(self.of_plates[loaded]))
+
+    @property
+    def of_plates(self) -> Floats:
+        """(Z,), F: the ellipses alone in series."""
+        return capacitance.ball(self.inner.plates, self.outer.plates)
+
+    @property
+    def unloaded(self) -> float:
+        """F, of the balls without load on the inner raceway."""
+        return float(np.sum(self.ball[self.inner.load <= 0]))
+
+
+def quiet_load(bearing: Bearing, orbit: float, density: float = 7850.0) -> float:
+    """Q_u = m r omega^2 in N of a ball without other load, at least 0.1; `orbit` the cage speed in
+    rad/s, `density` in kg/m^3."""
+    mass = 4 / 3 * np.pi * bearing.ball_radius**3 * density
+    return max(LEAST, mass * bearing.pitch_radius * orbit**2)
+
+
+def of_raceway(
+    bearing: Bearing,
+    raceway: int,
+    permittivity: float,
+    load: ArrayLike,
+    separation: ArrayLike,
+    angle: ArrayLike = 0.0,
+    *,
+    filling: Filling = FLOODED,
+    roughness: float = 0.0,
+    clearance: float = 0.0,
+) -> Capacitors:
+    """`Capacitors` of one raceway from loads (N), separations (m) and contact angles (rad) of the
+    balls (Z,), in oil of relative `permittivity` at rest.
+
+    A load of zero makes a rigid gap. `roughness` sigma in m counts where `filling` asks for it,
+    `clearance` is diametral, m. Raises `ValueError` for a separation that is not positive and for
+    words that `Filling` does not know.
+    """
+    load, separation, angle = np.broadcast_arrays(
+        *(np.asarray(value, float) for value in (load, separation, angle))
+    )
+    _check(filling)
+    depth = groove_width.depth(bearing, raceway, filling.shoulders[raceway])
+    live = load > 0
+    ellipse_area, plates, around = (np.zeros(load.shape) for _ in range(3))
+    outside = capacitance_outside.fill(permittivity, filling.kind, filling.outlet)
+
+    def shape(which):
+        widths = groove_width.half_widths(bearing, raceway, depth, angle[which], clearance)
+        return *bearing.effective_radii(raceway, angle[which], clearance), widths
+
+    if live.any():
+        r_x, r_y, widths = shape(live)
+        ellipse, modulus = hertz.exact(r_x, r_y), bearing.effective_modulus
+        a, b = hertz.semi_axes(ellipse, modulus, load[live])
+        ellipse_area[live] = np.pi * a * b
+        pressed = capacitance.film_permittivity(
+            permittivity, 1.5 * load[live] / (np.pi * a * b), filling.permittivity_at
+        )
+        factor = 1.0
+        if filling.roughness == "gamma" and roughness > 0:
+            factor = rough_film.factor(separation[live] / roughness)
+        plates[live] = capacitance.VACUUM * pressed * ellipse_area[live] / separation[live] * factor
+        around[live] = capacitance_outside.loaded(
+            ellipse, modulus, r_x, load[live], separation[live], widths
+        )
+    if not live.all():
+        r_x, _, widths = shape(~live)
+        around[~live] = capacitance_outside.rigid(
+            r_x, bearing.ball_radius, bearing.groove(raceway), separation[~live], widths
+        )
+    return Capacitors(
+        load,
+        separation,
+        ellipse_area,
+        plates,
+        capacitance.VACUUM * outside * around,
+        ellipse_area / separation + WET_SHARE[filling.kind] * around,
+    )
+
+
+def separation(
+    thickness: Callable[[Floats], Floats], load: ArrayLike, play: ArrayLike, quiet: float
+) -> Floats:
+    """The one separation of a gap through loss and return of contact, m: h_c of the larger of load
+    and `quiet` Q_u (N), and at least the `play` (m; negative or zero under load).
+
+    `thickness` gives h_c in m by the contact loads in N. Arrays of one shape.
+    """
+    load = np.asarray(load, float)
+    film_there = thickness(np.maximum(load, quiet))
+    return np.where(load > 0, film_there, np.maximum(film_there, play))
+
+
+def of_statics(
+    bearing: Bearing,
+    state: Equilibrium,
+    oil: Oil,
+    spin: float,
+    quiet: float,
+    *,
+    filling: Filling = FLOODED,
+    clearance: float = 0.0,
+    factor: Callable[[Floats], Floats] | None = None,
+    scale: float = 1.0,
+) -> BearingCapacitors:
+    """`BearingCapacitors` of an `Equilibrium` whose balls turn, the inner ring at `spin` rad/s.
+
+    `quiet` is `quiet_load` in N; clearance and `factor` as `lubrication.lubricate`'s; `scale`
+    multiplies every film. Raises `ValueError` without speed: then there is no film.
+    """
+    if not spin:
+        raise ValueError("spin = 0 rad/s: balls that do not turn have no film")
+    sides = []
+    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
+        thickness = _thickness(bearing, side, contact, oil, spin, clearance, factor)
+        load = contact.load if side == INNER else np.maximum(contact.load, quiet)
+        apart = scale * separation(thickness, load, 0.0, quiet)
+        if side == INNER:
+            apart = np.where(load > 0, apart, np.maximum(apart, -contact.overlap))
+        sides.append(
+            of_raceway(
+                bearing,
+                side,
+                oil.permittivity,
+                load,
+                apart,
+                contact.angle,
+                filling=filling,
+                roughness=oil.roughness,
+                clearance=clearance,
+            )
+        )
+    return BearingCapacitors(*sides)
+
+
+def _thickness(bearing, side, contact: Contacts, oil, spin, clearance, factor):
+    r_x, r_y = bearing.effective_radii(side, contact.angle, clearance)
+    kappa = hertz.exact(r_x, r_y).kappa
+    speed = kinematics.entrainment(bearing, spin, contact.angle)
+    thinned = 1.0 if factor is None else factor(speed)
+
+    def thickness(load: Numbers) -> Numbers:
+        group = film.group(
+            oil.viscosity,
+            oil.pressure_viscosity,
+            bearing.effective_modulus,
+            r_x,
+            kappa,
+            speed,
+            load,
+        )
+        return thinned * film.h_c(r_x, group)
+
+    return thickness
+
+
+def _check(filling):
+    for name, value, words in (
+        ("permittivity_at", filling.permittivity_at, capacitance.PERMITTIVITY_AT),
+        ("roughness", filling.roughness, ROUGHNESS),
+    ):
+        if value not in words:
+            raise ValueError(f"{name} '{value}' is none of {', '.join(words)}")

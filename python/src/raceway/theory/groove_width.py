@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How far a raceway's groove reaches beside a ball: the angle of its shoulder and the half-width of
+the parabola that has the groove's capacitance. Lengths in m, angles in rad."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Numbers
+from raceway.theory.bearing import INNER, Bearing
+
+USUAL_DEPTH = 0.18  # of the ball's diameter, where the shoulders are not known
+
+
+class HalfWidths(NamedTuple):
+    """Half-widths S of the parabola to both sides of a contact, m; alike at no contact angle."""
+
+    near: Numbers  # to the shoulder that the contact is nearer to
+    far: Numbers
+
+
+def depth(bearing: Bearing, raceway: int, shoulder: float = np.nan) -> float:
+    """t in m: from the groove's bottom to its shoulder of diameter `shoulder` (m), 0.18 of the
+    ball's diameter where that is NaN.
+
+    Raises `ValueError` for a shoulder that is not between the bottom and the centre of the groove.
+    """
+    if np.isnan(shoulder):
+        return USUAL_DEPTH * bearing.ball_diameter
+    bottom = bearing.inner_radius if raceway == INNER else bearing.outer_radius
+    found = shoulder / 2 - bottom if raceway == INNER else bottom - shoulder / 2
+    if not 0 < found <= bearing.groove(raceway):
+        raise ValueError(
+            f"shoulder diameter = {shoulder} m is {found} m from the groove's bottom: must be more"
+            f" than 0 and at most the groove's radius, {bearing.groove(raceway)} m"
+        )
+    return found
+
+
+def shoulder_angle(groove: float, ball_radius: float, depth: float, gap: Numbers = 0.0) -> Numbers:
+    """theta_b: the shoulder's angle at the centre of a ball that is `gap` (m) from the bottom of
+    its groove of radius `groove`, `depth` deep (m).
+
+    tan(theta_b) = r_c sin(theta)/(R_b - t + gap), cos(theta) = 1 - t/r_c (derived here:
+    docs/electric).
+    """
+    sine = np.sqrt(depth * (2 * groove - depth))
+    return np.arctan2(sine, ball_radius - depth + gap)
+
+
+def half_widths(
+    bearing: Bearing, raceway: int, depth: float, angle: Numbers = 0.0, clearance: float = 0.0
+) -> HalfWidths:
+    """`HalfWidths` of a groove `depth` deep (m) at a contact angle (rad), the shape of `angle`;
+    `clearance` is diametral, m.
+
+    S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle, + inner, - outer: of the parabola
+    that has the capacitance of the arc (derived here: docs/electric). Zero past the shoulder.
+
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> [round(1e3 * float(half_widths(b, side, 2.3e-3).near), 3) for side in (0, 1)]  # mm
+    [5.85, 5.614]
+    """
+    radius = bearing.ball_radius
+    edge = shoulder_angle(bearing.groove(raceway), radius, depth)
+    r_x, _ = bearing.effective_radii(raceway, angle, clearance)
+    turned = 0.09 * (1 - r_x / radius)  # 0.09 gamma, + inner, - outer
+    lean = np.abs(angle)
+    return HalfWidths(
+        *(
+            np.maximum(radius * (4 * np.tan(side / 4) + turned), 0.0)
+            for side in (edge - lean, edge + lean)
+        )
+    )

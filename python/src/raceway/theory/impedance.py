@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Impedance of a film or bearing, and back: capacitance, resistance and film thickness from what an
+instrument reads. Numbers or arrays of one shape, SI units; frequencies in Hz.
+
+A film is a capacitor with its leak in parallel: Z = 1/(1/R + j omega C).
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from scipy.optimize import brentq
+
+from raceway.arrays import Numbers
+from raceway.theory.capacitance import VACUUM
+
+THINNEST, THICKEST = 1e-3, 1e3  # of a guessed film: where `film_scale` looks
+
+
+def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
+    """R in ohm of oil of `resistivity` (ohm m) between surfaces whose `paths` are pi a b/h + I of
+    the part that oil fills, m. For one uniform fill R C = rho eps_0 eps in any geometry."""
+    return resistivity / paths
+
+
+def impedance(
+    capacitance: Numbers, frequency: Numbers, resistance: Numbers = np.inf
+) -> complex | np.ndarray:
+    """Z in ohm, complex, of C (F) beside R (ohm; infinite unless given) at a frequency. Raises
+    `ValueError` for a frequency that is not positive."""
+    frequency = np.asarray(frequency, float)
+    if not np.all(frequency > 0):
+        raise ValueError(f"frequency = {frequency} Hz must be positive")
+    omega = 2 * np.pi * frequency
+    return (1 / (1 / np.asarray(resistance, float) + 1j * omega * capacitance))[()]
+
+
+def in_series(*impedances: complex | np.ndarray) -> complex | np.ndarray:
+    """Sum of impedances in ohm."""
+    return sum(impedances[1:], impedances[0])
+
+
+def in_parallel(impedances: np.ndarray) -> complex | np.ndarray:
+    """1/sum(1/Z) over the last axis, ohm."""
+    return 1 / np.sum(1 / np.asarray(impedances), axis=-1)
+
+
+def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbers:
+    """C in F of a measured Z (ohm, complex): -sin(phi)/(omega |Z|), phi = arg Z."""
+    return (-np.sin(np.angle(impedance)) / (2 * np.pi * frequency * np.abs(impedance)))[()]
+
+
+def resistance_of(impedance: complex | np.ndarray) -> Numbers:
+    """R in ohm beside that C: |Z|/cos(phi).
+
+    >>> z = impedance(2e-10, 1e4, 5e5)
+    >>> print(f"{capacitance_of(z, 1e4):.3e} F, {resistance_of(z):.3e} ohm")
+    2.000e-10 F, 5.000e+05 ohm
+    """
+    return (np.abs(impedance) / np.cos(np.angle(impedance)))[()]
+
+
+def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
+    """h in m as a reading of the plates alone has it: eps_0 eps A/C, A = pi a b in m^2. Too small
+    where other capacitance is in C."""
+    return VACUUM * permittivity * area / capacitance
+
+
+def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
+    """By what all films of a model are to be multiplied to have a measured `capacitance` (F);
+    `whole` gives the model's capacitance in F by that factor, falling.
+
+    Raises `ValueError` where no factor from 1e-3 to 1e3 has it: something else is in the reading.
+
+    >>> round(film_scale(2e-10, lambda scale: 1e-10 / scale), 6)
+    0.5
+    """
+    least, most = whole(THICKEST), whole(THINNEST)
+    if not least <= capacitance <= most:
+        raise ValueError(
+            f"capacitance = {capacitance} F: films from {THINNEST:g} to {THICKEST:g} times those of"
+            f" the model have {most:.4g} to {least:.4g} F"
+        )
+    log = brentq(
+        lambda step: whole(float(np.exp(step))) - capacitance,
+        np.log(THINNEST),
+        np.log(THICKEST),
+        xtol=1e-12,
+    )
+    return float(np.exp(log))
+
+
+def bearing_voltage_ratio(
+    winding_rotor: Numbers, stator_rotor: Numbers, *bearings: Numbers
+) -> Numbers:
+    """BVR = C_wr/(C_wr + C_rf + the bearings' C): what of a common-mode voltage of the windings a
+    motor's shaft takes. All in F.
+
+    >>> round(float(bearing_voltage_ratio(50e-12, 1e-9, 200e-12, 200e-12)), 5)
+    0.03448
+    """
+    return winding_rotor / (winding_rotor + stator_rotor + sum(bearings))

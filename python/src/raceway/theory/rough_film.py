@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Mean of 1/gap of a rough film over that of a smooth one, by L = h/sigma: h the mean gap, sigma
+the rms composite roughness. Numbers or arrays of one shape.
+
+A profilometer's sigma is an upper bound: under pressure long waves are flattened.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.special import ndtr
+
+from raceway.arrays import Numbers
+from raceway.theory.film_factors import rough_capacitance
+
+GAMMA_FROM = 2.5  # L from which the gamma film is good; below, gaps are closed
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
+HIGHEST = 8.0  # sigmas above the mean that count
+
+
+class Clipped(NamedTuple):
+    """A film of Gaussian gap that is solid where it is thinner than a boundary film."""
+
+    factor: Numbers  # of the open part
+    closed: Numbers  # share of the area
+
+
+def factor(ratio: Numbers) -> Numbers:
+    """L^2/(L^2 - 1) of a gamma-distributed film, held at its value for L = 2.5 below that: thinner
+    films are partly closed and are no capacitor there (`clipped`).
+
+    >>> [round(float(factor(L)), 4) for L in (3.0, 10.0)]
+    [1.125, 1.0101]
+    """
+    return rough_capacitance(np.maximum(ratio, GAMMA_FROM))
+
+
+def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:
+    """The same of a Gaussian height that is cut at `cut` sigmas and renormalised: the reference for
+    the gamma film. Raises `ValueError` unless L > `cut`: uncut, the mean is infinite.
+
+    >>> [round(float(gauss_cut(L)), 4) for L in (4.0, 5.0, 6.0, 10.0)]
+    [1.0755, 1.0441, 1.0294, 1.01]
+    """
+    ratio = np.asarray(ratio, float)
+    if not np.all(ratio > cut):
+        raise ValueError(f"h/sigma = {ratio} must be above the cut, {cut}")
+    z = cut * NODES
+    weight = WEIGHTS * np.exp(-z * z / 2)
+    return (weight / weight.sum() * ratio[..., None] / (ratio[..., None] + z)).sum(-1)[()]
+
+
+def clipped(ratio: Numbers, boundary: Numbers) -> Clipped:
+    """`Clipped` of a Gaussian gap: where it is below `boundary`, in sigmas (a boundary film of 2 to
+    10 nm), the surfaces meet. Raises `ValueError` for a boundary that is not positive.
+    """
+    ratio, boundary = np.broadcast_arrays(np.asarray(ratio, float), np.asarray(boundary, float))
+    if not np.all(boundary > 0):
+        raise ValueError(f"boundary = {boundary} must be positive")
+    # the gap as a variable grows as the exponential of the step: 1/gap is then smooth
+    low, high = np.log(boundary), np.log(np.maximum(ratio + HIGHEST, 2 * boundary))
+    middle, half = (low + high) / 2, (high - low) / 2
+    gap = np.exp(middle[..., None] + half[..., None] * NODES)
+    density = np.exp(-((gap - ratio[..., None]) ** 2) / 2) / np.sqrt(2 * np.pi)
+    mean = (WEIGHTS * density).sum(-1) * half  # of 1/gap
+    return Clipped((ratio * mean)[()], ndtr(boundary - ratio)[()])

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How far the closed form of a contact's whole capacitance is from its integrals, over sizes,
+conformities, raceways, loads and films; writes docs/performance/capacitance_error.rst.
+
+    .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: leave the page alone
+
+Exit code 1 when a row with the ellipse well in its groove misses the promise.
+"""
+
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from raceway import capacitance, capacitance_exact, capacitance_outside, groove_width, hertz
+from raceway.theory.bearing import INNER, OUTER, Bearing
+
+ROOT = Path(__file__).resolve().parents[2]
+PATH = ROOT / "docs/performance/capacitance_error.rst"
+SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # ball, pitch diameter (m)
+CONFORMITIES = (0.505, 0.51, 0.52, 0.53, 0.54)
+SEPARATIONS = np.geomspace(20e-9, 2e-6, 7)  # m
+LOADS = (0.1, 1.0, 10.0, 100.0, 300.0, 1000.0, 3000.0)  # N; without load the gap is rigid
+PLAYS = np.array([5e-6, 10e-6, 20e-6])  # m
+PERMITTIVITY = 2.2
+INSIDE = 0.9  # of the groove's half-angle that an ellipse may fill
+PROMISE = 0.015
+PAGE = """\
+Error of the closed form of capacitance
+=======================================
+
+Written by ``tests/bench/capacitance_error.py`` (``make bench``).
+
+:doc:`../electric` has a closed form for the capacitance of a contact with its surroundings. Here
+it is compared with its integrals. The total of plates and surroundings counts. The oil has a
+relative permittivity of {permittivity} at rest. Each row has {count} points. Loads are
+{loads} N at seven films from 20 nm to 2 µm. Without load the gap is rigid, at the
+same separations.
+
+* *arc*: the integral over a circular groove, {depth:g} of the ball's diameter deep.
+* *parabola*: the integral that the form stands for, a parabola of the form's half-width.
+* *rigid*: the gap without load, against the arc.
+* *play*: the same at 5, 10 and 20 µm.
+* *left out*: loads under which the ellipse fills more than {inside:g} of the groove's half-angle.
+  An ellipse that reaches the shoulder is no ellipse (:doc:`../scope`). In brackets is the error
+  against the arc of those that do not reach it, in per cent.
+
+The largest error of the first three columns is {worst:.2f} %. The promise is {promise:.1f} %.
+
+.. list-table:: largest error, %
+   :header-rows: 1
+
+   * - ball diameter
+     - conformity
+     - raceway
+     - arc
+     - parabola
+     - rigid
+     - play
+     - left out
+{rows}
+"""
+ROW = """\
+   * - {size}
+     - {conformity:g}
+     - {raceway}
+     - {arc:.2f}
+     - {parabola:.2f}
+     - {rigid:.2f}
+     - {play:.2f}
+     - {left}"""
+
+
+class Errors(NamedTuple):
+    """Largest relative errors of one row."""
+
+    arc: float
+    parabola: float
+    rigid: float
+    play: float
+    beyond: float  # of an ellipse between INSIDE and the shoulder, zero without one
+    left: tuple[float, ...]  # loads left out, N
+
+    @property
+    def inside(self) -> float:
+        """The largest that the promise is about."""
+        return max(self.arc, self.parabola, self.rigid)
+
+
+def bearing(size: str, conformity: float) -> Bearing:
+    """A bearing of a size of the page."""
+    ball, pitch = 1e-3 * float(size.split()[0]), SIZES[size]
+    groove = conformity * ball
+    return Bearing(9, ball, (pitch - ball) / 2, (pitch + ball) / 2, groove, groove)
+
+
+def errors(size: str, conformity: float, raceway: int) -> Errors:
+    """`Errors` of a row."""
+    one = bearing(size, conformity)
+    depth = groove_width.USUAL_DEPTH * one.ball_diameter
+    r_x, r_y = (float(radius) for radius in one.effective_radii(raceway))
+    ellipse, modulus = hertz.exact(r_x, r_y), one.effective_modulus
+    widths = groove_width.half_widths(one, raceway, depth)
+    half_angle = groove_width.shoulder_angle(one.groove(raceway), one.ball_radius, depth)
+    arc, parabola, beyond, left = [0.0], [0.0], 0.0, []
+    for load in LOADS:
+        a, b = hertz.semi_axes(ellipse, modulus, load)
+        filled = a / (one.ball_radius * half_angle)
+        if filled > INSIDE:
+            left.append(load)
+        if filled > 1:
+            continue
+        pressed = capacitance.permittivity(PERMITTIVITY, 1.5 * load / (np.pi * a * b))
+        plates = pressed * np.pi * a * b / SEPARATIONS
+        form = capacitance_outside.loaded(ellipse, modulus, r_x, load, SEPARATIONS, widths)
+        groove = capacitance_exact.arc(one, raceway, load, SEPARATIONS, depth)
+        plane = capacitance_exact.parabola(r_x, r_y, modulus, load, SEPARATIONS, widths.near)
+        off = [
+            float(np.abs((form - exact) / (plates / PERMITTIVITY + exact)).max())
+            for exact in (groove, plane)
+        ]
+        if filled > INSIDE:
+            beyond = max(beyond, off[0])
+        else:
+            arc.append(off[0])
+            parabola.append(off[1])
+    return Errors(
+        max(arc),
+        max(parabola),
+        *(_rigid(one, raceway, r_x, depth, widths, gaps) for gaps in (SEPARATIONS, PLAYS)),
+        beyond,
+        tuple(left),
+    )
+
+
+def _rigid(one, raceway, r_x, depth, widths, gaps):
+    form = capacitance_outside.rigid(r_x, one.ball_radius, one.groove(raceway), gaps, widths)
+    return float(np.abs(form / capacitance_exact.rigid_arc(one, raceway, gaps, depth) - 1).max())
+
+
+def line(size: str, conformity: float, raceway: int, found: Errors) -> str:
+    """A row of the page."""
+    left = ", ".join(f"{load:g} N" for load in found.left)
+    if found.beyond:
+        left += f" ({100 * found.beyond:.2f})"
+    return ROW.format(
+        size=size,
+        conformity=conformity,
+        raceway=("inner", "outer")[raceway],
+        arc=100 * found.arc,
+        parabola=100 * found.parabola,
+        rigid=100 * found.rigid,
+        play=100 * found.play,
+        left=left or "none",
+    )
+
+
+def main() -> int:
+    """Write the page."""
+    places = [(size, f, side) for size in SIZES for f in CONFORMITIES for side in (INNER, OUTER)]
+    found = {place: errors(*place) for place in places}
+    worst = max(one.inside for one in found.values())
+    page = PAGE.format(
+        permittivity=PERMITTIVITY,
+        count=len(SEPARATIONS) * (1 + len(LOADS)),
+        loads=", ".join(f"{load:g}" for load in LOADS),
+        depth=groove_width.USUAL_DEPTH,
+        inside=INSIDE,
+        worst=100 * worst,
+        promise=100 * PROMISE,
+        rows="\n".join(line(*place, one) for place, one in found.items()),
+    )
+    if "--print" in sys.argv[1:]:
+        print(page)
+    else:
+        PATH.write_text(page)
+    return worst >= PROMISE
+
+
+if __name__ == "__main__":
+    sys.exit(main())

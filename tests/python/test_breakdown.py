@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Voltages, impedances and rough films against their own algebra and printed values."""
+
+import numpy as np
+import pytest
+from raceway import breakdown, capacitance, film_factors, impedance, rough_film
+
+
+def test_division():
+    """Of two films the one with half the capacitance takes two thirds of the voltage."""
+    shares = breakdown.divided(9.0, 2e-10, 1e-10)
+    assert shares.inner == pytest.approx(3.0) and shares.outer == pytest.approx(6.0)
+    with pytest.raises(ValueError, match="capacitance = 0.0 must be positive"):
+        breakdown.divided(1.0, 0.0, 1e-10)
+
+
+def test_field_and_threshold():
+    gaps = (np.array([2e-7, 3e-7]), np.array([2.5e-7, 3.5e-7]))
+    parts = (np.array([1e-10, 5e-11]), np.array([1.2e-10, 4e-11]))
+    found = breakdown.threshold(gaps, parts, 15e6, 3e-8)
+    shares = breakdown.divided(found.bearing, *parts)
+    fields = np.array([breakdown.field(share, gap, 3e-8) for share, gap in zip(shares, gaps)])
+    assert fields.max() == pytest.approx(15e6)
+    assert fields[found.first[found.weakest], found.weakest] == fields.max()
+    assert found.bearing == found.ball.min() == found.ball[found.weakest]
+    assert breakdown.field(3.0, 1e-7) == pytest.approx(3e7)
+    assert breakdown.field(3.0, 1e-7, 4e-8) == np.inf
+    assert breakdown.threshold(([1e-7], [1e-7]), ([1e-10], [1e-10]), 15e6, 4e-8).bearing == 0.0
+    with pytest.raises(ValueError, match="strength = -1.0 must be positive"):
+        breakdown.threshold(gaps, parts, -1.0)
+
+
+def test_discharge():
+    assert breakdown.stored_energy(2e-10, 10.0) == pytest.approx(1e-8)
+    assert breakdown.apparent_current_density(0.5, 5e-6) == pytest.approx(breakdown.HARMLESS)
+    assert breakdown.states([0.0, 0.02, 0.0], [0.5, 0.5, 2.0]).tolist() == [0, 2, 1]
+    area = breakdown.real_area(0.5, 1500.0)
+    assert area == pytest.approx(1e-7)
+    one, four = (breakdown.constriction(area, n, 2e-7) for n in (1, 4))
+    assert one == pytest.approx(2e-7 / (2 * np.sqrt(1e-7 / np.pi)))
+    assert four == pytest.approx(one / 2)
+    with pytest.raises(ValueError, match="spots = 0 must be 1 or more"):
+        breakdown.constriction(area, 0, 2e-7)
+
+
+def test_impedance_and_back():
+    c, r, f = np.array([1e-11, 2e-10, 1e-9]), np.array([1e5, 1e7, np.inf]), 2e4
+    z = impedance.impedance(c, f, r)
+    assert impedance.capacitance_of(z, f) == pytest.approx(c, rel=1e-13)
+    assert impedance.resistance_of(z[:2]) == pytest.approx(r[:2], rel=1e-9)
+    both = impedance.in_series(z[0], z[1])
+    assert 1 / both == pytest.approx(1 / (z[0] + z[1]))
+    assert impedance.in_parallel([z[0], z[1]]) == pytest.approx(z[0] * z[1] / both)
+    with pytest.raises(ValueError, match="frequency = 0.0 Hz must be positive"):
+        impedance.impedance(1e-10, 0.0)
+
+
+def test_leak_of_one_fill():
+    """R C = rho eps_0 eps in any geometry."""
+    area, gap, around = 1e-6, 2e-7, 2.0
+    paths = area / gap + around
+    r = impedance.leak(1e10, paths)
+    c = capacitance.VACUUM * 2.2 * paths
+    assert r * c == pytest.approx(1e10 * capacitance.VACUUM * 2.2)
+
+
+def test_film_from_capacitance():
+    area, permittivity, h = 8e-7, 2.6, 2.5e-7
+    c = capacitance.VACUUM * permittivity * area / h
+    assert impedance.plates_thickness(c, area, permittivity) == pytest.approx(h)
+    scale = impedance.film_scale(c + 3e-11, lambda scale: c / scale + 3e-11)
+    assert scale == pytest.approx(1.0, rel=1e-10)
+    with pytest.raises(ValueError, match="films from 0.001 to 1000 times"):
+        impedance.film_scale(2e-11, lambda scale: c / scale + 3e-11)
+
+
+def test_bearing_voltage_ratio():
+    ratio = impedance.bearing_voltage_ratio(50e-12, 1e-9, 200e-12, 200e-12)
+    assert ratio == pytest.approx(0.03448, abs=5e-6)
+
+
+def test_rough_films():
+    ratio = np.array([4.0, 5.0, 6.0, 10.0])
+    assert rough_film.gauss_cut(ratio) == pytest.approx([1.0755, 1.0441, 1.0294, 1.0100], abs=6e-5)
+    assert rough_film.factor(ratio) == pytest.approx([1.0667, 1.0417, 1.0286, 1.0101], abs=6e-5)
+    assert rough_film.factor(3.0) == pytest.approx(1.125)
+    assert rough_film.factor(0.5) == rough_film.factor(2.5) == film_factors.rough_capacitance(2.5)
+    with pytest.raises(ValueError, match=r"h/sigma = 3.0 must be above the cut, 3"):
+        rough_film.gauss_cut(3.0)
+
+
+def test_clipped_film():
+    found = rough_film.clipped(np.array([0.0, 2.5, 30.0]), 0.05)
+    # a half of a film without a mean gap is closed, none of a thick one
+    assert found.closed == pytest.approx([0.5199, 0.00714, 0.0], abs=6e-5)
+    assert found.factor[2] == pytest.approx(rough_film.factor(30.0), rel=1e-4)
+    z = (np.arange(400_000) + 0.5) / 400_000 * 12 + 0.05  # gaps in sigmas
+    mean = np.sum(np.exp(-((z - 2.5) ** 2) / 2) / z) * (12 / 400_000) / np.sqrt(2 * np.pi)
+    assert found.factor[1] == pytest.approx(2.5 * mean, rel=1e-6)
+    with pytest.raises(ValueError, match="boundary = 0.0 must be positive"):
+        rough_film.clipped(1.0, 0.0)
