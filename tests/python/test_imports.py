@@ -41,6 +41,7 @@ def loaded(*arguments):
         "spectrum",
         "static",
         "heat",
+        "electric",
         "sweep",
         "gather",
         "paper",

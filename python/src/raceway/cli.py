@@ -11,6 +11,7 @@ from raceway import __version__, progress
 from raceway.commands import (
     animate,
     check,
+    electric,
     export,
     gather,
     heat,
@@ -34,6 +35,7 @@ examples:
   raceway static --load 2000 --clearance 10e-6           theory, without a run
   raceway shaft inputs/shafts/motor                     bearings on one shaft
   raceway heat --load 2000 --rpm 3000                    its steady temperature
+  raceway electric --load 2000 --rpm 3000                its capacitance and breakdown
   raceway sweep points.csv                               many runs, one a row
 
 `raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the
@@ -85,6 +87,7 @@ def _parser():
         static,
         shaft,
         heat,
+        electric,
         sweep,
         gather,
         paper,

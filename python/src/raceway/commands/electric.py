@@ -1,0 +1,362 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway electric`: all of a bearing's capacitance, breakdown and impedance without a
+simulation."""
+
+import argparse
+import csv
+import json
+import math
+from pathlib import Path
+
+from raceway.commands import Commands
+from raceway.commands.quantity import number, takes_negative
+
+HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
+DESCRIPTION = """\
+All of the capacitance of a bearing at an operating point: contact ellipses, the gap around them,
+balls without load. Beside it the smallest voltage at which a film fails, the impedance, and the
+bearing voltage ratio of a motor. Loads and films are those of `raceway static`; docs/electric
+derives the formulas.
+
+--speeds, --loads, --temperatures and --clearances take several values: a line for each. --measured
+goes back from a measured capacitance to the film thickness.
+
+Pictures (--kind, with --out):
+  parts    capacitance by its parts, over the one quantity with several values
+  field    field in the films around the ring, at --voltage
+  bode     impedance over frequency, with --resistivity
+  reading  film thickness that an instrument reads, and its error"""
+EXAMPLES = """\
+examples:
+  raceway electric --load 3000 --rpm 1500
+  raceway electric --load 400 --rpm 6000 --clearance 12e-6 --surroundings cavitated 1
+  raceway electric --load 1000 --speeds 100 300 1000 3000 10000 --kind parts --out parts.png
+  raceway electric --load 1000 --rpm 3000 --c-wr 50e-12 --c-rf 1e-9 --frequency 1e4 --json
+  raceway electric --load 1000 --rpm 3000 --measured 250e-12
+  raceway electric --load 1000 --rpm 3000 --csv reading.csv --kind reading --out reading.png
+
+Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
+is a file of your own, written as those are.
+Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
+KINDS = ("parts", "field", "bode", "reading")
+PHASES = 12  # of the balls, between one ball and the next, in the picture of the field
+SEVERAL = {  # option: (argument of `electric_point.solve`, key of its figures)
+    "speeds": ("rpm", "rpm"),
+    "loads": ("load", "load_N"),
+    "temperatures": ("temperature", "temperature_C"),
+    "clearances": ("clearance", "clearance_m"),
+}
+
+
+def add(commands: Commands) -> None:
+    """Add the parser to those of the `raceway` command."""
+    one = commands.add_parser(
+        "electric",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    takes_negative(one)
+    _operating_point(one)
+    _surroundings(one)
+    _electrics(one)
+    out = one.add_argument_group("output")
+    out.add_argument("--kind", choices=KINDS, help="a picture; needs --out")
+    out.add_argument("--out", metavar="PNG", help="where to put the picture; needs --kind")
+    out.add_argument(
+        "--csv", metavar="FILE", help="a table: of the points, or with --kind reading of its curve"
+    )
+    out.add_argument("--json", action="store_true", help="JSON instead of tables")
+    one.set_defaults(command=run, complain=one.error)
+
+
+def _operating_point(one):
+    point = one.add_argument_group("operating point")
+    point.add_argument(
+        "--bearing", default="6208", metavar="NAME", help="a file of inputs/bearings (6208)"
+    )
+    point.add_argument(
+        "--lubricant", default="vg46", metavar="NAME", help="a file of inputs/lubricants (vg46)"
+    )
+    point.add_argument(
+        "--inputs", metavar="DIR", help="the inputs folder (default: as raceway static)"
+    )
+    for name, several, kind, unit, what in (
+        ("--load", "--loads", number(0, 1e6, "N"), "N", "radial load, newtons (0)"),
+        ("--rpm", "--speeds", number(1e-3, 1e5, "rpm"), "R", "speed of the inner ring"),
+        ("--clearance", "--clearances", number(-1e-3, 1e-3, "m"), "M",
+         "diametral clearance, metres; negative is preload (0)"),
+        ("--temperature", "--temperatures", number(-40, 200, "C"), "C",
+         "of the lubricant, degrees Celsius (that of its file, 40)"),
+    ):  # fmt: skip
+        group = point.add_mutually_exclusive_group()
+        group.add_argument(name, type=kind, metavar=unit, help=what)
+        group.add_argument(several, type=kind, nargs="+", metavar=unit, help="several of it")
+    point.add_argument(
+        "--axial",
+        type=number(-1e6, 1e6, "N"),
+        default=0.0,
+        metavar="N",
+        help="along z, newtons (0)",
+    )
+    point.add_argument(
+        "--models",
+        choices=("paper", "full"),
+        default="paper",
+        help="paper: as the publication; full: film in the gap, inlet shear",
+    )
+
+
+def _surroundings(one):
+    around = one.add_argument_group("what fills the gaps")
+    around.add_argument(
+        "--surroundings",
+        nargs="+",
+        default=["flooded"],
+        metavar=("KIND", "EPS_OUT"),
+        help="flooded, dry, or cavitated EPS_OUT, the outlet's relative permittivity (flooded)",
+    )
+    around.add_argument(
+        "--shoulders",
+        type=number(1e-4, 10, "m"),
+        nargs=2,
+        metavar=("D_INNER", "D_OUTER"),
+        help="diameters of the shoulders, metres (those of the bearing's file)",
+    )
+    around.add_argument(
+        "--permittivity-at",
+        choices=("maximum", "mean", "two_thirds"),
+        default="maximum",
+        help="pressure of the film's permittivity: largest, its mean over the ellipse, two thirds",
+    )
+    around.add_argument(
+        "--roughness",
+        choices=("none", "gamma"),
+        default="none",
+        help="of the films' capacitance: smooth, or a gamma-distributed film (none)",
+    )
+
+
+def _electrics(one):
+    electric = one.add_argument_group("voltage, frequency, motor")
+    electric.add_argument(
+        "--strength",
+        type=number(1e5, 1e9, "V/m"),
+        default=15e6,
+        metavar="V/M",
+        help="field at which a film fails (15e6; smooth thin films 15e6 to 60e6, unchecked)",
+    )
+    electric.add_argument(
+        "--voltage",
+        type=number(1e-6, 1e6, "V"),
+        metavar="V",
+        help="between the rings: gives fields",
+    )
+    electric.add_argument(
+        "--frequency", type=number(1e-3, 1e10, "Hz"), metavar="HZ", help="gives the impedance"
+    )
+    electric.add_argument(
+        "--resistivity",
+        type=number(1e3, 1e16, "ohm m"),
+        default=math.inf,
+        metavar="OHM_M",
+        help="of the lubricant, ohm metres (none: no leak)",
+    )
+    electric.add_argument(
+        "--c-wr", type=number(0, 1e-3, "F"), metavar="F", help="windings to rotor; with --c-rf"
+    )
+    electric.add_argument(
+        "--c-rf", type=number(0, 1e-3, "F"), metavar="F", help="rotor to frame; gives the ratio"
+    )
+    electric.add_argument(
+        "--measured",
+        type=number(1e-15, 1e-3, "F"),
+        metavar="F",
+        help="measured capacitance of the bearing: gives the film thickness",
+    )
+    electric.add_argument(
+        "--measured-impedance",
+        type=float,
+        nargs=2,
+        metavar=("OHM", "DEG"),
+        help="the same from modulus and phase at --frequency; the phase is negative",
+    )
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the figures, write picture and table. Raises `RacewayError`."""
+    # scipy takes longer to load than --help to print
+    from raceway.theory import electric_point
+
+    _check(arguments)
+    ask = _ask(arguments)
+    points = [_solve(arguments, values) for values in _values(arguments)]
+    try:
+        results = [electric_point.figures(point, ask) for point in points]
+    except ValueError as error:
+        arguments.complain(str(error))
+    many = any(getattr(arguments, name) for name in SEVERAL)
+    if arguments.json:
+        print(json.dumps(results if many else results[0], indent=2, allow_nan=False))
+    else:
+        show = electric_point.curves if many else lambda found: electric_point.table(found[0])
+        print(show(results))
+    curve = _reading(arguments, points[0]) if arguments.kind == "reading" else None
+    if arguments.csv:
+        _table(Path(arguments.csv), results, curve)
+    if arguments.kind:
+        _picture(arguments, points, results, curve)
+
+
+def _check(arguments):
+    complain = arguments.complain
+    if arguments.rpm is None and not arguments.speeds:
+        complain("give --rpm or --speeds: a film needs a speed")
+    if not arguments.axial and not (arguments.load or (arguments.loads and all(arguments.loads))):
+        complain("a load is needed: give --load, --loads or --axial")
+    if (arguments.c_wr is None) != (arguments.c_rf is None):
+        complain("--c-wr and --c-rf: give both")
+    if (arguments.kind is None) != (arguments.out is None):
+        complain("--kind and --out: give both")
+    several = [name for name in SEVERAL if getattr(arguments, name)]
+    if arguments.kind == "parts" and len(several) != 1:
+        complain("--kind parts: give several values of one quantity, --speeds for example")
+    if arguments.kind in ("field", "bode", "reading") and several:
+        complain(f"--kind {arguments.kind}: is of one operating point")
+    if arguments.kind == "field" and arguments.voltage is None:
+        complain("--kind field: give --voltage")
+    if arguments.kind == "bode" and math.isinf(arguments.resistivity):
+        complain("--kind bode: give --resistivity")
+    if arguments.measured_impedance:
+        if arguments.measured is not None or arguments.frequency is None:
+            complain("--measured-impedance: needs --frequency, and no --measured")
+        size, phase = arguments.measured_impedance
+        if not (0 < size < math.inf and -90 <= phase < 0):
+            complain(
+                f"--measured-impedance {size:g} {phase:g}: OHM must be positive, DEG from -90 to 0"
+            )
+
+
+def _filling(arguments):
+    from raceway.theory.capacitance_outside import FILLS
+    from raceway.theory.capacitors import Filling
+    from raceway.theory.validity import Shoulders
+
+    kind, *rest = arguments.surroundings
+    if kind not in FILLS or len(rest) != (kind == "cavitated"):
+        arguments.complain(
+            f"--surroundings {' '.join(arguments.surroundings)}: give flooded, dry or"
+            " cavitated EPS_OUT"
+        )
+    try:
+        outlet = number(1, 100, "")(rest[0]) if rest else 1.0
+    except argparse.ArgumentTypeError as error:
+        arguments.complain(f"--surroundings cavitated: {error}")
+    return Filling(
+        kind,
+        outlet,
+        arguments.permittivity_at,
+        arguments.roughness,
+        Shoulders(*(arguments.shoulders or ())),
+    )
+
+
+def _ask(arguments):
+    from raceway.theory import impedance
+    from raceway.theory.electric_point import Ask
+
+    measured = arguments.measured
+    if arguments.measured_impedance:
+        size, phase = arguments.measured_impedance
+        z = complex(size * math.cos(math.radians(phase)), size * math.sin(math.radians(phase)))
+        measured = float(impedance.capacitance_of(z, arguments.frequency))
+    motor = None if arguments.c_wr is None else (arguments.c_wr, arguments.c_rf)
+    return Ask(
+        arguments.strength,
+        arguments.voltage,
+        arguments.frequency,
+        arguments.resistivity,
+        motor,
+        measured,
+    )
+
+
+def _values(arguments):
+    """Arguments of `solve` for every point."""
+    points = [{}]
+    for several, (name, _) in SEVERAL.items():
+        one = getattr(arguments, name)
+        values = getattr(arguments, several) or [one]
+        points = [
+            dict(point, **({} if value is None else {name: value}))
+            for point in points
+            for value in values
+        ]
+    return points
+
+
+def _solve(arguments, values, phase=0.0):
+    from raceway.theory import electric_point
+
+    try:
+        return electric_point.solve(
+            arguments.bearing,
+            arguments.lubricant,
+            arguments.inputs,
+            axial=arguments.axial,
+            models=arguments.models,
+            filling=_filling(arguments),
+            phase=phase,
+            **values,
+        )
+    except ValueError as error:
+        arguments.complain(str(error))
+
+
+def _reading(arguments, point):
+    from raceway.theory import film_reading
+
+    try:
+        return film_reading.curve(point)
+    except ValueError as error:
+        arguments.complain(str(error))
+
+
+def _table(path, results, curve):
+    from raceway import files
+
+    if curve is None:
+        keys = [key for key, value in results[0].items() if not isinstance(value, list)]
+        rows = [keys, *([one[key] for key in keys] for one in results)]
+    else:
+        names = ("h_c_m", "capacitance_F", "read_by_plates_m", "read_less_constant_m")
+        rows = [names, *(map(float, row) for row in zip(*curve))]
+
+    def write(part):
+        with open(part, "w", newline="") as file:
+            csv.writer(file).writerows(rows)
+
+    print(files.whole(path, write))
+
+
+def _picture(arguments, points, results, curve):
+    from importlib import import_module  # matplotlib takes longer to load than a point to solve
+
+    module = {"parts": "capacitance_parts", "field": "film_field", "reading": "film_reading"}
+    kind = arguments.kind
+    draw = getattr(import_module(f"raceway.pictures.{module.get(kind, kind)}"), kind)
+    out, names = arguments.out, points[0].names
+    if kind == "parts":
+        key = next(key for name, (_, key) in SEVERAL.items() if getattr(arguments, name))
+        draw(results, key, out)
+    elif kind == "field":
+        turn = 2 * math.pi / points[0].bearing.balls
+        (values,) = _values(arguments)
+        alike = [_solve(arguments, values, turn * step / PHASES) for step in range(PHASES)]
+        draw(alike, names, arguments.voltage, out)
+    elif kind == "bode":
+        draw(points[0], names, arguments.resistivity, out)
+    else:
+        draw(curve, names, out)
+    print(out)

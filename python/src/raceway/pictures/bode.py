@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Picture of a bearing's impedance over frequency, from statics."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from raceway.files import FilePath
+from raceway.pictures.electric_page import LEFT, RIGHT, head
+from raceway.pictures.style import PALETTE, STYLE, save
+from raceway.theory import electric_point
+from raceway.theory.electric_point import Point
+
+
+def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
+    """Draw modulus and phase of a bearing's impedance in oil of `resistivity` (ohm m) over
+    frequency to the PNG `path`, beside those of its plates. Raises `RunError` when it cannot be
+    written."""
+    found = point.capacitors()
+    loaded = found.inner.load > 0
+    bare = type(found)(*(_plates(side, loaded) for side in (found.inner, found.outer)))
+    corner = 1 / (2 * np.pi * resistivity * 2e-11) if np.isfinite(resistivity) else 1.0
+    low = 10 ** np.floor(np.log10(max(corner / 100, 1e-3)))
+    frequency = np.geomspace(low, 1e8, 400)
+    with plt.rc_context(STYLE):
+        figure, (top, bottom) = plt.subplots(
+            2, 1, figsize=(10, 7.6), dpi=110, sharex=True, height_ratios=(1.5, 1)
+        )
+        figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.09, top=0.85, hspace=0.1)
+        head(figure, names, "Impedance of the bearing")
+        for one, text, colour, dashes in (
+            (found, "all of the capacitance", PALETTE[0], "-"),
+            (bare, "plates alone", PALETTE[1], (0, (4, 2))),
+        ):
+            z = electric_point.bearing_impedance(one, frequency, resistivity)
+            top.loglog(frequency, np.abs(z), color=colour, ls=dashes, lw=2.2, label=text)
+            bottom.semilogx(frequency, np.degrees(np.angle(z)), color=colour, ls=dashes, lw=2.2)
+        top.set_ylabel("|Z| (Ω)")
+        top.legend(loc="upper right")
+        bottom.set(xlabel="frequency (Hz)", ylabel="phase (°)", ylim=(-95, 5))
+        bottom.set_yticks([-90, -60, -30, 0])
+        for axes in (top, bottom):
+            axes.set_xlim(frequency[0], frequency[-1])
+            axes.grid(True)
+        save(figure, path)
+
+
+def _plates(side, loaded):
+    """The ellipses of the balls that are `loaded` alone."""
+    part = type(side)(*(values[loaded] for values in side))
+    return part._replace(outside=0 * part.outside, paths=part.area / part.separation)

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the pictures of a bearing as a capacitor share: title and ticks."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from raceway.arrays import Floats
+from raceway.pictures.page import fit
+from raceway.pictures.style import SOFT
+from raceway.units import prefixed
+
+LEFT, RIGHT = 0.085, 0.965  # of the figure's width
+
+
+def head(figure: Figure, names: Mapping[str, Any], title: str, without: str = "") -> None:
+    """Title and, under it, what bearing and operating point it is: `names` of
+    `electric_point.figures`, not the quantity `without`."""
+    height = figure.get_figheight()
+    warm = names["temperature_C"]
+    words = {
+        "": f"{names['bearing']} ball bearing",
+        "lubricant": f"{names['lubricant']} lubricant",
+        "temperature_C": None if warm is None else f"{warm:g} °C",
+        "load_N": f"{prefixed(names['load_N'], 'N')} radial",
+        "axial_N": f"{prefixed(names['axial_N'], 'N')} axial" if names["axial_N"] else None,
+        "rpm": f"{names['rpm']:g} rpm",
+        "clearance_m": f"clearance {prefixed(names['clearance_m'], 'm', 3)}",
+        "surroundings": names["surroundings"],
+    }
+    below = "  ·  ".join(word for key, word in words.items() if word and key != (without or None))
+    for text, place, size, weight, colour in (
+        (title, 0.42, 16, "bold", "black"),
+        (below, 0.78, 11, "normal", SOFT),
+    ):
+        fit(
+            figure.text(
+                LEFT,
+                1 - place / height,
+                text,
+                fontsize=size,
+                fontweight=weight,
+                color=colour,
+                va="center",
+            ),
+            RIGHT - LEFT,
+        )
+
+
+def plain_ticks(axes: Axes, x: Floats) -> None:
+    """Numbers as 100, 200, 500 on a logarithmic axis over `x`."""
+    low, high = np.floor(np.log10(x.min())), np.ceil(np.log10(x.max()))
+    ticks = [m * 10.0**d for d in np.arange(low, high + 1) for m in (1, 2, 5)]
+    ticks = [tick for tick in ticks if 0.999 * x.min() <= tick <= 1.001 * x.max()]
+    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axes.minorticks_off()

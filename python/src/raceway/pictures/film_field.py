@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Picture of the electric field in the films around the ring, from statics."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from raceway.files import FilePath
+from raceway.pictures.electric_page import head
+from raceway.pictures.style import COLOUR, NAME, SOFT, STYLE, save
+from raceway.theory import breakdown
+from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.electric_point import Point
+from raceway.units import prefixed
+
+
+def field(
+    points: Sequence[Point], names: Mapping[str, Any], voltage: float, path: FilePath
+) -> None:
+    """Draw the field in every film around the ring under a `voltage` (V) to the PNG `path`:
+    `points` alike but for the phase of their balls, `names` of `electric_point.figures`. Raises
+    `RunError` when it cannot be written."""
+    azimuth = np.concatenate([np.mod(point.state.azimuth, 2 * np.pi) for point in points])
+    order = np.argsort(azimuth)
+    found = [point.capacitors() for point in points]
+    sigma = points[0].oil.roughness
+    curves = {}
+    for index, side in enumerate((INNER, OUTER)):
+        share, gap = (
+            np.concatenate(values)[order]
+            for values in zip(
+                *(
+                    (
+                        breakdown.divided(voltage, one.inner.total, one.outer.total)[index],
+                        (one.inner, one.outer)[index].separation,
+                    )
+                    for one in found
+                )
+            )
+        )
+        curves[side] = [breakdown.field(share, gap, rough) for rough in (0.0, sigma)]
+    smooth = max(curves[side][0].max() for side in curves)
+    rough = [values[1][np.isfinite(values[1])].max(initial=0.0) for values in curves.values()]
+    edge = min(max([smooth, *rough]), 6 * smooth)
+    around = np.append(azimuth[order], azimuth[order][0] + 2 * np.pi)
+    with plt.rc_context(STYLE):
+        figure = plt.figure(figsize=(9.5, 8.6), dpi=110)
+        axes = figure.add_axes((0.1, 0.085, 0.8, 0.7), projection="polar")
+        head(figure, names, f"Field in the films at {prefixed(voltage, 'V')} over the bearing")
+        for side in (OUTER, INNER):
+            for values, dashes, text in zip(
+                curves[side], ("-", (0, (3, 2))), ("over $h_c$", "over $h_c - 3σ$")
+            ):
+                if not np.isfinite(values).any() or (dashes != "-" and sigma == 0):
+                    continue
+                shown = np.where(values <= edge, values, np.nan) * 1e-6
+                axes.plot(
+                    around,
+                    np.append(shown, shown[0]),
+                    color=COLOUR[side],
+                    lw=3.2 if side == OUTER else 1.6,
+                    ls=dashes,
+                    label=f"{NAME[side]}, {text}",
+                )
+        axes.set_theta_zero_location("S")
+        axes.set_thetagrids(
+            range(0, 360, 45), [f"{a}°" for a in (0, 45, 90, 135, 180, -135, -90, -45)]
+        )
+        axes.set_rlim(0, 1.12e-6 * edge)
+        axes.set_rlabel_position(157)
+        axes.tick_params(axis="y", labelsize=9, labelcolor=SOFT)
+        for label in axes.get_yticklabels():  # a curve may pass under it
+            label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8})
+            label.set_zorder(5)
+        axes.text(
+            0.5, -0.09, "azimuth from the load line; field in V/µm", transform=axes.transAxes,
+            ha="center", color=SOFT,
+        )  # fmt: skip
+        handles, labels = axes.get_legend_handles_labels()
+        figure.legend(
+            handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0.885), ncols=2,
+            frameon=False,
+        )  # fmt: skip
+        save(figure, path)

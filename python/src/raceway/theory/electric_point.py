@@ -1,0 +1,361 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The electrical figures of a bearing at one operating point from statics: `solve`, then `figures`
+as a mapping, `table` and `curves` as text.
+
+The mapping's keys are a promise to scripts; where `operating_point` has the same figure it has the
+same key.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from raceway import catalogue, inputs
+from raceway.files import FilePath
+from raceway.rows import Row, lines, row
+from raceway.theory import breakdown, capacitors, impedance, lubrication
+from raceway.theory.asperity import zhou_hoeprich
+from raceway.theory.bearing import Bearing
+from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
+from raceway.theory.contact_law import FilmInGap
+from raceway.theory.lubrication import Lubrication
+from raceway.theory.static import Equilibrium
+from raceway.theory.validity import doubts
+from raceway.units import prefixed
+
+MODELS = ("paper", "full")
+TOPICS = {
+    "Operating point": (
+        row("bearing"),
+        row("lubricant"),
+        Row("temperature_C", "temperature", "°C", "of the lubricant"),
+        row("models"),
+        row("load_N"),
+        Row("axial_N", "axial load", "N"),
+        row("clearance_m"),
+        row("rpm"),
+        row("h_c_m", "largest inner load"),
+        row("lambda", "the same"),
+        Row("surroundings", "surroundings", None),
+    ),
+    "Capacitance": (
+        row("capacitance_F", "contact ellipses, eq 12")._replace(label="plates"),
+        Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
+        Row("capacitance_unloaded_F", "balls without load", "F"),
+        Row("capacitance_total_F", "bearing", "F", "all of it"),
+        Row("plates_factor", "over the plates", ""),
+        Row("hertz_area_m2", "Hertz area, both raceways", "mm²"),
+    ),
+    "Breakdown": (
+        Row("threshold_V", "smallest voltage, smooth", "V", "field over h_c"),
+        Row("threshold_peaks_V", "the same, rough", "V", "over h_c - 3 sigma"),
+        Row("threshold_azimuth_deg", "at the ball at", "°"),
+        Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
+        Row("field_V_m", "largest field at the voltage", "V/m", "over h_c"),
+        Row("field_peaks_V_m", "the same, rough", "V/m", "over h_c - 3 sigma"),
+        Row("metallic_contacts", "metallic contacts", "", "asperities carry 0.01"),
+    ),
+    "Impedance": (
+        Row("leak_ohm", "leak", "Ω", "direct current"),
+        Row("frequency_Hz", "frequency", "Hz"),
+        Row("impedance_ohm", "impedance", "Ω"),
+        Row("phase_deg", "phase", "°"),
+    ),
+    "Motor": (Row("bearing_voltage_ratio", "bearing voltage ratio", "", "two such bearings"),),
+    "Film by the measured capacitance": (
+        Row("measured_F", "measured", "F"),
+        Row("measured_h_c_m", "central film thickness", "m", "by all capacitance"),
+        Row("measured_plates_m", "read by the plates", "m"),
+    ),
+}
+COLUMNS = (  # of `curves`: key, heading, factor
+    ("load_N", "load N", 1),
+    ("rpm", "rpm", 1),
+    ("temperature_C", "T °C", 1),
+    ("clearance_m", "P_d µm", 1e6),
+    ("h_c_m", "h_c nm", 1e9),
+    ("capacitance_F", "plates pF", 1e12),
+    ("capacitance_surroundings_F", "around pF", 1e12),
+    ("capacitance_unloaded_F", "unloaded pF", 1e12),
+    ("capacitance_total_F", "all pF", 1e12),
+    ("threshold_V", "smooth V", 1),
+    ("threshold_peaks_V", "rough V", 1),
+)
+
+
+class Point(NamedTuple):
+    """A bearing at rest in its loads and turning."""
+
+    names: dict[str, Any]  # of `figures`: what it is a point of
+    bearing: Bearing
+    oil: inputs.Oil
+    state: Equilibrium
+    films: Lubrication
+    spin: float  # rad/s
+    quiet: float  # Q_u, N
+    clearance: float  # m
+    film: FilmInGap | None
+    filling: Filling
+
+    def capacitors(self, scale: float = 1.0) -> BearingCapacitors:
+        """`BearingCapacitors` with every film `scale` times as thick."""
+        return capacitors.of_statics(
+            self.bearing,
+            self.state,
+            self.oil,
+            self.spin,
+            self.quiet,
+            filling=self.filling,
+            clearance=self.clearance,
+            factor=self.film and self.film.factor,
+            scale=scale,
+        )
+
+
+class Ask(NamedTuple):
+    """What is asked of a point beside its capacitance; None is not asked."""
+
+    strength: float = breakdown.STRENGTH  # of a film, V/m
+    voltage: float | None = None  # V, between the rings
+    frequency: float | None = None  # Hz
+    resistivity: float = math.inf  # of the oil, ohm m
+    motor: tuple[float, float] | None = None  # C_wr, C_rf, F
+    measured: float | None = None  # F, of the bearing
+
+
+NOTHING = Ask()
+
+
+def solve(
+    bearing: str,
+    lubricant: str,
+    folder: FilePath | None = None,
+    *,
+    rpm: float,
+    load: float = 0.0,
+    axial: float = 0.0,
+    clearance: float = 0.0,
+    temperature: float | None = None,
+    models: str = "paper",
+    phase: float = 0.0,
+    filling: Filling = FLOODED,
+) -> Point:
+    """`Point` of a bearing and lubricant by name or path, looked up in the inputs `folder`; loads
+    in N, `rpm` of the inner ring, diametral `clearance` in m, `temperature` in degrees C, `phase`
+    of the first ball in rad.
+
+    Shoulders that `filling` does not have are those of the bearing's file. `models` is one of
+    `MODELS`; "full" has the film in the gap and inlet shear. Raises `RacewayError`; `ValueError`
+    without speed and for words that nothing knows.
+    """
+    path, oil_path = (
+        catalogue.find("bearings", bearing, folder),
+        catalogue.find("lubricants", lubricant, folder),
+    )
+    if models not in MODELS:
+        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    if not rpm:
+        raise ValueError("rpm = 0: balls that do not turn have no film")
+    body, oil = inputs.bearing(path), inputs.oil(oil_path, temperature)
+    fluid = inputs.fluid(oil_path, temperature)
+    spin = rpm * math.pi / 30
+    density = float(inputs.values(path).get("ball_density", 7800.0))
+    film = FilmInGap(fluid, spin) if models == "full" else None
+    state, orbit = lubrication.turning(
+        body, spin, load, axial, clearance=clearance, phase=phase, ball_density=density, film=film
+    )
+    own = inputs.shoulders(path)
+    known = [b if math.isnan(a) else a for a, b in zip(filling.shoulders, own)]
+    return Point(
+        dict(
+            bearing=path.name,
+            lubricant=oil_path.name,
+            temperature_C=None if math.isnan(fluid.temperature) else fluid.temperature,
+            models=models,
+            load_N=load,
+            axial_N=axial,
+            clearance_m=clearance,
+            rpm=rpm,
+            surroundings=filling.kind,
+        ),
+        body,
+        oil,
+        state,
+        lubrication.lubricate(body, state, oil, spin, clearance, film and film.factor),
+        spin,
+        capacitors.quiet_load(body, orbit, density),
+        clearance,
+        film,
+        filling._replace(shoulders=type(own)(*known)),
+    )
+
+
+def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
+    """Figures by name in SI units, angles in degrees; None for what was not asked. `balls` is a
+    list of one mapping a ball. Raises `ValueError` for a measured capacitance that no film of the
+    model has."""
+    found, films, oil = point.capacitors(), point.films, point.oil
+    top = int(np.argmax(found.inner.load))
+    loaded = found.inner.load > 0
+    plates = films.ball
+    sides = (found.inner, found.outer)
+    gaps, parts = zip(*((side.separation, side.total) for side in sides))
+    smooth, rough = (
+        breakdown.threshold(gaps, parts, ask.strength, sigma) for sigma in (0.0, oil.roughness)
+    )
+    metallic = [
+        breakdown.states(zhou_hoeprich(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
+        for side in (films.inner, films.outer)
+    ]
+    result = dict(
+        point.names,
+        permittivity=oil.permittivity,
+        roughness_m=oil.roughness,
+        h_c_m=found.inner.separation[top],
+        capacitance_F=plates.sum(),
+        capacitance_surroundings_F=(found.ball - plates)[loaded].sum(),
+        capacitance_unloaded_F=found.unloaded,
+        capacitance_total_F=found.total,
+        plates_factor=found.total / plates.sum() if plates.sum() else None,
+        hertz_area_m2=sum(side.area.sum() for side in sides),
+        threshold_V=smooth.bearing,
+        threshold_peaks_V=rough.bearing,
+        threshold_azimuth_deg=math.degrees(point.state.azimuth[smooth.weakest]),
+        stored_energy_J=breakdown.stored_energy(
+            found.total + sum(ask.motor or (0.0,)), smooth.bearing
+        ),
+        metallic_contacts=int(sum(side.sum() for side in metallic)),
+    )
+    result["lambda"] = films.inner.ratio[top]
+    result.update(_field(gaps, parts, oil, ask))
+    result.update(_impedance(found, ask))
+    result.update(bearing_voltage_ratio=None, measured_F=ask.measured)
+    if ask.motor is not None:
+        result.update(
+            bearing_voltage_ratio=impedance.bearing_voltage_ratio(
+                *ask.motor, found.total, found.total
+            )
+        )
+    result.update(measured_h_c_m=None, measured_plates_m=None)
+    if ask.measured is not None:
+        scale = impedance.film_scale(ask.measured, lambda s: point.capacitors(s).total)
+        result.update(
+            measured_h_c_m=scale * result["h_c_m"],
+            measured_plates_m=result["h_c_m"] * plates.sum() / ask.measured,
+        )
+    result = {key: _plain(value) for key, value in result.items()}
+    result["warnings"] = _warnings(films)
+    result["balls"] = _balls(point, found, smooth, metallic)
+    return result
+
+
+def table(result: Mapping[str, Any]) -> str:
+    """The mapping of `figures` as text: a topic a block, then a row a ball."""
+    shown = dict(result, hertz_area_m2=1e6 * result["hertz_area_m2"])
+    for key in ("threshold_azimuth_deg", "phase_deg"):
+        shown[key] = shown[key] and round(shown[key], 2) + 0.0
+    rows = [["ball", "azimuth, °", "Q inner", "C inner", "C outer", "C", "h inner", "threshold"]]
+    for number, ball in enumerate(result["balls"], 1):
+        rows.append(
+            [
+                str(number),
+                f"{math.degrees(ball['azimuth_rad']):.1f}",
+                *(
+                    prefixed(ball[key], unit) if ball[key] else "-"
+                    for key, unit in (
+                        ("q_inner_N", "N"),
+                        ("capacitance_inner_F", "F"),
+                        ("capacitance_outer_F", "F"),
+                        ("capacitance_F", "F"),
+                        ("separation_inner_m", "m"),
+                        ("threshold_V", "V"),
+                    )
+                ),
+            ]
+        )
+    text = [*lines(shown, TOPICS), "", "Balls", *_aligned(rows, "  ")]
+    if result["warnings"]:
+        text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
+    return "\n".join(text)
+
+
+def curves(results: Sequence[Mapping[str, Any]]) -> str:
+    """Several mappings of `figures` as text, a line each."""
+    rows = [[heading for _, heading, _ in COLUMNS]]
+    rows += [
+        ["-" if one[key] is None else f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS]
+        for one in results
+    ]
+    return "\n".join(_aligned(rows, ""))
+
+
+def _aligned(rows, start):
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return [start + "  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows]
+
+
+def _field(gaps, parts, oil, ask):
+    if ask.voltage is None:
+        return dict(field_V_m=None, field_peaks_V_m=None)
+    shares = breakdown.divided(ask.voltage, *parts)
+    most = [
+        max(float(breakdown.field(share, gap, sigma).max()) for share, gap in zip(shares, gaps))
+        for sigma in (0.0, oil.roughness)
+    ]
+    return dict(field_V_m=most[0], field_peaks_V_m=None if math.isinf(most[1]) else most[1])
+
+
+def bearing_impedance(
+    found: BearingCapacitors, frequency: float | np.ndarray, resistivity: float = math.inf
+) -> complex | np.ndarray:
+    """Z in ohm of a bearing at a frequency (Hz; a number or an array) in oil of `resistivity` (ohm
+    m): both films of a ball in series, the balls in parallel."""
+    frequency = np.asarray(frequency, float)[..., None]
+    films = []
+    for side in (found.inner, found.outer):
+        with np.errstate(divide="ignore"):  # a dry rigid gap leaks nothing
+            leak = impedance.leak(resistivity, side.paths)
+        films.append(impedance.impedance(side.total, frequency, leak))
+    return impedance.in_parallel(impedance.in_series(*films))
+
+
+def _impedance(found, ask):
+    paths = [side.paths for side in (found.inner, found.outer)]
+    through = float(np.sum(1 / sum(1 / np.maximum(path, 1e-300) for path in paths)))
+    leak = ask.resistivity / through if math.isfinite(ask.resistivity) and through else None
+    result = dict(leak_ohm=leak, frequency_Hz=ask.frequency, impedance_ohm=None, phase_deg=None)
+    if ask.frequency is not None:
+        z = bearing_impedance(found, ask.frequency, ask.resistivity)
+        result.update(impedance_ohm=abs(z), phase_deg=math.degrees(np.angle(z)))
+    return result
+
+
+def _warnings(films):
+    ratio = np.concatenate([films.inner.ratio, films.outer.ratio])
+    ratio = ratio[ratio > 0]
+    return doubts({"conducts": ratio.min()}) if len(ratio) else []
+
+
+def _balls(point, found, threshold, metallic):
+    columns = dict(
+        azimuth_rad=point.state.azimuth,
+        capacitance_F=found.ball,
+        plates_F=point.films.ball,
+        threshold_V=threshold.ball,
+    )
+    for name, side, solid in zip(("inner", "outer"), (found.inner, found.outer), metallic):
+        columns[f"q_{name}_N"] = side.load
+        columns[f"capacitance_{name}_F"] = side.total
+        columns[f"plates_{name}_F"] = side.plates
+        columns[f"separation_{name}_m"] = side.separation
+        columns[f"metallic_{name}"] = solid
+    return [
+        {key: values[ball].item() for key, values in columns.items()}
+        for ball in range(len(point.state.azimuth))
+    ]
+
+
+def _plain(value):
+    return value.item() if isinstance(value, np.generic) else value

@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway electric` and what it stands on: figures agree with each other and with statics, the way
+back returns, pictures, messages and exit codes."""
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from raceway import breakdown, electric_point, film_reading, operating_point
+from raceway.cli import main
+from raceway.theory.capacitors import Filling
+from raceway.theory.electric_point import Ask
+from raceway.theory.validity import Shoulders
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(autouse=True)
+def in_the_tree(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+@pytest.fixture(scope="module")
+def point():
+    return electric_point.solve("6208", "vg46", ROOT / "inputs", load=3000.0, rpm=1500.0)
+
+
+def printed(capsys, *arguments):
+    assert main(["electric", *arguments]) == 0
+    return capsys.readouterr().out
+
+
+def test_parts_add_up(point):
+    found = electric_point.figures(point)
+    parts = ("capacitance_F", "capacitance_surroundings_F", "capacitance_unloaded_F")
+    assert sum(found[part] for part in parts) == pytest.approx(found["capacitance_total_F"])
+    assert sum(ball["capacitance_F"] for ball in found["balls"]) == pytest.approx(
+        found["capacitance_total_F"]
+    )
+    assert found["plates_factor"] == found["capacitance_total_F"] / found["capacitance_F"]
+    for ball in found["balls"]:
+        one, other = ball["capacitance_inner_F"], ball["capacitance_outer_F"]
+        assert ball["capacitance_F"] == pytest.approx(one * other / (one + other))
+
+
+@pytest.mark.parametrize("models", ["paper", "full"])
+def test_plates_are_those_of_statics(models):
+    same = dict(load=1000.0, rpm=3000.0, clearance=10e-6, temperature=60.0, models=models)
+    found = electric_point.figures(electric_point.solve("6306", "vg68", **same))
+    statics = operating_point.figures("6306", "vg68", **same)
+    for key in ("capacitance_F", "h_c_m", "lambda"):
+        assert found[key] == pytest.approx(statics[key], rel=1e-9)
+
+
+def test_shoulders_are_the_file_s_unless_given(point):
+    assert point.filling.shoulders == Shoulders(52.6e-3, 69.8e-3)
+    deep = Filling(shoulders=Shoulders(inner=53.5e-3))
+    other = electric_point.solve("6208", "vg46", load=3000.0, rpm=1500.0, filling=deep)
+    assert other.filling.shoulders == Shoulders(53.5e-3, 69.8e-3)
+    inner = [one.capacitors().inner.outside for one in (point, other)]
+    assert np.all(inner[1] > inner[0])
+
+
+def test_threshold_is_where_the_field_is_the_strength(point):
+    """At the threshold the largest field is the strength, and a rough film fails earlier."""
+    found = electric_point.figures(point, Ask(strength=20e6))
+    at = electric_point.figures(point, Ask(voltage=found["threshold_V"]))
+    assert at["field_V_m"] == pytest.approx(20e6)
+    assert found["threshold_peaks_V"] < found["threshold_V"]
+    assert found["stored_energy_J"] == pytest.approx(
+        breakdown.stored_energy(found["capacitance_total_F"], found["threshold_V"])
+    )
+    rough = electric_point.figures(point, Ask(voltage=found["threshold_peaks_V"], strength=20e6))
+    assert rough["field_peaks_V_m"] == pytest.approx(20e6)
+
+
+def test_impedance_and_leak(point):
+    """Fast: all capacitance; slow: the leak."""
+    capacitance = electric_point.figures(point)["capacitance_total_F"]
+    fast = electric_point.figures(point, Ask(frequency=1e7, resistivity=1e9))
+    assert fast["impedance_ohm"] == pytest.approx(1 / (2e7 * np.pi * capacitance), rel=1e-6)
+    assert fast["phase_deg"] == pytest.approx(-90, abs=1e-3)
+    slow = electric_point.figures(point, Ask(frequency=1e-3, resistivity=1e9))
+    assert slow["impedance_ohm"] == pytest.approx(slow["leak_ohm"], rel=1e-6)
+    assert electric_point.figures(point)["leak_ohm"] is None
+
+
+def test_dry_gaps_without_load_leak_nothing():
+    dry = electric_point.solve("6208", "vg46", load=3000.0, rpm=1500.0, filling=Filling("dry"))
+    found = electric_point.figures(dry, Ask(frequency=1e4, resistivity=1e9))
+    assert 0 < found["leak_ohm"] < np.inf and -90 < found["phase_deg"] < -89
+
+
+def test_measured_capacitance_gives_the_film_back(point):
+    """What the model has at a film comes back as that film; the plates read too thin."""
+    for scale in (0.3, 1.0, 2.5):
+        measured = point.capacitors(scale).total
+        found = electric_point.figures(point, Ask(measured=measured))
+        assert found["measured_h_c_m"] == pytest.approx(scale * found["h_c_m"], rel=1e-9)
+        assert found["measured_plates_m"] < found["measured_h_c_m"]
+
+
+def test_reading_curve(point):
+    curve = film_reading.curve(point, np.array([0.1, 0.5, 1.0, 4.0]))
+    at = electric_point.figures(point, Ask(measured=curve.capacitance[1]))
+    assert curve.by_plates[1] == pytest.approx(at["measured_plates_m"])
+    assert film_reading.corrected(curve, curve.by_plates) == pytest.approx(curve.h_c)
+    assert np.all(np.diff(curve.by_plates) > 0) and np.all(curve.by_plates < curve.h_c)
+    assert curve.less_constant[2] == pytest.approx(curve.h_c[2])
+    assert np.isnan(film_reading.corrected(curve, 1.0))
+
+
+def test_command(capsys):
+    found = json.loads(
+        printed(
+            capsys, "--load", "1000", "--rpm", "3000", "--c-wr", "50e-12", "--c-rf", "1e-9",
+            "--frequency", "1e4", "--resistivity", "1e9", "--voltage", "5", "--json",
+        )
+    )  # fmt: skip
+    both = 2 * found["capacitance_total_F"]
+    assert found["bearing_voltage_ratio"] == pytest.approx(50e-12 / (1050e-12 + both))
+    text = printed(capsys, "--load", "1000", "--rpm", "3000", "--measured", "3e-10")
+    assert "by all capacitance" in text and len(text.splitlines()) > 30
+    two = printed(capsys, "--loads", "500", "1000", "--speeds", "1000", "2000")
+    assert len(two.splitlines()) == 5
+    warm = json.loads(
+        printed(capsys, "--load", "900", "--rpm", "900", "--temperatures", "40", "80", "--json")
+    )
+    assert warm[1]["capacitance_total_F"] > warm[0]["capacitance_total_F"]
+
+
+def test_measured_impedance_is_the_same_as_its_capacitance(capsys):
+    point = ("--load", "1000", "--rpm", "3000", "--json")
+    one = json.loads(printed(capsys, *point, "--measured", "2e-10"))
+    ohm = 1 / (2 * np.pi * 1e4 * 2e-10)
+    given = ("--measured-impedance", f"{ohm:.12g}", "-90", "--frequency", "1e4")
+    other = json.loads(printed(capsys, *point, *given))
+    assert other["measured_h_c_m"] == pytest.approx(one["measured_h_c_m"], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("kind", "arguments"),
+    [
+        ("parts", ["--load", "1000", "--speeds", "100", "1000", "10000"]),
+        ("parts", ["--load", "1000", "--rpm", "900", "--clearances", "-5e-6", "0", "2e-5"]),
+        ("field", ["--load", "1000", "--rpm", "900", "--voltage", "5"]),
+        ("bode", ["--load", "1000", "--rpm", "900", "--resistivity", "1e9"]),
+        ("reading", ["--load", "1000", "--rpm", "900"]),
+    ],
+)
+def test_pictures(capsys, tmp_path, kind, arguments):
+    out = tmp_path / "picture.png"
+    assert printed(capsys, *arguments, "--kind", kind, "--out", str(out)).splitlines()[-1] == str(
+        out
+    )
+    with Image.open(out) as picture:
+        assert picture.width >= 1000 and len(picture.convert("RGB").getcolors(1 << 24)) > 100
+
+
+def test_tables(capsys, tmp_path):
+    path = tmp_path / "table.csv"
+    printed(capsys, "--load", "1000", "--speeds", "100", "1000", "--csv", str(path))
+    with open(path) as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["rpm"]) for row in rows] == [100, 1000]
+    assert float(rows[0]["capacitance_total_F"]) > float(rows[1]["capacitance_total_F"]) > 0
+    out = str(tmp_path / "reading.png")
+    printed(
+        capsys, "--load", "1000", "--rpm", "900", "--kind", "reading", "--out", out, "--csv",
+        str(path),
+    )  # fmt: skip
+    with open(path) as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(film_reading.FACTORS)
+    assert float(rows[0]["read_by_plates_m"]) < float(rows[0]["h_c_m"])
+
+
+POINT = ["--load", "1000", "--rpm", "900"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "message"),
+    [
+        (["--load", "1000"], 2, "give --rpm or --speeds"),
+        (["--rpm", "900"], 2, "a load is needed"),
+        ([*POINT, "--c-wr", "1e-11"], 2, "--c-wr and --c-rf: give both"),
+        ([*POINT, "--kind", "bode"], 2, "--kind and --out: give both"),
+        ([*POINT, "--kind", "parts", "--out", "x.png"], 2, "several values of one quantity"),
+        ([*POINT, "--kind", "field", "--out", "x.png"], 2, "give --voltage"),
+        ([*POINT, "--kind", "bode", "--out", "x.png"], 2, "give --resistivity"),
+        ([*POINT, "--surroundings", "wet"], 2, "give flooded, dry or cavitated EPS_OUT"),
+        ([*POINT, "--surroundings", "cavitated"], 2, "give flooded, dry or cavitated EPS_OUT"),
+        ([*POINT, "--surroundings", "cavitated", "x"], 2, "'x' is not a number"),
+        ([*POINT, "--surroundings", "cavitated", "9"], 2, "outlet = 9.0 must be from 1"),
+        ([*POINT, "--shoulders", "0.04", "0.07"], 2, "shoulder diameter = 0.04 m"),
+        ([*POINT, "--measured", "1e-13"], 2, "films from 0.001 to 1000 times"),
+        ([*POINT, "--measured-impedance", "1e5", "-90"], 2, "needs --frequency"),
+        ([*POINT, "--frequency", "1", "--measured-impedance", "1", "9"], 2, "DEG from -90 to 0"),
+        ([*POINT, "--lubricant", "dry"], 1, "has no variable viscosity"),
+        ([*POINT, "--lubricant", "mineral", "--temperature", "70"], 1, "values for 40 C only"),
+        ([*POINT, "--csv", "/nowhere/x.csv"], 1, "cannot write /nowhere/x.csv"),
+    ],
+)
+def test_messages(capsys, arguments, code, message):
+    try:
+        assert main(["electric", *arguments]) == code
+    except SystemExit as stop:
+        assert stop.code == code
+    assert message in capsys.readouterr().err
