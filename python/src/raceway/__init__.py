@@ -66,6 +66,7 @@ NAMES = {
     "regimes": "runs.regimes",
     "spectrum": "runs.spectrum",
     "summary": "runs.summary",
+    "whole_capacitance": "runs.whole_capacitance",
     # data files, errors, units
     "catalogue": "catalogue",
     "errors": "errors",

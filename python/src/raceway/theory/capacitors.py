@@ -130,8 +130,11 @@ def of_raceway(
     outside = capacitance_outside.fill(permittivity, filling.kind, filling.outlet)
 
     def shape(which):
-        widths = groove_width.half_widths(bearing, raceway, depth, angle[which], clearance)
-        return *bearing.effective_radii(raceway, angle[which], clearance), widths
+        lean = angle[which]
+        if np.ptp(lean) == 0:  # the shape of one contact serves all
+            lean = lean[0]
+        widths = groove_width.half_widths(bearing, raceway, depth, lean, clearance)
+        return *bearing.effective_radii(raceway, lean, clearance), widths
 
     if live.any():
         r_x, r_y, widths = shape(live)

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""All of the capacitance over a run: contact ellipses, the gap around them, balls without load; and
+what a voltage does to the films. From loads, films and places of the balls, by the closed forms of
+`capacitors`."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.runs.regimes import need_film
+from raceway.runs.run import Run
+from raceway.theory import asperity, breakdown, capacitance, capacitors, film, hertz
+from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.capacitors import FLOODED, Filling
+
+SIDES = ("inner", "outer")
+MEANING = {
+    "load": ("N", "contact load, of a ball without load on the outer raceway its own"),
+    "separation": ("m", "central film thickness, or play of a ball without load"),
+    "area": ("m2", "area of the contact ellipse"),
+    "plates": ("F", "capacitance of the contact ellipse"),
+    "outside": ("F", "capacitance of the gap around the contact ellipse"),
+    "paths": ("m", "resistivity of the oil over the resistance of the gap"),
+    "total": ("F", "capacitance of the gap with everything that carries it"),
+    "one_ball": ("F", "capacitance of one ball, inner and outer in series"),
+    "bearing": ("F", "capacitance of the bearing"),
+    "play": ("m", "gap between ball and raceway, negative where they overlap"),
+}
+
+
+def over_time(run: Run, filling: Filling = FLOODED, density: float = 7800.0) -> xr.Dataset:
+    """Dataset of a `run` from `raceway.open`: `load`, `separation`, `area`, `plates`, `outside`,
+    `paths`, `total` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time); SI units.
+
+    A contact has the film of the run. One that carries less than Q_u = m r omega_c^2, the balls of
+    `density` in kg/m^3, or none, has the film of Q_u: that of the largest load of its raceway at
+    the time, by the load exponent of eq 9. The gap of a ball without inner load is its play, from
+    the places of ball and ring. Where a record has `capacitance_total`, `recorded` (time, raceway,
+    ball) has it beside `total`. It needs memory for all samples of the run. Raises `RunError` for a
+    run without film, balls or rings, or whose axis is not z.
+    """
+    need_film(run, "capacitance")
+    contacts, gaps = _aligned(run)
+    bearing, clearance = run.tables.geometry, run.settings["clearance_m"]
+    quiet = capacitors.quiet_load(bearing, _cage_speed(run), density)
+    data = xr.Dataset(coords=gaps.coords)
+    found = []
+    for side, name in enumerate(SIDES):
+        table = contacts.sel(raceway=name)
+        load = table["load"].to_numpy()
+        separation = _separation(bearing, side, table, quiet, clearance)
+        if side == INNER:
+            play = np.maximum(gaps.to_numpy(), 0.0).sum(1)  # of a ball on neither raceway both
+            separation = np.where(load > 0, separation, np.maximum(separation, play))
+        found.append(
+            capacitors.of_raceway(
+                bearing,
+                side,
+                run.settings["permittivity"],
+                load if side == INNER else np.maximum(load, quiet),
+                separation,
+                np.nan_to_num(table["angle"].to_numpy()),
+                filling=filling,
+                roughness=run.settings["roughness_m"],
+                clearance=clearance,
+            )
+        )
+    dims = gaps.dims
+    for name in ("load", "separation", "area", "plates", "outside", "paths", "total"):
+        data[name] = dims, np.stack([getattr(side, name) for side in found], axis=1)
+    data["play"] = gaps
+    inner, outer = (data["total"].sel(raceway=name).to_numpy() for name in SIDES)
+    data["one_ball"] = ("time", "ball"), capacitance.ball(inner, outer)
+    data["bearing"] = data["one_ball"].sum("ball")
+    for name in data.data_vars:
+        unit, meaning = MEANING[name]
+        data[name].attrs = {"units": unit, "long_name": meaning}
+    if "capacitance_total" in contacts:
+        data["recorded"] = contacts["capacitance_total"].transpose(*dims)
+    data.attrs = {"quiet_load_N": quiet, "filling": filling.kind}
+    return data
+
+
+def fields(
+    run: Run,
+    whole: xr.Dataset,
+    voltage: float,
+    strength: float = breakdown.STRENGTH,
+) -> xr.Dataset:
+    """What a `voltage` (V) between the rings does, `whole` from `over_time`: Dataset of `share` (V,
+    of each film), `field` and `field_peaks` (V/m, over h_c and over h_c - 3 sigma; infinite where
+    peaks meet) and `state` (index of `breakdown.STATES`), (time, raceway, ball); of `threshold` and
+    `threshold_peaks` (V, at which the first film of `strength` in V/m fails) and `weakest` (number
+    of its ball, smooth), (time); of `energy` (J, of the bearing at that voltage, smooth), (time).
+    """
+    total = {name: whole["total"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
+    gaps = {name: whole["separation"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
+    sigma = run.settings["roughness_m"]
+    shares = breakdown.divided(voltage, *total.values())
+    dims = ("time", "raceway", "ball")
+    data = xr.Dataset(coords=whole["total"].coords)
+    data["share"] = dims, np.stack(shares, axis=1)
+    for name, rough in (("field", 0.0), ("field_peaks", sigma)):
+        data[name] = (
+            dims,
+            breakdown.field(data["share"].to_numpy(), np.stack(list(gaps.values()), 1), rough),
+        )
+    unit = [share / voltage for share in shares]
+    for name, rough in (("threshold", 0.0), ("threshold_peaks", sigma)):
+        own = np.stack(
+            [
+                strength * breakdown.local_gap(gap, rough) / part
+                for gap, part in zip(gaps.values(), unit)
+            ]
+        )
+        ball = own.min(0)
+        data[name] = "time", ball.min(1)
+        if rough == 0.0:
+            data["weakest"] = "time", whole["ball"].to_numpy()[ball.argmin(1)]
+    data["energy"] = breakdown.stored_energy(whole["bearing"], data["threshold"])
+    data["state"] = dims, _states(run, whole)
+    for name, unit in (
+        ("share", "V"), ("field", "V/m"), ("field_peaks", "V/m"), ("threshold", "V"),
+        ("threshold_peaks", "V"), ("energy", "J"), ("weakest", "1"), ("state", "1"),
+    ):  # fmt: skip
+        data[name].attrs = {"units": unit}
+    return data
+
+
+def _states(run, whole):
+    contacts = run.contacts.sel(time=whole["time"])
+    if "asperity_share" in contacts:
+        share = contacts["asperity_share"]
+    else:
+        share = asperity.zhou_hoeprich(contacts["lambda"].fillna(np.inf))
+    loaded = contacts["load"] > 0
+    return breakdown.states(share.where(loaded, 0.0).transpose(*whole["total"].dims).to_numpy())
+
+
+def _aligned(run):
+    """Contacts, and the gaps (time, raceway, ball) in m of balls and rings, at common times."""
+    if "angle" not in run.contacts or "h_c" not in run.contacts:
+        raise RunError(f"{run.tables.folder}: the contacts need the columns angle and h_c")
+    contacts, balls, rings = xr.align(run.contacts, run.balls, run.rings, join="inner")
+    return contacts, _gaps(run.tables.geometry, run.settings, balls, rings)
+
+
+def _gaps(bearing: Bearing, settings: dict[str, Any], balls, rings):
+    """-overlap of every ball with both grooves, from places alone."""
+    clearance = settings["clearance_m"]
+    centre = {axis: rings[axis].to_numpy()[:, None] for axis in "xyz"}
+    tilts = [
+        rings[name].to_numpy()[:, None] if name in rings else 0.0 for name in ("tilt_x", "tilt_y")
+    ]
+    place = {axis: balls[axis].to_numpy() for axis in "xyz"}
+    if np.abs(place["z"]).max() > bearing.pitch_radius / 2:
+        raise RunError("the bearing's axis is not z through the origin")
+    out = []
+    for side in (INNER, OUTER):
+        moved = side == INNER
+        d = np.stack([place[axis] - (centre[axis] if moved else 0.0) for axis in "xyz"])
+        e = np.stack(np.broadcast_arrays(
+            np.sin(tilts[1]) if moved else 0.0, -np.sin(tilts[0]) if moved else 0.0, d[0] * 0
+        ))  # fmt: skip
+        e[2] = np.sqrt(1 - e[0] ** 2 - e[1] ** 2)
+        along = (d * e).sum(0)
+        radial = np.linalg.norm(d - along * e, axis=0)
+        distance = np.hypot(radial - bearing.groove_circle(side, clearance), along)
+        out.append(bearing.groove_gap(side) - distance)
+    gaps = xr.DataArray(
+        np.stack(out, axis=1),
+        dims=("time", "raceway", "ball"),
+        coords={"time": balls["time"], "raceway": list(SIDES), "ball": balls["ball"]},
+    )
+    return gaps
+
+
+def _cage_speed(run) -> float:
+    balls = run.balls
+    x, y = balls["x"], balls["y"]
+    return float(((x * balls["vy"] - y * balls["vx"]) / (x * x + y * y)).mean())
+
+
+def _separation(bearing, side, table, quiet, clearance) -> Floats:
+    """h_c of max(Q, Q_u), (time, ball)."""
+    load, thick = table["load"].to_numpy(), table["h_c"].to_numpy()
+    r_x, r_y = bearing.effective_radii(side, 0.0, clearance)
+    power = film.load_exponent(hertz.exact(r_x, r_y).kappa)
+    live = load > 0
+    if not live.any():
+        raise RunError(f"no ball is loaded on the {SIDES[side]} raceway in any sample")
+    # h_c Q^m of the largest load: what else the film depends on
+    with np.errstate(invalid="ignore"):
+        factor = np.where(live, thick * load**power, 0.0)
+    top = np.take_along_axis(factor, load.argmax(1)[:, None], axis=1)
+    top = np.where(top > 0, top, np.median(top[top > 0]))
+    return np.where(live, factor, top) * np.maximum(load, quiet) ** -power

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""All of the capacitance of a run with clearance, where most balls have no load: against statics
+and against the run's own overlaps, films and plates."""
+
+import numpy as np
+import pytest
+import raceway
+from host import ROOT, succeed
+from raceway import breakdown, electric_point, whole_capacitance
+from raceway.errors import RunError
+from raceway.theory.capacitors import Filling
+
+LOAD, RPM, CLEARANCE = 400.0, 6000.0, 12e-6
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("play") / "run"
+    succeed(
+        "inputs/in.6208", out=folder, passes=2, samples=60, load=LOAD, rpm=RPM, clearance=CLEARANCE
+    )
+    return raceway.open(folder)
+
+
+@pytest.fixture(scope="module")
+def filling():
+    """Those of the bearing's file, which a run does not know."""
+    return point(Filling("cavitated")).filling
+
+
+@pytest.fixture(scope="module")
+def whole(run, filling):
+    return whole_capacitance.over_time(run, filling)
+
+
+def point(filling, phase=0.0):
+    return electric_point.solve(
+        "6208",
+        "mineral",
+        ROOT / "inputs",
+        load=LOAD,
+        rpm=RPM,
+        clearance=CLEARANCE,
+        phase=phase,
+        filling=filling,
+    )
+
+
+def test_mean_is_that_of_statics(whole, filling):
+    """Over the places of the balls. 0.3 %: the balls skid, and the ring moves a little."""
+    phases = 2 * np.pi / 9 * np.arange(8) / 8
+    statics = [point(filling, phase).capacitors() for phase in phases]
+    assert float(whole["bearing"].mean()) == pytest.approx(
+        np.mean([one.total for one in statics]), rel=3e-3
+    )
+    free = whole["one_ball"].where(whole["load"].sel(raceway="inner") == 0)
+    assert 5e-12 < float(free.min()) < float(free.max()) < 10e-12
+    assert float(whole["bearing"].min()) > 9 * float(free.min())
+    assert whole.attrs["quiet_load_N"] == pytest.approx(15.33, rel=2e-3)
+
+
+def test_gaps_are_the_run_s_overlaps(run, whole):
+    overlap = run.contacts["overlap"].sel(time=whole["time"]).transpose(*whole["play"].dims)
+    loaded = run.contacts["load"].sel(time=whole["time"]) > 0
+    apart = (whole["play"] + overlap).where(loaded)
+    assert int(loaded.sum()) > 1000 and float(np.abs(apart).max()) < 1e-12
+
+
+def test_plates_are_the_run_s(run, whole):
+    """Where a contact carries more than the ball's own load."""
+    plates = run.contacts["capacitance"].sel(time=whole["time"]).transpose(*whole["plates"].dims)
+    heavy = whole["load"] > 1.001 * whole.attrs["quiet_load_N"]
+    assert float(np.abs(whole["plates"] / plates - 1).where(heavy).max()) < 1e-9
+    assert 8 < float(whole["bearing"].mean() / run.bearing["capacitance"].mean()) < 14
+
+
+def test_no_jump_where_contact_is_lost(whole):
+    """The largest change from sample to sample is that of the passage from play to film, 60 samples
+    a pass."""
+    one = whole["one_ball"].to_numpy()
+    load = whole["load"].sel(raceway="inner").to_numpy()
+    steps = np.abs(np.diff(one, axis=0)) / one[1:]
+    lost = (load[1:] > 0) != (load[:-1] > 0)
+    # one enters, one leaves in each of two passes
+    assert lost.sum() == 4 and steps[lost].max() < 1.2 * steps[~lost].max() < 0.02
+
+
+def test_fields(run, whole):
+    found = whole_capacitance.fields(run, whole, 10.0, strength=15e6)
+    shares = found["share"].sum("raceway")
+    assert np.allclose(shares, 10.0)
+    assert float((found["field"] * whole["separation"] / found["share"]).max()) == pytest.approx(1)
+    at = whole_capacitance.fields(run, whole, float(found["threshold"][5]), strength=15e6)
+    largest = at["field"].isel(time=5)
+    assert float(largest.max()) == pytest.approx(15e6)
+    assert float(largest.sel(ball=found["weakest"][5]).max()) == pytest.approx(15e6)
+    assert np.all(found["threshold_peaks"] < found["threshold"])
+    assert set(np.unique(found["state"])) == {breakdown.STATES.index("capacitive")}
+    with_units = [name for name in found.data_vars if found[name].attrs.get("units")]
+    assert len(with_units) == len(found.data_vars)
+
+
+def test_dry_runs_have_none(tmp_path):
+    succeed("inputs/in.6208", out=tmp_path / "run", passes=1, samples=20, lubricant="dry")
+    with pytest.raises(RunError, match="capacitance"):
+        whole_capacitance.over_time(raceway.open(tmp_path / "run"))
