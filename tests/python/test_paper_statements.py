@@ -69,14 +69,37 @@ def test_judge():
     assert statements.judge(statement._replace(rules=()), corrected, {}).corrected == UNKNOWN
 
 
+def test_judged_with_all_of_the_capacitance():
+    """Own rules where the statement has them, else the same with other numbers; untouched without
+    any."""
+    corrected = {"a": Quantity(1.0, "F", "plates"), "b": Quantity(5.0, "", "number")}
+    whole = {"a": Quantity(3.0, "F", "all"), "c": Quantity(2.0, "F", "around")}
+    same = Statement("1", "...", "", ("a < 2",), ("a",), "")
+    judged = statements.judge(same, corrected, {}, whole)
+    assert (judged.corrected, judged.whole, judged.whole_numbers) == (AGREE, DIFFER, "all: 3 F")
+    own = same._replace(whole={"rules": ["c > 1"], "show": ["c"], "why": "{c} more"})
+    judged = statements.judge(own, corrected, {}, whole)
+    assert (judged.whole, judged.whole_numbers, judged.whole_why) == (
+        AGREE,
+        "around: 2 F",
+        "2 F more",
+    )
+    other = same._replace(rules=("b > 1",), show=("b",))
+    judged = statements.judge(other, corrected, {}, whole)
+    assert (judged.whole, judged.whole_numbers, judged.whole_why) == (SAME, "", "")
+    assert statements.judge(own, corrected, {}).whole == SAME
+
+
 def test_the_record_follows_from_its_numbers():
     numbers = recorded()
     table = pd.read_csv(RECORD / "statements.csv", keep_default_na=False)
     judged = [
-        statements.judge(one, numbers["corrected"], numbers["printed"]) for one in statements.read()
+        statements.judge(one, numbers["corrected"], numbers["printed"], numbers["whole"])
+        for one in statements.read()
     ]
     assert [one.corrected for one in judged] == list(table["corrected"])
     assert [one.printed for one in judged] == list(table["printed"])
+    assert [one.whole for one in judged] == list(table["whole"])
     assert [shown.plain(one.says) for one in judged] == list(table["says"])
 
 

@@ -40,7 +40,7 @@ def test_verdicts(made):
     new, old = (
         pd.read_csv(folder / "statements.csv", keep_default_na=False) for folder in (made, RECORD)
     )
-    for column in ("says", "corrected", "printed"):
+    for column in ("says", "corrected", "printed", "whole"):
         assert list(new[column]) == list(old[column])
 
 

@@ -42,6 +42,7 @@ class Plan:
 
     cases: dict[str, list[Case]]  # by name of the set
     products: dict[str, list[str]]  # names of the sets by name of the product
+    root: Path  # the source tree
 
     def needed(self, products: Iterable[str]) -> list[Case]:
         """The cases of these products, each once."""
@@ -69,7 +70,7 @@ def plan(root: Path) -> Plan:
         ) from None
     if unknown := sorted({need for needs in products.values() for need in needs} - set(sets)):
         raise InputError(f"{path}: products ask for unknown cases: {', '.join(unknown)}")
-    return Plan(sets, products)
+    return Plan(sets, products, root)
 
 
 def _combinations(settings):

@@ -30,6 +30,13 @@ HEAD = (
     ("printed formulas", 20),
     ("why", 24),
 )
+WHOLE_HEAD = (
+    ("where", 8),
+    ("the paper says", 26),
+    ("plates alone", 22),
+    ("all of the capacitance", 24),
+    ("why", 20),
+)
 
 
 def title(product: str) -> str:
@@ -54,11 +61,12 @@ def make(product: str, book: Book, out: Path) -> list[Path]:
 
 def _statements(book, out):
     corrected, printed = quantities.measure(book), quantities.measure(book, printed=True)
-    judged = [statements.judge(one, corrected, printed) for one in statements.read()]
+    whole = quantities.measure_whole(book)
+    judged = [statements.judge(one, corrected, printed, whole) for one in statements.read()]
     numbers = pd.DataFrame(
         [
             (form, name, one.value, one.unit, plain(one.label))
-            for form, some in (("corrected", corrected), ("printed", printed))
+            for form, some in (("corrected", corrected), ("printed", printed), ("whole", whole))
             for name, one in some.items()
         ],
         columns=["formulas", "quantity", "value", "unit", "label"],
@@ -68,6 +76,7 @@ def _statements(book, out):
         _csv(out / "statements.csv", table),
         _csv(out / "quantities.csv", numbers),
         _text(out / "statements.inc", rst(judged)),
+        _text(out / "statements_whole.inc", whole_rst(judged)),
     ]
 
 
@@ -76,35 +85,48 @@ def rst(judged: Sequence[Judged]) -> str:
     rows = [[name for name, _ in HEAD]]
     for one in judged:
         verdicts = [
-            " – ".join(
-                part
-                for part in (name if name == statements.SAME else f"**{name}**", markup(numbers))
-                if part
-            )
-            for name, numbers in (
-                (one.corrected, one.corrected_numbers),
-                (one.printed, one.printed_numbers),
-            )
+            _cell(one.corrected, one.corrected_numbers),
+            _cell(one.printed, one.printed_numbers),
         ]
         rows.append([markup(one.where), markup(one.says), *verdicts, markup(one.why)])
-    return f"{_count(judged)}\n\n" + list_table(rows, [width for _, width in HEAD])
-
-
-def _count(judged):
-    totals = Counter(one.corrected for one in judged)
-    printed = Counter(
-        one.corrected if one.printed == statements.SAME else one.printed for one in judged
-    )
-    return (
+    printed = [one.corrected if one.printed == statements.SAME else one.printed for one in judged]
+    count = (
         f"{len(judged)} statements. From the corrected formulas "
-        + _listing(totals)
+        + _listing(one.corrected for one in judged)
         + "; from the formulas as printed "
         + _listing(printed)
         + "."
     )
+    return f"{count}\n\n" + list_table(rows, [width for _, width in HEAD])
 
 
-def _listing(totals):
+def whole_rst(judged: Sequence[Judged]) -> str:
+    """Those statements as a list-table that see more than the plates of the capacitance."""
+    rows = [[name for name, _ in WHOLE_HEAD]]
+    some = [one for one in judged if one.whole != statements.SAME]
+    for one in some:
+        verdicts = [
+            _cell(one.corrected, one.corrected_numbers),
+            _cell(one.whole, one.whole_numbers),
+        ]
+        rows.append([markup(one.where), markup(one.says), *verdicts, markup(one.whole_why)])
+    count = (
+        f"{len(some)} statements. With plates alone "
+        + _listing(one.corrected for one in some)
+        + "; with all of the capacitance "
+        + _listing(one.whole for one in some)
+        + "."
+    )
+    return f"{count}\n\n" + list_table(rows, [width for _, width in WHOLE_HEAD])
+
+
+def _cell(verdict, numbers):
+    name = verdict if verdict == statements.SAME else f"**{verdict}**"
+    return " – ".join(part for part in (name, markup(numbers)) if part)
+
+
+def _listing(verdicts):
+    totals = Counter(verdicts)
     return ", ".join(
         f"{totals[name]} {name}"
         for name in (statements.AGREE, statements.DIFFER, statements.UNKNOWN)

@@ -13,15 +13,19 @@ from typing import Any
 
 import numpy as np
 
+from raceway import inputs
 from raceway.arrays import Floats, Integers
 from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.paper.cases import Case, Plan
 from raceway.paper.runner import LOG
+from raceway.runs import whole_capacitance
+from raceway.runs.run import Run
 from raceway.runs.summary import summary
 from raceway.runs.tables import BALL, RunTables
 from raceway.theory.bearing import INNER
 from raceway.theory.capacitance import VACUUM
+from raceway.theory.capacitors import FLOODED, Filling
 
 CAGE_BALL = 2  # atom type
 GRID = np.arange(-180.0, 181.0)
@@ -30,8 +34,9 @@ GRID = np.arange(-180.0, 181.0)
 class Reading:
     """One run of a radially loaded, turning bearing."""
 
-    def __init__(self, case: Case, folder: FilePath) -> None:
+    def __init__(self, case: Case, folder: FilePath, filling: Filling = FLOODED) -> None:
         self.case, self.given, self.tables = case, case.given, RunTables(folder)
+        self.filling = filling
 
     @cached_property
     def figures(self) -> dict[str, Any]:
@@ -67,6 +72,28 @@ class Reading:
     def top_capacitance(self) -> float:
         """Capacitance in F of a ball on the load line."""
         return float(np.interp(0.0, *self.ball_capacitance()))
+
+    @cached_property
+    def _whole(self):
+        run = Run(self.tables.folder)
+        run.tables = self.tables  # whose contacts are read already
+        found = whole_capacitance.over_time(run, self.filling)
+        line = run.balls["from_load_line"].sel(time=found["time"])
+        return _sorted(
+            np.degrees(line.to_numpy().ravel()), found["one_ball"].to_numpy().ravel()
+        ), float(found["bearing"].mean())
+
+    def whole_ball_capacitance(self) -> tuple[Floats, Floats]:
+        """(psi in degrees, F), sorted: every ball with all that carries its capacitance."""
+        return self._whole[0]
+
+    def whole_top_capacitance(self) -> float:
+        """Capacitance in F of a ball on the load line, with all that carries it."""
+        return float(np.interp(0.0, *self.whole_ball_capacitance()))
+
+    def whole_capacitance(self) -> float:
+        """Mean capacitance in F of the bearing, with all that carries it."""
+        return self._whole[1]
 
     def permittivity(self, raceway: int) -> tuple[Floats, Floats]:
         """(psi, relative permittivity) of contacts, from their capacitance, film and area (eq
@@ -143,6 +170,11 @@ class Readings:
     def __init__(self, plan: Plan, folders: Mapping[Case, Path]) -> None:
         self.plan, self.folders, self._kept = plan, folders, {}
 
+    def filling(self, bearing: str) -> Filling:
+        """Oil everywhere, and the shoulders of a bearing of inputs/."""
+        path = self.plan.root / "inputs/bearings" / bearing
+        return FLOODED._replace(shoulders=inputs.shoulders(path))
+
     def has(self, product: str) -> bool:
         """Whether all cases of a product have run."""
         return all(case in self.folders for case in self.plan.needed([product]))
@@ -171,5 +203,6 @@ class Readings:
     def _reading(self, case):
         key = (case, tuple(case.given.items()))
         if key not in self._kept:
-            self._kept[key] = Reading(case, self.folders[case])
+            filling = self.filling(str(case.given.get("bearing", "6208")))
+            self._kept[key] = Reading(case, self.folders[case], filling)
         return self._kept[key]

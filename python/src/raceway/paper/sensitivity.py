@@ -7,6 +7,7 @@ alike.
 """
 
 import itertools
+from collections.abc import Callable
 
 import numpy as np
 import pandas as pd
@@ -95,31 +96,31 @@ def table(book: Book) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def power(book: Book, what: str) -> float:
-    """How a ball's capacitance goes with one property of the mineral oil: d log C/d log
-    property."""
-    oil, step = book.oils["mineral"], 1.01
-    q = theory.largest_load(book.bearing, LOAD)
+def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> float:
+    """How a ball's capacitance goes with one property of the mineral oil: d log C/d log property.
+    `ball` gives its capacitance in F, that of its plates unless given."""
+    oil, step, of = book.oils["mineral"], 1.01, ball or _plates(book)
     more, less = (
-        theory.ball(book.bearing, oil._replace(**{what: getattr(oil, what) * factor}), q, SPEED)
-        for factor in (step, 1 / step)
+        of(oil._replace(**{what: getattr(oil, what) * factor})) for factor in (step, 1 / step)
     )
     return float(np.log(more / less) / (2 * np.log(step)))
 
 
-def oils_ratio(book: Book, first: str, second: str) -> tuple[float, float]:
+def oils_ratio(
+    book: Book, first: str, second: str, ball: Callable[[Oil], float] | None = None
+) -> tuple[float, float]:
     """(least, largest) ratio of the oils' capacitances of a ball on the load line over all corners
-    of their ranges."""
-    q, ends = theory.largest_load(book.bearing, LOAD), ranges(book)
+    of their ranges; `ball` as `power`'s."""
+    ends, of = ranges(book), ball or _plates(book)
 
     def corners(name):
         kept = [ends[name][what] for what in ("viscosity", "pressure_viscosity", "permittivity")]
-        return np.array(
-            [
-                theory.ball(book.bearing, Oil(*corner, 1e-7), q, SPEED)
-                for corner in itertools.product(*kept)
-            ]
-        )
+        return np.array([of(Oil(*corner, 1e-7)) for corner in itertools.product(*kept)])
 
     over, under = corners(first), corners(second)
     return float(over.min() / under.max()), float(over.max() / under.min())
+
+
+def _plates(book):
+    q = theory.largest_load(book.bearing, LOAD)
+    return lambda oil: theory.ball(book.bearing, oil, q, SPEED)

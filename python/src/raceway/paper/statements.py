@@ -4,7 +4,8 @@
 import re
 from collections.abc import Mapping
 from importlib import resources
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 import yaml
 
@@ -23,10 +24,14 @@ class Statement(NamedTuple):
     rules: tuple[str, ...]
     show: tuple[str, ...]
     why: str
+    whole: Mapping[str, Any] = MappingProxyType(
+        {}
+    )  # with all of the capacitance: other rules, show
 
 
 class Judged(NamedTuple):
-    """A statement with its verdicts: from the corrected and from the printed formulas."""
+    """A statement with its verdicts: from the corrected and from the printed formulas, and with all
+    that carries capacitance."""
 
     where: str
     says: str
@@ -34,7 +39,10 @@ class Judged(NamedTuple):
     corrected_numbers: str
     printed: str
     printed_numbers: str
+    whole: str
+    whole_numbers: str
     why: str
+    whole_why: str
 
 
 def read() -> list[Statement]:
@@ -48,6 +56,7 @@ def read() -> list[Statement]:
             tuple(one.get("rules", ())),
             tuple(one.get("show", ())),
             one["why"],
+            one.get("whole", {}),
         )
         for one in yaml.safe_load(text)
     ]
@@ -75,17 +84,26 @@ def names(rule: str) -> tuple[str, ...]:
 
 
 def judge(
-    statement: Statement, corrected: Mapping[str, Quantity], printed: Mapping[str, Quantity]
+    statement: Statement,
+    corrected: Mapping[str, Quantity],
+    printed: Mapping[str, Quantity],
+    whole: Mapping[str, Quantity] = MappingProxyType({}),
 ) -> Judged:
     """`Judged` of a statement, from {name: `Quantity`} of the corrected and of the printed
-    formulas."""
-    used = {name for rule in statement.rules for name in names(rule)} | set(statement.show)
-    words = {name: quantity.text for name, quantity in corrected.items()}
+    formulas, and of those that stand in for the corrected ones with all of the capacitance.
+
+    `statement.whole` has rules and numbers of the last where they are others.
+    """
+    words = {name: quantity.text for name, quantity in {**whole, **corrected}.items()}
     first, shown = _verdict(statement, corrected)
-    if used & set(printed):
-        second, other = _verdict(statement, corrected | printed)
-    else:
-        second, other = SAME, ""
+    second, other = _other(statement, corrected, printed)
+    full = statement
+    if whole and statement.whole:
+        full = statement._replace(
+            rules=tuple(statement.whole.get("rules", ())),
+            show=tuple(statement.whole.get("show", ())),
+        )
+    third, more = _other(full, corrected, whole)
     if statement.about == "print":
         first = second
     return Judged(
@@ -95,8 +113,19 @@ def judge(
         shown,
         second,
         other,
+        third,
+        more,
         statement.why.format_map(words),
+        "" if third == SAME else statement.whole.get("why", "").format_map(words),
     )
+
+
+def _other(statement, corrected, others):
+    """Verdict and numbers where `others` stand in for some of those that `statement` uses."""
+    used = {name for rule in statement.rules for name in names(rule)} | set(statement.show)
+    if used & set(others):
+        return _verdict(statement, {**corrected, **others})
+    return SAME, ""
 
 
 def _verdict(statement, quantities):

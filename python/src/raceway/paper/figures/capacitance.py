@@ -23,6 +23,7 @@ def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
     runs, printed = book.readings.all("loads"), book.readings.all("loads_printed")
     loads = np.array([run.given["load"] for run in runs], float)
     value = np.array([run.top_capacitance() for run in runs])
+    whole = np.array([run.whole_top_capacitance() for run in runs])
     other = np.array([run.top_capacitance() for run in printed])
     line = np.linspace(1000, 7000, 25)
     share = theory.largest_load(bearing, 5000.0) / 5000.0  # at no clearance the same for every load
@@ -35,6 +36,7 @@ def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
     panel.marks(
         axes, loads * 1e-3, (value + BACKGROUND) * 1e12, PALETTE[5], "simulation + 30 pF", "^"
     )
+    panel.marks(axes, loads * 1e-3, whole * 1e12, PALETTE[2], "all of the capacitance", "D")
     panel.marks(axes, loads * 1e-3, other * 1e12, SOFT, "formulas as printed", "s")
     axes.set(
         xlabel="radial load $F_r$ (kN)",
@@ -48,6 +50,7 @@ def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
             "load_N": loads,
             "capacitance_F": value,
             "with_background_F": value + BACKGROUND,
+            "whole_F": whole,
             "static_F": theory.ball(bearing, oil, share * loads, 0.41),
             "printed_F": other,
         }

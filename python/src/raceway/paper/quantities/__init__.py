@@ -3,10 +3,11 @@
 
 Every module's `measure(book, printed)` returns {name: `Quantity`}. With `printed` it returns those
 that eqs 2, 3 and 9 change, from the formulas as printed; the others are the same either way.
+`measure_whole` returns those that all of the capacitance changes, and what only it has.
 """
 
 from raceway.paper.book import Book
-from raceway.paper.quantities import capacitance, formulas, loads, motion, oil
+from raceway.paper.quantities import capacitance, formulas, loads, motion, oil, whole
 from raceway.paper.quantity import Quantity
 
 MODULES = (formulas, loads, motion, oil, capacitance)
@@ -18,3 +19,8 @@ def measure(book: Book, printed: bool = False) -> dict[str, Quantity]:
     for module in MODULES:
         result |= module.measure(book, printed)
     return result
+
+
+def measure_whole(book: Book) -> dict[str, Quantity]:
+    """{name: `Quantity`} that see more of the capacitance than the plates; corrected formulas."""
+    return whole.measure(book)

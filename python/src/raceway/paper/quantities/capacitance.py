@@ -1,21 +1,35 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Capacitances of the runs."""
 
+from collections.abc import Callable
+
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.paper import sensitivity, theory
 from raceway.paper.book import Book
 from raceway.paper.quantity import Quantity
-from raceway.paper.reading import GRID, gridded
+from raceway.paper.reading import GRID, Reading, gridded
 from raceway.theory.bearing import INNER
 from raceway.theory.capacitance import VACUUM
+
+OfRun = Callable[[Reading], float]
+# a ball on the load line and the bearing, as the paper has them
+PLATES = (Reading.top_capacitance, lambda run: run.figures["capacitance_F"])
 
 
 def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     """See `quantities`."""
     form = "_printed" if printed else ""
+    result = of_runs(book, form, *PLATES)
+    return result if printed else result | _same(book, curves(book, form, *PLATES))
+
+
+def of_runs(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[str, Quantity]:
+    """The quantities of figs 8, 10 and 11 by what `top` says of a ball on the load line and `mean`
+    of the bearing, F; `form` is the end of the names of the sets of runs."""
     runs = book.readings
-    by_load = {run.given["load"]: run.top_capacitance() for run in runs.all("loads" + form)}
+    by_load = {run.given["load"]: top(run) for run in runs.all("loads" + form)}
     loads, tops = np.array(list(by_load)), np.array(list(by_load.values()))
     result = {
         "top_1": Quantity(by_load[1000], "F", "one ball at ψ = 0, 1 kN"),
@@ -26,27 +40,14 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
             np.polyfit(np.log(loads), np.log(tops), 1)[0], "", "power of the load"
         ),
         "ring_mean": Quantity(
-            runs.one("loads" + form, load=5000).figures["capacitance_F"],
+            mean(runs.one("loads" + form, load=5000)),
             "F",
             "bearing, 5 kN, 0.41 m/s",
         ),
     }
-    curve = {
-        (oil, load): [
-            (
-                run.given["entrainment"],
-                run.top_capacitance(),
-                run.figures["capacitance_F"],
-                run.top(INNER, "h_min"),
-            )
-            for run in runs.some("speeds" + form, lubricant=oil, load=load)
-        ]
-        for oil in book.oils
-        for load in (1000, 5000)
-    }
-    curve = {key: np.array(rows).T for key, rows in curve.items()}
-    speed, top, _, _ = curve["mineral", 5000]
-    slopes = np.diff(top) / np.diff(speed)
+    curve = curves(book, form, top, mean)
+    speed, tops, _, _ = curve["mineral", 5000]
+    slopes = np.diff(tops) / np.diff(speed)
     over = [curve["pao48", load][1] / curve["mineral", load][1] for load in (1000, 5000)]
     result |= {
         "speed_step": Quantity(
@@ -79,7 +80,21 @@ def measure(book: Book, printed: bool) -> dict[str, Quantity]:
     result["collapse"] = Quantity(
         _collapse(book, curve), "%", "largest difference of the oils at the same $h_{min}$"
     )
-    return result if printed else result | _same(book, curve)
+    return result
+
+
+def curves(book: Book, form: str, top: OfRun, mean: OfRun) -> dict[tuple[str, int], Floats]:
+    """{(oil, load): (4, speeds)} of the runs of fig 10: entrainment speed, capacitance of a ball on
+    the load line and of the bearing, smallest film there; SI units."""
+    curve = {
+        (oil, load): [
+            (run.given["entrainment"], top(run), mean(run), run.top(INNER, "h_min"))
+            for run in book.readings.some("speeds" + form, lubricant=oil, load=load)
+        ]
+        for oil in book.oils
+        for load in (1000, 5000)
+    }
+    return {key: np.array(rows).T for key, rows in curve.items()}
 
 
 def _collapse(book, curve):

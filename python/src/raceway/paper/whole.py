@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""All of the capacitance by statics, oil everywhere: what `theory` says of the plates alone, with
+the gap around them and the balls without load."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from raceway.inputs import Oil
+from raceway.theory import capacitors, kinematics, lubrication
+from raceway.theory.bearing import Bearing
+from raceway.theory.capacitors import Filling
+
+PHASES = 6  # places of the first ball between two balls: the mean to better than 1e-3
+
+
+@lru_cache(maxsize=256)
+def _state(bearing, radial_load, spin, step):
+    """State and Q_u with the first ball `step` of `PHASES` from the load line to the next one."""
+    phase = 2 * np.pi / bearing.balls * step / PHASES
+    state, orbit = lubrication.turning(bearing, spin, radial_load, phase=phase)
+    return state, capacitors.quiet_load(bearing, orbit)
+
+
+def _solved(bearing, oil, radial_load, speed, filling, step=0):
+    spin = speed / float(kinematics.entrainment(bearing, 1.0))
+    state, quiet = _state(bearing, radial_load, spin, step)
+    return capacitors.of_statics(bearing, state, oil, spin, quiet, filling=filling)
+
+
+def ball(bearing: Bearing, oil: Oil, radial_load: float, speed: float, filling: Filling) -> float:
+    """Capacitance in F of the ball on the load line at an entrainment speed in m/s; load in N."""
+    return float(_solved(bearing, oil, radial_load, speed, filling).ball[0])
+
+
+def bearing_capacitance(
+    bearing: Bearing, oil: Oil, radial_load: float, speed: float, filling: Filling
+) -> float:
+    """Mean capacitance in F of the bearing over a ball pass, as `ball`."""
+    return float(
+        np.mean(
+            [
+                _solved(bearing, oil, radial_load, speed, filling, step).total
+                for step in range(PHASES)
+            ]
+        )
+    )
