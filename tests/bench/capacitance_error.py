@@ -134,7 +134,10 @@ def errors(size: str, conformity: float, raceway: int) -> Errors:
 
 
 def _rigid(one, raceway, r_x, depth, widths, gaps):
-    form = capacitance_outside.rigid(r_x, one.ball_radius, one.groove(raceway), gaps, widths)
+    ellipse = hertz.exact(r_x, one.effective_radii(raceway)[1])
+    form = capacitance_outside.rigid(
+        ellipse, r_x, one.ball_radius, one.groove(raceway), gaps, widths
+    )
     return float(np.abs(form / capacitance_exact.rigid_arc(one, raceway, gaps, depth) - 1).max())
 
 

@@ -29,9 +29,9 @@ def closed(bearing, raceway, load, separation, widths, angle=0.0):
 
 
 def rigid(bearing, raceway, separation, widths, angle=0.0):
-    r_x, _ = bearing.effective_radii(raceway, angle)
-    groove = bearing.groove(raceway)
-    return capacitance_outside.rigid(r_x, bearing.ball_radius, groove, separation, widths)
+    r_x, r_y = bearing.effective_radii(raceway, angle)
+    ellipse, groove = hertz.exact(r_x, r_y), bearing.groove(raceway)
+    return capacitance_outside.rigid(ellipse, r_x, bearing.ball_radius, groove, separation, widths)
 
 
 # I in mm of the parabola to ± width at the SEPARATIONS, from an independent integration
@@ -93,7 +93,7 @@ def test_rigid_gap(bearing, raceway, printed):
     assert found == pytest.approx(printed, abs=0.06)
     widths = groove_width.half_widths(bearing, raceway, DEPTH)
     form = 1e3 * rigid(bearing, raceway, gaps, widths)
-    assert form[:3] == pytest.approx(printed[:3], rel=2.5e-3)
+    assert form[:3] == pytest.approx(printed[:3], rel=3.5e-3)
     assert form[3] == pytest.approx(printed[3], rel=0.01)
 
 
@@ -138,8 +138,9 @@ def test_gap_is_hertz_s(bearing):
 
 def test_no_load_is_the_rigid_gap(bearing):
     widths = groove_width.half_widths(bearing, INNER, DEPTH)
-    loaded = closed(bearing, INNER, 1e-6, SEPARATIONS, widths)
-    assert loaded == pytest.approx(rigid(bearing, INNER, SEPARATIONS, widths), rel=6e-3)
+    loaded = closed(bearing, INNER, 1e-9, SEPARATIONS, widths)
+    thin = SEPARATIONS / bearing.groove_gap(INNER)  # of which only the rigid form takes note
+    assert loaded == pytest.approx(rigid(bearing, INNER, SEPARATIONS, widths), rel=thin.max())
     exact = capacitance_exact.arc(bearing, INNER, 1e-6, SEPARATIONS, DEPTH)
     still = capacitance_exact.rigid_arc(bearing, INNER, SEPARATIONS, DEPTH)
     assert exact == pytest.approx(still, rel=2e-3)

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PIL import Image
-from raceway import breakdown, electric_point, film_reading, operating_point
+from raceway import electric_point, film_reading, film_voltage, operating_point
 from raceway.cli import main
 from raceway.theory.capacitors import Filling
 from raceway.theory.electric_point import Ask
@@ -71,7 +71,7 @@ def test_threshold_is_where_the_field_is_the_strength(point):
     assert at["field_V_m"] == pytest.approx(20e6)
     assert found["threshold_peaks_V"] < found["threshold_V"]
     assert found["stored_energy_J"] == pytest.approx(
-        breakdown.stored_energy(found["capacitance_total_F"], found["threshold_V"])
+        film_voltage.stored_energy(found["capacitance_total_F"], found["threshold_V"])
     )
     rough = electric_point.figures(point, Ask(voltage=found["threshold_peaks_V"], strength=20e6))
     assert rough["field_peaks_V_m"] == pytest.approx(20e6)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import raceway
 from host import ROOT, succeed
-from raceway import breakdown, electric_point, whole_capacitance
+from raceway import electric_point, film_voltage, whole_capacitance
 from raceway.errors import RunError
 from raceway.theory.capacitors import Filling
 
@@ -95,7 +95,7 @@ def test_fields(run, whole):
     assert float(largest.max()) == pytest.approx(15e6)
     assert float(largest.sel(ball=found["weakest"][5]).max()) == pytest.approx(15e6)
     assert np.all(found["threshold_peaks"] < found["threshold"])
-    assert set(np.unique(found["state"])) == {breakdown.STATES.index("capacitive")}
+    assert set(np.unique(found["state"])) == {film_voltage.STATES.index("capacitive")}
     with_units = [name for name in found.data_vars if found[name].attrs.get("units")]
     assert len(with_units) == len(found.data_vars)
 

@@ -10,7 +10,7 @@ import numpy as np
 from raceway.files import FilePath
 from raceway.pictures.electric_page import head
 from raceway.pictures.style import COLOUR, NAME, SOFT, STYLE, save
-from raceway.theory import breakdown
+from raceway.theory import film_voltage
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.electric_point import Point
 from raceway.units import prefixed
@@ -33,14 +33,14 @@ def field(
             for values in zip(
                 *(
                     (
-                        breakdown.divided(voltage, one.inner.total, one.outer.total)[index],
+                        film_voltage.divided(voltage, one.inner.total, one.outer.total)[index],
                         (one.inner, one.outer)[index].separation,
                     )
                     for one in found
                 )
             )
         )
-        curves[side] = [breakdown.field(share, gap, rough) for rough in (0.0, sigma)]
+        curves[side] = [film_voltage.field(share, gap, rough) for rough in (0.0, sigma)]
     smooth = max(curves[side][0].max() for side in curves)
     rough = [values[1][np.isfinite(values[1])].max(initial=0.0) for values in curves.values()]
     edge = min(max([smooth, *rough]), 6 * smooth)

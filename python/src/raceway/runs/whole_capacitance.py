@@ -12,13 +12,13 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.regimes import need_film
 from raceway.runs.run import Run
-from raceway.theory import asperity, breakdown, capacitance, capacitors, film, hertz
+from raceway.theory import asperity, capacitance, capacitors, film, film_voltage, hertz
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.capacitors import FLOODED, Filling
 
 SIDES = ("inner", "outer")
 MEANING = {
-    "load": ("N", "contact load, of a ball without load on the outer raceway its own"),
+    "load": ("N", "contact load"),
     "separation": ("m", "central film thickness, or play of a ball without load"),
     "area": ("m2", "area of the contact ellipse"),
     "plates": ("F", "capacitance of the contact ellipse"),
@@ -37,10 +37,10 @@ def over_time(run: Run, filling: Filling = FLOODED, density: float = 7800.0) -> 
 
     A contact has the film of the run. One that carries less than Q_u = m r omega_c^2, the balls of
     `density` in kg/m^3, or none, has the film of Q_u: that of the largest load of its raceway at
-    the time, by the load exponent of eq 9. The gap of a ball without inner load is its play, from
-    the places of ball and ring. Where a record has `capacitance_total`, `recorded` (time, raceway,
-    ball) has it beside `total`. It needs memory for all samples of the run. Raises `RunError` for a
-    run without film, balls or rings, or whose axis is not z.
+    the time, by the load exponent of eq 9. A gap without load is at least the distance of ball and
+    raceway, from the places of ball and ring. Where a record has `capacitance_total`, `recorded`
+    (time, raceway, ball) has it beside `total`. It needs memory for all samples of the run. Raises
+    `RunError` for a run without film, balls or rings, or whose axis is not z.
     """
     need_film(run, "capacitance")
     contacts, gaps = _aligned(run)
@@ -52,17 +52,17 @@ def over_time(run: Run, filling: Filling = FLOODED, density: float = 7800.0) -> 
         table = contacts.sel(raceway=name)
         load = table["load"].to_numpy()
         separation = _separation(bearing, side, table, quiet, clearance)
-        if side == INNER:
-            play = np.maximum(gaps.to_numpy(), 0.0).sum(1)  # of a ball on neither raceway both
-            separation = np.where(load > 0, separation, np.maximum(separation, play))
+        play = gaps.sel(raceway=name).to_numpy()
+        separation = np.where(load > 0, separation, np.maximum(separation, play))
         found.append(
             capacitors.of_raceway(
                 bearing,
                 side,
                 run.settings["permittivity"],
-                load if side == INNER else np.maximum(load, quiet),
+                load,
                 separation,
                 np.nan_to_num(table["angle"].to_numpy()),
+                film_thickness=table["h_c"].fillna(1.0).to_numpy(),  # of no use without load
                 filling=filling,
                 roughness=run.settings["roughness_m"],
                 clearance=clearance,
@@ -88,31 +88,32 @@ def fields(
     run: Run,
     whole: xr.Dataset,
     voltage: float,
-    strength: float = breakdown.STRENGTH,
+    strength: float = film_voltage.STRENGTH,
 ) -> xr.Dataset:
     """What a `voltage` (V) between the rings does, `whole` from `over_time`: Dataset of `share` (V,
     of each film), `field` and `field_peaks` (V/m, over h_c and over h_c - 3 sigma; infinite where
-    peaks meet) and `state` (index of `breakdown.STATES`), (time, raceway, ball); of `threshold` and
-    `threshold_peaks` (V, at which the first film of `strength` in V/m fails) and `weakest` (number
-    of its ball, smooth), (time); of `energy` (J, of the bearing at that voltage, smooth), (time).
+    peaks meet) and `state` (index of `film_voltage.STATES`), (time, raceway, ball); of `threshold`
+    and `threshold_peaks` (V, at which the first film of `strength` in V/m fails) and `weakest`
+    (number of its ball, smooth), (time); of `energy` (J, of the bearing at that voltage, smooth),
+    (time).
     """
     total = {name: whole["total"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
     gaps = {name: whole["separation"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
     sigma = run.settings["roughness_m"]
-    shares = breakdown.divided(voltage, *total.values())
+    shares = film_voltage.divided(voltage, *total.values())
     dims = ("time", "raceway", "ball")
     data = xr.Dataset(coords=whole["total"].coords)
     data["share"] = dims, np.stack(shares, axis=1)
     for name, rough in (("field", 0.0), ("field_peaks", sigma)):
         data[name] = (
             dims,
-            breakdown.field(data["share"].to_numpy(), np.stack(list(gaps.values()), 1), rough),
+            film_voltage.field(data["share"].to_numpy(), np.stack(list(gaps.values()), 1), rough),
         )
     unit = [share / voltage for share in shares]
     for name, rough in (("threshold", 0.0), ("threshold_peaks", sigma)):
         own = np.stack(
             [
-                strength * breakdown.local_gap(gap, rough) / part
+                strength * film_voltage.local_gap(gap, rough) / part
                 for gap, part in zip(gaps.values(), unit)
             ]
         )
@@ -120,7 +121,7 @@ def fields(
         data[name] = "time", ball.min(1)
         if rough == 0.0:
             data["weakest"] = "time", whole["ball"].to_numpy()[ball.argmin(1)]
-    data["energy"] = breakdown.stored_energy(whole["bearing"], data["threshold"])
+    data["energy"] = film_voltage.stored_energy(whole["bearing"], data["threshold"])
     data["state"] = dims, _states(run, whole)
     for name, unit in (
         ("share", "V"), ("field", "V/m"), ("field_peaks", "V/m"), ("threshold", "V"),
@@ -137,7 +138,7 @@ def _states(run, whole):
     else:
         share = asperity.zhou_hoeprich(contacts["lambda"].fillna(np.inf))
     loaded = contacts["load"] > 0
-    return breakdown.states(share.where(loaded, 0.0).transpose(*whole["total"].dims).to_numpy())
+    return film_voltage.states(share.where(loaded, 0.0).transpose(*whole["total"].dims).to_numpy())
 
 
 def _aligned(run):

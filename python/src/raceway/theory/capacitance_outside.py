@@ -98,25 +98,33 @@ def loaded(
 
 
 def rigid(
-    r_x: Numbers, ball_radius: float, groove: float, separation: Numbers, widths: HalfWidths
+    ellipse: hertz.Ellipse,
+    r_x: Numbers,
+    ball_radius: float,
+    groove: float,
+    separation: Numbers,
+    widths: HalfWidths,
 ) -> Numbers:
     """I in m of a ball at `separation` g_0 (m) from the raceway's bottom, without load; R_x, ball
-    and `groove` radius in m. Raises `ValueError` for a separation that is not positive.
+    and `groove` radius in m, `ellipse` of the loaded contact. Raises `ValueError` for a separation
+    that is not positive.
 
-    4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g_0)), the mean of both sides, where R_y = R_b r_c/(r_c -
-    R_b - g_0): the circle through the ball's centre moves with the play. Past concentric circles
-    the inverse sine takes over.
+    4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), the mean of both sides. R = kappa^2 E R/(ln 4 kappa -
+    1), within 1 % of R_y, makes it the limit of `loaded` at no load; over 1 - g_0/(r_c - R_b),
+    because the centres of ball and groove come closer with the play. Past concentric circles the
+    inverse sine takes over.
 
-    >>> width = HalfWidths(5.85e-3, 5.85e-3)
-    >>> round(1e3 * float(rigid(4.990476e-3, 6.3e-3, 6.552e-3, 12e-6, width)), 1)  # mm
-    655.2
+    >>> one, width = hertz.exact(4.990476e-3, 163.8e-3), HalfWidths(5.85e-3, 5.85e-3)
+    >>> round(1e3 * float(rigid(one, 4.990476e-3, 6.3e-3, 6.552e-3, 12e-6, width)), 1)  # mm
+    656.3
     """
     _positive("separation", separation)
-    curve = (groove - ball_radius - np.asarray(separation, float)) / (ball_radius * groove)
-    size = np.maximum(np.abs(curve), 1e-9 / ball_radius)  # 1/R_y; the limit is straight
+    across = ellipse.kappa**2 * ellipse.second * ellipse.radius / (np.log(4 * ellipse.kappa) - 1)
+    curve = 1 - np.asarray(separation, float) / (groove - ball_radius)  # over 1/across
+    size = np.maximum(np.abs(curve), 1e-9) / across  # the limit is straight
     mean = 0.0
     for width in widths:
-        reach = width * np.sqrt(size / (2 * separation))
+        reach = np.maximum(width, 0.0) * np.sqrt(size / (2 * separation))
         turn = np.where(curve > 0, np.arcsinh(reach), np.arcsin(np.minimum(reach, 1.0)))
         mean = mean + turn / 2
     return (4 * np.pi * np.sqrt(r_x / size) * mean)[()]

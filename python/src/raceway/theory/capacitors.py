@@ -109,6 +109,7 @@ def of_raceway(
     separation: ArrayLike,
     angle: ArrayLike = 0.0,
     *,
+    film_thickness: ArrayLike | None = None,
     filling: Filling = FLOODED,
     roughness: float = 0.0,
     clearance: float = 0.0,
@@ -116,7 +117,8 @@ def of_raceway(
     """`Capacitors` of one raceway from loads (N), separations (m) and contact angles (rad) of the
     balls (Z,), in oil of relative `permittivity` at rest.
 
-    A load of zero makes a rigid gap. `roughness` sigma in m counts where `filling` asks for it,
+    A load of zero makes a rigid gap. The plates have the `film_thickness` of their load, m, where
+    it is another than the separation. `roughness` sigma in m counts where `filling` asks for it,
     `clearance` is diametral, m. Raises `ValueError` for a separation that is not positive and for
     words that `Filling` does not know.
     """
@@ -125,6 +127,7 @@ def of_raceway(
     )
     _check(filling)
     depth = groove_width.depth(bearing, raceway, filling.shoulders[raceway])
+    film_there = separation if film_thickness is None else np.asarray(film_thickness, float)
     live = load > 0
     ellipse_area, plates, around = (np.zeros(load.shape) for _ in range(3))
     outside = capacitance_outside.fill(permittivity, filling.kind, filling.outlet)
@@ -146,15 +149,20 @@ def of_raceway(
         )
         factor = 1.0
         if filling.roughness == "gamma" and roughness > 0:
-            factor = rough_film.factor(separation[live] / roughness)
-        plates[live] = capacitance.VACUUM * pressed * ellipse_area[live] / separation[live] * factor
+            factor = rough_film.factor(film_there[live] / roughness)
+        plates[live] = capacitance.VACUUM * pressed * ellipse_area[live] / film_there[live] * factor
         around[live] = capacitance_outside.loaded(
             ellipse, modulus, r_x, load[live], separation[live], widths
         )
     if not live.all():
-        r_x, _, widths = shape(~live)
+        r_x, r_y, widths = shape(~live)
         around[~live] = capacitance_outside.rigid(
-            r_x, bearing.ball_radius, bearing.groove(raceway), separation[~live], widths
+            hertz.exact(r_x, r_y),
+            r_x,
+            bearing.ball_radius,
+            bearing.groove(raceway),
+            separation[~live],
+            widths,
         )
     return Capacitors(
         load,
@@ -162,7 +170,7 @@ def of_raceway(
         ellipse_area,
         plates,
         capacitance.VACUUM * outside * around,
-        ellipse_area / separation + WET_SHARE[filling.kind] * around,
+        ellipse_area / film_there + WET_SHARE[filling.kind] * around,
     )
 
 
@@ -202,6 +210,7 @@ def of_statics(
     for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
         thickness = _thickness(bearing, side, contact, oil, spin, clearance, factor)
         load = contact.load if side == INNER else np.maximum(contact.load, quiet)
+        own = scale * thickness(np.where(load > 0, load, quiet))
         apart = scale * separation(thickness, load, 0.0, quiet)
         if side == INNER:
             apart = np.where(load > 0, apart, np.maximum(apart, -contact.overlap))
@@ -213,6 +222,7 @@ def of_statics(
                 load,
                 apart,
                 contact.angle,
+                film_thickness=own,
                 filling=filling,
                 roughness=oil.roughness,
                 clearance=clearance,

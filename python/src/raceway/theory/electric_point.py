@@ -15,7 +15,7 @@ import numpy as np
 from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.rows import Row, lines, row
-from raceway.theory import breakdown, capacitors, impedance, lubrication
+from raceway.theory import capacitors, film_voltage, impedance, lubrication
 from raceway.theory.asperity import zhou_hoeprich
 from raceway.theory.bearing import Bearing
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
@@ -117,7 +117,7 @@ class Point(NamedTuple):
 class Ask(NamedTuple):
     """What is asked of a point beside its capacitance; None is not asked."""
 
-    strength: float = breakdown.STRENGTH  # of a film, V/m
+    strength: float = film_voltage.STRENGTH  # of a film, V/m
     voltage: float | None = None  # V, between the rings
     frequency: float | None = None  # Hz
     resistivity: float = math.inf  # of the oil, ohm m
@@ -203,10 +203,10 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
     sides = (found.inner, found.outer)
     gaps, parts = zip(*((side.separation, side.total) for side in sides))
     smooth, rough = (
-        breakdown.threshold(gaps, parts, ask.strength, sigma) for sigma in (0.0, oil.roughness)
+        film_voltage.threshold(gaps, parts, ask.strength, sigma) for sigma in (0.0, oil.roughness)
     )
     metallic = [
-        breakdown.states(zhou_hoeprich(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
+        film_voltage.states(zhou_hoeprich(np.where(side.ratio > 0, side.ratio, np.inf))) == 2
         for side in (films.inner, films.outer)
     ]
     result = dict(
@@ -223,7 +223,7 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
         threshold_V=smooth.bearing,
         threshold_peaks_V=rough.bearing,
         threshold_azimuth_deg=math.degrees(point.state.azimuth[smooth.weakest]),
-        stored_energy_J=breakdown.stored_energy(
+        stored_energy_J=film_voltage.stored_energy(
             found.total + sum(ask.motor or (0.0,)), smooth.bearing
         ),
         metallic_contacts=int(sum(side.sum() for side in metallic)),
@@ -299,9 +299,9 @@ def _aligned(rows, start):
 def _field(gaps, parts, oil, ask):
     if ask.voltage is None:
         return dict(field_V_m=None, field_peaks_V_m=None)
-    shares = breakdown.divided(ask.voltage, *parts)
+    shares = film_voltage.divided(ask.voltage, *parts)
     most = [
-        max(float(breakdown.field(share, gap, sigma).max()) for share, gap in zip(shares, gaps))
+        max(float(film_voltage.field(share, gap, sigma).max()) for share, gap in zip(shares, gaps))
         for sigma in (0.0, oil.roughness)
     ]
     return dict(field_V_m=most[0], field_peaks_V_m=None if math.isinf(most[1]) else most[1])

@@ -3,44 +3,44 @@
 
 import numpy as np
 import pytest
-from raceway import breakdown, capacitance, film_factors, impedance, rough_film
+from raceway import capacitance, film_factors, film_voltage, impedance, rough_film
 
 
 def test_division():
     """Of two films the one with half the capacitance takes two thirds of the voltage."""
-    shares = breakdown.divided(9.0, 2e-10, 1e-10)
+    shares = film_voltage.divided(9.0, 2e-10, 1e-10)
     assert shares.inner == pytest.approx(3.0) and shares.outer == pytest.approx(6.0)
     with pytest.raises(ValueError, match="capacitance = 0.0 must be positive"):
-        breakdown.divided(1.0, 0.0, 1e-10)
+        film_voltage.divided(1.0, 0.0, 1e-10)
 
 
 def test_field_and_threshold():
     gaps = (np.array([2e-7, 3e-7]), np.array([2.5e-7, 3.5e-7]))
     parts = (np.array([1e-10, 5e-11]), np.array([1.2e-10, 4e-11]))
-    found = breakdown.threshold(gaps, parts, 15e6, 3e-8)
-    shares = breakdown.divided(found.bearing, *parts)
-    fields = np.array([breakdown.field(share, gap, 3e-8) for share, gap in zip(shares, gaps)])
+    found = film_voltage.threshold(gaps, parts, 15e6, 3e-8)
+    shares = film_voltage.divided(found.bearing, *parts)
+    fields = np.array([film_voltage.field(share, gap, 3e-8) for share, gap in zip(shares, gaps)])
     assert fields.max() == pytest.approx(15e6)
     assert fields[found.first[found.weakest], found.weakest] == fields.max()
     assert found.bearing == found.ball.min() == found.ball[found.weakest]
-    assert breakdown.field(3.0, 1e-7) == pytest.approx(3e7)
-    assert breakdown.field(3.0, 1e-7, 4e-8) == np.inf
-    assert breakdown.threshold(([1e-7], [1e-7]), ([1e-10], [1e-10]), 15e6, 4e-8).bearing == 0.0
+    assert film_voltage.field(3.0, 1e-7) == pytest.approx(3e7)
+    assert film_voltage.field(3.0, 1e-7, 4e-8) == np.inf
+    assert film_voltage.threshold(([1e-7], [1e-7]), ([1e-10], [1e-10]), 15e6, 4e-8).bearing == 0.0
     with pytest.raises(ValueError, match="strength = -1.0 must be positive"):
-        breakdown.threshold(gaps, parts, -1.0)
+        film_voltage.threshold(gaps, parts, -1.0)
 
 
 def test_discharge():
-    assert breakdown.stored_energy(2e-10, 10.0) == pytest.approx(1e-8)
-    assert breakdown.apparent_current_density(0.5, 5e-6) == pytest.approx(breakdown.HARMLESS)
-    assert breakdown.states([0.0, 0.02, 0.0], [0.5, 0.5, 2.0]).tolist() == [0, 2, 1]
-    area = breakdown.real_area(0.5, 1500.0)
+    assert film_voltage.stored_energy(2e-10, 10.0) == pytest.approx(1e-8)
+    assert film_voltage.apparent_current_density(0.5, 5e-6) == pytest.approx(film_voltage.HARMLESS)
+    assert film_voltage.states([0.0, 0.02, 0.0], [0.5, 0.5, 2.0]).tolist() == [0, 2, 1]
+    area = film_voltage.real_area(0.5, 1500.0)
     assert area == pytest.approx(1e-7)
-    one, four = (breakdown.constriction(area, n, 2e-7) for n in (1, 4))
+    one, four = (film_voltage.constriction(area, n, 2e-7) for n in (1, 4))
     assert one == pytest.approx(2e-7 / (2 * np.sqrt(1e-7 / np.pi)))
     assert four == pytest.approx(one / 2)
     with pytest.raises(ValueError, match="spots = 0 must be 1 or more"):
-        breakdown.constriction(area, 0, 2e-7)
+        film_voltage.constriction(area, 0, 2e-7)
 
 
 def test_impedance_and_back():
