@@ -126,7 +126,7 @@ def of_raceway(
         *(np.asarray(value, float) for value in (load, separation, angle))
     )
     _check(filling)
-    depth = groove_width.depth(bearing, raceway, filling.shoulders[raceway])
+    depth = groove_width.depth(bearing, raceway, filling.shoulders[raceway], clearance)
     film_there = separation if film_thickness is None else np.asarray(film_thickness, float)
     live = load > 0
     ellipse_area, plates, around = (np.zeros(load.shape) for _ in range(3))

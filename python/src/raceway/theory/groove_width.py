@@ -19,15 +19,17 @@ class HalfWidths(NamedTuple):
     far: Numbers
 
 
-def depth(bearing: Bearing, raceway: int, shoulder: float = np.nan) -> float:
+def depth(
+    bearing: Bearing, raceway: int, shoulder: float = np.nan, clearance: float = 0.0
+) -> float:
     """t in m: from the groove's bottom to its shoulder of diameter `shoulder` (m), 0.18 of the
-    ball's diameter where that is NaN.
+    ball's diameter where that is NaN. The diametral `clearance` (m) goes into the outer groove.
 
     Raises `ValueError` for a shoulder that is not between the bottom and the centre of the groove.
     """
     if np.isnan(shoulder):
         return USUAL_DEPTH * bearing.ball_diameter
-    bottom = bearing.inner_radius if raceway == INNER else bearing.outer_radius
+    bottom = bearing.inner_radius if raceway == INNER else bearing.outer_radius + clearance / 2
     found = shoulder / 2 - bottom if raceway == INNER else bottom - shoulder / 2
     if not 0 < found <= bearing.groove(raceway):
         raise ValueError(
