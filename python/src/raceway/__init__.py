@@ -29,6 +29,7 @@ NAMES = {
     "distribution": "theory.distribution",
     "drag": "theory.drag",
     "electric_point": "theory.electric_point",
+    "electric_table": "theory.electric_table",
     "film": "theory.film",
     "film_damping": "theory.film_damping",
     "film_factors": "theory.film_factors",

@@ -187,7 +187,7 @@ def _electrics(one):
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures, write picture and table. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
-    from raceway.theory import electric_point
+    from raceway.theory import electric_point, electric_table
 
     _check(arguments)
     ask = _ask(arguments)
@@ -200,7 +200,7 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.json:
         print(json.dumps(results if many else results[0], indent=2, allow_nan=False))
     else:
-        show = electric_point.curves if many else lambda found: electric_point.table(found[0])
+        show = electric_table.curves if many else lambda found: electric_table.table(found[0])
         print(show(results))
     curve = _reading(arguments, points[0]) if arguments.kind == "reading" else None
     if arguments.csv:

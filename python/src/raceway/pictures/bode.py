@@ -10,7 +10,7 @@ import numpy as np
 from raceway.files import FilePath
 from raceway.pictures.electric_page import LEFT, RIGHT, head
 from raceway.pictures.style import PALETTE, STYLE, save
-from raceway.theory import electric_point
+from raceway.theory import impedance
 from raceway.theory.electric_point import Point
 
 
@@ -34,7 +34,7 @@ def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FileP
             (found, "all of the capacitance", PALETTE[0], "-"),
             (bare, "plates alone", PALETTE[1], (0, (4, 2))),
         ):
-            z = electric_point.bearing_impedance(one, frequency, resistivity)
+            z = impedance.of_bearing(one, frequency, resistivity)
             top.loglog(frequency, np.abs(z), color=colour, ls=dashes, lw=2.2, label=text)
             bottom.semilogx(frequency, np.degrees(np.angle(z)), color=colour, ls=dashes, lw=2.2)
         top.set_ylabel("|Z| (Ω)")

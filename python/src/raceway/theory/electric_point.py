@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The electrical figures of a bearing at one operating point from statics: `solve`, then `figures`
-as a mapping, `table` and `curves` as text.
+as a mapping; `electric_table` has them as text.
 
 The mapping's keys are a promise to scripts; where `operating_point` has the same figure it has the
 same key.
 """
 
 import math
-from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from raceway import catalogue, inputs
 from raceway.files import FilePath
-from raceway.rows import Row, lines, row
 from raceway.theory import capacitors, film_voltage, impedance, lubrication
 from raceway.theory.asperity import zhou_hoeprich
 from raceway.theory.bearing import Bearing
@@ -23,66 +21,8 @@ from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import Lubrication
 from raceway.theory.static import Equilibrium
 from raceway.theory.validity import doubts
-from raceway.units import prefixed
 
 MODELS = ("paper", "full")
-TOPICS = {
-    "Operating point": (
-        row("bearing"),
-        row("lubricant"),
-        Row("temperature_C", "temperature", "°C", "of the lubricant"),
-        row("models"),
-        row("load_N"),
-        Row("axial_N", "axial load", "N"),
-        row("clearance_m"),
-        row("rpm"),
-        row("h_c_m", "largest inner load"),
-        row("lambda", "the same"),
-        Row("surroundings", "surroundings", None),
-    ),
-    "Capacitance": (
-        row("capacitance_F", "contact ellipses, eq 12")._replace(label="plates"),
-        Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
-        Row("capacitance_unloaded_F", "balls without load", "F"),
-        Row("capacitance_total_F", "bearing", "F", "all of it"),
-        Row("plates_factor", "over the plates", ""),
-        Row("hertz_area_m2", "Hertz area, both raceways", "mm²"),
-    ),
-    "Breakdown": (
-        Row("threshold_V", "smallest voltage, smooth", "V", "field over h_c"),
-        Row("threshold_peaks_V", "the same, rough", "V", "over h_c - 3 sigma"),
-        Row("threshold_azimuth_deg", "at the ball at", "°"),
-        Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
-        Row("field_V_m", "largest field at the voltage", "V/m", "over h_c"),
-        Row("field_peaks_V_m", "the same, rough", "V/m", "over h_c - 3 sigma"),
-        Row("metallic_contacts", "metallic contacts", "", "asperities carry 0.01"),
-    ),
-    "Impedance": (
-        Row("leak_ohm", "leak", "Ω", "direct current"),
-        Row("frequency_Hz", "frequency", "Hz"),
-        Row("impedance_ohm", "impedance", "Ω"),
-        Row("phase_deg", "phase", "°"),
-    ),
-    "Motor": (Row("bearing_voltage_ratio", "bearing voltage ratio", "", "two such bearings"),),
-    "Film by the measured capacitance": (
-        Row("measured_F", "measured", "F"),
-        Row("measured_h_c_m", "central film thickness", "m", "by all capacitance"),
-        Row("measured_plates_m", "read by the plates", "m"),
-    ),
-}
-COLUMNS = (  # of `curves`: key, heading, factor
-    ("load_N", "load N", 1),
-    ("rpm", "rpm", 1),
-    ("temperature_C", "T °C", 1),
-    ("clearance_m", "P_d µm", 1e6),
-    ("h_c_m", "h_c nm", 1e9),
-    ("capacitance_F", "plates pF", 1e12),
-    ("capacitance_surroundings_F", "around pF", 1e12),
-    ("capacitance_unloaded_F", "unloaded pF", 1e12),
-    ("capacitance_total_F", "all pF", 1e12),
-    ("threshold_V", "smooth V", 1),
-    ("threshold_peaks_V", "rough V", 1),
-)
 
 
 class Point(NamedTuple):
@@ -251,51 +191,6 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
     return result
 
 
-def table(result: Mapping[str, Any]) -> str:
-    """The mapping of `figures` as text: a topic a block, then a row a ball."""
-    shown = dict(result, hertz_area_m2=1e6 * result["hertz_area_m2"])
-    for key in ("threshold_azimuth_deg", "phase_deg"):
-        shown[key] = shown[key] and round(shown[key], 2) + 0.0
-    rows = [["ball", "azimuth, °", "Q inner", "C inner", "C outer", "C", "h inner", "threshold"]]
-    for number, ball in enumerate(result["balls"], 1):
-        rows.append(
-            [
-                str(number),
-                f"{math.degrees(ball['azimuth_rad']):.1f}",
-                *(
-                    prefixed(ball[key], unit) if ball[key] else "-"
-                    for key, unit in (
-                        ("q_inner_N", "N"),
-                        ("capacitance_inner_F", "F"),
-                        ("capacitance_outer_F", "F"),
-                        ("capacitance_F", "F"),
-                        ("separation_inner_m", "m"),
-                        ("threshold_V", "V"),
-                    )
-                ),
-            ]
-        )
-    text = [*lines(shown, TOPICS), "", "Balls", *_aligned(rows, "  ")]
-    if result["warnings"]:
-        text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
-    return "\n".join(text)
-
-
-def curves(results: Sequence[Mapping[str, Any]]) -> str:
-    """Several mappings of `figures` as text, a line each."""
-    rows = [[heading for _, heading, _ in COLUMNS]]
-    rows += [
-        ["-" if one[key] is None else f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS]
-        for one in results
-    ]
-    return "\n".join(_aligned(rows, ""))
-
-
-def _aligned(rows, start):
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    return [start + "  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows]
-
-
 def _field(gaps, parts, oil, ask):
     if ask.voltage is None:
         return dict(field_V_m=None, field_peaks_V_m=None)
@@ -307,27 +202,13 @@ def _field(gaps, parts, oil, ask):
     return dict(field_V_m=most[0], field_peaks_V_m=None if math.isinf(most[1]) else most[1])
 
 
-def bearing_impedance(
-    found: BearingCapacitors, frequency: float | np.ndarray, resistivity: float = math.inf
-) -> complex | np.ndarray:
-    """Z in ohm of a bearing at a frequency (Hz; a number or an array) in oil of `resistivity` (ohm
-    m): both films of a ball in series, the balls in parallel."""
-    frequency = np.asarray(frequency, float)[..., None]
-    films = []
-    for side in (found.inner, found.outer):
-        with np.errstate(divide="ignore"):  # a dry rigid gap leaks nothing
-            leak = impedance.leak(resistivity, side.paths)
-        films.append(impedance.impedance(side.total, frequency, leak))
-    return impedance.in_parallel(impedance.in_series(*films))
-
-
 def _impedance(found, ask):
     paths = [side.paths for side in (found.inner, found.outer)]
     through = float(np.sum(1 / sum(1 / np.maximum(path, 1e-300) for path in paths)))
     leak = ask.resistivity / through if math.isfinite(ask.resistivity) and through else None
     result = dict(leak_ohm=leak, frequency_Hz=ask.frequency, impedance_ohm=None, phase_deg=None)
     if ask.frequency is not None:
-        z = bearing_impedance(found, ask.frequency, ask.resistivity)
+        z = impedance.of_bearing(found, ask.frequency, ask.resistivity)
         result.update(impedance_ohm=abs(z), phase_deg=math.degrees(np.angle(z)))
     return result
 

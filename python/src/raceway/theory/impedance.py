@@ -12,6 +12,7 @@ from scipy.optimize import brentq
 
 from raceway.arrays import Numbers
 from raceway.theory.capacitance import VACUUM
+from raceway.theory.capacitors import BearingCapacitors
 
 THINNEST, THICKEST = 1e-3, 1e3  # of a guessed film: where `film_scale` looks
 
@@ -42,6 +43,20 @@ def in_series(*impedances: complex | np.ndarray) -> complex | np.ndarray:
 def in_parallel(impedances: np.ndarray) -> complex | np.ndarray:
     """1/sum(1/Z) over the last axis, ohm."""
     return 1 / np.sum(1 / np.asarray(impedances), axis=-1)
+
+
+def of_bearing(
+    found: BearingCapacitors, frequency: float | np.ndarray, resistivity: float = np.inf
+) -> complex | np.ndarray:
+    """Z in ohm of a bearing at a frequency (Hz; a number or an array) in oil of `resistivity` (ohm
+    m): both films of a ball in series, the balls in parallel."""
+    frequency = np.asarray(frequency, float)[..., None]
+    films = []
+    for side in (found.inner, found.outer):
+        with np.errstate(divide="ignore"):  # a dry rigid gap leaks nothing
+            resistance = leak(resistivity, side.paths)
+        films.append(impedance(side.total, frequency, resistance))
+    return in_parallel(in_series(*films))
 
 
 def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbers:

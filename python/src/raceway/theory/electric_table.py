@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The electrical figures of `electric_point` as text: `table` of one point, `curves` of several."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from raceway.rows import Row, lines, row
+from raceway.units import prefixed
+
+TOPICS = {
+    "Operating point": (
+        row("bearing"),
+        row("lubricant"),
+        Row("temperature_C", "temperature", "°C", "of the lubricant"),
+        row("models"),
+        row("load_N"),
+        Row("axial_N", "axial load", "N"),
+        row("clearance_m"),
+        row("rpm"),
+        row("h_c_m", "largest inner load"),
+        row("lambda", "the same"),
+        Row("surroundings", "surroundings", None),
+    ),
+    "Capacitance": (
+        row("capacitance_F", "contact ellipses, eq 12")._replace(label="plates"),
+        Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
+        Row("capacitance_unloaded_F", "balls without load", "F"),
+        Row("capacitance_total_F", "bearing", "F", "all of it"),
+        Row("plates_factor", "over the plates", ""),
+        Row("hertz_area_m2", "Hertz area, both raceways", "mm²"),
+    ),
+    "Breakdown": (
+        Row("threshold_V", "smallest voltage, smooth", "V", "field over h_c"),
+        Row("threshold_peaks_V", "the same, rough", "V", "over h_c - 3 sigma"),
+        Row("threshold_azimuth_deg", "at the ball at", "°"),
+        Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
+        Row("field_V_m", "largest field at the voltage", "V/m", "over h_c"),
+        Row("field_peaks_V_m", "the same, rough", "V/m", "over h_c - 3 sigma"),
+        Row("metallic_contacts", "metallic contacts", "", "asperities carry 0.01"),
+    ),
+    "Impedance": (
+        Row("leak_ohm", "leak", "Ω", "direct current"),
+        Row("frequency_Hz", "frequency", "Hz"),
+        Row("impedance_ohm", "impedance", "Ω"),
+        Row("phase_deg", "phase", "°"),
+    ),
+    "Motor": (Row("bearing_voltage_ratio", "bearing voltage ratio", "", "two such bearings"),),
+    "Film by the measured capacitance": (
+        Row("measured_F", "measured", "F"),
+        Row("measured_h_c_m", "central film thickness", "m", "by all capacitance"),
+        Row("measured_plates_m", "read by the plates", "m"),
+    ),
+}
+COLUMNS = (  # of `curves`: key, heading, factor
+    ("load_N", "load N", 1),
+    ("rpm", "rpm", 1),
+    ("temperature_C", "T °C", 1),
+    ("clearance_m", "P_d µm", 1e6),
+    ("h_c_m", "h_c nm", 1e9),
+    ("capacitance_F", "plates pF", 1e12),
+    ("capacitance_surroundings_F", "around pF", 1e12),
+    ("capacitance_unloaded_F", "unloaded pF", 1e12),
+    ("capacitance_total_F", "all pF", 1e12),
+    ("threshold_V", "smooth V", 1),
+    ("threshold_peaks_V", "rough V", 1),
+)
+
+
+def table(result: Mapping[str, Any]) -> str:
+    """The mapping of `figures` as text: a topic a block, then a row a ball."""
+    shown = dict(result, hertz_area_m2=1e6 * result["hertz_area_m2"])
+    for key in ("threshold_azimuth_deg", "phase_deg"):
+        shown[key] = shown[key] and round(shown[key], 2) + 0.0
+    rows = [["ball", "azimuth, °", "Q inner", "C inner", "C outer", "C", "h inner", "threshold"]]
+    for number, ball in enumerate(result["balls"], 1):
+        rows.append(
+            [
+                str(number),
+                f"{math.degrees(ball['azimuth_rad']):.1f}",
+                *(
+                    prefixed(ball[key], unit) if ball[key] else "-"
+                    for key, unit in (
+                        ("q_inner_N", "N"),
+                        ("capacitance_inner_F", "F"),
+                        ("capacitance_outer_F", "F"),
+                        ("capacitance_F", "F"),
+                        ("separation_inner_m", "m"),
+                        ("threshold_V", "V"),
+                    )
+                ),
+            ]
+        )
+    text = [*lines(shown, TOPICS), "", "Balls", *_aligned(rows, "  ")]
+    if result["warnings"]:
+        text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
+    return "\n".join(text)
+
+
+def curves(results: Sequence[Mapping[str, Any]]) -> str:
+    """Several mappings of `figures` as text, a line each."""
+    rows = [[heading for _, heading, _ in COLUMNS]]
+    rows += [
+        ["-" if one[key] is None else f"{scale * one[key]:.4g}" for key, _, scale in COLUMNS]
+        for one in results
+    ]
+    return "\n".join(_aligned(rows, ""))
+
+
+def _aligned(rows, start):
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return [start + "  ".join(cell.rjust(n) for cell, n in zip(one, widths)) for one in rows]
