@@ -14,9 +14,18 @@ from raceway.runs.regimes import need_film
 from raceway.runs.run import Run
 from raceway.theory import asperity, capacitance, capacitors, film, film_voltage, hertz
 from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.capacitance_outside import FILLS
 from raceway.theory.capacitors import FLOODED, Filling
+from raceway.theory.validity import Shoulders
 
 SIDES = ("inner", "outer")
+RECORDED = {  # columns of a record that has all of the capacitance
+    "separation": "separation",
+    "plates": "capacitance",
+    "outside": "capacitance_outside",
+    "total": "capacitance_total",
+}
+ANGLES = ("azimuth", "from_load_line")
 MEANING = {
     "load": ("N", "contact load"),
     "separation": ("m", "central film thickness, or play of a ball without load"),
@@ -31,19 +40,41 @@ MEANING = {
 }
 
 
-def over_time(run: Run, filling: Filling = FLOODED, density: float = 7800.0) -> xr.Dataset:
+def filling_of(run: Run) -> Filling:
+    """What filled the gaps of a `run`: what its fix bearing/capacitance was given, flooded where it
+    was given nothing. Raises `RunError` for words that this package does not know."""
+    words = str(run.settings.get("capacitance_commands", "")).split(";")[0].split()
+    given: dict[str, Any] = {}
+    for place, word in enumerate(words):
+        after = words[place + 1 :]
+        if word == "surroundings" and after and after[0] != "none":
+            given["kind"] = after[0]
+            given["outlet"] = float(after[1]) if after[0] == "cavitated" else 1.0
+        elif word == "shoulders":
+            given["shoulders"] = Shoulders(*map(float, after[:2]))
+        elif word in ("permittivity_at", "roughness"):
+            given[word] = after[0]
+    if given.get("kind", "flooded") not in FILLS:
+        raise RunError(f"{run.tables.folder}: surroundings {given['kind']} are not known")
+    return FLOODED._replace(**given)
+
+
+def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0) -> xr.Dataset:
     """Dataset of a `run` from `raceway.open`: `load`, `separation`, `area`, `plates`, `outside`,
     `paths`, `total` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time); SI units.
 
     A contact has the film of the run. One that carries less than Q_u = m r omega_c^2, the balls of
     `density` in kg/m^3, or none, has the film of Q_u: that of the largest load of its raceway at
     the time, by the load exponent of eq 9. A gap without load is at least the distance of ball and
-    raceway, from the places of ball and ring. Where a record has `capacitance_total`, `recorded`
-    (time, raceway, ball) has it beside `total`. It needs memory for all samples of the run. Raises
-    `RunError` for a run without film, balls or rings, or whose axis is not z.
+    raceway, from the places of ball and ring. Without `filling` it is the run's, and separations
+    and capacitances are those of its record where it has them; the attribute `source` says which.
+    It needs memory for all samples of the run. Raises `RunError` for a run without film, balls or
+    rings, or whose axis is not z.
     """
     need_film(run, "capacitance")
     contacts, gaps = _aligned(run)
+    recorded = filling is None and set(RECORDED.values()) <= set(contacts)
+    filling = filling_of(run) if filling is None else filling
     bearing, clearance = run.tables.geometry, run.settings["clearance_m"]
     quiet = capacitors.quiet_load(bearing, _cage_speed(run), density)
     data = xr.Dataset(coords=gaps.coords)
@@ -72,15 +103,17 @@ def over_time(run: Run, filling: Filling = FLOODED, density: float = 7800.0) -> 
     for name in ("load", "separation", "area", "plates", "outside", "paths", "total"):
         data[name] = dims, np.stack([getattr(side, name) for side in found], axis=1)
     data["play"] = gaps
+    if recorded:
+        for name, column in RECORDED.items():
+            data[name] = contacts[column].transpose(*dims).drop_vars(ANGLES, errors="ignore")
     inner, outer = (data["total"].sel(raceway=name).to_numpy() for name in SIDES)
     data["one_ball"] = ("time", "ball"), capacitance.ball(inner, outer)
     data["bearing"] = data["one_ball"].sum("ball")
     for name in data.data_vars:
         unit, meaning = MEANING[name]
         data[name].attrs = {"units": unit, "long_name": meaning}
-    if "capacitance_total" in contacts:
-        data["recorded"] = contacts["capacitance_total"].transpose(*dims)
-    data.attrs = {"quiet_load_N": quiet, "filling": filling.kind}
+    source = "record" if recorded else "places, loads and films"
+    data.attrs = {"quiet_load_N": quiet, "filling": filling.kind, "source": source}
     return data
 
 
