@@ -77,6 +77,17 @@ def test_threshold_is_where_the_field_is_the_strength(point):
     assert rough["field_peaks_V_m"] == pytest.approx(20e6)
 
 
+def test_warnings():
+    """An ellipse past the shoulder, surfaces that meet."""
+    heavy = electric_point.solve("6208", "vg46", axial=20e3, clearance=20e-6, rpm=1500.0)
+    assert any("reaches" in one for one in electric_point.figures(heavy)["warnings"])
+    slow = electric_point.solve("6208", "vg46", load=3000.0, rpm=1.0)
+    found = electric_point.figures(slow)
+    assert any("conduct" in one for one in found["warnings"]) and found["metallic_contacts"] > 5
+    light = electric_point.solve("6208", "vg46", load=500.0, rpm=5000.0)
+    assert electric_point.figures(light)["warnings"] == []
+
+
 def test_impedance_and_leak(point):
     """Fast: all capacitance; slow: the leak."""
     capacitance = electric_point.figures(point)["capacitance_total_F"]

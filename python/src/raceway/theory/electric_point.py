@@ -20,7 +20,7 @@ from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import Lubrication
 from raceway.theory.static import Equilibrium
-from raceway.theory.validity import doubts
+from raceway.theory.validity import doubts, past_shoulder
 
 MODELS = ("paper", "full")
 
@@ -186,7 +186,7 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
             measured_plates_m=result["h_c_m"] * plates.sum() / ask.measured,
         )
     result = {key: _plain(value) for key, value in result.items()}
-    result["warnings"] = _warnings(films)
+    result["warnings"] = _warnings(point)
     result["balls"] = _balls(point, found, smooth, metallic)
     return result
 
@@ -213,10 +213,19 @@ def _impedance(found, ask):
     return result
 
 
-def _warnings(films):
-    ratio = np.concatenate([films.inner.ratio, films.outer.ratio])
-    ratio = ratio[ratio > 0]
-    return doubts({"conducts": ratio.min()}) if len(ratio) else []
+def _warnings(point):
+    sides = (point.state.inner, point.state.outer)
+    loaded = [side.load > 0 for side in sides]
+    ratio = np.concatenate([point.films.inner.ratio, point.films.outer.ratio])
+    found = {"pressure": max(side.pressure.max() for side in sides)}
+    if np.any(ratio > 0):
+        found["conducts"] = ratio[ratio > 0].min()
+    return doubts(found) + past_shoulder(
+        point.bearing,
+        point.filling.shoulders,
+        tuple(side.angle[live] for side, live in zip(sides, loaded)),
+        tuple(side.a[live] for side, live in zip(sides, loaded)),
+    )
 
 
 def _balls(point, found, threshold, metallic):

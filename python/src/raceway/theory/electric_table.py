@@ -28,7 +28,7 @@ TOPICS = {
         Row("capacitance_unloaded_F", "balls without load", "F"),
         Row("capacitance_total_F", "bearing", "F", "all of it"),
         Row("plates_factor", "over the plates", ""),
-        Row("hertz_area_m2", "Hertz area, both raceways", "mm²"),
+        Row("hertz_area_m2", "Hertz area, both raceways", None),
     ),
     "Breakdown": (
         Row("threshold_V", "smallest voltage, smooth", "V", "field over h_c"),
@@ -69,7 +69,7 @@ COLUMNS = (  # of `curves`: key, heading, factor
 
 def table(result: Mapping[str, Any]) -> str:
     """The mapping of `figures` as text: a topic a block, then a row a ball."""
-    shown = dict(result, hertz_area_m2=1e6 * result["hertz_area_m2"])
+    shown = dict(result, hertz_area_m2=f"{1e6 * result['hertz_area_m2']:.4g} mm²")
     for key in ("threshold_azimuth_deg", "phase_deg"):
         shown[key] = shown[key] and round(shown[key], 2) + 0.0
     rows = [["ball", "azimuth, °", "Q inner", "C inner", "C outer", "C", "h inner", "threshold"]]
