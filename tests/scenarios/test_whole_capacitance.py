@@ -85,6 +85,15 @@ def test_no_jump_where_contact_is_lost(whole):
     assert lost.sum() == 4 and steps[lost].max() < 1.2 * steps[~lost].max() < 0.02
 
 
+@pytest.mark.parametrize("rpm", [477.5, 9549.0])
+def test_time_is_resolved(tmp_path, rpm):
+    """At positive clearance, slow and fast: every second sample has the same mean."""
+    succeed("inputs/in.6208", out=tmp_path / "run", passes=2, rpm=rpm, clearance=CLEARANCE)
+    total = whole_capacitance.over_time(raceway.open(tmp_path / "run"))["bearing"][1:].to_numpy()
+    assert len(total) >= 398 and np.abs(np.diff(total) / total[1:]).max() < 2e-3
+    assert total[::2].mean() == pytest.approx(total.mean(), rel=1e-4)
+
+
 def test_fields(run, whole):
     found = whole_capacitance.fields(run, whole, 10.0, strength=15e6)
     shares = found["share"].sum("raceway")
