@@ -88,6 +88,11 @@ def marks(
     axes.plot(x, y, marker, ms=6.5, mfc="white", mec=colour, mew=1.7, label=label, zorder=4)
 
 
+def whole(axes: Axes, x: ArrayLike, y: ArrayLike, colour: str, label: str | None = None) -> None:
+    """The simulation with all of the capacitance: crosses."""
+    axes.plot(x, y, "+", ms=9, mew=1.7, color=colour, label=label, zorder=5)
+
+
 def theory(
     axes: Axes,
     x: ArrayLike,

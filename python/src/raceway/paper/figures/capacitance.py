@@ -10,6 +10,7 @@ from raceway.paper.book import OILS, Book
 from raceway.pictures.style import PALETTE, SOFT
 from raceway.theory.bearing import INNER
 
+WHOLE = "all of the capacitance"
 BACKGROUND = 30e-12  # F, as the paper adds (section 4.1)
 
 
@@ -36,7 +37,7 @@ def by_load(book: Book) -> tuple[Figure, pd.DataFrame]:
     panel.marks(
         axes, loads * 1e-3, (value + BACKGROUND) * 1e12, PALETTE[5], "simulation + 30 pF", "^"
     )
-    panel.marks(axes, loads * 1e-3, whole * 1e12, PALETTE[2], "all of the capacitance", "D")
+    panel.whole(axes, loads * 1e-3, whole * 1e12, PALETTE[2], WHOLE)
     panel.marks(axes, loads * 1e-3, other * 1e12, SOFT, "formulas as printed", "s")
     axes.set(
         xlabel="radial load $F_r$ (kN)",
@@ -74,7 +75,7 @@ def _by_speed(book, oil):
     )
     # one scale for both oils: they are there to be compared
     most = max(
-        run.top_capacitance()
+        run.whole_top_capacitance()
         for name in OILS
         for run in book.readings.some("speeds", lubricant=name)
     )
@@ -92,6 +93,8 @@ def _by_speed(book, oil):
             for form in (False, True)
         )
         panel.marks(axes, speed, value * 1e12, colour, f"simulation, {load / 1000:g} kN", marker)
+        whole = np.array([run.whole_top_capacitance() for run in runs])
+        panel.whole(axes, speed, whole * 1e12, colour, None if tables else WHOLE)
         panel.theory(axes, line, rest * 1e12, f"static theory, {load / 1000:g} kN", colour)
         panel.theory(
             axes, line, rest_printed * 1e12, f"as printed, {load / 1000:g} kN", colour, ls="--"
@@ -102,6 +105,7 @@ def _by_speed(book, oil):
                     "load_N": load,
                     "entrainment_m_s": speed,
                     "capacitance_F": value,
+                    "whole_F": whole,
                     "static_F": theory.ball(book.bearing, book.oils[oil], q, speed),
                     "printed_F": other,
                 }
@@ -137,14 +141,23 @@ def by_film(book: Book) -> tuple[Figure, pd.DataFrame]:
         )
         panel.marks(axes, film * 1e9, value * 1e12, colour, f"simulation, {words}", marker)
         panel.theory(axes, thick * 1e9, rest * 1e12, f"static theory, {words}", colour, ls=line)
+        whole = np.array([run.whole_capacitance() for run in runs]) / oil.permittivity
+        panel.whole(axes, film * 1e9, whole * 1e12, colour, f"{WHOLE}, {words}")
         tables.append(
-            pd.DataFrame({"oil": name, "h_min_m": film, "capacitance_over_permittivity_F": value})
+            pd.DataFrame(
+                {
+                    "oil": name,
+                    "h_min_m": film,
+                    "capacitance_over_permittivity_F": value,
+                    "whole_over_permittivity_F": whole,
+                }
+            )
         )
     axes.set(
         xlabel="smallest film thickness $h_{min}$, inner raceway (nm)",
         ylabel="$C_{bearing}/ε_r$ (pF)",
         xlim=(0, None),
-        ylim=(0, panel.scale(max(table.iloc[:, 2].max() for table in tables)) * 1e12),
+        ylim=(0, panel.scale(max(table.iloc[:, 3].max() for table in tables)) * 1e12),
     )
     panel.legend(axes, "upper right")
     return figure, pd.concat(tables)
