@@ -10,7 +10,10 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   place();
   rings.resize(model.rings.size());
   with_law(model.parts, [this](auto law) { states_ = decltype(law)::states; });
-  if (states_ > 0) kept.resize(n_contacts);
+  if (states_ > 0) {
+    kept.resize(n_contacts);
+    kept_slopes.resize(n_contacts);
+  }
 }
 
 // Balls on the same raceways stand side by side, and so do cage balls on the same rails.

@@ -5,7 +5,7 @@
 #define RACEWAY_BEARING_BODIES_H
 
 #include "bearing_model.h"
-#include "lane_frame.h"
+#include "kept_follow.h"
 
 namespace raceway {
 
@@ -74,6 +74,7 @@ class BearingBodies {
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
   std::vector<int> contact_at;    // of a groove of the model: lanes * group of contacts + lane
   std::vector<States> kept;       // by group of contacts, where the law keeps any
+  std::vector<KeptSlopes> kept_slopes;
   std::vector<RingBody> rings;
   std::vector<Free> free;    // degrees of freedom of the rings: the border
   Vec3 centre;               // of the turning frames

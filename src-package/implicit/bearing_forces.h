@@ -48,6 +48,9 @@ class BearingForces {
   BearingForces(BearingBodies &, BearingSystem &);
 
   Failure evaluate(const Stage &);
+  // What contacts keep, after a correction that came from the last evaluation (kept_follow.h).
+  // False: it changes by more than a contact's spring does over `exact`, m.
+  bool follow(double exact);
 
   int body() const { return body_; }                           // that a failure is about, or -1
   double power_lost() const { return power_lost_; }            // W, in contacts

@@ -79,27 +79,18 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
     if (fresh) system_.factor();
     system_.solve();
     ++o.corrections;
-    o.last = apply(h, o);
+    o.last = apply(h, set, o);
     if (!(o.last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
-    if (o.last <= set.newton) return keep_states(stage, o);
+    if (o.last <= set.newton && forces_.follow(set.newton)) return true;
+
     // derivatives of the last correction will do as long as each is a tenth of the one before
     fresh = !(o.last < 0.1 * before);
     before = o.last;
   }
-  return set.corrections == 1 ? keep_states(stage, o) : failed(o, Failure::not_converged).solved();
-}
-
-// What contacts keep belongs to the velocities at the end of the stage, not to those before the
-// last correction.
-bool BearingStep::keep_states(Stage &stage, Outcome &o)
-{
-  if (bodies_.states() == 0) return true;
-  stage.evaluate = Evaluate::residual;
-  system_.start(stage.h, false);
-  const Failure failure = forces_.evaluate(stage);
-  if (failure == Failure::none || failure == Failure::other_links) return true;
-  return failed(o, failure, forces_.body()).solved();
+  if (set.corrections > 1) return failed(o, Failure::not_converged).solved();
+  forces_.follow(set.newton);
+  return true;
 }
 
 // Everything to the end of the stage with the present velocities. False: a body turns too far for
@@ -190,6 +181,12 @@ RACEWAY_LANES void BearingStep::second_base()
   }
 }
 
+// The larger of the components across the raceways.
+static RACEWAY_INLINE Lane across(const Vec3L &v)
+{
+  return where(magnitude(v.x) > magnitude(v.z), magnitude(v.x), magnitude(v.z));
+}
+
 RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
 {
   const bool drift = set.dampers_only, one = set.order == 1;
@@ -197,7 +194,7 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
   Lane off = {};
   for (const BodyGroup &g : bodies_.groups) {
     const Vec3L dv = drift ? g.v : g.v - (one ? g.v_from : g.v_first);
-    const Lane worse = where(magnitude(dv.x) > magnitude(dv.z), magnitude(dv.x), magnitude(dv.z));
+    const Lane worse = across(dv) * (g.spins ? 1.0 : set.cage_error());
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
@@ -220,7 +217,7 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
 
 // Adds the correction; returns its size, m: largest over balls across the raceways and over the
 // rings.
-RACEWAY_LANES double BearingStep::apply(double h, Outcome &o)
+RACEWAY_LANES double BearingStep::apply(double h, const Settings &set, Outcome &o)
 {
   Lane off = {};
   bool finite = true;
@@ -236,7 +233,7 @@ RACEWAY_LANES double BearingStep::apply(double h, Outcome &o)
         if (bad[i]) o.body = bodies_.body_at[lanes * k + i];
     }
     if (g.spins) g.w += Vec3L::from(g.rhs + 3);
-    const Lane worse = where(magnitude(dv.x) > magnitude(dv.z), magnitude(dv.x), magnitude(dv.z));
+    const Lane worse = across(dv) * (g.spins ? 1.0 : set.cage_correction());
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));

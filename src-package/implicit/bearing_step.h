@@ -20,7 +20,8 @@
 // Estimated local error, m: how far a ball across the raceways or a ring would be off if only the
 // first order counted, g h |V_2 - V_1| (order 1: h |V - V_start|/2). It is an upper bound for
 // order 2. With dampers_only: how far it moved across the raceways in the step, which is what a
-// ball may be late in meeting a groove.
+// ball may be late in meeting a groove. A cage ball may be off by a multiple of that: its contacts
+// are soft, and where the cage drives balls its vibration would set the step.
 //
 // Bodies four by four: bearing_bodies.h; forces and derivatives: bearing_forces.h; the linear
 // solve: bearing_system.h; contacts between two steps: bearing_instants.h.
@@ -38,7 +39,13 @@ class BearingStep {
     int order = 2;
     bool dampers_only = false;
     double newton = 1e-7;    // m, what the last correction of a stage may move
+    double cage = 1.0;       // so many times as far may a cage ball be off as a ball or ring
     int corrections = 8;     // most of a stage
+
+    // over cage: what counts of a cage ball's error, and of its last correction, which is solved
+    // ten times finer
+    double cage_error() const { return 1.0 / cage; }
+    double cage_correction() const { return cage > 10.0 ? 10.0 / cage : 1.0; }
   };
   struct Outcome {
     Failure failure = Failure::not_converged;
@@ -90,11 +97,10 @@ class BearingStep {
 
  private:
   bool solve_stage(const Settings &, double h, double s, Outcome &);
-  bool keep_states(Stage &, Outcome &);
   bool move(double h, double s, bool dampers_only);
   bool coast(double h, double s, bool to_end);
   double stability(double h) const;
-  double apply(double h, Outcome &);
+  double apply(double h, const Settings &, Outcome &);
   void second_base();
   double error(double h, const Settings &) const;
   void add_energy(double weight, double s);

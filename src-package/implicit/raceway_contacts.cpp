@@ -6,6 +6,8 @@
 #include "contact_rows.h"
 #include "ring_motions.h"
 
+#include <algorithm>
+
 namespace raceway {
 
 // Matrix of the linear system: the ball's block, the ring's columns and rows, and the border.
@@ -99,8 +101,14 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       LaneMask live = g.used & ~(c.overlap <= -p.reach);
       Lane unused[L::states > 0 ? L::states : 1];
       if constexpr (L::states > 0)
-        for (int m = 0; m < L::states && stage.evaluate != Evaluate::only; ++m)
-          b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
+        if (stage.evaluate != Evaluate::only) {
+          for (int m = 0; m < L::states; ++m)
+            b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
+          KeptSlopes &slopes = b_.kept_slopes[contact];
+          slopes.live = LaneMask{};
+          if (stage.evaluate == Evaluate::derivatives)
+            for (auto &of_one : slopes.of) std::fill(of_one, of_one + 6, Lane{});
+        }
       if (stage.looks) {
         stage.looks[contact].live = live;
         stage.looks[contact].orbit = dot(g.v - f.local(ring.now.v), c.t) / c.r;
@@ -128,16 +136,20 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       LawStates<Lane> memory;
       if constexpr (L::states > 0) {
         BearingBodies::States &kept = b_.kept[contact];
-        memory = stage.evaluate == Evaluate::only ? LawStates<Lane>{0.0, kept.now, unused}
-                                                  : LawStates<Lane>{stage.h, kept.base, kept.now};
+        memory = stage.evaluate == Evaluate::only
+                     ? LawStates<Lane>{0.0, kept.now, unused}
+                     : LawStates<Lane>{stage.h, kept.base, kept.now, !stage.dampers_only};
       }
       ContactSlopesT<Lane, L::motions> slopes;
       if (stage.evaluate == Evaluate::derivatives)
         act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
       else L::act(p, p.law.at(c.cos_angle), memory, c);
       if constexpr (L::states > 0)
-        for (int m = 0; m < L::states && stage.evaluate != Evaluate::only; ++m)
-          b_.kept[contact].now[m] = where(live, b_.kept[contact].now[m], 0.0);
+        if (stage.evaluate != Evaluate::only) {
+          for (int m = 0; m < L::states; ++m)
+            b_.kept[contact].now[m] = where(live, b_.kept[contact].now[m], 0.0);
+          b_.kept_slopes[contact].live = live;
+        }
       ContactForcesT<Lane> q = assemble<L::couples>(p, r.e, c);
       for (Vec3L *v : {&q.force, &q.ball_torque, &q.ring_torque})
         *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
@@ -169,8 +181,18 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         g.damper += where(live, c.damping, 0.0);
         ring.spring += sum(spring);
       }
-      add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e,
-                 scaled(stage.h, stage.follows(), c, r.e, live, slopes));
+      const auto s = scaled(stage.h, stage.follows(), c, r.e, live, slopes);
+      add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e, s);
+      if constexpr (L::states > 0) {
+        KeptSlopes &kept = b_.kept_slopes[contact];
+        kept.stiffness = c.stiffness;
+        kept.normal = s.normal;
+        kept.along = s.along;
+        kept.across = s.across;
+        kept.lever = d + s.normal * p.groove.ball_radius;
+        for (int m = 0; m < L::states; ++m)
+          for (int i = 0; i < L::motions; ++i) kept.of[m][i] = where(live, slopes.state[m][i], 0.0);
+      }
     }
   }
   return Failure::none;
@@ -184,6 +206,40 @@ RACEWAY_LANES Failure BearingForces::all_raceways(const Stage &stage)
     if constexpr (!L::explicit_step) failure = raceways<L>(stage);
   });
   return failure;
+}
+
+RACEWAY_LANES bool BearingForces::follow(double exact)
+{
+  if (b_.states() == 0) return true;
+  LaneMask rough = {};
+  int contact = 0;
+  for (const BearingBodies::Track &track : b_.tracks) {
+    const RingBody &ring = b_.rings[track.ring];
+    double y[RingProgram::N_DOF];
+    for (int dof = 0; dof < RingProgram::N_DOF; ++dof)
+      y[dof] = ring.unknown[dof] < 0 ? 0.0 : system_.y(ring.unknown[dof]);
+    const Vec3 ring_v = {y[0], y[1], y[2]},
+               ring_w = Vec3{y[RingProgram::TILT], y[RingProgram::TILT + 1], 0.0} +
+                        ring.now.e * y[RingProgram::SPIN];
+    const double radius = track.physics->groove.ball_radius;
+    for (int k = track.first; k < track.end; ++k, ++contact) {
+      const KeptSlopes &s = b_.kept_slopes[contact];
+      if (!any(s.live)) continue;
+      const BodyGroup &g = b_.groups[k];
+      Lane motion[6];
+      motions_of(
+          s, radius,
+          {Vec3L::from(g.rhs), Vec3L::from(g.rhs + 3), g.now.local(ring_v), g.now.local(ring_w)},
+          motion);
+      for (int m = 0; m < b_.states(); ++m) {
+        Lane change = s.of[m][0] * motion[0];
+        for (int i = 1; i < 6; ++i) change += s.of[m][i] * motion[i];
+        b_.kept[contact].now[m] += where(s.live, change, 0.0);
+        rough |= s.live & (magnitude(change) > s.stiffness * exact);
+      }
+    }
+  }
+  return !any(rough);
 }
 
 }    // namespace raceway

@@ -13,7 +13,8 @@
 namespace raceway {
 
 template <class T, int n> struct ContactSlopesT {
-  T of[n][n];    // of[i][k]: force i over motion k
+  T of[n][n];                                       // of[i][k]: force i over motion k
+  T state[most_states > 0 ? most_states : 1][n];    // what the contact keeps, over motion k
 };
 
 // As L::act(); c is what it was before but for what the law sets. `follows` (s): how long the
@@ -48,8 +49,11 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
     x.roll_w.d[5] = one;
   }
   D after[L::states > 0 ? L::states : 1];
-  L::act(p, p.law.at(c.cos_angle), LawStates<D>{memory.dt, memory.before, after}, x);
-  for (int k = 0; k < L::states; ++k) memory.after[k] = held(after[k]);
+  L::act(p, p.law.at(c.cos_angle), LawStates<D>{memory.dt, memory.before, after, memory.stage}, x);
+  for (int k = 0; k < L::states; ++k) {
+    memory.after[k] = held(after[k]);
+    for (int i = 0; i < n; ++i) slopes.state[k][i] = after[k].d[i];
+  }
 
   c.compression = held(x.compression);
   c.root = held(x.root);

@@ -25,14 +25,21 @@ RACEWAY_INLINE FilmBranchT<T> film_branch(const T &k, const T &h_c, const T &com
   return {0.44 * k * thin, speed / (1.33 * b)};
 }
 
-// The exact step over dt at a constant d(overlap)/dt: f becomes `left` f + `slope` d(overlap)/dt.
+// A step over dt: f becomes `left` f + `slope` d(overlap)/dt. Exact at a constant rate, or as a
+// stage of an implicit method has it (LawStates).
 template <class T> struct BranchStepT {
   T left;     // 1
   T slope;    // N s/m
 };
-template <class T> RACEWAY_INLINE BranchStepT<T> branch_step(const FilmBranchT<T> &f, double dt)
+template <class T>
+RACEWAY_INLINE BranchStepT<T> branch_step(const FilmBranchT<T> &f, double dt, bool stage)
 {
-  const T part = dt * f.rate, left = exponential(T(-part));
+  const T part = dt * f.rate;
+  if (stage) {
+    const T left = 1.0 / (1.0 + part);
+    return {left, f.stiffness * dt * left};
+  }
+  const T left = exponential(T(-part));
   // (1 - e^-part)/part; its series where the difference would lose digits
   const T series = 1.0 - part * (0.5 - part * (1.0 / 6 - part * (1.0 / 24 - part * (1.0 / 120))));
   const T mean = where(part > 1e-3, T((1.0 - left) / part), series);

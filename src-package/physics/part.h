@@ -89,10 +89,14 @@ struct StateColumn {
 };
 
 // The numbers that a contact keeps: before and at the end of a time dt. dt = 0 changes nothing.
+// What decays at the rate r: exact, e^-(r dt), under motions that are constant over dt; in a stage
+// of an implicit method by 1/(1 + r dt), as backward Euler has it. The order of the method rests on
+// that.
 template <class T> struct LawStates {
   double dt = 0.0;
   const Value<T> *before = nullptr;
   T *after = nullptr;
+  bool stage = false;
 };
 
 struct PartBase {

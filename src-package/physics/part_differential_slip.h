@@ -66,8 +66,8 @@ struct DifferentialSlipPart : PartBase {
     const T ct = cap * B(secant_t / width) + none, cw = cap * B(secant_w / width) + none;
 
     c.kt = own.kt_ratio * c.stiffness;
-    const B spring = -m.dt * c.kt;
-    const T left_t = left_of(T(spring / ct)), left_w = left_of(T(spring / cw));
+    const B spring = m.dt * c.kt;
+    const T left_t = left_of(spring, ct, m.stage), left_w = left_of(spring, cw, m.stage);
     T ft = m.before[0] * left_t + ct * along * (1.0 - left_t);
     T fw = m.before[1] * left_w + cw * c.sliding_w * (1.0 - left_w);
     const B most = held(cap), size2 = held(ft) * held(ft) + held(fw) * held(fw);
@@ -90,9 +90,12 @@ struct DifferentialSlipPart : PartBase {
   }
 
  private:
-  // e^x; where next to nothing is left, and a contact may have no load, without a derivative.
-  template <class T> static RACEWAY_INLINE T left_of(const T &x)
+  // Of a force after a time dt (LawStates); spring = dt k_t. Where next to nothing is left, and a
+  // contact may have no load, without a derivative.
+  template <class T> static RACEWAY_INLINE T left_of(const Value<T> &spring, const T &c, bool stage)
   {
+    if (stage) return c / (c + spring);
+    const T x = -spring / c;
     return exponential(T(where(x < -100.0, -100.0, x)));
   }
   static constexpr double none = 1e-200;    // keeps 0/0 out of a contact without load or friction

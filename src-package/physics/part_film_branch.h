@@ -41,7 +41,7 @@ struct FilmBranchPart : PartBase {
     const B root = held(c.root);
     const FilmBranchT<B> f = film_branch(B(1.5 * k.K * root), c.h_c, B(held(c.compression)),
                                          B(k.b * root), c.entrainment);
-    const BranchStepT<B> step = branch_step(f, m.dt);
+    const BranchStepT<B> step = branch_step(f, m.dt, m.stage);
     const T force = step.slope * c.overlap_rate + m.before[0] * step.left;
     m.after[0] = force;
     const T N = c.load + c.damping * c.overlap_rate + force;

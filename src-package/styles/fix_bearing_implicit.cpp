@@ -37,16 +37,19 @@ struct FixBearingImplicit::Solver {
   std::vector<Part> parts;    // one a bearing at home here
 };
 
-// fix ID group bearing/implicit [solve all|damping] [tolerance T] [order 1|2] [corrections N]
-// [largest H] [creep C] [energy yes|no]
+// fix ID group bearing/implicit [solve all|damping] [tolerance T] [cage_tolerance TC] [order 1|2]
+// [corrections N] [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}})
 {
   BearingStep::Settings &settings = solver_->settings;
+  double cage = 0.0;
   Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
   while (args.more()) {
     if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-5);
+    else if (args.take("cage_tolerance"))
+      cage = args.within("tolerance of cage balls (m)", 1e-13, 1e-3);
     else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
     else if (args.take("order")) settings.order = args.integer("order", 1, 2);
     else if (args.take("corrections"))
@@ -55,10 +58,15 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
       largest_ = args.within("largest step (s)", smallest_step, HUGE_VAL);
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
     else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
-    else args.unknown("solve, tolerance, order, corrections, largest, creep, energy");
+    else
+      args.unknown("solve, tolerance, cage_tolerance, order, corrections, largest, creep, energy");
   }
   if (tolerance_ == 0.0) tolerance_ = settings.dampers_only ? 1e-7 : 1e-9;
   settings.newton = tolerance_;
+  if (cage > 0.0 && cage < tolerance_)
+    BRG_ALL(std::string("fix ") + id + " bearing/implicit: tolerance of cage balls (m) is " +
+            text(cage) + ", below the tolerance of " + text(tolerance_));
+  if (cage > 0.0) settings.cage = cage / tolerance_;
   time_integrate = 1;
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_implicit::N;

@@ -64,6 +64,7 @@ struct Scene {
   RingState ring;
   double before[most_states > 0 ? most_states : 1];
   double dt, follows;
+  bool stage;
 };
 
 // A loaded contact of a 6208 under some angle, with some sliding, the n-th of its kind.
@@ -105,6 +106,7 @@ Scene scene(unsigned parts, int n)
   if (s.p.has<FilmBranchPart>()) s.before[0] = between(-0.05, 0.05);
   s.dt = between(1e-6, 1e-4);
   s.follows = s.dt;
+  s.stage = n % 4 > 1;
   return s;
 }
 
@@ -145,7 +147,7 @@ void shifted_forces(const Scene &s, const ContactState &c, int k, double step, d
   motion.moved += size;
   if (k == 0) x.overlap.moved += s.follows * size;
   Shifted after[L::states > 0 ? L::states : 1];
-  L::act(s.p, s.p.law.at(c.cos_angle), LawStates<Shifted>{s.dt, s.before, after}, x);
+  L::act(s.p, s.p.law.at(c.cos_angle), LawStates<Shifted>{s.dt, s.before, after, s.stage}, x);
   for (int i = 0; i < L::motions; ++i) {
     const Shifted &f = *force_of(x, i);
     change[i] = f.moved - f.value;
@@ -161,7 +163,7 @@ template <class L> int slopes_of(const Scene &s, double *dual, double *differenc
   const ContactState start = c;
   double after[L::states > 0 ? L::states : 1];
   ContactSlopesT<double, n> slopes;
-  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after}, s.follows, c, slopes);
+  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after, s.stage}, s.follows, c, slopes);
   for (int i = 0; i < n; ++i) {
     forces[i] = *force_of(c, i);
     for (int k = 0; k < n; ++k) dual[n * i + k] = slopes.of[i][k];
@@ -190,12 +192,12 @@ template <class L> int bit_differences(const Scene &s)
   ContactState one;
   touch(s.p, s.ball.x, s.ring.e, one);
   double after[L::states > 0 ? L::states : 1];
-  act<L>(s.p, s.ball, s.ring, LawStates<double>{s.dt, s.before, after}, one);
+  act<L>(s.p, s.ball, s.ring, LawStates<double>{s.dt, s.before, after, s.stage}, one);
 
   ContactState dual = one;
   double after_dual[L::states > 0 ? L::states : 1];
   ContactSlopesT<double, L::motions> slopes;
-  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after_dual}, s.follows, dual, slopes);
+  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after_dual, s.stage}, s.follows, dual, slopes);
 
   int different = 0;
   for (bool with_slopes : {false, true}) {
@@ -208,7 +210,7 @@ template <class L> int bit_differences(const Scene &s)
     four.overlap = four.s - s.p.slack;
     Lane before[L::states > 0 ? L::states : 1], later[L::states > 0 ? L::states : 1];
     for (int k = 0; k < L::states; ++k) before[k] = all_lanes(s.before[k]);
-    const LawStates<Lane> states = {s.dt, before, later};
+    const LawStates<Lane> states = {s.dt, before, later, s.stage};
     if (with_slopes) {
       ContactSlopesT<Lane, L::motions> lane_slopes;
       approach<L>(s.p, ball, ring, four);

@@ -260,10 +260,32 @@ def test_branch_as_in_python(physics, speed, step, h_c):
         force=3.0,
         rate=2e-4,
         dt=step,
+        stage=0,
     )
     assert found[0] == pytest.approx(branch.stiffness, rel=1e-14)
     assert found[1] == pytest.approx(1 / branch.time, rel=1e-14)
     assert found[2:] == pytest.approx(expected, rel=ROUNDING)
+
+
+@pytest.mark.parametrize("step", [1e-6, 1e-4, 1e-2])
+def test_branch_in_a_stage_is_backward_euler(physics, step):
+    """Its force solves f = f_0 + dt (k_m d(overlap)/dt - f/tau), the form that an implicit method
+    of second order needs of its stages."""
+    found = physics.call(
+        "film_step",
+        k=2e8,
+        h_c=160e-9,
+        compression=17e-6,
+        b=150e-6,
+        speed=0.7,
+        force=3.0,
+        rate=2e-4,
+        dt=step,
+        stage=1,
+    )
+    stiffness, decay, force, slope = found
+    assert force == pytest.approx(3.0 + step * (stiffness * 2e-4 - force * decay), rel=1e-12)
+    assert slope == pytest.approx((force - 3.0 / (1 + step * decay)) / 2e-4, rel=1e-9)
 
 
 def test_dashpot_of_the_top_ball(physics):
@@ -283,6 +305,7 @@ def test_dashpot_of_the_top_ball(physics):
             force=0.0,
             rate=0.0,
             dt=1e-6,
+            stage=0,
         )
         assert k_m / rate * 0.59 / (0.44 * 1.33) == pytest.approx(expected, abs=1.5)
 
