@@ -197,7 +197,8 @@ template <class L> int bit_differences(const Scene &s)
   ContactState dual = one;
   double after_dual[L::states > 0 ? L::states : 1];
   ContactSlopesT<double, L::motions> slopes;
-  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after_dual, s.stage}, s.follows, dual, slopes);
+  act_with_slopes<L>(s.p, LawStates<double>{s.dt, s.before, after_dual, s.stage}, s.follows, dual,
+                     slopes);
 
   int different = 0;
   for (bool with_slopes : {false, true}) {
