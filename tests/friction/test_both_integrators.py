@@ -180,8 +180,8 @@ def test_standing_bearing_sticks(tmp_path, integrator, steps):
 )
 def test_power_is_the_sum_of_losses(tmp_path, integrator, steps, scene, bound):
     """Over one ball pass, after two: what shaft and loads put in against the losses of all parts
-    and the growth of what bodies and springs store. Under combined load balls differ in orbital
-    speed and press the cage together, pass by pass: 3 mJ a pass, 1.7e-3 of the losses."""
+    and the growth of what bodies and springs store. Under combined load the balls' centres differ
+    in speed and press the cage together, pass by pass: 3 mJ a pass, 1.7e-3 of the losses."""
     cage = 19.775 if scene.startswith("radial") else 20.222
     case = dict(sample=2 * np.pi / 9 / cage / 350)
     before, after = (
