@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Friction torque of a 6208 with the models `full`: part by part against statics, and beside SKF's
+figure. No constant is fitted."""
+
+import pytest
+from host import ROOT, succeed
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
+from raceway.theory.operating_point import figures
+
+
+@pytest.mark.parametrize("rpm", [477.5, 1910, 9549])
+def test_torque(tmp_path, rpm):
+    """5 kN, 0.04 Pa s. Balls without load roll in statics and skid in a run, so a run loses less to
+    rolling. Statics takes Eyring's law with a limit for the film, runs Coulomb's."""
+    succeed("inputs/in.6208", out=tmp_path, models="full", rpm=rpm, passes=2)
+    run = summary(RunTables(tmp_path))
+    still = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
+    print(rpm, run["friction_torque_N_m"], run["torque_skf_N_m"], run["losses_W"])
+    assert run["friction_torque_N_m"] == pytest.approx(run["torque_skf_N_m"], rel=0.35)
+    found = {
+        part: run["losses_W"][part] / power for part, power in still["losses_W"].items() if power
+    }
+    assert 0.9 < found["rolling"] < 1.0
+    assert 1.05 < found["slip"] < 1.25
+    assert found["hysteresis"] == pytest.approx(1, rel=0.02)
+    assert found["drag"] == pytest.approx(1, rel=0.02)
+
+
+def test_torque_is_steady(tmp_path):
+    """9549 rpm: the torque does not depend on when it is measured, nor on the tolerance."""
+    torques = []
+    for settle, tolerance in ((1, 1e-9), (40, 1e-9), (1, 1e-10)):
+        succeed(
+            "inputs/in.6208",
+            out=tmp_path,
+            overwrite="yes",
+            models="full",
+            rpm=9549,
+            settle=settle,
+            passes=2,
+            tolerance=tolerance,
+        )
+        torques.append(summary(RunTables(tmp_path))["friction_torque_N_m"])
+    print(torques)
+    assert torques == pytest.approx([0.3143] * 3, rel=5e-3)
