@@ -44,6 +44,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingInput>("bearing_input");
   add.template command<BearingColumns>("bearing_columns");
   add.template command<BearingStep>("bearing_step");
+  add.template command<BearingWords>("bearing_words");
   add.template command<BearingOutput>("bearing_output");
   add.template command<BearingRange>("bearing_range");
   add.template command<BearingHost>("bearing_host");

@@ -158,6 +158,15 @@ void BearingHost::command(int narg, char **arg)
   suggest(input->variable, name, BRG_HOST_NAME);
 }
 
+void BearingWords::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_words", narg, arg, 0);
+  const std::string name = args.word("name of a variable");
+  std::string words = args.word("words of " + name);
+  while (args.more()) words += " " + args.word("words of " + name);
+  replace(input->variable, name, words);
+}
+
 void BearingResume::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_resume", narg, arg, 0);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_columns,
-// bearing_step: a deck's data files, result folder, numbers, host, restart file, the columns of its
-// dumps and the number of its step, with errors that help before anything runs.
+// bearing_step, bearing_words: a deck's data files, result folder, numbers, host, restart file, the
+// columns of its dumps, the number of its step and variables of several words, with errors that
+// help before anything runs.
 #ifdef COMMAND_CLASS
 // clang-format off
 CommandStyle(bearing_input,BearingInput)
@@ -11,6 +12,7 @@ CommandStyle(bearing_host,BearingHost)
 CommandStyle(bearing_resume,BearingResume)
 CommandStyle(bearing_columns,BearingColumns)
 CommandStyle(bearing_step,BearingStep)
+CommandStyle(bearing_words,BearingWords)
 // clang-format on
 #else
 #ifndef LMP_DECK_FILES_H
@@ -76,6 +78,14 @@ class BearingColumns : public bearing::CommandBase {
 class BearingStep : public bearing::CommandBase {
  public:
   explicit BearingStep(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_words NAME WORD ...: set the string variable NAME to these words. In quotes, where the
+// hosts take several words for one, they put no variable's value.
+class BearingWords : public bearing::CommandBase {
+ public:
+  explicit BearingWords(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

@@ -35,6 +35,14 @@ SCENES = (
         "dumps": "yes",
         "within": 5,
     },
+    {
+        "models": "full",
+        "integrator": "implicit",
+        "passes": 10,
+        "keep": 25,
+        "dumps": "yes",
+        "within": 5,
+    },
     {"lubricant": "dry", "integrator": "verlet", "passes": 4, "keep": 25, "dumps": "yes"},
 )
 

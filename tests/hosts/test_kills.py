@@ -9,7 +9,9 @@ import pytest
 from hosts.kills import SCENES, disturb, run
 
 
-@pytest.fixture(scope="module", params=SCENES, ids=lambda scene: scene["integrator"])
+@pytest.fixture(
+    scope="module", params=SCENES, ids=lambda scene: scene.get("models", scene["integrator"])
+)
 def undisturbed(request, tmp_path_factory):
     """A scene, its files, and how long they took (s)."""
     folder = tmp_path_factory.mktemp("undisturbed") / "run"

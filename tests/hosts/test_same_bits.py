@@ -29,6 +29,15 @@ SCENES = {
     "axial": {"scene": "inputs/in.axial", "quiet": "slow_ring"},
     "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
     "supports and gravity": {"scene": "tests/scenarios/in.support", "quiet": "ring", "fall": 9.81},
+    "models full": {"scene": "inputs/in.6208", "models": "full"},
+    "models full, dry": {"scene": "inputs/in.dry", "models": "full", "passes": 1},
+    "models full, velocity Verlet": {
+        "scene": "inputs/in.6208",
+        "models": "full",
+        "integrator": "verlet",
+        "rpm": 5000,
+        "passes": 1,
+    },
     "velocity Verlet": {
         "scene": "inputs/in.6208",
         "integrator": "verlet",

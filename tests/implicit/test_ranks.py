@@ -143,11 +143,17 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
         assert last(out) == last(unbroken)
 
 
-def test_film_in_the_gap(tmp_path):
-    """Film in the gap and its branch, which keeps a force from step to step: two ranks, written in
-    the middle and resumed by four, give the bits of one."""
-    words = {"models": "full", "lubricant": "mineral"}
+def test_models_full(tmp_path):
+    """Film in the gap, its branch and tangential springs, which keep forces from step to step: two
+    and four ranks, written in the middle and resumed by four, give the bits of one."""
+    words = {
+        "models": "full",
+        "lubricant": "mineral",
+        "control": "tolerance 1e-8 cage_tolerance 1e-6",
+    }
     succeed(DECK, out=tmp_path / "one", **words)
+    succeed(DECK, ranks=4, out=tmp_path / "four", **words)
+    assert state(tmp_path / "four") == state(tmp_path / "one")
     succeed(DECK, ranks=2, out=tmp_path / "two", keep=22, first=22, second=38, **words)
     assert state(tmp_path / "two")[:2] == state(tmp_path / "one")[:2]
     succeed(
@@ -156,6 +162,7 @@ def test_film_in_the_gap(tmp_path):
         out=tmp_path / "resumed",
         begin="resume",
         first=38,
+        control=words["control"],
         **{"from": tmp_path / "two/restart.22"},
     )
     assert last(tmp_path / "resumed") == last(tmp_path / "one")
