@@ -233,6 +233,25 @@ def averages(course, after=0, every=1):
     return result
 
 
+def full(folder, case):
+    """The courses of the implicit step and of velocity Verlet with the models `full`, the tolerance
+    of cage balls as in the decks, and the `Verdict` of the first by the second."""
+    film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
+    words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
+    own = case.get("control", "") + " cage_tolerance 1e-7"
+    found = run(folder, case, film=film, control=own)
+    substeps = round(float(case["variables"].get("sample", 1e-4)) / float(words["step"]))
+    truth = run(folder, case, film=film, integrator="verlet", substeps=substeps)
+    if found.error or truth.error:
+        return found, truth, None
+    bound = next(iter(case["references"].values()))["bound"]
+    if bound not in ("averages", "vibration"):
+        bound = "course"
+    last = words["last"] or len(found.load)
+    judged = (first_samples(course, last) for course in (found, truth))
+    return found, truth, judge(*judged, case, dict(bound=bound, after=words["after"]))
+
+
 class Verdict(NamedTuple):
     """A figure with its bound, and what else is known."""
 

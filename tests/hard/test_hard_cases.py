@@ -13,6 +13,7 @@ from hard.harness import (
     EXPLICIT,
     coarse,
     first_samples,
+    full,
     judge,
     judge_statics,
     reference,
@@ -73,6 +74,15 @@ def test_figure(courses, name, kind):
         else judge(found, courses(name, kind), case, case["references"][kind])
     )
     print(f"{name}, {kind}: {verdict}")
+    assert verdict.good, str(verdict)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_models_full(tmp_path, name):
+    """The implicit step at its defaults against velocity Verlet, both with the models `full`."""
+    found, truth, verdict = full(tmp_path, CASES[name])
+    assert not found.error and not truth.error, found.error or truth.error
+    print(f"{name}, full: {verdict}")
     assert verdict.good, str(verdict)
 
 

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs the hard cases with the models `full` under both integrators and writes
+docs/performance/hard_cases_full.rst.
+
+    python tests/hard/table_full.py
+"""
+
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS))  # as pytest.ini does
+
+from hard.harness import CASES, full  # noqa: E402
+from hard.table import list_table, number  # noqa: E402
+
+TARGET = TESTS.parent / "docs/performance/hard_cases_full.rst"
+HEAD = ["case", "figure", "bound", "cage speed", "film", "mean internal step (s)", "remark"]
+
+
+def row_of(name, folder):
+    case = CASES[name]
+    found, truth, verdict = full(folder, case)
+    if verdict is None:
+        return [name, "refused", "", "", "", "", found.error or truth.error]
+    remark = [verdict.remark, case.get("full", {}).get("why", "")]
+    return [
+        name,
+        number(verdict.figure),
+        number(verdict.bound),
+        number(verdict.orbit) if verdict.orbit == verdict.orbit else "",
+        number(verdict.film) if verdict.film == verdict.film else "",
+        number(found.step),
+        "; ".join(text for text in remark if text) + ("" if verdict.good else " **misses**"),
+    ]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        rows = [row_of(name, folder) for name in CASES]
+    missed = sum("**misses**" in row[-1] or row[1] == "refused" for row in rows)
+    text = [
+        ".. written by tests/hard/table_full.py; do not edit",
+        "",
+        "Hard cases with the models full",
+        "===============================",
+        "",
+        *f"""\
+The scenes of :doc:`hard_cases` with film in the gap, its branch, mixed friction, differential slip,
+spin, resistance to rolling and drag. The implicit step at its defaults is held against velocity
+Verlet with the same law and steps of 0.5 µs, or those of ``tests/hard/cases.yaml``. The figure is
+the largest difference of the contact load over balls, raceways and samples, over the peak load.
+Cage speed and film are the largest relative differences. Written on {date.today()}:
+{missed} of {len(rows)} are outside their bound.
+""".splitlines(),
+        "",
+        *list_table(HEAD, rows),
+    ]
+    TARGET.write_text("\n".join(text))
+    print(TARGET)
+
+
+if __name__ == "__main__":
+    main()
