@@ -65,6 +65,7 @@ bench: build
 	@$(MAKE) --no-print-directory -s $(BENCH_STAMP)
 	.venv/bin/python tests/bench/step_cost.py
 	.venv/bin/python tests/bench/implicit_cost.py
+	.venv/bin/python tests/bench/part_cost.py
 	.venv/bin/python tests/bench/work_precision.py
 	.venv/bin/python tests/bench/many.py
 	.venv/bin/python tests/bench/peers.py

@@ -39,6 +39,7 @@ template <class T> struct ContactStateT : GroovePositionT<Value<T>> {
   Plain kt = Plain();                         // N/m, tangential spring
   T ct = T();                                 // N s/m, tangential dashpot
   Plain v_0 = Plain();                        // m/s, of the smoothed Coulomb law
+  Plain slip_width = Plain();                 // m/s, of the differential slip
   // the force of the ring on the ball is -normal n - friction_t t - friction_w w
   T friction_t = T(), friction_w = T();    // N
   // the couple of the ring on the ball is -couple_n n - couple_t t - couple_w w

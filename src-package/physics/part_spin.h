@@ -32,12 +32,8 @@ struct SpinPart : PartBase {
   static constexpr bool couples = true;
   struct Parameters {
     double share = 1.0;
-    double lift = 0.0, modulus = 0.0;    // derived: 1/m, 1/(2 R_d); Pa, E'
-    void prepare(const Raceway &p)
-    {
-      lift = 0.5 / deformed_radius(p.groove.groove_radius, p.groove.ball_radius);
-      modulus = p.material.Eprime();
-    }
+    double modulus = 0.0;    // derived: Pa, E'
+    void prepare(const Raceway &p) { modulus = p.material.Eprime(); }
   };
 
   static std::vector<Keyword<Parameters>> keywords()
@@ -67,8 +63,7 @@ struct SpinPart : PartBase {
   {
     using B = Value<T>;
     const B root = held(c.root), a = k.a * root;
-    const B edge = magnitude(held(c.roll_w)) * a * a * own.lift;
-    const B width = where(edge > least, edge, least);
+    const B width = c.slip_width;    // of part_differential_slip.h, which comes before
     const B along = held(c.sliding_t), across = held(c.sliding_w);
     const B slip = 1.9 * square_root(B(along * along + across * across));
     const B wide = 0.78 * width, speed = magnitude(held(c.spin_n)) * a;
@@ -87,9 +82,6 @@ struct SpinPart : PartBase {
   {
     return held(c.couple_n) * held(c.spin_n);
   }
-
- private:
-  static constexpr double least = 1e-4;    // m/s, as in part_differential_slip.h
 };
 
 }    // namespace raceway

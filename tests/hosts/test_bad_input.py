@@ -50,7 +50,7 @@ MAIN_DECK = {
     "unknown bearing": (
         {"bearing": "9999"},
         (
-            r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6206, 6208,"
+            r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6205, 6206, 6208,"
             r" 6306, 7208, harris209"
         ),
     ),

@@ -39,7 +39,7 @@ EXPORT(double, sphere_drag, (double reynolds)) { return drag_coefficient(drag_ta
 
 // A contact by its motions, and what the laws of full models make of it.
 RECORD(Rolled, double side, overlap, overlap_rate, cos_angle, entrainment, sliding_t, sliding_w,
-       spin_n, roll_w, dt, mu, mu_boundary, mu_film, beta, starvation, alpha, density, oil;)
+       spin_n, roll_w, dt, least, mu, mu_boundary, mu_film, beta, starvation, alpha, density, oil;)
 RECORD(Resisted, double load, normal, mu, lambda_, asperity_share, kt, a, b, friction_t, friction_w,
        couple_n, couple_w, slip_couple, rolling_couple, hysteresis_couple, drag, drag_power,
        friction_power, loss, states[2];)
@@ -53,6 +53,7 @@ static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
   p.ring_roughness = 1e-7;
   p.parts = parts;
   p.of<ConstantFrictionPart>().mu = in.mu;
+  p.of<DifferentialSlipPart>().least = in.least;
   p.of<MixedFrictionPart>().mu_boundary = in.mu_boundary;
   p.of<MixedFrictionPart>().mu_film = in.mu_film;
   p.of<HydrodynamicRollingPart>().beta = in.beta;

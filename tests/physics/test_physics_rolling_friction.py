@@ -21,6 +21,7 @@ REST = dict(
     spin_n=0.0,
     roll_w=0.0,
     dt=1.0,
+    least=1e-4,
     mu=FRICTION,
     mu_boundary=0.12,
     mu_film=0.05,
@@ -276,6 +277,16 @@ def test_pure_spin(physics, side, cos_angle):
     assert found.couple_n == pytest.approx(theory, rel=1e-9 if cos_angle < 1 else 1e-12)
     back = of(physics, "dry_of", REST | dict(spin_n=-30.0, side=side, cos_angle=cos_angle))
     assert back.couple_n == -found.couple_n
+
+
+def test_slow_spin_at_rest_has_the_least_width_of_slip(physics):
+    """Where nothing rolls the couple is proportional to a slow spin, by S_LEAST of heathcote."""
+    couples = [
+        of(physics, "dry_of", REST | dict(spin_n=1e-3, least=least)).couple_n
+        for least in (1e-4, 2e-4, 1e-2)
+    ]
+    assert couples[0] == pytest.approx(2 * couples[1], rel=1e-12)
+    assert couples[0] == pytest.approx(100 * couples[2], rel=1e-12)
 
 
 @pytest.mark.parametrize("part", [0.1, 0.3, 0.5, 0.7, 1.0, 2.0, 5.0])
