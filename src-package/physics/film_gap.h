@@ -8,9 +8,10 @@
 //
 // With r = x/x_0, x_0 = (Q_0/K)^(2/3), n = 1.5 m this is r - H r^-n = D for r > 1, r - H = D below:
 // the left side grows with r, so there is one root. It is concave: Newton's method from below never
-// passes the root. From the bound that starts it here the step after the first relative change
-// below 1e-8 is below rounding, two steps for a loaded ball, five near the edge of the film. Each
-// lane stops by itself, so its bits do not depend on the others.
+// passes the root. D + H is above it, D + H (D + H)^-n below. It starts at Chebyshev's step of third
+// order from the one, which is no worse than the other. What follows a relative change below 3e-8
+// is below rounding: one step for a loaded ball, a few near the edge of the film. Each lane stops by
+// itself, so its bits do not depend on the others.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 
@@ -32,15 +33,19 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
   constexpr int most = 12;
   const T n = 1.5 * load_exponent, D = overlap / zero, H = film / zero, all = D + H;
   const auto thinned = all > 1.0;
-  const T bound = D + H * exponential(T(-n * logarithm(T(where(thinned, all, 1.0)))));
-  T r = where(bound > 1.0, bound, 1.0), thinning = T() + 1.0;
+  const T above = where(thinned, all, 1.0), film_above = H * exponential(T(-n * logarithm(above)));
+  const T slope_above = 1.0 + n * film_above / above, off = (H - film_above) / slope_above;
+  const T bend = 0.5 * n * (n + 1.0) * film_above / (above * above * slope_above);
+  const T below = D + film_above, first = all - off * (1.0 - off * bend);
+  T r = where(first > below, first, below), thinning = T() + 1.0;
+  r = where(r > 1.0, r, 1.0);
   auto busy = thinned;
   for (int k = 0; k < most && any(busy); ++k) {
     const T q = exponential(T(-n * logarithm(r))), h = H * q;
     const T step = (D + h - r) / (r + n * h);    // over r
     thinning = where(busy, T(q * (1.0 - n * step)), thinning);
     r = where(busy, T(r + r * step), r);
-    busy = busy & (magnitude(step) > 1e-8);
+    busy = busy & (magnitude(step) > 3e-8);
   }
   const T x = where(thinned, r, all);
   const T slope = x / (x + where(thinned, T(n * H * thinning), 0.0));

@@ -16,6 +16,7 @@ struct FilmInGapPart : PartBase {
   static constexpr double cut = 1.0;    // N, below it the film keeps its thickness
   struct Parameters {
     double share = 1.0;
+    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression under it over that under 1 N
     // wider than films of bearings: none is cut off, or a force would jump
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
   };
@@ -62,7 +63,7 @@ struct FilmInGapPart : PartBase {
   {
     using B = Value<T>;
     const B d = held(c.overlap), film = own.share * c.h_edge, exponent = -k.film.central.m;
-    const B zero = exponential(B((2.0 / 3.0) * logarithm(B(cut / k.K))));
+    const B zero = B(k.unit * own.unit_of_cut);
     const FilmGapT<B> g = compress(d, film, zero, exponent);
     c.compression = g.slope * (c.overlap - d) + g.compression;
     HertzContactPart::act({}, p, k, m, c);

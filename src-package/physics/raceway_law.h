@@ -24,6 +24,7 @@ template <class T> struct RacewayConstantsT {
   T p;                  // Pa/sqrt(m)
   FilmPairT<T> film;    // h_min, h_c
   T film_damper;        // N s/m^0.5, C_fluid = film_damper * a sqrt(overlap) * h^-1.5
+  T unit;               // m, compression under 1 N, K^(-2/3)
 };
 using RacewayConstants = RacewayConstantsT<double>;
 
@@ -53,7 +54,7 @@ inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius,
   const EffectiveRadii R =
       groove_radii(g.ball_radius, g.groove_radius, pitch_radius, g.side == Side::inner, cos_angle);
   const HertzContact h = hertz_contact(R.x, R.y, E, model.ellipse);
-  RacewayConstants c{h.K, h.a, h.b, h.p, FilmPair{}, 0.0};
+  RacewayConstants c{h.K, h.a, h.b, h.p, FilmPair{}, 0.0, std::pow(h.K, -2.0 / 3.0)};
   if (model.lubricant.viscosity > 0.0) {
     c.film = film_laws(model.film, h.ellipse.kappa, model.lubricant, E, R.x);
     c.film_damper = film_damping_prefactor(model.lubricant.viscosity,
@@ -96,7 +97,8 @@ class RacewayLaw {
         for (int k = 0; k < n_constants; ++k) v[k][i] = one[k];
       }
     }
-    return {v[0], v[1], v[2], v[3], FilmPairT<Lane>{{v[4], v[5], v[6]}, {v[7], v[8], v[9]}}, v[10]};
+    return {v[0],  v[1], v[2], v[3], FilmPairT<Lane>{{v[4], v[5], v[6]}, {v[7], v[8], v[9]}},
+            v[10], v[11]};
   }
 
  private:
@@ -116,7 +118,7 @@ class RacewayLaw {
     return unpack(v);
   }
 
-  static constexpr int cells = 64, n_constants = 11;
+  static constexpr int cells = 64, n_constants = 12;
   using Packed = std::array<double, n_constants>;
 
   static Packed pack(const RacewayConstants &c)
@@ -131,11 +133,12 @@ class RacewayLaw {
             c.film.central.lnA,
             c.film.central.p,
             c.film.central.m,
-            c.film_damper};
+            c.film_damper,
+            c.unit};
   }
   static RacewayConstants unpack(const Packed &v)
   {
-    return {v[0], v[1], v[2], v[3], FilmPair{{v[4], v[5], v[6]}, {v[7], v[8], v[9]}}, v[10]};
+    return {v[0], v[1], v[2], v[3], FilmPair{{v[4], v[5], v[6]}, {v[7], v[8], v[9]}}, v[10], v[11]};
   }
 
   RacewayConstants radial_{};
