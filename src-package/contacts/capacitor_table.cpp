@@ -32,21 +32,24 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
 {
   const int n = static_cast<int>(batch.rows.size());
   ContactStateT<Lane> c;
-  Lane orbit = {}, live = {};
   for (int first = 0; first < n; first += lanes) {
-    for (int i = 0; i < lanes; ++i) {    // the last one fills up
-      const RacewayContact &one = table.raceway[batch.rows[std::min(first + i, n - 1)]];
-      c.nu[i] = one.state.nu;
-      c.ne[i] = one.state.ne;
-      c.cos_angle[i] = one.state.cos_angle;
-      c.overlap[i] = one.state.overlap;
-      c.root[i] = one.state.root;
-      c.entrainment[i] = one.state.entrainment;
-      c.film_load[i] = one.state.film_load;
-      orbit[i] = one.orbit;
-      live[i] = one.live;
-    }
-    const FilmCapacitorT<Lane> found = batch.raceway.capacitor(c, live > 0.0, orbit);
+    const RacewayContact *four[lanes];    // the last one fills up
+    for (int i = 0; i < lanes; ++i)
+      four[i] = &table.raceway[batch.rows[std::min(first + i, n - 1)]];
+    const auto take = [&four](auto of) __attribute__((always_inline)) {
+      return Lane{of(*four[0]), of(*four[1]), of(*four[2]), of(*four[3])};
+    };
+    using One = const RacewayContact &;
+    c.nu = take([](One one) { return one.state.nu; });
+    c.ne = take([](One one) { return one.state.ne; });
+    c.cos_angle = take([](One one) { return one.state.cos_angle; });
+    c.overlap = take([](One one) { return one.state.overlap; });
+    c.root = take([](One one) { return one.state.root; });
+    c.entrainment = take([](One one) { return one.state.entrainment; });
+    c.film_load = take([](One one) { return one.state.film_load; });
+    const Lane orbit = take([](One one) { return one.orbit; });
+    const LaneMask live = take([](One one) { return double(one.live); }) > 0.0;
+    const FilmCapacitorT<Lane> found = batch.raceway.capacitor(c, live, orbit);
     for (int i = 0; i < lanes && first + i < n; ++i)
       of_[batch.rows[first + i]] = {found.h_c[i], found.capacitance[i], found.separation[i],
                                     found.outside[i]};
