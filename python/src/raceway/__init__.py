@@ -68,6 +68,8 @@ NAMES = {
     "spectrum": "runs.spectrum",
     "summary": "runs.summary",
     "whole_capacitance": "runs.whole_capacitance",
+    # the electrical bearing
+    "circuit": "electric.circuit",
     # data files, errors, units
     "catalogue": "catalogue",
     "errors": "errors",

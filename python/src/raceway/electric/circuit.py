@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The circuit of a bearing that runs: voltages, currents and discharges (docs/electric_circuit)."""
+
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from raceway.electric import energy, films, network
+from raceway.electric.breakdown import Breakdown, threshold
+from raceway.electric.films import Films
+from raceway.electric.leak import Leak
+from raceway.electric.network import Solution
+from raceway.electric.outer import Motor, Outer, Terms
+from raceway.electric.waveforms import PER_CYCLE
+from raceway.runs.run import Run
+
+RACEWAYS = ("inner", "outer")
+MEANINGS = {  # of the variables, with units
+    "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
+    "driving_voltage": ("V", "voltage of the outer circuit"),
+    "ball_voltage": ("V", "voltage of a ball to the outer ring"),
+    "film_voltage": ("V", "voltage across a film, from the inner to the outer ring"),
+    "field": ("V/m", "voltage across a film over its thickness"),
+    "local_field": ("V/m", "voltage across a film over its local thickness"),
+    "film_capacitance": ("F", "capacitance of a film"),
+    "film_state": ("1", "0 capacitive, 1 leaking, 2 metallic"),
+    "bearing_capacitance": ("F", "capacitance between the rings, balls without charge"),
+    "bearing_voltage_ratio": ("1", "bearing voltage over common-mode voltage, by capacitances"),
+    "threshold_voltage": ("V", "smallest bearing voltage at which a film fails, balls uncharged"),
+    "current": ("A", "mean current into the inner ring's films in the step that ends here"),
+    "ball_charge": ("C", "charge of a ball"),
+    "charge_error": ("C", "largest difference of a node's charge by currents and by voltages"),
+}
+EVENT_UNITS = {
+    "time": "s",
+    "discharge": "1",
+    "order": "1",
+    "ball": "1",
+    "raceway": "1",
+    "azimuth": "rad",
+    "from_load_line": "rad",
+    "bearing_voltage": "V",
+    "bearing_voltage_after": "V",
+    "film_voltage": "V",
+    "local_thickness": "m",
+    "field": "V/m",
+    "film_energy": "J",
+    "energy": "J",
+}
+
+
+class Result(NamedTuple):
+    """What `run` found."""
+
+    data: xr.Dataset  # (time, raceway, ball), units and meanings in `attrs`
+    events: pd.DataFrame  # a row per film that failed; units in `attrs["units"]`
+
+
+def run(
+    of: Run | xr.Dataset | Films,
+    outer: Outer,
+    breakdown: Breakdown | None = None,
+    leak: Leak | None = None,
+    *,
+    substeps: int = 1,
+    stray: float = 0.0,
+) -> Result:
+    """The circuit of a bearing and the circuit `outer` between its rings over the samples of `of`.
+
+    `of` is a run from `raceway.open`, a dataset like its `contacts`, or `Films` (which have their
+    own leak and stray). Films fail by `breakdown`, None: never, and conduct by `leak`, None: not at
+    all. `substeps` points a sample, linear in between; a voltage that changes fast needs them.
+    `stray` (F) is added to every film. Voltages of the dataset are those after a discharge. Events
+    have the columns of `EVENT_UNITS`; `energy` includes what the charges of other films lose.
+
+    Raises `RunError` where `of` lacks what is needed, `ValueError` for parameters out of range and
+    for steps too long for the voltage of `outer`.
+    """
+    if isinstance(of, Films):
+        if leak is not None or stray:
+            raise ValueError("leak and stray belong to the films, which are given")
+        coarse = of
+    else:
+        coarse = (films.of_run if isinstance(of, Run) else films.of_dataset)(of, leak, stray)
+    fine = coarse.refined(substeps)
+    _need_points(fine, outer, substeps)
+    terms = outer.terms(fine.time, films.series(fine.capacitance).bearing)
+    limit = breakdown.limit(fine) if breakdown else None
+    solution = network.solve(fine, terms, limit)
+    data = _dataset(fine, outer, terms, solution, breakdown, limit)
+    return Result(data, _events(fine, solution, breakdown))
+
+
+def _need_points(fine, outer, substeps):
+    longest, shortest = np.diff(fine.time).max(), outer.waveform.shortest
+    # a step that is just the eighth of a period may be longer by rounding
+    if longest * PER_CYCLE > shortest * (1 + 1e-9):
+        needed = int(np.ceil(substeps * longest * PER_CYCLE / shortest * (1 - 1e-9)))
+        raise ValueError(
+            f"a step of {longest:g} s is too long for a period of {shortest:g} s: substeps ="
+            f" {substeps} must be at least {needed}"
+        )
+
+
+def _dataset(fine, outer, terms, s, breakdown, limit):
+    film = np.stack([s.bearing_voltage[:, None] - s.ball_voltage, s.ball_voltage], axis=1)
+    place = ("time", "raceway", "ball")
+    bearing = films.series(fine.capacitance).bearing
+    data = {
+        "bearing_voltage": ("time", s.bearing_voltage),
+        "driving_voltage": ("time", terms.driving),
+        "ball_voltage": (("time", "ball"), s.ball_voltage),
+        "film_voltage": (place, film),
+        "field": (place, film / fine.thickness),
+        "film_capacitance": (place, fine.capacitance),
+        "film_state": (place, _states(fine)),
+        "bearing_capacitance": ("time", bearing),
+        "current": ("time", _current(fine, s)),
+        "ball_charge": (("time", "ball"), s.ball_charge),
+        "charge_error": ("time", _charge_error(fine, terms, s, film)),
+    }
+    if breakdown:
+        data["local_field"] = (place, film / breakdown.local_thickness(fine))
+        data["threshold_voltage"] = ("time", threshold(fine, limit))
+    if isinstance(outer, Motor):
+        ratio = terms.coupling / (terms.coupling + terms.capacitance + bearing)
+        data["bearing_voltage_ratio"] = ("time", ratio)
+    made = xr.Dataset(
+        data, coords={"time": fine.time, "raceway": list(RACEWAYS), "ball": fine.balls}
+    )
+    for name, (unit, meaning) in MEANINGS.items():
+        if name in made:
+            made[name].attrs = {"units": unit, "long_name": meaning}
+    for name in ("azimuth", "from_load_line"):
+        made.coords[name] = (("time", "ball"), getattr(fine, name), {"units": "rad"})
+    made["time"].attrs = {"units": "s", "long_name": "time since the start of the measured window"}
+    return made.merge(energy.account(fine, terms, s))
+
+
+def _states(fine):
+    state = np.where(fine.leaking & (fine.capacitance > 0), 1, 0)
+    if fine.metallic is not None:
+        state = np.where(fine.metallic > 0, 2, state)
+    return state
+
+
+def _current(fine, s: Solution):
+    """By the charge of the inner ring's films; a discharge does not count."""
+    inner = fine.capacitance[:, 0]
+    after = (inner * (s.bearing_voltage[:, None] - s.ball_voltage)).sum(axis=1)
+    before = (inner * (s.bearing_voltage_before[:, None] - s.ball_voltage_before)).sum(axis=1)
+    charge = before[1:] - after[:-1] + s.leaked[1:, 0].sum(axis=1)
+    return np.concatenate([[np.nan], charge / np.diff(fine.time)])
+
+
+def _charge_error(fine, terms: Terms, s: Solution, film):
+    on_films = fine.capacitance * film
+    ball = np.abs(on_films[:, 1] - on_films[:, 0] - s.ball_charge).max(axis=1)
+    on_ring = on_films[:, 0].sum(axis=1) + terms.capacitance * s.bearing_voltage
+    on_ring += terms.coupling * (s.bearing_voltage - terms.driving)
+    return np.maximum(ball, np.abs(on_ring - s.ring_charge))
+
+
+def _events(fine, s: Solution, breakdown):
+    rows = []
+    if s.discharges:
+        local = breakdown.local_thickness(fine)
+        for number, (point, one) in enumerate(s.discharges.items(), 1):
+            for order, failure in enumerate(one.failures, 1):
+                place = {"discharge": number, "order": order}
+                rows.append(_row(fine, local[point], point, failure) | place)
+    table = pd.DataFrame(rows, columns=list(EVENT_UNITS))
+    table.attrs["units"] = EVENT_UNITS
+    return table
+
+
+def _row(fine, local, point, failure):
+    ball, thickness = failure.ball, local[failure.raceway, failure.ball]
+    return {
+        "time": fine.time[point],
+        "ball": fine.balls[ball],
+        "raceway": RACEWAYS[failure.raceway],
+        "azimuth": fine.azimuth[point, ball],
+        "from_load_line": fine.from_load_line[point, ball],
+        "bearing_voltage": failure.bearing_voltage,
+        "bearing_voltage_after": failure.bearing_voltage_after,
+        "film_voltage": failure.film_voltage,
+        "local_thickness": thickness,
+        "field": failure.film_voltage / thickness,
+        "film_energy": failure.film_energy,
+        "energy": failure.energy,
+    }

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The films of a bearing over time: capacitance, thickness and conductance of every contact
+(docs/electric_circuit, Films)."""
+
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from raceway.arrays import Floats, Integers
+from raceway.electric.leak import Leak
+from raceway.errors import RunError
+from raceway.runs.run import Run
+
+TOTAL, PLATES = "capacitance_total", "capacitance"  # columns, the better first
+APART, FILM = "separation", "h_c"
+
+
+@dataclass(frozen=True)
+class Films:
+    """What the network needs of a bearing with Z balls at n points of time.
+
+    Axis 1 of the films is the raceway, 0 inner and 1 outer. A film with capacitance 0 is open: no
+    displacement current passes it.
+    """
+
+    time: Floats  # (n,) s, rising
+    capacitance: Floats  # (n, 2, Z) F
+    thickness: Floats  # (n, 2, Z) m; NaN where there is none
+    conductance: Floats  # (n, 2, Z) S
+    azimuth: Floats  # (n, Z) rad, of the balls from x
+    from_load_line: Floats  # (n, Z) rad, from the centre of the loaded zone
+    balls: Integers  # (Z,) atom numbers
+    roughness: float = 0.0  # m, composite
+    leaking: bool = False  # whether a film without metal in it conducts
+    metallic: Floats | None = None  # (n, 2, Z) 1 where asperities conduct
+
+    def __post_init__(self) -> None:
+        if len(self.time) < 2 or not (np.diff(self.time) > 0).all():
+            raise ValueError("films need at least two points of time, and times that rise")
+        for name in ("capacitance", "conductance"):
+            values = getattr(self, name)
+            if not (np.isfinite(values).all() and (values >= 0).all()):
+                raise ValueError(f"{name} of a film must be 0 or more, and finite")
+
+    def refined(self, substeps: int) -> "Films":
+        """The same films with `substeps` equal steps in place of one, everything linear in between.
+
+        Raises `ValueError` for less than one.
+        """
+        if substeps < 1 or substeps != int(substeps):
+            raise ValueError(f"substeps = {substeps} must be a whole number from 1")
+        if substeps == 1:
+            return self
+        turned = {name: np.unwrap(getattr(self, name), axis=0) for name in ANGLES}
+        data = {name: getattr(self, name) for name in OVER_TIME} | turned
+        fine = {
+            name: None if values is None else _between(values, substeps)
+            for name, values in data.items()
+        }
+        for name in ANGLES:
+            fine[name] = np.mod(fine[name] + np.pi, 2 * np.pi) - np.pi
+        return replace(self, **fine)
+
+
+ANGLES = ("azimuth", "from_load_line")
+OVER_TIME = ("time", "capacitance", "thickness", "conductance", "metallic")
+
+
+class Series(NamedTuple):
+    """Capacitances without charge on the balls."""
+
+    ball: Floats  # (n, Z) inner and outer film of a ball in series, F
+    bearing: Floats  # (n,) their sum, F
+
+
+def series(capacitance: Floats) -> Series:
+    """Of films with `capacitance` (n, 2, Z), F."""
+    inner, outer = capacitance[:, 0], capacitance[:, 1]
+    both = inner + outer
+    ball = np.divide(inner * outer, both, out=np.zeros_like(both), where=both > 0)
+    return Series(ball, ball.sum(axis=1))
+
+
+def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
+    """The films of `run` from `raceway.open`: capacitance of all of the contact where the run
+    recorded it (`capacitance_total`), else that of the contact ellipse.
+
+    `leak` makes them conduct; `stray` (F) is added to every film. Raises `RunError` for a run that
+    lacks what is needed.
+    """
+    if run.settings["lubricant"] == "dry":
+        raise RunError(f"{run.tables.folder}: a dry run has no films")
+    return of_dataset(
+        run.contacts,
+        leak,
+        stray,
+        permittivity=run.settings["permittivity"],
+        roughness=run.settings["roughness_m"],
+        balls=run.balls,
+        name=str(run.tables.folder),
+    )
+
+
+def of_dataset(
+    contacts: xr.Dataset,
+    leak: Leak | None = None,
+    stray: float = 0.0,
+    *,
+    permittivity: float | None = None,
+    roughness: float = 0.0,
+    balls: xr.Dataset | None = None,
+    name: str = "the dataset",
+) -> Films:
+    """The films of a dataset with dimensions time, raceway and ball, as `run.contacts` is.
+
+    `permittivity` (1) is that of the lubricant at rest, `roughness` (m) that of both surfaces.
+    `balls` has the azimuths of balls without contact; without it `contacts` has the azimuths.
+    `name` is for messages. Raises `RunError` where a column is missing or a value is no number.
+    """
+    if not stray >= 0:
+        raise ValueError(f"stray = {stray:g} F must be 0 or more")
+    capacitance = _column(contacts, (TOTAL, PLATES), name)
+    if not np.isfinite(capacitance).all():
+        raise RunError(f"{name}: a capacitance is not a number")
+    conductance, metallic = np.zeros_like(capacitance), None
+    if leak is not None:
+        conductance, metallic = leak.of(capacitance, contacts, permittivity, name)
+    azimuth, line = (_angle(contacts, balls, angle) for angle in ANGLES)
+    return Films(
+        contacts["time"].to_numpy(),
+        capacitance + stray,
+        _column(contacts, (APART, FILM), name),
+        conductance,
+        azimuth,
+        line,
+        contacts["ball"].to_numpy().astype(int),
+        roughness,
+        leak is not None and leak.resistivity is not None,
+        metallic,
+    )
+
+
+def _column(contacts, names, what):
+    for one in names:
+        if one in contacts:
+            return contacts[one].transpose("time", "raceway", "ball").to_numpy().astype(float)
+    raise RunError(f"{what} has neither the column {names[0]} nor {names[1]}")
+
+
+def _angle(contacts, balls, name):
+    if balls is not None and name in balls.coords:
+        return balls[name].transpose("time", "ball").to_numpy()
+    if name not in contacts.coords:
+        return np.full((contacts.sizes["time"], contacts.sizes["ball"]), np.nan)
+    both = contacts[name].transpose("time", "raceway", "ball").to_numpy()
+    return np.where(np.isnan(both[:, 0]), both[:, 1], both[:, 0])
+
+
+def _between(values, substeps):
+    """`values` (n, ...) on n - 1 times `substeps` + 1 points, linear; the samples' own exactly."""
+    share = (np.arange(substeps) / substeps).reshape(1, -1, *(1,) * (values.ndim - 1))
+    first, last = values[:-1, None], values[1:, None]
+    fine = np.where(share == 0, first, first + share * (last - first))
+    return np.concatenate([fine.reshape(-1, *values.shape[1:]), values[-1:]])

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What passes through a film that is whole (docs/electric_circuit, Leak)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.theory.capacitance import VACUUM
+
+
+@dataclass(frozen=True)
+class Leak:
+    """Conduction of films: of the lubricant by its `resistivity` (ohm m), of asperities by the
+    resistance `metal` (ohm) of a contact.
+
+    Asperities conduct where they carry more than `share` of the contact's load. Either may be None:
+    it does not conduct. `permittivity` (1) of the lubricant is the run's unless given.
+    """
+
+    resistivity: float | None = None
+    metal: float | None = None
+    share: float = 0.0
+    permittivity: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, unit in (("resistivity", "ohm m"), ("metal", "ohm")):
+            value = getattr(self, name)
+            if value is not None and not 0 < value < np.inf:
+                raise ValueError(f"{name} = {value:g} {unit} must be positive")
+        if not 0 <= self.share < 1:
+            raise ValueError(f"share = {self.share:g} must lie from 0 to 1, 1 not included")
+        if self.permittivity is not None and not self.permittivity >= 1:
+            raise ValueError(f"permittivity = {self.permittivity:g} must be 1 or more")
+
+    def of(
+        self,
+        capacitance: Floats,
+        contacts: xr.Dataset,
+        permittivity: float | None,
+        name: str,
+    ) -> tuple[Floats, Floats | None]:
+        """(conductance in S, 1 where asperities conduct) of films with `capacitance` (n, 2, Z), F.
+
+        The second is None without `metal`. `contacts` has the column `asperity_share` where metal
+        is asked for, else `RunError` with `name`.
+        """
+        conductance = np.zeros_like(capacitance)
+        if self.resistivity is not None:
+            relative = self.permittivity or permittivity
+            if relative is None:
+                raise ValueError("a leak by resistivity needs the permittivity of the lubricant")
+            conductance += capacitance / relaxation_time(self.resistivity, relative)
+        if self.metal is None:
+            return conductance, None
+        if "asperity_share" not in contacts:
+            raise RunError(f"{name}: metallic films need the column asperity_share")
+        carried = contacts["asperity_share"].transpose("time", "raceway", "ball").to_numpy()
+        metallic = np.where(np.nan_to_num(carried) > self.share, 1.0, 0.0)
+        return conductance + metallic / self.metal, metallic
+
+
+def relaxation_time(resistivity: float, permittivity: float) -> float:
+    """R C of any gap that one lubricant fills, s: resistivity (ohm m) times permittivity.
+
+    >>> round(relaxation_time(1e9, 2.25), 6)
+    0.019922
+    """
+    return resistivity * VACUUM * permittivity

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What hangs between the rings of a bearing (docs/electric_circuit, Outer circuit).
+
+The outer ring is the frame, at 0 V. Every outer circuit comes down to `Terms`, so the network knows
+one kind.
+"""
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.electric.waveforms import Constant, Waveform
+
+
+class Terms(NamedTuple):
+    """An outer circuit at the points of a solution, n of them."""
+
+    capacitance: Floats  # (n,) of the inner ring to the frame, beside the bearing's own films, F
+    coupling: float  # from the driving voltage to the inner ring, F
+    conductance: float  # likewise, S; infinite: the inner ring is at the driving voltage
+    driving: Floats  # (n,) V
+    start: float  # V of the inner ring at the first point where no voltage drives it
+
+    @property
+    def stiff(self) -> bool:
+        """Whether the driving voltage is that of the inner ring."""
+        return np.isinf(self.conductance)
+
+
+@dataclass(frozen=True)
+class Floating:
+    """No outer circuit: the inner ring keeps the charge that `voltage` (V) puts on it at the
+    start. `capacitance` (F) lies beside the bearing."""
+
+    voltage: float = 0.0
+    capacitance: float = 0.0
+    waveform: Waveform = field(default=Constant(0.0), init=False)
+
+    def __post_init__(self) -> None:
+        _not_negative("capacitance", self.capacitance, "F")
+
+    def terms(self, time: Floats, bearing: Floats) -> Terms:
+        """The `Terms` at `time` (s) with the capacitance of the `bearing` (F) there."""
+        beside = np.full(len(time), self.capacitance)
+        return Terms(beside, 0.0, 0.0, self.waveform(time), self.voltage)
+
+
+@dataclass(frozen=True)
+class Source:
+    """The voltage `waveform` through `resistance` (ohm, may be 0). `capacitance` (F) lies beside
+    the bearing."""
+
+    waveform: Waveform
+    resistance: float = 0.0
+    capacitance: float = 0.0
+
+    def __post_init__(self) -> None:
+        _not_negative("resistance", self.resistance, "ohm")
+        _not_negative("capacitance", self.capacitance, "F")
+
+    def terms(self, time: Floats, bearing: Floats) -> Terms:
+        """The `Terms` at `time` (s) with the capacitance of the `bearing` (F) there."""
+        conductance = 1.0 / self.resistance if self.resistance else np.inf
+        beside = np.full(len(time), self.capacitance)
+        return Terms(beside, 0.0, conductance, self.waveform(time), 0.0)
+
+
+@dataclass(frozen=True)
+class Motor:
+    """The capacitances of a motor: the common-mode voltage `waveform` through `winding_rotor` (F),
+    the rotor to the frame through `rotor_frame` (F) and through the other bearing.
+
+    The other bearing has the capacitance `second` (F), or `second_factor` times that of this one.
+    `capacitance` (F) lies beside the bearing.
+    """
+
+    waveform: Waveform
+    winding_rotor: float
+    rotor_frame: float
+    second: float = 0.0
+    second_factor: float = 0.0
+    capacitance: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not self.winding_rotor > 0:
+            raise ValueError(f"winding_rotor = {self.winding_rotor:g} F must be positive")
+        for name in ("rotor_frame", "second", "capacitance"):
+            _not_negative(name, getattr(self, name), "F")
+        _not_negative("second_factor", self.second_factor, "")
+        if self.second and self.second_factor:
+            raise ValueError("give the other bearing as a capacitance or as a factor, not as both")
+
+    def terms(self, time: Floats, bearing: Floats) -> Terms:
+        """The `Terms` at `time` (s) with the capacitance of the `bearing` (F) there."""
+        beside = self.rotor_frame + self.second + self.capacitance + self.second_factor * bearing
+        return Terms(beside, self.winding_rotor, 0.0, self.waveform(time), 0.0)
+
+
+Outer = Floating | Source | Motor
+
+
+def _not_negative(name, value, unit):
+    if not 0 <= value < np.inf:
+        raise ValueError(f"{name} = {value:g} {unit} must be 0 or more".replace("  ", " "))

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Voltages over time that drive an outer circuit (docs/electric_circuit).
+
+A waveform is called with an array of times (s) and gives volts. `shortest` is the shortest time (s)
+over which it changes, infinite where nothing bounds the step.
+"""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.files import FilePath
+
+PER_CYCLE = 8  # points that a period needs at least
+
+
+class Waveform(Protocol):
+    """What an outer circuit needs of a voltage."""
+
+    @property
+    def shortest(self) -> float:
+        """The shortest period, s."""
+
+    def __call__(self, time: Floats) -> Floats:
+        """Volts at `time` (s), any shape."""
+
+
+@dataclass(frozen=True)
+class Constant:
+    """`voltage` (V) at all times."""
+
+    voltage: float
+    shortest = float("inf")
+
+    def __call__(self, time: Floats) -> Floats:
+        """Volts at `time` (s), any shape."""
+        return np.full(np.shape(time), float(self.voltage))
+
+
+@dataclass(frozen=True)
+class Sine:
+    """`amplitude` (V) times the sine of 2 pi `frequency` (Hz) t + `phase` (rad)."""
+
+    amplitude: float
+    frequency: float
+    phase: float = 0.0
+
+    def __post_init__(self) -> None:
+        _positive("frequency", self.frequency, "Hz")
+
+    @property
+    def shortest(self) -> float:
+        """The period, s."""
+        return 1.0 / self.frequency
+
+    def __call__(self, time: Floats) -> Floats:
+        """Volts at `time` (s), any shape."""
+        return self.amplitude * np.sin(2 * np.pi * self.frequency * time + self.phase)
+
+
+@dataclass(frozen=True)
+class CommonMode:
+    """Common-mode voltage of a three-phase inverter with two levels: the mean of its three legs.
+
+    A leg is at half the voltage of the direct-current link, `link` (V), while `modulation` times
+    the sine of its phase is not below a triangle of `carrier` (Hz), else at minus that.
+    `fundamental` (Hz) is the frequency of the phases. Four levels: +-link/2 and +-link/6.
+    """
+
+    link: float
+    carrier: float
+    fundamental: float
+    modulation: float
+
+    def __post_init__(self) -> None:
+        _positive("carrier", self.carrier, "Hz")
+        _positive("fundamental", self.fundamental, "Hz")
+        if not 0 <= self.modulation <= 1:
+            raise ValueError(f"modulation = {self.modulation:g} must lie from 0 to 1")
+
+    @property
+    def shortest(self) -> float:
+        """The period of the carrier, s."""
+        return 1.0 / self.carrier
+
+    def __call__(self, time: Floats) -> Floats:
+        """Volts at `time` (s), any shape."""
+        cycles = self.carrier * np.asarray(time)
+        triangle = 4 * np.abs(cycles - np.floor(cycles) - 0.5) - 1  # +1 at 0
+        on = sum(
+            self.modulation * np.sin(2 * np.pi * (self.fundamental * time - leg / 3)) >= triangle
+            for leg in range(3)
+        )
+        return self.link * (np.asarray(on, dtype=float) / 3 - 0.5)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Straight lines between `voltages` (V) at `times` (s, rising); its ends hold before and
+    after."""
+
+    times: Floats
+    voltages: Floats
+    shortest = float("inf")
+
+    def __post_init__(self) -> None:
+        times, voltages = np.asarray(self.times, float), np.asarray(self.voltages, float)
+        if times.ndim != 1 or times.shape != voltages.shape or len(times) < 2:
+            raise ValueError("a table of voltages needs two columns with at least two rows")
+        if not (np.isfinite(times).all() and np.isfinite(voltages).all()):
+            raise ValueError("a table of voltages must hold finite numbers")
+        if not (np.diff(times) > 0).all():
+            row = int(np.argmin(np.diff(times) > 0)) + 2
+            raise ValueError(f"times of a table must rise: row {row} has {times[row - 1]:g} s")
+
+    def __call__(self, time: Floats) -> Floats:
+        """Volts at `time` (s), any shape."""
+        return np.interp(time, self.times, self.voltages)
+
+
+def read_table(path: FilePath) -> Table:
+    """The `Table` in the text file `path`: a row `s V` per point, `#` starts a comment.
+
+    Raises `RunError` where the file cannot be read or is no such table.
+    """
+    try:
+        rows = np.loadtxt(path, ndmin=2)
+        if rows.shape[1] != 2:
+            raise ValueError(f"{rows.shape[1]} columns, not 2")
+        return Table(rows[:, 0], rows[:, 1])
+    except (OSError, ValueError) as error:
+        raise RunError(f"{path} is no table of seconds and volts: {error}") from None
+
+
+def _positive(name, value, unit):
+    if not value > 0:
+        raise ValueError(f"{name} = {value:g} {unit} must be positive")

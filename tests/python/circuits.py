@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Films of known content, for the tests of the circuit."""
+
+import numpy as np
+from raceway.electric.films import Films
+
+PICO = 1e-12
+
+
+def films(capacitance, time=None, thickness=200e-9, conductance=0.0, roughness=0.0):
+    """`Films` of `capacitance` (n, 2, Z), F; `thickness` (m) and `conductance` (S) as given."""
+    capacitance = np.asarray(capacitance, dtype=float)
+    n, _, z = capacitance.shape
+    azimuth = np.linspace(0, 0.5, n)[:, None] + 2 * np.pi * np.arange(z) / z
+    azimuth = np.mod(azimuth + np.pi, 2 * np.pi) - np.pi
+    return Films(
+        np.linspace(0, 0.01, n) if time is None else np.asarray(time, dtype=float),
+        capacitance,
+        np.broadcast_to(thickness, capacitance.shape).astype(float),
+        np.broadcast_to(conductance, capacitance.shape).astype(float),
+        azimuth,
+        azimuth,
+        np.arange(1, z + 1),
+        roughness,
+        bool(np.any(conductance)),
+    )
+
+
+def steady(inner, outer, n=3, **more):
+    """`n` points with the same capacitances (Z,), F."""
+    return films(np.tile([inner, outer], (n, 1, 1)), **more)
+
+
+def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
+    """Films of balls that pass a load: every capacitance and thickness is another and changes."""
+    rng = np.random.default_rng(seed)
+    angle = 2 * np.pi * (np.arange(z) / z + np.linspace(0, 1.3, n)[:, None])[:, None]
+    least = rng.uniform(5, 15, (1, 2, z)) * PICO
+    most = rng.uniform(40, 90, (1, 2, z)) * PICO
+    load = 0.5 + 0.5 * np.cos(angle)
+    low, high = thickness
+    return films(least + most * load**2, thickness=high - (high - low) * load, **more)
