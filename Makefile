@@ -16,7 +16,7 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 .PHONY: run build test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
-PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv
+PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv libngspice0
 CXX_MPI := mpicxx.openmpi
 # Bits must not depend on what the compiler fuses or on the building machine: no contraction, no -march=native.
 OPTIMISE := -O3

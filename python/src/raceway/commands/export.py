@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway export DIR --format vtk|xyz`: a run for ParaView or OVITO."""
+"""`raceway export DIR --format vtk|xyz|spice`: a run for ParaView, OVITO or SPICE."""
 
 import argparse
 from pathlib import Path
 
 from raceway.commands import Commands
+from raceway.commands.quantity import number
 
 DESCRIPTION = """\
 Write a run as files that other programs open as they are:
@@ -12,11 +13,14 @@ Write a run as files that other programs open as they are:
         load, film, capacitance) and of the raceway tori (surfaces)
   xyz   for OVITO: bearing.xyz (extended XYZ, the same columns), inner_raceway.obj,
         outer_raceway.obj
+  spice for SPICE: bearing.cir (subcircuits of capacitances that follow the run), bearing.pwl (a
+        table of time, capacitance and leak resistance)
 Real positions, nothing exaggerated; SI units."""
 EXAMPLES = """\
 examples:
   raceway export build/run/6208 --format vtk              build/run/6208/vtk/bearing.pvd
   raceway export build/run/6208 --format xyz --every 1 --out for_ovito
+  raceway export build/run/6208 --format spice --resistivity 1e9
 
 In ParaView: open bearing.pvd, Apply; Glyph of type Sphere, Scale Array radius, Scale Factor 2,
 shows the balls.
@@ -27,38 +31,58 @@ def add(commands: Commands) -> None:
     """Put the command into the parser's `commands`."""
     one = commands.add_parser(
         "export",
-        help="files for ParaView and OVITO",
+        help="files for ParaView, OVITO and SPICE",
         description=DESCRIPTION,
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
     one.add_argument(
-        "--format", choices=("vtk", "xyz"), required=True, help="vtk for ParaView, xyz for OVITO"
+        "--format",
+        choices=("vtk", "xyz", "spice"),
+        required=True,
+        help="vtk for ParaView, xyz for OVITO, spice for SPICE",
     )
     one.add_argument(
         "--every",
         type=_every,
         metavar="N",
-        help="every Nth sample (default: so that at most 200 are left)",
+        help="every Nth sample (default: so that at most 200 are left; spice: all)",
+    )
+    one.add_argument(
+        "--resistivity",
+        type=number(1e3, 1e18, "ohm m"),
+        metavar="OHM_M",
+        help="spice: of the lubricant (default: films do not leak)",
     )
     one.add_argument("--out", metavar="DIR", help="folder to write into (default: DIR/FORMAT)")
-    one.set_defaults(command=run)
+    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Write the files and print the one to open."""
+    out = arguments.out or Path(arguments.folder) / arguments.format
+    if arguments.format == "spice":
+        print(_element(arguments, out))
+        return
+    if arguments.resistivity is not None:
+        arguments.complain("--resistivity goes with --format spice")
     from raceway.export import ovito, paraview
     from raceway.runs.tables import RunTables
 
     write = {"vtk": paraview.write, "xyz": ovito.write}[arguments.format]
-    print(
-        write(
-            RunTables(arguments.folder),
-            arguments.out or Path(arguments.folder) / arguments.format,
-            arguments.every,
-        )
-    )
+    print(write(RunTables(arguments.folder), out, arguments.every))
+
+
+def _element(arguments, out):
+    import raceway
+    from raceway.electric import spice
+    from raceway.electric.films import of_run
+    from raceway.electric.leak import Leak
+
+    leak = Leak(arguments.resistivity) if arguments.resistivity else None
+    films = of_run(raceway.open(arguments.folder), leak)
+    return spice.write(films.every(arguments.every or 1), out)
 
 
 def _every(text):

@@ -13,7 +13,7 @@ from raceway.electric.films import Films
 from raceway.electric.leak import Leak
 from raceway.electric.network import Solution
 from raceway.electric.outer import Motor, Outer, Terms
-from raceway.electric.waveforms import PER_CYCLE
+from raceway.electric.waveforms import FEWEST, PER_CYCLE
 from raceway.runs.run import Run
 
 RACEWAYS = ("inner", "outer")
@@ -64,14 +64,15 @@ def run(
     breakdown: Breakdown | None = None,
     leak: Leak | None = None,
     *,
-    substeps: int = 1,
+    substeps: int | None = None,
     stray: float = 0.0,
 ) -> Result:
     """The circuit of a bearing and the circuit `outer` between its rings over the samples of `of`.
 
     `of` is a run from `raceway.open`, a dataset like its `contacts`, or `Films` (which have their
     own leak and stray). Films fail by `breakdown`, None: never, and conduct by `leak`, None: not at
-    all. `substeps` points a sample, linear in between; a voltage that changes fast needs them.
+    all. `substeps` points a sample, linear in between; None: as many as give a period of the
+    voltage of `outer` `PER_CYCLE` points.
     `stray` (F) is added to every film. Voltages of the dataset are those after a discharge. Events
     have the columns of `EVENT_UNITS`; `energy` includes what the charges of other films lose.
 
@@ -84,8 +85,7 @@ def run(
         coarse = of
     else:
         coarse = (films.of_run if isinstance(of, Run) else films.of_dataset)(of, leak, stray)
-    fine = coarse.refined(substeps)
-    _need_points(fine, outer, substeps)
+    fine = coarse.refined(_points(coarse, outer, substeps))
     terms = outer.terms(fine.time, films.series(fine.capacitance).bearing)
     limit = breakdown.limit(fine) if breakdown else None
     solution = network.solve(fine, terms, limit)
@@ -93,15 +93,19 @@ def run(
     return Result(data, _events(fine, solution, breakdown))
 
 
-def _need_points(fine, outer, substeps):
-    longest, shortest = np.diff(fine.time).max(), outer.waveform.shortest
-    # a step that is just the eighth of a period may be longer by rounding
-    if longest * PER_CYCLE > shortest * (1 + 1e-9):
-        needed = int(np.ceil(substeps * longest * PER_CYCLE / shortest * (1 - 1e-9)))
+def _points(coarse, outer, substeps):
+    """A sample, with an eye on the shortest period of the voltage."""
+    longest, shortest = np.diff(coarse.time).max(), outer.waveform.shortest
+    if substeps is None:
+        return max(1, int(np.ceil(PER_CYCLE * longest / shortest)))
+    # a step that is just so long may be longer by rounding
+    least = int(np.ceil(FEWEST * longest / shortest * (1 - 1e-9)))
+    if substeps < least:
         raise ValueError(
-            f"a step of {longest:g} s is too long for a period of {shortest:g} s: substeps ="
-            f" {substeps} must be at least {needed}"
+            f"substeps = {substeps} must be at least {least}: a sample takes {longest:g} s, a"
+            f" period of the voltage {shortest:g} s"
         )
+    return substeps
 
 
 def _dataset(fine, outer, terms, s, breakdown, limit):

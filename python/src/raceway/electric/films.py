@@ -44,6 +44,12 @@ class Films:
             if not (np.isfinite(values).all() and (values >= 0).all()):
                 raise ValueError(f"{name} of a film must be 0 or more, and finite")
 
+    def every(self, count: int) -> "Films":
+        """Every `count`th point of the same films, from the first on."""
+        kept = {name: getattr(self, name) for name in (*OVER_TIME, *ANGLES)}
+        thin = {name: x if x is None else x[::count] for name, x in kept.items()}
+        return replace(self, **thin)
+
     def refined(self, substeps: int) -> "Films":
         """The same films with `substeps` equal steps in place of one, everything linear in between.
 

@@ -14,7 +14,7 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.files import FilePath
 
-PER_CYCLE = 8  # points that a period needs at least
+PER_CYCLE, FEWEST = 20, 8  # points in a period unless asked for, and at least
 
 
 class Waveform(Protocol):

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A bearing as an element of SPICE: capacitances and leaks that follow a run, straight lines
+between its samples (docs/electric_circuit, Export).
+
+A capacitance that changes is written by its charge, Q = C(t) V: a capacitor with `C=` expressions
+would leave out the current V dC/dt. Tried with ngspice.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.electric.films import Films, series
+from raceway.files import FilePath, folder, whole
+
+RACEWAYS = ("inner", "outer")
+FARADS, SIEMENS = 1e-12, 1e-9  # a volt of a controlling node
+# no node without a path for direct current; against 10 pF a time constant of 10 000 s
+LARGE = 1e15
+PER_LINE = 4
+NAME = "bearing"
+
+
+def element(films: Films, name: str = NAME) -> str:
+    """Two subcircuits with the terminals inner and outer, as text: `name` with every ball as a
+    node, and `name`_total with the capacitance and the leak of the bearing as one.
+
+    They are alike as long as balls have no charge, which leaks bring where they divide the voltage
+    in another way than capacitances.
+    """
+    return "\n".join([*_heading(films, name), *_network(films, name), "", *_total(films, name), ""])
+
+
+def write(films: Films, out: FilePath, name: str = NAME) -> Path:
+    """Write `element` as `name`.cir and the table of `write_lines` as `name`.pwl into the folder
+    `out`; return the path of the first. Raises `RunError` when that cannot be done."""
+    out = folder(out)
+    write_lines(films, out / f"{name}.pwl")
+    text = element(films, name)
+    return whole(out / f"{name}.cir", lambda part: part.write_text(text, encoding="ascii"))
+
+
+def write_lines(films: Films, path: FilePath) -> None:
+    """Write the bearing as one to the text file `path`: time (s), capacitance (F), resistance of
+    the leak (ohm, inf without one), a row a sample. Raises `RunError` when that cannot be done."""
+    with np.errstate(divide="ignore"):
+        table = np.stack(
+            [films.time, series(films.capacitance).bearing, 1 / leak(films)],
+            axis=1,
+        )
+    heading = "time_s capacitance_F leak_ohm"
+    whole(path, lambda part: np.savetxt(part, table, "%.17g", header=heading))
+
+
+def leak(films: Films) -> Floats:
+    """Conductance between the rings at the samples, (n,) S: the films of a ball in series."""
+    return series(films.conductance).bearing
+
+
+def _heading(films, name):
+    yield f"* {name}: {len(films.balls)} balls, {films.time[0]:g} to {films.time[-1]:g} s"
+    yield "* controlling nodes: 1 V is 1 pF or 1 nS. Films are whole: there is no breakdown."
+    yield f"* use: X1 a b {name}, with .tran ... uic"
+
+
+def _network(films: Films, name: str) -> Iterator[str]:
+    yield f".subckt {name} inner outer"
+    for place, ball in enumerate(films.balls):
+        middle = f"ball{ball}"
+        for side, ends in enumerate((("inner", middle), (middle, "outer"))):
+            label = f"{RACEWAYS[side]}{ball}"
+            column = (slice(None), side, place)
+            capacitance, conductance = films.capacitance[column], films.conductance[column]
+            yield from _film(films, label, ends, capacitance, conductance)
+    yield f".ends {name}"
+
+
+def _total(films, name):
+    total = f"{name}_total"
+    yield f".subckt {total} inner outer"
+    yield from _film(
+        films, "all", ("inner", "outer"), series(films.capacitance).bearing, leak(films)
+    )
+    yield f".ends {total}"
+
+
+def _film(films, label, ends, capacitance, conductance):
+    voltage = f"v({','.join(ends)})"
+    two = " ".join(ends)
+    yield from _lines_of(f"c_{label}", films.time, capacitance / FARADS)
+    yield f"C_{label} {two} Q='{FARADS:g}*v(c_{label})*{voltage}'"
+    if conductance.any():
+        yield from _lines_of(f"g_{label}", films.time, conductance / SIEMENS)
+        yield f"B_{label} {two} I={SIEMENS:g}*v(g_{label})*{voltage}"
+    yield f"R_{label} {two} {LARGE:g}"
+
+
+def _lines_of(node, time, values):
+    """A source that puts `values` on `node`, straight lines between them."""
+    yield f"V_{node} {node} 0 PWL("
+    points = [f"{t:.17g} {value:.17g}" for t, value in zip(time - time[0], values)]
+    for start in range(0, len(points), PER_LINE):
+        yield "+ " + "  ".join(points[start : start + PER_LINE])
+    yield "+ )"
