@@ -52,7 +52,7 @@ def test_current_into_a_capacitance_that_changes():
 @pytest.mark.parametrize("outer", [MOTOR, Source(Sine(20.0, 900.0)), Floating(12.0)])
 def test_without_breakdown_it_is_series_and_parallel(outer):
     given = turning()
-    data = circuit.run(given, outer, substeps=1).data
+    data = circuit.run(given, outer, points=1).data
     ball, bearing = series(given.capacitance)
     driving = outer.waveform(given.time)
     expected = {
@@ -77,10 +77,10 @@ def test_both_ways_to_solve_agree():
     )
 
 
-def test_substeps_are_points_of_a_finer_record():
+def test_points_are_points_of_a_finer_record():
     coarse = turning(n=41)
-    fine = circuit.run(coarse.refined(5), MOTOR, substeps=1).data
-    data = circuit.run(coarse, MOTOR, substeps=5).data
+    fine = circuit.run(coarse.refined(5), MOTOR, points=1).data
+    data = circuit.run(coarse, MOTOR, points=5).data
     assert data.sizes["time"] == 201
     np.testing.assert_array_equal(data.bearing_voltage, fine.bearing_voltage)
     np.testing.assert_array_equal(data.film_capacitance[::5], coarse.capacitance)
@@ -145,9 +145,9 @@ def test_leak_and_resistance_are_of_second_order():
     coarse = films(coarse.capacitance, conductance=coarse.capacitance / tau)
     reference = exact(coarse, outer)
     errors = []
-    for substeps in (2, 4, 8):
-        data = circuit.run(coarse, outer, substeps=substeps).data
-        errors.append(np.abs(data.bearing_voltage.to_numpy()[::substeps] - reference).max())
+    for points in (2, 4, 8):
+        data = circuit.run(coarse, outer, points=points).data
+        errors.append(np.abs(data.bearing_voltage.to_numpy()[::points] - reference).max())
     assert errors[0] < 0.01 * np.abs(reference).max()
     # the kinks of C(t) are points, so nothing spoils the order
     assert [a / b for a, b in zip(errors, errors[1:])] == pytest.approx([4, 4], abs=0.6)
@@ -186,7 +186,7 @@ CASES = {
 def test_charge_is_conserved(name):
     """Charges that currents carried are those of the voltages, to rounding."""
     given, outer, breakdown = CASES[name]
-    result = circuit.run(given, outer, breakdown, substeps=1)
+    result = circuit.run(given, outer, breakdown, points=1)
     assert breakdown is None or len(result.events)
     film = result.data.film_voltage.to_numpy()
     largest = np.abs(given.capacitance * film).max() + 300 * 50 * PICO * isinstance(outer, Motor)
@@ -196,7 +196,7 @@ def test_charge_is_conserved(name):
 @pytest.mark.parametrize("name", CASES)
 def test_energy_is_balanced(name):
     given, outer, breakdown = CASES[name]
-    data = circuit.run(given, outer, breakdown, substeps=1).data
+    data = circuit.run(given, outer, breakdown, points=1).data
     assert float(np.abs(data.energy_error).max()) < 1e-13 * float(data.stored_energy.max())
     end = data.isel(time=-1)
     out = end.leak_heat + end.resistor_heat + end.discharge_energy + end.stored_energy
@@ -215,7 +215,7 @@ def test_each_term_of_the_energy_is_of_second_order():
     outer = Source(Sine(10.0, 150.0), 1e6)
     names = ["source_work", "mechanical_work", "leak_heat", "resistor_heat"]
     ends = {
-        m: circuit.run(given, outer, substeps=m).data[names].isel(time=-1).to_array()
+        m: circuit.run(given, outer, points=m).data[names].isel(time=-1).to_array()
         for m in (4, 8, 256)
     }
     error = {m: np.abs(ends[m] - ends[256]).to_numpy() for m in (4, 8)}
@@ -364,7 +364,7 @@ def test_charge_that_loses_its_films():
 # ---- runs --------------------------------------------------------------------------------------
 def test_a_run(folder):
     run = raceway.open(folder)
-    result = circuit.run(run, MOTOR, WEAK, Leak(1e9), substeps=24)
+    result = circuit.run(run, MOTOR, WEAK, Leak(1e9), points=24)
     data = result.data
     np.testing.assert_allclose(
         data.bearing_capacitance[::24], run.bearing["capacitance"], rtol=1e-12
@@ -435,11 +435,11 @@ def test_table_from_a_file(tmp_path):
         (lambda: Breakdown(1e6, "wavy"), "surfaces = 'wavy' must be rough or smooth"),
         (lambda: Leak(-1.0), "resistivity = -1 ohm m must be positive"),
         (lambda: Leak(share=1.0), "share = 1 must lie from 0 to 1"),
-        (lambda: circuit.run(turning(), Floating(), substeps=0), "substeps = 0 must be a whole"),
+        (lambda: circuit.run(turning(), Floating(), points=0), "points = 0 must be a whole"),
         (lambda: circuit.run(turning(), Source(Constant(1.0)), WEAK), "give it a resistance"),
         (
-            lambda: circuit.run(turning(n=11), Source(Sine(1.0, 1e3)), substeps=1),
-            "substeps = 1 must be at least 8: a sample takes 0.001 s",
+            lambda: circuit.run(turning(n=11), Source(Sine(1.0, 1e3)), points=1),
+            "points = 1 must be at least 8: a sample takes 0.001 s",
         ),
         (lambda: circuit.run(turning(), Floating(), stray=1e-12), "belong to the films"),
     ],

@@ -39,6 +39,7 @@ def loaded(*arguments):
         "animate",
         "export",
         "spectrum",
+        "circuit",
         "static",
         "heat",
         "electric",

@@ -31,7 +31,7 @@ def compare(given, outer, lines, tmp_path, wanted, step=4e-6):
     found = ngspice.run(
         f"test\n{spice.element(given)}\n{lines}\n{OPTIONS}{tran}.end\n", tmp_path, list(wanted)
     )
-    data = circuit.run(given, outer, substeps=20).data
+    data = circuit.run(given, outer, points=20).data
     for name, select in wanted.items():
         ours = select(data)
         theirs = np.interp(ours.time, found["time"], found[name])
@@ -75,7 +75,7 @@ def test_current_of_moving_plates(tmp_path):
         tmp_path,
         ["vs#branch"],
     )
-    data = circuit.run(given, Source(Table([0, 1e-3], [0, 6])), substeps=20).data
+    data = circuit.run(given, Source(Table([0, 1e-3], [0, 6])), points=20).data
     middle = (data.time[1:] + data.time.values[:-1]) / 2  # of no kink
     theirs = -np.interp(middle, found["time"], found["vs#branch"])
     ours = data.current.to_numpy()[1:]

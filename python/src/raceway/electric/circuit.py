@@ -64,14 +64,14 @@ def run(
     breakdown: Breakdown | None = None,
     leak: Leak | None = None,
     *,
-    substeps: int | None = None,
+    points: int | None = None,
     stray: float = 0.0,
 ) -> Result:
     """The circuit of a bearing and the circuit `outer` between its rings over the samples of `of`.
 
     `of` is a run from `raceway.open`, a dataset like its `contacts`, or `Films` (which have their
     own leak and stray). Films fail by `breakdown`, None: never, and conduct by `leak`, None: not at
-    all. `substeps` points a sample, linear in between; None: as many as give a period of the
+    all. `points` of the circuit a sample, linear in between; None: as many as give a period of the
     voltage of `outer` `PER_CYCLE` points.
     `stray` (F) is added to every film. Voltages of the dataset are those after a discharge. Events
     have the columns of `EVENT_UNITS`; `energy` includes what the charges of other films lose.
@@ -85,7 +85,7 @@ def run(
         coarse = of
     else:
         coarse = (films.of_run if isinstance(of, Run) else films.of_dataset)(of, leak, stray)
-    fine = coarse.refined(_points(coarse, outer, substeps))
+    fine = coarse.refined(_points(coarse, outer, points))
     terms = outer.terms(fine.time, films.series(fine.capacitance).bearing)
     limit = breakdown.limit(fine) if breakdown else None
     solution = network.solve(fine, terms, limit)
@@ -93,19 +93,19 @@ def run(
     return Result(data, _events(fine, solution, breakdown))
 
 
-def _points(coarse, outer, substeps):
+def _points(coarse, outer, points):
     """A sample, with an eye on the shortest period of the voltage."""
     longest, shortest = np.diff(coarse.time).max(), outer.waveform.shortest
-    if substeps is None:
+    if points is None:
         return max(1, int(np.ceil(PER_CYCLE * longest / shortest)))
     # a step that is just so long may be longer by rounding
     least = int(np.ceil(FEWEST * longest / shortest * (1 - 1e-9)))
-    if substeps < least:
+    if points < least:
         raise ValueError(
-            f"substeps = {substeps} must be at least {least}: a sample takes {longest:g} s, a"
+            f"points = {points} must be at least {least}: a sample takes {longest:g} s, a"
             f" period of the voltage {shortest:g} s"
         )
-    return substeps
+    return points
 
 
 def _dataset(fine, outer, terms, s, breakdown, limit):

@@ -50,19 +50,19 @@ class Films:
         thin = {name: x if x is None else x[::count] for name, x in kept.items()}
         return replace(self, **thin)
 
-    def refined(self, substeps: int) -> "Films":
-        """The same films with `substeps` equal steps in place of one, everything linear in between.
+    def refined(self, points: int) -> "Films":
+        """The same films with `points` equal steps in place of one, everything linear in between.
 
         Raises `ValueError` for less than one.
         """
-        if substeps < 1 or substeps != int(substeps):
-            raise ValueError(f"substeps = {substeps} must be a whole number from 1")
-        if substeps == 1:
+        if points < 1 or points != int(points):
+            raise ValueError(f"points = {points} must be a whole number from 1")
+        if points == 1:
             return self
         turned = {name: np.unwrap(getattr(self, name), axis=0) for name in ANGLES}
         data = {name: getattr(self, name) for name in OVER_TIME} | turned
         fine = {
-            name: None if values is None else _between(values, substeps)
+            name: None if values is None else _between(values, points)
             for name, values in data.items()
         }
         for name in ANGLES:
@@ -164,9 +164,9 @@ def _angle(contacts, balls, name):
     return np.where(np.isnan(both[:, 0]), both[:, 1], both[:, 0])
 
 
-def _between(values, substeps):
-    """`values` (n, ...) on n - 1 times `substeps` + 1 points, linear; the samples' own exactly."""
-    share = (np.arange(substeps) / substeps).reshape(1, -1, *(1,) * (values.ndim - 1))
+def _between(values, points):
+    """`values` (n, ...) on n - 1 times `points` + 1 points, linear; the samples' own exactly."""
+    share = (np.arange(points) / points).reshape(1, -1, *(1,) * (values.ndim - 1))
     first, last = values[:-1, None], values[1:, None]
     fine = np.where(share == 0, first, first + share * (last - first))
     return np.concatenate([fine.reshape(-1, *values.shape[1:]), values[-1:]])

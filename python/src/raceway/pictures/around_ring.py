@@ -2,7 +2,10 @@
 """Panels around the ring: load and film of every ball against its azimuth, the load line pointing
 down."""
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
@@ -25,8 +28,8 @@ def loads(axes: Axes, tables: RunTables) -> float:
     for side in (OUTER, INNER):
         for psi, load in tracks(tables, side, "load"):
             axes.plot(psi, load * factor, color=COLOUR[side], lw=width[side])
-    _polar(axes, "Contact load around the ring", unit, 1.08 * largest * factor)
-    _above(axes, [key(NAME[side], color=COLOUR[side], lw=width[side]) for side in (INNER, OUTER)])
+    handles = [key(NAME[side], color=COLOUR[side], lw=width[side]) for side in (INNER, OUTER)]
+    polar(axes, "Contact load around the ring", unit, 1.08 * largest * factor, handles)
     axes.annotate(
         "",
         (0.5, -0.155),
@@ -79,15 +82,12 @@ def film(axes: Axes, tables: RunTables) -> float:
         for side in (OUTER, INNER):
             for psi, thickness in tracks(tables, side, column, above=LIGHT):
                 axes.plot(psi, thickness * factor, color=COLOUR[side], lw=width[column])
-    _polar(axes, "Film thickness around the ring", unit, edge)
-    _above(
-        axes,
-        [
-            key(f"{side} ${column[0]}_{{{column[2:]}}}$", color=COLOUR[raceway], lw=width[column])
-            for raceway, side in ((INNER, "inner"), (OUTER, "outer"))
-            for column in width
-        ],
-    )
+    handles = [
+        key(f"{side} ${column[0]}_{{{column[2:]}}}$", color=COLOUR[raceway], lw=width[column])
+        for raceway, side in ((INNER, "inner"), (OUTER, "outer"))
+        for column in width
+    ]
+    polar(axes, "Film thickness around the ring", unit, edge, handles)
     axes.add_artist(axes.get_legend())
     axes.legend(
         handles=[Patch(fc=colour, ec=FAINT, label=name) for *_, name, colour in regimes],
@@ -111,7 +111,9 @@ def film(axes: Axes, tables: RunTables) -> float:
     return factor
 
 
-def _polar(axes, title, unit, edge):
+def polar(axes: Axes, title: str, unit: str, edge: float, handles: Sequence[Artist]) -> None:
+    """Scales of polar `axes` that reach `edge` in `unit`, with the load line down; `title` and
+    legend of `handles` above."""
     axes.set_title(title, pad=54, x=-0.06)
     axes.set_theta_zero_location("S")  # the load line points down, as a weight does
     axes.set_thetagrids(
@@ -137,9 +139,7 @@ def _polar(axes, title, unit, edge):
                 bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75},
             )
 
-
-def _above(axes, handles):
-    return axes.legend(
+    axes.legend(
         handles=handles,
         loc="lower left",
         bbox_to_anchor=(-0.06, 1.075),

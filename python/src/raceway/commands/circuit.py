@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway circuit DIR`: bearing voltage, discharges and energy of a run in an outer circuit."""
+
+import argparse
+import json
+from pathlib import Path
+
+from raceway.commands import Commands
+from raceway.commands.quantity import number, takes_negative
+
+DESCRIPTION = """\
+The circuit of a bearing that ran: every ball floats between two films, and an outer circuit lies
+between the rings. It is one of
+  --motor CWR CRF   capacitances of winding to rotor and of rotor to frame; needs a voltage
+  --source OHM      a resistance; needs a voltage
+  --floating V      the charge that this voltage puts on the inner ring
+The voltage is --constant, --sine, --common-mode or --table.
+
+A film that has --strength fails where its voltage exceeds that times its local thickness, h less
+three times the roughness. Without --strength no film fails."""
+EXAMPLES = """\
+examples:
+  raceway circuit build/run/6208 --motor 50e-12 1e-9 --common-mode 560 2000 50 0.8 --strength 30e6
+  raceway circuit build/run/6208 --source 1e4 --sine 10 50 --resistivity 1e9 --json
+  raceway circuit build/run/6208 --source 1e6 --constant 20 --strength 30e6 --out discharges
+
+--out writes circuit.csv, events.csv and, where films can fail, discharges.png into a folder.
+Exit codes: 0 done, 1 the run is broken or lacks its films, 2 wrong command line."""
+
+FARAD = number(0, 1, "F")
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "circuit",
+        help="bearing voltage, discharges and energy in an outer circuit",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    takes_negative(one)
+    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    _outer(one)
+    _voltage(one)
+    one.add_argument(
+        "--strength",
+        type=number(1e3, 1e12, "V/m"),
+        metavar="V/M",
+        help="electric strength of a film (default: no film fails)",
+    )
+    one.add_argument(
+        "--surfaces",
+        choices=("rough", "smooth"),
+        default="rough",
+        help="local thickness less three times the roughness, or not (default: rough)",
+    )
+    one.add_argument(
+        "--roughness",
+        type=number(0, 1e-4, "m"),
+        metavar="M",
+        help="composite roughness for the local thickness (default: the run's)",
+    )
+    one.add_argument(
+        "--resistivity",
+        type=number(1e3, 1e18, "ohm m"),
+        metavar="OHM_M",
+        help="of the lubricant (default: films do not leak)",
+    )
+    one.add_argument(
+        "--metal",
+        type=number(1e-6, 1e12, "ohm"),
+        metavar="OHM",
+        help="resistance of a film whose asperities carry load (default: they do not conduct)",
+    )
+    one.add_argument(
+        "--metal-share",
+        type=number(0, 0.999, ""),
+        default=0.0,
+        metavar="S",
+        help="of the load that asperities carry in such a film at least (default 0)",
+    )
+    one.add_argument(
+        "--stray", type=FARAD, default=0.0, metavar="F", help="added to every film (default 0)"
+    )
+    one.add_argument(
+        "--points",
+        type=_whole,
+        metavar="N",
+        help="points of the circuit a sample (default: 20 a period of the voltage)",
+    )
+    one.add_argument("--json", action="store_true", help="one JSON object instead of a table")
+    one.add_argument("--out", metavar="DIR", help="folder for tables and picture")
+    one.set_defaults(command=run, complain=one.error)
+
+
+def _outer(one):
+    outer = one.add_mutually_exclusive_group(required=True)
+    outer.add_argument(
+        "--motor", type=number(1e-15, 1, "F"), nargs=2, metavar=("CWR", "CRF"), help="farads"
+    )
+    outer.add_argument("--source", type=number(0, 1e15, "ohm"), metavar="OHM", help="ohms")
+    outer.add_argument("--floating", type=number(-1e6, 1e6, "V"), metavar="V", help="volts")
+    second = one.add_mutually_exclusive_group()
+    second.add_argument(
+        "--second", type=FARAD, default=0.0, metavar="F", help="capacitance of the other bearing"
+    )
+    second.add_argument(
+        "--second-factor",
+        type=number(0, 100, ""),
+        default=0.0,
+        metavar="X",
+        help="the same, over the capacitance of this one",
+    )
+    one.add_argument(
+        "--background", type=FARAD, default=0.0, metavar="F", help="beside the bearing (default 0)"
+    )
+
+
+def _voltage(one):
+    voltage = one.add_mutually_exclusive_group()
+    voltage.add_argument("--constant", type=number(-1e6, 1e6, "V"), metavar="V", help="volts")
+    voltage.add_argument(
+        "--sine", type=float, nargs=2, metavar=("V", "HZ"), help="amplitude and frequency"
+    )
+    voltage.add_argument(
+        "--common-mode",
+        type=float,
+        nargs=4,
+        metavar=("V", "HZ", "HZ", "M"),
+        help="of an inverter: link voltage, carrier, fundamental, modulation from 0 to 1",
+    )
+    voltage.add_argument("--table", metavar="FILE", help="a text file with rows of seconds, volts")
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the figures and write what is asked for."""
+    import raceway
+    from raceway.electric import circuit, circuit_figures
+    from raceway.electric.breakdown import Breakdown
+    from raceway.electric.leak import Leak
+
+    breakdown = leak = None
+    if arguments.strength is not None:
+        roughness = arguments.roughness
+        breakdown = Breakdown(arguments.strength, arguments.surfaces, roughness=roughness)
+    if arguments.resistivity is not None or arguments.metal is not None:
+        leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
+    opened = raceway.open(arguments.folder)
+    try:  # a ValueError: what goes with nothing, or not with the run
+        result = circuit.run(
+            opened,
+            _outer_circuit(arguments),
+            breakdown,
+            leak,
+            points=arguments.points,
+            stray=arguments.stray,
+        )
+    except ValueError as error:
+        arguments.complain(str(error))
+    if arguments.out:
+        circuit_figures.write(result, arguments.out)
+        if breakdown:
+            # matplotlib takes longer to load than the circuit to compute
+            from raceway.pictures.discharges import picture
+
+            picture(opened, result, Path(arguments.out) / "discharges.png")
+    figures = circuit_figures.figures(result)
+    print(
+        json.dumps(figures, indent=2, allow_nan=False)
+        if arguments.json
+        else circuit_figures.table(figures)
+    )
+
+
+def _outer_circuit(arguments):
+    from raceway.electric import outer
+
+    if arguments.floating is not None:
+        if _waveform(arguments):
+            arguments.complain("--floating takes no voltage of an outer circuit")
+        return outer.Floating(arguments.floating, arguments.background)
+    driving = _waveform(arguments)
+    if driving is None:
+        arguments.complain("give the voltage: --constant, --sine, --common-mode or --table")
+    if arguments.motor:
+        return outer.Motor(
+            driving,
+            *arguments.motor,
+            second=arguments.second,
+            second_factor=arguments.second_factor,
+            capacitance=arguments.background,
+        )
+    return outer.Source(driving, arguments.source, arguments.background)
+
+
+def _waveform(arguments):
+    """None where the command line has none."""
+    from raceway.electric import waveforms
+
+    if arguments.constant is not None:
+        return waveforms.Constant(arguments.constant)
+    if arguments.sine:
+        return waveforms.Sine(*arguments.sine)
+    if arguments.common_mode:
+        return waveforms.CommonMode(*arguments.common_mode)
+    return waveforms.read_table(arguments.table) if arguments.table else None
+
+
+def _whole(text):
+    value = int(text)
+    if value < 1:
+        raise ValueError
+    return value
+
+
+_whole.__name__ = "whole number from 1"  # what argparse calls it in its error

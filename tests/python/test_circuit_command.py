@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway circuit`: its figures, tables and picture."""
+
+import json
+
+import numpy as np
+import pandas as pd
+import pytest
+import raceway
+from PIL import Image
+from raceway.cli import main
+from raceway.electric import circuit, circuit_figures
+from raceway.electric.breakdown import Breakdown
+from raceway.electric.leak import Leak
+from raceway.electric.outer import Floating, Motor, Source
+from raceway.electric.waveforms import CommonMode, Constant, Sine
+
+MOTOR = ["--motor", "50e-12", "1e-9", "--common-mode", "560", "300", "50", "0.8"]
+
+
+@pytest.mark.parametrize(
+    "words, outer, breakdown, leak",
+    [
+        (
+            [*MOTOR, "--second-factor", "1", "--strength", "30e6", "--surfaces", "smooth"],
+            Motor(CommonMode(560, 300, 50, 0.8), 50e-12, 1e-9, second_factor=1.0),
+            Breakdown(30e6, "smooth"),
+            None,
+        ),
+        (
+            ["--source", "1e6", "--sine", "3", "100", "--resistivity", "1e9"],
+            Source(Sine(3, 100), 1e6),
+            None,
+            Leak(1e9),
+        ),
+        (
+            ["--floating", "5", "--background", "20e-12", "--strength", "1e12"],
+            Floating(5.0, 20e-12),
+            Breakdown(1e12),
+            None,
+        ),
+    ],
+)
+def test_json(folder, capsys, words, outer, breakdown, leak):
+    assert main(["circuit", str(folder), *words, "--json"]) == 0
+    found = circuit.run(raceway.open(folder), outer, breakdown, leak)
+    assert json.loads(capsys.readouterr().out) == circuit_figures.figures(found)
+
+
+def test_figures(folder):
+    result = circuit.run(
+        raceway.open(folder), Source(Constant(20.0), 1e7), Breakdown(30e6, "smooth")
+    )
+    found, events = circuit_figures.figures(result), result.events
+    per_discharge = events.groupby("discharge").energy.sum()
+    assert found["discharges"] == events.discharge.max() > 2
+    assert found["failed_inner"] + found["failed_outer"] == len(events)
+    assert found["discharge_energy_J"] == pytest.approx(events.energy.sum(), rel=1e-12)
+    assert found["energy_max_J"] == per_discharge.max()
+    assert found["bearing_voltage_max_V"] == events.bearing_voltage.max()
+    assert found["field_max_V_m"] == events.field.max() > 30e6
+    # films are thinnest where the load is
+    assert abs(found["place_rad"]) < 0.5
+    assert found["bvr_mean"] is None
+    text = circuit_figures.table(found)
+    assert f"number {found['discharges']}" in " ".join(text.split())
+    assert "Bearing voltage ratio" not in text
+
+
+def test_files(folder, tmp_path, capsys):
+    out = tmp_path / "circuit"
+    words = ["--source", "1e7", "--constant", "20", "--strength", "30e6", "--surfaces", "smooth"]
+    assert main(["circuit", str(folder), *words, "--out", str(out)]) == 0
+    assert capsys.readouterr().out.startswith("Time\n  simulated")
+    result = circuit.run(
+        raceway.open(folder), Source(Constant(20.0), 1e7), Breakdown(30e6, "smooth")
+    )
+    events = pd.read_csv(out / "events.csv")
+    np.testing.assert_array_equal(events["energy (J)"], result.events.energy)
+    assert events["raceway"].tolist() == result.events.raceway.tolist()
+    table = pd.read_csv(out / "circuit.csv")
+    np.testing.assert_array_equal(table["bearing_voltage (V)"], result.data.bearing_voltage)
+    column = table["film_capacitance outer 4 (F)"]
+    np.testing.assert_array_equal(column, result.data.film_capacitance[:, 1, 3])
+    with Image.open(out / "discharges.png") as picture:
+        assert picture.width >= 1000 and len(picture.convert("RGB").getcolors(1 << 24)) > 100
+
+
+def test_a_map_without_discharges(folder, tmp_path):
+    words = ["--source", "1e7", "--constant", "1", "--strength", "1e9", "--out", str(tmp_path)]
+    assert main(["circuit", str(folder), *words]) == 0
+    assert (tmp_path / "discharges.png").stat().st_size > 10_000
+    assert (tmp_path / "events.csv").read_text().count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "words, message",
+    [
+        (["--motor", "50e-12", "1e-9"], "give the voltage: --constant, --sine"),
+        (["--floating", "5", "--constant", "1"], "--floating takes no voltage"),
+        (["--source", "1", "--sine", "3", "-1"], "frequency = -1 Hz must be positive"),
+        (["--source", "0", "--constant", "3", "--strength", "1e7"], "give it a resistance"),
+        (["--source", "1", "--sine", "3", "1e5", "--points", "1"], "points = 1 must be at"),
+        (["--constant", "1"], "one of the arguments --motor --source --floating is required"),
+        (["--source", "1", "--constant", "1", "--strength", "1"], "1 is out of range"),
+    ],
+)
+def test_bad_command_line(folder, capsys, words, message):
+    with pytest.raises(SystemExit) as stop:
+        main(["circuit", str(folder), *words])
+    assert stop.value.code == 2 and message in capsys.readouterr().err
+
+
+def test_a_table_that_is_none(folder, tmp_path, capsys):
+    path = tmp_path / "none.txt"
+    assert main(["circuit", str(folder), "--source", "1", "--table", str(path)]) == 1
+    assert f"{path} is no table of seconds and volts" in capsys.readouterr().err
