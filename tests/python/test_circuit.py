@@ -178,7 +178,7 @@ CASES = {
     "source": (turning(), Source(Sine(15.0, 900.0), 1e6), WEAK),
     "leaking source": (turning(**LEAKY), Source(Sine(15.0, 900.0), 1e6, 30 * PICO), WEAK),
     "stiff source": (turning(**LEAKY), Source(Sine(15.0, 900.0)), None),
-    "charged ring": (turning(), Floating(3.9, 30 * PICO), WEAK),
+    "charged ring": (turning(), Floating(5.5, 30 * PICO), WEAK),
 }
 
 
@@ -313,8 +313,9 @@ def test_threshold_is_where_it_fails():
     least = circuit.run(given, Source(Constant(0.0), 1.0), WEAK).data.threshold_voltage
     share = series(given.capacitance).ball[:, None] / given.capacitance
     np.testing.assert_allclose(least, (30e6 * given.thickness / share).min(axis=(1, 2)), rtol=1e-12)
+    # at the first point the source has charged nothing yet
     for factor, failures in ((1 - 1e-9, 0), (1 + 1e-9, 1)):
-        outer = Source(Constant(float(least.min()) * factor), 1e-9)
+        outer = Source(Constant(float(least[1:].min()) * factor), 1e-9)
         assert bool(len(circuit.run(given, outer, WEAK).events)) == bool(failures)
 
 

@@ -156,7 +156,7 @@ class _Network:
         if self.limit is None:
             return None
         film = np.abs(np.stack([ring[:, None] - ball, ball], axis=1))
-        failed = (film > self.limit[part]).any(axis=(1, 2))
+        failed = (film / self.limit[part] > 1).any(axis=(1, 2))
         return int(np.argmax(failed)) if failed.any() else None
 
     def _keep(self, part, ball, ring):

@@ -39,4 +39,5 @@ def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
     most = rng.uniform(40, 90, (1, 2, z)) * PICO
     load = 0.5 + 0.5 * np.cos(angle)
     low, high = thickness
-    return films(least + most * load**2, thickness=high - (high - low) * load, **more)
+    apart = (high - (high - low) * load) * rng.uniform(1.0, 2.5, (1, 2, z))
+    return films(least + most * load**2, thickness=apart, **more)

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A bearing in its outer circuit, from point to point, with the account of its energy
+// (docs/electric_circuit, Energy).
+#ifndef RACEWAY_CIRCUIT_H
+#define RACEWAY_CIRCUIT_H
+
+#include "film_breakdown.h"
+
+#include <algorithm>
+
+namespace raceway {
+
+// Since the start, J and C. Plain numbers: a restart file keeps them.
+struct CircuitAccount {
+  double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
+  double discharge_energy = 0.0;
+  double discharges = 0.0, failures = 0.0;          // numbers
+  double charge_error = 0.0, energy_error = 0.0;    // largest of a node, of a step
+};
+
+// What a circuit is at a point, after its discharge.
+struct CircuitState {
+  BearingFilms films;
+  OuterPoint outer;
+  NodeValues charge, voltage;
+  CircuitAccount account;
+};
+
+namespace circuit_detail {
+
+inline double largest_charge_error(const CircuitState &s)
+{
+  double most = std::abs(ring_charge(s.films, s.outer, s.voltage) - s.charge.ring);
+  for (size_t k = 0; k < s.films.size(); ++k) {
+    const double u = s.voltage.ball[k];
+    const double by_voltage =
+        s.films[k].outer.capacitance * u - s.films[k].inner.capacitance * (s.voltage.ring - u);
+    most = std::fmax(most, std::abs(by_voltage - s.charge.ball[k]));
+  }
+  return most;
+}
+
+// Books the discharge of the point where `s` stands; `before` is the energy that stood there, with
+// all that came in since.
+template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
+{
+  CircuitAccount &a = s.account;
+  double heat = 0.0;
+  int count = 0;
+  const double work = discharge(s.films, s.outer, s.charge, s.voltage, [&](const FilmFailure &f) {
+    heat += f.energy;
+    ++count;
+    failed(f);
+  });
+  a.discharges += count > 0;
+  a.failures += count;
+  a.discharge_energy += heat;
+  a.source_work += work;
+  const double lacks = before + work - heat - stored_energy(s.films, s.outer, s.voltage);
+  a.energy_error = std::fmax(a.energy_error, std::abs(lacks));
+  a.charge_error = std::fmax(a.charge_error, largest_charge_error(s));
+}
+
+}    // namespace circuit_detail
+
+// The first point: balls without charge, the inner ring at `start` (V) where no voltage drives it.
+// `failed` gets every FilmFailure, in order.
+template <class Failed>
+void begin_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint &outer,
+                   double start, Failed &&failed)
+{
+  s = {};
+  s.films = films;
+  s.outer = outer;
+  s.charge.ball.assign(films.size(), 0.0);
+  double capacitance = bearing_capacitance(films) + outer.beside;
+  if (!outer.stiff()) capacitance += outer.coupling;
+  s.charge.ring = start * capacitance;
+  find_voltages(films, outer, 0.0, s.charge, s.voltage);
+  if (outer.stiff()) s.charge.ring = ring_charge(films, outer, s.voltage);
+  circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
+}
+
+// The next point, `length` (s) later.
+template <class Failed>
+void advance_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint &outer,
+                     double length, Failed &&failed)
+{
+  const NodeValues v0 = s.voltage;
+  const double stored = stored_energy(s.films, s.outer, v0), charge = s.charge.ring;
+  StepCharges moved;
+  network_step(s.films, films, s.outer, outer, length, s.charge, s.voltage, moved);
+  const NodeValues &v1 = s.voltage;
+  if (outer.stiff()) {
+    s.charge.ring = ring_charge(films, outer, v1);
+    moved.supplied = s.charge.ring - charge;
+    for (double q : moved.inner) moved.supplied += q;
+  }
+  // every element's charge times the mean of its voltages; what is left of a capacitance is the
+  // work of its plates
+  double plates = v0.ring * v1.ring * (outer.beside - s.outer.beside), leak = 0.0;
+  for (size_t k = 0; k < films.size(); ++k) {
+    const double in0 = v0.ring - v0.ball[k], in1 = v1.ring - v1.ball[k];
+    const double out0 = v0.ball[k], out1 = v1.ball[k];
+    plates += in0 * in1 * (films[k].inner.capacitance - s.films[k].inner.capacitance) +
+              out0 * out1 * (films[k].outer.capacitance - s.films[k].outer.capacitance);
+    leak += 0.5 * ((in0 + in1) * moved.inner[k] + (out0 + out1) * moved.outer[k]);
+  }
+  const double driving = 0.5 * (s.outer.driving + outer.driving);
+  const double coupled = outer.coupling * (outer.driving - s.outer.driving - (v1.ring - v0.ring));
+  const double source = driving * (moved.supplied + coupled), mechanical = -0.5 * plates;
+  const double resistor =
+      outer.stiff() ? 0.0 : (driving - 0.5 * (v0.ring + v1.ring)) * moved.supplied;
+  CircuitAccount &a = s.account;
+  a.source_work += source;
+  a.mechanical_work += mechanical;
+  a.leak_heat += leak;
+  a.resistor_heat += resistor;
+  s.films = films;
+  s.outer = outer;
+  circuit_detail::settle(s, stored + source + mechanical - leak - resistor, failed);
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Breakdown of films and the discharge that follows (docs/electric_circuit, Breakdown).
+#ifndef RACEWAY_FILM_BREAKDOWN_H
+#define RACEWAY_FILM_BREAKDOWN_H
+
+#include "film_network.h"
+
+namespace raceway {
+
+// One film that failed.
+struct FilmFailure {
+  size_t ball;
+  bool at_outer;
+  double film_voltage, ring_voltage, ring_voltage_after;    // V
+  double film_energy, energy;                               // J
+};
+
+// V at which a film of `thickness` (m) fails, with `strength` (V/m); `less` (m) is what the
+// surfaces' roughness takes, `floor` (m) what is left at least. Infinite without a film.
+inline double film_limit(double thickness, double strength, double less, double floor)
+{
+  if (!(thickness > 0.0)) return std::numeric_limits<double>::infinity();
+  return strength * std::fmax(thickness - less, floor);
+}
+
+// Smallest voltage between the rings at which a film fails while balls have no charge, V.
+inline double threshold_voltage(const BearingFilms &films)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const BallFilms &f : films) {
+    const double in = f.inner.capacitance, out = f.outer.capacitance;
+    if (out > 0.0) least = std::fmin(least, f.inner.limit * (in + out) / out);
+    if (in > 0.0) least = std::fmin(least, f.outer.limit * (in + out) / in);
+  }
+  return least;
+}
+
+// Energy in films, beside them and in the coupling, J.
+inline double stored_energy(const BearingFilms &films, const OuterPoint &outer, const NodeValues &v)
+{
+  const double across = v.ring - outer.driving;
+  double twice = outer.beside * v.ring * v.ring + outer.coupling * across * across;
+  for (size_t k = 0; k < films.size(); ++k) {
+    const double in = v.ring - v.ball[k], out = v.ball[k];
+    twice += films[k].inner.capacitance * in * in + films[k].outer.capacitance * out * out;
+  }
+  return 0.5 * twice;
+}
+
+// Which films of a ball conduct.
+struct Broken {
+  bool inner = false, outer = false;
+};
+
+// Voltages with broken films as conductors, from the charges before.
+inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
+                         const NodeValues &charge, const std::vector<Broken> &broken,
+                         NodeValues &voltage)
+{
+  double on_ring = charge.ring + outer.coupling * outer.driving;
+  double capacitance = outer.beside + outer.coupling;
+  bool grounded = false;
+  for (size_t k = 0; k < films.size(); ++k) {
+    const double in = films[k].inner.capacitance, out = films[k].outer.capacitance;
+    if (broken[k].inner && broken[k].outer) {
+      grounded = true;
+    } else if (broken[k].inner) {    // one conductor with the ring
+      on_ring += charge.ball[k];
+      capacitance += out;
+    } else if (broken[k].outer) {    // on the frame
+      capacitance += in;
+    } else {
+      const double share = in * inverse_or_zero(in + out);
+      on_ring += share * charge.ball[k];
+      capacitance += share * out;
+    }
+  }
+  voltage.ring = grounded ? 0.0 : on_ring / capacitance;
+  for (size_t k = 0; k < films.size(); ++k) {
+    const double in = films[k].inner.capacitance, out = films[k].outer.capacitance;
+    voltage.ball[k] = broken[k].outer ? 0.0
+                      : broken[k].inner
+                          ? voltage.ring
+                          : (charge.ball[k] + in * voltage.ring) * inverse_or_zero(in + out);
+  }
+}
+
+// The film that is loaded most fails, as long as one is over its limit; `failed` gets each. Broken
+// films conduct to the end and are whole again afterwards. Returns the work of the driving voltage
+// while charges move, J.
+template <class Failed>
+double discharge(const BearingFilms &films, const OuterPoint &outer, NodeValues &charge,
+                 NodeValues &voltage, Failed &&failed)
+{
+  std::vector<Broken> broken;
+  double work = 0.0;
+  for (;;) {
+    FilmFailure f = {};
+    double most = 1.0;
+    bool found = false;
+    for (int side = 0; side < 2; ++side)
+      for (size_t k = 0; k < films.size(); ++k) {
+        if (!broken.empty() && (side ? broken[k].outer : broken[k].inner)) continue;
+        const double v = side ? voltage.ball[k] : voltage.ring - voltage.ball[k];
+        const CircuitFilm &film = side ? films[k].outer : films[k].inner;
+        const double load = std::abs(v) / film.limit;
+        if (!(load > most)) continue;
+        most = load;
+        found = true;
+        f.ball = k;
+        f.at_outer = side;
+        f.film_voltage = v;
+        f.film_energy = 0.5 * film.capacitance * v * v;
+      }
+    if (!found) break;
+    broken.resize(films.size());
+    (f.at_outer ? broken[f.ball].outer : broken[f.ball].inner) = true;
+    const double before = stored_energy(films, outer, voltage);
+    f.ring_voltage = voltage.ring;
+    redistribute(films, outer, charge, broken, voltage);
+    f.ring_voltage_after = voltage.ring;
+    const double given = outer.coupling * outer.driving * (f.ring_voltage - f.ring_voltage_after);
+    f.energy = before - stored_energy(films, outer, voltage) + given;
+    work += given;
+    failed(f);
+  }
+  if (broken.empty()) return 0.0;
+  bool grounded = false;
+  for (size_t k = 0; k < films.size(); ++k) {
+    if (!broken[k].inner && !broken[k].outer) continue;
+    const double after = films[k].outer.capacitance * voltage.ball[k] -
+                         films[k].inner.capacitance * (voltage.ring - voltage.ball[k]);
+    if (broken[k].inner) charge.ring += charge.ball[k] - after;
+    grounded = grounded || (broken[k].inner && broken[k].outer);
+    charge.ball[k] = after;
+  }
+  if (grounded) charge.ring = ring_charge(films, outer, voltage);
+  return work;
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The network of a bearing: balls that float between two films, inner ring, outer ring as frame
+// (docs/electric_circuit, Network). Unknowns are charges; a point costs O(balls).
+#ifndef RACEWAY_FILM_NETWORK_H
+#define RACEWAY_FILM_NETWORK_H
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace raceway {
+
+// One film at one point. Capacitance 0: open, no displacement current passes.
+struct CircuitFilm {
+  double capacitance = 0.0;                                  // F
+  double conductance = 0.0;                                  // S
+  double limit = std::numeric_limits<double>::infinity();    // V at which it fails
+};
+struct BallFilms {
+  CircuitFilm inner, outer;
+};
+using BearingFilms = std::vector<BallFilms>;    // by ball
+
+// What hangs between the rings, at one point.
+struct OuterPoint {
+  double beside = 0.0;         // of the inner ring to the frame, F
+  double coupling = 0.0;       // of the inner ring to the driving voltage, F
+  double conductance = 0.0;    // likewise, S; infinite: the ring has the driving voltage
+  double driving = 0.0;        // V
+
+  bool stiff() const { return std::isinf(conductance); }
+};
+
+// Charges (C) of the balls and of the inner ring, or their voltages (V).
+struct NodeValues {
+  std::vector<double> ball;
+  double ring = 0.0;
+};
+
+// Charges that resistances carried in a step, C: through the films of each ball towards the outer
+// ring, and from the driving voltage.
+struct StepCharges {
+  std::vector<double> inner, outer;
+  double supplied = 0.0;
+};
+
+inline double inverse_or_zero(double x) { return x != 0.0 ? 1.0 / x : 0.0; }
+
+// Voltages of `charge`, with conductances times `length` (s) beside the capacitances.
+inline void find_voltages(const BearingFilms &films, const OuterPoint &outer, double length,
+                          const NodeValues &charge, NodeValues &voltage)
+{
+  const size_t n = films.size();
+  voltage.ball.resize(n);
+  double ring = outer.driving;
+  if (!outer.stiff()) {
+    const double source = outer.coupling + outer.conductance * length;
+    double on_ring = charge.ring + source * outer.driving, capacitance = outer.beside + source;
+    for (size_t k = 0; k < n; ++k) {
+      const double in = films[k].inner.capacitance + films[k].inner.conductance * length;
+      const double out = films[k].outer.capacitance + films[k].outer.conductance * length;
+      const double share = in * inverse_or_zero(in + out);
+      on_ring += share * charge.ball[k];
+      capacitance += share * out;
+    }
+    ring = on_ring * inverse_or_zero(capacitance);
+  }
+  for (size_t k = 0; k < n; ++k) {
+    const double in = films[k].inner.capacitance + films[k].inner.conductance * length;
+    const double out = films[k].outer.capacitance + films[k].outer.conductance * length;
+    voltage.ball[k] = (charge.ball[k] + in * ring) * inverse_or_zero(in + out);
+  }
+  voltage.ring = ring;
+}
+
+// Both films in series, summed over the balls, F.
+inline double bearing_capacitance(const BearingFilms &films)
+{
+  double sum = 0.0;
+  for (const BallFilms &f : films)
+    sum += f.inner.capacitance * f.outer.capacitance *
+           inverse_or_zero(f.inner.capacitance + f.outer.capacitance);
+  return sum;
+}
+
+// The charge of an inner ring at these voltages, C.
+inline double ring_charge(const BearingFilms &films, const OuterPoint &outer, const NodeValues &v)
+{
+  double sum = outer.beside * v.ring + outer.coupling * (v.ring - outer.driving);
+  for (size_t k = 0; k < films.size(); ++k)
+    sum += films[k].inner.capacitance * (v.ring - v.ball[k]);
+  return sum;
+}
+
+inline bool has_resistance(const BearingFilms &films, const OuterPoint &outer)
+{
+  if (outer.conductance > 0.0 && !outer.stiff()) return true;
+  for (const BallFilms &f : films)
+    if (f.inner.conductance > 0.0 || f.outer.conductance > 0.0) return true;
+  return false;
+}
+
+// A point in between, `share` of the way; limits are no part of it.
+inline BallFilms between(const BallFilms &from, const BallFilms &to, double share)
+{
+  const auto film = [share](const CircuitFilm &a, const CircuitFilm &b) {
+    CircuitFilm c;
+    c.capacitance = a.capacitance + share * (b.capacitance - a.capacitance);
+    c.conductance = a.conductance + share * (b.conductance - a.conductance);
+    return c;
+  };
+  return {film(from.inner, to.inner), film(from.outer, to.outer)};
+}
+
+// One step of `length` (s) to the films and the outer circuit at its end: two stages of SDIRK,
+// L-stable and of second order.
+inline void network_step(const BearingFilms &from, const BearingFilms &to,
+                         const OuterPoint &outer_from, const OuterPoint &outer_to, double length,
+                         NodeValues &charge, NodeValues &voltage, StepCharges &moved)
+{
+  const size_t n = to.size();
+  moved.inner.assign(n, 0.0);
+  moved.outer.assign(n, 0.0);
+  moved.supplied = 0.0;
+  if (!has_resistance(from, outer_from) && !has_resistance(to, outer_to)) {
+    find_voltages(to, outer_to, 0.0, charge, voltage);
+    return;
+  }
+  const double stage = 1.0 - std::sqrt(0.5);
+  BearingFilms middle(n);
+  for (size_t k = 0; k < n; ++k) middle[k] = between(from[k], to[k], stage);
+  OuterPoint outer_middle = outer_to;
+  outer_middle.beside = outer_from.beside + stage * (outer_to.beside - outer_from.beside);
+  outer_middle.driving = outer_from.driving + stage * (outer_to.driving - outer_from.driving);
+  for (int s = 0; s < 2; ++s) {
+    const BearingFilms &films = s ? to : middle;
+    const OuterPoint &outer = s ? outer_to : outer_middle;
+    const double weight = (s ? stage : 1.0 - stage) * length;
+    find_voltages(films, outer, stage * length, charge, voltage);
+    double leaves = 0.0;
+    for (size_t k = 0; k < n; ++k) {
+      const double in = films[k].inner.conductance * weight * (voltage.ring - voltage.ball[k]);
+      const double out = films[k].outer.conductance * weight * voltage.ball[k];
+      moved.inner[k] += in;
+      moved.outer[k] += out;
+      charge.ball[k] += in - out;
+      leaves += in;
+    }
+    const double given =
+        outer.stiff() ? 0.0 : outer.conductance * weight * (outer.driving - voltage.ring);
+    moved.supplied += given;
+    charge.ring += given - leaves;
+  }
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""circuit.h, film_network.h, film_breakdown.h and waveform.h: closed forms, and the circuit of the
+Python package, which was written apart."""
+
+import numpy as np
+import pytest
+from circuits import PICO, steady, turning
+from raceway.electric import circuit
+from raceway.electric.breakdown import Breakdown, threshold
+from raceway.electric.films import series
+from raceway.electric.outer import Floating, Motor, Source
+from raceway.electric.waveforms import CommonMode, Constant, Sine, Table
+
+WEAK = Breakdown(30e6)
+KINDS = ("constant", "sine", "common mode", "table")  # Waveform::Kind
+ROW = "point ball side film_voltage bearing_voltage bearing_voltage_after film_energy energy"
+
+
+def solve(physics, given, outer, breakdown=None):
+    """(voltages by name, failures as rows, the CircuitEnd) of the C++."""
+    n, _, z = given.capacitance.shape
+    terms = outer.terms(given.time, series(given.capacitance).bearing)
+    columns = np.stack(
+        [
+            terms.capacitance,
+            np.full(n, terms.coupling),
+            np.full(n, terms.conductance),
+            terms.driving,
+        ],
+        axis=1,
+    )
+    limit = breakdown.limit(given) if breakdown else np.full(given.capacitance.shape, np.inf)
+    made = {"bearing": np.empty(n), "ball": np.empty((n, z)), "threshold": np.empty(n)}
+    rows = np.empty((4 * n, 8))
+    count, end = physics.call(
+        "circuit",
+        points=n,
+        balls=z,
+        time=given.time,
+        capacitance=given.capacitance,
+        conductance=given.conductance,
+        limit=limit,
+        outer=columns,
+        start=terms.start,
+        most=len(rows),
+        failures=rows,
+        **made,
+    )
+    assert count <= len(rows)
+    return made, rows[:count], end
+
+
+MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
+LEAKY = dict(conductance=2e-9)
+CASES = {
+    "motor": (turning(), MOTOR, WEAK),
+    "motor, other bearing alike": (
+        turning(),
+        Motor(CommonMode(560.0, 2000.0, 50.0, 0.8), 50 * PICO, 1e-9, second_factor=1.0),
+        WEAK,
+    ),
+    "leaking motor": (turning(**LEAKY), MOTOR, WEAK),
+    "rough": (turning(roughness=10e-9), MOTOR, WEAK),
+    "source": (turning(), Source(Sine(15.0, 900.0), 1e6), WEAK),
+    "leaking source": (turning(**LEAKY), Source(Sine(15.0, 900.0), 1e6, 30 * PICO), WEAK),
+    "stiff source": (turning(**LEAKY), Source(Sine(15.0, 900.0)), None),
+    "charged ring": (turning(), Floating(5.5, 30 * PICO), WEAK),
+    "open film": (
+        steady([50 * PICO, 0.0, 0.0], [50 * PICO, 40 * PICO, 0.0]),
+        Source(Constant(4.0), 1e7),
+        WEAK,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_two_programs_agree(physics, name):
+    given, outer, breakdown = CASES[name]
+    ours, rows, end = solve(physics, given, outer, breakdown)
+    result = circuit.run(given, outer, breakdown, points=1)
+    data, events = result
+    scale = float(np.abs(data.bearing_voltage).max())
+    near = dict(rtol=1e-11, atol=1e-11 * scale)
+    np.testing.assert_allclose(ours["bearing"], data.bearing_voltage, **near)
+    np.testing.assert_allclose(ours["ball"], data.ball_voltage, **near)
+    if breakdown:
+        limit = breakdown.limit(given)
+        np.testing.assert_allclose(ours["threshold"], threshold(given, limit), rtol=1e-13)
+    assert len(rows) == len(events)
+    assert name in ("open film", "stiff source") or len(rows) > 0
+    assert end.failures == len(events) and end.discharges == events.discharge.nunique()
+    np.testing.assert_array_equal(given.time[rows[:, 0].astype(int)], events.time)
+    np.testing.assert_array_equal(rows[:, 1] + 1, events.ball)
+    np.testing.assert_array_equal(rows[:, 2], events.raceway == "outer")
+    for column, key in enumerate(ROW.split()[3:], 3):
+        np.testing.assert_allclose(
+            rows[:, column], events[key].astype(float), rtol=1e-9, atol=1e-11 * scale
+        )
+    last = data.isel(time=-1)
+    for key in "source_work mechanical_work leak_heat resistor_heat discharge_energy".split():
+        largest = float(np.abs(data[key]).max())
+        assert getattr(end, key) == pytest.approx(float(last[key]), rel=1e-9, abs=1e-9 * largest)
+    assert end.stored_energy == pytest.approx(float(last.stored_energy), rel=1e-10, abs=1e-30)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_charge_and_energy(physics, name):
+    """Charges of currents and of voltages, and the energy of every step, to rounding."""
+    given, outer, breakdown = CASES[name]
+    ours, _, end = solve(physics, given, outer, breakdown)
+    volts = max(np.abs(ours["bearing"]).max(), np.abs(ours["ball"]).max(), 4.0)
+    coupled = 300 * 50 * PICO * isinstance(outer, Motor)
+    charge = given.capacitance.max() * volts + coupled
+    assert end.charge_error < 1e-13 * charge
+    assert end.energy_error < 1e-13 * 300 * charge
+
+
+def test_series_and_ratio(physics):
+    """C_i = 2 C_o: V_i = V/3. C_wr 50 pF, C_rf 1 nF, C_b 200 pF twice: 0.03448."""
+    ours, *_ = solve(physics, steady([2 * PICO], [PICO]), Source(Constant(6.0)))
+    assert ours["ball"][-1, 0] == pytest.approx(4.0, rel=1e-15)
+    alike = steady([100 * PICO] * 4, [100 * PICO] * 4)
+    motor = Motor(Constant(1.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
+    ours, *_ = solve(physics, alike, motor)
+    assert ours["bearing"][-1] == pytest.approx(50 / 1450, rel=1e-14)
+    given = turning()
+    ours, *_ = solve(physics, given, Floating(12.0))
+    bearing = series(given.capacitance).bearing
+    np.testing.assert_allclose(ours["bearing"], 12 * bearing[0] / bearing, rtol=1e-12)
+
+
+def test_a_full_discharge_leaves_other_charges(physics):
+    """After many discharges at constant charge of a ring: energy is what was there."""
+    given = turning(thickness=(20e-9, 40e-9))
+    _, rows, end = solve(physics, given, Floating(7.0), WEAK)
+    start = 0.5 * series(given.capacitance).bearing[0] * 49
+    assert rows[-1, 5] == 0.0 and end.failures >= 2
+    assert end.discharge_energy - end.mechanical_work + end.stored_energy == pytest.approx(start)
+
+
+def test_limit(physics):
+    limit = dict(strength=1e6, less=60e-9, floor=1e-9)
+    assert physics.call("film_limit", thickness=100e-9, **limit) == pytest.approx(0.04)
+    assert physics.call("film_limit", thickness=50e-9, **limit) == pytest.approx(1e-3)
+    assert physics.call("film_limit", thickness=np.nan, **limit) == np.inf
+
+
+@pytest.mark.parametrize(
+    "kind, numbers, waveform",
+    [
+        ("constant", [3.5, 0, 0, 0, 0], Constant(3.5)),
+        ("sine", [20.0, 50.0, 0.3, 0, 0], Sine(20.0, 50.0, 0.3)),
+        ("common mode", [560.0, 50.0, 0, 1950.0, 0.8], CommonMode(560.0, 1950.0, 50.0, 0.8)),
+        ("table", [0, 0, 0, 0, 0], Table([0.01, 0.02, 0.05], [1.0, -4.0, 2.0])),
+    ],
+)
+def test_waveform(physics, kind, numbers, waveform):
+    at = np.linspace(0, 0.07, 3001) + 1e-7  # of no tie between sine and triangle
+    found = np.empty_like(at)
+    times, voltages = getattr(waveform, "times", [0.0]), getattr(waveform, "voltages", [0.0])
+    physics.call(
+        "waveform",
+        kind=KINDS.index(kind),
+        v=numbers,
+        rows=len(times),
+        times=times,
+        voltages=voltages,
+        n=len(at),
+        at=at,
+        out=found,
+    )
+    np.testing.assert_allclose(found, waveform(at), rtol=1e-12, atol=1e-11)
+
+
+@pytest.mark.parametrize("name", ["rough", "leaking source"])
+def test_cases_have_discharges_of_all_kinds(name):
+    """Of one film and of more, at either raceway, or the comparison sees little."""
+    given, outer, breakdown = CASES[name]
+    events = circuit.run(given, outer, breakdown, points=1).events
+    assert {1, 2} <= set(events.groupby("discharge").size())
+    assert set(events.raceway) == {"inner", "outer"}
