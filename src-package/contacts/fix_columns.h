@@ -142,6 +142,46 @@ const Column list[N] = {
 };
 }    // namespace of_fix_capacitance
 
+// ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers since the
+// first one
+namespace of_fix_circuit {
+enum {
+  VOLTAGE,
+  DRIVING,
+  CAPACITANCE,
+  RATIO,
+  THRESHOLD,
+  DISCHARGES,
+  FAILURES,
+  DISCHARGE_ENERGY,
+  SOURCE_WORK,
+  MECHANICAL_WORK,
+  LEAK_HEAT,
+  RESISTOR_HEAT,
+  STORED,
+  CHARGE_ERROR,
+  ENERGY_ERROR,
+  N
+};
+const Column list[N] = {
+    {"bearing_voltage", "V", "voltage of the inner ring to the outer ring"},
+    {"driving_voltage", "V", "voltage of the outer circuit"},
+    {"bearing_capacitance", "F", "capacitance between the rings, balls without charge"},
+    {"bearing_voltage_ratio", "", "bearing voltage over common-mode voltage; 0 without a motor"},
+    {"threshold_voltage", "V", "smallest voltage at which a film fails; 0 where none can"},
+    {"discharges", "", "number of discharges", raceway::has_none, as_whole},
+    {"failures", "", "number of films that failed", raceway::has_none, as_whole},
+    {"discharge_energy", "J", "heat of discharges"},
+    {"source_work", "J", "work of the driving voltage"},
+    {"mechanical_work", "J", "work that moving the plates of the films put in"},
+    {"leak_heat", "J", "heat in the conductance of films"},
+    {"resistor_heat", "J", "heat in the resistance of the source"},
+    {"stored_energy", "J", "energy stored in films, beside them and in the coupling"},
+    {"charge_error", "C", "largest difference of a node's charge by currents and by voltages"},
+    {"energy_error", "J", "largest lack of the balance of energy in a step"},
+};
+}    // namespace of_fix_circuit
+
 // ---- fix bearing/timestep
 namespace of_fix_timestep {
 enum { LIMIT, SMALLEST, TIME, WALL, N };

@@ -13,6 +13,7 @@
 #include "../styles/fix_bearing_cage.h"
 #include "../styles/fix_bearing_capacitance.h"
 #include "../styles/fix_bearing_checkpoint.h"
+#include "../styles/fix_bearing_circuit.h"
 #include "../styles/fix_bearing_implicit.h"
 #include "../styles/fix_bearing_progress.h"
 #include "../styles/fix_bearing_record.h"
@@ -32,6 +33,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingImplicit>("bearing/implicit");
   add.template fix<FixBearingCage>("bearing/cage");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");
+  add.template fix<FixBearingCircuit>("bearing/circuit");
   add.template fix<FixBearingProgress>("bearing/progress");
   add.template fix<FixBearingRecord>("bearing/record");
   add.template fix<FixBearingTimestep>("bearing/timestep");

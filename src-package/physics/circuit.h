@@ -15,6 +15,7 @@ struct CircuitAccount {
   double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
   double discharge_energy = 0.0;
   double discharges = 0.0, failures = 0.0;          // numbers
+  double film_charge = 0.0;                         // largest, with all of the voltage across it
   double charge_error = 0.0, energy_error = 0.0;    // largest of a node, of a step
 };
 
@@ -40,11 +41,20 @@ inline double largest_charge_error(const CircuitState &s)
   return most;
 }
 
+inline double largest_film_charge(const CircuitState &s)
+{
+  double most = 0.0;
+  for (const BallFilms &f : s.films)
+    most = std::fmax(most, std::fmax(f.inner.capacitance, f.outer.capacitance));
+  return most * std::abs(s.voltage.ring);
+}
+
 // Books the discharge of the point where `s` stands; `before` is the energy that stood there, with
 // all that came in since.
 template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
 {
   CircuitAccount &a = s.account;
+  a.film_charge = std::fmax(a.film_charge, largest_film_charge(s));
   double heat = 0.0;
   int count = 0;
   const double work = discharge(s.films, s.outer, s.charge, s.voltage, [&](const FilmFailure &f) {
@@ -79,6 +89,18 @@ void begin_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint 
   find_voltages(films, outer, 0.0, s.charge, s.voltage);
   if (outer.stiff()) s.charge.ring = ring_charge(films, outer, s.voltage);
   circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
+}
+
+// The first ball with a charge and without any film, or -1. Its voltage has no bound. What additions
+// leave of a charge does not count.
+inline int charged_without_film(const CircuitState &s)
+{
+  const double rounding = 1e-12 * s.account.film_charge;
+  for (size_t k = 0; k < s.films.size(); ++k)
+    if (s.films[k].inner.capacitance + s.films[k].outer.capacitance == 0.0 &&
+        std::abs(s.charge.ball[k]) > rounding)
+      return static_cast<int>(k);
+  return -1;
 }
 
 // The next point, `length` (s) later.

@@ -7,7 +7,7 @@
 using namespace raceway;
 
 RECORD(CircuitEnd, double source_work, mechanical_work, leak_heat, resistor_heat, discharge_energy,
-       stored_energy, discharges, failures, charge_error, energy_error;)
+       stored_energy, discharges, failures, charge_error, energy_error, lost;)
 
 // Arrays of films are by point, side, ball; of the outer circuit by point: beside, coupling,
 // conductance, driving. Fills bearing and balls by point, and rows of at most `most` failures:
@@ -43,10 +43,17 @@ EXPORT(int, circuit,
     threshold[p] = threshold_voltage(films);
   }
   const CircuitAccount &a = s.account;
-  *out = {a.source_work,   a.mechanical_work,  a.leak_heat,
-          a.resistor_heat, a.discharge_energy, stored_energy(s.films, s.outer, s.voltage),
-          a.discharges,    a.failures,         a.charge_error,
-          a.energy_error};
+  *out = {a.source_work,
+          a.mechanical_work,
+          a.leak_heat,
+          a.resistor_heat,
+          a.discharge_energy,
+          stored_energy(s.films, s.outer, s.voltage),
+          a.discharges,
+          a.failures,
+          a.charge_error,
+          a.energy_error,
+          double(charged_without_film(s))};
   return count;
 }
 

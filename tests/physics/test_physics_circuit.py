@@ -4,7 +4,7 @@ Python package, which was written apart."""
 
 import numpy as np
 import pytest
-from circuits import PICO, steady, turning
+from circuits import PICO, films, steady, turning
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown, threshold
 from raceway.electric.films import series
@@ -136,6 +136,18 @@ def test_a_full_discharge_leaves_other_charges(physics):
     start = 0.5 * series(given.capacitance).bearing[0] * 49
     assert rows[-1, 5] == 0.0 and end.failures >= 2
     assert end.discharge_energy - end.mechanical_work + end.stored_energy == pytest.approx(start)
+
+
+def test_a_charge_that_loses_its_films(physics):
+    """Ball 1 gets a charge by the failure of one film; rounding does not count."""
+    thickness = np.array([[100e-9, 900e-9], [900e-9, 900e-9]])
+    for left, lost in (([0.0, 0.0], 0), ([40 * PICO, 0.0], -1)):
+        capacitance = np.full((5, 2, 2), 40 * PICO)
+        capacitance[3:] = left
+        given = films(capacitance, thickness=thickness)
+        _, rows, end = solve(physics, given, Floating(10.0, 20 * PICO), Breakdown(45e6))
+        assert len(rows) == 1 and rows[0, 1] == 0
+        assert end.lost == lost
 
 
 def test_limit(physics):

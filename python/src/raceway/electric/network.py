@@ -194,7 +194,7 @@ class _Stiff:
 
 def _refuse_lost_charge(films, solution):
     charge = np.abs(solution.ball_charge)
-    film = np.abs(films.capacitance * solution.bearing_voltage[:, None, None]).max()
+    film = np.abs(films.capacitance * solution.bearing_voltage_before[:, None, None]).max()
     lost = ~films.capacitance.any(axis=1) & (charge > ROUNDING * film)
     if lost.any():
         point, ball = np.argwhere(lost)[0]

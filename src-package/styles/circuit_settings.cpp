@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "circuit_settings.h"
+
+#include <fstream>
+#include <sstream>
+
+using namespace bearing;
+using raceway::OuterPoint;
+using raceway::Waveform;
+
+namespace {
+
+// Rows of seconds and volts in a text file, read by rank 0; # starts a comment.
+void read_table(Arguments &args, Waveform &w, const std::string &name, MPI_Comm world)
+{
+  int rank;
+  MPI_Comm_rank(world, &rank);
+  std::vector<double> numbers;
+  int trouble = 0, row = 0;    // 1 cannot be read, 2 not two numbers, 3 a time that does not rise
+  if (rank == 0) {
+    std::ifstream file(name);
+    if (!file) trouble = 1;
+    for (std::string line; !trouble && std::getline(file, line);) {
+      ++row;
+      std::istringstream words(line.substr(0, line.find('#')));
+      double t, v;
+      std::string more;
+      if (!(words >> t)) {
+        if (!words.eof()) trouble = 2;
+        continue;
+      }
+      if (!(words >> v) || words >> more || !std::isfinite(t) || !std::isfinite(v)) trouble = 2;
+      else if (!numbers.empty() && t <= numbers[numbers.size() - 2]) trouble = 3;
+      numbers.insert(numbers.end(), {t, v});
+    }
+    if (!trouble && numbers.size() < 4) trouble = 4;
+  }
+  int found[] = {trouble, row, static_cast<int>(numbers.size())};
+  MPI_Bcast(found, 3, MPI_INT, 0, world);
+  const std::string where = "'" + name + "', line " + std::to_string(found[1]);
+  if (found[0] == 1) args.fail("cannot read '" + name + "'");
+  if (found[0] == 2) args.fail(where + ": a row of a voltage table is two numbers, s and V");
+  if (found[0] == 3) args.fail(where + ": times of a voltage table must rise");
+  if (found[0] == 4) args.fail("'" + name + "' needs two rows of s and V at least");
+  numbers.resize(found[2]);
+  MPI_Bcast(numbers.data(), found[2], MPI_DOUBLE, 0, world);
+  for (size_t k = 0; k < numbers.size(); k += 2) {
+    w.times.push_back(numbers[k]);
+    w.voltages.push_back(numbers[k + 1]);
+  }
+}
+
+Waveform read_voltage(Arguments &args, MPI_Comm world)
+{
+  Waveform w;
+  w.kind = static_cast<Waveform::Kind>(
+      args.choice("voltage", {"constant", "sine", "common_mode", "table"}));
+  if (w.kind == Waveform::table) {
+    read_table(args, w, args.word("file of the voltage"), world);
+    return w;
+  }
+  w.voltage = args.number("voltage (V)");
+  if (w.kind == Waveform::sine) {
+    w.frequency = args.positive("frequency (Hz)");
+    if (args.more() && args.next_is_number()) w.phase = args.number("phase (rad)");
+  } else if (w.kind == Waveform::common_mode) {
+    w.carrier = args.positive("frequency of the carrier (Hz)");
+    w.frequency = args.positive("frequency of the phases (Hz)");
+    w.modulation = args.within("modulation", 0.0, 1.0);
+  }
+  return w;
+}
+
+}    // namespace
+
+CircuitSettings CircuitSettings::read(Arguments &args, MPI_Comm world)
+{
+  CircuitSettings s;
+  bool driven = false;
+  s.outer = static_cast<Outer>(args.choice("outer circuit", {"floating", "source", "motor"}));
+  if (s.outer == floating) s.start = args.number("voltage at the start (V)");
+  if (s.outer == source) s.resistance = args.non_negative("resistance of the source (ohm)");
+  if (s.outer == motor) {
+    s.winding_rotor = args.positive("capacitance of winding to rotor (F)");
+    s.rotor_frame = args.non_negative("capacitance of rotor to frame (F)");
+  }
+  while (args.more()) {
+    if (args.take("voltage")) {
+      s.voltage = read_voltage(args, world);
+      driven = true;
+    } else if (args.take("second")) {
+      s.second = args.non_negative("capacitance of the other bearing (F)");
+    } else if (args.take("second_factor")) {
+      s.second_factor = args.non_negative("capacitance of the other bearing over this one's");
+    } else if (args.take("beside")) {
+      s.beside = args.non_negative("capacitance beside the bearing (F)");
+    } else if (args.take("stray")) {
+      s.stray = args.non_negative("capacitance added to every film (F)");
+    } else if (args.take("breakdown")) {
+      s.strength = args.positive("electric strength of a film (V/m)");
+    } else if (args.take("surfaces")) {
+      s.rough = args.choice("surfaces", {"rough", "smooth"}) == 0;
+    } else if (args.take("film_floor")) {
+      s.film_floor = args.positive("smallest local thickness (m)");
+    } else if (args.take("resistivity")) {
+      s.resistivity = args.positive("resistivity of the lubricant (ohm m)");
+    } else if (args.take("points")) {
+      s.points = args.integer("points of the circuit a sample", 1, 1000000);
+    } else if (args.take("events")) {
+      s.events = args.word("file for the films that fail");
+    } else {
+      args.unknown("voltage, second, second_factor, beside, stray, breakdown, surfaces, "
+                   "film_floor, resistivity, points, events");
+    }
+  }
+  if (driven != (s.outer != floating))
+    args.fail(driven ? "a floating inner ring takes no 'voltage'" : "'voltage' is missing");
+  if (s.outer != motor && (s.second > 0.0 || s.second_factor > 0.0))
+    args.fail("'second' and 'second_factor' go with a motor");
+  if (s.second > 0.0 && s.second_factor > 0.0)
+    args.fail("give 'second' or 'second_factor', not both");
+  if (s.breaks_down() && s.outer == source && s.resistance == 0.0)
+    args.fail("breakdown would short a source without resistance: give it a resistance");
+  if (!s.events.empty() && !s.breaks_down()) args.fail("'events' needs 'breakdown'");
+  return s;
+}
+
+OuterPoint CircuitSettings::at(double time, double bearing) const
+{
+  OuterPoint p;
+  p.beside = beside;
+  p.driving = voltage.at(time);
+  if (outer == source)
+    p.conductance = resistance > 0.0 ? 1.0 / resistance : std::numeric_limits<double>::infinity();
+  if (outer == motor) {
+    p.coupling = winding_rotor;
+    p.beside += rotor_frame + second + second_factor * bearing;
+  }
+  return p;
+}
+
+double CircuitSettings::voltage_ratio(const OuterPoint &p, double bearing) const
+{
+  return outer == motor ? p.coupling / (p.coupling + p.beside + bearing) : 0.0;
+}

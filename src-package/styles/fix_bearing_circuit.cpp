@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_circuit.h"
+
+#include "../contacts/contact_columns.h"
+#include "../contacts/fix_columns.h"
+#include "../deck/arguments.h"
+#include "../ranks/gather.h"
+#include "fix_bearing_capacitance.h"
+#include "fixes.h"
+#include "pair_bearing_hertz.h"
+
+#include <algorithm>
+#include <tuple>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+using namespace raceway;
+using bearing::Arguments;
+using bearing::CircuitSettings;
+using bearing::tag_t;
+
+namespace {
+constexpr int per_cycle = 8;    // points that a period of the voltage needs at least
+constexpr double pi = 3.14159265358979323846;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+}    // namespace
+
+// fix ID group bearing/circuit N CAPACITANCE floating V | source R | motor C_WR C_RF [keywords]
+FixBearingCircuit::FixBearingCircuit(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  Arguments args(lmp, std::string("fix ") + id + " bearing/circuit", narg, arg, 3);
+  nevery = args.integer("steps between samples", 1, 1000000000);
+  cap_id_ = args.word("ID of a fix bearing/capacitance");
+  settings_ = CircuitSettings::read(args, world);
+  if (!settings_.events.empty())
+    events_.open(args, settings_.events,
+                 "time discharge order ball raceway azimuth bearing_voltage bearing_voltage_after "
+                 "film_voltage local_thickness film_energy energy",
+                 world);
+  restart_global = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = bearing::of_fix_circuit::N;
+  extscalar = extvector = 0;
+  global_freq = nevery;
+}
+
+int FixBearingCircuit::setmask() { return END_OF_STEP; }
+
+void FixBearingCircuit::init()
+{
+  pair_ = PairBearingHertz::find(lmp, "fix bearing/circuit");
+  const int k = modify->find_fix(cap_id_.c_str());
+  cap_ = k < 0 ? nullptr : dynamic_cast<FixBearingCapacitance *>(modify->fix[k]);
+  if (!cap_)
+    BRG_ALL(bearing::name_of(*this) + ": there is no fix bearing/capacitance '" + cap_id_ + "'");
+}
+
+void FixBearingCircuit::setup(int)
+{
+  if (restored_) {    // what a restart file leaves out, from what it has
+    state_.films = films(balls_);
+    state_.outer = settings_.at(time_of(last_step_), bearing_capacitance(state_.films));
+    restored_ = false;
+  }
+  if (update->ntimestep % nevery == 0) sample();
+}
+
+void FixBearingCircuit::end_of_step() { sample(); }
+
+// The balls of the group and their films now, by tag, on every rank.
+std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
+{
+  std::vector<tag_t> mine;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if ((atom->mask[i] & groupbit) && pair_->is_ball_type(atom->type[i])) {
+      if (!cap_->covers(i))
+        BRG_ONE(bearing::name_of(*this) + ": ball " + std::to_string(atom->tag[i]) +
+                " is not in the group of fix " + cap_id_);
+      mine.push_back(atom->tag[i]);
+    }
+  std::vector<tag_t> tags = bearing::gather_all(mine, world);
+  std::sort(tags.begin(), tags.end());
+  std::vector<Row> rows;
+  for (const bearing::RacewayContact &c : pair_->table().raceway)
+    if (atom->mask[c.i_ball] & groupbit) {
+      const Vec3 from_ring = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
+      Row row = {c.ball,
+                 c.ring,
+                 c.side() == Side::outer,
+                 bearing::azimuth(from_ring, pair_->axis_index()),
+                 {0.0, none, 0.0}};
+      if (c.live) {
+        const FilmCapacitorT<double> q = cap_->capacitor(c);
+        row.film = {q.capacitance, q.h_c, settings_.rough ? 3.0 * c.raceway->roughness : 0.0};
+      }
+      rows.push_back(row);
+    }
+  rows = bearing::gather_all(rows, world);
+  std::sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) {
+    return std::make_tuple(a.ball, a.side, a.ring) < std::make_tuple(b.ball, b.side, b.ring);
+  });
+  std::vector<Ball> balls;
+  for (tag_t tag : tags) balls.push_back({double(tag), none, {{0.0, none, 0.0}, {0.0, none, 0.0}}});
+  tag_t ring[2] = {-1, -1};
+  for (const Row &row : rows) {
+    if (ring[row.side] >= 0 && ring[row.side] != row.ring)
+      BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] +
+              " has balls on ring atoms " + std::to_string(ring[row.side]) + " and " +
+              std::to_string(row.ring) + "; give each bearing a group and a fix");
+    ring[row.side] = row.ring;
+    const size_t k = std::lower_bound(tags.begin(), tags.end(), row.ball) - tags.begin();
+    balls[k].azimuth = row.azimuth;    // about the outer ring, the last one
+    if (row.film.capacitance > 0.0) balls[k].film[row.side] = row.film;
+  }
+  return balls;
+}
+
+void FixBearingCircuit::sample()
+{
+  if (begun_ && update->ntimestep == last_step_) return;
+  const std::vector<Ball> now = find_balls();
+  if (!begun_) {
+    if (now.empty())
+      BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has no balls");
+    first_step_ = update->ntimestep;
+    dt_ = update->dt;
+    solve(now, 0.0, 0.0);
+    begun_ = true;
+  } else {
+    const auto same = [](const Ball &a, const Ball &b) { return a.tag == b.tag; };
+    if (!std::equal(now.begin(), now.end(), balls_.begin(), balls_.end(), same))
+      BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] +
+              " has other balls than at the sample before");
+    if (update->ntimestep < last_step_ || update->dt != dt_)
+      BRG_ALL(bearing::name_of(*this) +
+              ": steps must go on and the time step stay the same: step " +
+              std::to_string(last_step_) + " with " + bearing::text(dt_) + " s, then step " +
+              std::to_string(update->ntimestep) + " with " + bearing::text(update->dt) + " s");
+    advance(now, time_of(update->ntimestep));
+  }
+  balls_ = now;
+  last_step_ = update->ntimestep;
+  if (FILE *f = events_.file())
+    if (update->ntimestep == update->laststep) fflush(f);
+}
+
+void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
+{
+  const double start = time_of(last_step_), sampled = time - start;
+  const double shortest = settings_.voltage.shortest();
+  const double least = per_cycle * sampled / shortest * (1.0 - 1e-9);
+  if (settings_.points < least)
+    BRG_ALL(bearing::name_of(*this) + ": a sample takes " + bearing::text(sampled) +
+            " s, a period of the voltage " + bearing::text(shortest) +
+            " s: 'points' must be at least " + bearing::text(std::ceil(least)) + ", not " +
+            std::to_string(settings_.points));
+  double before = start;
+  for (int k = 1; k <= settings_.points; ++k) {
+    const double share = double(k) / settings_.points;
+    const bool end = k == settings_.points;
+    const double at = end ? time : start + share * sampled;
+    if (end) solve(to, at, at - before);
+    else solve(between(balls_, to, share), at, at - before);
+    before = at;
+  }
+}
+
+// A point of the circuit; the first has no length (s).
+void FixBearingCircuit::solve(const std::vector<Ball> &at, double time, double length)
+{
+  const BearingFilms f = films(at);
+  const OuterPoint outer = settings_.at(time, bearing_capacitance(f));
+  const auto failed = [&](const FilmFailure &failure) { tell(failure, at, time); };
+  order_ = 0;
+  if (begun_) advance_circuit(state_, f, outer, length, failed);
+  else begin_circuit(state_, f, outer, settings_.start, failed);
+  const int lost = charged_without_film(state_);
+  if (lost >= 0)
+    BRG_ALL(bearing::name_of(*this) + ": ball " + std::to_string(int(at[lost].tag)) +
+            " has a charge of " + bearing::text(state_.charge.ball[lost]) + " C and no film at " +
+            bearing::text(time) + " s: give a stray capacitance");
+}
+
+// What the circuit sees of sampled films.
+BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
+{
+  const auto film = [this](const Film &f) {
+    CircuitFilm made;
+    made.capacitance = f.capacitance + settings_.stray;
+    if (settings_.resistivity > 0.0)
+      made.conductance =
+          f.capacitance / (settings_.resistivity * vacuum_permittivity * cap_->permittivity());
+    if (settings_.breaks_down() && made.capacitance > 0.0)
+      made.limit = film_limit(f.thickness, settings_.strength, f.rough, settings_.film_floor);
+    return made;
+  };
+  BearingFilms all;
+  for (const Ball &b : balls) all.push_back({film(b.film[0]), film(b.film[1])});
+  return all;
+}
+
+// `share` of the way between two samples. A film that one of them lacks has no thickness here.
+std::vector<FixBearingCircuit::Ball>
+FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball> &to, double share)
+{
+  const auto mix = [share](double a, double b) { return a + share * (b - a); };
+  std::vector<Ball> all = to;
+  for (size_t k = 0; k < all.size(); ++k) {
+    const double turn = to[k].azimuth - from[k].azimuth;
+    const double azimuth =
+        from[k].azimuth + share * (turn - 2.0 * pi * std::round(turn / (2.0 * pi)));
+    all[k].azimuth = azimuth - 2.0 * pi * std::round(azimuth / (2.0 * pi));
+    for (int side = 0; side < 2; ++side) {
+      const Film &a = from[k].film[side], &b = to[k].film[side];
+      all[k].film[side] = {mix(a.capacitance, b.capacitance), mix(a.thickness, b.thickness),
+                           std::fmax(a.rough, b.rough)};
+    }
+  }
+  return all;
+}
+
+void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, double time)
+{
+  ++order_;
+  FILE *file = events_.file();
+  if (!file) return;
+  const Ball &ball = at[f.ball];
+  const Film &film = ball.film[f.at_outer];
+  const double local = std::fmax(film.thickness - film.rough, settings_.film_floor);
+  fprintf(file, "%.12g %.0f %d %.0f %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g\n", time,
+          state_.account.discharges + 1.0, order_, ball.tag, static_cast<int>(f.at_outer),
+          ball.azimuth, f.ring_voltage, f.ring_voltage_after, f.film_voltage, local, f.film_energy,
+          f.energy);
+}
+
+double FixBearingCircuit::compute_scalar()
+{
+  return compute_vector(bearing::of_fix_circuit::VOLTAGE);
+}
+
+double FixBearingCircuit::compute_vector(int k)
+{
+  using namespace bearing::of_fix_circuit;
+  if (!begun_) return 0.0;
+  const CircuitAccount &a = state_.account;
+  switch (k) {
+    case VOLTAGE: return state_.voltage.ring;
+    case DRIVING: return state_.outer.driving;
+    case CAPACITANCE: return bearing_capacitance(state_.films);
+    case RATIO: return settings_.voltage_ratio(state_.outer, bearing_capacitance(state_.films));
+    case THRESHOLD: {
+      const double v = threshold_voltage(state_.films);
+      return std::isinf(v) ? 0.0 : v;
+    }
+    case DISCHARGES: return a.discharges;
+    case FAILURES: return a.failures;
+    case DISCHARGE_ENERGY: return a.discharge_energy;
+    case SOURCE_WORK: return a.source_work;
+    case MECHANICAL_WORK: return a.mechanical_work;
+    case LEAK_HEAT: return a.leak_heat;
+    case RESISTOR_HEAT: return a.resistor_heat;
+    case STORED: return stored_energy(state_.films, state_.outer, state_.voltage);
+    case CHARGE_ERROR: return a.charge_error;
+    case ENERGY_ERROR: return a.energy_error;
+  }
+  return 0.0;
+}
+
+// The last sample and what the circuit was there; films and outer circuit follow from them.
+void FixBearingCircuit::write_restart(FILE *fp)
+{
+  if (comm->me != 0) return;
+  const CircuitAccount &a = state_.account;
+  std::vector<double> data = {
+      double(begun_),     double(balls_.size()), double(first_step_), double(last_step_), dt_,
+      state_.charge.ring, state_.voltage.ring};
+  data.insert(data.end(), reinterpret_cast<const double *>(&a),
+              reinterpret_cast<const double *>(&a + 1));
+  for (size_t k = 0; k < balls_.size(); ++k) {
+    data.insert(data.end(), reinterpret_cast<const double *>(&balls_[k]),
+                reinterpret_cast<const double *>(&balls_[k] + 1));
+    data.push_back(state_.charge.ball[k]);
+    data.push_back(state_.voltage.ball[k]);
+  }
+  const int size = static_cast<int>(data.size() * sizeof(double));
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(data.data(), 1, size, fp);
+}
+
+void FixBearingCircuit::restart(char *buf)
+{
+  const auto take = [&buf](void *to, size_t bytes) {
+    memcpy(to, buf, bytes);
+    buf += bytes;
+  };
+  double head[7];
+  take(head, sizeof head);
+  begun_ = head[0] != 0.0;
+  balls_.resize(static_cast<size_t>(head[1]));
+  first_step_ = static_cast<bigint>(head[2]);
+  last_step_ = static_cast<bigint>(head[3]);
+  dt_ = head[4];
+  state_.charge.ring = head[5];
+  state_.voltage.ring = head[6];
+  take(&state_.account, sizeof state_.account);
+  state_.charge.ball.resize(balls_.size());
+  state_.voltage.ball.resize(balls_.size());
+  for (size_t k = 0; k < balls_.size(); ++k) {
+    take(&balls_[k], sizeof balls_[k]);
+    take(&state_.charge.ball[k], sizeof(double));
+    take(&state_.voltage.ball[k], sizeof(double));
+  }
+  restored_ = begun_;
+}

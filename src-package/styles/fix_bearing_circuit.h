@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/circuit: a bearing in an outer circuit, sampled every N steps: bearing voltage,
+// discharges, energy. Films are those of a fix bearing/capacitance. Every rank solves the circuit,
+// so bits do not depend on ranks.
+#ifdef FIX_CLASS
+FixStyle(bearing/circuit,FixBearingCircuit)
+#else
+#ifndef LMP_FIX_BEARING_CIRCUIT_H
+#define LMP_FIX_BEARING_CIRCUIT_H
+
+#include "../deck/text_file.h"
+#include "../physics/circuit.h"
+#include "bearing_compat.h"
+#include "circuit_settings.h"
+
+namespace LAMMPS_NS {
+
+class FixBearingCapacitance;
+class PairBearingHertz;
+
+class FixBearingCircuit : public Fix {
+ public:
+  FixBearingCircuit(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void end_of_step() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  // A film as sampled.
+  struct Film {
+    double capacitance, thickness, rough;    // F, m; m that the surfaces' roughness takes
+  };
+  struct Ball {
+    double tag, azimuth;    // rad
+    Film film[2];           // inner, outer
+  };
+  // A contact on its way to all ranks.
+  struct Row {
+    bearing::tag_t ball, ring;
+    int side;
+    double azimuth;
+    Film film;
+  };
+
+  std::vector<Ball> find_balls();
+  // Since the first sample, s.
+  double time_of(bigint step) const { return static_cast<double>(step - first_step_) * dt_; }
+  void sample();
+  void advance(const std::vector<Ball> &to, double time);
+  raceway::BearingFilms films(const std::vector<Ball> &) const;
+  static std::vector<Ball> between(const std::vector<Ball> &, const std::vector<Ball> &,
+                                   double share);
+  void solve(const std::vector<Ball> &at, double time, double length);
+  void tell(const raceway::FilmFailure &, const std::vector<Ball> &at, double time);
+
+  std::string cap_id_;
+  bearing::CircuitSettings settings_;
+  PairBearingHertz *pair_ = nullptr;
+  FixBearingCapacitance *cap_ = nullptr;
+  bearing::TextFile events_;
+  bool begun_ = false, restored_ = false;
+  bigint first_step_ = 0, last_step_ = -1;    // of the first and of the last sample
+  double dt_ = 0.0;                           // s, of all steps between them
+  std::vector<Ball> balls_;                   // at the last sample, by tag
+  raceway::CircuitState state_;
+  int order_ = 0;    // of a failure in its discharge
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/circuit: the numbers of the Python package on the record of the same run, its events,
+and what it refuses."""
+
+import numpy as np
+import pytest
+import raceway
+from host import ROOT, run
+from raceway.electric import circuit
+from raceway.electric.breakdown import Breakdown
+from raceway.electric.leak import Leak
+from raceway.electric.outer import Floating, Motor, Source
+from raceway.electric.waveforms import Constant, Sine, Table
+from raceway.runs.columns import _TABLES
+
+SAMPLES = 120
+NAMES = [row["name"] for row in _TABLES["fix_circuit"]]
+CASES = {
+    "motor": (
+        "motor 50e-12 1e-9 second_factor 1.0 voltage sine 300 200 breakdown 30e6 points 4",
+        Motor(Sine(300.0, 200.0), 50e-12, 1e-9, second_factor=1.0),
+        Breakdown(30e6),
+        None,
+        4,
+    ),
+    "leaking source": (
+        "source 3e6 voltage table {table} resistivity 1e9 breakdown 30e6 surfaces smooth beside"
+        " 20e-12 stray 1e-12",
+        Source(Table([0, 2e-3, 5e-3], [0, 40, -25]), 3e6, 20e-12),
+        Breakdown(30e6, "smooth"),
+        Leak(1e9),
+        1,
+    ),
+    "stiff source": (
+        "source 0 voltage constant 5 resistivity 1e9 points 3",
+        Source(Constant(5.0)),
+        None,
+        Leak(1e9),
+        3,
+    ),
+    "floating": ("floating 4 stray 2e-12", Floating(4.0), None, None, 1),
+}
+
+
+RECORD = "fix rec all bearing/record 1 {}\n"
+
+
+def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, **options):
+    """in.case with a record, and a circuit by `words`, in `folder`; its `Outcome`."""
+    folder.mkdir(exist_ok=True)
+    (folder / "table.txt").write_text("# s V\n0 0\n2e-3 40\n5e-3 -25 # the end\n")
+    values = "".join(f"variable v{k} equal f_cir[{k}]\n" for k in range(1, len(NAMES) + 1))
+    shown = " ".join(f"${{v{k}}}" for k in range(1, len(NAMES) + 1))
+    fixes = folder / "fixes"
+    fixes.write_text(
+        "fix cap balls bearing/capacitance 1 permittivity 2.25\n"
+        f"{record.format(folder / 'rec')}"
+        f"fix cir balls bearing/circuit 1 cap {words.format(table=folder / 'table.txt')}\n"
+        f"{values}fix say all print 1 '{shown}' file {folder / 'circuit.txt'} screen no\n{more}"
+    )
+    return run(
+        "tests/implicit/in.case",
+        out=folder,
+        more=fixes,
+        inner="x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3",
+        sample=1e-4,
+        samples=samples,
+        **options,
+    )
+
+
+@pytest.fixture(scope="module", params=CASES)
+def pair(request, tmp_path_factory):
+    """(rows of the fix by name, rows of its events, the `Result` of Python) of one run."""
+    words, outer, breakdown, leak, points = CASES[request.param]
+    folder = tmp_path_factory.mktemp("circuit")
+    if breakdown:
+        words += f" events {folder / 'events.txt'}"
+    end = run_with(folder, words)
+    assert end.code == 0, end.text[-3000:]
+    rows = dict(zip(NAMES, np.loadtxt(folder / "circuit.txt").T))
+    events = np.loadtxt(folder / "events.txt", ndmin=2) if breakdown else np.empty((0, 12))
+    stray = {"leaking source": 1e-12, "floating": 2e-12}.get(request.param, 0.0)
+    found = circuit.run(
+        raceway.open(folder / "rec"), outer, breakdown, leak, points=points, stray=stray
+    )
+    return rows, events, found, points
+
+
+def test_the_fix_gives_the_numbers_of_python(pair):
+    """At every sample after the first, of which LIGGGHTS prints nothing."""
+    rows, _, (data, events), points = pair
+    data = data.isel(time=slice(points, None, points))
+    for name in NAMES:
+        if name.endswith("_error"):
+            continue
+        if name == "discharges":
+            ours = np.searchsorted(events.groupby("discharge").time.first(), data.time, "right")
+        elif name == "failures":
+            ours = np.searchsorted(events.time, data.time, "right")
+        else:
+            ours = data[name].to_numpy() if name in data else np.zeros(SAMPLES)
+            ours = np.where(np.isinf(ours), 0.0, ours)  # no film can fail
+        scale = np.abs(ours).max()
+        np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=1e-9 * scale, err_msg=name)
+
+
+def test_balances(pair):
+    rows, _, (data, _), _ = pair
+    on_films = float(np.abs(data.film_capacitance * data.film_voltage).max())
+    assert rows["charge_error"].max() < 1e-12 * max(on_films, 300 * 50e-12)
+    assert rows["energy_error"].max() < 1e-12 * rows["stored_energy"].max()
+
+
+def test_the_events_are_those_of_python(pair):
+    _, rows, (_, events), _ = pair
+    assert len(rows) == len(events)
+    if not len(rows):
+        return
+    events = events.assign(raceway=(events.raceway == "outer").astype(int))
+    names = (
+        "time discharge order ball raceway azimuth bearing_voltage bearing_voltage_after"
+        " film_voltage local_thickness film_energy energy"
+    ).split()
+    for name, found in zip(names, rows.T):
+        ours = events[name].to_numpy(dtype=float)
+        scale = np.abs(ours).max()
+        np.testing.assert_allclose(found, ours, rtol=1e-9, atol=1e-9 * scale, err_msg=name)
+
+
+def test_the_cases_have_discharges(pair):
+    _, rows, (data, events), _ = pair
+    assert len(events) > 20 or "threshold_voltage" not in data
+
+
+@pytest.mark.parametrize(
+    "words, message",
+    [
+        ("motor 0 1e-9 voltage constant 1", "capacitance of winding to rotor (F)"),
+        ("motor 1e-12 1e-9", "'voltage' is missing"),
+        ("floating 1 voltage constant 1", "a floating inner ring takes no 'voltage'"),
+        ("floating 1 second 1e-12", "'second' and 'second_factor' go with a motor"),
+        ("source 0 voltage constant 1 breakdown 1e6", "give it a resistance"),
+        ("source 1 voltage square 1", "constant, sine, common_mode, table"),
+        ("source 1 voltage table {table} points 0", "points of the circuit a sample"),
+        ("source 1 voltage table nowhere.txt", "cannot read 'nowhere.txt'"),
+        ("floating 1 events x", "'events' needs 'breakdown'"),
+        ("floating 1 loud yes", "voltage, second, second_factor, beside, stray, breakdown"),
+        (
+            "source 1 voltage sine 1 5000",
+            "a sample takes 0.0001 s, a period of the voltage 0.0002 s: 'points' must be at least"
+            " 4, not 1",
+        ),
+    ],
+)
+def test_bad_words(tmp_path, words, message):
+    end = run_with(tmp_path / "run", words, samples=2)
+    assert end.code != 0
+    assert "fix cir bearing/circuit" in end.error and message in end.error, end.error
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        ("0 1\n1 2 3\n", "line 2: a row of a voltage table is two numbers, s and V"),
+        ("0 1\n\n0 2\n", "line 3: times of a voltage table must rise"),
+        ("0 1\nx\n", "line 2: a row of a voltage table is two numbers"),
+        ("0 1\n", "needs two rows of s and V at least"),
+    ],
+)
+def test_bad_table(tmp_path, text, message):
+    path = tmp_path / "bad.txt"
+    path.write_text(text)
+    end = run_with(tmp_path / "run", f"source 1 voltage table {path}", samples=2)
+    assert end.code != 0 and message in end.error
+
+
+def test_which_capacitance_and_which_balls(tmp_path):
+    end = run_with(tmp_path / "a", "floating 1", "fix two balls bearing/circuit 1 rec floating 1\n")
+    assert "fix two bearing/circuit: there is no fix bearing/capacitance 'rec'" in end.error
+    none = "fix two inner bearing/circuit 1 cap floating 1\n"
+    end = run_with(tmp_path / "b", "floating 1", none, samples=2)
+    assert "fix two bearing/circuit: group inner has no balls" in end.error
+    few = "group few id 1 2\nfix less few bearing/capacitance 1 permittivity 2\n"
+    few += "fix two balls bearing/circuit 1 less floating 1\n"
+    end = run_with(tmp_path / "c", "floating 1", few, samples=2)
+    assert "fix two bearing/circuit: ball 3 is not in the group of fix less" in end.error
+
+
+def test_the_time_step_must_stay(tmp_path):
+    more = "run 3\ntimestep 5e-5\n"
+    end = run_with(tmp_path / "run", "floating 1", more, samples=2, record="")
+    message = "the time step stay the same: step 3 with 0.0001 s, then step 4 with 5e-05 s"
+    assert f"fix cir bearing/circuit: steps must go on and {message}" in end.error, end.error
+
+
+def test_a_group_of_two_bearings(tmp_path):
+    text = (ROOT / "tests/implicit/in.ranks").read_text()
+    before = "variable n equal step"
+    assert text.count(before) == 1
+    deck = tmp_path / "in.two"
+    deck.write_text(
+        text.replace(before, "fix cir balls bearing/circuit 1 cap floating 1\n" + before)
+    )
+    end = run(deck, out=tmp_path, bearings=2, xhi=0.18)
+    assert "fix cir bearing/circuit: group balls has balls on ring atoms" in end.error, end.error
+    assert "give each bearing a group and a fix" in end.error
