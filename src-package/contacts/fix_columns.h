@@ -142,8 +142,8 @@ const Column list[N] = {
 };
 }    // namespace of_fix_capacitance
 
-// ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers since the
-// first one
+// ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers since
+// the first one
 namespace of_fix_circuit {
 enum {
   VOLTAGE,

@@ -91,8 +91,8 @@ void begin_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint 
   circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
 }
 
-// The first ball with a charge and without any film, or -1. Its voltage has no bound. What additions
-// leave of a charge does not count.
+// The first ball with a charge and without any film, or -1. Its voltage has no bound. What
+// additions leave of a charge does not count.
 inline int charged_without_film(const CircuitState &s)
 {
   const double rounding = 1e-12 * s.account.film_charge;
