@@ -15,6 +15,7 @@ from raceway.electric.leak import Leak
 from raceway.electric.outer import Floating, Motor, Source
 from raceway.electric.waveforms import CommonMode, Constant, Sine
 
+LOCAL = "--roughness 2e-7 --film-floor 3e-9".split()
 MOTOR = ["--motor", "50e-12", "1e-9", "--common-mode", "560", "300", "50", "0.8"]
 
 
@@ -34,9 +35,9 @@ MOTOR = ["--motor", "50e-12", "1e-9", "--common-mode", "560", "300", "50", "0.8"
             Leak(1e9),
         ),
         (
-            ["--floating", "5", "--background", "20e-12", "--strength", "1e12"],
+            [*"--floating 5 --background 20e-12 --strength 1e7".split(), *LOCAL],
             Floating(5.0, 20e-12),
-            Breakdown(1e12),
+            Breakdown(1e7, "rough", 3e-9, 2e-7),
             None,
         ),
     ],

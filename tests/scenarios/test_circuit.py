@@ -11,6 +11,7 @@ from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
 from raceway.electric.outer import Floating, Motor, Source
 from raceway.electric.waveforms import Constant, Sine, Table
+from raceway.errors import RunError
 from raceway.runs.columns import _TABLES
 
 SAMPLES = 120
@@ -199,6 +200,17 @@ def test_a_group_of_two_bearings(tmp_path):
     before = "variable n equal step"
     assert text.count(before) == 1
     deck = tmp_path / "in.two"
+    deck.write_text(text.replace(before, RECORD.format(tmp_path / "rec") + before))
+    end = run(deck, out=tmp_path, bearings=2, xhi=0.18)
+    assert end.code == 0, end.text[-2000:]
+    two = raceway.open(tmp_path / "rec")
+    with pytest.raises(RunError, match="rec holds 2 bearings: take one of them"):
+        circuit.run(two, Floating(3.0))
+    for number in two.bearing_numbers:
+        one = two.select(number)
+        data = circuit.run(one, Floating(3.0, 1e-12)).data
+        assert data.sizes["ball"] == 9
+        np.testing.assert_allclose(data.bearing_capacitance, one.bearing.capacitance, rtol=1e-12)
     deck.write_text(
         text.replace(before, "fix cir balls bearing/circuit 1 cap floating 1\n" + before)
     )

@@ -41,6 +41,9 @@ def add(commands: Commands) -> None:
     )
     takes_negative(one)
     one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    one.add_argument(
+        "--bearing", type=_whole, metavar="N", help="one of many bearings in the folder"
+    )
     _outer(one)
     _voltage(one)
     one.add_argument(
@@ -60,6 +63,13 @@ def add(commands: Commands) -> None:
         type=number(0, 1e-4, "m"),
         metavar="M",
         help="composite roughness for the local thickness (default: the run's)",
+    )
+    one.add_argument(
+        "--film-floor",
+        type=number(1e-12, 1e-3, "m"),
+        default=1e-9,
+        metavar="M",
+        help="smallest local thickness (default 1e-9)",
     )
     one.add_argument(
         "--resistivity",
@@ -142,11 +152,14 @@ def run(arguments: argparse.Namespace) -> None:
 
     breakdown = leak = None
     if arguments.strength is not None:
-        roughness = arguments.roughness
-        breakdown = Breakdown(arguments.strength, arguments.surfaces, roughness=roughness)
+        breakdown = Breakdown(
+            arguments.strength, arguments.surfaces, arguments.film_floor, arguments.roughness
+        )
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
     opened = raceway.open(arguments.folder)
+    if arguments.bearing is not None:
+        opened = opened.select(arguments.bearing)
     try:  # a ValueError: what goes with nothing, or not with the run
         result = circuit.run(
             opened,
