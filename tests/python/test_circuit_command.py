@@ -60,12 +60,23 @@ def test_figures(folder):
     assert found["energy_max_J"] == per_discharge.max()
     assert found["bearing_voltage_max_V"] == events.bearing_voltage.max()
     assert found["field_max_V_m"] == events.field.max() > 30e6
+    assert found["floor_share"] == 0
     # films are thinnest where the load is
     assert abs(found["place_rad"]) < 0.5
     assert found["bvr_mean"] is None
     text = circuit_figures.table(found)
     assert f"number {found['discharges']}" in " ".join(text.split())
     assert "Bearing voltage ratio" not in text
+
+
+def test_films_at_the_floor(folder):
+    """At 477.5 rpm the films are thinner than three times the roughness."""
+    run = raceway.open(folder)
+    data, _ = result = circuit.run(run, Source(Constant(20.0), 1e7), Breakdown(30e6, floor=2e-9))
+    thin = (run.contacts.h_c <= 3 * 1.5e-7 + 2e-9).sum() / run.contacts.h_c.notnull().sum()
+    found = circuit_figures.figures(result)["floor_share"]
+    assert found == pytest.approx(float(thin)) and found > 0.5
+    assert float(data.local_thickness.min()) == 2e-9
 
 
 def test_files(folder, tmp_path, capsys):

@@ -23,6 +23,7 @@ MEANINGS = {  # of the variables, with units
     "ball_voltage": ("V", "voltage of a ball to the outer ring"),
     "film_voltage": ("V", "voltage across a film, from the inner to the outer ring"),
     "field": ("V/m", "voltage across a film over its thickness"),
+    "local_thickness": ("m", "thickness of a film less what the surfaces' roughness takes"),
     "local_field": ("V/m", "voltage across a film over its local thickness"),
     "film_capacitance": ("F", "capacitance of a film"),
     "film_state": ("1", "0 capacitive, 1 leaking, 2 metallic"),
@@ -126,7 +127,9 @@ def _dataset(fine, outer, terms, s, breakdown, limit):
         "charge_error": ("time", _charge_error(fine, terms, s, film)),
     }
     if breakdown:
-        data["local_field"] = (place, film / breakdown.local_thickness(fine))
+        local = breakdown.local_thickness(fine)
+        data["local_thickness"] = (place, local)
+        data["local_field"] = (place, film / local)
         data["threshold_voltage"] = ("time", threshold(fine, limit))
     if isinstance(outer, Motor):
         ratio = terms.coupling / (terms.coupling + terms.capacitance + bearing)
@@ -137,6 +140,8 @@ def _dataset(fine, outer, terms, s, breakdown, limit):
     for name, (unit, meaning) in MEANINGS.items():
         if name in made:
             made[name].attrs = {"units": unit, "long_name": meaning}
+    if breakdown:
+        made["local_thickness"].attrs["floor"] = breakdown.floor
     for name in ("azimuth", "from_load_line"):
         made.coords[name] = (("time", "ball"), getattr(fine, name), {"units": "rad"})
     made["time"].attrs = {"units": "s", "long_name": "time since the start of the measured window"}

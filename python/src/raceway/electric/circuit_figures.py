@@ -37,6 +37,7 @@ TOPICS = {
     "Threshold voltage": (
         Row("threshold_mean_V", "mean", "V", "balls without charge"),
         Row("threshold_min_V", "least", "V"),
+        Row("floor_share", "films at the film floor", "", "share; h - 3 sigma is less"),
     ),
     "Discharges": (
         Row("discharges", "number", ""),
@@ -97,6 +98,7 @@ def figures(result: Result) -> dict[str, float | None]:
         found[f"{name}_J"] = float(data[name][-1])
     fails = "threshold_voltage" in data
     found |= {
+        "floor_share": _at_the_floor(data.local_thickness) if fails else None,
         "discharges": len(one) if fails else None,
         "discharges_per_s": len(one) / length if fails else None,
         "full_discharges": int((one["bearing_voltage_after"].last() == 0).sum()) if fails else None,
@@ -151,6 +153,13 @@ def _heading(units):
 
 def _csv(frame, path):
     return whole(path, lambda part: frame.to_csv(part, index=False))
+
+
+def _at_the_floor(thickness):
+    """Share of the films; None without any."""
+    there = thickness.notnull()
+    low = there & (thickness <= thickness.attrs["floor"])
+    return float(low.sum() / there.sum()) if there.any() else None
 
 
 def _largest(values):
