@@ -104,13 +104,17 @@ CircuitSettings CircuitSettings::read(Arguments &args, MPI_Comm world)
       s.film_floor = args.positive("smallest local thickness (m)");
     } else if (args.take("resistivity")) {
       s.resistivity = args.positive("resistivity of the lubricant (ohm m)");
+    } else if (args.take("metal")) {
+      s.metal = args.positive("resistance of a metallic film (ohm)");
+      s.metal_share =
+          args.within("share of the load on asperities above which a film is metallic", 0.0, 0.999);
     } else if (args.take("points")) {
       s.points = args.integer("points of the circuit a sample", 1, 1000000);
     } else if (args.take("events")) {
       s.events = args.word("file for the films that fail");
     } else {
       args.unknown("voltage, second, second_factor, beside, stray, breakdown, surfaces, "
-                   "film_floor, resistivity, points, events");
+                   "film_floor, resistivity, metal, points, events");
     }
   }
   if (driven != (s.outer != floating))

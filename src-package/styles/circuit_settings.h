@@ -20,6 +20,7 @@ struct CircuitSettings {
   double strength = 0.0, film_floor = 1e-9;    // V/m, 0: no breakdown; m
   bool rough = true;                           // local thickness less 3 sigma
   double resistivity = 0.0;                    // ohm m, 0: no leak
+  double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; of the load
   int points = 1;                              // of the circuit a sample
   std::string events;                          // file
 

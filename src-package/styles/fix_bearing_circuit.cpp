@@ -22,7 +22,6 @@ using bearing::tag_t;
 namespace {
 constexpr int per_cycle = 8;    // points that a period of the voltage needs at least
 constexpr double pi = 3.14159265358979323846;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 }    // namespace
 
 // fix ID group bearing/circuit N CAPACITANCE floating V | source R | motor C_WR C_RF [keywords]
@@ -67,6 +66,22 @@ void FixBearingCircuit::setup(int)
 
 void FixBearingCircuit::end_of_step() { sample(); }
 
+FixBearingCircuit::Film FixBearingCircuit::film_of(const bearing::RacewayContact &c) const
+{
+  Film film;
+  if (settings_.metal > 0.0 && !c.raceway->has<MixedFrictionPart>())
+    BRG_ONE(bearing::name_of(*this) +
+            ": 'metal' needs 'friction mixed', which knows what asperities carry");
+  if (!c.live) return film;
+  const FilmCapacitorT<double> q = cap_->capacitor(c);
+  film.capacitance = q.capacitance;
+  film.thickness = q.h_c;
+  film.rough = settings_.rough ? 3.0 * c.raceway->roughness : 0.0;
+  if (settings_.metal > 0.0 && c.state.asperity_share > settings_.metal_share)
+    film.metal = 1.0 / settings_.metal;
+  return film;
+}
+
 // The balls of the group and their films now, by tag, on every rank.
 std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
 {
@@ -84,23 +99,18 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
   for (const bearing::RacewayContact &c : pair_->table().raceway)
     if (atom->mask[c.i_ball] & groupbit) {
       const Vec3 from_ring = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
-      Row row = {c.ball,
-                 c.ring,
-                 c.side() == Side::outer,
-                 bearing::azimuth(from_ring, pair_->axis_index()),
-                 {0.0, none, 0.0}};
-      if (c.live) {
-        const FilmCapacitorT<double> q = cap_->capacitor(c);
-        row.film = {q.capacitance, q.h_c, settings_.rough ? 3.0 * c.raceway->roughness : 0.0};
-      }
-      rows.push_back(row);
+      rows.push_back({c.ball, c.ring, c.side() == Side::outer,
+                      bearing::azimuth(from_ring, pair_->axis_index()), film_of(c)});
     }
   rows = bearing::gather_all(rows, world);
   std::sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) {
     return std::make_tuple(a.ball, a.side, a.ring) < std::make_tuple(b.ball, b.side, b.ring);
   });
   std::vector<Ball> balls;
-  for (tag_t tag : tags) balls.push_back({double(tag), none, {{0.0, none, 0.0}, {0.0, none, 0.0}}});
+  for (tag_t tag : tags) {
+    balls.push_back({});
+    balls.back().tag = tag;
+  }
   tag_t ring[2] = {-1, -1};
   for (const Row &row : rows) {
     if (ring[row.side] >= 0 && ring[row.side] != row.ring)
@@ -187,8 +197,9 @@ BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
   const auto film = [this](const Film &f) {
     CircuitFilm made;
     made.capacitance = f.capacitance + settings_.stray;
+    made.conductance = f.metal;
     if (settings_.resistivity > 0.0)
-      made.conductance =
+      made.conductance +=
           f.capacitance / (settings_.resistivity * vacuum_permittivity * cap_->permittivity());
     if (settings_.breaks_down() && made.capacitance > 0.0)
       made.limit = film_limit(f.thickness, settings_.strength, f.rough, settings_.film_floor);
@@ -213,7 +224,7 @@ FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball
     for (int side = 0; side < 2; ++side) {
       const Film &a = from[k].film[side], &b = to[k].film[side];
       all[k].film[side] = {mix(a.capacitance, b.capacitance), mix(a.thickness, b.thickness),
-                           std::fmax(a.rough, b.rough)};
+                           std::fmax(a.rough, b.rough), mix(a.metal, b.metal)};
     }
   }
   return all;

@@ -13,6 +13,10 @@ FixStyle(bearing/circuit,FixBearingCircuit)
 #include "bearing_compat.h"
 #include "circuit_settings.h"
 
+namespace bearing {
+struct RacewayContact;
+}
+
 namespace LAMMPS_NS {
 
 class FixBearingCapacitance;
@@ -33,11 +37,14 @@ class FixBearingCircuit : public Fix {
  private:
   // A film as sampled.
   struct Film {
-    double capacitance, thickness, rough;    // F, m; m that the surfaces' roughness takes
+    double capacitance = 0.0;                                       // F
+    double thickness = std::numeric_limits<double>::quiet_NaN();    // m
+    double rough = 0.0;    // m, that the surfaces' roughness takes
+    double metal = 0.0;    // S, of asperities
   };
   struct Ball {
-    double tag, azimuth;    // rad
-    Film film[2];           // inner, outer
+    double tag = 0.0, azimuth = 0.0;    // rad
+    Film film[2];                       // inner, outer
   };
   // A contact on its way to all ranks.
   struct Row {
@@ -48,6 +55,7 @@ class FixBearingCircuit : public Fix {
   };
 
   std::vector<Ball> find_balls();
+  Film film_of(const bearing::RacewayContact &) const;
   // Since the first sample, s.
   double time_of(bigint step) const { return static_cast<double>(step - first_step_) * dt_; }
   void sample();

@@ -2,6 +2,8 @@
 """fix bearing/circuit: the numbers of the Python package on the record of the same run, its events,
 and what it refuses."""
 
+import shutil
+
 import numpy as np
 import pytest
 import raceway
@@ -43,6 +45,8 @@ CASES = {
 }
 
 
+FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"
+SLOW = "x free y free spin speed 25 force 0 -800 0 ramp 3.0e-3"
 RECORD = "fix rec all bearing/record 1 {}\n"
 
 
@@ -59,15 +63,8 @@ def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, **options):
         f"fix cir balls bearing/circuit 1 cap {words.format(table=folder / 'table.txt')}\n"
         f"{values}fix say all print 1 '{shown}' file {folder / 'circuit.txt'} screen no\n{more}"
     )
-    return run(
-        "tests/implicit/in.case",
-        out=folder,
-        more=fixes,
-        inner="x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3",
-        sample=1e-4,
-        samples=samples,
-        **options,
-    )
+    case = dict(sample=1e-4, samples=samples, inner=FAST) | options
+    return run("tests/implicit/in.case", out=folder, more=fixes, **case)
 
 
 @pytest.fixture(scope="module", params=CASES)
@@ -104,6 +101,33 @@ def test_the_fix_gives_the_numbers_of_python(pair):
             ours = np.where(np.isinf(ours), 0.0, ours)  # no film can fail
         scale = np.abs(ours).max()
         np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=1e-9 * scale, err_msg=name)
+
+
+def test_metal(tmp_path):
+    """Films that asperities share conduct, in the fix as in Python, and share 0.1 parts them."""
+    here = tmp_path / "here"
+    shutil.copytree(ROOT / "tests/implicit", here, ignore=shutil.ignore_patterns("__pycache__"))
+    contact = here / "contact.film"
+    stribeck = "friction stribeck 0.12 0.05 smoothed ${creep}"
+    assert contact.read_text().count(stribeck) == 1
+    mixed = (
+        "friction mixed 0.12 0.05 heathcote 1.0e-4 rolling 0.047 0.134 1.0 rolling_hysteresis 0.01"
+        " spin 1.0 drag 870 0.1"
+    )
+    contact.write_text(contact.read_text().replace(stribeck, mixed))
+    words = "source 1e7 voltage constant 5 metal 10 0.1 points 2"
+    every = RECORD.rstrip() + " contacts all\n"
+    end = run_with(tmp_path / "run", words, record=every, here=here, inner=SLOW)
+    assert end.code == 0, end.text[-3000:]
+    rows = dict(zip(NAMES, np.loadtxt(tmp_path / "run" / "circuit.txt").T))
+    outer, leak = Source(Constant(5.0), 1e7), Leak(metal=10.0, share=0.1)
+    data = circuit.run(raceway.open(tmp_path / "run" / "rec"), outer, leak=leak, points=2).data
+    states = set(np.unique(data.film_state))
+    assert states == {0, 2}
+    data = data.isel(time=slice(2, None, 2))
+    for name in ("bearing_voltage", "leak_heat", "resistor_heat", "stored_energy"):
+        scale = float(np.abs(data[name]).max())
+        np.testing.assert_allclose(rows[name], data[name], rtol=1e-9, atol=1e-9 * scale)
 
 
 def test_balances(pair):
@@ -146,6 +170,8 @@ def test_the_cases_have_discharges(pair):
         ("source 1 voltage table {table} points 0", "points of the circuit a sample"),
         ("source 1 voltage table nowhere.txt", "cannot read 'nowhere.txt'"),
         ("floating 1 events x", "'events' needs 'breakdown'"),
+        ("floating 1 metal 5", "share of the load on asperities above which a film is metallic"),
+        ("floating 1 metal 5 0.1", "'metal' needs 'friction mixed', which knows what asperities"),
         ("floating 1 loud yes", "voltage, second, second_factor, beside, stray, breakdown"),
         (
             "source 1 voltage sine 1 5000",

@@ -56,7 +56,10 @@ class Leak:
         if self.metal is None:
             return conductance, None
         if "asperity_share" not in contacts:
-            raise RunError(f"{name}: metallic films need the column asperity_share")
+            raise RunError(
+                f"{name}: metallic films need the column asperity_share (friction mixed, contacts"
+                " all)"
+            )
         carried = contacts["asperity_share"].transpose("time", "raceway", "ball").to_numpy()
         metallic = np.where(np.nan_to_num(carried) > self.share, 1.0, 0.0)
         return conductance + metallic / self.metal, metallic
