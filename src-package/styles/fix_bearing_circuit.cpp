@@ -72,12 +72,13 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const bearing::RacewayContact
   if (settings_.metal > 0.0 && !c.raceway->has<MixedFrictionPart>())
     BRG_ONE(bearing::name_of(*this) +
             ": 'metal' needs 'friction mixed', which knows what asperities carry");
-  if (!c.live) return film;
+  const bool whole = cap_->model().surrounded();
+  if (!c.live && !whole) return film;
   const FilmCapacitorT<double> q = cap_->capacitor(c);
-  film.capacitance = q.capacitance;
-  film.thickness = q.h_c;
+  film.capacitance = whole ? q.total() : q.capacitance;
+  film.thickness = whole ? q.separation : q.h_c;
   film.rough = settings_.rough ? 3.0 * c.raceway->roughness : 0.0;
-  if (settings_.metal > 0.0 && c.state.asperity_share > settings_.metal_share)
+  if (settings_.metal > 0.0 && c.live && c.state.asperity_share > settings_.metal_share)
     film.metal = 1.0 / settings_.metal;
   return film;
 }
@@ -199,8 +200,8 @@ BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
     made.capacitance = f.capacitance + settings_.stray;
     made.conductance = f.metal;
     if (settings_.resistivity > 0.0)
-      made.conductance +=
-          f.capacitance / (settings_.resistivity * vacuum_permittivity * cap_->permittivity());
+      made.conductance += f.capacitance / (settings_.resistivity * vacuum_permittivity *
+                                           cap_->model().permittivity);
     if (settings_.breaks_down() && made.capacitance > 0.0)
       made.limit = film_limit(f.thickness, settings_.strength, f.rough, settings_.film_floor);
     return made;
