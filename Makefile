@@ -10,11 +10,12 @@
 #   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
+#   make bearings  write the files of inputs/bearings that follow from the tables of inputs/catalogue
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run build test bench columns bearings docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv libngspice0
 CXX_MPI := mpicxx.openmpi
@@ -80,6 +81,11 @@ bench: build
 columns: setup
 	@$(MAKE) --no-print-directory -s build/columns
 	build/columns > $(COLUMNS)
+
+# Files of inputs/bearings, from the makers' tables and the rule for balls.
+bearings: setup
+	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
+	.venv/bin/python python/bearing_files.py
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)

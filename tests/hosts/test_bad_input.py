@@ -50,8 +50,8 @@ MAIN_DECK = {
     "unknown bearing": (
         {"bearing": "9999"},
         (
-            r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6205, 6206, 6208,"
-            r" 6306, 7208, harris209"
+            r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6000, 6001,"
+            r" .*, 7210C, harris209"
         ),
     ),
     "unknown integrator": (

@@ -93,9 +93,8 @@ def test_help_teaches(name):
 
 def test_help_names_every_command():
     text = _parser().format_help()
-    assert (
-        all(f"\n    {name} " in text for name in subcommands()) and "Exit codes: 0 done; 1 " in text
-    )
+    assert all(re.search(rf"\n    {name}\s", text) for name in subcommands())
+    assert "Exit codes: 0 done; 1 " in text
 
 
 def run_module(*arguments, **options):

@@ -127,7 +127,7 @@ def test_command(capsys):
     dirty = json.loads(capsys.readouterr().out)
     assert dirty["life_factor"] < found["life_factor"]
     assert dirty["life_reference_h"] == found["life_reference_h"]
-    assert cli.main(words("6206").split()) == 0
+    assert cli.main(words("harris209").split()) == 0
     unrated = json.loads(capsys.readouterr().out)
     assert unrated["static_safety"] > 1 and "life_reference_h" not in unrated
 

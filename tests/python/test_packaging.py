@@ -61,8 +61,8 @@ def wheel(tmp_path_factory):
     return folder / "site"
 
 
-def test_wheel_has_bearings_and_lubricants(wheel):
-    for kind in ("bearings", "lubricants"):
+def test_wheel_has_the_data_files(wheel):
+    for kind in ("bearings", "lubricants", "catalogue"):
         for path in (ROOT / "inputs" / kind).iterdir():
             copy = wheel / "raceway" / "data" / kind / path.name
             assert copy.read_text() == path.read_text() and not copy.is_symlink()

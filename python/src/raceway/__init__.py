@@ -44,6 +44,7 @@ NAMES = {
     "impedance": "theory.impedance",
     "kinematics": "theory.kinematics",
     "life": "theory.life",
+    "load_rating": "theory.load_rating",
     "lubricant": "theory.lubricant",
     "lubrication": "theory.lubrication",
     "makers": "theory.makers",
@@ -72,8 +73,10 @@ NAMES = {
     "circuit": "electric.circuit",
     # data files, errors, units
     "catalogue": "catalogue",
+    "clearance_classes": "clearance_classes",
     "errors": "errors",
     "inputs": "inputs",
+    "listing": "listing",
     "shaft_file": "shaft_file",
     "units": "units",
 }

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Finds data files by name: bearings and lubricants of the `inputs` folder, of the package, or a
-file of the user's own."""
+file of the user's own. `raceway.listing` searches the bearings."""
 
+import difflib
 from pathlib import Path
 
 from raceway.files import FilePath
@@ -10,6 +11,7 @@ from raceway.inputs import InputError
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
 # In a source tree these are links to the folders of inputs; a wheel has copies of the files.
 SHIPPED = Path(__file__).with_name("data")
+MANY = 20  # names that a message lists; of more it has those near the one asked for
 
 
 def folder(given: FilePath | None = None) -> Path:
@@ -40,10 +42,16 @@ def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
     shelf = folder(inputs) / kind
     path = shelf / name
     if not path.is_file():
-        there = (
-            ", ".join(sorted(entry.name for entry in shelf.iterdir() if entry.is_file()))
-            if shelf.is_dir()
-            else "nothing"
-        )
-        raise InputError(f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {there}")
+        raise InputError(f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {_there(path)}")
     return path
+
+
+def _there(path):
+    """The names beside `path`; of many, those like its own."""
+    shelf = path.parent
+    files = shelf.iterdir() if shelf.is_dir() else ()
+    names = sorted(entry.name for entry in files if entry.is_file())
+    if len(names) > MANY:
+        near = sorted(difflib.get_close_matches(path.name, names, n=5, cutoff=0.5))
+        return ", ".join([*near, f"{len(names)} in all (raceway catalogue)"])
+    return ", ".join(names) or "nothing"

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from raceway import __version__, progress
 from raceway.commands import (
     animate,
+    catalogue,
     check,
     electric,
     circuit,
@@ -33,6 +34,7 @@ examples:
   raceway check build/run/6208                           and their numerical errors
   raceway plot build/run/6208 --kind polar               a picture
   raceway animate build/run/6208                         a film of it
+  raceway catalogue --bore 40                            the bearings by name
   raceway static --load 2000 --clearance 10e-6           theory, without a run
   raceway shaft inputs/shafts/motor                     bearings on one shaft
   raceway heat --load 2000 --rpm 3000                    its steady temperature
@@ -86,6 +88,7 @@ def _parser():
         export,
         spectrum,
         circuit,
+        catalogue,
         static,
         shaft,
         heat,

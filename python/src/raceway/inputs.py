@@ -13,6 +13,7 @@ from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
+REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 # variables of a lubricant in the order of `Lubricant`, and those that give a `Fluid` outright
 PHYSICAL = (
@@ -60,13 +61,23 @@ class Oil(NamedTuple):
 def values(path: FilePath) -> dict[str, str]:
     """The index variables of a data file as {name: text}. Raises `InputError` when it cannot be
     read."""
+    return _matches(path, LINE)
+
+
+def comments(path: FilePath) -> dict[str, str]:
+    """What a data file says behind its index variables, as {name: comment}. Raises `InputError`
+    when it cannot be read."""
+    return _matches(path, REMARK)
+
+
+def _matches(path, pattern):
     try:
         lines = path.read_text().splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(
             f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
         ) from None
-    return dict(match.groups() for match in map(LINE.match, lines) if match)
+    return dict(match.groups() for match in map(pattern.match, lines) if match)
 
 
 def bearing(path: FilePath) -> Bearing:

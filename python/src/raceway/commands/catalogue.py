@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway catalogue`: the bearings that there are, and a search in them."""
+
+import argparse
+import csv
+import json
+import sys
+
+from raceway.commands import Commands
+from raceway.commands.quantity import number
+
+HELP = "the bearings by name: sizes, ratings, balls; search"
+DESCRIPTION = """\
+Lists the files of inputs/bearings. A name is what --bearing takes, and -var bearing of a deck.
+A WORD is searched in the names, the first lines of the files and the marks of sources.
+
+The marks say where balls and ratings come from; "estimate": the balls of which ISO 281 and ISO 76
+give the ratings. --clearances adds the classes of ISO 5753 for each deep groove ball bearing."""
+EXAMPLES = """\
+examples:
+  raceway catalogue
+  raceway catalogue --bore 40
+  raceway catalogue angular --series 72 --dynamic-load-above 30e3
+  raceway catalogue 6208 --clearances
+  raceway catalogue --series 62 --json
+  raceway catalogue --csv > bearings.csv
+
+JSON and CSV are in SI units.
+Exit codes: 0 done, 1 no such bearing or an unusable file, 2 wrong command line."""
+# heading, field, factor, format
+COLUMNS = (
+    ("name", "name", None, "<9"),
+    ("bore mm", "bore_m", 1e3, ">7g"),
+    ("outs. mm", "outside_m", 1e3, ">8g"),
+    ("width mm", "width_m", 1e3, ">8g"),
+    ("angle", "contact_angle_deg", 1, ">5g"),
+    ("C kN", "dynamic_load_N", 1e-3, ">6g"),
+    ("C0 kN", "static_load_N", 1e-3, ">6g"),
+    ("Pu kN", "fatigue_load_N", 1e-3, ">6g"),
+    ("lim. rpm", "limiting_speed_rpm", 1, ">8.6g"),
+    ("Z", "balls", 1, ">3g"),
+    ("D mm", "ball_diameter_m", 1e3, ">7.5g"),
+    ("pitch mm", "pitch_diameter_m", 1e3, ">8.5g"),
+    ("balls", "balls_from", None, "<11"),
+    ("ratings", "ratings_from", None, "<7"),
+)
+
+
+def add(commands: Commands) -> None:
+    """Add the parser to those of the `raceway` command."""
+    one = commands.add_parser(
+        "catalogue",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument("words", nargs="*", metavar="WORD", help="text that all rows shown have")
+    one.add_argument("--series", metavar="TEXT", help="what the name starts with: 60, 62, 72")
+    for name in ("bore", "outside", "width"):
+        one.add_argument(f"--{name}", type=number(0.1, 3000, "mm"), metavar="MM", help="mm")
+    one.add_argument(
+        "--contact-angle",
+        type=number(0, 60, "degrees"),
+        metavar="DEG",
+        help="nominal, degrees; 0: deep groove ball bearings",
+    )
+    for name, symbol in (("dynamic", "C"), ("static", "C0")):
+        one.add_argument(
+            f"--{name}-load-above",
+            type=number(0, 1e8, "N"),
+            metavar="N",
+            help=f"least {symbol}, newtons",
+        )
+    one.add_argument("--clearances", action="store_true", help="add the classes C2 to C5")
+    one.add_argument(
+        "--inputs",
+        metavar="DIR",
+        help="the inputs folder (default: here or above, else what comes with raceway)",
+    )
+    form = one.add_mutually_exclusive_group()
+    form.add_argument("--json", action="store_true", help="a JSON list, SI units")
+    form.add_argument("--csv", action="store_true", help="comma-separated values, SI units")
+    one.set_defaults(command=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the bearings. Raises `RacewayError`."""
+    from raceway import listing
+    from raceway.inputs import InputError
+
+    sizes = {
+        name: given and 1e-3 * given
+        for name in ("bore", "outside", "width")
+        for given in [getattr(arguments, name)]
+    }
+    found = listing.search(
+        listing.entries(arguments.inputs),
+        arguments.words,
+        series=arguments.series,
+        contact_angle=arguments.contact_angle,
+        dynamic_load_above=arguments.dynamic_load_above,
+        static_load_above=arguments.static_load_above,
+        **sizes,
+    )
+    if not found:
+        raise InputError("no bearing fits; `raceway catalogue` lists all")
+    rows = [one.figures() for one in found]
+    if arguments.clearances:
+        for row in rows:
+            row.update(_clearances(row))
+    if arguments.json:
+        print(json.dumps(rows, indent=2, allow_nan=False))
+    elif arguments.csv:
+        writer = csv.DictWriter(sys.stdout, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    else:
+        print("\n".join(_table(rows)))
+
+
+def _clearances(row):
+    """{column: m} of the classes, the columns of all bearings alike."""
+    from raceway import clearance_classes
+
+    known = {}
+    if row["bore_m"] and not row["contact_angle_deg"]:
+        known = clearance_classes.of_bore(row["bore_m"])
+    return {
+        f"clearance_{name}_{end}_m": known[name][place] if name in known else None
+        for name in clearance_classes.NAMES
+        for place, end in enumerate(("least", "largest"))
+    }
+
+
+def _table(rows):
+    yield "  ".join(f"{heading:{_width(shape)}}" for heading, _, _, shape in COLUMNS).rstrip()
+    for row in rows:
+        yield "  ".join(
+            _cell(row[field], factor, shape) for _, field, factor, shape in COLUMNS
+        ).rstrip()
+    yield from _classes(rows)
+
+
+def _width(shape):
+    return shape.rstrip("g").partition(".")[0]
+
+
+def _cell(value, factor, shape):
+    if value is None:
+        return f"{'-':{_width(shape)}}"
+    return f"{value if factor is None else factor * value:{shape}}"
+
+
+def _classes(rows):
+    from raceway.clearance_classes import NAMES
+
+    if "clearance_CN_least_m" not in rows[0]:
+        return
+    yield "\nDiametral clearance before mounting, µm (ISO 5753); the deck's -var clearance is in m"
+    for row in rows:
+        ends = [
+            (name, row[f"clearance_{name}_least_m"], row[f"clearance_{name}_largest_m"])
+            for name in NAMES
+        ]
+        if ends[1][1] is not None:
+            yield f"{row['name']:<9}" + "".join(
+                f"  {name} {1e6 * least:.0f} to {1e6 * largest:.0f}"
+                for name, least, largest in ends
+                if least is not None
+            )

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway catalogue`, the listing behind it and the clearance classes."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+from raceway import catalogue, clearance_classes, listing
+from raceway.cli import main
+from raceway.inputs import InputError
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(autouse=True)
+def in_the_tree(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+def found(capsys, *arguments):
+    assert main(["catalogue", *arguments, "--json"]) == 0
+    printed = capsys.readouterr()
+    assert printed.err == ""
+    return json.loads(printed.out)
+
+
+def names(capsys, *arguments):
+    return [row["name"] for row in found(capsys, *arguments)]
+
+
+def test_one_bearing(capsys):
+    """6205: what SKF and CWRU state, in SI units."""
+    [row] = found(capsys, "6205")
+    assert row == {
+        "name": "6205",
+        "title": "6205 deep groove ball bearing, 25 x 52 x 15 mm",
+        "bore_m": 0.025,
+        "outside_m": 0.052,
+        "width_m": 0.015,
+        "contact_angle_deg": 0.0,
+        "dynamic_load_N": 14800.0,
+        "static_load_N": 7800.0,
+        "fatigue_load_N": 335.0,
+        "reference_speed_rpm": 28000.0,
+        "limiting_speed_rpm": 18000.0,
+        "mass_kg": 0.13,
+        "balls": 9,
+        "ball_diameter_m": 7.94e-3,
+        "pitch_diameter_m": 39.04e-3,
+        "balls_from": "CWRU",
+        "ratings_from": "SKF",
+    }
+
+
+def test_all_are_listed_by_bore(capsys):
+    rows = found(capsys)
+    there = {path.name for path in (ROOT / "inputs/bearings").iterdir()}
+    assert {row["name"] for row in rows} == there and len(rows) == len(there)
+    bores = [row["bore_m"] for row in rows if row["bore_m"]]
+    assert bores == sorted(bores)
+    # Harris's 209 states none
+    assert rows[-1]["name"] == "harris209" and rows[-1]["bore_m"] is None
+
+
+def test_search(capsys):
+    assert names(capsys, "--bore", "40", "--contact-angle", "0") == ["6008", "6208", "6308"]
+    assert names(capsys, "--outside", "62", "--series", "6") == ["6305", "6206", "6007"]
+    assert names(capsys, "--width", "27") == ["6310"]
+    assert names(capsys, "angular", "JTEKT", "--series", "7208") == ["7208A", "7208B", "7208C"]
+    assert names(capsys, "FARAH") == ["6208"]
+    assert names(capsys, "--series", "63", "--dynamic-load-above", "55300") == ["6310"]
+    assert names(capsys, "--series", "62", "--static-load-above", "21500") == ["6209", "6210"]
+
+
+def test_table_and_csv(capsys):
+    assert main(["catalogue", "--bore", "40", "--series", "62"]) == 0
+    heading, line = capsys.readouterr().out.splitlines()
+    assert (
+        heading.split()
+        == (
+            "name bore mm outs. mm width mm angle C kN C0 kN Pu kN lim. rpm Z D mm pitch mm balls"
+            " ratings"
+        ).split()
+    )
+    assert line.split() == "6208 40 80 18 0 32.5 19 - - 9 12.6 60.6 Farah 2020 SKF".split()
+    assert main(["catalogue", "--csv"]) == 0
+    rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    assert len(rows) == len(listing.entries()) and rows[0]["bore_m"] == "0.01"
+
+
+def test_clearances(capsys):
+    """ISO 5753: C3 of a 40 mm bore is 15 to 33 um. With a contact angle there is none to choose."""
+    rows = found(capsys, "--bore", "40", "--clearances")
+    deep, angular = (next(r for r in rows if r["name"] == name) for name in ("6208", "7208B"))
+    assert (deep["clearance_C3_least_m"], deep["clearance_C3_largest_m"]) == (15e-6, 33e-6)
+    assert angular["clearance_C3_least_m"] is None and set(angular) == set(deep)
+    assert main(["catalogue", "6208", "7208B", "--clearances"]) == 1
+    assert main(["catalogue", "6208", "--clearances"]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == (
+        "6208       C2 1 to 11  CN 6 to 20  C3 15 to 33  C4 28 to 46  C5 40 to 64"
+    )
+
+
+def test_clearance_classes():
+    for bore in (6e-3, 6.1e-3, 10e-3, 30e-3, 30.01e-3, 0.12):
+        ends = list(clearance_classes.of_bore(bore).values())
+        assert len(ends) == (3 if bore == 6e-3 else 5)
+        assert all(0 <= least < largest < 2e-4 for least, largest in ends)
+        # the classes follow each other and overlap
+        assert all(one[0] <= two[0] <= one[1] < two[1] for one, two in zip(ends, ends[1:]))
+    assert clearance_classes.of_bore(30e-3)["C5"] == (30e-6, 53e-6)
+    assert clearance_classes.of_bore(30.01e-3)["C5"] == (40e-6, 64e-6)
+    for bore in (0.0, -0.01, 0.121):
+        with pytest.raises(ValueError, match="known from 0 to 0.12 m"):
+            clearance_classes.of_bore(bore)
+
+
+def test_nothing_fits(capsys):
+    assert main(["catalogue", "--bore", "41"]) == 1
+    printed = capsys.readouterr()
+    assert printed.out == "" and "no bearing fits" in printed.err
+    with pytest.raises(SystemExit) as stop:
+        main(["catalogue", "--bore", "0"])
+    assert stop.value.code == 2
+
+
+def test_own_folder(capsys, tmp_path):
+    own = tmp_path / "bearings"
+    own.mkdir()
+    (own / "mine").write_text((ROOT / "inputs/bearings/6206").read_text())
+    assert names(capsys, "--inputs", str(tmp_path)) == ["mine"]
+    (own / "broken").write_text("variable balls index 9\n")
+    assert main(["catalogue", "--inputs", str(tmp_path)]) == 1
+    assert "broken has no variable" in capsys.readouterr().err
+    (own / "broken").write_text((own / "mine").read_text().replace("index 30e-3", "index thirty"))
+    assert main(["catalogue", "--inputs", str(tmp_path)]) == 1
+    assert "thirty" in capsys.readouterr().err
+
+
+def test_message_of_many_names():
+    with pytest.raises(InputError, match=r"there is: .*6209.*, \d+ in all \(raceway catalogue\)"):
+        catalogue.find("bearings", "6299")
+    with pytest.raises(InputError, match="there is: dry, grease110, "):
+        catalogue.find("lubricants", "oil")
