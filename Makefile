@@ -76,6 +76,7 @@ bench: build
 	.venv/bin/python tests/bench/large_runs.py
 	.venv/bin/python tests/bench/sweep.py
 	.venv/bin/python tests/bench/capacitance_error.py
+	.venv/bin/python tests/bench/all_bearings.py
 
 # Names, units and meanings of all output columns, from the tables in C++.
 columns: setup

@@ -144,3 +144,16 @@ def test_message_of_many_names():
         catalogue.find("bearings", "6299")
     with pytest.raises(InputError, match="there is: dry, grease110, "):
         catalogue.find("lubricants", "oil")
+
+
+def test_page_shows_what_is_printed(capsys):
+    """The table on docs/catalogue.rst, and the balls of its last example."""
+    page = (ROOT / "docs" / "catalogue.rst").read_text()
+    command, _, rest = page.partition("$ .venv/bin/raceway ")[2].partition("\n")
+    shown = [line[3:] for line in rest.partition("\n\n*Z*")[0].splitlines()]
+    assert main(command.split()) == 0
+    assert capsys.readouterr().out.splitlines() == shown
+    example = page.rpartition(".. code-block:: python")[2].partition("\n\nTo add")[0]
+    names = {}
+    exec("\n".join(line[3:] for line in example.splitlines()), names)
+    assert (names["number"], names["diameter"]) == (10, pytest.approx(14.2875e-3))

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs the main job on every rated bearing of inputs/bearings under 0.1 C0, and as much along the
+axis where the balls have a contact angle. Holds the largest load of a ball against the statics.
+
+    .venv/bin/python tests/bench/all_bearings.py [NAME ...]
+
+Minutes for all. Exit code 1 when one fails or is off by more than `WITHIN`.
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from raceway import inputs, listing, static
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
+
+ROOT = Path(__file__).resolve().parents[2]
+WITHIN = 0.01
+PHASES = 16  # positions of the balls within a ball pass
+
+
+def run(name, load, axial, out):
+    """Largest load (N) of an inner contact in a run of a ball pass, with the host's output."""
+    given = {"bearing": name, "load": load, "axial": axial, "out": out, "passes": 1}
+    words = [word for key, value in given.items() for word in ("-var", key, str(value))]
+    done = subprocess.run(
+        ["build/liggghts", "-in", "inputs/in.6208", "-log", "none", *words],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+    )
+    if done.returncode:
+        return None, done.stdout[-300:]
+    return summary(RunTables(out))["q_inner_max_N"], ""
+
+
+def expected(path, load, axial):
+    """The same by statics, N."""
+    bearing = inputs.bearing(path)
+    return max(
+        static.equilibrium(bearing, load, axial, finite_shift=True, phase=phase).inner.load.max()
+        for phase in np.arange(PHASES) * 2 * np.pi / (bearing.balls * PHASES)
+    )
+
+
+def main():
+    rated = [one for one in listing.entries(ROOT / "inputs") if one.static_load_N]
+    names = sys.argv[1:] or [one.name for one in rated]
+    off = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for one in rated:
+            if one.name not in names:
+                continue
+            load = 0.1 * one.static_load_N
+            axial = load if one.contact_angle_deg else 0.0
+            found, said = run(one.name, load, axial, Path(folder) / one.name)
+            wanted = expected(ROOT / "inputs" / "bearings" / one.name, load, axial)
+            ratio = found / wanted if found else float("nan")
+            good = abs(ratio - 1) <= WITHIN
+            off += not good
+            figures = f"{load:9.1f} N  {wanted:9.2f} N  run/statics {ratio:.5f}"
+            print(f"{one.name:<9}{figures}", flush=True)
+            if not good:
+                print(said)
+    print(f"{off} off by more than {WITHIN:g} or failed")
+    return off > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
