@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Writes the bearings of inputs/catalogue as files of inputs/bearings: `make bearings`.
 
-A file has the maker's data and balls: published ones, else those that `raceway.load_rating.balls`
-finds for the ratings.
+A file has the maker's data and the balls that `raceway.load_rating.balls` finds for the ratings.
 """
 
 import csv
@@ -48,26 +47,23 @@ def files() -> dict[str, str]:
 def _text(kind, row, sources):
     source = row["source"]
     angle = float(row.get("contact_angle") or 0)
-    number, ball, pitch, mark = _balls(row, sources[source], math.radians(angle))
-    published = mark != "estimate"
-    sizes = " x ".join(row[name] for name in ("bore", "outside", "width"))
-    inside = (
-        f"# {mark}: {sources[mark]['text']}"
-        if published
-        else "# Balls: estimated from C and C0 by raceway.load_rating.balls; not the maker's"
+    bore, outside, width = (1e-3 * float(row[name]) for name in ("bore", "outside", "width"))
+    number, ball = load_rating.balls(
+        float(row["dynamic"]),
+        float(row["static"]),
+        (bore + outside) / 2,
+        math.radians(angle),
+        sources[source]["dynamic_factor"],
     )
+    sizes = " x ".join(row[name] for name in ("bore", "outside", "width"))
     lines = [
         f"# {row['name']} {TYPES[kind]}, {sizes} mm",
         "# Written by `make bearings` from inputs/catalogue. Boundary dimensions: ISO 15.",
         f"# {source}: {sources[source]['text']}",
-        inside,
-        _line("balls", number, mark),
-        _line("ball_diameter", _metres(ball), f"m; {mark}"),
-        _line(
-            "pitch_diameter",
-            _metres(pitch),
-            f"m; {mark if published else '(bore + outside diameter)/2'}",
-        ),
+        "# Balls: estimated from C and C0 by raceway.load_rating.balls; not the maker's",
+        _line("balls", number, "estimate"),
+        _line("ball_diameter", _metres(round(ball, 6)), "m; estimate"),
+        _line("pitch_diameter", _metres((bore + outside) / 2), "m; (bore + outside diameter)/2"),
         _line("inner_conformity", 0.52, "usual value"),
         _line("outer_conformity", 0.53, "usual value"),
     ]
@@ -75,9 +71,9 @@ def _text(kind, row, sources):
         lines.append(_line("contact_angle", f"{angle:g}", f"degrees, nominal; {source}"))
     lines += [
         _line("pocket_play", _metres(round(0.01 * ball, 5)), "m, along the pitch circle; estimate"),
-        _line("bore_diameter", _metres(1e-3 * float(row["bore"])), "m; ISO 15"),
-        _line("outside_diameter", _metres(1e-3 * float(row["outside"])), "m; ISO 15"),
-        _line("bearing_width", _metres(1e-3 * float(row["width"])), "m; ISO 15"),
+        _line("bore_diameter", _metres(bore), "m; ISO 15"),
+        _line("outside_diameter", _metres(outside), "m; ISO 15"),
+        _line("bearing_width", _metres(width), "m; ISO 15"),
     ]
     if kind == "deep_groove":
         lines.append(_line("series", row["name"][:2], "of SKF's friction torque"))
@@ -87,18 +83,6 @@ def _text(kind, row, sources):
             said = _metres(factor * value) if factor != 1 else f"{value:g}"
             lines.append(_line(name, said, f"{what}, {source}"))
     return "\n".join([*lines, "include ${inputs}/modules/bearing.usual"]) + "\n"
-
-
-def _balls(row, source, angle):
-    """Number, diameter (m) and pitch diameter (m) of the balls, and the mark of their source."""
-    if row.get("balls"):
-        ball, pitch = (1e-3 * float(row[name]) for name in ("ball", "pitch"))
-        return int(row["balls"]), ball, pitch, row["balls_source"]
-    pitch = (float(row["bore"]) + float(row["outside"])) / 2e3
-    found = load_rating.balls(
-        float(row["dynamic"]), float(row["static"]), pitch, angle, source["dynamic_factor"]
-    )
-    return found.number, round(found.diameter, 6), pitch, "estimate"
 
 
 def _metres(value):
