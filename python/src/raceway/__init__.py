@@ -37,6 +37,7 @@ NAMES = {
     "film_reading": "theory.film_reading",
     "film_regimes": "theory.film_regimes",
     "film_voltage": "theory.film_voltage",
+    "fits": "theory.fits",
     "friction_torque": "theory.friction_torque",
     "groove_width": "theory.groove_width",
     "heat": "theory.heat",

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What interference fits take from the clearance of a bearing (Lame's thick tubes).
+
+A ring counts as a tube that ends at the bottom of its groove. Its shoulders are left out. Shaft and
+housing are tubes as long as the ring. `heat.clearance_change` has the part of temperature.
+"""
+
+import math
+from typing import NamedTuple
+
+from raceway.theory.bearing import Bearing
+
+
+class Material(NamedTuple):
+    """Elastic constants of a shaft or a housing."""
+
+    young: float  # Pa
+    poisson: float
+
+
+STEEL = Material(210e9, 0.3)
+
+
+def clearance_change(
+    bearing: Bearing,
+    bore: float,
+    outside: float,
+    shaft: float = 0.0,
+    housing: float = 0.0,
+    *,
+    shaft_bore: float = 0.0,
+    housing_outside: float = math.inf,
+    shaft_material: Material = STEEL,
+    housing_material: Material = STEEL,
+) -> float:
+    """How much the diametral clearance grows, m: 0 or less.
+
+    `shaft` and `housing` are interferences in diameter (m) of the inner ring on its shaft and of
+    the outer ring in its housing; 0 or less, a loose fit, changes nothing. `bore` and `outside` are
+    the bearing's diameters, `shaft_bore` that of a hollow shaft, `housing_outside` the housing's,
+    all in m. Raises `ValueError` for diameters out of order.
+
+    A 6208 with 10 um on a solid steel shaft: the raceway grows by bore over its diameter.
+
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> round(1e6 * clearance_change(b, 40e-3, 80e-3, shaft=10e-6), 3)
+    -8.333
+    """
+    inner, outer = 2 * bearing.inner_radius, 2 * bearing.outer_radius
+    order = (shaft_bore, bore, inner, outer, outside, housing_outside)
+    if not (0 <= order[0] and all(one < other for one, other in zip(order, order[1:]))):
+        raise ValueError(
+            "diameters of shaft's bore, bore, inner raceway, outer raceway, outside and housing"
+            f" must grow: {', '.join(f'{one:g}' for one in order)} m"
+        )
+    ring = Material(bearing.young, bearing.poisson)
+    grows = 0.0
+    if shaft > 0:
+        pressure = shaft / (_shrinks(shaft_bore, bore, shaft_material) + _widens(bore, inner, ring))
+        ratio = (bore / inner) ** 2
+        grows = pressure * 2 * inner * ratio / (ring.young * (1 - ratio))
+    if housing > 0:
+        pressure = housing / (
+            _shrinks(outer, outside, ring) + _widens(outside, housing_outside, housing_material)
+        )
+        ratio = (outer / outside) ** 2
+        grows += pressure * 2 * outer / (ring.young * (1 - ratio))
+    return -grows
+
+
+def _shrinks(inside, outside, material):
+    """By how much a tube's outside diameter shrinks under a pressure on it, m/Pa."""
+    square = (inside / outside) ** 2
+    return outside / material.young * ((1 + square) / (1 - square) - material.poisson)
+
+
+def _widens(inside, outside, material):
+    """By how much a tube's inside diameter widens under a pressure in it, m/Pa."""
+    square = (inside / outside) ** 2
+    return inside / material.young * ((1 + square) / (1 - square) + material.poisson)
