@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Writes the bearings of inputs/catalogue as files of inputs/bearings: `make bearings`.
 
-A file has the maker's data and the balls that `raceway.load_rating.balls` finds for the ratings.
+A file has the maker's data. Of balls the maker states, the number follows from C0; others are those
+that `raceway.load_rating.balls` finds for the ratings.
 """
 
 import csv
@@ -48,22 +49,34 @@ def _text(kind, row, sources):
     source = row["source"]
     angle = float(row.get("contact_angle") or 0)
     bore, outside, width = (1e-3 * float(row[name]) for name in ("bore", "outside", "width"))
-    number, ball = load_rating.balls(
-        float(row["dynamic"]),
-        float(row["static"]),
-        (bore + outside) / 2,
-        math.radians(angle),
-        sources[source]["dynamic_factor"],
-    )
+    stated = bool(row.get("ball"))
+    pitch = 1e-3 * float(row["pitch"]) if row.get("pitch") else (bore + outside) / 2
+    if stated:
+        ball = 1e-3 * float(row["ball"])
+        number = load_rating.number(float(row["static"]), ball, pitch, math.radians(angle))
+    else:
+        number, ball = load_rating.balls(
+            float(row["dynamic"]),
+            float(row["static"]),
+            pitch,
+            math.radians(angle),
+            sources[source]["dynamic_factor"],
+        )
     sizes = " x ".join(row[name] for name in ("bore", "outside", "width"))
     lines = [
         f"# {row['name']} {TYPES[kind]}, {sizes} mm",
         "# Written by `make bearings` from inputs/catalogue. Boundary dimensions: ISO 15.",
         f"# {source}: {sources[source]['text']}",
-        "# Balls: estimated from C and C0 by raceway.load_rating.balls; not the maker's",
-        _line("balls", number, "estimate"),
-        _line("ball_diameter", _metres(round(ball, 6)), "m; estimate"),
-        _line("pitch_diameter", _metres((bore + outside) / 2), "m; (bore + outside diameter)/2"),
+        "# Number of balls: follows from C0 and their diameter (raceway.load_rating.number)"
+        if stated
+        else "# Balls: estimated from C and C0 by raceway.load_rating.balls; not the maker's",
+        _line("balls", number, "from C0" if stated else "estimate"),
+        _line("ball_diameter", _metres(round(ball, 6)), f"m; {source if stated else 'estimate'}"),
+        _line(
+            "pitch_diameter",
+            _metres(pitch),
+            f"m; {source if row.get('pitch') else '(bore + outside diameter)/2'}",
+        ),
         _line("inner_conformity", 0.52, "usual value"),
         _line("outer_conformity", 0.53, "usual value"),
     ]

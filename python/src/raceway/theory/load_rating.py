@@ -82,6 +82,16 @@ def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0) -> float
     return MATERIAL * factor * math.cos(angle) ** 0.7 * number ** (2 / 3) * size
 
 
+def number(static_rating: float, ball: float, pitch: float, angle: float = 0.0) -> int:
+    """The whole number of balls of diameter `ball` (m) whose C_0 is nearest to a rating in N; other
+    arguments as `dynamic`.
+
+    >>> number(17100.0, 7.938e-3, 54e-3, math.radians(25))
+    19
+    """
+    return round(static_rating / static(1, ball, pitch, angle))
+
+
 def balls(
     dynamic_rating: float,
     static_rating: float,
@@ -97,28 +107,28 @@ def balls(
 
     JTEKT's 7208B, 40 degrees:
 
-    >>> number, diameter = balls(30600.0, 21300.0, 60e-3, math.radians(40))
-    >>> number, round(1e3 * diameter, 3)
+    >>> count, diameter = balls(30600.0, 21300.0, 60e-3, math.radians(40))
+    >>> count, round(1e3 * diameter, 3)
     (13, 11.906)
     """
     found = {}
-    for number in range(4, 60):
-        largest = pitch * math.sin(FULLEST * math.pi / number)
+    for count in range(4, 60):
+        largest = pitch * math.sin(FULLEST * math.pi / count)
         # above the smallest of the tables; a larger ball than 0.4 of the pitch is in no table
         low, high = 0.011 * pitch / math.cos(angle), min(largest, 0.39 * pitch / math.cos(angle))
 
-        def excess(ball, number=number):
-            return static(number, ball, pitch, angle) - static_rating
+        def excess(ball, count=count):
+            return static(count, ball, pitch, angle) - static_rating
 
         if low >= high or excess(low) > 0 or excess(high) < 0:
             continue
         ball = brentq(excess, low, high, xtol=1e-9)
-        rating = dynamic_factor * dynamic(number, ball, pitch, angle)
-        found[abs(math.log(rating / dynamic_rating))] = Balls(number, ball)
+        rating = dynamic_factor * dynamic(count, ball, pitch, angle)
+        found[abs(math.log(rating / dynamic_rating))] = Balls(count, ball)
     if not found:
         raise ValueError(
             f"no balls on a pitch circle of {pitch:g} m have C_0 = {static_rating:g} N"
         )
-    number, ball = found[min(found)]
+    count, ball = found[min(found)]
     inch, metric = (step * round(1e3 * ball / step) for step in (INCH_STEP, METRIC_STEP))
-    return Balls(number, 1e-3 * (inch if abs(1e-3 * inch / ball - 1) <= NEAR else metric))
+    return Balls(count, 1e-3 * (inch if abs(1e-3 * inch / ball - 1) <= NEAR else metric))
