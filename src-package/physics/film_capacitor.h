@@ -171,18 +171,19 @@ class SurroundedRaceway {
             : of_radial<T>();
     const GrooveReachT<T> r = shoulder_.reach(T(magnitude(c.ne)), T(magnitude(c.nu)));
     const bool leans = any(r.near < r.far);
-    T I = T();
+    T G = T(), near = T(), far = T();
     if (any(live)) {
       const LoadedGapT<T> loaded(s, T(where(live, c.root, 1e-8)), h);
-      I = loaded.integral(r.far);
-      if (leans) I = 0.5 * (I + loaded.integral(r.near));
+      G = where(live, loaded.G, 0.0);
+      far = loaded.stretch(r.far);
+      if (leans) near = loaded.stretch(r.near);
     }
     if (any(!live)) {
-      T far = open_gap(s, h, r.far);
-      if (leans) far = 0.5 * (far + open_gap(s, h, r.near));
-      I = where(live, I, far);
+      far = where(live, far, open_stretch(s, h, r.far));
+      if (leans) near = where(live, near, open_stretch(s, h, r.near));
     }
-    return I;
+    const T I = gap_integral(s, G, far);
+    return leans ? T(0.5 * (I + gap_integral(s, G, near))) : I;
   }
   template <class T> RACEWAY_INLINE GapShapeT<T> of_radial() const
   {

@@ -58,7 +58,7 @@ template <class T> RACEWAY_INLINE T gap_beside_ellipse(const T &X)
   return 3.14159265358979323846 / (X * X * (X + more));
 }
 
-// P is ln(reach)/sqrt(e) between the end of the ellipse, whose `v` this is, and the shoulder.
+// P is ln(stretch)/sqrt(e); v is the stretch that the end of the ellipse takes.
 template <class T> RACEWAY_INLINE T gap_end(const GapShapeT<T> &s, const T &X)
 {
   const T D = -1.254 + 0.4523 * s.log_4_kappa + X * (4.773 + X * (-3.520 + 3.690 * X));
@@ -66,19 +66,8 @@ template <class T> RACEWAY_INLINE T gap_end(const GapShapeT<T> &s, const T &X)
   const T part = where(D * s.root_e > 1.0 / 0.9, T(1.0 / D), T(0.9 * s.root_e));
   return X * X * X + s.root_e - part;
 }
-template <class T>
-RACEWAY_INLINE T gap_beyond_end(const GapShapeT<T> &s, const T &H, const T &v, const T &reach,
-                                const T &root)
-{
-  const T far = reach / (s.a * root), eta = where(far > 1.0, far, 1.0);
-  const T under = s.e * eta * eta + H - s.log_4_kappa + 2.0 / (3.0 * eta);
-  const T sum = s.root_e * eta + square_root(where(under > 0.0, under, 0.0));
-  const T P = logarithm(T(sum / v)) / s.root_e;
-  return where(P > 0.0, P, 0.0);
-}
 
-// I of a loaded contact: root of its overlap (sqrt(m)), h (m), the groove's reach on one side (m).
-// With two reaches, the mean.
+// Of a loaded contact: root of its overlap (sqrt(m)), h (m).
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
   T root, H, v, G;
@@ -91,18 +80,30 @@ template <class T> struct LoadedGapT {
     v = gap_end(s, X);
     G = gap_beside_ellipse(X);
   }
-  RACEWAY_INLINE T integral(const T &reach) const
+  // to the groove's reach on one side (m)
+  RACEWAY_INLINE T stretch(const T &reach) const
   {
-    return shape.scale * (G + shape.ends * gap_beyond_end(shape, H, v, reach, root));
+    const GapShapeT<T> &s = shape;
+    const T far = reach / (s.a * root), eta = where(far > 1.0, far, 1.0);
+    const T under = s.e * eta * eta + H - s.log_4_kappa + 2.0 / (3.0 * eta);
+    return (s.root_e * eta + square_root(where(under > 0.0, under, 0.0))) / v;
   }
 };
 
-// I of surfaces that do not touch, at the gap g (m).
-template <class T> RACEWAY_INLINE T open_gap(const GapShapeT<T> &s, const T &g, const T &reach)
+// Of surfaces that do not touch, at the gap g (m); G is 0 there.
+template <class T> RACEWAY_INLINE T open_stretch(const GapShapeT<T> &s, const T &g, const T &reach)
 {
   const T far = where(reach > 0.0, reach, 0.0);
   const T z = s.root_e * far / (s.a * square_root(T(s.Fbar * g)));
-  return s.scale * s.ends / s.root_e * logarithm(T(z + square_root(T(z * z + 1.0))));
+  return z + square_root(T(z * z + 1.0));
+}
+
+// I, m
+template <class T>
+RACEWAY_INLINE T gap_integral(const GapShapeT<T> &s, const T &G, const T &stretch)
+{
+  const T P = logarithm(stretch) / s.root_e;
+  return s.scale * (G + s.ends * where(P > 0.0, P, 0.0));
 }
 
 }    // namespace raceway

@@ -85,13 +85,14 @@ EXPORT(void, groove_reach,
 }
 
 // m, of a contact with that load (N); 0: no contact, at the gap h
-EXPORT(double, gap_integral,
+EXPORT(double, outside_integral,
        (const RacewayPhysics *p, double cos_angle, double load, double h, double reach))
 {
   const RacewayConstants k = p->law.at(cos_angle);
   const GapShape s = gap_shape(k, p->material.Eprime(), p->rolling_radius(cos_angle));
-  if (load == 0.0) return open_gap(s, h, reach);
-  return LoadedGapT<double>(s, std::cbrt(load / k.K), h).integral(reach);
+  if (load == 0.0) return gap_integral(s, 0.0, open_stretch(s, h, reach));
+  const LoadedGapT<double> loaded(s, std::cbrt(load / k.K), h);
+  return gap_integral(s, loaded.G, loaded.stretch(reach));
 }
 
 // n balls on a raceway, one by one and four side by side; columns numbers each. n is a multiple of

@@ -45,7 +45,7 @@ EXACT = [
 def integral(physics, raceway, load, height, reach, cos_angle=1.0):
     """m"""
     return physics.call(
-        "gap_integral", p=raceway._handle, cos_angle=cos_angle, load=load, h=height, reach=reach
+        "outside_integral", p=raceway._handle, cos_angle=cos_angle, load=load, h=height, reach=reach
     )
 
 
@@ -353,3 +353,25 @@ def test_t6_a_ball_of_a_6208(physics, load, plates, flooded, cavitated):
     assert found[0] == pytest.approx(plates, rel=0.005)
     assert found[ALL] == pytest.approx(flooded, rel=0.005)
     assert found[CAVITATED] == pytest.approx(cavitated, rel=0.005)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+@pytest.mark.parametrize(
+    "changes", [{}, dict(gap=1.0), dict(at=1, rough=1, surroundings=CAVITATED)]
+)
+def test_four_side_by_side_are_one_by_one(physics, side, changes):
+    """Contacts and gaps, radial and oblique, light and heavy in any mixture; compared to the bit
+    in `capacitors`."""
+    raceway = physics.raceway_6208(side, **OIL)
+    random = np.random.default_rng(13)
+    n = 400
+    values = capacitors(
+        physics,
+        raceway,
+        random.choice([1, -1], n) * 10 ** random.uniform(-9, -4.7, n),
+        speed=10 ** random.uniform(-3, 1.3, n),
+        cage_speed=10 ** random.uniform(0, 2.7, n),
+        cos_angle=np.where(random.random(n) < 0.5, 1.0, random.uniform(0.7, 1, n)),
+        **changes,
+    )
+    assert np.isfinite(values).all() and (values[2:] > 0).all()
