@@ -42,7 +42,15 @@ CASES = {
         3,
     ),
     "floating": ("floating 4 stray 2e-12", Floating(4.0), None, None, 1),
+    "whole capacitance": (
+        "motor 50e-12 1e-9 voltage sine 300 200 breakdown 30e6 resistivity 1e9 points 4",
+        Motor(Sine(300.0, 200.0), 50e-12, 1e-9),
+        Breakdown(30e6),
+        Leak(1e9),
+        4,
+    ),
 }
+WHOLE = dict(cap="surroundings cavitated 1", clearance=2e-5)
 
 
 FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"
@@ -50,7 +58,7 @@ SLOW = "x free y free spin speed 25 force 0 -800 0 ramp 3.0e-3"
 RECORD = "fix rec all bearing/record 1 {}\n"
 
 
-def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, **options):
+def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, cap="", **options):
     """in.case with a record, and a circuit by `words`, in `folder`; its `Outcome`."""
     folder.mkdir(exist_ok=True)
     (folder / "table.txt").write_text("# s V\n0 0\n2e-3 40\n5e-3 -25 # the end\n")
@@ -58,7 +66,7 @@ def run_with(folder, words, more="", samples=SAMPLES, record=RECORD, **options):
     shown = " ".join(f"${{v{k}}}" for k in range(1, len(NAMES) + 1))
     fixes = folder / "fixes"
     fixes.write_text(
-        "fix cap balls bearing/capacitance 1 permittivity 2.25\n"
+        f"fix cap balls bearing/capacitance 1 permittivity 2.25 {cap}\n"
         f"{record.format(folder / 'rec')}"
         f"fix cir balls bearing/circuit 1 cap {words.format(table=folder / 'table.txt')}\n"
         f"{values}fix say all print 1 '{shown}' file {folder / 'circuit.txt'} screen no\n{more}"
@@ -74,7 +82,8 @@ def pair(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("circuit")
     if breakdown:
         words += f" events {folder / 'events.txt'}"
-    end = run_with(folder, words)
+    whole = request.param == "whole capacitance"
+    end = run_with(folder, words, **WHOLE if whole else {})
     assert end.code == 0, end.text[-3000:]
     rows = dict(zip(NAMES, np.loadtxt(folder / "circuit.txt").T))
     events = np.loadtxt(folder / "events.txt", ndmin=2) if breakdown else np.empty((0, 12))
@@ -82,6 +91,7 @@ def pair(request, tmp_path_factory):
     found = circuit.run(
         raceway.open(folder / "rec"), outer, breakdown, leak, points=points, stray=stray
     )
+    assert bool((found.data.film_capacitance > 0).all()) == whole or stray
     return rows, events, found, points
 
 
