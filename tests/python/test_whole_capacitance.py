@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import raceway
 from raceway import whole_capacitance
+from raceway.electric import breakdown, films
 from raceway.errors import RunError
 from raceway.theory.capacitors import FLOODED, Filling
 from raceway.theory.validity import Shoulders
@@ -72,3 +73,17 @@ def test_threshold_is_the_least_of_the_balls(folder):
     other = whole["total"].isel(raceway=[1, 0]).assign_coords(raceway=whole["raceway"])
     least = (2e7 * whole["separation"] * both / other).min(("raceway", "ball"))
     assert found["threshold"].to_numpy() == pytest.approx(least.to_numpy())
+
+
+def test_the_circuit_takes_it(folder):
+    """The circuit's own series, threshold and local thickness are those of this module."""
+    run = raceway.open(folder)
+    whole = whole_capacitance.over_time(run)
+    contacts = whole_capacitance.contacts_of(run, whole)
+    found = films.of_dataset(contacts, roughness=run.settings["roughness_m"], balls=run.balls)
+    both = films.series(found.capacitance)
+    assert both.bearing == pytest.approx(whole["bearing"].to_numpy())
+    own = whole_capacitance.fields(run, whole, 1.0, strength=2e7)
+    for name, surfaces in (("threshold", "smooth"), ("threshold_peaks", "rough")):
+        limit = breakdown.Breakdown(2e7, surfaces, floor=1e-15).limit(found)
+        assert breakdown.threshold(found, limit) == pytest.approx(own[name].to_numpy(), abs=1e-6)

@@ -117,6 +117,16 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     return data
 
 
+def contacts_of(run: Run, whole: xr.Dataset) -> xr.Dataset:
+    """The contacts of a `run` with the columns *separation*, *capacitance_outside* and
+    *capacitance_total* of `whole`, from `over_time`: as a record that has them. The circuit takes
+    it (`electric.films.of_dataset`)."""
+    contacts = run.contacts.sel(time=whole["time"])
+    for name, column in RECORDED.items():
+        contacts[column] = whole[name].drop_vars(ANGLES, errors="ignore")
+    return contacts
+
+
 def fields(
     run: Run,
     whole: xr.Dataset,
