@@ -56,10 +56,10 @@ def test_plates_are_those_of_statics(models):
 
 
 def test_shoulders_are_the_file_s_unless_given(point):
-    assert point.filling.shoulders == Shoulders(52.6e-3, 69.8e-3)
+    assert point.filling.shoulders == Shoulders(52.6e-3, 67.4e-3)
     deep = Filling(shoulders=Shoulders(inner=53.5e-3))
     other = electric_point.solve("6208", "vg46", load=3000.0, rpm=1500.0, filling=deep)
-    assert other.filling.shoulders == Shoulders(53.5e-3, 69.8e-3)
+    assert other.filling.shoulders == Shoulders(53.5e-3, 67.4e-3)
     inner = [one.capacitors().inner.outside for one in (point, other)]
     assert np.all(inner[1] > inner[0])
 

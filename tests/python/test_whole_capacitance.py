@@ -30,8 +30,8 @@ def given(text):
         ("permittivity 2.25 surroundings none", FLOODED),
         ("permittivity 2.25 surroundings dry roughness gamma", Filling("dry", roughness="gamma")),
         (
-            "surroundings cavitated 1.3 shoulders 52.6e-3 69.8e-3 permittivity_at mean",
-            Filling("cavitated", 1.3, "mean", shoulders=Shoulders(52.6e-3, 69.8e-3)),
+            "surroundings cavitated 1.3 shoulders 52.6e-3 67.4e-3 permittivity_at mean",
+            Filling("cavitated", 1.3, "mean", shoulders=Shoulders(52.6e-3, 67.4e-3)),
         ),
     ],
 )

@@ -139,7 +139,7 @@ def test_the_record_is_taken(recorded):
     assert found.attrs["source"] == "record"
     filling = whole_capacitance.filling_of(recorded)
     assert filling.kind == found.attrs["filling"] != "dry"
-    assert filling.shoulders == (52.6e-3, 69.8e-3)
+    assert filling.shoulders == (52.6e-3, 67.4e-3)
     engine = recorded.bearing["capacitance_total"].sel(time=found["time"])
     assert found["bearing"].to_numpy() == pytest.approx(engine.to_numpy(), rel=1e-12)
 
