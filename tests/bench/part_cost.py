@@ -13,7 +13,7 @@ from implicit_cost import ROOT, measure, spread, table
 from machine import machine
 
 PAGE = ROOT / "docs/performance/part_cost.rst"
-ROUNDS = 5
+ROUNDS = 3
 MODELS = ("paper", "film", "full")
 CONTROL = {"paper": "tolerance 1e-9", "film": "tolerance 1e-9 cage_tolerance 1e-7"}
 CONTROL["full"] = CONTROL["film"]
