@@ -162,7 +162,7 @@ def test_what_nobody_told(one_line):
     assert len(universe.trajectory) == 201 and len(universe.select_atoms("name ball")) == 9
 
 
-def test_many(tmp_path):
+def test_many(tmp_path, capsys):
     deck = tmp_path / "in.many"
     text = (ROOT / "inputs" / "in.many").read_text()
     line = "fix rec all bearing/record ${b_every} ${out}\n"
@@ -182,6 +182,13 @@ def test_many(tmp_path):
         run.select(5)
     with pytest.raises(RunError, match="has 4 bearings: choose one"):
         run.summary()
+    words = ["spectrum", str(tmp_path / "run"), "--signal", "y"]
+    assert command(words) == 1
+    assert "has 4 bearings: give --bearing N" in capsys.readouterr().err
+    assert command([*words, "--bearing", "5"]) == 1
+    assert "has the bearings 1 to 4, not 5" in capsys.readouterr().err
+    assert command([*words, "--bearing", "3"]) == 1
+    assert "has 7 samples: a spectrum needs 32" in capsys.readouterr().err
 
 
 def test_a_summary_has_the_figures(tmp_path):

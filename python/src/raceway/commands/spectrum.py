@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from raceway.commands import Commands
 from raceway.commands.quantity import number
+from raceway.errors import RacewayError
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
@@ -71,6 +72,9 @@ def add(commands: Commands) -> None:
         metavar=("LOW", "HIGH"),
         help="of the envelope, hertz (default: the most impulsive one)",
     )
+    one.add_argument(
+        "--bearing", type=_number, metavar="N", help="one of many bearings in the folder"
+    )
     one.add_argument("--json", action="store_true", help="a JSON list instead of a table")
     one.add_argument("--out", metavar="PNG", help="draw the spectrum with its lines marked")
     one.set_defaults(command=run, complain=one.error)
@@ -87,6 +91,12 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.band and not arguments.band[0] < arguments.band[1]:
         arguments.complain(f"--band: {arguments.band[0]:g} Hz must be below {arguments.band[1]:g}")
     opened = raceway.open(arguments.folder)
+    if arguments.bearing is not None:
+        opened = opened.select(arguments.bearing)
+    elif len(opened.bearing_numbers) > 1:
+        raise RacewayError(
+            f"{arguments.folder} has {len(opened.bearing_numbers)} bearings: give --bearing N"
+        )
     spectrum = (
         envelope.of_run(opened, arguments.signal, arguments.band)
         if arguments.envelope
@@ -154,4 +164,12 @@ def _count(text):
     return value
 
 
+def _number(text):
+    value = int(text)
+    if value < 1:
+        raise ValueError
+    return value
+
+
+_number.__name__ = "number from 1 on"
 _count.__name__ = "number from 1 to 50"  # what argparse calls it in its error
