@@ -10,8 +10,8 @@
 // the left side grows with r, so there is one root. It is concave: Newton's method from below never
 // passes the root. D + H is above it, D + H (D + H)^-n below. It starts at Chebyshev's step of third
 // order from the one, which is no worse than the other. What follows a relative change below 3e-8
-// is below rounding: one step for a loaded ball, a few near the edge of the film. Each lane stops by
-// itself, so its bits do not depend on the others.
+// is below rounding: one step for a loaded ball, a few near the edge of the film. Each lane stops
+// by itself, so its bits do not depend on the others.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 
