@@ -8,10 +8,10 @@
 //
 // With r = x/x_0, x_0 = (Q_0/K)^(2/3), n = 1.5 m this is r - H r^-n = D for r > 1, r - H = D below:
 // the left side grows with r, so there is one root. It is concave: Newton's method from below never
-// passes the root. D + H is above it, D + H (D + H)^-n below. It starts at Chebyshev's step of third
-// order from the one, which is no worse than the other. What follows a relative change below 3e-8
-// is below rounding: one step for a loaded ball, a few near the edge of the film. Each lane stops
-// by itself, so its bits do not depend on the others.
+// passes the root. D + H is above it, D + H (D + H)^-n below. It starts at Chebyshev's step of
+// third order from the one, which is no worse than the other. What follows a relative change below
+// 3e-8 is below rounding: one step for a loaded ball, a few near the edge of the film. Each lane
+// stops by itself, so its bits do not depend on the others.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 
