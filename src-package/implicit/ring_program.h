@@ -167,8 +167,8 @@ inline double RingProgram::support_loss(const RingPlace &r, double rate_1, doubl
 }
 
 // Springs and dampers of velocity Verlet at the end of its step, whose velocities are half a step
-// behind (half, s; 0 where they are not). `push` (N) is everything else. A damper is implicit, so it
-// sets no limit to the step: v = v_half + half (push - K d - C v)/m.
+// behind (half, s; 0 where they are not). `push` (N) is everything else. A damper is implicit, so
+// it sets no limit to the step: v = v_half + half (push - K d - C v)/m.
 inline double verlet_support(const Support &on, double displacement, double behind, double push,
                              double inertia, double half)
 {
