@@ -141,6 +141,9 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
                      : LawStates<Lane>{stage.h, kept.base, kept.now, !stage.dampers_only};
       }
       ContactSlopesT<Lane, L::motions> slopes;
+      // set and read in the same stages, which the compiler does not see
+      if constexpr (L::states > 0)
+        for (auto &of_one : slopes.state) std::fill(of_one, of_one + L::motions, Lane{});
       if (stage.evaluate == Evaluate::derivatives)
         act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
       else L::act(p, p.law.at(c.cos_angle), memory, c);
