@@ -19,7 +19,7 @@ using bearing::RacewayContact;
 using bearing::tag_t;
 
 // fix ID group bearing/capacitance N permittivity EPS [permittivity_at maximum|mean|two_thirds]
-// [surroundings none|flooded|dry|cavitated EPS_OUT] [shoulders D_INNER D_OUTER]
+// [surroundings none|flooded|dry|cavitated [EPS_OUT]] [outlet EPS_OUT] [shoulders D_INNER D_OUTER]
 // [roughness none|gamma] [background C] [film_floor H] [within M] [file F] [contacts F]
 FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/capacitance"))
@@ -64,6 +64,8 @@ void FixBearingCapacitance::read_options(Arguments &args)
           args.choice("permittivity_at", {"maximum", "mean", "two_thirds"}));
     } else if (args.take("surroundings")) {
       read_surroundings(args);
+    } else if (args.take("outlet")) {
+      read_outlet(args);
     } else if (args.take("shoulders")) {
       model_.inner_shoulder = args.positive("shoulder diameter of the inner ring (m)");
       model_.outer_shoulder = args.positive("shoulder diameter of the outer ring (m)");
@@ -80,8 +82,8 @@ void FixBearingCapacitance::read_options(Arguments &args)
     } else if (args.take("contacts")) {
       contacts_name_ = args.word("name of the file for contacts");
     } else {
-      args.unknown("permittivity, permittivity_at, surroundings, shoulders, roughness, background, "
-                   "film_floor, within, file, contacts");
+      args.unknown("permittivity, permittivity_at, surroundings, outlet, shoulders, roughness, "
+                   "background, film_floor, within, file, contacts");
     }
   }
   if (within_ > 1 && nevery != 1)
@@ -101,8 +103,13 @@ void FixBearingCapacitance::read_surroundings(Arguments &args)
 {
   model_.surroundings = static_cast<Surroundings>(
       args.choice("surroundings", {"none", "flooded", "dry", "cavitated"}));
-  if (model_.surroundings == Surroundings::cavitated)
-    model_.permittivity_outlet = args.within("relative permittivity of the outlet", 1.0, 10.0);
+  if (model_.surroundings == Surroundings::cavitated && args.more() && args.next_is_number())
+    read_outlet(args);
+}
+
+void FixBearingCapacitance::read_outlet(Arguments &args)
+{
+  model_.permittivity_outlet = args.within("relative permittivity of the outlet", 1.0, 10.0);
 }
 
 FixBearingCapacitance::~FixBearingCapacitance()

@@ -69,6 +69,7 @@ class FixBearingCapacitance : public Fix {
 
   void read_options(bearing::Arguments &);
   void read_surroundings(bearing::Arguments &);
+  void read_outlet(bearing::Arguments &);
   void check_shoulders();
   void find_integrators();
   void add_instants();

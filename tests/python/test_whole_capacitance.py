@@ -28,6 +28,8 @@ def given(text):
         ("", FLOODED),
         ("permittivity 2.25", FLOODED),
         ("permittivity 2.25 surroundings none", FLOODED),
+        ("surroundings cavitated outlet 1.3", Filling("cavitated", 1.3)),
+        ("surroundings cavitated", Filling("cavitated", 1.0)),
         ("permittivity 2.25 surroundings dry roughness gamma", Filling("dry", roughness="gamma")),
         (
             "surroundings cavitated 1.3 shoulders 52.6e-3 67.4e-3 permittivity_at mean",

@@ -49,7 +49,10 @@ def filling_of(run: Run) -> Filling:
         after = words[place + 1 :]
         if word == "surroundings" and after and after[0] != "none":
             given["kind"] = after[0]
-            given["outlet"] = float(after[1]) if after[0] == "cavitated" else 1.0
+            if after[0] == "cavitated" and len(after) > 1 and _is_number(after[1]):
+                given["outlet"] = float(after[1])
+        elif word == "outlet":
+            given["outlet"] = float(after[0])
         elif word == "shoulders":
             given["shoulders"] = Shoulders(*map(float, after[:2]))
         elif word in ("permittivity_at", "roughness"):
@@ -57,6 +60,14 @@ def filling_of(run: Run) -> Filling:
     if given.get("kind", "flooded") not in FILLS:
         raise RunError(f"{run.tables.folder}: surroundings {given['kind']} are not known")
     return FLOODED._replace(**given)
+
+
+def _is_number(word: str) -> bool:
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
 
 
 def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0) -> xr.Dataset:
