@@ -218,8 +218,8 @@ medians, with the range of the rounds in brackets.
     cost = [spread([(r[w][0] - r[p][0]) / (BALLS * n) for r in scenes]) for p, w, n in AROUND]
     lines += [
         (
-            f"The surroundings of a ball cost {cost[0]} ns a sample at the end of a step, in contact"
-            f" or not. At ten instants of it they cost {cost[1]} ns."
+            f"The surroundings of a ball cost {cost[0]} ns a sample at the end of a step, in"
+            f" contact or not. At ten instants of it they cost {cost[1]} ns."
         ),
         "",
         "Part by part",
