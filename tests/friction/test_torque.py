@@ -11,12 +11,12 @@ from raceway.theory.operating_point import figures
 
 @pytest.mark.parametrize("rpm", [477.5, 1910, 9549])
 def test_torque(tmp_path, rpm):
-    """5 kN, 0.04 Pa s. Balls without load roll in statics and skid in a run, so a run loses less to
-    rolling. Statics takes Eyring's law with a limit for the film, runs Coulomb's."""
+    """5 kN, 0.04 Pa s, within the 35 % of SKF's torque that is promised. Balls without load roll in
+    statics and skid in a run, so a run loses less to rolling. Statics takes Eyring's law with a
+    limit for the film, runs Coulomb's."""
     succeed("inputs/in.6208", out=tmp_path, models="full", rpm=rpm, passes=2)
     run = summary(RunTables(tmp_path))
     still = figures("6208", "mineral", ROOT / "inputs", load=5000.0, rpm=rpm, models="full")
-    print(rpm, run["friction_torque_N_m"], run["torque_skf_N_m"], run["losses_W"])
     assert run["friction_torque_N_m"] == pytest.approx(run["torque_skf_N_m"], rel=0.35)
     losses = run["losses_W"]
     found = {part: losses[part] / power for part, power in still["losses_W"].items() if power}
@@ -27,7 +27,8 @@ def test_torque(tmp_path, rpm):
 
 
 def test_torque_is_steady(tmp_path):
-    """9549 rpm: the torque does not depend on when it is measured, nor on the tolerance."""
+    """9549 rpm: the torque does not depend on when it is measured, nor on the tolerance. Means over
+    two ball passes scatter by half a per cent."""
     torques = []
     for settle, tolerance in ((1, 1e-9), (40, 1e-9), (1, 1e-10)):
         succeed(
@@ -41,5 +42,6 @@ def test_torque_is_steady(tmp_path):
             tolerance=tolerance,
         )
         torques.append(summary(RunTables(tmp_path))["friction_torque_N_m"])
-    print(torques)
-    assert torques == pytest.approx([0.3143] * 3, rel=7e-3)
+    early, late, finer = torques
+    assert early == pytest.approx(late, rel=7e-3)
+    assert finer == pytest.approx(early, rel=1e-4)

@@ -124,11 +124,11 @@ def test_everything_balances():
 
 
 def test_one_bearing_is_its_statics():
-    """A stiff stub with everything at the ball plane, and a tilted seat."""
+    """A short stiff shaft with everything at the ball plane, and a tilted seat."""
     tilt = 5e-4
     seat = Seat(0.05, B6208, 10e-6, offset=(0.0, 0.0, 0.0, tilt, 0.0))
-    stub = Shaft([Section(0.1, 0.3)])
-    found = shaft.rest(stub, [seat], [Load(0.05, (2000.0, 0.0, 500.0), (3.0, 2.0))])
+    short = Shaft([Section(0.1, 0.3)])
+    found = shaft.rest(short, [seat], [Load(0.05, (2000.0, 0.0, 500.0), (3.0, 2.0))])
     want = static.equilibrium(B6208, 2000.0, 500.0, moment=(3.0, 2.0), clearance=10e-6)
     assert found.bearings[0].place[:3] == pytest.approx(want.shift, rel=1e-6, abs=1e-12)
     assert found.bearings[0].place[3:] == pytest.approx(want.tilt, rel=1e-6)

@@ -9,6 +9,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.electric.films import Films, series
 from raceway.theory.bearing import INNER, OUTER
+from raceway.theory.film_voltage import PEAKS
 
 SURFACES = ("rough", "smooth")
 
@@ -39,7 +40,7 @@ class Breakdown:
     def local_thickness(self, films: Films) -> Floats:
         """(n, 2, Z) m; NaN where there is no film."""
         roughness = films.roughness if self.roughness is None else self.roughness
-        less = 3 * roughness if self.surfaces == "rough" else 0.0
+        less = PEAKS * roughness if self.surfaces == "rough" else 0.0
         return np.maximum(films.thickness - less, self.floor)
 
     def limit(self, films: Films) -> Floats:
