@@ -24,9 +24,10 @@ struct InstantContact {
   tag_t ball, ring;
   const raceway::RacewayPhysics &raceway;
   double orbit;    // rad/s, of the ball about the ring's axis
-  bool live;       // the state is set where it is
-  const raceway::ContactState &state;
-  raceway::FilmCapacitorT<double> capacitor;    // 0 where none is wanted
+  bool live;
+  double load;                                         // N
+  const raceway::FilmCapacitorT<double> &capacitor;    // 0 where none is wanted
+  const raceway::ContactState &state;                  // if states are wanted, and live
 };
 
 struct InstantBody {
@@ -40,6 +41,7 @@ struct InstantRing {
 
 // Who is told of the parts of a bearing; contacts come ball by ball, and before the bodies.
 struct InstantReader {
+  bool states;    // of contacts: wanted
   std::function<void(const InstantContact &)> contact;
   std::function<void(const InstantBody &)> body;    // or none
   std::function<void(const InstantRing &)> ring;    // or none

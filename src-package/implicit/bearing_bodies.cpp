@@ -59,6 +59,7 @@ void BearingBodies::place()
       if (s.body == row[0]) rail_tracks.push_back({s.ring, first, end, s.rails, s.stiffness});
   }
   for (const Track &t : tracks) n_contacts += t.end - t.first;
+  groove_at.assign(lanes * n_contacts, -1);
   for (const BearingModel::Groove &g : model.grooves) {
     const int at = slot[g.body];
     int contact = 0;
@@ -68,6 +69,7 @@ void BearingBodies::place()
       contact += t.end - t.first;
     }
   }
+  for (size_t g = 0; g < contact_at.size(); ++g) groove_at[contact_at[g]] = static_cast<int>(g);
 }
 
 // They do not change while a run lasts.

@@ -73,6 +73,7 @@ class BearingBodies {
   std::vector<RailTrack> rail_tracks;
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
   std::vector<int> contact_at;    // of a groove of the model: lanes * group of contacts + lane
+  std::vector<int> groove_at;     // the reverse, or -1
   std::vector<States> kept;       // by group of contacts, where the law keeps any
   std::vector<KeptSlopes> kept_slopes;
   std::vector<RingBody> rings;

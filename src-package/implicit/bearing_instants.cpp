@@ -2,8 +2,7 @@
 #include "bearing_instants.h"
 
 #include "cubic.h"
-
-#include <cstring>
+#include "lanes_apart.h"
 
 namespace raceway {
 
@@ -24,39 +23,40 @@ void BearingInstants::want(const Instants &i)
   ring_end_.resize(b_.rings.size());
 }
 
-// One lane of a struct that is made of lanes, as the same struct of doubles.
-template <class One, class Four> static One lane_of(const Four &four, int lane)
+RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
+                                             std::vector<Contact> &to) const
 {
-  static_assert(sizeof(Four) == lanes * sizeof(One) && std::is_trivially_copyable<One>::value,
-                "the same numbers in the same order");
-  double numbers[sizeof(One) / sizeof(double)];
-  const char *from = reinterpret_cast<const char *>(&four) + lane * sizeof(double);
-  for (double &n : numbers) {
-    memcpy(&n, from, sizeof n);
-    from += sizeof(Lane);
+  to.resize(b_.contact_at.size());
+  Contact nobody;    // of a lane without a ball
+  for (size_t group = 0; group < b_.n_contacts; ++group) {
+    const size_t at = (k - 1) * b_.n_contacts + group;
+    const ContactLook &look = looks_[at];
+    Contact *one[lanes];
+    for (int i = 0; i < lanes; ++i) {
+      const int groove = b_.groove_at[lanes * group + i];
+      one[i] = groove < 0 ? &nobody : &to[groove];
+    }
+    if (!capacitors_.empty())
+      lanes_apart(capacitors_[at].of,
+                  {&one[0]->capacitor, &one[1]->capacitor, &one[2]->capacitor, &one[3]->capacitor});
+    if (whole_states && any(look.live))
+      lanes_apart(look.state, {&one[0]->state, &one[1]->state, &one[2]->state, &one[3]->state});
+    for (int i = 0; i < lanes; ++i) {
+      Contact &c = *one[i];
+      c.orbit = look.orbit[i];
+      c.live = look.live[i];
+      c.load = c.live ? look.state.load[i] : 0.0;
+      if (capacitors_.empty() || (!c.live && surrounded_.empty())) c.capacitor = {};
+    }
   }
-  One one;
-  memcpy(static_cast<void *>(&one), numbers, sizeof one);
-  return one;
-}
-
-BearingInstants::Contact BearingInstants::contact(int k, int groove) const
-{
-  const size_t at = (k - 1) * b_.n_contacts + b_.contact_at[groove] / lanes;
-  const int lane = b_.contact_at[groove] % lanes;
-  Contact c;
-  c.orbit = looks_[at].orbit[lane];
-  c.live = looks_[at].live[lane];
-  if (!c.live && surrounded_.empty()) return c;
-  if (!capacitors_.empty()) c.capacitor = lane_of<FilmCapacitorT<double>>(capacitors_[at].of, lane);
-  if (c.live) c.state = lane_of<ContactState>(looks_[at].state, lane);
-  return c;
 }
 
 BodyPose BearingInstants::body(int k, int body) const
 {
-  const int slot = b_.slot[body];
-  return lane_of<BodyPose>(bodies_[(k - 1) * b_.groups.size() + slot / lanes], slot % lanes);
+  const int slot = b_.slot[body], lane = slot % lanes;
+  const Bodies &of = bodies_[(k - 1) * b_.groups.size() + slot / lanes];
+  const auto pick = [lane](const Vec3L &v) { return Vec3{v.x[lane], v.y[lane], v.z[lane]}; };
+  return {pick(of.x), pick(of.v), pick(of.w)};
 }
 
 Failure BearingInstants::pass(double h, double s0, double s1)

@@ -20,10 +20,11 @@ struct Instants {
 class BearingInstants {
  public:
   struct Contact {
-    double orbit;         // rad/s, of the ball about the ring's axis
-    bool live = false;    // the state is set where it is
-    ContactState state;
-    FilmCapacitorT<double> capacitor = {};
+    double orbit;                        // rad/s, of the ball about the ring's axis
+    double load;                         // N
+    bool live;                           // the state is set where it is
+    FilmCapacitorT<double> capacitor;    // 0 where none is wanted
+    ContactState state;                  // only where whole states are asked for
   };
   struct Ring {
     RingPose pose;
@@ -35,7 +36,7 @@ class BearingInstants {
 
   void want(const Instants &);
   // Of the last host step; k from 1, the others as in the model.
-  Contact contact(int k, int groove) const;
+  void contacts(int k, bool whole_states, std::vector<Contact> &) const;    // by groove
   BodyPose body(int k, int body) const;
   const Ring &ring(int k, int ring) const { return rings_[(k - 1) * b_.rings.size() + ring]; }
 

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace bearing {
@@ -47,9 +48,10 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
 {
   header_ = header;
   batch_ = batch;
-  filled_ = written_ = countable_ = 0;
-  blank_.assign(header.record_bytes(), 0);
+  filled_ = sending_ = written_ = countable_ = 0;
+  blank_ = header.blank_record();
   buffer_.resize(header.record_bytes() * batch);
+  sent_.resize(buffer_.size());
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return strerror(errno);
   // some file systems know no locks: that is no reason to refuse
@@ -103,29 +105,43 @@ std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &heade
   return count(written_);
 }
 
-void NetcdfFile::blank(int variable, const std::vector<double> &values)
+unsigned char *NetcdfFile::start_record()
 {
-  const NetcdfHeader::Variable &v = header_.variable(variable);
-  put_netcdf(blank_.data() + v.at, v.type, values.data(), values.size());
-}
-
-void NetcdfFile::start_record()
-{
-  memcpy(&buffer_[filled_ * header_.record_bytes()], blank_.data(), blank_.size());
+  unsigned char *record = &buffer_[filled_ * header_.record_bytes()];
+  memcpy(record, blank_.data(), blank_.size());
   ++filled_;
+  return record;
 }
 
+// The system takes as long to copy a batch as the bearing to make it. A thread that knows nothing
+// but bytes waits for it.
 std::string NetcdfFile::flush()
 {
-  if (filled_ == 0) return "";
+  const std::string why = wait();
+  if (!why.empty() || filled_ == 0) return why;
   if (written_ + filled_ > most_records) return "it is full: 2147483647 samples";
+  std::swap(buffer_, sent_);
   const size_t bytes = filled_ * header_.record_bytes();
-  const std::string why =
-      write_all(file_, buffer_.data(), bytes,
-                static_cast<off_t>(header_.bytes().size() + written_ * header_.record_bytes()));
-  if (!why.empty()) return why;
-  written_ += filled_;
+  const off_t at = static_cast<off_t>(header_.bytes().size() + written_ * header_.record_bytes());
+  sending_ = filled_;
   filled_ = 0;
+  const auto write = [this, bytes, at] { return write_all(file_, sent_.data(), bytes, at); };
+  try {
+    writing_ = std::async(std::launch::async, write);
+  } catch (const std::system_error &) {    // the system gives no thread
+    writing_ = std::async(std::launch::deferred, write);
+  }
+  return "";
+}
+
+// Until the batch that was sent last is written.
+std::string NetcdfFile::wait()
+{
+  if (!writing_.valid()) return "";
+  const std::string why = writing_.get();
+  if (!why.empty()) return why;
+  written_ += sending_;
+  sending_ = 0;
   const double t = now();
   if (t - counted_at_ < between_counts) return "";
   counted_at_ = t;
@@ -137,6 +153,7 @@ std::string NetcdfFile::flush()
 std::string NetcdfFile::settle()
 {
   std::string why = flush();
+  if (why.empty()) why = wait();
   if (why.empty()) why = count(written_);
   if (why.empty() && fsync(file_) != 0) why = strerror(errno);
   return why;
@@ -146,6 +163,7 @@ std::string NetcdfFile::close()
 {
   if (file_ < 0) return "";
   std::string why = flush();
+  if (why.empty()) why = wait();
   if (why.empty()) why = count(written_);
   if (::close(file_) != 0 && why.empty()) why = strerror(errno);
   file_ = -1;

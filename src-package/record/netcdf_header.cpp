@@ -79,16 +79,11 @@ void put_netcdf(unsigned char *to, Header::Type type, const double *values, size
 {
   for (size_t k = 0; k < n; ++k) {
     if (type == Header::real) {
-      uint64_t b;
-      memcpy(&b, values + k, 8);
-      b = __builtin_bswap64(b);
-      memcpy(to + 8 * k, &b, 8);
+      put_real(to + 8 * k, values[k]);
+    } else if (type == Header::single) {
+      put_single(to + 4 * k, values[k]);
     } else {
-      uint32_t b;
-      const float x = static_cast<float>(values[k]);
-      if (type == Header::single) memcpy(&b, &x, 4);
-      else b = static_cast<uint32_t>(static_cast<int32_t>(values[k]));
-      b = __builtin_bswap32(b);
+      const uint32_t b = __builtin_bswap32(static_cast<uint32_t>(static_cast<int32_t>(values[k])));
       memcpy(to + 4 * k, &b, 4);
     }
   }
@@ -128,6 +123,17 @@ void NetcdfHeader::layout()
     if (v.type == text) add_text(bytes_, v.words);
     else add_numbers(bytes_, v.type, v.of);
   }
+}
+
+std::vector<unsigned char> NetcdfHeader::blank_record() const
+{
+  std::vector<unsigned char> record(record_bytes_, 0);
+  for (const Variable &v : variables_) {
+    if (!v.in_record()) continue;
+    const std::vector<double> cells(v.size, v.blank);
+    put_netcdf(record.data() + v.at, v.type, cells.data(), cells.size());
+  }
+  return record;
 }
 
 std::string NetcdfHeader::written(size_t records_at)

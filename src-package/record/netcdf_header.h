@@ -6,6 +6,7 @@
 #define BEARING_NETCDF_HEADER_H
 
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ class NetcdfHeader {
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text
     std::vector<double> of;    // of other types
+    double blank = 0.0;        // of a record's cells that nobody fills
     // set by layout()
     size_t size = 1;    // values, of a record or of all
     size_t at = 0;      // bytes from the start of the record, or of the file
@@ -54,6 +56,7 @@ class NetcdfHeader {
   const Variable &variable(int k) const { return variables_[k]; }
   const std::string &bytes() const { return bytes_; }    // with the fixed values; no record yet
   size_t record_bytes() const { return record_bytes_; }
+  std::vector<unsigned char> blank_record() const;
   // Where the attributes that may change are: 8 bytes each.
   const std::vector<size_t> &changing() const { return changing_; }
 
@@ -73,6 +76,21 @@ class NetcdfHeader {
 };
 
 // Values in the byte order and width of the file.
+inline void put_real(unsigned char *to, double value)
+{
+  uint64_t b;
+  memcpy(&b, &value, 8);
+  b = __builtin_bswap64(b);
+  memcpy(to, &b, 8);
+}
+inline void put_single(unsigned char *to, double value)
+{
+  const float x = static_cast<float>(value);
+  uint32_t b;
+  memcpy(&b, &x, 4);
+  b = __builtin_bswap32(b);
+  memcpy(to, &b, 4);
+}
 void put_netcdf(unsigned char *to, NetcdfHeader::Type, const double *values, size_t n);
 
 }    // namespace bearing

@@ -10,6 +10,8 @@ namespace bearing {
 
 using Header = NetcdfHeader;
 
+static constexpr size_t nowhere = SIZE_MAX;    // a column that the record does not have
+
 static Header::Attributes said(const Column &c)
 {
   return {Header::attribute("units", *c.unit ? c.unit : "1"),
@@ -68,25 +70,25 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
     fix(of_kind::list[k], bearing, Header::real,
         each(layout_.bearings, [k](const auto &b) { return b.of[k]; }));
 
+  // Numbers of variables, until the places in a sample are known.
   const auto add = [&](const std::string &prefix, const Column &c, std::vector<int> dimensions,
-                       size_t size, Header::Type type = Header::real) {
-    Header::Variable v = {prefix + c.name, std::move(dimensions), type, said(c), "", {}};
-    return add_field(header_.variable(v), size, c.absent);
+                       Header::Type type = Header::real) -> size_t {
+    return header_.variable(
+        {prefix + c.name, std::move(dimensions), type, said(c), "", {}, c.absent});
   };
-  time_ = add("", {"time", "s", "time since the start of the record"}, {time}, 1);
-  step_ = add("", {"step", "", "step of the host"}, {time}, 1);
+  time_ = add("", {"time", "s", "time since the start of the record"}, {time});
+  step_ = add("", {"step", "", "step of the host"}, {time});
   for (const Column &c : content_.contact)
     contact_.push_back(
-        add("", c, {time, raceway, ball}, 2 * n, content_.single ? Header::single : Header::real));
+        add("", c, {time, raceway, ball}, content_.single ? Header::single : Header::real));
   if (content_.motion)
     for (int k = 0; k < MOTION; ++k) {
       const Column &c = of_atom::list[of_atom::MOTION + k];
-      ball_.push_back(add("ball_", c, {time, ball}, n));
-      if (m) cage_.push_back(add("cage_", c, {time, cage}, m));
+      ball_.push_back(add("ball_", c, {time, ball}));
+      if (m) cage_.push_back(add("cage_", c, {time, cage}));
     }
   for (int k = 0; k < RING_VALUES; ++k)
-    ring_.push_back(
-        add("ring_", of_ring::list[FIRST_OF_RING + k], {time, ring}, layout_.rings.size()));
+    ring_.push_back(add("ring_", of_ring::list[FIRST_OF_RING + k], {time, ring}));
   for (int k = 0; k < of_bearing::N; ++k) {
     const bool film = k == of_bearing::H_MIN || k == of_bearing::LAMBDA ||
                       k == of_bearing::H_MIN_TOP || k == of_bearing::LAMBDA_TOP,
@@ -96,21 +98,17 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
                        (!of_bearing::needs_couples(k) || content_.couples) &&
                        (k != of_bearing::ASPERITY_SHARE_TOP || content_.asperities) &&
                        (!of_bearing::needs_surroundings(k) || content_.surroundings);
-    bearing_.push_back(
-        there ? add("bearing_", of_bearing::list[k], {time, bearing}, layout_.bearings.size())
-              : SIZE_MAX);
+    bearing_.push_back(there ? add("bearing_", of_bearing::list[k], {time, bearing}) : nowhere);
   }
   header_.layout();
-  frame_ = blank_;
+  const auto place = [this](size_t &k) {
+    if (k != nowhere) k = header_.variable(static_cast<int>(k)).at;
+  };
+  place(time_);
+  place(step_);
+  for (std::vector<size_t> *list : {&contact_, &ball_, &cage_, &ring_, &bearing_})
+    std::for_each(list->begin(), list->end(), place);
   shares_.resize(n);
-}
-
-size_t RecordFile::add_field(int variable, size_t size, double blank)
-{
-  const size_t at = blank_.size();
-  fields_.push_back({variable, at, size});
-  blank_.insert(blank_.end(), size, blank);
-  return at;
 }
 
 size_t RecordFile::width(Kind kind) const
@@ -128,6 +126,7 @@ size_t RecordFile::width(Kind kind) const
 const double *RecordFile::take(const double *row, const double *end, bool &whole)
 {
   whole = false;
+  if (!sample_) sample_ = file_.start_record();
   while (row != end) {
     const Kind kind = static_cast<Kind>(row[0]);
     if (kind == END) {
@@ -140,7 +139,10 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
                                     : kind == CAGE ? cage_
                                     : kind == RING ? ring_
                                                    : contact_;
-    for (size_t k = 0; k < at.size(); ++k) frame_[at[k] + place] = value[k];
+    if (kind == CONTACT && content_.single)
+      for (size_t k = 0; k < at.size(); ++k) put_single(sample_ + at[k] + 4 * place, value[k]);
+    else
+      for (size_t k = 0; k < at.size(); ++k) put_real(sample_ + at[k] + 8 * place, value[k]);
     if (kind == BALL)
       memcpy(static_cast<void *>(&shares_[place]), value + MOTION, sizeof(BallShare));
     reported_ += kind != CONTACT;
@@ -156,12 +158,10 @@ std::string RecordFile::end_sample(double time, double step)
            std::to_string(reported_) + " of " + std::to_string(layout_.parts()) +
            " balls, cage balls and rings are there";
   reported_ = 0;
-  frame_[time_] = time;
-  frame_[step_] = step;
+  put_real(sample_ + time_, time);
+  put_real(sample_ + step_, step);
   sum_up();
-  file_.start_record();
-  for (const Field &f : fields_) file_.put(f.variable, 0, &frame_[f.at], f.size);
-  frame_ = blank_;
+  sample_ = nullptr;
   return file_.full() ? file_.flush() : "";
 }
 
@@ -207,7 +207,7 @@ void RecordFile::sum_up()
     v[CAGE_SPEED] /= static_cast<double>(ball - first);
     if (v[CONTACTS] == 0.0) v[H_MIN] = v[LAMBDA] = NAN;
     for (int k = 0; k < N; ++k)
-      if (bearing_[k] != SIZE_MAX) frame_[bearing_[k] + b] = v[k];
+      if (bearing_[k] != nowhere) put_real(sample_ + bearing_[k] + 8 * b, v[k]);
   }
 }
 

@@ -47,15 +47,10 @@ class RecordFile {
   NetcdfHeader header_;
   NetcdfFile file_;
   int finished_ = -1;
-  struct Field {    // a variable of the record, and where its values are in frame_
-    int variable;
-    size_t at, size;
-  };
-  size_t add_field(int variable, size_t size, double blank);
-  std::vector<Field> fields_;
-  size_t time_, step_;    // places in frame_
+  // bytes from the start of a sample, by column
+  size_t time_, step_;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_;
-  std::vector<double> frame_, blank_;
+  unsigned char *sample_ = nullptr;    // the present one, if a part has reported
   std::vector<BallShare> shares_;
   size_t reported_ = 0;
 };

@@ -31,7 +31,8 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
   shares_.assign(layout.balls.size(), Share());
   for (Kind k : {RecordFile::BALL, RecordFile::CONTACT, RecordFile::CAGE, RecordFile::RING})
     widths_[k] = file.width(k);
-  said_.reserve(batch * (file.record_bytes() / sizeof(double) + 3 * layout.parts()));
+  said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.parts()));
+  used_ = 0;
 }
 
 int RecordRows::ball(Tag tag) const
@@ -42,11 +43,10 @@ int RecordRows::ball(Tag tag) const
 
 double *RecordRows::row(Kind kind, int at)
 {
-  const size_t begin = said_.size();
-  said_.resize(begin + 2 + widths_[kind]);
-  said_[begin] = kind;
-  said_[begin + 1] = at;
-  return &said_[begin + 2];
+  double *to = room(2 + widths_[kind]);
+  to[0] = kind;
+  to[1] = at;
+  return to + 2;
 }
 
 void RecordRows::contact(int ball, const ContactView &view)
@@ -124,15 +124,16 @@ void RecordRows::ring(const double *of)
 
 void RecordRows::end(double time, double step)
 {
-  said_.push_back(RecordFile::END);
-  said_.push_back(time);
-  said_.push_back(step);
+  double *to = room(3);
+  to[0] = RecordFile::END;
+  to[1] = time;
+  to[2] = step;
   ++samples_;
 }
 
 void RecordRows::clear()
 {
-  said_.clear();
+  used_ = 0;
   samples_ = 0;
 }
 

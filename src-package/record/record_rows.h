@@ -37,7 +37,11 @@ class RecordRows {
 
   bool full() const { return samples_ == batch_; }
   size_t samples() const { return samples_; }
-  const std::vector<double> &said() const { return said_; }
+  const std::vector<double> &said()
+  {
+    said_.resize(used_);
+    return said_;
+  }
   void clear();
   size_t bytes() const { return said_.capacity() * sizeof(double); }
 
@@ -57,13 +61,21 @@ class RecordRows {
     return static_cast<size_t>(t) < places_.size() ? places_[t] : Place{RecordFile::END, 0};
   }
   double *row(Kind, int at);
+  double *room(size_t numbers)
+  {
+    if (used_ + numbers > said_.size()) said_.resize(2 * (used_ + numbers));
+    double *to = &said_[used_];
+    used_ += numbers;
+    return to;
+  }
 
   Columns columns_;
   bool film_ = false;
   std::vector<Place> places_;    // by tag
   size_t widths_[4] = {};
   size_t batch_ = 1, samples_ = 0;
-  std::vector<double> said_;
+  std::vector<double> said_;    // the first used_ of it
+  size_t used_ = 0;
   std::vector<Share> shares_;    // by ball, of the present sample
 };
 

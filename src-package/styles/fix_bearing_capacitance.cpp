@@ -208,11 +208,12 @@ void FixBearingCapacitance::add_instants()
 {
   for (FixBearingImplicit *f : integrators_)
     for (int k = 1; k < within_; ++k)
-      f->read_instant(k, {[this, k](const bearing::InstantContact &c) {
+      f->read_instant(k, {false,
+                          [this, k](const bearing::InstantContact &c) {
                             if ((c.live || model_.surrounded()) &&
                                 std::binary_search(members_.begin(), members_.end(), c.ball))
-                              mine_.push_back({k, c.ball, c.raceway.groove.side, c.live,
-                                               c.live ? c.state.load : 0.0, c.capacitor});
+                              mine_.push_back(
+                                  {k, c.ball, c.raceway.groove.side, c.live, c.load, c.capacitor});
                           },
                           {},
                           {}});

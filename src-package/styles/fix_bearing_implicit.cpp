@@ -34,14 +34,15 @@ struct FixBearingImplicit::Solver {
   BearingStep::Settings settings;
   BearingStep::Energy energy;    // of bearings of earlier neighbour builds
   bearing::BearingParts bearings;
-  std::vector<Part> parts;    // one a bearing at home here
+  std::vector<Part> parts;                                    // one a bearing at home here
+  std::vector<raceway::BearingInstants::Contact> contacts;    // of the instant that is read
 };
 
 // fix ID group bearing/implicit [solve all|damping] [tolerance T] [cage_tolerance TC] [order 1|2]
 // [corrections N] [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
-    solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}})
+    solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}, {}})
 {
   BearingStep::Settings &settings = solver_->settings;
   double cage = 0.0;
@@ -325,14 +326,17 @@ void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell)
   for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
     const raceway::BearingModel &m = solver_->bearings.model(p);
     const raceway::BearingInstants &at = solver_->parts[p].bearing->instants();
+    at.contacts(k, tell.states, solver_->contacts);
     for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
       const raceway::BearingModel::Groove &groove = m.grooves[g];
-      raceway::BearingInstants::Contact c = at.contact(k, g);
-      c.state.u = axes.lab(c.state.u);
-      c.state.t = axes.lab(c.state.t);
+      raceway::BearingInstants::Contact &c = solver_->contacts[g];
+      if (tell.states) {
+        c.state.u = axes.lab(c.state.u);
+        c.state.t = axes.lab(c.state.t);
+      }
       tell.contact({static_cast<tag_t>(m.bodies[groove.body].tag),
                     static_cast<tag_t>(m.rings[groove.ring].tag), *groove.physics, c.orbit, c.live,
-                    c.state, c.capacitor});
+                    c.load, c.capacitor, c.state});
     }
     if (tell.body)
       for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {

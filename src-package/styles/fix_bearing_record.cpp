@@ -214,7 +214,8 @@ void FixBearingRecord::open()
   std::unique_ptr<RecordFile> file(new RecordFile(layout_, content));
   const size_t batch =
       std::min(most_in_batch, std::max<size_t>(1, batch_bytes / file->record_bytes()));
-  rows_.begin(layout_, *file, columns_, pair_->lubricated(), batch);
+  // ranks wait for each other once a batch; alone, a sample is written while it is at hand
+  rows_.begin(layout_, *file, columns_, pair_->lubricated(), comm->nprocs > 1 ? batch : 1);
   open_ = true;
   if (comm->me != 0) return;
   std::string why;
@@ -258,7 +259,7 @@ void FixBearingRecord::sample(bool between)
 // What the bearings at home here did within the step.
 void FixBearingRecord::sample_instants()
 {
-  bearing::InstantReader tell;
+  bearing::InstantReader tell = {true, {}, {}, {}};
   tell.contact = [this](const bearing::InstantContact &c) {
     const int ball = rows_.ball(c.ball);
     if (ball < 0) return;
@@ -338,17 +339,33 @@ void FixBearingRecord::flush()
   const size_t samples = rows_.samples();
   if (samples == 0) return;
   const std::vector<double> &said = rows_.said();
-  std::vector<double> all;
-  std::vector<size_t> begin = {0}, end = {said.size()};
-  const double *rows = said.data();
-  if (comm->nprocs > 1) {
-    begin = bearing::gather_to_first(said, all, world);
-    rows = all.data();
-    end.assign(begin.begin() + (comm->me == 0), begin.end());
-    if (comm->me == 0) begin.pop_back();
-  }
   std::string why;
-  for (size_t k = 0; file_ && why.empty() && k < samples; ++k) {
+  if (comm->nprocs == 1) {
+    const double *row = said.data(), *const end = row + said.size();
+    for (size_t k = 0; why.empty() && k < samples; ++k) {
+      bool whole;
+      row = file_->take(row, end, whole);
+      why = file_->end_sample(row[1], row[2]);
+      row += 3;
+    }
+  } else {
+    why = gather(said, samples);
+  }
+  rows_.clear();
+  if (!why.empty()) BRG_ONE(command_ + ": " + path_ + ": " + why);
+}
+
+// What the ranks know of the same samples, put together by the first.
+std::string FixBearingRecord::gather(const std::vector<double> &said, size_t samples)
+{
+  std::vector<double> all;
+  std::vector<size_t> begin = bearing::gather_to_first(said, all, world);
+  if (!file_) return "";
+  const double *rows = all.data();
+  const std::vector<size_t> end(begin.begin() + 1, begin.end());
+  begin.pop_back();
+  std::string why;
+  for (size_t k = 0; why.empty() && k < samples; ++k) {
     double time = 0.0, step = 0.0;
     for (size_t p = 0; p < end.size(); ++p) {
       bool whole;
@@ -361,8 +378,7 @@ void FixBearingRecord::flush()
     }
     why = file_->end_sample(time, step);
   }
-  rows_.clear();
-  if (!why.empty()) BRG_ONE(command_ + ": " + path_ + ": " + why);
+  return why;
 }
 
 void FixBearingRecord::post_run()

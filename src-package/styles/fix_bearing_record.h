@@ -47,6 +47,7 @@ class FixBearingRecord : public Fix {
   void sample_parts();
   void end_sample(double step);
   void flush();
+  std::string gather(const std::vector<double> &said, size_t samples);
   void refuse(const std::string &complaint) const;    // if there is one
   double time_of(double step) const;
   double steps_made() const;

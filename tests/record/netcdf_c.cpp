@@ -36,7 +36,7 @@ void define(Sample &s, double temperature)
   s.header.variable({"pitch", {}, H::real, {H::attribute("units", "m")}, "", {0.0303}});
   s.finished = s.header.variable({"finished", {}, H::integer, {}, "", {0}});
   s.time = s.header.variable({"time", {time}, H::real, {H::attribute("units", "s")}, "", {}});
-  s.wide = s.header.variable({"x", {time, side, ball}, H::real, {}, "", {}});
+  s.wide = s.header.variable({"x", {time, side, ball}, H::real, {}, "", {}, NAN});
   s.narrow = s.header.variable({"load", {time, ball}, H::single, {}, "", {}});
   s.header.layout();
 }
@@ -52,9 +52,6 @@ Sample *begin(const char *path, int batch, long records, double temperature)
   define(*s, temperature);
   s->why = records < 0 ? s->file.create(path, s->header, batch)
                        : s->file.go_on(path, s->header, batch, records, s->finished);
-  if (s->why.empty()) {
-    s->file.blank(s->wide, std::vector<double>(2 * balls, NAN));
-  }
   return s;
 }
 
