@@ -94,7 +94,8 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
 // The separation is that of the film at no less than the load Q_u of a ball that only the outer
 // raceway guides, m_b r_pitch omega_c^2, nor than 0.1 N: so it has a value where the contact load
 // vanishes. Without contact it is the gap, if that is larger. With film in the gap (part_film_gap)
-// contacts begin at a gap already; the gap then counts from where it equals the film.
+// contacts begin at a gap already; the gap then counts from where it equals the film, and the play
+// from where contacts begin. So capacitances do not jump there.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
@@ -144,24 +145,27 @@ class SurroundedRaceway {
       to.capacitance = where(live, C, 0.0);
     }
     const auto open = !live;
+    T play = none;
     if (any(open)) {
-      T gap = -c.overlap;
+      T gap = play = -c.overlap;
       if (begins_ > 0.0) {
         const T film = central_film(*p_, k, FilmPointT<T>{ln_u, none + std::log(least_load_)});
         const T excess = begins_ * film - apart;
         gap = gap - where(excess > 0.0, excess, 0.0);
+        play = play - begins_ * film;
       }
       apart = where(open & (gap > apart), gap, apart);
+      play = where(play > 0.0, play, 0.0);
     }
     to.separation = where(apart > floor, apart, floor);
-    to.outside = vacuum_permittivity * m_.outside() * integral(c, k, live, to.separation);
+    to.outside = vacuum_permittivity * m_.outside() * integral(c, k, live, to.separation, play);
     return to;
   }
 
  private:
   template <class T, class Mask>
   RACEWAY_INLINE T integral(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
-                            const Mask &live, const T &h) const
+                            const Mask &live, const T &h, const T &play) const
   {
     // as the law's constants: radial ones are exact
     const auto oblique = 1.0 - c.cos_angle >= 1e-12;
@@ -171,7 +175,7 @@ class SurroundedRaceway {
             : of_radial<T>();
     const GrooveReachT<T> r = shoulder_.reach(T(magnitude(c.ne)), T(magnitude(c.nu)));
     const bool leans = any(r.near < r.far);
-    T G = T(), near = T(), far = T();
+    T G = T(), near = T(), far = T(), wider = T() + 1.0;
     if (any(live)) {
       const LoadedGapT<T> loaded(s, T(where(live, c.root, 1e-8)), h);
       G = where(live, loaded.G, 0.0);
@@ -179,11 +183,13 @@ class SurroundedRaceway {
       if (leans) near = loaded.stretch(r.near);
     }
     if (any(!live)) {
-      far = where(live, far, open_stretch(s, h, r.far));
-      if (leans) near = where(live, near, open_stretch(s, h, r.near));
+      const OpenGapT<T> open(s, h, T(1.0 - play / p_->slack));
+      far = where(live, far, open.stretch(r.far));
+      if (leans) near = where(live, near, open.stretch(r.near));
+      wider = where(live, wider, T(1.0 / open.root));
     }
-    const T I = gap_integral(s, G, far);
-    return leans ? T(0.5 * (I + gap_integral(s, G, near))) : I;
+    const T I = wider * gap_integral(s, G, far);
+    return leans ? T(0.5 * (I + wider * gap_integral(s, G, near))) : I;
   }
   template <class T> RACEWAY_INLINE GapShapeT<T> of_radial() const
   {

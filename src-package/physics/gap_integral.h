@@ -10,8 +10,10 @@
 //
 // Without load, at the gap g_0, it is what that tends to as the load goes to 0 with h = g_0, so
 // that both meet:
-//   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap),
-// e = ln(4 kappa) - 1. R_y' is the radius across the groove R_y within 1 %.
+//   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
+// e = ln(4 kappa) - 1. At c = 1 R_y' is the radius across the groove R_y within 1 %. c is
+// 1 - play/(r_c - R_b): with play the centres of ball and groove come closer, and the gap is
+// flatter. Past concentric circles c < 0 and the inverse sine takes over.
 //
 // 4 kappa Ebar R = 2 Fbar a b/overlap and sqrt(2 R_x g_s)/b do not depend on the load, and Fbar =
 // pi E' a/(3 K sqrt(overlap)): all follows from the constants of the contact law (hertz.h).
@@ -90,13 +92,34 @@ template <class T> struct LoadedGapT {
   }
 };
 
-// Of surfaces that do not touch, at the gap g (m); G is 0 there.
-template <class T> RACEWAY_INLINE T open_stretch(const GapShapeT<T> &s, const T &g, const T &reach)
+// The stretch whose logarithm is the inverse sine of z, at most 1.
+RACEWAY_INLINE double sine_stretch(double z) { return std::exp(std::asin(z < 1.0 ? z : 1.0)); }
+RACEWAY_INLINE Lane sine_stretch(const Lane &z)
 {
-  const T far = where(reach > 0.0, reach, 0.0);
-  const T z = s.root_e * far / (s.a * square_root(T(s.Fbar * g)));
-  return z + square_root(T(z * z + 1.0));
+  return Lane{sine_stretch(z[0]), sine_stretch(z[1]), sine_stretch(z[2]), sine_stretch(z[3])};
 }
+
+// Of surfaces that do not touch, at the gap g (m), with c of them; G is 0 there.
+template <class T> struct OpenGapT {
+  T root;    // of c; the limit for concentric circles, to rounding
+
+  RACEWAY_INLINE OpenGapT(const GapShapeT<T> &s, const T &g, const T &any_c) : c(any_c)
+  {
+    const T size = magnitude(c);
+    root = square_root(T(where(size > 1e-9, size, 1e-9)));
+    over = s.root_e * root / (s.a * square_root(T(s.Fbar * g)));
+  }
+  RACEWAY_INLINE T stretch(const T &reach) const
+  {
+    const T z = over * where(reach > 0.0, reach, 0.0);
+    const T open = z + square_root(T(z * z + 1.0));
+    const auto past = c < 0.0;
+    return any(past) ? T(where(past, sine_stretch(z), open)) : open;
+  }
+
+ private:
+  T c, over;
+};
 
 // I, m
 template <class T>

@@ -84,13 +84,17 @@ EXPORT(void, groove_reach,
   out[1] = r.far;
 }
 
-// m, of a contact with that load (N); 0: no contact, at the gap h
+// m, of a contact with that load (N); 0: no contact, at the gap h with that play (m)
 EXPORT(double, outside_integral,
-       (const RacewayPhysics *p, double cos_angle, double load, double h, double reach))
+       (const RacewayPhysics *p, double cos_angle, double load, double h, double play,
+        double reach))
 {
   const RacewayConstants k = p->law.at(cos_angle);
   const GapShape s = gap_shape(k, p->material.Eprime(), p->rolling_radius(cos_angle));
-  if (load == 0.0) return gap_integral(s, 0.0, open_stretch(s, h, reach));
+  if (load == 0.0) {
+    const OpenGapT<double> open(s, h, 1.0 - play / p->slack);
+    return gap_integral(s, 0.0, open.stretch(reach)) / open.root;
+  }
   const LoadedGapT<double> loaded(s, std::cbrt(load / k.K), h);
   return gap_integral(s, loaded.G, loaded.stretch(reach));
 }

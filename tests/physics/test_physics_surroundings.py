@@ -5,6 +5,8 @@ integrals and limits."""
 import numpy as np
 import pytest
 from physics_c import BALL, INNER, OIL, OUTER, PITCH
+from raceway import capacitance_outside, hertz
+from raceway.theory.groove_width import HalfWidths
 from scipy.constants import epsilon_0
 from scipy.integrate import quad
 from scipy.special import elliprd, elliprf
@@ -42,10 +44,16 @@ EXACT = [
 ]
 
 
-def integral(physics, raceway, load, height, reach, cos_angle=1.0):
-    """m"""
+def integral(physics, raceway, load, height, reach, cos_angle=1.0, play=None):
+    """m; without load the play is the height unless given"""
     return physics.call(
-        "outside_integral", p=raceway._handle, cos_angle=cos_angle, load=load, h=height, reach=reach
+        "outside_integral",
+        p=raceway._handle,
+        cos_angle=cos_angle,
+        load=load,
+        h=height,
+        play=height if play is None else play,
+        reach=reach,
     )
 
 
@@ -165,6 +173,22 @@ def test_t3_rigid_surfaces(physics, side, exact):
     np.testing.assert_allclose(found, exact, rtol=0.024)
 
 
+@pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
+@pytest.mark.parametrize("side", [INNER, OUTER])
+def test_rigid_surfaces_are_those_of_python(physics, size, side):
+    """At plays less and more than that of concentric circles, and there."""
+    ball = size.get("ball_radius", BALL)
+    raceway = physics.raceway(**(size | dict(side=side, groove_radius=1.01 * ball)))
+    edge = reach(physics, raceway, 0.36 * ball)[0]
+    gamma = ball / raceway.data["pitch_radius"]
+    r_x, r_y = ball * (1 - gamma if side == INNER else 1 + gamma), ball * 101
+    ellipse, widths = hertz.exact(r_x, r_y), HalfWidths(edge, edge)
+    for play in 0.01 * ball * np.array([0.01, 0.3, 0.999, 1.0, 1.001, 1.7]):
+        found = integral(physics, raceway, 0, play, edge)
+        exact = capacitance_outside.rigid(ellipse, r_x, ball, 1.01 * ball, play, widths)
+        assert found == pytest.approx(exact, rel=1e-7), play
+
+
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_rigid_form_is_that_of_two_parabolas(physics, side):
     """4 pi sqrt(R_x R_y) asinh(S/sqrt(2 R_y g)); the radius across is within 1 % of R_y."""
@@ -172,7 +196,7 @@ def test_rigid_form_is_that_of_two_parabolas(physics, side):
     gap, edge = 5e-6, 5e-3
     r_x, r_y = physics.radii(side)
     exact = 4 * np.pi * np.sqrt(r_x * r_y) * np.arcsinh(edge / np.sqrt(2 * r_y * gap))
-    assert integral(physics, raceway, 0, gap, edge) == pytest.approx(exact, rel=0.005)
+    assert integral(physics, raceway, 0, gap, edge, play=0) == pytest.approx(exact, rel=0.005)
 
 
 @pytest.mark.parametrize(
@@ -191,7 +215,7 @@ def test_t5_and_t7_one_form_ends_where_the_other_begins(physics, side, cos_angle
     raceway = physics.raceway_6208(side)
     for gap in (20e-9, 0.3e-6, 12e-6):
         light, open_ = (
-            integral(physics, raceway, load, gap, 5e-3, cos_angle) for load in (1e-12, 0.0)
+            integral(physics, raceway, load, gap, 5e-3, cos_angle, 0) for load in (1e-12, 0.0)
         )
         assert light == pytest.approx(open_, rel=1e-5)
 

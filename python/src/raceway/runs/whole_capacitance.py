@@ -105,6 +105,7 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
                 separation,
                 np.nan_to_num(table["angle"].to_numpy()),
                 film_thickness=table["h_c"].fillna(1.0).to_numpy(),  # of no use without load
+                play=play,
                 filling=filling,
                 roughness=run.settings["roughness_m"],
                 clearance=clearance,

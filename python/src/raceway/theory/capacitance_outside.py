@@ -104,15 +104,17 @@ def rigid(
     groove: float,
     separation: Numbers,
     widths: HalfWidths,
+    play: Numbers | None = None,
 ) -> Numbers:
     """I in m of a ball at `separation` g_0 (m) from the raceway's bottom, without load; R_x, ball
     and `groove` radius in m, `ellipse` of the loaded contact. Raises `ValueError` for a separation
     that is not positive.
 
     4 pi sqrt(R_x R) asinh(S/sqrt(2 R g_0)), the mean of both sides. R = kappa^2 E R/(ln 4 kappa -
-    1), within 1 % of R_y, makes it the limit of `loaded` at no load; over 1 - g_0/(r_c - R_b),
-    because the centres of ball and groove come closer with the play. Past concentric circles the
-    inverse sine takes over.
+    1), within 1 % of R_y, makes it the limit of `loaded` at no load; over 1 - play/(r_c - R_b),
+    because the centres of ball and groove come closer with the `play` (m). That is the separation
+    unless given; a film may hold less play farther apart. Past concentric circles the inverse sine
+    takes over.
 
     >>> one, width = hertz.exact(4.990476e-3, 163.8e-3), HalfWidths(5.85e-3, 5.85e-3)
     >>> round(1e3 * float(rigid(one, 4.990476e-3, 6.3e-3, 6.552e-3, 12e-6, width)), 1)  # mm
@@ -120,7 +122,8 @@ def rigid(
     """
     _positive("separation", separation)
     across = ellipse.kappa**2 * ellipse.second * ellipse.radius / (np.log(4 * ellipse.kappa) - 1)
-    curve = 1 - np.asarray(separation, float) / (groove - ball_radius)  # over 1/across
+    closer = np.asarray(separation if play is None else play, float)
+    curve = 1 - closer / (groove - ball_radius)  # over 1/across
     size = np.maximum(np.abs(curve), 1e-9) / across  # the limit is straight
     mean = 0.0
     for width in widths:

@@ -110,6 +110,7 @@ def of_raceway(
     angle: ArrayLike = 0.0,
     *,
     film_thickness: ArrayLike | None = None,
+    play: ArrayLike | None = None,
     filling: Filling = FLOODED,
     roughness: float = 0.0,
     clearance: float = 0.0,
@@ -117,10 +118,11 @@ def of_raceway(
     """`Capacitors` of one raceway from loads (N), separations (m) and contact angles (rad) of the
     balls (Z,), in oil of relative `permittivity` at rest.
 
-    A load of zero makes a rigid gap. The plates have the `film_thickness` of their load, m, where
-    it is another than the separation. `roughness` sigma in m counts where `filling` asks for it,
-    `clearance` is diametral, m. Raises `ValueError` for a separation that is not positive and for
-    words that `Filling` does not know.
+    A load of zero makes a rigid gap; its `play` (m) is the separation unless given, negative where
+    a film holds bodies that overlap apart. The plates have the `film_thickness` of their load, m,
+    where it is another than the separation. `roughness` sigma in m counts where `filling` asks for
+    it, `clearance` is diametral, m. Raises `ValueError` for a separation that is not positive and
+    for words that `Filling` does not know.
     """
     load, separation, angle = np.broadcast_arrays(
         *(np.asarray(value, float) for value in (load, separation, angle))
@@ -128,6 +130,7 @@ def of_raceway(
     _check(filling)
     depth = groove_width.depth(bearing, raceway, filling.shoulders[raceway], clearance)
     film_there = separation if film_thickness is None else np.asarray(film_thickness, float)
+    loose = separation if play is None else np.broadcast_to(np.asarray(play, float), load.shape)
     live = load > 0
     ellipse_area, plates, around = (np.zeros(load.shape) for _ in range(3))
     outside = capacitance_outside.fill(permittivity, filling.kind, filling.outlet)
@@ -163,6 +166,7 @@ def of_raceway(
             bearing.groove(raceway),
             separation[~live],
             widths,
+            np.maximum(loose[~live], 0.0),
         )
     return Capacitors(
         load,
@@ -223,6 +227,7 @@ def of_statics(
                 apart,
                 contact.angle,
                 film_thickness=own,
+                play=-contact.overlap,
                 filling=filling,
                 roughness=oil.roughness,
                 clearance=clearance,
