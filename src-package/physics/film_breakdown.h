@@ -15,12 +15,21 @@ struct FilmFailure {
   double film_energy, energy;                               // J
 };
 
-// V at which a film of `thickness` (m) fails, with `strength` (V/m); `less` (m) is what the
-// surfaces' roughness takes, `floor` (m) what is left at least. Infinite without a film.
+// Standard deviations of the roughness that a film is locally thinner.
+constexpr double film_peaks = 3.0;
+
+// m, of a film of `thickness` where `less` (m) is what the surfaces' roughness takes; at least
+// `floor` (m).
+inline double local_thickness(double thickness, double less, double floor)
+{
+  return std::fmax(thickness - less, floor);
+}
+
+// V at which such a film fails, with `strength` (V/m). Infinite without a film.
 inline double film_limit(double thickness, double strength, double less, double floor)
 {
   if (!(thickness > 0.0)) return std::numeric_limits<double>::infinity();
-  return strength * std::fmax(thickness - less, floor);
+  return strength * local_thickness(thickness, less, floor);
 }
 
 // Smallest voltage between the rings at which a film fails while balls have no charge, V.

@@ -77,7 +77,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const bearing::RacewayContact
   const FilmCapacitorT<double> q = cap_->capacitor(c);
   film.capacitance = whole ? q.total() : q.capacitance;
   film.thickness = whole ? q.separation : q.h_c;
-  film.rough = settings_.rough ? 3.0 * c.raceway->roughness : 0.0;
+  film.rough = settings_.rough ? film_peaks * c.raceway->roughness : 0.0;
   if (settings_.metal > 0.0 && c.live && c.state.asperity_share > settings_.metal_share)
     film.metal = 1.0 / settings_.metal;
   return film;
@@ -238,7 +238,7 @@ void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, 
   if (!file) return;
   const Ball &ball = at[f.ball];
   const Film &film = ball.film[f.at_outer];
-  const double local = std::fmax(film.thickness - film.rough, settings_.film_floor);
+  const double local = local_thickness(film.thickness, film.rough, settings_.film_floor);
   fprintf(file, "%.12g %.0f %d %.0f %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g\n", time,
           state_.account.discharges + 1.0, order_, ball.tag, static_cast<int>(f.at_outer),
           ball.azimuth, f.ring_voltage, f.ring_voltage_after, f.film_voltage, local, f.film_energy,

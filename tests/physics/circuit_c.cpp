@@ -78,3 +78,17 @@ EXPORT(double, film_limit, (double thickness, double strength, double less, doub
 {
   return raceway::film_limit(thickness, strength, less, floor);
 }
+
+// V, of films with these thicknesses (m) and capacitances (F), by ball: inner, outer.
+EXPORT(double, threshold,
+       (int balls, const double *thickness, const double *capacitance, double strength,
+        double roughness))
+{
+  BearingFilms films(balls);
+  for (int k = 0; k < 2 * balls; ++k) {
+    CircuitFilm &f = k % 2 ? films[k / 2].outer : films[k / 2].inner;
+    f.capacitance = capacitance[k];
+    f.limit = raceway::film_limit(thickness[k], strength, film_peaks * roughness, 0.0);
+  }
+  return threshold_voltage(films);
+}

@@ -5,6 +5,7 @@ Python package, which was written apart."""
 import numpy as np
 import pytest
 from circuits import PICO, films, steady, turning
+from raceway import film_voltage
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown, threshold
 from raceway.electric.films import series
@@ -155,6 +156,25 @@ def test_limit(physics):
     assert physics.call("film_limit", thickness=100e-9, **limit) == pytest.approx(0.04)
     assert physics.call("film_limit", thickness=50e-9, **limit) == pytest.approx(1e-3)
     assert physics.call("film_limit", thickness=np.nan, **limit) == np.inf
+
+
+@pytest.mark.parametrize("roughness", [0.0, 25e-9, 60e-9])
+def test_threshold_is_that_of_statics(physics, roughness):
+    """The same films by the function that `raceway electric` uses."""
+    random = np.random.default_rng(5)
+    thickness = random.uniform(90e-9, 900e-9, (9, 2))
+    capacitance = random.uniform(5, 90, (9, 2)) * PICO
+    found = physics.call(
+        "threshold",
+        balls=9,
+        thickness=thickness,
+        capacitance=capacitance,
+        strength=20e6,
+        roughness=roughness,
+    )
+    exact = film_voltage.threshold(tuple(thickness.T), tuple(capacitance.T), 20e6, roughness)
+    assert found == pytest.approx(exact.bearing, rel=1e-14)
+    assert (found == 0) == (roughness == 60e-9)
 
 
 @pytest.mark.parametrize(

@@ -19,15 +19,27 @@ def test_field_and_threshold():
     parts = (np.array([1e-10, 5e-11]), np.array([1.2e-10, 4e-11]))
     found = film_voltage.threshold(gaps, parts, 15e6, 3e-8)
     shares = film_voltage.divided(found.bearing, *parts)
-    fields = np.array([film_voltage.field(share, gap, 3e-8) for share, gap in zip(shares, gaps)])
+    local = [film_voltage.local_gap(gap, 3e-8) for gap in gaps]
+    fields = np.array([film_voltage.field(share, gap) for share, gap in zip(shares, local)])
     assert fields.max() == pytest.approx(15e6)
     assert fields[found.first[found.weakest], found.weakest] == fields.max()
     assert found.bearing == found.ball.min() == found.ball[found.weakest]
     assert film_voltage.field(3.0, 1e-7) == pytest.approx(3e7)
-    assert film_voltage.field(3.0, 1e-7, 4e-8) == np.inf
+    assert film_voltage.field(-3.0, 1e-7) == pytest.approx(-3e7)
+    assert film_voltage.local_gap(1e-7, 4e-8) == 0.0
+    assert film_voltage.local_gap(1e-7, 4e-8, 1e-9) == 1e-9
+    assert film_voltage.field(3.0, 0.0) == np.inf
     assert film_voltage.threshold(([1e-7], [1e-7]), ([1e-10], [1e-10]), 15e6, 4e-8).bearing == 0.0
     with pytest.raises(ValueError, match="strength = -1.0 must be positive"):
         film_voltage.threshold(gaps, parts, -1.0)
+
+
+def test_open_films():
+    """All of the voltage is over the open one of two films; two open ones take none."""
+    inner, outer = np.array([1e-10, 0.0, 0.0]), np.array([0.0, 1e-10, 0.0])
+    assert film_voltage.shares(inner, outer).outer.tolist() == [1, 0, 0]
+    found = film_voltage.ring_voltages((3.0, 4.0), inner, outer)
+    assert found.tolist() == [[np.inf, 3.0, np.inf], [4.0, np.inf, np.inf]]
 
 
 def test_discharge():

@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Floats
-from raceway.electric.films import Films, series
+from raceway.electric.films import Films
 from raceway.theory.bearing import INNER, OUTER
-from raceway.theory.film_voltage import PEAKS
+from raceway.theory.film_voltage import local_gap, ring_voltages
 
 SURFACES = ("rough", "smooth")
 
@@ -40,8 +40,9 @@ class Breakdown:
     def local_thickness(self, films: Films) -> Floats:
         """(n, 2, Z) m; NaN where there is no film."""
         roughness = films.roughness if self.roughness is None else self.roughness
-        less = PEAKS * roughness if self.surfaces == "rough" else 0.0
-        return np.maximum(films.thickness - less, self.floor)
+        return local_gap(
+            films.thickness, roughness if self.surfaces == "rough" else 0.0, self.floor
+        )
 
     def limit(self, films: Films) -> Floats:
         """The voltage at which each film fails, (n, 2, Z) V; infinite where there is no film."""
@@ -54,9 +55,7 @@ def threshold(films: Films, limit: Floats) -> Floats:
     """The smallest voltage between the rings at which a film fails, (n,) V, with no charge on the
     balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail."""
     inner, outer = films.capacitance[:, INNER], films.capacitance[:, OUTER]
-    share = series(films.capacitance).ball[:, None] * _inverse(np.stack([inner, outer], axis=1))
-    with np.errstate(divide="ignore"):
-        return np.where(share > 0, limit / share, np.inf).min(axis=(1, 2))
+    return ring_voltages((limit[:, INNER], limit[:, OUTER]), inner, outer).min(axis=(0, 2))
 
 
 class Node(NamedTuple):

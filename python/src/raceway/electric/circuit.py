@@ -15,6 +15,7 @@ from raceway.electric.network import Solution
 from raceway.electric.outer import Motor, Outer, Terms
 from raceway.electric.waveforms import FEWEST, PER_CYCLE
 from raceway.runs.run import Run
+from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
 MEANINGS = {  # of the variables, with units
@@ -118,7 +119,7 @@ def _dataset(fine, outer, terms, s, breakdown, limit):
         "driving_voltage": ("time", terms.driving),
         "ball_voltage": (("time", "ball"), s.ball_voltage),
         "film_voltage": (place, film),
-        "field": (place, film / fine.thickness),
+        "field": (place, field(film, fine.thickness)),
         "film_capacitance": (place, fine.capacitance),
         "film_state": (place, _states(fine)),
         "bearing_capacitance": ("time", bearing),
@@ -129,7 +130,7 @@ def _dataset(fine, outer, terms, s, breakdown, limit):
     if breakdown:
         local = breakdown.local_thickness(fine)
         data["local_thickness"] = (place, local)
-        data["local_field"] = (place, film / local)
+        data["local_field"] = (place, field(film, local))
         data["threshold_voltage"] = ("time", threshold(fine, limit))
     if isinstance(outer, Motor):
         ratio = terms.coupling / (terms.coupling + terms.capacitance + bearing)
@@ -197,7 +198,7 @@ def _row(fine, local, point, failure):
         "bearing_voltage_after": failure.bearing_voltage_after,
         "film_voltage": failure.film_voltage,
         "local_thickness": thickness,
-        "field": failure.film_voltage / thickness,
+        "field": field(failure.film_voltage, thickness),
         "film_energy": failure.film_energy,
         "energy": failure.energy,
     }

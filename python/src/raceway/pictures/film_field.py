@@ -40,7 +40,9 @@ def field(
                 )
             )
         )
-        curves[side] = [film_voltage.field(share, gap, rough) for rough in (0.0, sigma)]
+        curves[side] = [
+            film_voltage.field(share, film_voltage.local_gap(gap, rough)) for rough in (0.0, sigma)
+        ]
     smooth = max(curves[side][0].max() for side in curves)
     rough = [values[1][np.isfinite(values[1])].max(initial=0.0) for values in curves.values()]
     edge = min(max([smooth, *rough]), 6 * smooth)

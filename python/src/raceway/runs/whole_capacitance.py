@@ -146,32 +146,25 @@ def fields(
     strength: float = film_voltage.STRENGTH,
 ) -> xr.Dataset:
     """What a `voltage` (V) between the rings does, `whole` from `over_time`: Dataset of `share` (V,
-    of each film), `field` and `field_peaks` (V/m, over h_c and over h_c - 3 sigma; infinite where
-    peaks meet) and `state` (index of `film_voltage.STATES`), (time, raceway, ball); of `threshold`
-    and `threshold_peaks` (V, at which the first film of `strength` in V/m fails) and `weakest`
-    (number of its ball, smooth), (time); of `energy` (J, of the bearing at that voltage, smooth),
-    (time).
+    of each film), `field` and `field_peaks` (V/m with its sign, over h_c and over h_c - 3 sigma;
+    infinite where peaks meet) and `state` (index of `film_voltage.STATES`), (time, raceway, ball);
+    of `threshold` and `threshold_peaks` (V, at which the first film of `strength` in V/m fails) and
+    `weakest` (number of its ball, smooth), (time); of `energy` (J, of the bearing at that voltage,
+    smooth), (time).
     """
     total = {name: whole["total"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
-    gaps = {name: whole["separation"].sel(raceway=name, drop=True).to_numpy() for name in SIDES}
+    gaps = whole["separation"].transpose("time", "raceway", "ball").to_numpy()
     sigma = run.settings["roughness_m"]
     shares = film_voltage.divided(voltage, *total.values())
     dims = ("time", "raceway", "ball")
     data = xr.Dataset(coords=whole["total"].coords)
     data["share"] = dims, np.stack(shares, axis=1)
     for name, rough in (("field", 0.0), ("field_peaks", sigma)):
-        data[name] = (
-            dims,
-            film_voltage.field(data["share"].to_numpy(), np.stack(list(gaps.values()), 1), rough),
-        )
-    unit = [share / voltage for share in shares]
+        local = film_voltage.local_gap(gaps, rough)
+        data[name] = dims, film_voltage.field(data["share"].to_numpy(), local)
     for name, rough in (("threshold", 0.0), ("threshold_peaks", sigma)):
-        own = np.stack(
-            [
-                strength * film_voltage.local_gap(gap, rough) / part
-                for gap, part in zip(gaps.values(), unit)
-            ]
-        )
+        limits = strength * film_voltage.local_gap(gaps, rough)
+        own = film_voltage.ring_voltages((limits[:, INNER], limits[:, OUTER]), *total.values())
         ball = own.min(0)
         data[name] = "time", ball.min(1)
         if rough == 0.0:

@@ -194,9 +194,9 @@ def figures(point: Point, ask: Ask = NOTHING) -> dict[str, Any]:
 def _field(gaps, parts, oil, ask):
     if ask.voltage is None:
         return dict(field_V_m=None, field_peaks_V_m=None)
-    shares = film_voltage.divided(ask.voltage, *parts)
+    films = list(zip(film_voltage.divided(abs(ask.voltage), *parts), gaps))
     most = [
-        max(float(film_voltage.field(share, gap, sigma).max()) for share, gap in zip(shares, gaps))
+        max(film_voltage.field(v, film_voltage.local_gap(gap, sigma)).max() for v, gap in films)
         for sigma in (0.0, oil.roughness)
     ]
     return dict(field_V_m=most[0], field_peaks_V_m=None if math.isinf(most[1]) else most[1])

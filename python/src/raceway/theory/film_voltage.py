@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Numbers
+from raceway.arrays import Floats, Numbers
 from raceway.theory.asperity import CONDUCTS
 
 STRENGTH = 15e6  # V/m, the lower end of smooth thin films (from memory, unchecked)
@@ -37,20 +37,35 @@ def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
     [1.0, 2.0]
     """
     inner, outer = _positive("capacitance", inner), _positive("capacitance", outer)
-    return Shares(voltage * outer / (inner + outer), voltage * inner / (inner + outer))
+    return Shares(*(voltage * share for share in shares(inner, outer)))
 
 
-def local_gap(separation: Numbers, roughness: float = 0.0) -> Numbers:
-    """h - 3 sigma in m, zero where the peaks meet."""
-    return np.maximum(separation - PEAKS * roughness, 0.0)
+def shares(inner: Numbers, outer: Numbers) -> Shares:
+    """What of one volt between the rings each film takes, by capacitances. Of two open films none
+    takes any."""
+    both = np.asarray(inner + outer, float)
+    over = np.divide(1.0, both, out=np.zeros_like(both), where=both != 0)
+    return Shares((outer * over)[()], (inner * over)[()])
 
 
-def field(voltage: Numbers, separation: Numbers, roughness: float = 0.0) -> Numbers:
-    """Field in V/m of a `voltage` over a film: of the mean gap, or with the composite `roughness`
-    sigma (m) of the local gap; infinite where the peaks meet."""
-    gap = np.asarray(local_gap(separation, roughness), float)
+def local_gap(separation: Numbers, roughness: float = 0.0, floor: float = 0.0) -> Numbers:
+    """h - 3 sigma in m, `floor` (m) where the peaks meet."""
+    return np.maximum(separation - PEAKS * roughness, floor)
+
+
+def field(voltage: Numbers, gap: Numbers) -> Numbers:
+    """Field in V/m of a `voltage` over a `gap` (m), that of the film or a `local_gap`; with the
+    sign of the voltage, infinite where the gap is zero."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        return (np.abs(voltage) / gap)[()]
+        return (np.asarray(voltage, float) / np.asarray(gap, float))[()]
+
+
+def ring_voltages(limits: tuple[Numbers, Numbers], inner: Numbers, outer: Numbers) -> Floats:
+    """(2, ...) V between the rings at which inner and outer film have the voltages `limits`, by
+    capacitances: V_i (C_i + C_o)/C_o and V_o (C_i + C_o)/C_i. Infinite where a film takes none."""
+    share = np.stack(shares(inner, outer))
+    limit = np.stack([np.broadcast_to(one, share.shape[1:]) for one in limits])
+    return np.divide(limit, share, out=np.full(share.shape, np.inf), where=share > 0)
 
 
 class Threshold(NamedTuple):
@@ -79,13 +94,9 @@ def threshold(
     (4.5, [0])
     """
     _positive("strength", strength)
-    share = divided(1.0, *capacitance)
-    own = np.array(
-        [
-            strength * local_gap(np.asarray(gap, float), roughness) / part
-            for gap, part in zip(separation, share)
-        ]
-    )
+    inner, outer = (_positive("capacitance", one) for one in capacitance)
+    limits = strength * local_gap(np.asarray(separation, float), roughness)
+    own = ring_voltages(limits, inner, outer)
     ball = own.min(0)
     return Threshold(float(np.min(ball)), ball, int(np.argmin(ball)), own.argmin(0))
 
