@@ -128,6 +128,14 @@ void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &
   }
 }
 
+Vec3 BearingBodies::force_on(const RingBody &r, double s) const
+{
+  Vec3 push = r.force + r.program.force_at(s, r.now.angle);
+  if (r.program.supported) push += r.program.support_force(r.now);
+  if (heavy) push += gravity * r.program.mass;
+  return push;
+}
+
 void BearingBodies::load_states(const double *values)
 {
   for (size_t g = 0; g < contact_at.size(); ++g)

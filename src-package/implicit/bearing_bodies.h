@@ -43,6 +43,8 @@ class BearingBodies {
   void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
   void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
   void accept();    // what is now is the start of the next step
+  // N, on a ring at the share s of the host's step: contacts, loads, supports and weight.
+  Vec3 force_on(const RingBody &, double s) const;
 
   // What contacts keep (part.h), groove by groove of the model, `states` numbers each.
   int states() const { return states_; }

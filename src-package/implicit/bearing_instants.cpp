@@ -136,12 +136,7 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
   }
   Ring *ring = rings_.data() + (k - 1) * b_.rings.size();
   for (const RingBody &r : b_.rings) {
-    Vec3 push = r.force;
-    if (r.loose) {
-      push += r.program.force_at(s, r.now.angle);
-      if (r.program.supported) push += r.program.support_force(r.now);
-      if (b_.heavy) push += b_.gravity * r.program.mass;
-    }
+    const Vec3 push = r.loose ? b_.force_on(r, s) : Vec3();
     *ring++ = {r.now, r.force, r.moment, r.program.acceleration(push)};
   }
   if (!surrounded_.empty()) surrounded(k);

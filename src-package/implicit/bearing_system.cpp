@@ -59,9 +59,7 @@ void BearingSystem::add_rings(double h, double follows, double s)
       border_.a[f * nf + f] += h * (on.damping + follows * on.stiffness);
     }
     if (dof < RingProgram::TILT) {
-      Vec3 push = r.force + r.program.force_at(s, now.angle);
-      if (held) push += r.program.support_force(now);
-      if (b_.heavy) push += b_.gravity * inertia;
+      const Vec3 push = b_.force_on(r, s);
       y_[f] = h * (dof == 0 ? push.x : dof == 1 ? push.y : push.z) - inertia * r.gained[dof];
       continue;
     }

@@ -7,10 +7,8 @@ FixStyle(bearing/ring,FixBearingRing)
 #define LMP_FIX_BEARING_RING_H
 
 #include "../deck/column_list.h"
-#include "../deck/driven_value.h"
-#include "../implicit/ring_program.h"
-#include "../physics/lab_axes.h"
 #include "bearing_compat.h"
+#include "ring_settings.h"
 
 namespace LAMMPS_NS {
 
@@ -35,7 +33,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
 
   // For fix bearing/implicit, which moves the rings of its group itself.
   bool moves(int i) const { return atom->mask[i] & groupbit; }
-  bool tilts() const { return program_.tilts(); }
+  bool tilts() const { return settings_.program.tilts(); }
   void begin_step();
   // What an atom-style variable gives a ring for itself.
   std::vector<raceway::RingValue> own_values(int i) const;
@@ -60,9 +58,6 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
     bearing::tag_t ring;
     raceway::Vec3 force, moment;
   };
-  void parse(int, char **);
-  void read_freedom(bearing::Arguments &, const std::string &name, int dof);
-  int read_direction(bearing::Arguments &) const;
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
@@ -81,8 +76,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   PairBearingHertz *pair_;
   FixBearingState *state_ = nullptr;
   raceway::LabAxes axes_;
-  RingProgram program_;    // of all rings, without targets and loads
-  bearing::DrivenValue value_[RingProgram::N_VALUE];
+  bearing::RingSettings settings_;
   double time_ = 0.0;
   Values now_, before_;                  // of all rings; in the step before
   std::vector<int> own_;                 // which values each ring has for itself

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Its place in the host's step: rings by velocity Verlet, and what acts on them under either integrator.
+#include "fix_bearing_ring.h"
+
+#include "../contacts/ring_motion.h"
+#include "fix_bearing_state.h"
+#include "pair_bearing_hertz.h"
+
+using namespace LAMMPS_NS;
+using raceway::RingAtom;
+using raceway::RingProgram;
+using raceway::Vec3;
+
+RingAtom FixBearingRing::read(int i) const
+{
+  RingAtom r;
+  read_place(*atom, i, state_->ring(i), axes_, r);
+  r.w = axes_.third(Vec3::from(atom->omega[i]));
+  return r;
+}
+
+void FixBearingRing::write(int i, const RingAtom &r)
+{
+  write_place(r, axes_, *atom, i, state_->ring(i));
+  axes_.lab(r.w).to(atom->omega[i]);
+}
+
+// Half a step of velocity from the forces.
+void FixBearingRing::kick()
+{
+  const double half = 0.5 * update->dt * force->ftm2v;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i))
+      write(i, kicked(settings_.program, read(i), axes_.third(Vec3::from(atom->f[i])),
+                      axes_.third(Vec3::from(atom->torque[i])), half));
+}
+
+void FixBearingRing::initial_integrate(int)
+{
+  if (by_another_) return;
+  time_ += update->dt;
+  reported_ = -1;
+  kick();
+  before_ = now_;
+  evaluate(0, RingProgram::N_DOF);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i)) write(i, coasted(at_end(i), read(i), update->dt));
+}
+
+void FixBearingRing::post_force(int)
+{
+  evaluate(RingProgram::FORCE, RingProgram::N_VALUE);
+  // from the sums of the rings: other fixes may have added to the forces of the atoms already
+  const bearing::RingSum &sums = pair_->ring_sum();
+  contacts_.clear();
+  for (int n = 0; n < sums.rings(); ++n)
+    if (moves(sums.ring(n)))
+      contacts_.push_back({atom->tag[sums.ring(n)], sums.force(n), sums.torque(n)});
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i)) {
+      const RingProgram p = at_end(i);
+      axes_.lab(load_of(p, i)).add_to(atom->f[i]);
+      axes_.lab(p.moment_at(1.0)).add_to(atom->torque[i]);
+    }
+}
+
+Vec3 FixBearingRing::load_of(const RingProgram &p, int i) const
+{
+  return p.force_at(1.0, state_->ring(i).angle);
+}
+
+void FixBearingRing::final_integrate()
+{
+  hold(by_another_ ? 0.0 : 0.5 * update->dt * force->ftm2v);
+  if (!by_another_) kick();
+  note_accelerations();
+  reported_ = -1;    // a variable may have asked in the middle of the step
+}
+
+// The supports' share of force and moment, when all other forces are there. Velocities are `half`
+// seconds behind.
+void FixBearingRing::hold(double half)
+{
+  if (!settings_.program.supported) return;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i)) hold(i, settings_.program, half);
+}
+
+void FixBearingRing::hold(int i, const RingProgram &p, double half)
+{
+  const RingAtom r = read(i);
+  const Vec3 d = r.x - r.origin, push = axes_.third(Vec3::from(atom->f[i])),
+             moment = axes_.third(Vec3::from(atom->torque[i])), across = r.w - r.e * dot(r.w, r.e);
+  const double moved[] = {d.x, d.y, d.z, r.tilt[0], r.tilt[1]},
+               rate[] = {r.v.x, r.v.y, r.v.z, across.x, across.y},
+               other[] = {push.x, push.y, push.z, moment.x, moment.y};
+  double on[RingProgram::SPIN] = {};
+  for (int k = 0; k < RingProgram::SPIN; ++k)
+    if (p.free(k))
+      on[k] = verlet_support(p.support[k], moved[k], rate[k], other[k], p.inertia_of(k), half);
+  axes_.lab(Vec3{on[0], on[1], on[2]}).add_to(atom->f[i]);
+  axes_.lab(Vec3{on[3], on[4], 0.0}).add_to(atom->torque[i]);
+}
+
+void FixBearingRing::note_accelerations()
+{
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i))
+      state_->ring(i).acceleration =
+          axes_.lab(settings_.program.acceleration(axes_.third(Vec3::from(atom->f[i]))));
+}

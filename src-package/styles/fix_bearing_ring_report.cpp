@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What it tells of its rings: f_ID[k] and f_ID[row][k].
+#include "../contacts/fix_columns.h"
+#include "../contacts/ring_motion.h"
+#include "fix_bearing_ring.h"
+#include "fix_bearing_state.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using raceway::RingProgram;
+using raceway::Vec3;
+
+// Rings live on one rank each: a sum over ranks only moves their numbers.
+void FixBearingRing::gather_reports()
+{
+  if (reported_ == update->ntimestep) return;
+  reported_ = update->ntimestep;
+  report_.assign(tags_.size() * size_vector, 0.0);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!moves(i)) continue;
+    const auto known = std::lower_bound(tags_.begin(), tags_.end(), atom->tag[i]);
+    if (known == tags_.end() || *known != atom->tag[i])
+      continue;    // in the group since the last run: the next run knows it
+    using namespace bearing::of_fix_ring;
+    double *r = &report_[(known - tags_.begin()) * size_vector];
+    const bearing::RingMotion &ring = state_->ring(i);
+    const Vec3 w = Vec3::from(atom->omega[i]);
+    (Vec3::from(atom->x[i]) - ring.origin).to(r + X);
+    Vec3::from(atom->v[i]).to(r + VX);
+    raceway::tilt_of(axes_.third(ring.axis), r + TILT1);
+    r[SPIN] = dot(w, ring.axis);
+    r[ANGLE] = ring.angle;
+    const RingProgram p = at_end(i);
+    axes_.lab(load_of(p, i)).to(r + LOAD_X);
+    if (p.supported) axes_.lab(p.support_force(read(i))).to(r + SUPPORT_X);
+    ring.acceleration.to(r + AX);
+    const auto contact =
+        std::lower_bound(contacts_.begin(), contacts_.end(), atom->tag[i],
+                         [](const ContactLoad &c, bearing::tag_t tag) { return c.ring < tag; });
+    if (contact == contacts_.end() || contact->ring != atom->tag[i]) continue;    // none yet
+    contact->force.to(r + FX);
+    contact->moment.to(r + MX);
+    r[TORQUE] = dot(contact->moment, ring.axis);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, report_.data(), static_cast<int>(report_.size()), MPI_DOUBLE, MPI_SUM,
+                world);
+}
+
+double FixBearingRing::compute_vector(int k) { return compute_array(0, k); }
+
+double FixBearingRing::compute_array(int row, int k)
+{
+  // before the first run, or after the pair style was replaced, there is nothing to tell
+  if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
+  gather_reports();
+  // rows of rings that joined the group come with the next run
+  return static_cast<size_t>(row) < tags_.size() ? report_[row * size_vector + k] : 0.0;
+}
+
+std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
+{
+  // its motion and what it meets; the load is what the deck gave
+  std::vector<Item> list;
+  for (int k = 0; k < bearing::of_fix_ring::LOAD_X; ++k)
+    list.push_back({bearing::of_fix_ring::list[k].name, bearing::of_fix_ring::list[k].format});
+  return list;
+}
