@@ -96,6 +96,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
                              k == of_bearing::H_C_TOP;
     const bool there = (!film || content_.film) && (!capacitance || content_.capacitance) &&
                        (!of_bearing::needs_couples(k) || content_.couples) &&
+                       (k != of_bearing::CAGE_FORCE || m) &&
                        (k != of_bearing::ASPERITY_SHARE_TOP || content_.asperities) &&
                        (!of_bearing::needs_surroundings(k) || content_.surroundings);
     bearing_.push_back(there ? add("bearing_", of_bearing::list[k], {time, bearing}) : nowhere);
@@ -199,6 +200,7 @@ void RecordFile::sum_up()
       v[SPIN_POWER] += s.spin;
       v[DRAG_POWER] += s.drag;
       v[CAGE_POWER] += s.cage;
+      if (!(s.cage_force <= v[CAGE_FORCE])) v[CAGE_FORCE] = s.cage_force;    // NaN of all, or none
       v[CAPACITANCE] += s.capacitance;
       v[CAPACITANCE_TOP] = std::max(v[CAPACITANCE_TOP], s.capacitance);
       v[CAPACITANCE_TOTAL] += s.capacitance_total;

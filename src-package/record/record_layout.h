@@ -43,6 +43,7 @@ struct BallShare {
   double rolling = 0.0, hysteresis = 0.0, spin = 0.0, drag = 0.0, cage = 0.0;    // W
   double asperity_share = NAN;                                                   // inner
   double capacitance_total = 0.0;    // with surroundings, both in series
+  double cage_force = 0.0;           // N
 };
 
 }    // namespace bearing

@@ -29,7 +29,13 @@ class RecordRows {
   void contact(int ball, const ContactView &);    // a live one
   // Surfaces that do not touch; only what surrounds contacts has a value.
   void gap(int ball, const ContactView &);
-  void cage_loss(int ball, double watt) { shares_[ball].sum.cage += watt; }
+  // A contact with a cage ball or another ball: what the ball loses there (W), the force (N).
+  void cage(int ball, double loss, double force)
+  {
+    BallShare &sum = shares_[ball].sum;
+    sum.cage += loss;
+    if (!(force <= sum.cage_force)) sum.cage_force = force;
+  }
   // A ball or cage ball; its contacts are complete.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
   void ring(const double *of);    // from of_ring::RING on

@@ -67,8 +67,8 @@ void FixBearingCapacitance::read_options(Arguments &args)
     } else if (args.take("outlet")) {
       read_outlet(args);
     } else if (args.take("shoulders")) {
-      model_.inner_shoulder = args.positive("shoulder diameter of the inner ring (m)");
-      model_.outer_shoulder = args.positive("shoulder diameter of the outer ring (m)");
+      model_.inner_shoulder = args.non_negative("shoulder diameter of the inner ring (m)");
+      model_.outer_shoulder = args.non_negative("shoulder diameter of the outer ring (m)");
     } else if (args.take("roughness")) {
       model_.rough = args.choice("roughness", {"none", "gamma"}) == 1;
     } else if (args.take("background")) {

@@ -275,7 +275,7 @@ void FixBearingRecord::sample_instants()
   };
   tell.body = [this](const bearing::InstantBody &b) {
     const int ball = rows_.ball(b.tag);
-    if (ball >= 0) rows_.cage_loss(ball, NAN);    // known at the ends of steps only
+    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // known at the ends of steps only
     rows_.body(b.tag, b.x, b.v, b.w);
   };
   tell.ring = [this](const bearing::InstantRing &r) { rows_.ring(r.of); };
@@ -303,14 +303,14 @@ void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
   if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
 }
 
-// Half of what a ball loses to other balls, and all that it loses to cage balls.
+// A ball has half of what it loses to other balls, and all that it loses to cage balls.
 void FixBearingRecord::sample_cage()
 {
   for (const bearing::SphereContact &s : pair_->table().sphere) {
     const int i = rows_.ball(s.tag_i), j = rows_.ball(s.tag_j);
     const double share = i >= 0 && j >= 0 ? 0.5 * s.loss : s.loss;
-    if (i >= 0 && s.i < atom->nlocal) rows_.cage_loss(i, share);
-    if (j >= 0 && s.j < atom->nlocal) rows_.cage_loss(j, share);
+    if (i >= 0 && s.i < atom->nlocal) rows_.cage(i, share, s.force);
+    if (j >= 0 && s.j < atom->nlocal) rows_.cage(j, share, s.force);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Its place in the host's step: rings by velocity Verlet, and what acts on them under either integrator.
+// Its place in the host's step: rings by velocity Verlet, and what acts on them under either
+// integrator.
 #include "fix_bearing_ring.h"
 
 #include "../contacts/ring_motion.h"

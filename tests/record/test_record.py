@@ -151,6 +151,20 @@ def test_smallest(tmp_path):
     assert float(done["simulated_s"]) == 0.02 and float(done["step_s"]) == 1e-6
 
 
+def test_cage_force_is_that_of_the_compute(tmp_path):
+    deck = (ROOT / "docs" / "decks" / "in.ehd").read_text()
+    # pushed aside, the cage strikes balls
+    deck = deck.replace("timestep 4.0e-7\nrun 40000", "timestep 4.0e-7\nrun 2000")
+    deck = deck.replace("fix step all", "velocity cage set 0.1 0 0\nfix step all")
+    told = f'variable q equal c_total[11]\nfix told all print 100 "${{q}}" file {tmp_path}/told\n'
+    succeed(small(tmp_path, more=told, deck=deck), out=tmp_path / "dumps")
+    wanted = np.loadtxt(tmp_path / "told")
+    with opened(tmp_path / "run") as data:
+        found = data.isel(bearing=0)["bearing_cage_force"].values
+    assert wanted.max() > 0
+    np.testing.assert_allclose(found[-len(wanted) :], wanted, rtol=1e-4)
+
+
 def test_choice_of_columns(tmp_path):
     succeed(small(tmp_path, "contacts load friction_t single yes"))
     with opened(tmp_path / "run") as data:

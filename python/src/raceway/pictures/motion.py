@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the inner ring moved: its orbit, displacement, tilt, and the moment against its spin."""
+"""How the inner ring moved: its orbit, displacement, tilt, and the moment against its spin. What
+force the cage took."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -15,7 +16,7 @@ from raceway.units import axis, prefixed
 
 def motion(tables: RunTables, path: FilePath) -> None:
     """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
-    displacement, tilt and the moment against its spin over time.
+    displacement, tilt, the moment against its spin and the largest force on the cage over time.
 
     What a run did not record, or what did not move, has no panel. Raises `RunError` when the run's
     files are broken, have no ring, or the picture cannot be written.
@@ -28,6 +29,8 @@ def motion(tables: RunTables, path: FilePath) -> None:
         panels.append(_tilt)
     if {"mz", "spin"} <= set(rings):
         panels.append(_torque)
+    if tables.record and np.isfinite(tables.totals.get("cage_force", np.nan)).any():
+        panels.append(_cage)
     rows = (len(panels) + 1) // 2
     with plt.rc_context(style.STYLE):
         figure = plt.figure(figsize=(12, 1.9 + 4.6 * rows), dpi=130)
@@ -79,6 +82,18 @@ def _torque(axes, tables):
     torque = -tables.rings["mz"] * np.sign(tables.rings["spin"])
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)
+
+
+def _cage(axes, tables):
+    # contacts of the cage are short, and known at the ends of the host's steps only
+    force = tables.totals["cage_force"].dropna()
+    factor, unit = axis(force.max() or 1.0, "N")
+    time = tables.passes(force.index.to_numpy())
+    axes.vlines(time, 0.0, force * factor, color=PALETTE[0], lw=1.2)
+    axes.plot(time, force * factor, ".", color=PALETTE[0], ms=3)
+    axes.set_ylabel(unit)
+    against_time(axes, tables, int(tables.rings["sample"].iloc[-1]) + 1)
+    finish(axes, "Largest force of a ball on the cage", None, [])
 
 
 def _lines(axes, tables, curves, unit):

@@ -19,7 +19,7 @@ from raceway.runs.tables import BALL, RunTables
 from raceway.runs.totals import pairs
 from raceway.theory import kinematics
 from raceway.theory.bearing import INNER, OUTER
-from raceway.theory.validity import doubts
+from raceway.theory.validity import Shoulders, doubts, past_shoulder
 
 NAME = {INNER: "inner", OUTER: "outer"}
 FILM = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
@@ -92,6 +92,7 @@ TOPICS = {
 SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)  # of the largest of them
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
 STEADY = 1e-3  # of the speed
+LOOKS = 1000  # samples that say whether an ellipse passes its groove's shoulder
 CHECK = "check.json"  # in the run's folder, by `raceway check`
 
 
@@ -168,6 +169,24 @@ def _warnings(tables, figures):
             "lambda": figures["lambda"],
             "conducts": None if figures["capacitance_F"] is None else thinnest,
         }
+    ) + _past_shoulder(tables)
+
+
+def _past_shoulder(tables):
+    """Of a record with shoulder diameters, judged by at most `LOOKS` of its samples."""
+    known = [tables.settings.get(f"{name}_shoulder_diameter_m") for name in NAME.values()]
+    record, columns = tables.record, ("load", "angle", "a")
+    if not any(known) or not record or not set(columns) <= set(record.contact_columns):
+        return []
+    stop = tables.stop or len(record)
+    some = slice(tables.first, stop, max(2, (stop - tables.first) // LOOKS))
+    load, angle, a = (record.pick(name, (some, slice(None), slice(None))) for name in columns)
+    live = [load[:, raceway] > 0 for raceway in (0, 1)]
+    return past_shoulder(
+        tables.geometry,
+        Shoulders(*(diameter or math.nan for diameter in known)),
+        tuple(angle[:, raceway][live[raceway]] for raceway in (0, 1)),
+        tuple(a[:, raceway][live[raceway]] for raceway in (0, 1)),
     )
 
 
