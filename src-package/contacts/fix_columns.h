@@ -125,6 +125,13 @@ enum {
   ALL_MEAN,
   ALL_LEAST,
   ALL_MOST,
+  LEAK,
+  IMPEDANCE,
+  PHASE,
+  THRESHOLD,
+  THRESHOLD_LOCAL,
+  THRESHOLD_ENERGY,
+  HERTZ_AREA,
   N
 };
 const Column list[N] = {
@@ -139,6 +146,13 @@ const Column list[N] = {
     {"capacitance_total_mean", "F", "mean of capacitance_total over the instants of the step"},
     {"capacitance_total_least", "F", "smallest capacitance_total over the instants of the step"},
     {"capacitance_total_most", "F", "largest capacitance_total over the instants of the step"},
+    {"leak", "ohm", "resistance of the films to direct current; 0 without *resistivity*"},
+    {"impedance", "ohm", "modulus of the impedance; 0 without *frequency*, as the next"},
+    {"phase", "rad", "phase of the impedance"},
+    {"threshold_voltage", "V", "smallest voltage at which a film fails; 0 without *strength*"},
+    {"threshold_voltage_local", "V", "likewise, of films less three times the roughness"},
+    {"threshold_energy", "J", "energy of the bearing and background at threshold_voltage"},
+    {"hertz_area", "m2", "area of all contact ellipses; 0 without these three keywords"},
 };
 }    // namespace of_fix_capacitance
 

@@ -18,9 +18,30 @@ using bearing::Arguments;
 using bearing::RacewayContact;
 using bearing::tag_t;
 
+namespace {
+// Those of the vector that are figures of the films.
+constexpr int first_figure = bearing::of_fix_capacitance::LEAK;
+
+double figure(const FilmFigures &f, double hertz_area, int k)
+{
+  using namespace bearing::of_fix_capacitance;
+  switch (k) {
+    case LEAK: return f.leak;
+    case IMPEDANCE: return f.impedance;
+    case PHASE: return f.phase;
+    case THRESHOLD: return f.threshold;
+    case THRESHOLD_LOCAL: return f.local;
+    case THRESHOLD_ENERGY: return f.energy;
+    case HERTZ_AREA: return hertz_area;
+  }
+  return 0.0;
+}
+}    // namespace
+
 // fix ID group bearing/capacitance N permittivity EPS [permittivity_at maximum|mean|two_thirds]
 // [surroundings none|flooded|dry|cavitated [EPS_OUT]] [outlet EPS_OUT] [shoulders D_INNER D_OUTER]
-// [roughness none|gamma] [background C] [film_floor H] [within M] [file F] [contacts F]
+// [roughness none|gamma] [background C] [film_floor H] [resistivity RHO] [frequency HZ]
+// [strength E] [within M] [file F] [contacts F]
 FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/capacitance"))
 {
@@ -29,12 +50,14 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
   for (int k = 4; k < narg; ++k) said_ += (k > 4 ? " " : "") + std::string(arg[k]);
   read_options(args);
   const bool all = model_.surrounded();
-  if (!totals_name_.empty())
-    totals_.open(args, totals_name_,
-                 all ? "step time capacitance largest_ball active_balls capacitance_total "
-                       "capacitance_total_top"
-                     : "step time capacitance largest_ball active_balls",
-                 world);
+  if (!totals_name_.empty()) {
+    std::string names = "step time capacitance largest_ball active_balls";
+    if (all) names += " capacitance_total capacitance_total_top";
+    if (ask_.any())
+      for (int k = first_figure; k < bearing::of_fix_capacitance::N; ++k)
+        names += std::string(" ") + bearing::of_fix_capacitance::list[k].name;
+    totals_.open(args, totals_name_, names.c_str(), world);
+  }
   if (!contacts_name_.empty())
     contacts_.open(args, contacts_name_,
                    all ? "step time ball raceway load h_c capacitance separation "
@@ -75,6 +98,12 @@ void FixBearingCapacitance::read_options(Arguments &args)
       background_ = args.non_negative("background capacitance (F)");
     } else if (args.take("film_floor")) {
       model_.film_floor = args.positive("thinnest film of a capacitor (m)");
+    } else if (args.take("resistivity")) {
+      ask_.resistivity = args.positive("resistivity of the lubricant (ohm m)");
+    } else if (args.take("frequency")) {
+      ask_.frequency = args.positive("frequency of the impedance (Hz)");
+    } else if (args.take("strength")) {
+      ask_.strength = args.positive("electric strength of a film (V/m)");
     } else if (args.take("within")) {
       within_ = args.integer("instants a step", 1, 100000);
     } else if (args.take("file")) {
@@ -83,7 +112,8 @@ void FixBearingCapacitance::read_options(Arguments &args)
       contacts_name_ = args.word("name of the file for contacts");
     } else {
       args.unknown("permittivity, permittivity_at, surroundings, outlet, shoulders, roughness, "
-                   "background, film_floor, within, file, contacts");
+                   "background, film_floor, resistivity, frequency, strength, within, file, "
+                   "contacts");
     }
   }
   if (within_ > 1 && nevery != 1)
@@ -203,17 +233,32 @@ FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c)
   return table_[static_cast<size_t>(&c - table.raceway.data())];
 }
 
+FixBearingCapacitance::Row FixBearingCapacitance::row_of(int instant, tag_t ball,
+                                                         const RacewayPhysics &raceway, bool live,
+                                                         double load, const ContactState &state,
+                                                         const FilmCapacitorT<double> &of) const
+{
+  Row row = {instant, ball, raceway.groove.side, live, live ? load : 0.0, of, 0.0, 0.0};
+  if (!ask_.any()) return row;
+  row.roughness = raceway.roughness;
+  if (live) {
+    const RacewayConstants k = raceway.law.at(state.cos_angle);
+    row.area = 3.14159265358979323846 * k.a * k.b * state.root * state.root;
+  }
+  return row;
+}
+
 // What the homes of the bearings know.
 void FixBearingCapacitance::add_instants()
 {
   for (FixBearingImplicit *f : integrators_)
     for (int k = 1; k < within_; ++k)
-      f->read_instant(k, {false,
+      f->read_instant(k, {ask_.any(),
                           [this, k](const bearing::InstantContact &c) {
                             if ((c.live || model_.surrounded()) &&
                                 std::binary_search(members_.begin(), members_.end(), c.ball))
-                              mine_.push_back(
-                                  {k, c.ball, c.raceway.groove.side, c.live, c.load, c.capacitor});
+                              mine_.push_back(row_of(k, c.ball, c.raceway, c.live, c.load, c.state,
+                                                     c.capacitor));
                           },
                           {},
                           {}});
@@ -232,7 +277,7 @@ void FixBearingCapacitance::sample(bool between)
       const int s = c.side() == Side::inner ? 0 : 1;
       per_ball_[c.i_ball][s] = q.capacitance;
       if (model_.surrounded()) per_ball_[c.i_ball][3 + s] = q.total();
-      mine_.push_back({within_, c.ball, c.side(), c.live, c.live ? c.state.load : 0.0, q});
+      mine_.push_back(row_of(within_, c.ball, *c.raceway, c.live, c.state.load, c.state, q));
     }
   for (int i = 0; i < atom->nlocal; ++i)
     for (int k = 0; k < size_peratom_cols; k += 3)
@@ -282,9 +327,11 @@ void FixBearingCapacitance::Spread::add(double value, bool first)
 }
 
 // A ball's two contacts stand side by side; one alone adds nothing.
-FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end) const
+FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end)
 {
   Total t = {};
+  balls_.clear();
+  for (const Row *one = row; one != end; ++one) t.hertz_area += one->area;
   for (; row + 1 < end; ++row) {
     if (row[0].ball != row[1].ball) continue;
     const auto add = [](double one, double other, Sum &to) {
@@ -295,8 +342,15 @@ FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const
     add(row[0].of.capacitance, row[1].of.capacitance, t.plates);
     if (model_.surrounded()) add(row[0].of.total(), row[1].of.total(), t.whole);
     t.active += row[0].live && row[1].live;
+    if (ask_.any()) {
+      balls_.push_back({});
+      for (int k = 0; k < 2; ++k)
+        balls_.back().film[static_cast<int>(row[k].side)] =
+            sampled_film(model_, row[k].of, row[k].area, row[k].roughness);
+    }
     ++row;
   }
+  if (ask_.any()) t.figures = film_figures(ask_, balls_, background_);
   t.plates.all += background_;
   if (model_.surrounded()) t.whole.all += background_;
   return t;
@@ -313,6 +367,9 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
     fprintf(f, "%.15g %.12g %.12g %.12g %.0f", step, time, total_.plates.all, total_.plates.largest,
             total_.active);
     if (all) fprintf(f, " %.12g %.12g", total_.whole.all, total_.whole.largest);
+    if (ask_.any())
+      for (int k = first_figure; k < bearing::of_fix_capacitance::N; ++k)
+        fprintf(f, " %.12g", figure(total_.figures, total_.hertz_area, k));
     fputc('\n', f);
   }
   if (FILE *f = contacts_.file())
@@ -351,7 +408,7 @@ double FixBearingCapacitance::compute_vector(int k)
     case ALL_LEAST: return whole_.least;
     case ALL_MOST: return whole_.most;
   }
-  return 0.0;
+  return figure(total_.figures, total_.hertz_area, k);
 }
 
 void FixBearingCapacitance::grow_arrays(int n)

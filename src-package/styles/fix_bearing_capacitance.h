@@ -11,6 +11,7 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 #include "../contacts/capacitor_table.h"
 #include "../contacts/instants.h"
 #include "../deck/text_file.h"
+#include "../physics/film_figures.h"
 
 namespace bearing {
 class Arguments;
@@ -53,6 +54,8 @@ class FixBearingCapacitance : public Fix {
   struct Total {
     Sum plates, whole;
     double active;
+    double hertz_area;    // m^2
+    raceway::FilmFigures figures;
   };
   struct Spread {    // F, over the instants of a step
     double mean, least, most;
@@ -65,23 +68,28 @@ class FixBearingCapacitance : public Fix {
     bool live;
     double load;    // N
     raceway::FilmCapacitorT<double> of;
+    double area, roughness;    // m^2, m; where the questions need them
   };
 
   void read_options(bearing::Arguments &);
   void read_surroundings(bearing::Arguments &);
   void read_outlet(bearing::Arguments &);
   void check_shoulders();
+  Row row_of(int instant, bearing::tag_t ball, const raceway::RacewayPhysics &, bool live,
+             double load, const raceway::ContactState &,
+             const raceway::FilmCapacitorT<double> &) const;
   void find_integrators();
   void add_instants();
   void sample(bool between);
   void sum_up();
-  Total add_up(const Row *first, const Row *end) const;
+  Total add_up(const Row *first, const Row *end);
   void write(const Row *first, const Row *end, int instant);
 
   PairBearingHertz *pair_ = nullptr;
   raceway::CapacitorModel model_;
   std::string said_, totals_name_, contacts_name_;
   double background_ = 0.0;
+  raceway::FilmQuestions ask_;
   bearing::CapacitorTable table_;    // with surroundings
   int planned_ = -1;                 // its build and filling of the contact table
   bigint filled_ = -1;
@@ -92,10 +100,11 @@ class FixBearingCapacitance : public Fix {
       members_;              // balls of the group, sorted; known where integrators_ are
   std::vector<Row> mine_;    // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;
-  bool between_ = false, summed_ = true;    // what mine_ holds; the numbers below are of it
-  Total total_ = {};                        // at the end of the step
-  bigint written_ = -1;                     // step of the last row in the files
-  Spread plates_ = {}, whole_ = {};         // of the sum
+  bool between_ = false, summed_ = true;       // what mine_ holds; the numbers below are of it
+  Total total_ = {};                           // at the end of the step
+  std::vector<raceway::SampledBall> balls_;    // of one instant, kept for its memory
+  bigint written_ = -1;                        // step of the last row in the files
+  Spread plates_ = {}, whole_ = {};            // of the sum
 };
 
 }    // namespace LAMMPS_NS

@@ -5,7 +5,7 @@ Python package, which was written apart."""
 import numpy as np
 import pytest
 from circuits import PICO, films, steady, turning
-from raceway import film_voltage
+from raceway import film_voltage, impedance
 from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown, threshold
 from raceway.electric.films import series
@@ -156,6 +156,53 @@ def test_limit(physics):
     assert physics.call("film_limit", thickness=100e-9, **limit) == pytest.approx(0.04)
     assert physics.call("film_limit", thickness=50e-9, **limit) == pytest.approx(1e-3)
     assert physics.call("film_limit", thickness=np.nan, **limit) == np.inf
+
+
+def read(physics, capacitance, conductance, omega):
+    """Modulus, phase, C and R of balls with films (Z, 2)."""
+    found = np.empty(4)
+    physics.call(
+        "impedance",
+        balls=len(capacitance),
+        capacitance=capacitance,
+        conductance=conductance,
+        omega=omega,
+        out=found,
+    )
+    return found
+
+
+@pytest.mark.parametrize("omega", [1.0, 1e4, 1e8])
+def test_t11_impedance_and_back(physics, omega):
+    """Of one film in series with a metallic one; C and R come back to rounding."""
+    random = np.random.default_rng(11)
+    for c, tau in zip(random.uniform(1, 900, 20) * PICO, 10 ** random.uniform(-5, 1, 20)):
+        films = np.array([[c, 2 * c]]), np.array([[c / tau, 2 * c / tau]])
+        z, phase, back, resistance = read(physics, *films, omega)
+        assert back == pytest.approx(c / 1.5, rel=1e-14)
+        assert resistance == pytest.approx(1.5 * tau / c, rel=1e-13)
+        exact = 1 / (c / 1.5 * (1 / tau + 1j * omega))
+        assert z * np.exp(1j * phase) == pytest.approx(exact, rel=1e-14)
+    z, phase, back, resistance = read(physics, np.array([[c, c]]), np.zeros((1, 2)), omega)
+    assert (back, resistance) == (pytest.approx(c / 2, rel=1e-14), np.inf)
+    assert phase == -np.pi / 2
+
+
+def test_t11_impedance_of_a_bearing(physics):
+    """Films that leak differently, against the function that `raceway electric` uses."""
+    random = np.random.default_rng(12)
+    capacitance = random.uniform(5, 90, (9, 2)) * PICO
+    paths = random.uniform(1, 9, (9, 2))
+    for frequency in (1e-2, 1e2, 1e4, 1e7):
+        omega = 2 * np.pi * frequency
+        z, phase, *_ = read(physics, capacitance, paths / 1e9, omega)
+        exact = impedance.of_films(capacitance.T, paths.T, frequency, 1e9)
+        assert z * np.exp(1j * phase) == pytest.approx(complex(exact), rel=1e-13)
+    z, *_ = read(physics, capacitance, paths / 1e9, 1e-9)
+    assert z == pytest.approx(float(impedance.leak_of_films(paths.T, 1e9)), rel=1e-13)
+    open_one = np.array([[0.0, 50 * PICO], [50 * PICO, 50 * PICO]])
+    z, *_ = read(physics, open_one, np.zeros((2, 2)), 1e6)
+    assert z == pytest.approx(1 / (1e6 * 25 * PICO), rel=1e-14)
 
 
 @pytest.mark.parametrize("roughness", [0.0, 25e-9, 60e-9])

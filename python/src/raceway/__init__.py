@@ -65,6 +65,7 @@ NAMES = {
     "dump": "runs.dump",
     "electrical": "runs.electrical",
     "envelope": "runs.envelope",
+    "film_figures": "runs.film_figures",
     "losses": "runs.losses",
     "regimes": "runs.regimes",
     "spectrum": "runs.spectrum",

@@ -12,7 +12,15 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.regimes import need_film
 from raceway.runs.run import Run
-from raceway.theory import asperity, capacitance, capacitors, film, film_voltage, hertz
+from raceway.theory import (
+    asperity,
+    capacitance,
+    capacitance_outside,
+    capacitors,
+    film,
+    film_voltage,
+    hertz,
+)
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.capacitance_outside import FILLS
 from raceway.theory.capacitors import FLOODED, Filling
@@ -118,6 +126,7 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     if recorded:
         for name, column in RECORDED.items():
             data[name] = contacts[column].transpose(*dims).drop_vars(ANGLES, errors="ignore")
+        data["paths"] = _paths(data, contacts["h_c"], run.settings["permittivity"], filling)
     inner, outer = (data["total"].sel(raceway=name).to_numpy() for name in SIDES)
     data["one_ball"] = ("time", "ball"), capacitance.ball(inner, outer)
     data["bearing"] = data["one_ball"].sum("ball")
@@ -127,6 +136,15 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     source = "record" if recorded else "places, loads and films"
     data.attrs = {"quiet_load_N": quiet, "filling": filling.kind, "source": source}
     return data
+
+
+def _paths(data, h_c, permittivity, filling):
+    """Those of `capacitors`, from the columns of a record."""
+    ellipse = (data["area"] / h_c.drop_vars(ANGLES, errors="ignore")).where(data["load"] > 0, 0.0)
+    fills = capacitance_outside.fill(permittivity, filling.kind, filling.outlet)
+    around = data["outside"] / (capacitance.VACUUM * fills)
+    wet = capacitors.WET_SHARE[filling.kind] * around
+    return (ellipse + wet).transpose(*data["area"].dims)
 
 
 def contacts_of(run: Run, whole: xr.Dataset) -> xr.Dataset:

@@ -204,8 +204,8 @@ def _field(gaps, parts, oil, ask):
 
 def _impedance(found, ask):
     paths = [side.paths for side in (found.inner, found.outer)]
-    through = float(np.sum(1 / sum(1 / np.maximum(path, 1e-300) for path in paths)))
-    leak = ask.resistivity / through if math.isfinite(ask.resistivity) and through else None
+    leak = impedance.leak_of_films(paths, ask.resistivity)
+    leak = float(leak) if math.isfinite(leak) else None
     result = dict(leak_ohm=leak, frequency_Hz=ask.frequency, impedance_ohm=None, phase_deg=None)
     if ask.frequency is not None:
         z = impedance.of_bearing(found, ask.frequency, ask.resistivity)

@@ -5,12 +5,12 @@ instrument reads. Numbers or arrays of one shape, SI units; frequencies in Hz.
 A film is a capacitor with its leak in parallel: Z = 1/(1/R + j omega C).
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from scipy.optimize import brentq
 
-from raceway.arrays import Numbers
+from raceway.arrays import Floats, Numbers
 from raceway.theory.capacitance import VACUUM
 from raceway.theory.capacitors import BearingCapacitors
 
@@ -50,28 +50,51 @@ def of_bearing(
 ) -> complex | np.ndarray:
     """Z in ohm of a bearing at a frequency (Hz; a number or an array) in oil of `resistivity` (ohm
     m): both films of a ball in series, the balls in parallel."""
+    sides = (found.inner, found.outer)
+    return of_films(
+        [side.total for side in sides], [side.paths for side in sides], frequency, resistivity
+    )
+
+
+def of_films(
+    capacitances: Sequence[Floats],
+    paths: Sequence[Floats],
+    frequency: Numbers,
+    resistivity: float = np.inf,
+) -> complex | np.ndarray:
+    """The same from `capacitances` (F) and `paths` (m) of the inner and of the outer films, arrays
+    (..., Z); the frequency is of the shape of the rest."""
     frequency = np.asarray(frequency, float)[..., None]
     films = []
-    for side in (found.inner, found.outer):
+    for total, path in zip(capacitances, paths):
         with np.errstate(divide="ignore"):  # a dry rigid gap leaks nothing
-            resistance = leak(resistivity, side.paths)
-        films.append(impedance(side.total, frequency, resistance))
+            resistance = leak(resistivity, path)
+        films.append(impedance(total, frequency, resistance))
     return in_parallel(in_series(*films))
+
+
+def leak_of_films(paths: Sequence[Floats], resistivity: float) -> Numbers:
+    """R in ohm of a bearing at direct current, `paths` (m) of its inner and outer films (..., Z).
+    Infinite where nothing leaks."""
+    with np.errstate(divide="ignore"):
+        ball = 1 / sum(1 / np.asarray(path, float) for path in paths)
+        return (resistivity / ball.sum(axis=-1))[()]
 
 
 def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbers:
     """C in F of a measured Z (ohm, complex): -sin(phi)/(omega |Z|), phi = arg Z."""
-    return (-np.sin(np.angle(impedance)) / (2 * np.pi * frequency * np.abs(impedance)))[()]
+    return (-np.imag(impedance) / (2 * np.pi * frequency * np.abs(impedance) ** 2))[()]
 
 
 def resistance_of(impedance: complex | np.ndarray) -> Numbers:
-    """R in ohm beside that C: |Z|/cos(phi).
+    """R in ohm beside that C: |Z|/cos(phi). Infinite where nothing leaks.
 
     >>> z = impedance(2e-10, 1e4, 5e5)
     >>> print(f"{capacitance_of(z, 1e4):.3e} F, {resistance_of(z):.3e} ohm")
     2.000e-10 F, 5.000e+05 ohm
     """
-    return (np.abs(impedance) / np.cos(np.angle(impedance)))[()]
+    with np.errstate(divide="ignore"):
+        return (np.abs(impedance) ** 2 / np.asarray(np.real(impedance), float))[()]
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a voltage meets in a bearing at one instant: leak, impedance, the smallest voltage at which
+// a film fails, the energy of that discharge (docs/electric, Breakdown and Impedance).
+#ifndef RACEWAY_FILM_FIGURES_H
+#define RACEWAY_FILM_FIGURES_H
+
+#include "film_breakdown.h"
+#include "film_capacitor.h"
+#include "impedance.h"
+
+namespace raceway {
+
+// What is asked for; 0: not that.
+struct FilmQuestions {
+  double resistivity = 0.0;    // of the lubricant, ohm m
+  double frequency = 0.0;      // Hz
+  double strength = 0.0;       // electric strength of a film, V/m
+
+  bool any() const { return resistivity > 0.0 || frequency > 0.0 || strength > 0.0; }
+};
+
+// A film as sampled; without capacitance it is open.
+struct SampledFilm {
+  double capacitance = 0.0;    // F
+  double thickness = 0.0;      // m
+  double roughness = 0.0;      // m, composite
+  double paths = 0.0;          // m, resistivity of the oil over the film's resistance
+};
+struct SampledBall {
+  SampledFilm film[2];    // inner, outer
+};
+
+// 0 for what was not asked for, and for what is infinite.
+struct FilmFigures {
+  double leak = 0.0;                      // ohm, direct current
+  double impedance = 0.0, phase = 0.0;    // ohm, rad
+  double threshold = 0.0, local = 0.0;    // V, over thickness and local thickness
+  double energy = 0.0;                    // J, at the threshold over thickness
+};
+
+// What of the gap outside the ellipse is oil.
+inline double wet_share(Surroundings s)
+{
+  return s == Surroundings::flooded ? 1.0 : s == Surroundings::cavitated ? 0.5 : 0.0;
+}
+
+// The sample of a capacitor with that contact ellipse (m^2) and composite roughness (m).
+inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<double> &c,
+                                double area, double roughness)
+{
+  const bool all = m.surrounded();
+  const double around = c.outside / (vacuum_permittivity * m.outside());
+  SampledFilm f;
+  f.capacitance = all ? c.total() : c.capacitance;
+  f.thickness = all ? c.separation : c.h_c;
+  f.roughness = roughness;
+  f.paths = (c.h_c > 0.0 ? area / c.h_c : 0.0) + wet_share(m.surroundings) * around;
+  return f;
+}
+
+// `beside` (F) lies between the rings, next to the films.
+inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<SampledBall> &balls,
+                                double beside)
+{
+  const auto finite = [](double x) { return std::isfinite(x) ? x : 0.0; };
+  FilmFigures out;
+  BearingFilms films(balls.size());
+  const auto fill = [&](double peaks) {
+    for (size_t k = 0; k < balls.size(); ++k)
+      for (int side = 0; side < 2; ++side) {
+        const SampledFilm &s = balls[k].film[side];
+        CircuitFilm &f = side ? films[k].outer : films[k].inner;
+        f = {};
+        if (!(s.capacitance > 0.0)) continue;
+        f.capacitance = s.capacitance;
+        if (ask.resistivity > 0.0) f.conductance = s.paths / ask.resistivity;
+        if (ask.strength > 0.0)
+          f.limit = film_limit(s.thickness, ask.strength, peaks * s.roughness, 0.0);
+      }
+  };
+  fill(film_peaks);
+  out.local = finite(threshold_voltage(films));
+  fill(0.0);
+  out.threshold = finite(threshold_voltage(films));
+  const double capacitance = bearing_capacitance(films) + beside;
+  out.energy = 0.5 * capacitance * out.threshold * out.threshold;
+  if (ask.resistivity > 0.0) out.leak = finite(1.0 / admittance(films, 0.0).real());
+  if (ask.frequency > 0.0) {
+    const double omega = 2.0 * 3.14159265358979323846 * ask.frequency;
+    const Complex y = admittance(films, omega) + Complex(0.0, omega * beside);
+    if (y != 0.0) {
+      out.impedance = std::abs(1.0 / y);
+      out.phase = std::arg(1.0 / y);
+    }
+  }
+  return out;
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Impedance of films, of balls and of a bearing, and back to what an instrument reads from it
+// (docs/electric, Impedance). A film is a capacitor beside its leak: Z = 1/(G + j omega C).
+#ifndef RACEWAY_IMPEDANCE_H
+#define RACEWAY_IMPEDANCE_H
+
+#include "film_network.h"
+
+#include <complex>
+
+namespace raceway {
+
+using Complex = std::complex<double>;
+
+// S, at omega (rad/s; 0: direct current)
+inline Complex admittance(const CircuitFilm &f, double omega)
+{
+  return {f.conductance, omega * f.capacitance};
+}
+
+// S: both films of a ball in series, the balls in parallel. A ball with an open film adds nothing.
+inline Complex admittance(const BearingFilms &films, double omega)
+{
+  Complex sum = 0.0;
+  for (const BallFilms &f : films) {
+    const Complex in = admittance(f.inner, omega), out = admittance(f.outer, omega);
+    if (in != 0.0 && out != 0.0) sum += in * out / (in + out);
+  }
+  return sum;
+}
+
+// C (F) of a measured impedance (ohm), -sin(phi)/(omega |Z|), phi = arg Z.
+inline double capacitance_of(const Complex &z, double omega)
+{
+  return -z.imag() / (omega * std::norm(z));
+}
+
+// R (ohm) beside that C, |Z|/cos(phi).
+inline double resistance_of(const Complex &z) { return std::norm(z) / z.real(); }
+
+}    // namespace raceway
+
+#endif
