@@ -47,6 +47,9 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
     c.root = take([](One one) { return one.state.root; });
     c.entrainment = take([](One one) { return one.state.entrainment; });
     c.film_load = take([](One one) { return one.state.film_load; });
+    c.h_c = take([](One one) { return one.state.h_c; });
+    c.sliding_t = take([](One one) { return one.state.sliding_t; });
+    c.sliding_w = take([](One one) { return one.state.sliding_w; });
     const Lane orbit = take([](One one) { return one.orbit; });
     const LaneMask live = take([](One one) { return double(one.live); }) > 0.0;
     const FilmCapacitorT<Lane> found = batch.raceway.capacitor(c, live, orbit);

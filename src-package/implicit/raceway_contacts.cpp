@@ -168,7 +168,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       }
       if (stage.evaluate == Evaluate::only) {
         power_lost_ += sum(where(live, L::loss(c), 0.0));
-        contact_energy_ += sum(where(live, L::energy(c), 0.0));
+        contact_energy_ += sum(where(live, L::energy(p, c), 0.0));
         continue;
       }
       g.rhs[0] += stage.h * q.force.x;

@@ -66,13 +66,20 @@ RACEWAY_INLINE T film_permittivity(const CapacitorModel &m, const T &largest_pre
   return permittivity_at(m.permittivity, largest_pressure);
 }
 
+// The power law at any load; c has the sliding speed.
 template <class T>
 RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
-                              const FilmPointT<T> &at)
+                              const ContactStateT<T> &c, const FilmPointT<T> &at)
 {
   T h = film_thickness(k.film.central, at);
-  if (p.factors.any) h = h * p.factors.of(at.ln_speed);
+  if (p.factors.any) h = h * film_factor(p, k, c, at);
   return h;
+}
+
+// Whether contacts have a film at any load: then that is the film of the capacitor.
+inline bool has_film_at_any_load(const RacewayPhysics &p)
+{
+  return p.has<FilmInGapPart>() && p.of<FilmInGapPart>().all_regimes;
 }
 
 // The plates of a lubricated contact.
@@ -81,7 +88,9 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
                                                 const CapacitorModel &m)
 {
   const RacewayConstantsT<T> k = p.law.at(c.cos_angle);
-  const T h = central_film(p, k, film_point(c.entrainment, c.film_load));
+  const T h = has_film_at_any_load(p)
+                  ? c.h_c
+                  : central_film(p, k, c, film_point(c.entrainment, c.film_load));
   const T h_c = where(h > m.film_floor, h, m.film_floor);
   const T eps = film_permittivity(m, T(k.p * c.root));
   T C = contact_capacitance(eps, T(k.a * c.root), T(k.b * c.root), h_c);
@@ -95,7 +104,8 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
 // raceway guides, m_b r_pitch omega_c^2, nor than 0.1 N: so it has a value where the contact load
 // vanishes. Without contact it is the gap, if that is larger. With film in the gap (part_film_gap)
 // contacts begin at a gap already; the gap then counts from where it equals the film, and the play
-// from where contacts begin. So capacitances do not jump there.
+// from where contacts begin. So capacitances do not jump there. A film that has a thickness at any
+// load is the separation.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
@@ -106,7 +116,8 @@ class SurroundedRaceway {
       shoulder_(p.groove, m.groove_depth(p.groove), p.pitch_radius),
       radial_(gap_shape(p.law.radial(), modulus_, p.rolling_radius(1.0)))
   {
-    if (!p.has<FilmInGapPart>()) return;
+    any_load_ = has_film_at_any_load(p);
+    if (!p.has<FilmInGapPart>() || any_load_) return;
     begins_ = p.of<FilmInGapPart>().share;
     least_load_ = FilmInGapPart::cut;
   }
@@ -125,17 +136,10 @@ class SurroundedRaceway {
   {
     const T none = T();
     const RacewayConstantsT<T> k = p_->law.at(c.cos_angle);
-    const T ln_u = logarithm(c.entrainment);
-    const T Q_u = p_->ball_mass * p_->pitch_radius * cage_speed * cage_speed;
-    const T least = where(Q_u > least_load_, Q_u, least_load_);
-    FilmCapacitorT<T> to = {none, none, none, none};
-    // the film under the load of a contact, and under no less than the least
-    const T Q = where(live, c.film_load, least);
-    T h = central_film(*p_, k, FilmPointT<T>{ln_u, logarithm(Q)}), at_least = h;
-    const auto light = !(Q >= least);
-    if (any(light)) at_least = central_film(*p_, k, FilmPointT<T>{ln_u, logarithm(least)});
     const T floor = none + m_.film_floor;
-    T apart = where(light, at_least, h);
+    FilmCapacitorT<T> to = {none, none, none, none};
+    T h = c.h_c, apart = where(live, h, 0.0), begins = none + p_->reach;
+    if (!any_load_) films(c, k, live, cage_speed, h, apart, begins);
     if (any(live)) {
       const T h_c = where(h > floor, h, floor);
       T C = contact_capacitance(film_permittivity(m_, T(k.p * c.root)), T(k.a * c.root),
@@ -148,12 +152,8 @@ class SurroundedRaceway {
     T play = none;
     if (any(open)) {
       T gap = play = -c.overlap;
-      if (begins_ > 0.0) {
-        const T film = central_film(*p_, k, FilmPointT<T>{ln_u, none + std::log(least_load_)});
-        const T excess = begins_ * film - apart;
-        gap = gap - where(excess > 0.0, excess, 0.0);
-        play = play - begins_ * film;
-      }
+      if (begins_ > 0.0) gap = gap - where(begins > apart, T(begins - apart), 0.0);
+      play = play - begins;
       apart = where(open & (gap > apart), gap, apart);
       play = where(play > 0.0, play, 0.0);
     }
@@ -163,6 +163,25 @@ class SurroundedRaceway {
   }
 
  private:
+  // The film h under the load of a contact; the film `apart` under no less than the least load; the
+  // gap at which a contact begins.
+  template <class T, class Mask>
+  RACEWAY_INLINE void films(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
+                            const Mask &live, const T &cage_speed, T &h, T &apart, T &begins) const
+  {
+    const T ln_u = logarithm(c.entrainment);
+    const T Q_u = p_->ball_mass * p_->pitch_radius * cage_speed * cage_speed;
+    const T least = where(Q_u > least_load_, Q_u, least_load_);
+    const T Q = where(live, c.film_load, least);
+    h = apart = central_film(*p_, k, c, FilmPointT<T>{ln_u, logarithm(Q)});
+    const auto light = !(Q >= least);
+    if (any(light))
+      apart = where(light, central_film(*p_, k, c, FilmPointT<T>{ln_u, logarithm(least)}), h);
+    begins = T();
+    if (begins_ > 0.0 && any(!live))
+      begins = begins_ * central_film(*p_, k, c, FilmPointT<T>{ln_u, T() + std::log(least_load_)});
+  }
+
   template <class T, class Mask>
   RACEWAY_INLINE T integral(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
                             const Mask &live, const T &h, const T &play) const
@@ -205,6 +224,7 @@ class SurroundedRaceway {
   GapShape radial_;
   double begins_ = 0.0;    // share of the film at which contacts begin
   double least_load_ = least_load;
+  bool any_load_ = false;    // a film has a thickness at any load
 };
 
 }    // namespace raceway

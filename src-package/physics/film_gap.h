@@ -52,6 +52,36 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
   return {zero * x, thinning, slope};
 }
 
+// Any law of the film, thickness and fall over ln x: ln(x + gap) = ln(z h + squeezed), which is
+// nearly straight in ln x on both sides, by Newton's method from `start`. Law::at(ln x) gives both.
+template <class T> struct FilmRootT {
+  T compression, thickness, slope;    // m, m, dx/dd
+};
+template <class T, class Law>
+RACEWAY_INLINE FilmRootT<T> squeeze(const Law &law, const T &overlap, double share, const T &start)
+{
+  constexpr int most = 100;
+  constexpr double longest = 20.0;
+  const T gap = where(overlap < 0.0, T(-overlap), 0.0),
+          squeezed = where(overlap > 0.0, overlap, 0.0);
+  T ln_x = start, x = T(), h = T(), fall = T();
+  auto busy = start == start;
+  for (int k = 0; k < most && any(busy); ++k) {
+    const T here = exponential(ln_x), left = here + gap;
+    const auto film = law.at(ln_x);
+    const T film_here = share * film.thickness, right = film_here + squeezed;
+    const T slope = here / left + 1.5 * film.fall * film_here / right;
+    const T newton = -logarithm(T(left / right)) / slope;
+    const T step = where(newton > longest, longest, where(newton < -longest, -longest, newton));
+    ln_x = where(busy, T(ln_x + step), ln_x);
+    x = where(busy, T(here * (1.0 + step)), x);
+    h = where(busy, T(film.thickness * (1.0 - 1.5 * film.fall * step)), h);
+    fall = where(busy, film.fall, fall);
+    busy = busy & (magnitude(step) > 3e-8);
+  }
+  return {x, h, x / (x + 1.5 * share * fall * h)};
+}
+
 }    // namespace raceway
 
 #endif

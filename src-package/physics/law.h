@@ -74,10 +74,11 @@ template <class All, class... P> struct LawOf {
   }
 
   // J, stored
-  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &c)
+  template <class Physics, class T>
+  static RACEWAY_INLINE Value<T> energy(const Physics &p, const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();
-    ((sum += P::energy(c)), ...);
+    ((sum += P::energy(p.template of<P>(), p, c)), ...);
     return sum;
   }
 

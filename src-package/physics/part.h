@@ -111,7 +111,8 @@ struct PartBase {
   {
     return Value<T>();
   }
-  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &)
+  template <class Own, class T>
+  static RACEWAY_INLINE Value<T> energy(const Own &, const Raceway &, const ContactStateT<T> &)
   {
     return Value<T>();
   }

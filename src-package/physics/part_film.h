@@ -10,6 +10,18 @@
 
 namespace raceway {
 
+// All factors together, at a load and a speed.
+template <class T, class State>
+RACEWAY_INLINE T film_factor(const Raceway &p, const RacewayConstantsT<T> &k, const State &c,
+                             const FilmPointT<T> &at)
+{
+  if (!p.factors.by_pressure) return p.factors.of(at.ln_speed);
+  const T along = held(c.sliding_t), across = held(c.sliding_w);
+  const T root = exponential(T((at.ln_load - logarithm(k.K)) * (1.0 / 3.0)));
+  return p.factors.gupta(at.ln_speed, T(along * along + across * across))
+      .of(T(k.p * root / p.material.Eprime()));
+}
+
 struct FilmThicknessPart : PartBase {
   static constexpr const char *name = "film_thickness";
   static constexpr When when = When::with_film;
@@ -64,9 +76,11 @@ struct FilmThicknessPart : PartBase {
          "",
          false,
          {P::one_of(
-              "law of inlet shear", "murch|wilson",
+              "law of inlet shear", "murch|wilson|gupta",
               [](Raceway &p, Parameters &, int k) {
-                p.factors.inlet_shear = k == 0 ? InletShear::murch : InletShear::wilson;
+                const InletShear laws[] = {InletShear::murch, InletShear::wilson,
+                                           InletShear::gupta};
+                p.factors.inlet_shear = laws[k];
               },
               "no factor"),
           P::positive(
@@ -108,7 +122,7 @@ struct FilmThicknessPart : PartBase {
   {
     const FilmPointT<Value<T>> at = film_point(c.entrainment, c.film_load);
     c.h_min = film_thickness(k.film.min, at);
-    if (p.factors.any) c.h_min = c.h_min * p.factors.of(at.ln_speed);
+    if (p.factors.any) c.h_min = c.h_min * film_factor(p, k, c, at);
     c.lambda = c.h_min * p.inverse_roughness;
   }
 };

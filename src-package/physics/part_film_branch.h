@@ -57,7 +57,9 @@ struct FilmBranchPart : PartBase {
   {
     return 2.0 * c.branch_energy * c.film_rate;
   }
-  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &c)
+  template <class T>
+  static RACEWAY_INLINE Value<T> energy(const Parameters &, const Raceway &,
+                                        const ContactStateT<T> &c)
   {
     return c.branch_energy;
   }

@@ -2,10 +2,12 @@
 // The elastic contact with its film in the gap (film_gap.h), in place of Hertz's alone: contacts
 // begin at a gap as wide as the film of a lightly loaded contact. The slope over the overlap is
 // exact; the derivative holds the entrainment speed.
+//
+// The film is the power law of film.h, kept below 1 N, or that of all regimes (gap_film.h).
 #ifndef RACEWAY_PART_FILM_GAP_H
 #define RACEWAY_PART_FILM_GAP_H
 
-#include "film_gap.h"
+#include "gap_film.h"
 #include "part_hertz.h"
 
 namespace raceway {
@@ -13,12 +15,21 @@ namespace raceway {
 struct FilmInGapPart : PartBase {
   static constexpr const char *name = "film_in_gap", *slot = "elastic";
   static constexpr bool needs_film = true;
-  static constexpr double cut = 1.0;    // N, below it the film keeps its thickness
+  static constexpr double cut = 1.0;    // N, below it a power law keeps its thickness
   struct Parameters {
     double share = 1.0;
+    bool all_regimes = false;
     double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression under it over that under 1 N
+    MoesRaceway moes;                                 // derived
+    void prepare(const Raceway &p)
+    {
+      if (all_regimes)
+        moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
+                p.transverse_radius()};
+    }
     // wider than films of bearings: none is cut off, or a force would jump
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
+    double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
 
   static std::vector<Keyword<Parameters>> keywords()
@@ -32,7 +43,15 @@ struct FilmInGapPart : PartBase {
                  [](Raceway &, Parameters &own) -> double & { return own.share; },
                  "no film in the gap")},
              nullptr,
-             "contacts begin at a gap; the film below 1 N is that at 1 N"}};
+             "contacts begin at a gap"},
+            {"gap_film",
+             "",
+             true,
+             {P::one_of("film in the gap", "power|moes",
+                        [](Raceway &, Parameters &own, int k) { own.all_regimes = k == 1; })},
+             nullptr,
+             "*gap* by the power law of *film*, below 1 N that at 1 N, or by all regimes after "
+             "Nijenbanning, Venner and Moes"}};
   }
 
   static std::vector<StateColumn> columns()
@@ -48,11 +67,18 @@ struct FilmInGapPart : PartBase {
   static RACEWAY_INLINE auto misses(const Parameters &own, const Raceway &p,
                                     const RacewayConstantsT<T> &k, ContactStateT<T> &c)
   {
-    const T ln_u = logarithm(c.entrainment);
-    const T film = exponential(T(k.film.central.lnA + k.film.central.p * ln_u +
-                                 k.film.central.m * std::log(cut))) *
-                   p.factors.of(ln_u);
-    c.h_edge = where(own.share * film < p.reach, film, p.reach / own.share);
+    if (own.all_regimes) {    // its film has no end: it counts up to the reach
+      c.h_edge = where(c.entrainment > resting, T() + own.widest(p), 0.0);
+    } else if (p.factors.by_pressure) {
+      const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;
+      c.h_edge = where(own.share * film < p.reach, film, own.widest(p));
+    } else {
+      const T ln_u = logarithm(c.entrainment);
+      const T film = exponential(T(k.film.central.lnA + k.film.central.p * ln_u +
+                                   k.film.central.m * std::log(cut))) *
+                     p.factors.of(ln_u);
+      c.h_edge = where(own.share * film < p.reach, film, p.reach / own.share);
+    }
     return c.overlap + own.share * c.h_edge <= 0.0;
   }
 
@@ -62,9 +88,20 @@ struct FilmInGapPart : PartBase {
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
-    const B d = held(c.overlap), film = own.share * c.h_edge, exponent = -k.film.central.m;
-    const B zero = B(k.unit * own.unit_of_cut);
-    const FilmGapT<B> g = compress(d, film, zero, exponent);
+    const B d = held(c.overlap);
+    if (own.all_regimes || p.factors.by_pressure) {
+      const FilmRootT<B> g =
+          own.all_regimes ? root<true>(own, p, k, d, c) : root<false>(own, p, k, d, c);
+      c.compression = g.slope * (c.overlap - d) + g.compression;
+      HertzContactPart::act({}, p, k, m, c);
+      c.stiffness = c.stiffness * g.slope;
+      c.h_c = g.thickness;
+      const B Q = held(c.load);
+      c.film_load = where(Q > cut, Q, cut);
+      return;
+    }
+    const B film = own.share * c.h_edge, exponent = -k.film.central.m;
+    const FilmGapT<B> g = compress(d, film, kept(own, k), exponent);
     c.compression = g.slope * (c.overlap - d) + g.compression;
     HertzContactPart::act({}, p, k, m, c);
     c.stiffness = c.stiffness * g.slope;
@@ -76,9 +113,50 @@ struct FilmInGapPart : PartBase {
   }
 
   // The work against the film begins where it begins to thin; at a constant entrainment speed.
-  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &c)
+  template <class T>
+  static RACEWAY_INLINE Value<T> energy(const Parameters &own, const Raceway &p,
+                                        const ContactStateT<T> &c)
   {
-    return HertzContactPart::energy(c) + c.film_energy;
+    const Value<T> elastic = HertzContactPart::energy({}, p, c);
+    if (own.all_regimes) return elastic + work<true>(own, p, c);
+    if (p.factors.by_pressure) return elastic + work<false>(own, p, c);
+    return elastic + c.film_energy;
+  }
+
+ private:
+  static constexpr double resting = 1e-9;    // m/s, below it there is no film
+
+  // m, the compression below which a power law keeps its thickness
+  template <class T>
+  static RACEWAY_INLINE T kept(const Parameters &own, const RacewayConstantsT<T> &k)
+  {
+    return k.unit * own.unit_of_cut;
+  }
+
+  // The root for films without a closed form; above c.h_edge a film is as thick as that.
+  template <bool all, class T>
+  static RACEWAY_INLINE FilmRootT<Value<T>> root(const Parameters &own, const Raceway &p,
+                                                 const RacewayConstantsT<Value<T>> &k,
+                                                 const Value<T> &d, const ContactStateT<T> &c)
+  {
+    using B = Value<T>;
+    const GapFilmT<B, all> film(own.moes, p, k, c);
+    const FilmRootT<B> g = squeeze(film, d, own.share, film.start(d, kept(own, k)));
+    const auto wide = g.thickness >= c.h_edge;
+    return {where(wide, B(d + own.share * c.h_edge), g.compression),
+            where(wide, c.h_edge, g.thickness), where(wide, 1.0, g.slope)};
+  }
+
+  // Of squeezing the film: the integral of zeta m h over the load, m the fall of h.
+  template <bool all, class T>
+  static RACEWAY_INLINE Value<T> work(const Parameters &own, const Raceway &p,
+                                      const ContactStateT<T> &c)
+  {
+    using B = Value<T>;
+    const RacewayConstantsT<B> k = p.law.at(c.cos_angle);
+    const GapFilmT<B, all> film(own.moes, p, k, c);
+    const B moves = where(c.h_edge > 0.0, B() + own.share, 0.0);
+    return moves * film.work(B(held(c.compression)), c.h_edge, kept(own, k));
   }
 };
 

@@ -67,7 +67,9 @@ struct HertzContactPart : PartBase {
     c.film_load = held(c.load);
   }
 
-  template <class T> static RACEWAY_INLINE Value<T> energy(const ContactStateT<T> &c)
+  template <class T>
+  static RACEWAY_INLINE Value<T> energy(const Parameters &, const Raceway &,
+                                        const ContactStateT<T> &c)
   {
     return 0.4 * held(c.load) * held(c.compression);
   }

@@ -72,7 +72,7 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     if (tally) {
       const Vec3 d = ball.x - ring.x;
       // only this rank sees the pair: count it whole (newton = 1)
-      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? L::energy(c.state) : 0.0,
+      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? L::energy(p, c.state) : 0.0,
                    0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
     }
   }

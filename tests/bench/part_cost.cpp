@@ -21,15 +21,21 @@ struct Scene {
   RingState ring;
 };
 
+struct Film {
+  bool all_regimes = false;
+  InletShear shear = InletShear::murch;
+};
+
 // Contacts of a 6208 at 477.5 rpm with loads up to 2.4 kN, rolling with a little slip.
-Scene scene(unsigned parts)
+Scene scene(unsigned parts, const Film &film)
 {
   Scene s;
   s.p.groove = {Side::inner, 24e-3, 6.552e-3, 6.3e-3};
   s.p.model.lubricant = {0.04, 22e-9};
   s.p.ring_roughness = 1e-7;
   s.p.parts = parts;
-  s.p.factors = {InletShear::murch, 0.047, 0.134, 1.0};
+  s.p.factors = {film.shear, 0.047, 0.134, 1.0};
+  s.p.of<FilmInGapPart>().all_regimes = film.all_regimes;
   s.p.of<ConstantFrictionPart>().mu = 0.1;
   s.p.of<StribeckFrictionPart>().curve = {0.12, 0.05, 0.0, 0.0};
   s.p.of<HydrodynamicRollingPart>().beta = 0.047;
@@ -113,9 +119,9 @@ template <class L> struct Implicit {
 
 double kept = 0.0;    // what is not used the compiler leaves out
 
-template <class L> void report(const char *name, int base)
+template <class L> void report(const char *name, int base, const Film &film = {})
 {
-  const Scene s = scene(L::parts);
+  const Scene s = scene(L::parts, film);
   std::vector<double> one(contacts * (L::states + 1));
   std::vector<Lane> four(contacts / lanes * (L::states + 1));
   double least[2] = {HUGE_VAL, HUGE_VAL};
@@ -149,5 +155,8 @@ int main()
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart>>("hysteresis in rolling", 8);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart>>("spin", 9);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart, DragPart>>("drag", 10);
+  report<FullLaw<>>("film of all regimes, in place of the power law", 3, {true});
+  report<FullLaw<>>("inlet shear after Gupta, in place of Murch and Wilson", 3,
+                    {false, InletShear::gupta});
   fprintf(stderr, "%g\n", kept);
 }

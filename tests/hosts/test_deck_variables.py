@@ -46,7 +46,7 @@ def test_models(tmp_path):
     succeed(
         "inputs/in.6208", out=tmp_path, models="full", lubricant="vg46", overwrite="yes", **SHORT
     )
-    assert "gap 1 film_damping branch inlet_shear murch" in commands()
+    assert "gap 1 gap_film power film_damping branch inlet_shear murch" in commands()
     assert raceway.open(tmp_path).settings["models"] == "full"
     succeed("inputs/in.dry", out=tmp_path, models="full", overwrite="yes", **SHORT)
     assert "friction constant 0.1" in commands() and "gap" not in commands()

@@ -48,10 +48,12 @@ def test_displacement_and_loads(tmp_path, rpm, every):
     assert effect[0] < 0 and effect[2] > 0  # the displacement falls, outer balls take more
 
 
-def test_light_load_rolls(tmp_path):
+@pytest.mark.parametrize("gap_film", ["power", "moes"])
+def test_light_load_rolls(tmp_path, gap_film):
     """50 N at 9549 rpm: the centrifugal load takes the balls off the inner raceway; the film in the
     gap drives them."""
-    succeed("inputs/in.6208", out=tmp_path, load=50, rpm=9549, models="film", settle=4, passes=3)
+    case = {"load": 50, "rpm": 9549, "models": "film", "gap_film": gap_film}
+    succeed("inputs/in.6208", out=tmp_path, settle=4, passes=3, **case)
     tables = RunTables(tmp_path)
     rolling = closed_forms.cage_speed(tables, None)
     found = summary(tables)["cage_speed_rad_s"]

@@ -7,6 +7,8 @@ import numpy as np
 
 from raceway.arrays import Numbers
 
+GUPTA_MOST = 0.9  # of 13.2 P L^0.42: what a run takes where there is more
+
 
 def thermal_loading(
     temperature_viscosity: Numbers, viscosity: Numbers, speed: Numbers, conductivity: Numbers
@@ -22,18 +24,26 @@ def murch_wilson(loading: Numbers) -> Numbers:
     return 3.94 / (3.94 + loading**0.62)
 
 
+def gupta_parts(
+    loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0
+) -> tuple[Numbers, Numbers]:
+    """(1/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), 13.2 P L^0.42) of `gupta`: the factor without
+    pressure and what the pressure takes from it."""
+    slid = 1 + 2.23 * np.abs(slide_roll) ** 0.83
+    return 1 / (1 + 0.213 * slid * loading**0.64), 13.2 * pressure * loading**0.42
+
+
 def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Numbers:
     """Film factor (1 - 13.2 P L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), P = `pressure` = p_max
     over E' (Gupta et al. 1992; Zhu and Cheng).
 
-    `slide_roll` is S = s/u. For L below about 10. Raises `ValueError` where the factor is not
-    positive.
+    `slide_roll` is S = s/u. For L below about 10. Raises `ValueError` where the pressure takes more
+    than `GUPTA_MOST` of it.
     """
-    slid = 1 + 2.23 * np.abs(slide_roll) ** 0.83
-    factor = (1 - 13.2 * pressure * loading**0.42) / (1 + 0.213 * slid * loading**0.64)
-    if np.any(factor <= 0):
+    unpressed, lost = gupta_parts(loading, pressure, slide_roll)
+    if np.any(lost > GUPTA_MOST):
         raise ValueError(f"L = {loading} is beyond the range of Gupta's factor, about 10")
-    return factor
+    return unpressed * (1 - lost)
 
 
 def wilson(loading: Numbers) -> Numbers:

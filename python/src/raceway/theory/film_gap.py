@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from raceway.arrays import Numbers
-from raceway.theory import film, film_regimes
+from raceway.theory import film, film_factors, film_regimes
 
 # load in N -> (h_c in m, m = -d(ln h_c)/d(ln Q)); arrays of one shape
 Law = Callable[[Numbers], tuple[Numbers, Numbers]]
@@ -78,6 +78,28 @@ def all_regimes(
         )
 
     return law
+
+
+def heated(
+    law: Law, loading: Numbers, peak: Numbers, slide_roll: Numbers = 0.0, *, cut: float = CUT
+) -> Law:
+    """`law` times Gupta's factor (`film_factors.gupta`), which falls with the pressure of the load.
+
+    `loading` is L; `peak` is p_max/E' under 1 N, p_max growing with Q^(1/3). Below the load `cut`
+    in N the factor is that at `cut`. Beyond the range of Gupta's factor the pressure takes
+    `GUPTA_MOST` of it.
+    """
+
+    def with_factor(load):
+        h, m = law(load)
+        pressure = peak * np.maximum(load, cut) ** (1 / 3)
+        unpressed, lost = film_factors.gupta_parts(loading, pressure, slide_roll)
+        most = film_factors.GUPTA_MOST
+        follows = (load >= cut) & (lost < most)
+        lost = np.minimum(lost, most)
+        return h * unpressed * (1 - lost), m + np.where(follows, lost / (3 * (1 - lost)), 0.0)
+
+    return with_factor
 
 
 def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) -> Squeeze:
