@@ -125,7 +125,9 @@ def key(line):
         return tuple(word[:3] if word[0] == "pair_coeff" else word[:2])
     if word[0] in ("fix", "compute"):
         style = "nve/sphere" if word[3] == "bearing/implicit" else word[3]  # either moves the balls
-        return (word[0], word[2], style) if style == "bearing/ring" else (word[0], style)
+        if style in ("bearing/ring", "bearing/shaft"):  # either moves the rings
+            return word[0], word[2]
+        return word[0], style
     return line
 
 

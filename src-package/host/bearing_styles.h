@@ -18,6 +18,7 @@
 #include "../styles/fix_bearing_progress.h"
 #include "../styles/fix_bearing_record.h"
 #include "../styles/fix_bearing_ring.h"
+#include "../styles/fix_bearing_shaft.h"
 #include "../styles/fix_bearing_state.h"
 #include "../styles/fix_bearing_timestep.h"
 #include "../styles/pair_bearing_ehd.h"
@@ -30,6 +31,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template pair<PairBearingEHD>("bearing/ehd");
   add.template fix<FixBearingState>("bearing/state");
   add.template fix<FixBearingRing>("bearing/ring");
+  add.template fix<FixBearingShaft>("bearing/shaft");
   add.template fix<FixBearingImplicit>("bearing/implicit");
   add.template fix<FixBearingCage>("bearing/cage");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bearing_bodies.h"
 
+#include "shaft_ring.h"
+
 #include <algorithm>
 
 namespace raceway {
@@ -8,7 +10,8 @@ namespace raceway {
 BearingBodies::BearingBodies(const BearingModel &of) : model(of)
 {
   place();
-  rings.resize(model.rings.size());
+  rings.resize(model.rings.size() + model.shafts.size());
+  place_shafts();
   with_law(model.parts, [this](auto law) { states_ = decltype(law)::states; });
   if (states_ > 0) {
     kept.resize(n_contacts);
@@ -72,6 +75,37 @@ void BearingBodies::place()
   for (size_t g = 0; g < contact_at.size(); ++g) groove_at[contact_at[g]] = static_cast<int>(g);
 }
 
+void BearingBodies::place_shafts()
+{
+  for (size_t s = 0; s < model.shafts.size(); ++s) {
+    const int shaft = static_cast<int>(model.rings.size() + s);
+    for (int k : model.shafts[s].rings) {
+      rings[k].carried = true;
+      rings[k].at = model.rings[k].at;
+      rings[shaft].span = std::max(rings[shaft].span, std::fabs(rings[k].at));
+      on_shafts.push_back({k, shaft});
+    }
+  }
+}
+
+void BearingBodies::carry()
+{
+  for (const Carried &c : on_shafts) {
+    RingBody &r = rings[c.ring];
+    r.now = raceway::carried(rings[c.shaft].now, r.at, r.from.origin);
+  }
+}
+
+void BearingBodies::add_shafts()
+{
+  for (const Carried &c : on_shafts) {
+    const RingBody &r = rings[c.ring];
+    RingBody &shaft = rings[c.shaft];
+    shaft.force += r.force;
+    shaft.moment += moment_about_centre(shaft.now.e, r.at, r.force, r.moment);
+  }
+}
+
 // They do not change while a run lasts.
 void BearingBodies::find_unknowns()
 {
@@ -87,16 +121,26 @@ void BearingBodies::find_unknowns()
       free.push_back({static_cast<int>(k), dof});
     }
   }
+  for (const Carried &c : on_shafts) {
+    const RingBody &shaft = rings[c.shaft];
+    rings[c.ring].loose = shaft.loose;
+    std::copy(shaft.unknown, shaft.unknown + RingProgram::N_DOF, rings[c.ring].unknown);
+  }
 }
 
 void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<RingPose> &poses)
 {
   if (!unknowns_known_) find_unknowns();
-  for (size_t k = 0; k < rings.size(); ++k) rings[k].from = poses[k];
+  for (size_t k = 0; k < poses.size(); ++k) rings[k].from = poses[k];
+  for (size_t s = 0; s < model.shafts.size(); ++s) {
+    const RingBody &first = rings[model.shafts[s].rings.front()];
+    rings[poses.size() + s].from = shaft_of(first.from, first.at);
+  }
   // balls circle the ring that is not free, the last one if there is a choice
   centre = rings.front().from.x;
   for (const RingBody &r : rings)
-    if (!r.program.free(0) && !r.program.free(1) && !r.program.free(2)) centre = r.from.x;
+    if (!r.carried && !r.program.free(0) && !r.program.free(1) && !r.program.free(2))
+      centre = r.from.x;
   int last = 0;
   for (size_t at = 0; at < body_at.size(); ++at) {
     if (body_at[at] >= 0) last = body_at[at];
@@ -115,7 +159,7 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
 
 void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &poses) const
 {
-  for (size_t k = 0; k < rings.size(); ++k) poses[k] = rings[k].from;
+  for (size_t k = 0; k < poses.size(); ++k) poses[k] = rings[k].from;
   for (size_t at = 0; at < body_at.size(); ++at) {
     if (body_at[at] < 0) continue;
     const BodyGroup &g = groups[at / lanes];
@@ -134,6 +178,13 @@ Vec3 BearingBodies::force_on(const RingBody &r, double s) const
   if (r.program.supported) push += r.program.support_force(r.now);
   if (heavy) push += gravity * r.program.mass;
   return push;
+}
+
+Vec3 BearingBodies::moment_on(const RingBody &r, double s) const
+{
+  Vec3 M = r.moment + r.program.moment_at(s, r.now);
+  if (r.program.supported) M += r.program.support_moment(r.now, r.now.rate[0], r.now.rate[1]);
+  return M;
 }
 
 void BearingBodies::load_states(const double *values)

@@ -32,6 +32,9 @@ struct alignas(32) RingBody {
   double gained[RingProgram::N_DOF] = {};
   int unknown[RingProgram::N_DOF];    // number of a free degree of freedom, else -1
   bool loose = false;                 // some degree of freedom is free
+  bool carried = false;               // by a shaft, whose unknowns it has
+  double at = 0.0;                    // m, a carried ring from the shaft's centre
+  double span = 0.0;                  // m, of a shaft: to the farthest of its rings
   double spring = 0.0;                // N/m, sum over contacts; with dampers_only
   Vec3 force, moment;                 // of the contacts: sums of the lanes
 };
@@ -42,9 +45,12 @@ class BearingBodies {
 
   void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
   void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
-  void accept();    // what is now is the start of the next step
+  void accept();        // what is now is the start of the next step
+  void carry();         // rings to where their shafts are now
+  void add_shafts();    // forces and moments of carried rings on their shafts
   // N, on a ring at the share s of the host's step: contacts, loads, supports and weight.
   Vec3 force_on(const RingBody &, double s) const;
+  Vec3 moment_on(const RingBody &, double s) const;    // N m, likewise
 
   // What contacts keep (part.h), groove by groove of the model, `states` numbers each.
   int states() const { return states_; }
@@ -63,6 +69,9 @@ class BearingBodies {
   struct Free {
     int ring, dof;
   };
+  struct Carried {
+    int ring, shaft;    // both in rings
+  };
   struct alignas(32) States {    // of four contacts: numbers of a contact at four instants
     Lane from[most_states > 0 ? most_states : 1], base[most_states > 0 ? most_states : 1],
         now[most_states > 0 ? most_states : 1], first[most_states > 0 ? most_states : 1];
@@ -78,7 +87,8 @@ class BearingBodies {
   std::vector<int> groove_at;     // the reverse, or -1
   std::vector<States> kept;       // by group of contacts, where the law keeps any
   std::vector<KeptSlopes> kept_slopes;
-  std::vector<RingBody> rings;
+  std::vector<RingBody> rings;    // those of the model, then a shaft each
+  std::vector<Carried> on_shafts;
   std::vector<Free> free;    // degrees of freedom of the rings: the border
   Vec3 centre;               // of the turning frames
   Vec3 gravity;              // m/s^2, on all bodies and rings
@@ -86,6 +96,7 @@ class BearingBodies {
 
  private:
   void place();
+  void place_shafts();
   void find_unknowns();
   bool unknowns_known_ = false;
   int states_ = 0;

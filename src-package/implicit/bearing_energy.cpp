@@ -11,12 +11,13 @@ void BearingStep::add_energy(double weight, double s)
   forces_.evaluate(Stage());
   double power = 0.0;
   for (const RingBody &r : bodies_.rings) {
+    if (r.carried) continue;    // the shaft has its forces
     double push[3], pull[3], v[3];
     r.program.force_at(s, r.now.angle).to(push);
     r.force.to(pull);
     r.now.v.to(v);
     for (int k = 0; k < 3; ++k) power += v[k] * (r.program.free(k) ? push[k] : -pull[k]);
-    const Vec3 load = r.program.moment_at(s), W = r.now.across();
+    const Vec3 load = r.program.moment_at(s, r.now), W = r.now.across();
     const double w[3] = {W.x, W.y, r.now.spin};
     const double given[3] = {load.x, load.y, dot(load, r.now.e)};
     const double met[3] = {r.moment.x, r.moment.y, dot(r.moment, r.now.e)};

@@ -3,6 +3,7 @@
 
 #include "cubic.h"
 #include "lanes_apart.h"
+#include "shaft_ring.h"
 
 namespace raceway {
 
@@ -113,6 +114,7 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
   }
   for (size_t k = 0; k < b_.rings.size(); ++k)
     b_.rings[k].now = between(b_.rings[k].from, ring_end_[k], h, s);
+  b_.carry();
   for (size_t k = 0; k < b_.kept.size(); ++k)
     for (int m = 0; m < b_.states(); ++m)
       b_.kept[k].now[m] = b_.kept[k].from[m] + (kept_end_[k].now[m] - b_.kept[k].from[m]) * s;
@@ -138,6 +140,12 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
   for (const RingBody &r : b_.rings) {
     const Vec3 push = r.loose ? b_.force_on(r, s) : Vec3();
     *ring++ = {r.now, r.force, r.moment, r.program.acceleration(push)};
+  }
+  for (const BearingBodies::Carried &c : b_.on_shafts) {
+    const RingBody &shaft = b_.rings[c.shaft];
+    rings_[(k - 1) * b_.rings.size() + c.ring].acceleration =
+        carried_acceleration(shaft.program, shaft.now, b_.rings[c.ring].at, b_.force_on(shaft, s),
+                             b_.moment_on(shaft, s));
   }
   if (!surrounded_.empty()) surrounded(k);
   else if (!capacitors_.empty()) capacitors(k);

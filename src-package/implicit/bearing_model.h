@@ -25,6 +25,12 @@ struct BearingModel {
     Tag tag;
     int mover;                     // in the caller's list, -1: at rest
     std::vector<RingValue> own;    // what this ring has for itself
+    bool on_shaft = false;         // moves as one body with all rings of its mover
+    double at = 0.0;               // m, along that shaft from its centre
+  };
+  struct Shaft {    // rings that move as one body
+    int mover;
+    std::vector<int> rings;    // by tag
   };
   struct Groove {    // a ball that may touch a raceway
     int body, ring;
@@ -41,6 +47,7 @@ struct BearingModel {
   };
   std::vector<Body> bodies;       // rolling balls first, then cage balls, each by tag
   std::vector<Ring> rings;        // by tag
+  std::vector<Shaft> shafts;      // by first ring
   std::vector<Groove> grooves;    // by body, then ring
   std::vector<Pocket> pockets;    // by smaller tag, then larger
   std::vector<Seat> seats;        // by cage, then body

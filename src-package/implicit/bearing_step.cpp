@@ -99,6 +99,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
 {
   if (dampers_only) {
     for (RingBody &r : bodies_.rings) r.now = kicked(r.program, r.base, r.gained);
+    bodies_.carry();
     return true;
   }
   LaneMask far = {};
@@ -108,6 +109,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
              largest_turn);    // the base of a second stage goes that far
   }
   for (RingBody &r : bodies_.rings) r.now = moved(r.program, r.base, r.gained, h, s);
+  bodies_.carry();
   return !any(far);
 }
 
@@ -124,6 +126,7 @@ RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
   }
   for (RingBody &r : bodies_.rings)
     r.base = r.now = coasted(r.program, to_end ? r.now : r.from, h, s);
+  bodies_.carry();
   return !any(far);
 }
 
@@ -134,6 +137,13 @@ static double stiffest(const RingProgram &p)
   for (int k = 0; k < RingProgram::SPIN; ++k)
     if (p.free(k)) most = std::max(most, p.support[k].stiffness / p.inertia_of(k));
   return most;
+}
+
+// m, what a radian moves: a tilt the balls, and the rings of a shaft.
+double BearingStep::lever(const BearingBodies::Free &f) const
+{
+  if (f.dof < RingProgram::TILT) return 1.0;
+  return bodies_.groups.front().now.r[0] + bodies_.rings[f.ring].span;
 }
 
 RACEWAY_LANES double BearingStep::stability(double h) const
@@ -147,6 +157,15 @@ RACEWAY_LANES double BearingStep::stability(double h) const
   for (const RingBody &r : bodies_.rings)
     if (r.loose && r.program.mass > 0.0)
       largest = std::max(largest, h * h * r.spring / (3.0 * r.program.mass));
+  std::vector<double> of_shafts(bodies_.model.shafts.size(), 0.0);    // 1/s^2
+  for (const BearingBodies::Carried &c : bodies_.on_shafts) {
+    const RingBody &ring = bodies_.rings[c.ring];
+    const RingProgram &p = bodies_.rings[c.shaft].program;
+    double &sum = of_shafts[c.shaft - bodies_.model.rings.size()];
+    if (p.mass > 0.0) sum += ring.spring / p.mass;
+    if (p.tilts_free()) sum += ring.spring * ring.at * ring.at / p.inertia.transverse;
+    largest = std::max(largest, h * h * sum / 3.0);
+  }
   for (const RingBody &r : bodies_.rings)
     if (r.program.supported) largest = std::max(largest, h * h * stiffest(r.program) / 3.0);
   return largest;
@@ -209,7 +228,7 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
         f.dof < RingProgram::TILT
             ? now[f.dof] - then[f.dof]
             : (r.now.rate[f.dof - RingProgram::TILT] - before.rate[f.dof - RingProgram::TILT]) *
-                  bodies_.groups.front().now.r[0];
+                  lever(f);
     largest = std::max(largest, std::fabs(dv));
   }
   return share * h * largest;
@@ -241,9 +260,7 @@ RACEWAY_LANES double BearingStep::apply(double h, const Settings &set, Outcome &
     bodies_.rings[bodies_.free[f].ring].gained[bodies_.free[f].dof] += system_.y(f);
     finite = finite && std::fabs(system_.y(f)) < HUGE_VAL;
     if (bodies_.free[f].dof == RingProgram::SPIN) continue;
-    const double lever =
-        bodies_.free[f].dof < RingProgram::TILT ? 1.0 : bodies_.groups.front().now.r[0];
-    largest = std::max(largest, std::fabs(system_.y(f)) * lever);
+    largest = std::max(largest, std::fabs(system_.y(f)) * lever(bodies_.free[f]));
   }
   return finite ? h * largest : HUGE_VAL;
 }

@@ -72,6 +72,7 @@ class BearingStep {
 
   void load(const std::vector<BodyPose> &b, const std::vector<RingPose> &r) { bodies_.load(b, r); }
   void store(std::vector<BodyPose> &b, std::vector<RingPose> &r) const { bodies_.store(b, r); }
+  // Of a ring of the model; the shafts are numbered after them.
   void set_program(int ring, const RingProgram &p) { bodies_.rings[ring].program = p; }
   void set_gravity(const Vec3 &g)    // m/s^2
   {
@@ -100,6 +101,7 @@ class BearingStep {
   bool move(double h, double s, bool dampers_only);
   bool coast(double h, double s, bool to_end);
   double stability(double h) const;
+  double lever(const BearingBodies::Free &) const;
   double apply(double h, const Settings &, Outcome &);
   void second_base();
   double error(double h, const Settings &) const;

@@ -63,13 +63,12 @@ void BearingSystem::add_rings(double h, double follows, double s)
       y_[f] = h * (dof == 0 ? push.x : dof == 1 ? push.y : push.z) - inertia * r.gained[dof];
       continue;
     }
-    Vec3 M = r.moment + r.program.moment_at(s);
-    if (held) M += r.program.support_moment(now, now.rate[0], now.rate[1]);
-    const double along = dot(M, now.e);
-    if (dof == RingProgram::SPIN) {
-      y_[f] = h * along - inertia * r.gained[dof];
+    if (dof == RingProgram::SPIN) {    // supports hold tilts alone
+      y_[f] = h * dot(r.moment + r.program.moment_at(s, now), now.e) - inertia * r.gained[dof];
       continue;
     }
+    const Vec3 M = b_.moment_on(r, s);
+    const double along = dot(M, now.e);
     const double momentum = r.program.inertia.axial * now.spin;
     const Vec3 turn = cross(now.across(), now.e);
     const double M_across =

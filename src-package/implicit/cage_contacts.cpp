@@ -30,6 +30,7 @@ Failure BearingForces::evaluate(const Stage &stage)
     r.force = {sum(r.force_lanes.x), sum(r.force_lanes.y), sum(r.force_lanes.z)};
     r.moment = {sum(r.moment_lanes.x), sum(r.moment_lanes.y), sum(r.moment_lanes.z)};
   }
+  b_.add_shafts();
   return failure;
 }
 
@@ -90,10 +91,11 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
         add_dyad(g.A, a, n, n);
         if (!ring.loose) continue;
         g.coupled = true;
+        const Vec3L lever = lever_of(ring, e, d);
         for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
           const int j = ring.unknown[dof];
           if (j < 0) continue;
-          const Lane m = dot(motion_of(dof, f, e, d), n);
+          const Lane m = dot(motion_of(dof, f, e, lever), n);
           const Vec3L push = n * ((dof == RingProgram::SPIN ? a_spin : a) * m), back = n * (a * m);
           Lane *B = system_.B(k, j), *C = system_.C(k, j);
           B[0] -= push.x;
@@ -104,7 +106,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
           C[2] -= back.z;
           for (int o = 0; o < RingProgram::N_DOF; ++o)
             if (ring.unknown[o] >= 0)
-              system_.D(ring.unknown[o], j) += sum(dot(motion_of(o, f, e, d), push));
+              system_.D(ring.unknown[o], j) += sum(dot(motion_of(o, f, e, lever), push));
         }
       }
     }

@@ -30,7 +30,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
   if (!ring.loose) return;
   g.coupled = true;
-  const Vec3L lever = d + s.normal * R;
+  const Vec3L lever = lever_of(ring, e, d + s.normal * R);
   Lane motions[RingProgram::N_DOF][n];
   int dofs[RingProgram::N_DOF], free = 0;
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
@@ -192,7 +192,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         kept.normal = s.normal;
         kept.along = s.along;
         kept.across = s.across;
-        kept.lever = d + s.normal * p.groove.ball_radius;
+        kept.lever = lever_of(ring, r.e, d + s.normal * p.groove.ball_radius);
         for (int m = 0; m < L::states; ++m)
           for (int i = 0; i < L::motions; ++i) kept.of[m][i] = where(live, slopes.state[m][i], 0.0);
       }

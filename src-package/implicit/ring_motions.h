@@ -3,8 +3,7 @@
 #ifndef RACEWAY_RING_MOTIONS_H
 #define RACEWAY_RING_MOTIONS_H
 
-#include "lane_frame.h"
-#include "ring_program.h"
+#include "bearing_bodies.h"
 
 namespace raceway {
 
@@ -18,6 +17,12 @@ RACEWAY_INLINE Vec3L rotation_of(int dof, const LaneFrame &f, const Vec3L &e)
     case RingProgram::SPIN: return e;
     default: return {none, none, none};
   }
+}
+
+// A lever from the ring's centre, from that of what moves as one with it.
+RACEWAY_INLINE Vec3L lever_of(const RingBody &ring, const Vec3L &e, const Vec3L &lever)
+{
+  return ring.carried ? lever + e * ring.at : lever;
 }
 
 // Velocity of its point at `lever` from its centre.

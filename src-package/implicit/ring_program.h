@@ -60,6 +60,10 @@ struct RingProgram {
   Vec3 force[2], moment[2];    // N, N m, at both ends, linear between, before the ramp
   TurningForce turning;
   Unbalance unbalance;
+  // Of a shaft: loads and unbalances apart from its centre, as first moments along its axis.
+  Vec3 leverage[2];         // N m, at both ends, linear between, before the ramp
+  Unbalance couple;         // kg m^2
+  bool apart = false;       // there are any
   Support support[SPIN];    // of displacements and tilts
   bool supported = false;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin
@@ -100,20 +104,18 @@ struct RingProgram {
     if (turning.size != 0.0)
       total += across_at(turning.speed * age_at(s) + turning.phase) * turning.size;
     total = total * share_of_load(s);
-    return unbalance.moment == 0.0 ? total : total + unbalance_force(s, angle);
+    return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
   // The mass that is off centre lags behind its acceleration about the ring's centre.
-  Vec3 unbalance_force(double s, double angle) const
+  Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
   {
     if (mode[SPIN] != Freedom::speed) return {};
-    const Vec3 out = across_at(angle + unbalance.phase);
+    const Vec3 out = across_at(angle + of.phase);
     const double w = target_at(SPIN, s);
-    return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * unbalance.moment;
+    return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * of.moment;
   }
-  Vec3 moment_at(double s) const
-  {
-    return (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s);
-  }
+  // The load's moment about the centre of a ring that is there.
+  Vec3 moment_at(double s, const RingPlace &) const;
   // Of the supports on the ring, N and N m; the rates of tilt are W across its axis.
   Vec3 support_force(const RingPlace &) const;
   Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
@@ -133,6 +135,14 @@ struct RingPlace {
   double angle = 0.0;             // rad, turned about its axis
   double tilt[2] = {0.0, 0.0};    // rad, rotation vector from the bearing axis to e
 };
+
+inline Vec3 RingProgram::moment_at(double s, const RingPlace &r) const
+{
+  const Vec3 total = (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s);
+  if (!apart) return total;
+  const Vec3 lever = (leverage[0] + (leverage[1] - leverage[0]) * s) * share_of_load(s);
+  return total + cross(r.e, lever + unbalance_force(couple, s, r.angle));
+}
 
 inline Vec3 RingProgram::support_force(const RingPlace &r) const
 {

@@ -29,9 +29,10 @@ struct BearingParts::Piece {
   tag_t a, b;
   int first, second;    // types of ball and ring; or the number of a cage, of what moves a ring, or
                         // of a ring's own value, in `first`
-  int number;           // of a groove
+  int number;           // of a groove; 1: of a ring on a shaft
   int inside;           // the atom is of the group
-  double radius, mass, K;    // a pocket's reach is in `radius`, a ring's own value in K
+  double radius, mass, K;    // a pocket's reach is in `radius`; in K a ring's own value, or where
+                             // it is on its shaft
 };
 
 void BearingParts::build(const BearingSources &sources, int groupbit)
@@ -70,6 +71,8 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   };
   for (int i = 0; i < nall; ++i)
     if (sources_.is_ring(atom->type[i])) tell(i);
+  for (const BearingSources::MovedRing &m : sources_.moved)    // a shaft joins its bearings
+    if (m.shaft != 0) nodes.push_back({m.shaft, atom->tag[m.i], comm->me, 1, 0});
   for (const SphereContact &s : table.sphere)
     if (s.i >= nlocal || s.j >= nlocal) {
       tell(s.i);
@@ -143,6 +146,10 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
     p.mass = atom->rmass[i];
     Letter &l = letter[bearings[bearing_of[i]].home];
     (ring ? l.ring_atom : l.body_atom).push_back(i);
+    if (ring && moved[i] && moved[i]->shaft != 0) {
+      p.number = 1;
+      p.K = moved[i]->at;
+    }
     if (ring && moved[i])
       for (const raceway::RingValue &v : moved[i]->own) {
         Piece &own = add(i, Piece::value, atom->tag[i], 0);
@@ -200,6 +207,19 @@ int BearingParts::groove_of(const BearingModel &m, int body, int ring, const Pie
                           m.grooves.begin());
 }
 
+// Rings that one shaft carries.
+static void find_shafts(BearingModel &m)
+{
+  for (int k = 0; k < static_cast<int>(m.rings.size()); ++k) {
+    const BearingModel::Ring &ring = m.rings[k];
+    if (!ring.on_shaft) continue;
+    const auto known = std::find_if(m.shafts.begin(), m.shafts.end(),
+                                    [&](const auto &s) { return s.mover == ring.mover; });
+    if (known == m.shafts.end()) m.shafts.push_back({ring.mover, {k}});
+    else known->rings.push_back(k);
+  }
+}
+
 // At home: models in the order of names, everything in them in the order of tags.
 void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
 {
@@ -218,7 +238,7 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
     BearingModel &m = parts_[part_of[p.name]].model;
     if (p.kind == Piece::body)
       m.bodies.push_back({p.a, p.mass, p.radius, sources_.is_ball(p.second)});
-    else if (p.kind == Piece::ring) m.rings.push_back({p.a, p.first, {}});
+    else if (p.kind == Piece::ring) m.rings.push_back({p.a, p.first, {}, p.number == 1, p.K});
     else continue;
     if (!p.inside && (!outsider || p.a < outsider->a)) outsider = &p;
   }
@@ -239,6 +259,7 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
     std::sort(
         m.rings.begin(), m.rings.end(),
         [](const BearingModel::Ring &a, const BearingModel::Ring &b) { return a.tag < b.tag; });
+    find_shafts(m);
     if (m.bodies.empty())
       BRG_ONE(command_ + ": atom " + std::to_string(m.name()) +
               " of its group is no ball, cage ball or ring of a "

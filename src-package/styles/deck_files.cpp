@@ -211,7 +211,7 @@ static const bearing::ColumnList *find_list(LAMMPS *lmp, Arguments &args, const 
     args.fail((compute ? "compute '" : "fix '") + id + "' is of style " +
               (compute ? lmp->modify->compute[c]->style : lmp->modify->fix[f]->style) +
               ", must be a compute bearing/contact, bearing/ball or bearing/ring or a fix "
-              "bearing/ring");
+              "bearing/ring or bearing/shaft");
   return list;
 }
 

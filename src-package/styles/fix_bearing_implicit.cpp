@@ -206,7 +206,8 @@ void FixBearingImplicit::build()
   for (size_t k = 0; k < rings_.size(); ++k)
     for (int i = 0; i < atom->nlocal; ++i)
       if (rings_[k]->moves(i))
-        sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i)});
+        sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i),
+                                 rings_[k]->shaft(), rings_[k]->place_on_shaft(i)});
   sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
   sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
   sources.raceway = [this](int ball, int ring, int) { return pair_->raceway(ball, ring); };
@@ -244,9 +245,12 @@ void FixBearingImplicit::initial_integrate(int)
     parts[p].bearing->set_gravity(fall);
     const std::vector<raceway::BearingModel::Ring> &rings = bearings.model(p).rings;
     for (size_t k = 0; k < rings.size(); ++k)
-      if (rings[k].mover >= 0)
+      if (rings[k].mover >= 0 && !rings[k].on_shaft)
         parts[p].bearing->set_program(static_cast<int>(k),
                                       rings_[rings[k].mover]->program(rings[k].own));
+    int shaft = static_cast<int>(rings.size());
+    for (const raceway::BearingModel::Shaft &s : bearings.model(p).shafts)
+      parts[p].bearing->set_program(shaft++, rings_[s.mover]->program({}));
     parts[p].bearing->load(bearings.bodies(p), bearings.rings(p));
     parts[p].bearing->load_states(bearings.states(p).data());
   }

@@ -21,7 +21,18 @@ using raceway::RingValue;
 using raceway::Vec3;
 
 FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/ring"))
+    FixBearingRing(lmp, narg, arg, Words::unread)
+{
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
+  bearing::RingWords words(args, axes_, settings_, true);
+  while (args.more())
+    if (!words.take()) args.unknown(words.known());
+  words.check();
+  settings_are_read();
+}
+
+FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg, Words) :
+    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, std::string("fix ") + style))
 {
   time_integrate = 1;
   restart_global = 1;
@@ -30,11 +41,10 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
   extvector = extarray = 0;
   global_freq = 1;
   axes_.along = pair_->axis_index();
-  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
-  bearing::RingWords words(args, axes_, settings_);
-  while (args.more())
-    if (!words.take()) args.unknown(words.known());
-  words.check();
+}
+
+void FixBearingRing::settings_are_read()
+{
   find_rings();
   // a variable may be atom-style: values of their own travel with the rings
   called_back_ = std::any_of(settings_.value, settings_.value + RingProgram::N_VALUE,
@@ -104,9 +114,9 @@ void FixBearingRing::init()
                 world);    // who owns no ring must know
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
-  if (settings_.program.mass > 0.0)
+  if (mass_of_atom() > 0.0)
     for (int i = 0; i < atom->nlocal; ++i)
-      if (moves(i)) atom->rmass[i] = settings_.program.mass;    // kinetic energy in thermo output
+      if (moves(i)) atom->rmass[i] = mass_of_atom();    // kinetic energy in thermo output
 }
 
 // Driven speeds hold from the first instant; forces of the set-up get the load like any others.
@@ -206,18 +216,23 @@ RingProgram FixBearingRing::program(const std::vector<RingValue> &own) const
   RingProgram p = settings_.program;
   p.end = time_;
   p.length = update->dt;
-  for (int end = 0; end < 2; ++end) p.set_values(end, of[end].of);
+  for (int end = 0; end < 2; ++end) {
+    p.set_values(end, of[end].of);
+    p.leverage[end] = of[end].leverage;
+  }
   p.spin_growth = (of[1].of[RingProgram::SPIN] - of[0].of[RingProgram::SPIN]) / p.length;
   return p;
 }
 
 // Velocity Verlet asks for the end of its step only.
-RingProgram FixBearingRing::at_end(int i) const
+RingProgram FixBearingRing::at_end(const Values &of) const
 {
   RingProgram p = settings_.program;
   p.end = time_;
-  const Values of = values(i);
-  for (int end = 0; end < 2; ++end) p.set_values(end, of.of);
+  for (int end = 0; end < 2; ++end) {
+    p.set_values(end, of.of);
+    p.leverage[end] = of.leverage;
+  }
   p.spin_growth = (now_.of[RingProgram::SPIN] - before_.of[RingProgram::SPIN]) / update->dt;
   return p;
 }

@@ -34,6 +34,9 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // For fix bearing/implicit, which moves the rings of its group itself.
   bool moves(int i) const { return atom->mask[i] & groupbit; }
   bool tilts() const { return settings_.program.tilts(); }
+  // Tag of the first of its rings if all of them are on one shaft, else 0; where one is on it (m).
+  virtual bearing::tag_t shaft() const { return 0; }
+  virtual double place_on_shaft(int) const { return 0.0; }
   void begin_step();
   // What an atom-style variable gives a ring for itself.
   std::vector<raceway::RingValue> own_values(int i) const;
@@ -46,32 +49,44 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   int unpack_exchange(int, double *) override;
   double memory_usage() override;
 
- private:
+ protected:
   using RingProgram = raceway::RingProgram;
   // Speeds, or positions at the end of the step; loads without the ramp. As RingProgram numbers
   // them: components have the bearing axis third.
   struct Values {
     double of[RingProgram::N_VALUE] = {};
+    raceway::Vec3 leverage;    // N m, of the loads of a shaft, along it
   };
   // What balls and cage exert on a ring; lab components, N and N m.
   struct ContactLoad {
     bearing::tag_t ring;
     raceway::Vec3 force, moment;
   };
+  enum class Words { unread };
+  FixBearingRing(class LAMMPS *, int, char **, Words);    // settings are read after it,
+  void settings_are_read();                               // and then this is called
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
-  void evaluate(int first, int last);
+  virtual void evaluate(int first, int last);
   Values values(int i) const;
-  RingProgram at_end(int i) const;
+  RingProgram at_end(const Values &) const;
+  RingProgram at_end(int i) const { return at_end(values(i)); }
+  virtual double mass_of_atom() const { return settings_.program.mass; }
   raceway::Vec3 load_of(const RingProgram &, int i) const;    // the bearing axis third, N
   raceway::RingAtom read(int i) const;
   void write(int i, const raceway::RingAtom &);
-  void kick();
-  void hold(double half);
-  void hold(int i, const RingProgram &, double half);
-  void note_accelerations();
-  void gather_reports();
+  // Forces of the supports on a ring (SPIN numbers, N and N m) with all others given.
+  static void support_of(const RingProgram &, const raceway::RingAtom &, const raceway::Vec3 &push,
+                         const raceway::Vec3 &moment, double half, double *on);
+  virtual void kick();
+  virtual void coast();
+  virtual void add_loads();
+  virtual void hold(double half);
+  virtual void note_accelerations();
+  virtual void make_report();
+  virtual void report_loads(int i, double *row) const;
+  double reported(int row, int k);
 
   PairBearingHertz *pair_;
   FixBearingState *state_ = nullptr;

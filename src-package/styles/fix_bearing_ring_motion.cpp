@@ -44,6 +44,11 @@ void FixBearingRing::initial_integrate(int)
   kick();
   before_ = now_;
   evaluate(0, RingProgram::N_DOF);
+  coast();
+}
+
+void FixBearingRing::coast()
+{
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) write(i, coasted(at_end(i), read(i), update->dt));
 }
@@ -57,11 +62,16 @@ void FixBearingRing::post_force(int)
   for (int n = 0; n < sums.rings(); ++n)
     if (moves(sums.ring(n)))
       contacts_.push_back({atom->tag[sums.ring(n)], sums.force(n), sums.torque(n)});
+  add_loads();
+}
+
+void FixBearingRing::add_loads()
+{
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) {
       const RingProgram p = at_end(i);
       axes_.lab(load_of(p, i)).add_to(atom->f[i]);
-      axes_.lab(p.moment_at(1.0)).add_to(atom->torque[i]);
+      axes_.lab(p.moment_at(1.0, read(i))).add_to(atom->torque[i]);
     }
 }
 
@@ -84,23 +94,26 @@ void FixBearingRing::hold(double half)
 {
   if (!settings_.program.supported) return;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (moves(i)) hold(i, settings_.program, half);
+    if (moves(i)) {
+      double on[RingProgram::SPIN];
+      support_of(settings_.program, read(i), axes_.third(Vec3::from(atom->f[i])),
+                 axes_.third(Vec3::from(atom->torque[i])), half, on);
+      axes_.lab(Vec3{on[0], on[1], on[2]}).add_to(atom->f[i]);
+      axes_.lab(Vec3{on[3], on[4], 0.0}).add_to(atom->torque[i]);
+    }
 }
 
-void FixBearingRing::hold(int i, const RingProgram &p, double half)
+void FixBearingRing::support_of(const RingProgram &p, const RingAtom &r, const Vec3 &push,
+                                const Vec3 &moment, double half, double *on)
 {
-  const RingAtom r = read(i);
-  const Vec3 d = r.x - r.origin, push = axes_.third(Vec3::from(atom->f[i])),
-             moment = axes_.third(Vec3::from(atom->torque[i])), across = r.w - r.e * dot(r.w, r.e);
+  const Vec3 d = r.x - r.origin, across = r.w - r.e * dot(r.w, r.e);
   const double moved[] = {d.x, d.y, d.z, r.tilt[0], r.tilt[1]},
                rate[] = {r.v.x, r.v.y, r.v.z, across.x, across.y},
                other[] = {push.x, push.y, push.z, moment.x, moment.y};
-  double on[RingProgram::SPIN] = {};
   for (int k = 0; k < RingProgram::SPIN; ++k)
-    if (p.free(k))
-      on[k] = verlet_support(p.support[k], moved[k], rate[k], other[k], p.inertia_of(k), half);
-  axes_.lab(Vec3{on[0], on[1], on[2]}).add_to(atom->f[i]);
-  axes_.lab(Vec3{on[3], on[4], 0.0}).add_to(atom->torque[i]);
+    on[k] = p.free(k)
+                ? verlet_support(p.support[k], moved[k], rate[k], other[k], p.inertia_of(k), half)
+                : 0.0;
 }
 
 void FixBearingRing::note_accelerations()

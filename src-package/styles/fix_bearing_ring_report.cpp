@@ -12,10 +12,8 @@ using raceway::RingProgram;
 using raceway::Vec3;
 
 // Rings live on one rank each: a sum over ranks only moves their numbers.
-void FixBearingRing::gather_reports()
+void FixBearingRing::make_report()
 {
-  if (reported_ == update->ntimestep) return;
-  reported_ = update->ntimestep;
   report_.assign(tags_.size() * size_vector, 0.0);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!moves(i)) continue;
@@ -31,9 +29,7 @@ void FixBearingRing::gather_reports()
     raceway::tilt_of(axes_.third(ring.axis), r + TILT1);
     r[SPIN] = dot(w, ring.axis);
     r[ANGLE] = ring.angle;
-    const RingProgram p = at_end(i);
-    axes_.lab(load_of(p, i)).to(r + LOAD_X);
-    if (p.supported) axes_.lab(p.support_force(read(i))).to(r + SUPPORT_X);
+    report_loads(i, r);
     ring.acceleration.to(r + AX);
     const auto contact =
         std::lower_bound(contacts_.begin(), contacts_.end(), atom->tag[i],
@@ -47,15 +43,29 @@ void FixBearingRing::gather_reports()
                 world);
 }
 
-double FixBearingRing::compute_vector(int k) { return compute_array(0, k); }
+void FixBearingRing::report_loads(int i, double *row) const
+{
+  using namespace bearing::of_fix_ring;
+  const RingProgram p = at_end(i);
+  axes_.lab(load_of(p, i)).to(row + LOAD_X);
+  if (p.supported) axes_.lab(p.support_force(read(i))).to(row + SUPPORT_X);
+}
+
+double FixBearingRing::compute_vector(int k) { return reported(0, k); }
 
 double FixBearingRing::compute_array(int row, int k)
 {
+  // rows of rings that joined the group come with the next run
+  return static_cast<size_t>(row) < tags_.size() ? reported(row, k) : 0.0;
+}
+
+double FixBearingRing::reported(int row, int k)
+{
   // before the first run, or after the pair style was replaced, there is nothing to tell
   if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
-  gather_reports();
-  // rows of rings that joined the group come with the next run
-  return static_cast<size_t>(row) < tags_.size() ? report_[row * size_vector + k] : 0.0;
+  if (reported_ != update->ntimestep) make_report();
+  reported_ = update->ntimestep;
+  return report_[row * size_vector + k];
 }
 
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const

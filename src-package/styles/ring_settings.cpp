@@ -10,8 +10,8 @@ namespace bearing {
 
 static const char *const lab[] = {"x", "y", "z"}, *const turn[] = {"rx", "ry", "rz"};
 
-RingWords::RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to) :
-    args_(args), axes_(axes), to_(to)
+RingWords::RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each) :
+    args_(args), axes_(axes), to_(to), each_(each)
 {
   for (int k = 0; k < 3; ++k) number_[axes_.lab_axis(k)] = k;
 }
@@ -35,7 +35,7 @@ void RingWords::read_freedom(const std::string &name, int dof)
   // as Freedom counts them
   mode = static_cast<Freedom>(args_.choice(name, {"fixed", "free", "speed", "position"}));
   if (mode == Freedom::speed || mode == Freedom::position)
-    to_.value[dof] = DrivenValue::read(args_, name, true);
+    to_.value[dof] = DrivenValue::read(args_, name, each_);
 }
 
 bool RingWords::take_freedom()
@@ -54,7 +54,7 @@ bool RingWords::take_freedom()
 
 void RingWords::read_vector(int first, const std::string &what)
 {
-  for (int k : number_) to_.value[first + k] = DrivenValue::read(args_, what, true);
+  for (int k : number_) to_.value[first + k] = DrivenValue::read(args_, what, each_);
 }
 
 void RingWords::read_inertia()

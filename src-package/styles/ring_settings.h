@@ -17,7 +17,8 @@ struct RingSettings {
 // Reads them, keyword by keyword.
 class RingWords {
  public:
-  RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to);
+  // each: a value may be another one for each ring
+  RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
   bool take();                  // a keyword and its values; false: the next word is none of these
   void check() const;           // after all words: what one needs of another
   std::string known() const;    // all keywords, for messages
@@ -34,6 +35,7 @@ class RingWords {
   Arguments &args_;
   raceway::LabAxes axes_;
   RingSettings &to_;
+  bool each_;
   int number_[3];    // of a lab axis, with the bearing axis third
 };
 

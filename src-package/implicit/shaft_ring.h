@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A shaft is a ring without raceways (RingProgram, RingPose) that carries rings: each is fixed to it
+// on its axis, `at` metres from its centre. So a carried ring has the axis, the angular velocity and
+// the turned angle of its shaft.
+#ifndef RACEWAY_SHAFT_RING_H
+#define RACEWAY_SHAFT_RING_H
+
+#include "ring_program.h"
+
+namespace raceway {
+
+inline Vec3 turning(const RingPose &r) { return r.across(); }
+inline Vec3 turning(const RingAtom &r) { return r.w; }
+
+// A ring on its shaft. The origin is the ring's own.
+template <class Place> Place carried(const Place &shaft, double at, const Vec3 &origin)
+{
+  Place ring = shaft;
+  ring.x += shaft.e * at;
+  ring.v += cross(turning(shaft), shaft.e) * at;
+  ring.origin = origin;
+  return ring;
+}
+
+// The shaft of a ring. At the start its axis was the bearing axis.
+template <class Place> Place shaft_of(const Place &ring, double at)
+{
+  Place shaft = ring;
+  shaft.x -= ring.e * at;
+  shaft.v -= cross(turning(ring), ring.e) * at;
+  shaft.origin.z -= at;
+  return shaft;
+}
+
+// About the shaft's centre: a moment, and a force that acts `at` metres along its axis.
+inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &force, const Vec3 &moment)
+{
+  return moment + cross(e * at, force);
+}
+
+// m/s^2, of a carried ring; push (N) and moment (N m) act at the shaft's centre. What is not free
+// has no acceleration of its own.
+inline Vec3 carried_acceleration(const RingProgram &p, const RingPose &shaft, double at,
+                                 const Vec3 &push, const Vec3 &moment)
+{
+  const Vec3 &e = shaft.e, W = shaft.across(), turn = cross(W, e);
+  Vec3 growth;
+  if (p.inertia.transverse > 0.0) {
+    const Vec3 across = moment - e * dot(moment, e);
+    growth = (across - turn * (p.inertia.axial * shaft.spin)) * (1.0 / p.inertia.transverse);
+  }
+  if (!p.free(RingProgram::TILT)) growth.x = 0.0;
+  if (!p.free(RingProgram::TILT + 1)) growth.y = 0.0;
+  return p.acceleration(push) + (cross(growth, e) + cross(W, turn)) * at;
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/shaft: the ring atoms of a group on one rigid shaft. It is a fix bearing/ring whose
+// rings move as one: freedoms, inertia and loads are those of the shaft. The shaft has no atom; it
+// is where its first ring says (implicit/shaft_ring.h).
+#ifdef FIX_CLASS
+FixStyle(bearing/shaft,FixBearingShaft)
+#else
+#ifndef LMP_FIX_BEARING_SHAFT_H
+#define LMP_FIX_BEARING_SHAFT_H
+
+#include "fix_bearing_ring.h"
+#include "shaft_settings.h"
+
+namespace LAMMPS_NS {
+
+class FixBearingShaft : public FixBearingRing {
+ public:
+  FixBearingShaft(class LAMMPS *, int, char **);
+  void init() override;
+  void setup(int) override;
+  double compute_vector(int) override;
+
+  bearing::tag_t shaft() const override { return tags_.front(); }
+  double place_on_shaft(int i) const override;
+
+ private:
+  // A ring, as its owner tells all ranks; components have the bearing axis third.
+  struct Ring {
+    bearing::tag_t tag;
+    double at;    // m, from the shaft's centre
+    raceway::RingAtom now;
+    raceway::Vec3 force, moment;    // of the atom
+    raceway::Vec3 contact[2];       // of balls and cage: force and moment
+  };
+  // The shaft and what acts at its centre.
+  struct Whole {
+    raceway::RingAtom shaft;
+    raceway::Vec3 push, moment;    // all that the atoms of the rings got
+    raceway::Vec3 contact[2];      // of balls and cage
+  };
+
+  void evaluate(int first, int last) override;
+  double mass_of_atom() const override;
+  void kick() override;
+  void coast() override;
+  void add_loads() override;
+  void hold(double half) override;
+  void note_accelerations() override;
+  void make_report() override;
+  void report_loads(int, double *) const override {}    // they are the shaft's
+
+  double centre() const;
+  void check_axis() const;
+  void check_places() const;
+  void check_gravity() const;
+  int first_ring() const;    // local index, -1: not here
+  std::vector<Ring> rings() const;
+  Whole whole() const;
+  void move_rings(const raceway::RingAtom &shaft);
+  void add_to_first(const raceway::RingAtom &shaft, const raceway::Vec3 &push,
+                    const raceway::Vec3 &moment);
+
+  bearing::ShaftSettings shaft_;
+  double middle_ = 0.0;          // m, along the axis: middle of its rings
+  raceway::RingAtom between_;    // the shaft between kick and coast
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Its place in the host's step: the shaft out of its rings and back, by velocity Verlet, and what
+// acts on it under either integrator.
+#include "fix_bearing_shaft.h"
+
+#include "../contacts/fix_columns.h"
+#include "../contacts/ring_motion.h"
+#include "../implicit/shaft_ring.h"
+#include "../ranks/gather.h"
+#include "fix_bearing_state.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using raceway::RingAtom;
+using raceway::RingPose;
+using raceway::RingProgram;
+using raceway::Vec3;
+
+int FixBearingShaft::first_ring() const
+{
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i) && atom->tag[i] == tags_.front()) return i;
+  return -1;
+}
+
+// All of them on all ranks, by tag.
+std::vector<FixBearingShaft::Ring> FixBearingShaft::rings() const
+{
+  std::vector<Ring> mine;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!moves(i)) continue;
+    Ring r = {atom->tag[i],
+              place_on_shaft(i),
+              read(i),
+              axes_.third(Vec3::from(atom->f[i])),
+              axes_.third(Vec3::from(atom->torque[i])),
+              {}};
+    for (const ContactLoad &c : contacts_)
+      if (c.ring == r.tag) {
+        r.contact[0] = axes_.third(c.force);
+        r.contact[1] = axes_.third(c.moment);
+      }
+    mine.push_back(r);
+  }
+  std::vector<Ring> all = bearing::gather_all(mine, world);
+  std::sort(all.begin(), all.end(), [](const Ring &a, const Ring &b) { return a.tag < b.tag; });
+  return all;
+}
+
+FixBearingShaft::Whole FixBearingShaft::whole() const
+{
+  const std::vector<Ring> all = rings();
+  Whole w;
+  w.shaft = shaft_of(all.front().now, all.front().at);
+  const Vec3 &e = w.shaft.e;
+  for (const Ring &r : all) {
+    w.push += r.force;
+    w.moment += moment_about_centre(e, r.at, r.force, r.moment);
+    w.contact[0] += r.contact[0];
+    w.contact[1] += moment_about_centre(e, r.at, r.contact[0], r.contact[1]);
+  }
+  return w;
+}
+
+void FixBearingShaft::move_rings(const RingAtom &shaft)
+{
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i))
+      write(i, raceway::carried(shaft, place_on_shaft(i), axes_.third(state_->ring(i).origin)));
+}
+
+// The atom of the first ring takes what acts on the shaft as a whole.
+void FixBearingShaft::add_to_first(const RingAtom &shaft, const Vec3 &push, const Vec3 &moment)
+{
+  const int i = first_ring();
+  if (i < 0) return;
+  axes_.lab(push).add_to(atom->f[i]);
+  axes_.lab(moment - cross(shaft.e * place_on_shaft(i), push)).add_to(atom->torque[i]);
+}
+
+void FixBearingShaft::kick()
+{
+  const Whole w = whole();
+  between_ = kicked(settings_.program, w.shaft, w.push, w.moment, 0.5 * update->dt * force->ftm2v);
+  move_rings(between_);
+}
+
+void FixBearingShaft::coast() { move_rings(coasted(at_end(now_), between_, update->dt)); }
+
+void FixBearingShaft::add_loads()
+{
+  const int i = first_ring();
+  if (i < 0) return;
+  const RingAtom shaft = shaft_of(read(i), place_on_shaft(i));
+  const RingProgram p = at_end(now_);
+  add_to_first(shaft, p.force_at(1.0, shaft.angle), p.moment_at(1.0, shaft));
+}
+
+void FixBearingShaft::hold(double half)
+{
+  if (!settings_.program.supported) return;
+  const Whole w = whole();
+  double on[RingProgram::SPIN];
+  support_of(settings_.program, w.shaft, w.push, w.moment, half, on);
+  add_to_first(w.shaft, {on[0], on[1], on[2]}, {on[3], on[4], 0.0});
+}
+
+static RingPose pose_of(const RingAtom &shaft)
+{
+  RingPose pose;
+  static_cast<raceway::RingPlace &>(pose) = shaft;
+  pose.set_angular_velocity(shaft.w);
+  return pose;
+}
+
+void FixBearingShaft::note_accelerations()
+{
+  const Whole w = whole();
+  const RingProgram p = at_end(now_);
+  const RingPose shaft = pose_of(w.shaft);
+  // not from the torques of the atoms: gravity there pulls at the rings
+  Vec3 moment = w.contact[1] + p.moment_at(1.0, shaft);
+  if (p.supported) moment += p.support_moment(shaft, shaft.rate[0], shaft.rate[1]);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i))
+      state_->ring(i).acceleration =
+          axes_.lab(carried_acceleration(p, shaft, place_on_shaft(i), w.push, moment));
+}
+
+double FixBearingShaft::compute_vector(int k)
+{
+  return reported(static_cast<int>(tags_.size()), k);
+}
+
+// A row for every ring, then one for the shaft.
+void FixBearingShaft::make_report()
+{
+  FixBearingRing::make_report();
+  using namespace bearing::of_fix_ring;
+  const Whole w = whole();
+  const RingProgram p = at_end(now_);
+  const RingPose shaft = pose_of(w.shaft);
+  double r[N] = {};
+  axes_.lab(shaft.x - shaft.origin).to(r + X);
+  axes_.lab(shaft.v).to(r + VX);
+  raceway::tilt_of(shaft.e, r + TILT1);
+  r[SPIN] = shaft.spin;
+  r[ANGLE] = shaft.angle;
+  axes_.lab(w.contact[0]).to(r + FX);
+  axes_.lab(w.contact[1]).to(r + MX);
+  r[TORQUE] = dot(w.contact[1], shaft.e);
+  axes_.lab(p.force_at(1.0, shaft.angle)).to(r + LOAD_X);
+  if (p.supported) axes_.lab(p.support_force(shaft)).to(r + SUPPORT_X);
+  axes_.lab(p.acceleration(w.push)).to(r + AX);
+  report_.insert(report_.end(), r, r + N);
+}
