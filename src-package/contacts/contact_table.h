@@ -6,6 +6,7 @@
 #define BEARING_CONTACT_TABLE_H
 
 #include "../physics/contact.h"
+#include "../physics/profiled_contact.h"
 #include "bearing_compat.h"
 
 #include <vector>
@@ -18,8 +19,9 @@ struct RacewayContact {
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
   int claim = -1;                  // in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
-  double *kept = nullptr;         // what the law keeps of it from step to step
-  bool live = false;              // surfaces overlap
+  const raceway::RacewayProfile *profile = nullptr;    // where it is not a torus
+  double *kept = nullptr;                              // what the law keeps of it from step to step
+  bool live = false;                                   // surfaces overlap
   raceway::ContactState state;    // of this step; beyond the frame only where live
   // where the pair style looks at gaps: rad/s, of the ball about the ring; and without contact the
   // state has frame, overlap and entrainment speed

@@ -15,6 +15,7 @@
 #include "../styles/fix_bearing_checkpoint.h"
 #include "../styles/fix_bearing_circuit.h"
 #include "../styles/fix_bearing_implicit.h"
+#include "../styles/fix_bearing_profile.h"
 #include "../styles/fix_bearing_progress.h"
 #include "../styles/fix_bearing_record.h"
 #include "../styles/fix_bearing_ring.h"
@@ -36,6 +37,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingCage>("bearing/cage");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");
   add.template fix<FixBearingCircuit>("bearing/circuit");
+  add.template fix<FixBearingProfile>("bearing/profile");
   add.template fix<FixBearingProgress>("bearing/progress");
   add.template fix<FixBearingRecord>("bearing/record");
   add.template fix<FixBearingTimestep>("bearing/timestep");

@@ -57,7 +57,7 @@ void BearingBodies::place()
     }
     const int end = static_cast<int>(groups.size());
     for (const BearingModel::Groove &g : model.grooves)
-      if (g.body == row[0]) tracks.push_back({g.ring, first, end, g.physics});
+      if (g.body == row[0]) tracks.push_back({g.ring, first, end, g.physics, g.profile});
     for (const BearingModel::Seat &s : model.seats)
       if (s.body == row[0]) rail_tracks.push_back({s.ring, first, end, s.rails, s.stiffness});
   }

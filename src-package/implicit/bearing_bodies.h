@@ -60,6 +60,7 @@ class BearingBodies {
   struct Track {    // groups of balls on one raceway
     int ring, first, end;
     const RacewayPhysics *physics;
+    const RacewayProfile *profile;
   };
   struct RailTrack {    // groups of cage balls on the rails of one ring
     int ring, first, end;

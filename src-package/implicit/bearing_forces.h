@@ -51,6 +51,8 @@ class BearingForces {
   // What contacts keep, after a correction that came from the last evaluation (kept_follow.h).
   // False: it changes by more than a contact's spring does over `exact`, m.
   bool follow(double exact);
+  // How long a step from here may be for the flaws of the raceways, s.
+  double longest_step() const;
 
   int body() const { return body_; }                           // that a failure is about, or -1
   double power_lost() const { return power_lost_; }            // W, in contacts
@@ -70,6 +72,7 @@ class BearingForces {
   BearingSystem &system_;
   double power_lost_ = 0.0, contact_energy_ = 0.0;
   int body_ = -1;
+  ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
   std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
   std::vector<Place> place_;               // lab, by slot; only bodies with pockets
   std::vector<char> in_pocket_;            // groups

@@ -6,6 +6,7 @@
 #define RACEWAY_BEARING_MODEL_H
 
 #include "../physics/contact.h"
+#include "../physics/profiled_contact.h"
 #include "../physics/rail.h"
 #include "ring_program.h"
 
@@ -35,6 +36,7 @@ struct BearingModel {
   struct Groove {    // a ball that may touch a raceway
     int body, ring;
     const RacewayPhysics *physics;
+    const RacewayProfile *profile = nullptr;    // where it is not a torus
   };
   struct Pocket {    // two bodies that may touch, as spheres
     int a, b;

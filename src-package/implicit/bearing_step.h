@@ -84,6 +84,9 @@ class BearingStep {
   void load_states(const double *values) { bodies_.load_states(values); }
   void store_states(double *values) const { bodies_.store_states(values); }
 
+  // s, that a step from here may take for the flaws of the raceways (physics/raceway_profile.h)
+  double longest_step() const { return forces_.longest_step(); }
+
   // From share s0 to share s1 of the host's step, h seconds. Nothing has moved until accept().
   Outcome step(const Settings &, double h, double s0, double s1);
   // Failure of the contacts at an instant within the step (bearing_instants.h), which ends the run.

@@ -14,6 +14,7 @@ namespace raceway {
 struct alignas(32) KeptSlopes {    // of four contacts, from the last evaluation with derivatives
   Vec3L normal, along, across,
       lever;         // lever: from the centre of the ring or its shaft to the contact, m
+  Lane slope;        // of a profile along the path (profiled_contact.h)
   Lane stiffness;    // N/m, of the elastic contact
   LaneMask live;     // of the last evaluation
   Lane of[most_states > 0 ? most_states : 1][6];

@@ -14,10 +14,13 @@ namespace raceway {
 template <int n>
 static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int group,
                                       const RingBody &ring, double R, const Vec3L &d,
-                                      const Vec3L &e, const ScaledSlopes<n> &s)
+                                      const Vec3L &e, const ScaledSlopes<n> &s,
+                                      const ProfiledContactT<Lane> *on)
 {
   Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
   ball_rows(s, R, row);
+  if (on)
+    for (int k = 0; k < 3; ++k) row[0][k] -= on->slope * row[1][k];
   for (int k = 0; k < 6; ++k) {
     Lane motion[n];
     for (int i = 0; i < n; ++i) motion[i] = row[i][k];
@@ -41,6 +44,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     m[0] = dot(s.normal, v);
     m[1] = dot(s.along, v);
     m[2] = dot(s.across, v);
+    if (on) m[0] -= on->slope * dot(s.along, motion_of(dof, g.now, e, d));
     if constexpr (n == 6) {
       const Vec3L w = rotation_of(dof, g.now, e);
       m[3] = dot(s.normal, w);
@@ -65,6 +69,60 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
       for (int i = 1; i < n; ++i) a += motions[o][i] * force[i];
       system.D(ring.unknown[dofs[o]], u) += sum(a);
     }
+  }
+}
+
+// What a profile adds to the matrix beyond the slope in its rows: the slope changes along the path
+// of the ball's centre. h2 (s^2) is 0 where nothing touches.
+static void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
+                        const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
+                        const Lane &h2, const ProfiledContactT<Lane> &on)
+{
+  const Lane cross = h2 * on.cross, side = h2 * (on.side - c.normal * on.bend);
+  const Vec3L along = c.t, approach = c.u * c.nu + e * c.ne - along * on.slope;
+  Lane G[3], t[3];
+  approach.to(G);
+  along.to(t);
+  for (int m = 0; m < 3; ++m)
+    for (int k = 0; k < 3; ++k)
+      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
+  if (!ring.loose) return;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    const int u = ring.unknown[dof];
+    if (u < 0) continue;
+    const Vec3L v = motion_of(dof, g.now, e, d);
+    const Lane path = dot(along, v), near = dot(approach, v), force_G = cross * path,
+               force_t = cross * near + side * path;
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < 3; ++k) {
+      const Lane both = G[k] * force_G + t[k] * force_t;
+      B[k] -= both;
+      C[k] -= both;
+    }
+    for (int o = 0; o < RingProgram::N_DOF; ++o) {
+      if (ring.unknown[o] < 0) continue;
+      const Vec3L w = motion_of(o, g.now, e, d);
+      system.D(ring.unknown[o], u) += sum(dot(approach, w) * force_G + dot(along, w) * force_t);
+    }
+  }
+}
+
+static void look_at_profile(const BearingBodies::Track &track, const LaneFrame &f,
+                            const RingPose &ring, const ContactStateT<Lane> &c,
+                            ProfiledContactT<Lane> &on)
+{
+  const Vec3L u = f.lab(c.u);
+  for (int i = 0; i < lanes; ++i) {
+    const ProfiledContact one =
+        profiled(*track.profile, *track.physics, std::atan2(u.y[i], u.x[i]) - ring.angle, c.r[i],
+                 c.overlap[i]);
+    on.overlap[i] = one.overlap;
+    on.slope[i] = one.slope;
+    on.bend[i] = one.bend;
+    on.energy[i] = one.energy;
+    on.follows[i] = one.follows;
+    on.cross[i] = one.cross;
+    on.side[i] = one.side;
   }
 }
 
@@ -97,6 +155,10 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       ContactStateT<Lane> c;
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
+      if (track.profile) {
+        look_at_profile(track, f, ring.now, c, on_);
+        c.overlap = on_.overlap;
+      }
       // what is not a number must not pass for a gap
       LaneMask live = g.used & ~(c.overlap <= -p.reach);
       Lane unused[L::states > 0 ? L::states : 1];
@@ -133,6 +195,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         if (!any(live)) continue;
         c.overlap = where(live, c.overlap, 1e-9);
       }
+      if (track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);
       LawStates<Lane> memory;
       if constexpr (L::states > 0) {
         BearingBodies::States &kept = b_.kept[contact];
@@ -154,6 +217,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
           b_.kept_slopes[contact].live = live;
         }
       ContactForcesT<Lane> q = assemble<L::couples>(p, r.e, c);
+      if (track.profile) push_along(on_.slope, r.e, c, q);
       for (Vec3L *v : {&q.force, &q.ball_torque, &q.ring_torque})
         *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
       ring.force_lanes -= f.lab(q.force);
@@ -169,6 +233,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       if (stage.evaluate == Evaluate::only) {
         power_lost_ += sum(where(live, L::loss(c), 0.0));
         contact_energy_ += sum(where(live, L::energy(p, c), 0.0));
+        if (track.profile) contact_energy_ += sum(where(live, on_.energy, 0.0));
         continue;
       }
       g.rhs[0] += stage.h * q.force.x;
@@ -184,8 +249,14 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         g.damper += where(live, c.damping, 0.0);
         ring.spring += sum(spring);
       }
+      if (track.profile) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
       const auto s = scaled(stage.h, stage.follows(), c, r.e, live, slopes);
-      add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e, s);
+      add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e, s,
+                 track.profile ? &on_ : nullptr);
+      if (track.profile) {
+        const Lane h2 = where(live, all_lanes(stage.h * stage.follows()), 0.0);
+        add_profile(system_, g, k, ring, d, r.e, c, h2, on_);
+      }
       if constexpr (L::states > 0) {
         KeptSlopes &kept = b_.kept_slopes[contact];
         kept.stiffness = c.stiffness;
@@ -193,6 +264,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         kept.along = s.along;
         kept.across = s.across;
         kept.lever = lever_of(ring, r.e, d + s.normal * p.groove.ball_radius);
+        if (track.profile) kept.slope = on_.slope;
         for (int m = 0; m < L::states; ++m)
           for (int i = 0; i < L::motions; ++i) kept.of[m][i] = where(live, slopes.state[m][i], 0.0);
       }
@@ -209,6 +281,26 @@ RACEWAY_LANES Failure BearingForces::all_raceways(const Stage &stage)
     if constexpr (!L::explicit_step) failure = raceways<L>(stage);
   });
   return failure;
+}
+
+// At the present state.
+double BearingForces::longest_step() const
+{
+  double longest = HUGE_VAL;
+  for (const BearingBodies::Track &track : b_.tracks) {
+    if (!track.profile) continue;
+    const RingPose &ring = b_.rings[track.ring].from;
+    const double a[] = {ring.x.x - b_.centre.x, ring.x.y - b_.centre.y};
+    for (int k = track.first; k < track.end; ++k)
+      for (int i = 0; i < lanes; ++i) {
+        const BodyGroup &g = b_.groups[k];
+        const LaneFrame &f = g.from;
+        const double phi = std::atan2(f.r[i] * f.s[i] - a[1], f.r[i] * f.c[i] - a[0]);
+        longest = std::fmin(longest, track.profile->longest_step(
+                                         phi - ring.angle, g.v_from.y[i] / f.r[i] - ring.spin));
+      }
+  }
+  return longest;
 }
 
 RACEWAY_LANES bool BearingForces::follow(double exact)
@@ -234,6 +326,10 @@ RACEWAY_LANES bool BearingForces::follow(double exact)
           s, radius,
           {Vec3L::from(g.rhs), Vec3L::from(g.rhs + 3), g.now.local(ring_v), g.now.local(ring_w)},
           motion);
+      if (track.profile)
+        motion[0] -=
+            s.slope * dot(s.along, Vec3L::from(g.rhs) - g.now.local(ring_v) -
+                                       cross(g.now.local(ring_w), s.lever - s.normal * radius));
       for (int m = 0; m < b_.states(); ++m) {
         Lane change = s.of[m][0] * motion[0];
         for (int i = 1; i < 6; ++i) change += s.of[m][i] * motion[i];

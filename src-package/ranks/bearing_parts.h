@@ -39,6 +39,8 @@ struct BearingSources {
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
+  std::function<const raceway::RacewayProfile *(tag_t ring, const raceway::RacewayPhysics *)>
+      profile;                                  // of a raceway, or null; need not be given
   std::function<RingMotion &(int i)> motion;    // of a ring
 };
 

@@ -211,6 +211,9 @@ void FixBearingImplicit::build()
   sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
   sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
   sources.raceway = [this](int ball, int ring, int) { return pair_->raceway(ball, ring); };
+  sources.profile = [this](tag_t ring, const raceway::RacewayPhysics *p) {
+    return pair_->profile(ring, p);
+  };
   raceway::with_law(pair_->law(), [&](auto law) { sources.states = decltype(law)::states; });
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
@@ -277,9 +280,12 @@ void FixBearingImplicit::advance(Part &p)
   double done = 0.0;
   while (done < whole) {
     const double left = whole - done;
+    // the edge of a flaw is an event: a step ends there, and over it steps are short
+    const double flaws = p.bearing->longest_step();
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
-    const bool last = pieces <= 1.0;
-    const double h = last ? left : left / pieces;
+    const double free = pieces <= 1.0 ? left : left / pieces;
+    const bool held = flaws < std::min(free, 0.99 * left), last = !held && pieces <= 1.0;
+    const double h = held ? flaws : free;
     p.outcome = p.bearing->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
     const BearingStep::Outcome &o = p.outcome;
     corrections_ += o.corrections;
@@ -301,7 +307,8 @@ void FixBearingImplicit::advance(Part &p)
     worst_ = std::max(worst_, o.error);
     // grow back where Newton had an easy time
     const double grow = std::min(2.0, std::max(0.5, fit));
-    if (o.corrections <= settings.corrections && (grow < 1.0 || !last || h > 0.99 * p.step))
+    if (o.corrections <= settings.corrections &&
+        (grow < 1.0 || (!held && (!last || h > 0.99 * p.step))))
       p.step = std::min(grow * h, whole);
     done = last ? whole : done + h;
   }

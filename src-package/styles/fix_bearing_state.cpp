@@ -5,6 +5,7 @@
 #include "../deck/arguments.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
+#include "fix_bearing_profile.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
@@ -21,7 +22,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
 {
   restart_peratom = 1;
   create_attribute = 1;
-  comm_forward = 4;
+  comm_forward = 5;
   nevery = 10;    // how often contacts are looked at, and a hundredth as often the step
   BRG_SET_MAXEXCHANGE(packed_size);
   grow_arrays(atom->nmax);
@@ -54,6 +55,8 @@ void FixBearingState::init()
   axes_turn_ = false;
   for (const FixBearingRing *r : bearing::fixes_of<FixBearingRing>(lmp))
     axes_turn_ = axes_turn_ || r->tilts();
+  for (const FixBearingProfile *f : bearing::fixes_of<FixBearingProfile>(lmp))
+    axes_turn_ = axes_turn_ || f->departs();
 }
 
 // Last of the fixes: put back the forces of the step before, if this run continues it.
@@ -231,17 +234,19 @@ int FixBearingState::maxsize_restart() { return packed_size; }
 int FixBearingState::BRG_PACK_FORWARD(int n, int *list, double *buf, int, int *)
 {
   for (int k = 0; k < n; ++k) {
-    per_atom_[list[k]].ring.axis.to(buf + 4 * k);
-    buf[4 * k + 3] = owner(list[k]);
+    per_atom_[list[k]].ring.axis.to(buf + 5 * k);
+    buf[5 * k + 3] = owner(list[k]);
+    buf[5 * k + 4] = per_atom_[list[k]].ring.angle;
   }
-  return BRG_COMM_RETURN(4 * n, 4);
+  return BRG_COMM_RETURN(5 * n, 5);
 }
 
 void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 {
   for (int k = 0; k < n; ++k) {
-    per_atom_[first + k].ring.axis = Vec3::from(buf + 4 * k);
-    per_atom_[first + k].owner = static_cast<int>(buf[4 * k + 3]);
+    per_atom_[first + k].ring.axis = Vec3::from(buf + 5 * k);
+    per_atom_[first + k].owner = static_cast<int>(buf[5 * k + 3]);
+    per_atom_[first + k].ring.angle = buf[5 * k + 4];
   }
 }
 

@@ -44,10 +44,11 @@ class FixBearingState : public Fix {
   void post_run() override;
 
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
+  double angle(int i) const { return per_atom_[i].ring.angle; }    // rad, of ghosts too
   RingMotion &ring(int i) { return per_atom_[i].ring; }
   // What the contact law keeps of a ball in a groove; new ones start at 0.
   double *kept(int i_ball, bearing::tag_t ring, int groove);
-  void forward_axes();    // and owners, of rings to ghosts, once a step
+  void forward_axes();    // and angles and owners, of rings to ghosts, once a step
   int owner(int i) const
   {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
@@ -96,7 +97,7 @@ class FixBearingState : public Fix {
   PairBearingHertz *pair_;
   double reach_ = 0.0;
   bigint axes_sent_ = -1;    // step
-  bool axes_turn_ = true;    // some ring may tilt in this run
+  bool axes_turn_ = true;    // some ring may tilt in this run, or its angle matters
   bool warned_ = false, explicit_step_ = true;
 };
 

@@ -40,13 +40,15 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
   const double dt = advance ? update->dt : 0.0;
   BallState ball;
   RingState ring;
+  ProfiledContact on;
   for (RacewayContact &c : table_.raceway) {
     const RacewayPhysics &p = *c.raceway;
     ball.x = Vec3::from(x[c.i_ball]);
     ring.x = Vec3::from(x[c.i_ring]);
     ring.e = state_->axis(c.i_ring);
     const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
-    c.live = touch(p, ball.x - ring.x, ring.e, c.state);
+    c.live = c.profile ? touch_profile(c, ball.x - ring.x, ring.e, on)
+                       : touch(p, ball.x - ring.x, ring.e, c.state);
     if (c.live) {
       if (!(c.state.overlap < p.largest_overlap)) lost(c);
       ball.v = Vec3::from(v[c.i_ball]);
@@ -56,6 +58,7 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
       c.live = !approach<L>(p, ball, ring, c.state);
     }
     if (gaps_) look_at_gap(c);
+    if (c.live && c.profile) c.state.overlap_rate -= on.slope * passing_speed(ball, ring, c.state);
     if (!c.live) {
       if (keeps) std::fill(c.kept, c.kept + L::states, 0.0);
       continue;
@@ -63,7 +66,8 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     double after[L::states > 0 ? L::states : 1];
     const LawStates<double> memory = {keeps ? dt : 0.0, c.kept, after};
     L::act(p, p.law.at(c.state.cos_angle), memory, c.state);
-    const ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
+    ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
+    if (c.profile) push_along(on.slope, ring.e, c.state, forces);
     if (keeps) std::copy(after, after + L::states, c.kept);
     if (!std::isfinite(c.state.normal)) lost(c);
     forces.force.add_to(f[c.i_ball]);
@@ -72,10 +76,25 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     if (tally) {
       const Vec3 d = ball.x - ring.x;
       // only this rank sees the pair: count it whole (newton = 1)
-      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? L::energy(p, c.state) : 0.0,
-                   0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
+      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
+                   eflag_either ? L::energy(p, c.state) + (c.profile ? on.energy : 0.0) : 0.0, 0.0,
+                   forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
     }
   }
+}
+
+// As touch(), with what the profile leaves of the overlap.
+bool PairBearingHertz::touch_profile(RacewayContact &c, const Vec3 &d, const Vec3 &e,
+                                     ProfiledContact &on)
+{
+  ContactState &s = c.state;
+  locate(d, e, c.raceway->centre_circle, s);
+  s.overlap = s.s - c.raceway->slack;
+  const Vec3 u = LabAxes{axis_}.third(s.u);
+  on = profiled(*c.profile, *c.raceway, std::atan2(u.y, u.x) - state_->angle(c.i_ring), s.r,
+                s.overlap);
+  s.overlap = on.overlap;
+  return !(s.overlap <= -c.raceway->reach);
 }
 
 // Place and motion of a ball on a raceway, whether they touch or not.
@@ -88,8 +107,10 @@ void PairBearingHertz::look_at_gap(RacewayContact &c)
   const RingState ring = {centre, Vec3::from(atom->v[c.i_ring]), Vec3::from(atom->omega[c.i_ring]),
                           state_->axis(c.i_ring)};
   if (!c.live) {
-    locate(ball.x - centre, ring.e, c.raceway->centre_circle, s);
-    s.overlap = s.s - c.raceway->slack;
+    if (!c.profile) {
+      locate(ball.x - centre, ring.e, c.raceway->centre_circle, s);
+      s.overlap = s.s - c.raceway->slack;
+    }
     find_motions<false>(*c.raceway, ball, ring, s);
   }
   c.orbit = dot(ball.v - ring.v, s.t) / s.r;

@@ -36,6 +36,7 @@ void PairBearingHertz::rebuild_contacts()
           continue;
         c.ball = atom->tag[c.i_ball];
         c.ring = atom->tag[c.i_ring];
+        if (!profiles_.empty()) c.profile = profile(c.ring, c.raceway);
         table_.raceway.push_back(c);
         continue;
       }

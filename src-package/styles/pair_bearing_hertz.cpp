@@ -163,6 +163,26 @@ const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type) co
   return it == raceways_.end() ? nullptr : &it->second;
 }
 
+std::vector<const RacewayPhysics *> PairBearingHertz::raceways_of(int ring_type) const
+{
+  std::vector<const RacewayPhysics *> list;
+  for (const auto &r : raceways_)
+    if (r.first.second == ring_type) list.push_back(&r.second);
+  return list;
+}
+
+void PairBearingHertz::add_profile(bearing::tag_t ring, const RacewayPhysics &p,
+                                   const ProfileShape &shape)
+{
+  profiles_.emplace(std::make_pair(ring, &p), RacewayProfile(shape, p));
+}
+
+const RacewayProfile *PairBearingHertz::profile(bearing::tag_t ring, const RacewayPhysics *p) const
+{
+  const auto it = profiles_.find({ring, p});
+  return it == profiles_.end() ? nullptr : &it->second;
+}
+
 bool PairBearingHertz::smooth_friction(double creep)
 {
   bool changed = false;
@@ -206,6 +226,7 @@ void PairBearingHertz::init_style()
   check_rings();
   check_ghosts();
   check_cages();
+  profiles_.clear();    // fixes bearing/profile give them again
   atoms_ = count_atoms();
   put_state_last();
   rebuild_ = true;

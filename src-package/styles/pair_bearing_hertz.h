@@ -64,6 +64,14 @@ class PairBearingHertz : public Pair {
   }    // counts how often local indices in the table changed
   bigint table_fill() const { return fills_; }    // counts how often it was filled
 
+  // Profiles of the raceways, by ring: given anew in every init of the fixes.
+  void add_profile(bearing::tag_t ring, const raceway::RacewayPhysics &,
+                   const raceway::ProfileShape &);
+  const raceway::RacewayProfile *profile(bearing::tag_t ring,
+                                         const raceway::RacewayPhysics *) const;
+  // Raceways of a ring type.
+  std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
+
   // The words of pair_style and of every pair_coeff.
   const std::vector<std::vector<std::string>> &said() const { return said_; }
 
@@ -94,6 +102,8 @@ class PairBearingHertz : public Pair {
   template <class L, bool tally> void raceway_forces();
   void sphere_forces(bool tally);
   void look_at_gap(bearing::RacewayContact &);
+  bool touch_profile(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e,
+                     raceway::ProfiledContact &);
   [[noreturn]] void lost(const bearing::RacewayContact &);
 
   raceway::RacewayPhysics defaults_;
@@ -109,6 +119,9 @@ class PairBearingHertz : public Pair {
 
   // the words of every command so far: what a restart file keeps and replays
   std::vector<std::vector<std::string>> said_;
+
+  std::map<std::pair<bearing::tag_t, const raceway::RacewayPhysics *>, raceway::RacewayProfile>
+      profiles_;
 
   bearing::ContactTable table_;
   bearing::RingSum ring_sum_;

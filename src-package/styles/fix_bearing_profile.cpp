@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_profile.h"
+
+#include "../deck/arguments.h"
+#include "../ranks/gather.h"
+#include "fix_bearing_ring.h"
+#include "fix_bearing_state.h"
+#include "fixes.h"
+#include "pair_bearing_hertz.h"
+
+#include <fstream>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+using bearing::Arguments;
+using bearing::name_of;
+using bearing::text;
+using raceway::NotchShape;
+using raceway::PeriodicCurve;
+using raceway::ProfileShape;
+using raceway::RacewayPhysics;
+using raceway::Wave;
+
+static constexpr int most_points = 1000000;    // of a table
+
+// fix ID group bearing/profile [groove K] [notch AZIMUTH LENGTH WIDTH|full DEPTH EDGE] ...
+// [wave ORDER AMPLITUDE PHASE] ... [file NAME] ..., or none
+FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  PairBearingHertz::find(lmp, "fix bearing/profile");
+  Arguments args(lmp, std::string("fix ") + id + " bearing/profile", narg, arg, 3);
+  if (args.take("none")) {
+    if (args.more()) args.fail("'none' stands alone: a raceway without flaws");
+    return;
+  }
+  while (args.more()) {
+    if (args.take("groove")) groove_ = args.integer("groove", 0, FixBearingState::max_grooves - 1);
+    else if (args.take("notch")) shape_.notches.push_back(read_notch(args));
+    else if (args.take("wave")) shape_.waves.push_back(read_wave(args));
+    else if (args.take("file")) shape_.tables.push_back(read_table(args));
+    else args.unknown("groove, notch, wave, file, none");
+  }
+  if (!departs()) args.fail("a profile needs 'notch', 'wave', 'file' or 'none'");
+}
+
+NotchShape FixBearingProfile::read_notch(Arguments &args) const
+{
+  NotchShape n;
+  n.azimuth = args.within("azimuth of the notch (rad)", -7.0, 7.0);
+  n.length = args.within("length of the notch (m)", 1e-6, 1.0);
+  n.width = args.take("full") ? HUGE_VAL : args.within("width of the notch (m)", 1e-6, 1.0);
+  n.depth = args.within("depth of the notch (m)", 1e-9, 1.0);
+  n.edge = args.within("edge of the notch (m)", 1e-7, 1e-2);
+  return n;
+}
+
+Wave FixBearingProfile::read_wave(Arguments &args) const
+{
+  Wave w;
+  w.order = args.integer("order of the wave", 1, 10000);
+  w.amplitude = args.within("amplitude of the wave (m)", 0.0, 1e-2);
+  w.phase = args.number("phase of the wave (rad)");
+  return w;
+}
+
+// Lines "azimuth depth", in rad and m, at even distances over one turn; # begins a comment.
+PeriodicCurve FixBearingProfile::read_table(Arguments &args) const
+{
+  const std::string name = args.word("file");
+  std::vector<double> values;    // azimuth, depth, ...
+  std::string wrong;
+  if (comm->me == 0) {
+    std::ifstream in(name);
+    if (!in) wrong = "cannot read '" + name + "'";
+    std::string line;
+    for (int n = 1; wrong.empty() && std::getline(in, line); ++n) {
+      std::istringstream words(line.substr(0, line.find('#')));
+      double azimuth, depth;
+      std::string rest;
+      if (!(words >> azimuth)) {
+        words.clear();
+        if (words >> rest)
+          wrong =
+              "'" + name + "' line " + std::to_string(n) + ": '" + rest + "' is no azimuth (rad)";
+        continue;
+      }
+      if (!(words >> depth) || words >> rest || !(std::fabs(depth) <= 1e-2))
+        wrong = "'" + name + "' line " + std::to_string(n) +
+                ": needs an azimuth (rad) and a depth (m) within -0.01 and 0.01";
+      values.push_back(azimuth);
+      values.push_back(depth);
+    }
+    const int n = static_cast<int>(values.size() / 2);
+    if (wrong.empty() && (n < 8 || n > most_points))
+      wrong = "'" + name + "' has " + std::to_string(n) + " points, must have 8 to " +
+              std::to_string(most_points);
+    for (int k = 0; wrong.empty() && k < n; ++k)
+      if (!(std::fabs(values[2 * k] - values[0] - 2.0 * M_PI * k / n) < 0.01 * 2.0 * M_PI / n))
+        wrong = "'" + name + "' point " + std::to_string(k + 1) + " is at " + text(values[2 * k]) +
+                " rad, must be at " + text(values[0] + 2.0 * M_PI * k / n) +
+                ": the points lie at even distances over one turn";
+  }
+  int size[] = {static_cast<int>(wrong.size()), static_cast<int>(values.size())};
+  MPI_Bcast(size, 2, MPI_INT, 0, world);
+  if (size[0]) {
+    wrong.resize(size[0]);
+    MPI_Bcast(&wrong[0], size[0], MPI_CHAR, 0, world);
+    args.fail(wrong);
+  }
+  values.resize(size[1]);
+  MPI_Bcast(values.data(), size[1], MPI_DOUBLE, 0, world);
+  std::vector<double> depth(values.size() / 2);
+  for (size_t k = 0; k < depth.size(); ++k) depth[k] = values[2 * k + 1];
+  return PeriodicCurve(values[0], depth);
+}
+
+// Of the group, of all ranks.
+std::vector<FixBearingProfile::Ring> FixBearingProfile::rings(PairBearingHertz &pair) const
+{
+  std::vector<Ring> mine;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (!pair.is_ring_type(atom->type[i]))
+      BRG_ONE(name_of(*this) + ": atom " + std::to_string(atom->tag[i]) + " of group " +
+              group->names[igroup] + " is of type " + std::to_string(atom->type[i]) +
+              ", which no pair_coeff names as a ring");
+    bool alone = norm(raceway::Vec3::from(atom->omega[i])) > 0.0;
+    for (const FixBearingRing *r : bearing::fixes_of<FixBearingRing>(lmp))
+      alone = alone && !r->moves(i);
+    mine.push_back({atom->tag[i], atom->type[i], alone});
+  }
+  return bearing::gather_all(mine, world);
+}
+
+// What a ball can follow of it.
+void FixBearingProfile::check(const RacewayPhysics &p) const
+{
+  const double R = p.groove.raceway_radius, rolling = p.rolling_radius(1.0);
+  for (const NotchShape &n : shape_.notches) {
+    if (!(n.length < M_PI * R))
+      BRG_ALL(name_of(*this) + ": length of the notch (m) is " + text(n.length) +
+              ", must be below half the raceway's circumference, " + text(M_PI * R));
+    const double most = std::min(0.5 * n.length, std::sqrt(2.0 * rolling * n.depth));
+    if (!(n.edge < most))
+      BRG_ALL(name_of(*this) + ": edge of the notch (m) is " + text(n.edge) + ", must be below " +
+              text(most) + ": half the length, or where a ball reaches the bottom");
+  }
+  for (const Wave &w : shape_.waves) {
+    const double most = 0.1 * R * R / (double(w.order) * w.order * rolling);
+    if (!(w.amplitude < most))
+      BRG_ALL(name_of(*this) + ": amplitude of the wave (m) of order " + std::to_string(w.order) +
+              " is " + text(w.amplitude) + ", must be below " + text(most) +
+              ": a tenth of the ball's curvature");
+  }
+}
+
+void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shape,
+                                   const RacewayPhysics &p) const
+{
+  const std::vector<NotchShape> &all = shape.notches;
+  for (size_t i = 0; i < all.size(); ++i)
+    for (size_t k = i + 1; k < all.size(); ++k) {
+      if (all[i].width == HUGE_VAL || all[k].width == HUGE_VAL) continue;
+      const double apart = std::fabs(std::remainder(all[i].azimuth - all[k].azimuth, 2.0 * M_PI)) *
+                           p.groove.raceway_radius;
+      if (apart < 0.5 * (all[i].length + all[k].length))
+        BRG_ALL(name_of(*this) + ": two notches with a width overlap on ring " +
+                std::to_string(ring) + ", at " + text(all[i].azimuth) + " and " +
+                text(all[k].azimuth) + " rad; give the longer one width 'full', or one notch");
+    }
+}
+
+// The first of the fixes tells the pair style what they all add up to.
+void FixBearingProfile::init()
+{
+  const std::vector<FixBearingProfile *> all = bearing::fixes_of<FixBearingProfile>(lmp);
+  if (all.front() != this) return;
+  PairBearingHertz &pair = *PairBearingHertz::find(lmp, "fix bearing/profile");
+  std::map<bearing::tag_t, std::map<const RacewayPhysics *, ProfileShape>> sums;
+  for (const FixBearingProfile *f : all) {
+    if (!f->departs()) continue;
+    const std::vector<Ring> rings = f->rings(pair);
+    if (rings.empty())
+      BRG_ALL(name_of(*f) + ": missing ring, group " + group->names[f->igroup] + " is empty");
+    for (const Ring &r : rings) {
+      if (r.turns_alone)
+        BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) +
+                " spins without a fix bearing/ring, which counts its angle");
+      bool found = false;
+      for (const RacewayPhysics *p : pair.raceways_of(r.type)) {
+        if (p->number != f->groove_) continue;
+        found = true;
+        f->check(*p);
+        ProfileShape &s = sums[r.tag][p];
+        const ProfileShape &own = f->shape_;
+        s.notches.insert(s.notches.end(), own.notches.begin(), own.notches.end());
+        s.waves.insert(s.waves.end(), own.waves.begin(), own.waves.end());
+        s.tables.insert(s.tables.end(), own.tables.begin(), own.tables.end());
+        f->check_pits(r.tag, s, *p);
+      }
+      if (!found)
+        BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) + " has no groove " +
+                std::to_string(f->groove_));
+    }
+  }
+  for (const auto &ring : sums)
+    for (const auto &one : ring.second) pair.add_profile(ring.first, *one.first, one.second);
+}

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A ball over flaws of an outer raceway, against the path of a rigid ball and the balance of
+energy."""
+
+import re
+
+import numpy as np
+import pytest
+from host import ROOT, liggghts, succeed
+
+DECK = "tests/scenarios/in.flaw"
+RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
+ROLLING = BALL * (1 + BALL / ORBIT)  # m, effective radius along rolling
+BOTTOM = -np.pi / 2
+EDGE = 5e-6  # m, small: the closed forms are those of sharp edges
+MOVERS = {
+    "verlet": {},
+    "implicit": {"mover": "all bearing/implicit tolerance 1.0e-11"},
+}
+# slow, and damped by its steel: the ball follows as if both were rigid
+SLOW = dict(speed=0.03, field=200, damping="hysteresis 0.3", azimuth=BOTTOM - 0.03, sink=2.46e-7)
+QUICK = {
+    "verlet": dict(step=1e-6, steps=40000, every=20),
+    "implicit": dict(step=2e-5, steps=2000, every=1),
+}
+
+
+def notch(length, depth, width="full", edge=EDGE, azimuth=BOTTOM):
+    return f"notch {azimuth} {length} {width} {depth} {edge}"
+
+
+def rolled(folder, flaw, by="verlet", **variables):
+    """Columns of ball.dat: time, path (m, of the contact on the raceway from the bottom), drop
+    (m), radial velocity, and energies (J)."""
+    folder.mkdir(exist_ok=True)
+    given = {**MOVERS[by], **variables}
+    succeed(DECK, out=folder, flaw=flaw, **given)
+    step, x, y, vx, vy, ke, pe = np.loadtxt(folder / "ball.dat", ndmin=2).T
+    r = np.hypot(x, y)
+    path = RACEWAY * (np.arctan2(y, x) - BOTTOM)
+    return dict(
+        t=step * float(given.get("step", 1e-7)),
+        path=path,
+        drop=r - r[np.abs(path) > 0.9 * np.abs(path).max()].mean(),
+        falls=(x * vx + y * vy) / r,
+        ke=ke,
+        energy=ke + pe + given.get("field", 1000.0) * y * 2 * ke / (vx**2 + vy**2),
+    )
+
+
+@pytest.mark.parametrize("mover", MOVERS)
+@pytest.mark.parametrize("length", [0.7e-3, 1e-3])
+def test_narrow_notch(tmp_path, mover, length):
+    """The bottom is out of reach: w^2/(8 R_x) in the middle, where the centre's speed jumps by
+    v w/R_x, half a length after it began to fall."""
+    b = rolled(tmp_path, notch(length, 1e-3), mover, **SLOW, **QUICK[mover])
+    assert b["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
+    speed = np.gradient(b["path"], b["t"])
+    turn = np.argmax(b["drop"])
+    assert abs(b["path"][turn]) < 0.02 * length / 2
+    # from the parabolas of both flanks
+    half = length / 2
+    jump = 0.0
+    for side in (-1, 1):
+        flank = (side * b["path"] > 0.05 * half) & (side * b["path"] < 0.95 * half)
+        path = np.polyfit(b["path"][flank], b["drop"][flank], 2)
+        jump -= side * path[1] * speed[turn]
+    assert jump == pytest.approx(speed[turn] * length / ROLLING, rel=0.02)
+
+
+@pytest.mark.parametrize("mover", MOVERS)
+def test_bottom(tmp_path, mover):
+    """A long notch: the ball rolls on its bottom and meets it at sqrt(2 R_x d) from the edge."""
+    length, depth = 1.5e-3, 5e-6
+    b = rolled(tmp_path, notch(length, depth), mover, **SLOW, **QUICK[mover])
+    flat = np.abs(b["path"]) < 0.3e-3
+    assert b["drop"][flat].mean() == pytest.approx(depth, rel=0.02)
+    reached = b["path"][np.argmax(b["drop"] > 0.98 * depth)]
+    assert reached == pytest.approx(-length / 2 + np.sqrt(2 * ROLLING * depth), abs=0.02 * length)
+
+
+def test_deeper_than_the_ball_reaches_changes_nothing(tmp_path):
+    for name, depth in (("a", 2e-5), ("b", 2e-3)):
+        rolled(tmp_path / name, notch(1e-3, depth), steps=20000)
+    assert (tmp_path / "a/ball.dat").read_bytes() == (tmp_path / "b/ball.dat").read_bytes()
+
+
+def test_converges_with_the_step(tmp_path):
+    """Second order of velocity Verlet, until the ball bounces off the far flank."""
+    last = []
+    for k, step in enumerate((4e-7, 2e-7, 1e-7, 1e-8)):
+        b = rolled(
+            tmp_path / str(k),
+            notch(1e-3, 1e-3, edge=5e-5),
+            sink=7.2e-7,
+            step=step,
+            steps=round(9e-3 / step),
+            every=round(9e-3 / step),
+        )
+        last.append(b["ke"][-1])
+    off = np.abs(np.array(last[:-1]) - last[-1])
+    assert off[1] < 0.35 * off[0] and off[2] < 0.35 * off[1]
+
+
+@pytest.mark.parametrize(
+    "flaw",
+    [
+        notch(1e-3, 1e-3, edge=5e-5),
+        notch(1e-3, 1e-3, width=1e-4, edge=5e-5),
+        "wave 40 2e-7 0.3 wave 9 1e-6 0",
+        notch(1e-3, 1e-3, edge=5e-5) + " wave 31 1e-6 0",
+    ],
+    ids=["notch", "pit", "waves", "both"],
+)
+@pytest.mark.parametrize("mover", MOVERS)
+def test_energy(tmp_path, mover, flaw):
+    """Without friction nothing is gained or lost over a flaw: 1e-6 of the kinetic energy."""
+    steps = {
+        "verlet": dict(step=1e-7, steps=90000, every=300),
+        "implicit": dict(
+            step=1e-6, steps=9000, every=30, mover="all bearing/implicit largest 2.5e-8"
+        ),
+    }[mover]
+    b = rolled(tmp_path, flaw, mover, sink=7.2e-7, azimuth=BOTTOM - 0.04, **steps)
+    assert b["path"][0] < -1e-3 and b["path"][-1] > 1e-3
+    assert np.abs(b["energy"] - b["energy"][0]).max() < 1e-6 * b["ke"].min()
+
+
+def test_flaw_turns_with_its_ring(tmp_path):
+    """A ball at rest at the bottom, without friction: the flaw comes by, 0.03 rad on, at 10 rad/s."""
+    b = rolled(
+        tmp_path,
+        notch(1e-3, 1e-3, azimuth=BOTTOM - 0.03),
+        speed=0,
+        azimuth=BOTTOM,
+        sink=7.2e-7,
+        spin=10,
+        damping="hysteresis 0.3",
+        step=1e-6,
+        steps=4000,
+        every=10,
+    )
+    assert b["t"][np.argmax(b["drop"])] == pytest.approx(3e-3, rel=0.02)
+
+
+def test_table(tmp_path):
+    """A measured table: a wave given by its points, and a slot that the ball bridges."""
+    azimuth = np.arange(20000) * 2 * np.pi / 20000
+    tables = {
+        "wave": 1e-7 * np.cos(31 * azimuth),
+        "slot": np.where(np.abs(azimuth - BOTTOM - 2 * np.pi) * RACEWAY < 0.5e-3, 1e-3, 0.0),
+    }
+    for name, depth in tables.items():
+        np.savetxt(tmp_path / f"{name}.txt", np.c_[azimuth, depth], header="rad m")
+    found = {
+        name: rolled(tmp_path / name, flaw, steps=40000, step=1e-6, **SLOW, every=50)
+        for name, flaw in {
+            "file": f"file {tmp_path}/wave.txt",
+            "wave": "wave 31 1e-7 0",
+            "slot": f"file {tmp_path}/slot.txt",
+        }.items()
+    }
+    wave, table = found["wave"]["drop"], found["file"]["drop"]
+    assert np.abs(wave - table).max() < 1e-3 * np.abs(wave).max()
+    # the ball rests on the last points that are not deep
+    length = RACEWAY * (1 + np.sum(tables["slot"] > 0)) * azimuth[1]
+    assert found["slot"]["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        ("notch 0 1e-3 full 1e-4", "edge of the notch"),
+        ("notch 0 1e-3 full 1e-4 1", "must be"),
+        ("notch 9 1e-3 full 1e-4 1e-5", "azimuth of the notch (rad) is 9"),
+        ("notch 0 0.2 full 1e-4 1e-5", "below half the raceway's circumference"),
+        ("notch 0 1e-3 full 1e-9 1e-5", "edge of the notch (m) is 1e-05, must be below 3.9"),
+        ("notch 0 1e-3 1e-4 1e-4 1e-5 notch 0.02 1e-3 1e-4 1e-4 1e-5", "overlap on ring"),
+        ("wave 0 1e-6 0", "order of the wave"),
+        ("wave 500 1e-5 0", "amplitude of the wave (m) of order 500 is 1e-05, must be below"),
+        ("file nowhere.txt", "cannot read 'nowhere.txt'"),
+        ("file {out}/uneven.txt", "point 2 is at 0.1 rad, must be at 0.785398"),
+        ("file {out}/words.txt", "line 2: 'b' is no azimuth"),
+        ("groove 1 wave 9 1e-6 0", "has no groove 1"),
+        ("none wave 9 1e-6 0", "'none' stands alone"),
+        ("pit 0", "known: groove, notch, wave, file, none"),
+        ("groove 0", "needs 'notch', 'wave', 'file' or 'none'"),
+    ],
+)
+def test_mistakes_are_named(tmp_path, words, says):
+    np.savetxt(tmp_path / "uneven.txt", np.c_[np.arange(8) * 0.1, np.zeros(8)])
+    (tmp_path / "words.txt").write_text("0 0\nb 0\n")
+    failed = liggghts(DECK, out=tmp_path / "out", flaw=words.format(out=tmp_path), steps=10)
+    assert failed.code != 0 and "fix flaw bearing/profile" in failed.error
+    assert says in failed.error
+
+
+def test_rings_only(tmp_path):
+    failed = liggghts(DECK, out=tmp_path, flaw="wave 9 1e-6 0", group="balls", steps=10)
+    assert failed.code != 0 and "which no pair_coeff names as a ring" in failed.error
+
+
+def test_angle_must_be_counted(tmp_path):
+    deck = tmp_path / "in.alone"
+    text = (ROOT / DECK).read_text()
+    deck.write_text(re.sub("fix outer outer.*", "set atom 2 omegaz 1.0", text))
+    failed = liggghts(deck, out=tmp_path / "out", flaw="wave 9 1e-6 0", steps=10)
+    assert failed.code != 0 and "spins without a fix bearing/ring" in failed.error
