@@ -51,6 +51,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingColumns>("bearing_columns");
   add.template command<BearingStep>("bearing_step");
   add.template command<BearingWords>("bearing_words");
+  add.template command<BearingParts>("bearing_parts");
   add.template command<BearingOutput>("bearing_output");
   add.template command<BearingRange>("bearing_range");
   add.template command<BearingHost>("bearing_host");

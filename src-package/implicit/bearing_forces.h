@@ -54,6 +54,9 @@ class BearingForces {
   // How long a step from here may be for the flaws of the raceways, s.
   double longest_step() const;
 
+  // Of a ball and a raceway at the start of the step, m; 0 where none touches.
+  double largest_overlap() const;
+
   int body() const { return body_; }                           // that a failure is about, or -1
   double power_lost() const { return power_lost_; }            // W, in contacts
   double contact_energy() const { return contact_energy_; }    // J, of their springs

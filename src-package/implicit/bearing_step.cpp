@@ -16,9 +16,19 @@ static BearingStep::Outcome &failed(BearingStep::Outcome &o, Failure why, int bo
   return o;
 }
 
-BearingStep::Outcome BearingStep::step(const Settings &set, double h, double s0, double s1)
+BearingStep::Settings BearingStep::Settings::at(double overlap) const
 {
+  Settings result = *this;
+  result.newton = std::max(newton, relative * overlap);
+  result.cage = std::max(1.0, cage * newton / result.newton);
+  return result;
+}
+
+BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s0, double s1)
+{
+  const Settings set = asked.relative > 0.0 ? asked.at(forces_.largest_overlap()) : asked;
   Outcome o;
+  o.tolerance = set.newton;
   pending_ = Energy();
   present_ = {h, s0, s1};
   for (BodyGroup &g : bodies_.groups) {

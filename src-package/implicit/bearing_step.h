@@ -23,6 +23,10 @@
 // ball may be late in meeting a groove. A cage ball may be off by a multiple of that: its contacts
 // are soft, and where the cage drives balls its vibration would set the step.
 //
+// A relative tolerance is a share of the largest overlap of a ball and a raceway at the start of
+// the step, where that is more than the tolerance in m. It follows from the state alone, so a
+// restart repeats its bits.
+//
 // Bodies four by four: bearing_bodies.h; forces and derivatives: bearing_forces.h; the linear
 // solve: bearing_system.h; contacts between two steps: bearing_instants.h.
 #ifndef RACEWAY_BEARING_STEP_H
@@ -38,19 +42,24 @@ class BearingStep {
   struct Settings {
     int order = 2;
     bool dampers_only = false;
-    double newton = 1e-7;    // m, what the last correction of a stage may move
-    double cage = 1.0;       // so many times as far may a cage ball be off as a ball or ring
-    int corrections = 8;     // most of a stage
+    double newton = 1e-7;     // m, what the last correction of a stage may move
+    double cage = 1.0;        // so many times as far may a cage ball be off as a ball or ring
+    double relative = 0.0;    // newton is at least this share of the largest overlap; 0: not asked
+    int corrections = 8;      // most of a stage
 
     // over cage: what counts of a cage ball's error, and of its last correction, which is solved
     // ten times finer
     double cage_error() const { return 1.0 / cage; }
     double cage_correction() const { return cage > 10.0 ? 10.0 / cage : 1.0; }
+    // The same for bodies whose largest overlap this is, m. A cage ball may be off as far as
+    // before, but for the tolerance of the others.
+    Settings at(double overlap) const;
   };
   struct Outcome {
     Failure failure = Failure::not_converged;
     int body = -1;    // that the failure is about, or -1
     int corrections = 0;
+    double tolerance = 0.0;     // m, what `newton` was
     double error = HUGE_VAL;    // m, estimated
     double stability = 0.0;     // h^2 over the largest that is allowed; grows like h^2
     double last = HUGE_VAL;     // m, last correction

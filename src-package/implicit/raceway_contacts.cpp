@@ -303,6 +303,25 @@ double BearingForces::longest_step() const
   return longest;
 }
 
+RACEWAY_LANES double BearingForces::largest_overlap() const
+{
+  Lane most = {};
+  for (const BearingBodies::Track &track : b_.tracks) {
+    const RingBody &ring = b_.rings[track.ring];
+    const RacewayPhysics &p = *track.physics;
+    for (int k = track.first; k < track.end; ++k) {
+      const BodyGroup &g = b_.groups[k];
+      const LaneFrame &f = g.from;
+      const Vec3L at = f.local(ring.from.x - b_.centre);
+      ContactStateT<Lane> c;
+      locate({f.r - at.x, -at.y, f.z - at.z}, f.local(ring.from.e), p.centre_circle, c);
+      const Lane overlap = c.s - p.slack;
+      most = where(g.used & (overlap > most), overlap, most);
+    }
+  }
+  return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+}
+
 RACEWAY_LANES bool BearingForces::follow(double exact)
 {
   if (b_.states() == 0) return true;

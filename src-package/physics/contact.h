@@ -40,6 +40,14 @@ template <class... P>
 using GapLaw =
     Law<FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart, NormalForcePart, P...>;
 
+// Friction as it is in rolling contacts; without differential slip, which spin rests on.
+template <template <class...> class Base>
+using RollingFriction = Base<MixedFrictionPart, DifferentialSlipPart, HydrodynamicRollingPart,
+                             RollingHysteresisPart, SpinPart, DragPart>;
+template <template <class...> class Base>
+using UniformSlip = Base<MixedFrictionPart, SmoothedFrictionPart, HydrodynamicRollingPart,
+                         RollingHysteresisPart, DragPart>;
+
 template <class... L> struct LawList {};
 
 // The laws that are compiled: those that decks use.
@@ -57,10 +65,8 @@ using Laws =
             DryLaw<ConstantFrictionPart, DifferentialSlipPart>,
             DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>,
             LubricatedLaw<ConstantFrictionPart, DifferentialSlipPart>,
-            LubricatedLaw<MixedFrictionPart, DifferentialSlipPart, HydrodynamicRollingPart,
-                          RollingHysteresisPart, SpinPart, DragPart>,
-            FullLaw<MixedFrictionPart, DifferentialSlipPart, HydrodynamicRollingPart,
-                    RollingHysteresisPart, SpinPart, DragPart>>;
+            RollingFriction<LubricatedLaw>, RollingFriction<GapLaw>, RollingFriction<FullLaw>,
+            UniformSlip<LubricatedLaw>, UniformSlip<GapLaw>, UniformSlip<FullLaw>>;
 
 namespace detail {
 template <class... P> constexpr unsigned parts_when(PartList<P...>, When when)

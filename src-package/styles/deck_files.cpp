@@ -167,6 +167,27 @@ void BearingWords::command(int narg, char **arg)
   replace(input->variable, name, words);
 }
 
+void BearingParts::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_parts", narg, arg, 0);
+  const std::string prefix = args.word("start of the variables' names"),
+                    without = args.word("parts to leave out");
+  std::set<std::string> out;
+  std::istringstream list(without == "none" ? "" : without);
+  for (std::string name; std::getline(list, name, '+');) out.insert(name);
+  std::string there;
+  while (args.more()) {
+    const std::string name = args.word("name of a part");
+    replace(input->variable, prefix + name, out.erase(name) ? "0" : "1");
+    there += (there.empty() ? "" : " ") + name;
+  }
+  replace(input->variable, prefix + "parts", there.empty() ? "none" : there);
+  if (!out.empty())
+    args.fail("there is no part '" + *out.begin() + "' to leave out in '" + without +
+              "'; there is: " + (there.empty() ? "none" : there) +
+              ". Names are joined by +, or the word is none");
+}
+
 void BearingResume::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_resume", narg, arg, 0);

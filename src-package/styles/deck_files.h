@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_columns,
-// bearing_step, bearing_words: a deck's data files, result folder, numbers, host, restart file, the
+// bearing_step, bearing_words, bearing_parts: a deck's data files, result folder, numbers, host, restart file, the
 // columns of its dumps, the number of its step and variables of several words, with errors that
 // help before anything runs.
 #ifdef COMMAND_CLASS
@@ -13,6 +13,7 @@ CommandStyle(bearing_resume,BearingResume)
 CommandStyle(bearing_columns,BearingColumns)
 CommandStyle(bearing_step,BearingStep)
 CommandStyle(bearing_words,BearingWords)
+CommandStyle(bearing_parts,BearingParts)
 // clang-format on
 #else
 #ifndef LMP_DECK_FILES_H
@@ -86,6 +87,15 @@ class BearingStep : public bearing::CommandBase {
 class BearingWords : public bearing::CommandBase {
  public:
   explicit BearingWords(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_parts PREFIX WITHOUT NAME ...: set a string variable PREFIXNAME for each NAME, to 0
+// where WITHOUT, names joined by +, has it, else to 1, and PREFIXparts to all names. WITHOUT is
+// `none` for no name.
+class BearingParts : public bearing::CommandBase {
+ public:
+  explicit BearingParts(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

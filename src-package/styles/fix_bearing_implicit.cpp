@@ -38,8 +38,8 @@ struct FixBearingImplicit::Solver {
   std::vector<raceway::BearingInstants::Contact> contacts;    // of the instant that is read
 };
 
-// fix ID group bearing/implicit [solve all|damping] [tolerance T] [cage_tolerance TC] [order 1|2]
-// [corrections N] [largest H] [creep C] [energy yes|no]
+// fix ID group bearing/implicit [solve all|damping] [tolerance T] [relative R] [cage_tolerance TC]
+// [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}, {}})
@@ -51,6 +51,8 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-5);
     else if (args.take("cage_tolerance"))
       cage = args.within("tolerance of cage balls (m)", 1e-13, 1e-3);
+    else if (args.take("relative"))
+      settings.relative = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
     else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
     else if (args.take("order")) settings.order = args.integer("order", 1, 2);
     else if (args.take("corrections"))
@@ -60,8 +62,12 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
     else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
     else
-      args.unknown("solve, tolerance, cage_tolerance, order, corrections, largest, creep, energy");
+      args.unknown(
+          "solve, tolerance, relative, cage_tolerance, order, corrections, largest, creep, energy");
   }
+  if (settings.dampers_only && settings.relative > 0.0)
+    args.fail("relative is " + text(settings.relative) +
+              ", must be 0 with 'solve damping', whose tolerance is how far a ball may move");
   if (tolerance_ == 0.0) tolerance_ = settings.dampers_only ? 1e-7 : 1e-9;
   settings.newton = tolerance_;
   if (cage > 0.0 && cage < tolerance_)
@@ -290,7 +296,7 @@ void FixBearingImplicit::advance(Part &p)
     const BearingStep::Outcome &o = p.outcome;
     corrections_ += o.corrections;
     // over what is allowed; grows like h^2
-    const double excess = std::max(o.error / tolerance_, o.stability);
+    const double excess = std::max(o.error / o.tolerance, o.stability);
     const double fit = 0.9 / std::sqrt(std::max(excess, 1e-6));
     if (!o.solved() || !(excess <= 1.0)) {
       refused_ += 1.0;
@@ -395,7 +401,7 @@ void FixBearingImplicit::give_up(const Part &p, double h) const
     BRG_ONE(where + ": " + who + " touches more than two balls or cage balls");
   BRG_ONE(where + ": no solution with substeps down to " + text(h) + " s; last correction " +
           text(o.last) + " m, estimated error " + text(o.error) + " m, tolerance " +
-          text(tolerance_) + " m; " +
+          text(o.tolerance) + " m; " +
           (o.solved() ? "the error is too large" : cause(o.failure, who)) +
           ". Load too high, rings apart, or the start overlaps");
   std::abort();

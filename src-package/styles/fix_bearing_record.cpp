@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_record.h"
 
+#include "../contacts/fix_columns.h"
 #include "../ranks/gather.h"
 #include "contact_context.h"
 #include "find_record_layout.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <ctime>
 #include <filesystem>
 
 using namespace LAMMPS_NS;
@@ -26,6 +28,9 @@ namespace fs = std::filesystem;
 namespace of_ring = bearing::of_ring;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
+
+// s, of this process
+static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // A note becomes an attribute of the file. Names that scipy's reader of netCDF has for itself would
 // break it.
@@ -149,7 +154,8 @@ void FixBearingRecord::setup(int)
   step_length_ = update->dt;
   if (!open_) open();
   if (within_ > 1 && sampled_) find_integrators();
-  began_ = MPI_Wtime();
+  clocks_.wall = MPI_Wtime();
+  clocks_.processor = processor_time();
   running_ = true;
   if (file_) refuse(file_->file().put_fixed(file_->finished(), 0.0));
   if (update->ntimestep % nevery == 0) sample(false);
@@ -399,25 +405,42 @@ void FixBearingRecord::post_run()
     refuse(bearing::write_run_yaml(
         folder_, about_,
         {NetcdfHeader::attribute("step_s", time / std::max(spent_.steps, 1.0)),
+         NetcdfHeader::attribute("evaluations", spent_.evaluations),
+         NetcdfHeader::attribute("processor_s", spent_.processor),
          NetcdfHeader::attribute("simulated_s", time),
          NetcdfHeader::attribute("wall_s", spent_.wall)}));
 }
 
-// Steps of the integrators since the start of the present run; all ranks.
-double FixBearingRecord::steps_made() const
+// All ranks. Velocity Verlet evaluates the forces once a step.
+FixBearingRecord::Spent FixBearingRecord::made() const
 {
+  using namespace bearing::of_fix_implicit;
+  Spent s;
+  s.wall = MPI_Wtime() - clocks_.wall;
+  s.processor = processor_time() - clocks_.processor;
   const std::vector<FixBearingImplicit *> implicit = bearing::fixes_of<FixBearingImplicit>(lmp);
-  if (implicit.empty()) return static_cast<double>(update->ntimestep - update->firststep);
-  double substeps = 0.0;
-  for (FixBearingImplicit *f : implicit) substeps += f->compute_vector(2);
-  return substeps / std::max<double>(1.0, layout_.bearings.size());
+  if (implicit.empty())
+    s.steps = s.evaluations = static_cast<double>(update->ntimestep - update->firststep);
+  const double bearings = std::max<double>(1.0, layout_.bearings.size());
+  for (FixBearingImplicit *f : implicit) {
+    const double steps = f->compute_vector(STEPS) / bearings;
+    s.steps += steps;
+    s.evaluations += steps * f->compute_vector(CORRECTIONS);
+  }
+  return s;
 }
 
 // What the run has taken up to now; all ranks.
 FixBearingRecord::Spent FixBearingRecord::spent_now() const
 {
   if (!running_) return spent_;
-  return {spent_.wall + MPI_Wtime() - began_, spent_.steps + steps_made()};
+  const Spent now = made();
+  Spent sum;
+  sum.wall = spent_.wall + now.wall;
+  sum.processor = spent_.processor + now.processor;
+  sum.steps = spent_.steps + now.steps;
+  sum.evaluations = spent_.evaluations + now.evaluations;
+  return sum;
 }
 
 // Samples so far
@@ -434,7 +457,8 @@ void FixBearingRecord::write_restart(FILE *fp)
   flush();
   if (file_) refuse(file_->file().settle());
   const Spent spent = spent_now();
-  const double data[] = {samples_, first_step_, start_, last_step_, spent.wall, spent.steps};
+  const double data[] = {samples_,   first_step_,     start_,      last_step_,
+                         spent.wall, spent.processor, spent.steps, spent.evaluations};
   if (comm->me != 0) return;
   const int size = sizeof data;
   fwrite(&size, sizeof(int), 1, fp);
@@ -443,13 +467,16 @@ void FixBearingRecord::write_restart(FILE *fp)
 
 void FixBearingRecord::restart(char *buf)
 {
-  double data[6];
+  double data[8];
   memcpy(data, buf, sizeof data);
   samples_ = data[0];
   first_step_ = data[1];
   start_ = data[2];
   last_step_ = data[3];
-  spent_ = {data[4], data[5]};
+  spent_.wall = data[4];
+  spent_.processor = data[5];
+  spent_.steps = data[6];
+  spent_.evaluations = data[7];
   resumed_ = samples_ > 0.0;
 }
 

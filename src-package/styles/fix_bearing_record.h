@@ -50,10 +50,11 @@ class FixBearingRecord : public Fix {
   std::string gather(const std::vector<double> &said, size_t samples);
   void refuse(const std::string &complaint) const;    // if there is one
   double time_of(double step) const;
-  double steps_made() const;
   struct Spent {
-    double wall, steps;    // s; of the integrator
+    double wall = 0.0, processor = 0.0;       // s, of this rank
+    double steps = 0.0, evaluations = 0.0;    // of the integrator, a bearing
   };
+  Spent made() const;    // in the present run
   Spent spent_now() const;
 
   class PairBearingHertz *pair_;
@@ -73,8 +74,8 @@ class FixBearingRecord : public Fix {
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
   bool resumed_ = false, running_ = false;
-  double began_ = 0.0;          // s, wall time at the start of the present run
-  Spent spent_ = {0.0, 0.0};    // in the runs before it
+  Spent clocks_;    // at the start of the present run
+  Spent spent_;     // in the runs before it
 };
 
 }    // namespace LAMMPS_NS

@@ -109,7 +109,9 @@ def finished(folder):
 
 def figures(folder):
     """The table of results without what depends on the clock."""
-    return pd.read_csv(folder / "results.csv").drop(columns=["wall_s", "real_time_factor"])
+    return pd.read_csv(folder / "results.csv").drop(
+        columns=["wall_s", "processor_s", "real_time_factor"]
+    )
 
 
 def killed_half_way(table, folder, points):

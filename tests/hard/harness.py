@@ -233,15 +233,17 @@ def averages(course, after=0, every=1):
     return result
 
 
-def full(folder, case):
+def full(folder, case, truth=None):
     """The courses of the implicit step and of velocity Verlet with the models `full`, the tolerance
-    of cage balls as in the decks, and the `Verdict` of the first by the second."""
+    of cage balls as in the decks, and the `Verdict` of the first by the second. A `truth` that is
+    there already is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
     own = case.get("control", "") + " cage_tolerance 1e-7"
     found = run(folder, case, film=film, control=own)
     substeps = round(float(case["variables"].get("sample", 1e-4)) / float(words["step"]))
-    truth = run(folder, case, film=film, integrator="verlet", substeps=substeps)
+    if truth is None:
+        truth = run(folder, case, film=film, integrator="verlet", substeps=substeps)
     if found.error or truth.error:
         return found, truth, None
     bound = next(iter(case["references"].values()))["bound"]

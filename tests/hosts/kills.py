@@ -102,7 +102,7 @@ def settings(folder):
     return [
         line
         for line in (folder / "run.yaml").read_text().splitlines()
-        if not line.startswith("wall_s")
+        if not line.startswith(("wall_s", "processor_s"))
     ]
 
 

@@ -110,7 +110,7 @@ def test_scene(liggghts, name, host, tmp_path):
             {
                 key: value
                 for key, value in summary(RunTables(where)).items()
-                if key not in ("wall_s", "real_time_factor")
+                if key not in ("wall_s", "processor_s", "real_time_factor")
             }
             for where in (tmp_path, folder)
         )

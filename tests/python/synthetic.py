@@ -81,6 +81,8 @@ def run(
         "step_s": 1e-06,
         "passes": passes,
         "wall_s": 2.5,
+        "processor_s": 2.25,
+        "evaluations": 1234.0,
         "simulated_s": sample_s * len(rings),
         "balls": z,
         "ball_diameter_m": bearing.ball_diameter,

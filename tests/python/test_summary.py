@@ -18,8 +18,8 @@ PROMISED = """bearing lubricant host integrator models load_N rpm clearance_m st
 viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m ring_shift_m load_parameter
 q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_mean
 cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F wall_s
-simulated_s real_time_factor force_x_N force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m
-tilt_x_rad tilt_y_rad rpm_least rpm_most friction_torque_N_m power_loss_W
+simulated_s real_time_factor processor_s evaluations force_x_N force_y_N force_z_N moment_x_N_m
+moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rpm_least rpm_most friction_torque_N_m power_loss_W
 losses_W torque_skf_N_m torque_palmgren_N_m asperity_share warnings""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
 TYPES = dict.fromkeys(WORDS, str) | {"warnings": list, "losses_W": dict}
@@ -61,6 +61,8 @@ def test_figures(folder, lubricated, bearing):
         "permittivity",
         "roughness_m",
         "wall_s",
+        "processor_s",
+        "evaluations",
         "simulated_s",
     ):
         assert figures[key] == settings[key]

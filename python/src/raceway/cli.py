@@ -17,6 +17,7 @@ from raceway.commands import (
     export,
     gather,
     heat,
+    needs,
     paper,
     plot,
     shaft,
@@ -40,6 +41,7 @@ examples:
   raceway heat --load 2000 --rpm 3000                    its steady temperature
   raceway electric --load 2000 --rpm 3000                its capacitance and breakdown
   raceway sweep points.csv                               many runs, one a row
+  raceway needs inputs/in.6208 --want torque=10%         which parts of the model matter there
 
 `raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the
 deck.
@@ -95,6 +97,7 @@ def _parser():
         electric,
         sweep,
         gather,
+        needs,
         paper,
     ):
         module.add(commands)

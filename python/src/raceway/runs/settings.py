@@ -29,6 +29,7 @@ NUMBERS = (
 )
 # written last: without them the run has not finished
 AT_THE_END = ("step_s", "simulated_s", "wall_s")
+COST = ("processor_s", "evaluations")  # beside them, in runs that say it
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
 EXTRA = ("ball_young_Pa", "ball_poisson", "cage_ball_diameter_m")  # some runs do not have them
 NO_LUBRICANT = ("dry", "none")
@@ -87,7 +88,10 @@ def settings(folder: Path) -> dict[str, Any]:
     for key in (key for key in WORDS if not isinstance(data[key], str)):
         raise RunError(f"{path}: {key} must be text, not a list or a map")
     values = dict(data)
-    for key in (*needed[len(WORDS) :], *(key for key in (*EXTRA, *AT_THE_END) if key in data)):
+    for key in (
+        *needed[len(WORDS) :],
+        *(key for key in (*EXTRA, *AT_THE_END, *COST) if key in data),
+    ):
         try:
             values[key] = float(data[key])
             if not np.isfinite(values[key]):
@@ -128,6 +132,6 @@ def the_end(folder: Path) -> dict[str, float]:
         return {}
     try:
         data = yaml.load(path.read_text(), Loader=_Loader) or {}
-        return {key: float(data[key]) for key in AT_THE_END if key in data}
+        return {key: float(data[key]) for key in (*AT_THE_END, *COST) if key in data}
     except (OSError, UnicodeDecodeError, TypeError, ValueError, yaml.YAMLError) as error:
         raise RunError(f"cannot read {path}: {error}") from None

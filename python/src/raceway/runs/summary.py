@@ -86,6 +86,8 @@ TOPICS = {
         Row("simulated_s", "simulated", "s", "measured passes"),
         Row("wall_s", "wall time", "s", "measured passes"),
         Row("real_time_factor", "real-time factor", "", "simulated/wall"),
+        Row("processor_s", "processor time", "s", "measured passes"),
+        Row("evaluations", "evaluations of the forces", "", "measured passes"),
     ),
 }
 # what is less is rounding, or the ripple of balls that pass, and not worth a line of the table
@@ -132,6 +134,8 @@ def summary(tables: RunTables) -> dict[str, Any]:
         wall_s=settings["wall_s"],
         simulated_s=settings["simulated_s"],
         real_time_factor=settings["simulated_s"] / settings["wall_s"],
+        processor_s=settings.get("processor_s"),
+        evaluations=settings.get("evaluations"),
         **measured(tables),
         **friction(tables),
     )

@@ -19,9 +19,12 @@ from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
 FINER = 0.1  # of the tolerance; velocity Verlet: half the step
 MORE = 2  # samples for one
+IMPLICIT = ("implicit", "damping")  # integrators with a tolerance
+TOLERANCES = ("tolerance", "relative_tolerance")
 # cost and settings: no figures
 LEFT_OUT = (
-    *("wall_s", "real_time_factor", "step_s", "simulated_s", "passes"),
+    *("wall_s", "real_time_factor", "processor_s", "evaluations"),
+    *("step_s", "simulated_s", "passes"),
     *("load_N", "rpm", "clearance_m", "viscosity_Pa_s", "pressure_viscosity_per_Pa"),
     *("permittivity", "roughness_m"),
 )
@@ -59,14 +62,18 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
     """{"integration": ..., "sampling": ...}: the variables of both repeats."""
     own = variables(tables)
     finer = dict(own)
-    if own["integrator"] == "implicit":
-        finer["tolerance"] = f"{FINER * float(own['tolerance']):.15g}"
+    if own["integrator"] in IMPLICIT:
+        for name in TOLERANCES:
+            if name in own:
+                finer[name] = f"{FINER * float(own[name]):.15g}"
     else:
         finer["step"] = f"{0.5 * tables.settings['step_s']:.15g}"
-        del finer["tolerance"]
+        for name in TOLERANCES:
+            finer.pop(name, None)
     sampled = {**own, "samples": f"{MORE * int(float(own['samples']))}"}
-    if own["integrator"] != "implicit":
-        del sampled["tolerance"]
+    if own["integrator"] not in IMPLICIT:
+        for name in TOLERANCES:
+            sampled.pop(name, None)
     return {"integration": finer, "sampling": sampled}
 
 

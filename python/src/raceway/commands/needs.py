@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway needs DECK`: which parts of the model and which numerics a scene needs."""
+
+import argparse
+import json
+import os
+import re
+import shlex
+import shutil
+import signal
+import sys
+
+from raceway import files
+from raceway.commands import Commands
+from raceway.errors import RacewayError
+
+DESCRIPTION = """\
+Runs a scene with every part of the model and a fine integration. Then drops each part and coarsens
+each number alone, and says what that does to the figures and to the cost. Last it looks for the
+cheapest set that keeps what is wanted, runs that very set, and prints its -var words.
+
+Runs are in folders named after their variables. A command that was stopped goes on when it is given
+again. The table is printed; DIR/needs.json and DIR/needs.png have the same."""
+EXAMPLES = """\
+examples:
+  raceway needs inputs/in.6208 -var load 2000 --want torque=10% capacitance=5% load=1%
+  raceway needs inputs/in.6208 -var rpm 3000 --want film=2% --keep record samples
+
+Exit codes: 0 done, 1 the scene cannot be run or has no such figure, 2 wrong command line, 130 and
+143 stopped."""
+WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "needs",
+        help="which parts of the model and which numerics a scene needs",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument("deck", metavar="DECK", help="deck with the variables of inputs/in.6208")
+    one.add_argument(
+        "-var",
+        "--var",
+        nargs=2,
+        action="append",
+        default=[],
+        metavar=("NAME", "VALUE"),
+        help="variable of the deck; may be repeated",
+    )
+    one.add_argument(
+        "--want",
+        nargs="+",
+        metavar="FIGURE=ERROR",
+        default=None,
+        help="what is to be kept and how well, for instance torque=10%% (default: torque=10%%"
+        " capacitance=5%% load=1%%, as far as the scene has them)",
+    )
+    one.add_argument(
+        "--keep",
+        nargs="+",
+        metavar="NAME",
+        default=[],
+        help="parts and groups that are not touched: drag, samples, record, ...",
+    )
+    one.add_argument(
+        "--out", metavar="DIR", default="build/needs", help="folder (default: %(default)s)"
+    )
+    one.add_argument(
+        "--jobs",
+        metavar="N",
+        type=int,
+        default=len(os.sched_getaffinity(0)),
+        help="runs at a time (default: the cores, %(default)s)",
+    )
+    one.add_argument(
+        "--program",
+        metavar="COMMAND",
+        default="build/liggghts",
+        help="program that runs it, with its own words if any (default: %(default)s)",
+    )
+    one.set_defaults(command=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Run, print and write. Raises `RacewayError`."""
+    from raceway.pictures.needs import picture
+    from raceway.sweeps import scene_parts
+    from raceway.sweeps.needs import needs
+    from raceway.sweeps.needs_shown import as_json, table
+    from raceway.sweeps.points import OURS, WORD, deck_variables
+
+    known = deck_variables(arguments.deck)
+    scene = dict(arguments.var)
+    for name, value in scene.items():
+        if name in OURS or name in scene_parts.REFERENCE or name == "without":
+            raise RacewayError(f"-var {name}: raceway needs sets it")
+        if not WORD.fullmatch(value):
+            raise RacewayError(f"-var {name} is '{value}', must be one word or number")
+    if missing := sorted(set(scene_parts.REFERENCE) - set(known)):
+        raise RacewayError(f"{arguments.deck} has no variable {', '.join(missing)}")
+    wet = scene_parts.lubricated(scene, known.get("lubricant", ""))
+    available = _without(scene_parts.choices(wet), arguments.keep)
+    program = shlex.split(arguments.program)
+    if not program or shutil.which(program[0]) is None:
+        raise RacewayError(
+            f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
+            " from the repository's root"
+        )
+    if arguments.jobs < 1:
+        raise RacewayError(f"--jobs is {arguments.jobs}, must be from 1")
+    out = files.folder(arguments.out)
+    signal.signal(signal.SIGTERM, _terminated)
+    signal.signal(signal.SIGHUP, _terminated)
+    found = needs(
+        scene,
+        _wanted(arguments.want, wet),
+        available,
+        out,
+        [*program, "-in", arguments.deck],
+        jobs=arguments.jobs,
+    )
+    files.whole(out / "needs.json", lambda part: part.write_text(_json(as_json(found))))
+    picture(found, out / "needs.png")
+    print(table(found))
+
+
+def _json(data):
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def _wanted(texts, wet):
+    from raceway.sweeps.scene_parts import FIGURES
+
+    if texts is None:
+        return {word: most for word, most in WANTED.items() if wet or word != "capacitance"}
+    wanted = {}
+    for text in texts:
+        match = re.fullmatch(r"(\w+)=([0-9.eE-]+)(%?)", text)
+        if not match or match[1] not in FIGURES:
+            raise RacewayError(
+                f"--want {text}: must be FIGURE=ERROR, for instance torque=10%; figures are"
+                f" {', '.join(FIGURES)}"
+            )
+        try:
+            value = float(match[2]) * (0.01 if match[3] else 1.0)
+        except ValueError:
+            value = -1.0
+        if not 0 < value <= 1:
+            raise RacewayError(f"--want {text}: the error must be above 0 and at most 100%")
+        wanted[match[1]] = value
+    return wanted
+
+
+def _without(choices, keep):
+    names = {name for choice in choices for name in (choice.name, choice.group)}
+    if unknown := sorted(set(keep) - names):
+        raise RacewayError(f"--keep {unknown[0]}: there is: {', '.join(sorted(names))}")
+    return [choice for choice in choices if choice.name not in keep and choice.group not in keep]
+
+
+def _terminated(number, _):
+    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
+    sys.exit(128 + number)

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a scene needs: the cheapest set of parts and numerics that keeps the wanted figures.
+
+The scene runs with every part of the model and a fine integration. Then each part is dropped, and
+each number coarsened, alone. Effects of a set are taken as the sum of the single ones, its cost as
+the product of theirs, to find sets worth a run. What counts is the run of the set itself.
+
+All runs are points as a sweep has them, in folders named after their variables: what is there is
+not run again.
+"""
+
+import json
+import math
+import statistics
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.sweeps.point_run import FINISHED, mapping, state
+from raceway.sweeps.points import Point, folder_name
+from raceway.sweeps.scene_parts import FIGURES, FINER, REFERENCE, Choice, sets, variables
+from raceway.sweeps.sweep import sweep
+
+AT_ONCE = 6  # sets that a round runs
+ROUNDS = 8
+REPEATS = 3  # runs whose processor time counts, of the reference and of the set that is picked
+SURE = 0.5  # of what is wanted: the reference may be uncertain by so much
+
+
+class Outcome(NamedTuple):
+    """What a set of choices does to the figures and to the cost."""
+
+    picked: tuple[Choice, ...]
+    variables: dict[str, str]
+    errors: dict[str, float]  # relative to the reference, by word of --want; inf where it fails
+    cost: float  # engine's processor time over that of the reference; nan where it fails
+    evaluations: float  # of the forces, over those of the reference
+    message: str  # of a run that failed
+
+    @property
+    def pays(self) -> bool:
+        """Whether it saves more than the spread of processor times is worth."""
+        return self.evaluations < 0.98 or self.cost < 0.95
+
+    def keeps(self, wanted: Mapping[str, float]) -> bool:
+        """Whether no figure is off by more than is `wanted`, {word: relative error}."""
+        return all(self.errors[word] <= most for word, most in wanted.items())
+
+
+class Needs(NamedTuple):
+    """The answer for a scene."""
+
+    scene: dict[str, str]  # variables that the user gave
+    wanted: dict[str, float]
+    figures: dict[str, float]  # of the reference, by word
+    uncertain: dict[str, float]  # relative, of the reference by its repeat that is finer
+    single: list[Outcome]
+    tried: list[Outcome]  # sets that were run
+    best: Outcome
+    costs: dict[str, list[float]]  # s, processor time of each run: reference, picked
+    words: dict[str, str]  # variables to set for the cheapest set
+
+
+def needs(
+    scene: Mapping[str, str],
+    wanted: Mapping[str, float],
+    available: Sequence[Choice],
+    folder: FilePath,
+    command: Sequence[str],
+    *,
+    jobs: int = 1,
+) -> Needs:
+    """The cheapest set for the deck's variables `scene`. `wanted` are relative errors by word of
+    `FIGURES`; `available` choices are tried. Runs are in `folder`, `jobs` at a time.
+
+    `command` is a list: program, options, deck. Raises `RacewayError` when the reference fails or
+    does not have a figure that is wanted.
+    """
+    lab = _Lab(Path(folder), dict(scene), list(command), jobs)
+    singles = [(choice,) for choice in available]
+    lab.run([REFERENCE, {**REFERENCE, **FINER}, *map(variables, singles)])
+    reference = lab.reference()
+    figures = _figures(reference)
+    if missing := [word for word in wanted if word not in figures]:
+        raise RacewayError(
+            f"the scene has no figure {', '.join(missing)}; it has: {', '.join(figures)}"
+        )
+    single = [lab.outcome(picked) for picked in singles]
+    tried: list[Outcome] = []
+    best = lab.outcome(())
+    for outcomes in _rounds(lab, single, wanted):
+        tried += outcomes
+        kept = [one for one in tried if one.keeps(wanted)]
+        if kept:
+            best = min(kept, key=lambda one: one.cost)
+            break
+    costs = lab.repeat({"reference": REFERENCE, "picked": best.variables})
+    best = best._replace(
+        cost=statistics.median(costs["picked"]) / statistics.median(costs["reference"])
+    )
+    return Needs(
+        dict(scene),
+        dict(wanted),
+        figures,
+        _relative(figures, _figures(lab.figures({**REFERENCE, **FINER}))),
+        single,
+        tried,
+        best,
+        costs,
+        best.variables,
+    )
+
+
+def _rounds(lab, single, wanted):
+    """Outcomes of the sets that look cheapest, a round at a time; each round asks for as much more
+    margin as the last one was wrong by."""
+    good = {one.picked[0].name: one for one in single if one.pays}
+    candidates = []
+    for picked in sets([one.picked[0] for one in good.values()]):
+        rows = [good[choice.name] for choice in picked]
+        error = max(
+            (sum(row.errors[word] for row in rows) / most for word, most in wanted.items()),
+            default=0.0,
+        )
+        # what a single run takes less than it does not count as a gain twice: noise
+        cost = math.prod(min(row.cost, 1.0) for row in rows)
+        candidates.append((cost, len(picked), error, picked))
+    candidates.sort(key=lambda one: one[:3])
+    margin, seen = 1.0, set()
+    for _ in range(ROUNDS):
+        chosen = [one for one in candidates if one[2] * margin <= 1.0 and one[3] not in seen]
+        chosen = chosen[:AT_ONCE]
+        if not chosen:
+            return
+        seen.update(one[3] for one in chosen)
+        lab.run([variables(one[3]) for one in chosen])
+        outcomes = [lab.outcome(one[3]) for one in chosen]
+        yield outcomes
+        wrong = [
+            max(outcome.errors[word] / most for word, most in wanted.items()) / max(one[2], 1e-3)
+            for one, outcome in zip(chosen, outcomes)
+            if not outcome.message
+        ]
+        margin = max(1.5 * margin, min(wrong, default=2.0))
+
+
+class _Lab:
+    """Runs of one scene in a folder, and what came of them."""
+
+    def __init__(self, folder, scene, command, jobs):
+        self.folder, self.scene, self.command, self.jobs = folder, scene, command, jobs
+
+    def point(self, words):
+        full = {**self.scene, **words}
+        return Point(folder_name(full), full)
+
+    def run(self, many):
+        points = {point.name: point for point in map(self.point, many)}
+        sweep(list(points.values()), self.folder, self.command, jobs=self.jobs)
+
+    def reference(self):
+        figures = self.figures(REFERENCE)
+        if not figures:
+            _, message = state(self.folder / self.point(REFERENCE).name, self.point(REFERENCE)[1])
+            raise RacewayError(f"the scene with every part of the model: {message}")
+        return figures
+
+    def figures(self, words):
+        """The summary of a run, empty where it failed."""
+        point = self.point(words)
+        status, _ = state(self.folder / point.name, point.variables)
+        if status != FINISHED:
+            return {}
+        return mapping(self.folder / point.name / "summary.json", json.loads) or {}
+
+    def outcome(self, picked):
+        words = variables(picked)
+        reference, found = self.reference(), self.figures(words)
+        if not found:
+            point = self.point(words)
+            _, message = state(self.folder / point.name, point.variables)
+            lost = dict.fromkeys(_figures(reference), math.inf)
+            return Outcome(picked, words, lost, math.nan, math.nan, message or "not run")
+        return Outcome(
+            picked,
+            words,
+            _relative(_figures(reference), _figures(found)),
+            found["processor_s"] / reference["processor_s"],
+            found["evaluations"] / reference["evaluations"],
+            "",
+        )
+
+    def repeat(self, words):
+        """Processor times of `REPEATS` runs of each, in turn: {name: s}."""
+        points, every = {name: [] for name in words}, {}
+        for turn in range(REPEATS):
+            for name, asked in words.items():
+                point = self.point(asked)
+                own = point.name if turn == 0 else f"{point.name[:140]}_again={turn}"
+                points[name].append(own)
+                every[own] = Point(own, point.variables)
+        sweep(list(every.values()), self.folder, self.command, jobs=self.jobs)
+        return {
+            name: [
+                mapping(self.folder / own / "summary.json", json.loads)["processor_s"]
+                for own in rows
+            ]
+            for name, rows in points.items()
+        }
+
+
+def _figures(summary: Mapping[str, Any]) -> dict[str, float]:
+    """The figures that a summary has, by word."""
+    return {word: summary[key] for word, key in FIGURES.items() if summary.get(key)}
+
+
+def _relative(of, figures):
+    return {
+        word: abs(figures[word] / value - 1) if word in figures else math.inf
+        for word, value in of.items()
+    }

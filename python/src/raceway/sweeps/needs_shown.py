@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What `raceway needs` found, as text and as JSON."""
+
+import math
+import shlex
+import statistics
+from collections.abc import Mapping
+from typing import Any
+
+from raceway.sweeps.needs import Needs, Outcome
+from raceway.sweeps.scene_parts import REFERENCE
+
+NOTHING = 1e-12  # a relative effect below that is rounding
+SURE = 0.5  # of what is wanted: more uncertain a reference is no yardstick
+
+
+def table(found: Needs) -> str:
+    """The effect of each choice on each figure, its cost, and the cheapest set."""
+    words = list(found.figures)
+    head = f"  {'dropped or coarsened':<50}" + "".join(f"{word[:12]:>13}" for word in words)
+    lines = [
+        "Effect on the figures, relative, each alone against every part and a fine integration",
+        f"{head}{'cost':>8}{'evaluations':>13}",
+        *(_line(one.picked[0].label, one, words) for one in found.single),
+        "",
+        _row("uncertainty of the reference", found.uncertain, words),
+        _row("wanted", found.wanted, words),
+        *_doubts(found),
+        "",
+        f"Cheapest set that keeps what is wanted, of {len(found.tried)} that were run",
+        _line("all of it together", found.best, words),
+        *(f"    {choice.label}" for choice in found.best.picked),
+        *([] if found.best.picked else ["    nothing dropped, nothing coarsened"]),
+        "",
+        "Processor time of the measured passes: " + _spread(found),
+        "",
+        command(found),
+    ]
+    return "\n".join(lines)
+
+
+def command(found: Needs) -> str:
+    """The words for the deck: of the scene and of the cheapest set."""
+    return " ".join(
+        f"-var {name} {shlex.quote(value)}"
+        for name, value in {**found.scene, **found.words}.items()
+    )
+
+
+def as_json(found: Needs) -> dict[str, Any]:
+    """Everything as numbers and texts; what failed is null."""
+    return {
+        "scene": found.scene,
+        "reference": REFERENCE,
+        "wanted": found.wanted,
+        "figures": found.figures,
+        "uncertain": _finite(found.uncertain),
+        "single": [_outcome(one) for one in found.single],
+        "tried": [_outcome(one) for one in found.tried],
+        "best": _outcome(found.best),
+        "processor_s": found.costs,
+        "words": found.words,
+    }
+
+
+def _outcome(one: Outcome) -> dict[str, Any]:
+    return {
+        "names": [choice.name for choice in one.picked],
+        "errors": _finite(one.errors),
+        **_finite({"cost": one.cost, "evaluations": one.evaluations}),
+        **({"message": one.message} if one.message else {}),
+    }
+
+
+def _finite(values: Mapping[str, float]) -> dict[str, float | None]:
+    return {name: value if math.isfinite(value) else None for name, value in values.items()}
+
+
+def percent(value: float) -> str:
+    """A relative value for people: 12 %, 0.03 %."""
+    if not math.isfinite(value):
+        return "-"
+    if NOTHING <= value < 1e-5:
+        return "<0.001 %"
+    if value < 0.0995:
+        return "0 %" if value < NOTHING else f"{100 * value:.2g} %"
+    return f"{100 * value:.0f} %"
+
+
+def _line(label, one, words):
+    if one.message:
+        return f"  {label:<50} {one.message}"
+    return f"{_row(label, one.errors, words)}{percent(one.cost):>8}{percent(one.evaluations):>13}"
+
+
+def _row(label, values, words):
+    cells = (percent(values[word]) if word in values else "" for word in words)
+    return f"  {label:<50}" + "".join(f"{cell:>13}" for cell in cells)
+
+
+def _doubts(found):
+    return [
+        f"  {word}: the reference itself is uncertain by more than half of what is wanted"
+        for word, most in found.wanted.items()
+        if found.uncertain[word] > SURE * most
+    ]
+
+
+def _spread(found):
+    texts = []
+    for name, times in found.costs.items():
+        middle = statistics.median(times)
+        texts.append(
+            f"{name} {1e3 * middle:.3g} ms ({1e3 * min(times):.3g} to {1e3 * max(times):.3g})"
+        )
+    return ", ".join(texts) + f", {len(times)} runs each"

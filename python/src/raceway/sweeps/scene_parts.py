@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What `raceway needs` drops and coarsens: `scene_parts.yaml` as tuples, and sets of it as
+variables of a deck."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from importlib.resources import files
+from itertools import product
+from typing import NamedTuple
+
+import yaml
+
+from raceway import catalogue, inputs
+from raceway.errors import RacewayError
+
+_DATA = yaml.safe_load(files("raceway").joinpath("sweeps/scene_parts.yaml").read_text())
+REFERENCE = {name: str(value) for name, value in _DATA["reference"].items()}
+FINER = {name: str(value) for name, value in _DATA["finer"].items()}
+FIGURES: dict[str, str] = _DATA["figures"]  # words of --want: keys of the summary
+
+
+class Choice(NamedTuple):
+    """Something to drop or coarsen: a part to leave out, or variables to set."""
+
+    name: str
+    label: str
+    group: str  # one of a group is in a set
+    without: str  # "" for none
+    settings: tuple[tuple[str, str], ...]
+    parts: tuple[str, ...] | None  # that these models have; None: those of the reference
+
+
+def choices(lubricated: bool) -> list[Choice]:
+    """The choices for contacts with a film, or for dry ones."""
+    return [
+        Choice(
+            row["name"],
+            row["label"],
+            row.get("group", row["name"]),
+            row.get("without", ""),
+            tuple((name, str(value)) for name, value in row.get("set", {}).items()),
+            tuple(row["parts"]) if "parts" in row else None,
+        )
+        for row in _DATA["choices"]
+        if lubricated or "only" not in row
+    ]
+
+
+def lubricated(scene: Mapping[str, str], default: str) -> bool:
+    """Whether contacts of the deck's variables `scene` have a film; `default` is the deck's
+    lubricant. Unknown lubricants count as one: the deck has the message."""
+    try:
+        data = inputs.values(catalogue.find("lubricants", scene.get("lubricant", default)))
+    except RacewayError:
+        return True
+    return data.get("film") != "dry"
+
+
+def variables(picked: Iterable[Choice]) -> dict[str, str]:
+    """The deck's variables of the reference with `picked` dropped and coarsened."""
+    result, without = dict(REFERENCE), []
+    for choice in picked:
+        result.update(choice.settings)
+        if choice.without:
+            without.append(choice.without)
+    return {**result, **({"without": "+".join(without)} if without else {})}
+
+
+def sets(available: Sequence[Choice]) -> list[tuple[Choice, ...]]:
+    """Every set of the choices that a deck can run: at most one of a group, and no part that the
+    models of the set do not have."""
+    groups: dict[str, list[Choice | None]] = {}
+    for choice in available:
+        groups.setdefault(choice.group, [None]).append(choice)
+    result = []
+    for row in product(*groups.values()):
+        picked = tuple(choice for choice in row if choice is not None)
+        models = next((choice for choice in picked if choice.parts is not None), None)
+        out = [choice.without for choice in picked if choice.without]
+        if models is None or set(out) <= set(models.parts):
+            result.append(picked)
+    return result

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs the hard cases with relative tolerances, by smoothed friction and by the models `full`, and
+writes docs/performance/relative_tolerance.rst.
+
+    python tests/hard/table_relative.py
+"""
+
+import re
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS))  # as pytest.ini does
+
+from hard import harness  # noqa: E402
+from hard.harness import CASES, judge, judge_statics, reference  # noqa: E402
+from hard.table import list_table, number  # noqa: E402
+
+TARGET = TESTS.parent / "docs/performance/relative_tolerance.rst"
+SHARES = (0.0, 2e-4, 5e-4)
+HEAD = ["case", "corrections", *(f"fewer by, R = {share:g}" for share in SHARES[1:])]
+HEAD += ["bound", *(f"figure, R = {share:g}" for share in SHARES)]
+
+
+def corrections(course):
+    """Of the whole run, refused steps included."""
+    found = re.search(r"CONTROL .* substeps (\S+) corrections (\S+)", course.text)
+    return float(found[1]) * float(found[2])
+
+
+def by_smoothed_friction(name, folder):
+    """(course, verdict with the least room) by share."""
+    case = CASES[name]
+    truths = {k: reference(k, folder, case) for k in case["references"] if k != "statics"}
+    for share in SHARES:
+        words = f"{case.get('control', '')} relative {share}"
+        course = harness.run(folder, case, control=words)
+        verdicts = [
+            judge_statics(course, case)
+            if kind == "statics"
+            else judge(course, truths[kind], case, words)
+            for kind, words in case["references"].items()
+        ]
+        yield course, max(verdicts, key=lambda one: one.figure / one.bound)
+
+
+def by_full(name, folder):
+    """The same with the models `full`, against velocity Verlet."""
+    truth = None
+    for share in SHARES:
+        case = dict(CASES[name])
+        case["control"] = f"{case.get('control', '')} relative {share}"
+        if truth is None:
+            course, truth, verdict = harness.full(folder, case)
+        else:
+            course, _, verdict = harness.full(folder, case, truth)
+        yield course, verdict
+
+
+def table(by, folder):
+    """Rows of the table, and how many of them save a half and miss their bound at each share."""
+    rows, halves, misses = [], [0] * len(SHARES), [0] * len(SHARES)
+    for name in CASES:
+        found = list(by(name, folder))
+        print(name, [corrections(course) for course, _ in found], flush=True)
+        counts = [corrections(course) for course, _ in found]
+        verdicts = [verdict for _, verdict in found]
+        for k, verdict in enumerate(verdicts):
+            halves[k] += counts[0] >= 1.5 * counts[k]
+            misses[k] += not verdict.good
+        rows.append(
+            [
+                name,
+                f"{counts[0]:.0f}",
+                *(f"{counts[0] / count:.2f}" for count in counts[1:]),
+                number(verdicts[0].bound),
+                *(number(one.figure) + ("" if one.good else " **misses**") for one in verdicts),
+            ]
+        )
+    return rows, halves, misses
+
+
+def sentence(halves, misses):
+    return [
+        f"R = {share:g} saves a third of the corrections or more in {half} of {len(CASES)} cases."
+        f" {missed} are outside their bound."
+        for share, half, missed in zip(SHARES[1:], halves[1:], misses[1:])
+    ]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        smoothed, full = (table(by, folder) for by in (by_smoothed_friction, by_full))
+    text = [
+        ".. written by make bench (tests/hard/table_relative.py); do not edit",
+        "",
+        "Relative tolerance",
+        "==================",
+        "",
+        *f"""\
+The scenes of :doc:`hard_cases` and :doc:`hard_cases_full` with *relative* R of
+:doc:`../fix_bearing_implicit`. The tolerance is then 1 nm, or R times the largest overlap.
+Corrections count those of refused steps. The figure is the largest difference of the
+contact load over the peak load, against the reference with the least room to its bound. Written on
+{date.today()}.
+""".splitlines(),
+        "",
+    ]
+    for title, (rows, halves, misses) in (
+        ("Smoothed friction", smoothed),
+        ("Models full, against velocity Verlet", full),
+    ):
+        text += [title, "-" * len(title), "", *sentence(halves, misses), ""]
+        text += list_table(HEAD, rows)
+    TARGET.write_text("\n".join(text))
+    print(TARGET)
+
+
+if __name__ == "__main__":
+    main()

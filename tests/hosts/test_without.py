@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""-var without: parts of the models that a run leaves out."""
+
+import shutil
+
+import pytest
+from host import ROOT, liggghts, run, succeed
+from raceway.runs.run import Run
+
+SCENE = {"passes": 1, "samples": 20, "lubricant": "vg46", "load": 2000, "models": "full"}
+# a figure or a loss of the summary that a part changes, and how it is without it
+LOSSES = {"rolling": "rolling", "rolling_hysteresis": "hysteresis", "drag": "drag"}
+# part: (words of the pair style that are gone, words that are there instead)
+WORDS = {
+    "gap": ("gap 1", "rolling_hysteresis 0.01"),
+    "film_branch": ("film_damping branch", "gap 1"),
+    "inlet_shear": ("inlet_shear", "gap 1"),
+    "asperities": ("mixed 0.12", "mixed 0.05 0.05"),
+    "differential_slip": ("heathcote", "smoothed 0.01"),
+    "spin": ("spin 1", "spin 0"),
+}
+
+
+def commands(folder):
+    return Run(folder).tables.record.attrs["pair_commands"]
+
+
+@pytest.mark.parametrize("part", WORDS)
+def test_words(tmp_path, part):
+    gone, there = WORDS[part]
+    succeed("inputs/in.6208", out=tmp_path, without=part, **SCENE)
+    assert gone not in commands(tmp_path) and there in commands(tmp_path)
+    assert f"without={part}" in Run(tmp_path).settings["deck_variables"]
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("whole")
+    succeed("inputs/in.6208", out=folder, **SCENE)
+    return Run(folder).summary()
+
+
+def test_losses_that_are_gone(tmp_path, whole):
+    """Each of its own, and the others stay."""
+    succeed("inputs/in.6208", out=tmp_path, without="+".join(LOSSES), **SCENE)
+    losses = Run(tmp_path).summary()["losses_W"]
+    for loss in LOSSES.values():
+        assert whole["losses_W"][loss] > 1e-3 and losses[loss] == 0, loss
+    assert losses["slip"] == pytest.approx(whole["losses_W"]["slip"], rel=0.1)
+
+
+def test_starvation(tmp_path, whole):
+    """SKF's factor of the rolling couple, formula 10000 EN 2013; 1 without it."""
+    succeed("inputs/in.6208", out=tmp_path, without="starvation", **SCENE)
+    starved, flooded = (one["losses_W"]["rolling"] for one in (whole, Run(tmp_path).summary()))
+    nu = 1e6 * whole["viscosity_Pa_s"] / 858  # mm2/s; vg46 at 40 C
+    factor = 2.718281828 ** (-3e-8 * nu * 477.5 * 120 * (1.55 / 40) ** 0.5)
+    assert starved / flooded == pytest.approx(factor, rel=2e-3)
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+def test_mistakes(tmp_path, host):
+    for words, says in (
+        ({"without": "drag+spinn"}, "there is no part 'spinn' to leave out"),
+        ({"without": "+drag"}, "there is no part '' to leave out"),
+        ({"without": "spin", "models": "film"}, "there is: gap film_branch inlet_shear"),
+        ({"without": "spin", "models": "paper"}, "there is no part 'spin' to leave out"),
+        ({"without": "drag", "lubricant": "dry"}, "there is: rolling_hysteresis spin"),
+    ):
+        done = run("inputs/in.6208", host=host, out=tmp_path / "run", **{**SCENE, **words})
+        assert done.code != 0 and says in done.error, (words, done.error)
+
+
+def test_models_of_ones_own(tmp_path):
+    """They need no parts; then there is none to leave out."""
+    inputs = tmp_path / "inputs"
+    shutil.copytree(ROOT / "inputs", inputs)
+    (inputs / "models" / "mine").write_text('variable film_law string "friction constant 0.07"\n')
+    words = {**SCENE, "inputs": inputs, "models": "mine", "out": tmp_path / "run"}
+    succeed("inputs/in.6208", **words)
+    assert "friction constant 0.07" in commands(tmp_path / "run")
+    failed = liggghts("inputs/in.6208", without="drag", overwrite="yes", **words)
+    assert failed.code != 0 and "there is no part 'drag' to leave out" in failed.error

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A tolerance relative to the largest overlap, in the main deck."""
+
+import pytest
+from host import liggghts, succeed
+from raceway.runs.run import Run
+
+SCENE = {"passes": 2, "samples": 20, "load": 5000}
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory):
+    """share -> folder of the run"""
+    folder = tmp_path_factory.mktemp("relative")
+    for share in (0, 5e-4, 2e-3):
+        succeed("inputs/in.6208", out=folder / f"{share:g}", relative_tolerance=share, **SCENE)
+    succeed("inputs/in.6208", out=folder / "fine", tolerance=1e-11, **SCENE)
+    return folder
+
+
+def test_fewer_evaluations_and_exact_loads(runs):
+    """Each step may be off by R over the largest overlap, so a load by 1.5 R."""
+    exact = Run(runs / "fine").contacts["load"]
+    evaluations = []
+    for share in (0, 5e-4, 2e-3):
+        ran = Run(runs / f"{share:g}")
+        evaluations.append(ran.settings["evaluations"])
+        off = float(abs(ran.contacts["load"] - exact).max() / exact.max())
+        assert off < max(1e-3, 1.5 * share), share
+    assert evaluations[0] > 1.3 * evaluations[1] > 1.3 * evaluations[2]
+
+
+def test_light_loads_keep_the_tolerance(tmp_path):
+    """5 N press the balls in by 0.2 um: 5e-4 of it is below 1 nm, so the bits are the same."""
+    for share in (0, 5e-4):
+        out = tmp_path / f"{share}"
+        words = {**SCENE, "load": 5, "rpm": 100, "settle": 2, "lubricant": "dry"}
+        succeed("inputs/in.6208", out=out, relative_tolerance=share, **words)
+    loads = [Run(tmp_path / f"{share}").contacts["load"] for share in (0, 5e-4)]
+    assert loads[0].equals(loads[1])
+
+
+def test_goes_on_to_the_same_bits(tmp_path, runs):
+    words = {**SCENE, "relative_tolerance": 5e-4, "out": tmp_path}
+    succeed("inputs/in.6208", **{**words, "passes": 1})
+    succeed("inputs/in.6208", resume="yes", **words)
+    assert (tmp_path / "record.nc").read_bytes() == (runs / "0.0005" / "record.nc").read_bytes()
+
+
+def test_refused(tmp_path):
+    for words, says in (
+        ({"relative_tolerance": 0.1}, "tolerance relative to the largest overlap"),
+        (
+            {"relative_tolerance": 1e-4, "integrator": "damping"},
+            "relative is 0.0001, must be 0 with 'solve damping'",
+        ),
+    ):
+        failed = liggghts("inputs/in.6208", out=tmp_path, **{**SCENE, **words})
+        assert failed.code != 0 and says in failed.error, failed.error
