@@ -20,6 +20,7 @@ from raceway.commands import (
     needs,
     paper,
     plot,
+    report,
     shaft,
     spectrum,
     static,
@@ -35,6 +36,7 @@ examples:
   raceway check build/run/6208                           and their numerical errors
   raceway plot build/run/6208 --kind polar               a picture
   raceway animate build/run/6208                         a film of it
+  raceway report build/run/6208                          all of it as one HTML page
   raceway catalogue --bore 40                            the bearings by name
   raceway static --load 2000 --clearance 10e-6           theory, without a run
   raceway shaft inputs/shafts/motor                     bearings on one shaft
@@ -86,6 +88,7 @@ def _parser():
         summary,
         check,
         plot,
+        report,
         animate,
         export,
         spectrum,

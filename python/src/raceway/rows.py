@@ -67,23 +67,42 @@ def lines(
     """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
     Where there are `errors` by key, in the unit of the figure, a column has them."""
     result = []
-    for topic, rows in topics.items():
-        block = [
-            _line(row, figures[row.key], errors) for row in rows if figures[row.key] is not None
-        ]
-        if block:
-            result += ["", topic, *block]
+    for row in cells(figures, topics, errors):
+        if len(row) == 1:
+            result += ["", *row]
+            continue
+        label, value, error, source = row
+        error = "" if errors is None else f"{error:>12}"
+        source = f"({source})" if source else ""
+        result.append(f"  {label:<32}{value:>14}{error}  {source}".rstrip())
     return result[1:]
 
 
-def _line(row, value, errors):
-    source = f"({row.source})" if row.source else ""
-    error = ""
-    if errors is not None:
-        known = errors.get(row.key) and row.unit is not None
-        error = f"{'±' + _shown(errors[row.key], row.unit, 3) if known else '':>12}"
-    shown = value if row.unit is None else _shown(value, row.unit, 4)
-    return f"  {row.label:<32}{shown:>14}{error}  {source}".rstrip()
+def cells(
+    figures: Mapping[str, Any],
+    topics: Mapping[str, Sequence[Row]],
+    errors: Mapping[str, float] | None = None,
+) -> list[tuple[str, ...]]:
+    """The cells of that table: (label, value, error, source), and (topic,) above a topic's."""
+    result: list[tuple[str, ...]] = []
+    for topic, rows in topics.items():
+        block = [
+            (row.label, _value(row, figures[row.key]), _error(row, errors), row.source)
+            for row in rows
+            if figures[row.key] is not None
+        ]
+        if block:
+            result += [(topic,), *block]
+    return result
+
+
+def _value(row, value):
+    return value if row.unit is None else _shown(value, row.unit, 4)
+
+
+def _error(row, errors):
+    known = errors and errors.get(row.key) and row.unit is not None
+    return "±" + _shown(errors[row.key], row.unit, 3) if known else ""
 
 
 def _shown(value, unit, digits):

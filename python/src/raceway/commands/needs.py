@@ -63,7 +63,7 @@ def add(commands: Commands) -> None:
         nargs="+",
         metavar="NAME",
         default=[],
-        help="parts and groups that are not touched: drag, samples, record, ...",
+        help="parts and groups that stay as they are: drag, samples, record, ...",
     )
     one.add_argument(
         "--out", metavar="DIR", default="build/needs", help="folder (default: %(default)s)"

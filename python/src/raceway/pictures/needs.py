@@ -57,7 +57,7 @@ def picture(found: Needs, path: FilePath) -> None:
             text = f"{value:.0f} %" if math.isfinite(value) else "fails"
             cost.text(np.nan_to_num(value) + 1, k, text, va="center", fontsize=9, color=SOFT)
         cost.axvline(100, color=SOFT, linewidth=0.8)
-        cost.set(xlabel="processor time over that of the reference (%)")
+        cost.set(xlabel="processor time (% of the reference)")
         cost.set_title("cost")
         cost.tick_params(labelleft=False, length=0)
         effect.axhline(len(rows) - 1.5, color="white", linewidth=4)
@@ -65,4 +65,4 @@ def picture(found: Needs, path: FilePath) -> None:
 
 
 def _head(word, wanted):
-    return word.replace("_", " ") + (f"\nwanted {percent(wanted[word])}" if word in wanted else "")
+    return word.replace("_", "\n") + (f"\nwanted {percent(wanted[word])}" if word in wanted else "")

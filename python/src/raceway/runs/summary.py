@@ -320,12 +320,16 @@ def _plain(value):
 def table(figures: Mapping[str, Any]) -> str:
     """The mapping of `summary` as text, a topic a block; figures the run has none of, or that are
     next to nothing, are left out. Warnings stand at the end."""
-    shown = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
-    losses = figures["losses_W"] or dict.fromkeys(PARTS)
-    shown.update({f"loss_{part}_W": loss or None for part, loss in losses.items()})
     warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
-    text = lines(shown, TOPICS, figures.get("numerical_errors"))
+    text = lines(shown(figures), TOPICS, figures.get("numerical_errors"))
     return "\n".join(text + (warnings if figures["warnings"] else []))
+
+
+def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
+    """The figures by the keys of `TOPICS`, None for those that are next to nothing."""
+    result = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
+    losses = figures["losses_W"] or dict.fromkeys(PARTS)
+    return {**result, **{f"loss_{part}_W": loss or None for part, loss in losses.items()}}
 
 
 def _nothing(key, figures):

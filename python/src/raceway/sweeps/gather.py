@@ -19,7 +19,8 @@ def gather(folder: FilePath) -> pd.DataFrame:
     """A row per point of the sweep in `folder`: `point`, `status` (finished, failed, pending),
     `message`, the variables that were set, and every key of `raceway.summary.summary` (SI units),
     the losses as `loss_rolling_W` and so on.
-    Sorted by the variables. Raises `RacewayError` for no point.
+    Sorted by the variables, whose names are `attrs["variables"]`. Raises `RacewayError` for no
+    point.
     """
     rows, variables = [], {}
     for path in sorted(Path(folder).glob("*/point.yaml")):
@@ -45,9 +46,10 @@ def gather(folder: FilePath) -> pd.DataFrame:
         except (ValueError, TypeError):
             pass
     rest = [name for name in table if name not in KEYS and name not in variables]
-    return table.sort_values(list(variables), kind="stable", ignore_index=True)[
-        [*KEYS, *variables, *rest]
-    ]
+    table = table.sort_values(list(variables), kind="stable", ignore_index=True)
+    table = table[[*KEYS, *variables, *rest]]
+    table.attrs["variables"] = list(variables)
+    return table
 
 
 def write_results(folder: FilePath) -> tuple[Path, pd.DataFrame]:

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway report DIR`: a run or a sweep as one HTML page."""
+
+import argparse
+from pathlib import Path
+
+from raceway.commands import Commands
+from raceway.errors import RacewayError
+
+DESCRIPTION = """\
+Writes a run or a sweep as one HTML page to send to a colleague: figures with their errors, pictures
+to zoom and read, warnings, what was set, and the command that repeats it. The page is a single file
+and loads nothing."""
+EXAMPLES = """\
+examples:
+  raceway report build/run/6208                   build/run/6208/report.html
+  raceway report build/sweep/first --out first.html
+
+Exit codes: 0 done, 1 the folder holds no finished run and no sweep, 2 wrong command line."""
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "report",
+        help="a run or a sweep as one HTML page",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument("folder", metavar="DIR", help="folder of the run or of the sweep")
+    one.add_argument("--out", metavar="HTML", help="where to put it (default: DIR/report.html)")
+    one.set_defaults(command=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Write the page and print its path. Raises `RacewayError`."""
+    from raceway.report import of_run, of_sweep  # matplotlib takes a while
+
+    folder = Path(arguments.folder)
+    if (folder / "run.yaml").exists():
+        page = of_run.page(folder)
+    elif any(folder.glob("*/point.yaml")):
+        page = of_sweep.page(folder)
+    else:
+        raise RacewayError(f"{folder} holds no run (run.yaml) and no sweep (*/point.yaml)")
+    print(page.write(arguments.out or folder / "report.html"))

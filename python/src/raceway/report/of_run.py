@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The page of a run: its figures with their errors, pictures, warnings and what was set."""
+
+import shlex
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from raceway.errors import RacewayError, RunError
+from raceway.pictures.overview import overview
+from raceway.pictures.page import title
+from raceway.pictures.part import shown as part
+from raceway.report.page import Page
+from raceway.rows import cells
+from raceway.runs.columns import BEARING, CONTACT
+from raceway.runs.summary import TOPICS, ring_displacement, shown, summary
+from raceway.runs.tables import RunTables
+from raceway.sweeps.check import variables
+from raceway.units import axis
+
+POINTS = 2000  # of a line: what a screen shows
+AROUND = ("load", "h_min", "sliding")  # columns of the contacts
+# lines over time by chart: columns of the totals
+CHARTS = {
+    "Largest contact loads": ("load_inner", "load_outer"),
+    "Largest Hertz pressures": ("pressure_inner", "pressure_outer"),
+    "Thinnest film": ("h_min",),
+    "Film parameter": ("lambda",),
+    "Capacitance of the bearing": ("capacitance",),
+    "Balls loaded on both raceways": ("loaded_balls",),
+    "Cage speed": ("cage_speed",),
+    "Power lost": ("friction_power", "rolling_power", "hysteresis_power", "spin_power")
+    + ("damping_power", "drag_power", "cage_power"),
+}
+
+
+def page(folder: Path) -> Page:
+    """The page of the run in `folder`. Raises `RunError` for one that is broken or not finished."""
+    tables = RunTables(folder)
+    figures = summary(tables)
+    result = Page(title(tables))
+    result.text(f"A run of {figures['host']}, written by raceway report.")
+    _warnings(result, figures)
+    _figures(result, figures)
+    _pictures(result, tables)
+    _settings(result, tables)
+    return result
+
+
+def _warnings(page, figures):
+    for text in figures["warnings"]:
+        page.text(text, "warning")
+    if not figures["warnings"]:
+        page.text("No figure is beyond the validity of its formula.")
+
+
+def _figures(page, figures):
+    page.heading("Figures")
+    rows = cells(shown(figures), TOPICS, figures.get("numerical_errors"))
+    head = ("", "", "numerical error", "")
+    page.table(rows, ("", "number", "number", "source"), head)
+    if "numerical_errors" not in figures:
+        page.text("Numerical errors are not known: raceway check finds them.")
+
+
+def _pictures(page, tables):
+    page.heading("Pictures")
+    page.text("Drag a frame to zoom, double-click to see all, point to read values.")
+    totals, rings = tables.totals, tables.rings
+    step = _step(len(totals))
+    if step > 1:
+        page.text(f"Lines have every {step}th sample; the figures are of all.")
+    over_time = _axis(tables, totals.index.to_numpy(float))
+    for name, columns in CHARTS.items():
+        there = [one for one in columns if one in totals and totals[one].notna().any()]
+        if there:
+            lines = {BEARING[one].meaning: totals[one].to_numpy(float) for one in there}
+            _chart(page, name, over_time, BEARING[there[0]].unit, lines)
+    shift = {"along the load": ring_displacement(tables)}
+    _chart(page, "Radial displacement", _axis(tables, rings["sample"].to_numpy(float)), "m", shift)
+    try:
+        _around(page, tables)
+        page.heading("Overview")
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "overview.png"
+            overview(tables, path)
+            page.picture(path.read_bytes(), "Loads, film, pressure and capacitance of the run")
+    except RunError as error:  # a record of sums has no contacts
+        page.text(f"No picture of the contacts: {error}")
+
+
+def _around(page, tables):
+    """Load, film and sliding over the azimuth from the load line, by raceway."""
+    contacts = part(tables).contacts
+    angle = np.degrees(tables.from_load_line(contacts["azimuth"].to_numpy()))
+    x = {"label": "azimuth from the load line (degrees)", "values": angle}
+    for name in AROUND:
+        if name in contacts:
+            lines = {
+                side: np.where(contacts["raceway"] == number, contacts[name], np.nan)
+                for number, side in enumerate(("inner raceway", "outer raceway"))
+            }
+            title = f"Around the ring: {CONTACT[name].meaning}"
+            _chart(page, title, x, CONTACT[name].unit, lines, points=True)
+
+
+def _axis(tables, samples):
+    return {"label": "time (ball passes)", "values": tables.passes(samples)}
+
+
+def _step(samples):
+    return max(1, -(-samples // POINTS))
+
+
+def _chart(page, title, x, unit, lines, points=False):
+    """A chart of `lines`, values in SI units by name, with a prefix before the `unit`."""
+    step = slice(None, None, _step(len(x["values"])))
+    known = [np.abs(values[np.isfinite(values)]).max(initial=0.0) for values in lines.values()]
+    factor, label = axis(max(known), unit) if unit else (1.0, "1")
+    page.chart(
+        title,
+        {
+            "x": {"label": x["label"], "values": x["values"][step]},
+            "y": label,
+            "lines": [
+                {"label": name, "values": factor * values[step], "points": points}
+                for name, values in lines.items()
+            ],
+        },
+    )
+
+
+def _settings(page, tables):
+    page.heading("What was set")
+    try:
+        words = variables(tables)
+    except RacewayError as error:
+        page.text(str(error))
+    else:
+        page.text("The command that repeats it, from the folder of the repository:")
+        page.code(repeat(words))
+    rows = [(name, str(value)) for name, value in tables.settings.items()]
+    page.table([row for row in rows if row[0] != "deck_variables"], ("", ""))
+
+
+def repeat(words: Mapping[str, str]) -> str:
+    """The command that runs the main deck with the variables `words`."""
+    own = " ".join(f"-var {name} {shlex.quote(str(value))}" for name, value in words.items())
+    return f"build/liggghts -in inputs/in.6208 {own}"

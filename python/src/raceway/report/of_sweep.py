@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The page of a sweep: its points, what failed, and a chart of any figure over any other."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from raceway.report.page import Page
+from raceway.sweeps.gather import gather
+from raceway.sweeps.point_run import FAILED, FINISHED
+
+LONGEST = 500  # rows of the table; the chart has all
+
+
+def page(folder: Path) -> Page:
+    """The page of the sweep in `folder`. Raises `RacewayError` when it holds no point."""
+    table = gather(folder)
+    finished = table[table["status"] == FINISHED]
+    result = Page(f"Sweep {Path(folder).name}: {len(table)} points, {len(finished)} finished")
+    for _, row in table[table["status"] == FAILED].iterrows():
+        result.text(f"{row['point']}: {row['message']}", "warning")
+    numbers = _numbers(finished)
+    if len(numbers.columns) > 1:
+        varied = [name for name in table.attrs["variables"] if name in numbers]
+        figures = [name for name in numbers if name not in varied]
+        result.heading("Figures")
+        result.text("Pick the axes. Drag a frame to zoom, double-click to see all.")
+        result.chart(
+            "One figure over another",
+            {
+                "table": {name: numbers[name].to_list() for name in [*varied, *figures]},
+                "names": finished["point"].to_list(),
+                "x": (varied or figures)[0],
+                "y": "capacitance_F" if "capacitance_F" in figures else figures[0],
+            },
+        )
+    result.heading("Points")
+    head = [name for name in table if name != "point" and table[name].notna().any()]
+    rows = [[_cell(row[name]) for name in head] for _, row in table[:LONGEST].iterrows()]
+    result.table(rows, ["number"] * len(head), head)
+    if len(table) > LONGEST:
+        result.text(f"The first {LONGEST} of {len(table)} points; results.csv has all.")
+    result.heading("The command that repeats it")
+    result.text("This table, then:")
+    names = table.attrs["variables"]
+    rows = dict.fromkeys(",".join(map(_exact, row)) for row in table[names].itertuples(index=False))
+    result.code("\n".join([",".join(names), *rows]))
+    result.code("raceway sweep TABLE.csv --out DIR")
+    return result
+
+
+def _numbers(table):
+    numbers = table.select_dtypes("number")
+    return numbers.loc[:, numbers.nunique() > 1]
+
+
+def _exact(value):
+    return value if isinstance(value, str) else f"{value:.15g}"
+
+
+def _cell(value):
+    if isinstance(value, float):
+        return "" if pd.isna(value) else f"{value:.5g}"
+    return str(value)

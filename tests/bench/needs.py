@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What 20 scenes drawn at random need, each answer judged by runs that `raceway needs` did not
+make; writes docs/performance/needs.rst.
+
+    .venv/bin/python tests/bench/needs.py [--print]     --print: leave the page alone
+
+Exit code 1 when fewer than 19 answers keep what is wanted, or the median cost is above a fifth.
+"""
+
+import json
+import random
+import statistics
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+from machine import machine
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+
+from hard.table import list_table  # noqa: E402
+from host import liggghts  # noqa: E402
+from raceway.cli import main as raceway  # noqa: E402
+from raceway.runs.run import Run  # noqa: E402
+from raceway.sweeps.needs_shown import percent  # noqa: E402
+from raceway.sweeps.scene_parts import FIGURES, REFERENCE  # noqa: E402
+
+TARGET = ROOT / "docs/performance/needs.rst"
+SCENES, SEED = 20, 16
+KEPT, CHEAPER = 19, 5  # what is asked for
+WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
+EXACT = {**REFERENCE, "tolerance": "1e-11", "samples": "1000"}  # finer than the tool's reference
+HEAD = ["scene", *WANTED, "cost", "evaluations", "times cheaper", "left out, coarsened"]
+
+
+def scene(draw):
+    """Variables of a scene: load, axial load, speed, clearance, oil, temperature."""
+    load = 10 ** draw.uniform(2.5, 4)
+    return {
+        "passes": "2",
+        "settle": "2",
+        "load": f"{load:.3g}",
+        "axial": f"{load * draw.choice([0, 0, draw.uniform(0.1, 0.5)]):.3g}",
+        "rpm": f"{10 ** draw.uniform(2, 3.8):.3g}",
+        "clearance": f"{draw.uniform(-5e-6, 2e-5):.2g}",
+        "lubricant": draw.choice(["vg32", "vg46", "vg68", "vg100", "pao8"]),
+        "temperature": f"{draw.uniform(20, 90):.2g}",
+    }
+
+
+def words(variables):
+    return [word for name, value in variables.items() for word in ("-var", name, value)]
+
+
+def figures(folder, variables):
+    """The figures of a run, or what the host says."""
+    done = liggghts("inputs/in.6208", out=folder, **variables)
+    if done.code:
+        return done.error
+    found = Run(folder).summary()
+    return {word: found[FIGURES[word]] for word in WANTED}
+
+
+def row(own, folder):
+    """(cells of the table, whether it keeps what is wanted, cost), or None for a scene that the
+    engine refuses with every part of the model."""
+    name = ", ".join(
+        f"{key} {value}" for key, value in own.items() if key not in ("passes", "settle")
+    )
+    exact = figures(folder / "exact", {**own, **EXACT})
+    if isinstance(exact, str):
+        print(name, "refused:", exact, flush=True)
+        return None
+    code = raceway(["needs", "inputs/in.6208", *words(own), "--out", str(folder / "needs")])
+    assert code == 0, name
+    found = json.loads((folder / "needs" / "needs.json").read_text())
+    picked = figures(folder / "picked", {**own, **found["words"]})
+    errors = {word: abs(picked[word] / exact[word] - 1) for word in WANTED}
+    good = all(errors[word] <= most for word, most in WANTED.items())
+    best = found["best"]
+    print(name, errors, best["cost"], best["names"], flush=True)
+    cells = [
+        name,
+        *(
+            percent(error) + ("" if error <= WANTED[word] else " **misses**")
+            for word, error in errors.items()
+        ),
+        percent(best["cost"]),
+        percent(best["evaluations"]),
+        f"{1 / best['cost']:.1f}",
+        ", ".join(best["names"]) or "nothing",
+    ]
+    return cells, good, best["cost"]
+
+
+def main():
+    draw, rows, refused = random.Random(SEED), [], 0
+    while len(rows) < SCENES:
+        own = scene(draw)
+        with tempfile.TemporaryDirectory() as folder:
+            found = row(own, Path(folder))
+        if found is None:
+            refused += 1
+        else:
+            rows.append(found)
+    kept = sum(good for _, good, _ in rows)
+    cheaper = [1 / cost for _, _, cost in rows]
+    middle = statistics.median(cheaper)
+    wanted = " ".join(f"{word}={100 * most:g}%" for word, most in WANTED.items())
+    text = [
+        ".. written by make bench (tests/bench/needs.py); do not edit",
+        "",
+        "What scenes need",
+        "================",
+        "",
+        *f"""\
+``raceway needs`` (:doc:`../needs`) was asked for ``--want {wanted}`` in {SCENES} scenes of a 6208.
+They were drawn at random, seed {SEED}. Written on {date.today()}:
+""".splitlines(),
+        "",
+        *(f"- {line}" for line in machine()),
+        "",
+        *f"""\
+The errors are of one more run with the words of the answer. It is held against a run with every
+part of the model at a tolerance of 0.01 nm and 1000 samples a ball pass. The command does not
+see that run. {kept} of {SCENES} answers keep what is wanted; {KEPT} are asked for.
+
+Full and fine is a tolerance of 0.1 nm and 400 samples a ball pass. The answers are {middle:.1f}
+times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is asked for.
+Cost is processor time, the median of three runs. {refused} more scenes did not run with every part of the
+model, before any answer.
+""".splitlines(),
+        "",
+        *list_table(HEAD, [cells for cells, _, _ in rows]),
+    ]
+    print("\n".join(text)) if "--print" in sys.argv else TARGET.write_text("\n".join(text))
+    if kept < KEPT or middle < CHEAPER:
+        sys.exit(f"{kept} of {SCENES} kept, {middle:.1f} times cheaper")
+
+
+if __name__ == "__main__":
+    main()

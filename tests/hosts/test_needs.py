@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway needs` with the real program: random scenes, judged by runs that it did not make."""
+
+import json
+import random
+import shlex
+
+import pytest
+from host import ROOT, succeed
+from raceway.cli import main
+from raceway.runs.run import Run
+from raceway.sweeps.scene_parts import FIGURES, REFERENCE, choices, sets, variables
+
+SEED = 16
+SHORT = {"passes": "1", "settle": "1"}
+WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
+# what the second scene leaves alone, so that it is quick
+FEW = ["asperities", "differential_slip", "drag", "inlet_shear", "record", "rolling", "samples"]
+FEW += ["rolling_hysteresis", "film_branch", "spin", "damping", "relative 5e-4", "starvation"]
+
+
+def scene(number):
+    """Variables of a scene drawn at random: load, speed, clearance, oil, temperature."""
+    draw = random.Random(100 * SEED + number)
+    return {
+        **SHORT,
+        "load": f"{10 ** draw.uniform(2.7, 3.9):.4g}",
+        "rpm": f"{10 ** draw.uniform(2.3, 3.5):.4g}",
+        "clearance": f"{draw.uniform(-5e-6, 2e-5):.3g}",
+        "lubricant": draw.choice(["vg32", "vg68", "pao8"]),
+        "temperature": f"{draw.uniform(30, 80):.3g}",
+    }
+
+
+def words(variables):
+    return [word for name, value in variables.items() for word in ("-var", name, value)]
+
+
+@pytest.fixture(scope="module", params=[(0, []), (1, ["--keep", *FEW])], ids=["all", "few"])
+def answered(request, tmp_path_factory):
+    """(scene, what raceway needs wrote, its folder)"""
+    number, keep = request.param
+    folder = tmp_path_factory.mktemp("needs")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(ROOT)
+        own = scene(number)
+        assert main(["needs", "inputs/in.6208", *words(own), *keep, "--out", str(folder)]) == 0
+    return own, json.loads((folder / "needs.json").read_text()), folder
+
+
+def figures(folder):
+    found = Run(folder).summary()
+    return {word: found[key] for word, key in FIGURES.items()}
+
+
+def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
+    """Of two runs made by hand: one with all parts, finer than the command's own reference, and one
+    with the words that it gives."""
+    own, found, _ = answered
+    assert found["wanted"] == WANTED
+    finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
+    succeed("inputs/in.6208", out=tmp_path / "exact", **own, **finer)
+    succeed("inputs/in.6208", out=tmp_path / "picked", **own, **found["words"])
+    exact, picked = figures(tmp_path / "exact"), figures(tmp_path / "picked")
+    for word, most in WANTED.items():
+        assert abs(picked[word] / exact[word] - 1) <= most, word
+        assert found["best"]["errors"][word] <= most, word
+    assert found["best"]["evaluations"] < 0.2
+    assert (Run(tmp_path / "picked").settings["evaluations"]) == pytest.approx(
+        found["best"]["evaluations"] * reference(answered)["evaluations"], rel=1e-9
+    )
+
+
+def reference(answered):
+    own, _, folder = answered
+    for point in folder.glob("*/summary.json"):
+        asked = (point.parent / "run.yaml").read_text()
+        if "tolerance=1e-10" in asked and "without=none" in asked and "samples=400" in asked:
+            found = json.loads(point.read_text())
+            if found["models"] == "full" and found["integrator"] == "implicit":
+                return found
+    raise AssertionError("no reference")
+
+
+def test_effects_are_those_of_the_runs(answered, tmp_path):
+    own, found, _ = answered
+    rows = {row["names"][0]: row for row in found["single"]}
+    succeed("inputs/in.6208", out=tmp_path, **own, **{**REFERENCE, "without": "gap"})
+    exact, without = reference(answered), figures(tmp_path)
+    for word, key in FIGURES.items():
+        assert rows["gap"]["errors"][word] == pytest.approx(
+            abs(without[word] / exact[key] - 1), rel=1e-9, abs=1e-12
+        )
+    assert rows["models paper"]["errors"]["torque"] > 0.5  # it has no rolling friction
+
+
+def test_goes_on_without_running_again(answered, capsys, monkeypatch):
+    own, found, folder = answered
+    monkeypatch.chdir(ROOT)
+    before = {path: path.stat().st_mtime_ns for path in folder.glob("*/run.yaml")}
+    assert len(before) > 5 and (folder / "needs.png").stat().st_size > 20000
+    capsys.readouterr()
+    keep = [] if len(found["single"]) > len(FEW) else ["--keep", *FEW]
+    assert main(["needs", "inputs/in.6208", *words(own), *keep, "--out", str(folder)]) == 0
+    assert {path: path.stat().st_mtime_ns for path in folder.glob("*/run.yaml")} == before
+    said = capsys.readouterr().out
+    assert shlex.split(said.strip().splitlines()[-1]) == words({**own, **found["words"]})
+
+
+def test_wants_that_forbid_everything(answered, monkeypatch):
+    """Then it is the reference that is picked."""
+    own, _, folder = answered
+    monkeypatch.chdir(ROOT)
+    tight = ["--want", "torque=1e-9", "--keep", *FEW]
+    assert main(["needs", "inputs/in.6208", *words(own), *tight, "--out", str(folder)]) == 0
+    found = json.loads((folder / "needs.json").read_text())
+    assert found["best"]["names"] == [] and found["words"] == REFERENCE
+    assert not {row["names"][0] for row in found["single"]} & set(FEW)
+
+
+def test_mistakes(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(ROOT)
+    for more, says in (
+        (["--want", "torqu=1%"], "must be FIGURE=ERROR"),
+        (["--want", "torque=0%"], "the error must be above 0 and at most 100%"),
+        (["-var", "tolerance", "1e-8"], "-var tolerance: raceway needs sets it"),
+        (["-var", "without", "drag"], "-var without: raceway needs sets it"),
+        (["-var", "load", "5 6"], "must be one word or number"),
+        (["--keep", "drags"], "--keep drags: there is:"),
+        (["--program", "nowhere/x"], "there is no program 'nowhere/x'"),
+        (["-var", "load", "1e9"], "the scene with every part of the model: bearing_range: load"),
+    ):
+        assert main(["needs", "inputs/in.6208", *more, "--out", str(tmp_path)]) == 1, more
+        assert says in capsys.readouterr().err, more
+    assert main(["needs", "inputs/in.many", "--out", str(tmp_path)]) == 1
+    assert "inputs/in.many has no variable" in capsys.readouterr().err
+
+
+def test_sets():
+    """One of a group, and no part that the models do not have."""
+    every = sets(choices(True))
+    names = [{choice.name for choice in picked} for picked in every]
+    assert len({frozenset(one) for one in names}) == len(names)
+    assert {"gap", "drag", "tolerance 1e-8", "samples 40"} in names
+    for one in names:
+        assert len(one & {"tolerance 1e-9", "tolerance 1e-8", "damping"}) < 2
+        assert not ("models paper" in one and one & {"gap", "drag", "inlet_shear"})
+        assert not ("models film" in one and "drag" in one)
+    assert {"models film", "inlet_shear"} in names
+    picked = tuple(one for one in choices(True) if one.name in ("gap", "drag", "samples 40"))
+    assert variables(picked) == {**REFERENCE, "samples": "40", "without": "gap+drag"}
+    assert all("film" not in choice.name for choice in choices(False))
