@@ -175,6 +175,7 @@ enum {
   STORED,
   CHARGE_ERROR,
   ENERGY_ERROR,
+  CURRENT,
   N
 };
 const Column list[N] = {
@@ -193,6 +194,7 @@ const Column list[N] = {
     {"stored_energy", "J", "energy stored in films, beside them and in the coupling"},
     {"charge_error", "C", "largest difference of a node's charge by currents and by voltages"},
     {"energy_error", "J", "largest lack of the balance of energy in a step"},
+    {"current", "A", "mean current into the inner ring's films in the last step of the circuit"},
 };
 }    // namespace of_fix_circuit
 

@@ -10,13 +10,14 @@
 
 namespace raceway {
 
-// Since the start, J and C. Plain numbers: a restart file keeps them.
+// Since the start, J and C, and the last step's current. Plain numbers: a restart file keeps them.
 struct CircuitAccount {
   double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
   double discharge_energy = 0.0;
   double discharges = 0.0, failures = 0.0;          // numbers
   double film_charge = 0.0;                         // largest, with all of the voltage across it
   double charge_error = 0.0, energy_error = 0.0;    // largest of a node, of a step
+  double current = 0.0;    // A, mean of the last step, into the inner ring's films
 };
 
 // What a circuit is at a point, after its discharge.
@@ -39,6 +40,14 @@ inline double largest_charge_error(const CircuitState &s)
     most = std::fmax(most, std::abs(by_voltage - s.charge.ball[k]));
   }
   return most;
+}
+
+inline double inner_film_charge(const BearingFilms &films, const NodeValues &v)
+{
+  double sum = 0.0;
+  for (size_t k = 0; k < films.size(); ++k)
+    sum += films[k].inner.capacitance * (v.ring - v.ball[k]);
+  return sum;
 }
 
 inline double largest_film_charge(const CircuitState &s)
@@ -110,6 +119,7 @@ void advance_circuit(CircuitState &s, const BearingFilms &films, const OuterPoin
 {
   const NodeValues v0 = s.voltage;
   const double stored = stored_energy(s.films, s.outer, v0), charge = s.charge.ring;
+  const double on_films = circuit_detail::inner_film_charge(s.films, v0);
   StepCharges moved;
   network_step(s.films, films, s.outer, outer, length, s.charge, s.voltage, moved);
   const NodeValues &v1 = s.voltage;
@@ -138,6 +148,9 @@ void advance_circuit(CircuitState &s, const BearingFilms &films, const OuterPoin
   a.mechanical_work += mechanical;
   a.leak_heat += leak;
   a.resistor_heat += resistor;
+  double flown = circuit_detail::inner_film_charge(films, v1) - on_films;
+  for (double q : moved.inner) flown += q;
+  a.current = flown / length;
   s.films = films;
   s.outer = outer;
   circuit_detail::settle(s, stored + source + mechanical - leak - resistor, failed);

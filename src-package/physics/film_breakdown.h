@@ -25,6 +25,18 @@ inline double local_thickness(double thickness, double less, double floor)
   return std::fmax(thickness - less, floor);
 }
 
+// Current of a failure through a resistance of `arc` (ohm), A, and the time (s) in which it falls
+// to 1/e. What stands behind the film is a capacitance C, and energy = C film_voltage^2/2.
+struct ArcCurrent {
+  double peak, duration;
+
+  ArcCurrent(const FilmFailure &f, double arc) :
+      peak(std::abs(f.film_voltage) / arc),
+      duration(arc * 2.0 * f.energy / (f.film_voltage * f.film_voltage))
+  {
+  }
+};
+
 // V at which such a film fails, with `strength` (V/m). Infinite without a film.
 inline double film_limit(double thickness, double strength, double less, double floor)
 {

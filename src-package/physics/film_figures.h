@@ -38,6 +38,13 @@ struct FilmFigures {
   double energy = 0.0;                    // J, at the threshold over thickness
 };
 
+// m^2, of a contact's ellipse
+inline double hertz_area(const RacewayPhysics &p, const ContactState &c)
+{
+  const RacewayConstants k = p.law.at(c.cos_angle);
+  return 3.14159265358979323846 * k.a * k.b * c.root * c.root;
+}
+
 // What of the gap outside the ellipse is oil.
 inline double wet_share(Surroundings s)
 {

@@ -108,13 +108,17 @@ CircuitSettings CircuitSettings::read(Arguments &args, MPI_Comm world)
       s.metal = args.positive("resistance of a metallic film (ohm)");
       s.metal_share =
           args.within("share of the load on asperities above which a film is metallic", 0.0, 0.999);
+    } else if (args.take("arc")) {
+      s.arc = args.positive("resistance of a film while it fails (ohm)");
+    } else if (args.take("within")) {
+      s.within = args.integer("samples a step", 1, 100000);
     } else if (args.take("points")) {
       s.points = args.integer("points of the circuit a sample", 1, 1000000);
     } else if (args.take("events")) {
       s.events = args.word("file for the films that fail");
     } else {
       args.unknown("voltage, second, second_factor, beside, stray, breakdown, surfaces, "
-                   "film_floor, resistivity, metal, points, events");
+                   "film_floor, arc, resistivity, metal, points, within, events");
     }
   }
   if (driven != (s.outer != floating))
@@ -126,6 +130,7 @@ CircuitSettings CircuitSettings::read(Arguments &args, MPI_Comm world)
   if (s.breaks_down() && s.outer == source && s.resistance == 0.0)
     args.fail("breakdown would short a source without resistance: give it a resistance");
   if (!s.events.empty() && !s.breaks_down()) args.fail("'events' needs 'breakdown'");
+  if (s.arc > 0.0 && s.events.empty()) args.fail("'arc' needs 'events'");
   return s;
 }
 

@@ -21,7 +21,9 @@ struct CircuitSettings {
   bool rough = true;                           // local thickness less 3 sigma
   double resistivity = 0.0;                    // ohm m, 0: no leak
   double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; of the load
+  double arc = 0.0;                            // ohm, of a film that fails; 0: not known
   int points = 1;                              // of the circuit a sample
+  int within = 1;                              // samples a step, the last one its end
   std::string events;                          // file
 
   bool breaks_down() const { return strength > 0.0; }

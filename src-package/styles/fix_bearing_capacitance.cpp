@@ -241,10 +241,7 @@ FixBearingCapacitance::Row FixBearingCapacitance::row_of(int instant, tag_t ball
   Row row = {instant, ball, raceway.groove.side, live, live ? load : 0.0, of, 0.0, 0.0};
   if (!ask_.any()) return row;
   row.roughness = raceway.roughness;
-  if (live) {
-    const RacewayConstants k = raceway.law.at(state.cos_angle);
-    row.area = 3.14159265358979323846 * k.a * k.b * state.root * state.root;
-  }
+  if (live) row.area = hertz_area(raceway, state);
   return row;
 }
 

@@ -4,12 +4,15 @@
 #include "../contacts/contact_columns.h"
 #include "../contacts/fix_columns.h"
 #include "../deck/arguments.h"
+#include "../physics/film_figures.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_capacitance.h"
+#include "fix_bearing_implicit.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 using namespace LAMMPS_NS;
@@ -31,11 +34,16 @@ FixBearingCircuit::FixBearingCircuit(LAMMPS *lmp, int narg, char **arg) : Fix(lm
   nevery = args.integer("steps between samples", 1, 1000000000);
   cap_id_ = args.word("ID of a fix bearing/capacitance");
   settings_ = CircuitSettings::read(args, world);
-  if (!settings_.events.empty())
-    events_.open(args, settings_.events,
-                 "time discharge order ball raceway azimuth bearing_voltage bearing_voltage_after "
-                 "film_voltage local_thickness film_energy energy",
-                 world);
+  if (settings_.within > 1 && nevery != 1)
+    args.fail("'within' takes samples evenly within every step: N must be 1, not " +
+              std::to_string(nevery));
+  if (!settings_.events.empty()) {
+    std::string names =
+        "time discharge order ball raceway azimuth bearing_voltage bearing_voltage_after "
+        "film_voltage local_thickness film_energy energy";
+    if (settings_.arc > 0.0) names += " current duration current_density";
+    events_.open(args, settings_.events, names.c_str(), world);
+  }
   restart_global = 1;
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_circuit::N;
@@ -56,7 +64,9 @@ void FixBearingCircuit::init()
 
 void FixBearingCircuit::setup(int)
 {
+  if (settings_.within > 1) find_integrators();
   if (restored_) {    // what a restart file leaves out, from what it has
+    last_time_ = time_of(last_step_);
     state_.films = films(balls_);
     state_.outer = settings_.at(time_of(last_step_), bearing_capacitance(state_.films));
     restored_ = false;
@@ -66,20 +76,35 @@ void FixBearingCircuit::setup(int)
 
 void FixBearingCircuit::end_of_step() { sample(); }
 
-FixBearingCircuit::Film FixBearingCircuit::film_of(const bearing::RacewayContact &c) const
+// Those whose steps the instants lie within.
+void FixBearingCircuit::find_integrators()
+{
+  const std::string who = bearing::name_of(*this);
+  integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
+  if (integrators_.empty())
+    BRG_ALL(who + ": 'within " + std::to_string(settings_.within) +
+            "' needs fix bearing/implicit, which knows what happens within a step; with other "
+            "integrators sample every step");
+  for (FixBearingImplicit *f : integrators_)
+    f->want_instants(cap_->instants(settings_.within), who);
+}
+
+FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway, bool live,
+                                                   const ContactState &state,
+                                                   const FilmCapacitorT<double> &q) const
 {
   Film film;
-  if (settings_.metal > 0.0 && !c.raceway->has<MixedFrictionPart>())
+  if (settings_.metal > 0.0 && !raceway.has<MixedFrictionPart>())
     BRG_ONE(bearing::name_of(*this) +
             ": 'metal' needs 'friction mixed', which knows what asperities carry");
   const bool whole = cap_->model().surrounded();
-  if (!c.live && !whole) return film;
-  const FilmCapacitorT<double> q = cap_->capacitor(c);
+  if (!live && !whole) return film;
   film.capacitance = whole ? q.total() : q.capacitance;
   film.thickness = whole ? q.separation : q.h_c;
-  film.rough = settings_.rough ? film_peaks * c.raceway->roughness : 0.0;
-  if (settings_.metal > 0.0 && c.live && c.state.asperity_share > settings_.metal_share)
+  film.rough = settings_.rough ? film_peaks * raceway.roughness : 0.0;
+  if (settings_.metal > 0.0 && live && state.asperity_share > settings_.metal_share)
     film.metal = 1.0 / settings_.metal;
+  if (settings_.arc > 0.0 && live) film.area = hertz_area(raceway, state);
   return film;
 }
 
@@ -101,9 +126,41 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
     if (atom->mask[c.i_ball] & groupbit) {
       const Vec3 from_ring = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
       rows.push_back({c.ball, c.ring, c.side() == Side::outer,
-                      bearing::azimuth(from_ring, pair_->axis_index()), film_of(c)});
+                      bearing::azimuth(from_ring, pair_->axis_index()),
+                      film_of(*c.raceway, c.live, c.state, cap_->capacitor(c))});
     }
-  rows = bearing::gather_all(rows, world);
+  return balls_of(tags, std::move(rows));
+}
+
+// The same balls at an instant of the last step, from 1.
+std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_at(int instant)
+{
+  std::vector<tag_t> tags;
+  for (const Ball &b : balls_) tags.push_back(static_cast<tag_t>(b.tag));
+  std::vector<Row> rows;
+  std::map<tag_t, Vec3> body, ring;
+  const auto contact = [&](const bearing::InstantContact &c) {
+    if (std::binary_search(tags.begin(), tags.end(), c.ball))
+      rows.push_back({c.ball, c.ring, c.raceway.groove.side == Side::outer, 0.0,
+                      film_of(c.raceway, c.live, c.state, c.capacitor)});
+  };
+  for (const FixBearingImplicit *f : integrators_)
+    f->read_instant(instant, {needs_states(), contact,
+                              [&](const bearing::InstantBody &b) { body[b.tag] = b.x; },
+                              [&](const bearing::InstantRing &r) {
+                                using namespace bearing::of_ring;
+                                ring[static_cast<tag_t>(r.of[RING])] = {r.of[X], r.of[Y], r.of[Z]};
+                              }});
+  for (Row &row : rows)
+    row.azimuth = bearing::azimuth(body.at(row.ball) - ring.at(row.ring), pair_->axis_index());
+  return balls_of(tags, std::move(rows));
+}
+
+// Balls by tag, from what the ranks know of their films.
+std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vector<tag_t> &tags,
+                                                                 std::vector<Row> mine) const
+{
+  std::vector<Row> rows = bearing::gather_all(mine, world);
   std::sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) {
     return std::make_tuple(a.ball, a.side, a.ring) < std::make_tuple(b.ball, b.side, b.ring);
   });
@@ -135,6 +192,7 @@ void FixBearingCircuit::sample()
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has no balls");
     first_step_ = update->ntimestep;
     dt_ = update->dt;
+    last_time_ = 0.0;
     solve(now, 0.0, 0.0);
     begun_ = true;
   } else {
@@ -147,6 +205,12 @@ void FixBearingCircuit::sample()
               ": steps must go on and the time step stay the same: step " +
               std::to_string(last_step_) + " with " + bearing::text(dt_) + " s, then step " +
               std::to_string(update->ntimestep) + " with " + bearing::text(update->dt) + " s");
+    for (int k = 1; k < settings_.within; ++k) {
+      const double back = double(settings_.within - k) / settings_.within;
+      const std::vector<Ball> then = balls_at(k);
+      advance(then, time_of(update->ntimestep, back));
+      balls_ = then;
+    }
     advance(now, time_of(update->ntimestep));
   }
   balls_ = now;
@@ -157,7 +221,7 @@ void FixBearingCircuit::sample()
 
 void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
 {
-  const double start = time_of(last_step_), sampled = time - start;
+  const double start = last_time_, sampled = time - start;
   const double shortest = settings_.voltage.shortest();
   const double least = per_cycle * sampled / shortest * (1.0 - 1e-9);
   if (settings_.points < least)
@@ -174,6 +238,7 @@ void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
     else solve(between(balls_, to, share), at, at - before);
     before = at;
   }
+  last_time_ = time;
 }
 
 // A point of the circuit; the first has no length (s).
@@ -225,7 +290,7 @@ FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball
     for (int side = 0; side < 2; ++side) {
       const Film &a = from[k].film[side], &b = to[k].film[side];
       all[k].film[side] = {mix(a.capacitance, b.capacitance), mix(a.thickness, b.thickness),
-                           std::fmax(a.rough, b.rough), mix(a.metal, b.metal)};
+                           std::fmax(a.rough, b.rough), mix(a.metal, b.metal), mix(a.area, b.area)};
     }
   }
   return all;
@@ -239,10 +304,17 @@ void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, 
   const Ball &ball = at[f.ball];
   const Film &film = ball.film[f.at_outer];
   const double local = local_thickness(film.thickness, film.rough, settings_.film_floor);
-  fprintf(file, "%.12g %.0f %d %.0f %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g\n", time,
+  fprintf(file, "%.12g %.0f %d %.0f %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g", time,
           state_.account.discharges + 1.0, order_, ball.tag, static_cast<int>(f.at_outer),
           ball.azimuth, f.ring_voltage, f.ring_voltage_after, f.film_voltage, local, f.film_energy,
           f.energy);
+  if (settings_.arc > 0.0) {
+    double area = 0.0;
+    for (const Ball &b : at) area += b.film[0].area + b.film[1].area;
+    const ArcCurrent arc(f, settings_.arc);
+    fprintf(file, " %.12g %.12g %.12g", arc.peak, arc.duration, arc.peak / area);
+  }
+  fputc('\n', file);
 }
 
 double FixBearingCircuit::compute_scalar()
@@ -274,6 +346,7 @@ double FixBearingCircuit::compute_vector(int k)
     case STORED: return stored_energy(state_.films, state_.outer, state_.voltage);
     case CHARGE_ERROR: return a.charge_error;
     case ENERGY_ERROR: return a.energy_error;
+    case CURRENT: return a.current;
   }
   return 0.0;
 }

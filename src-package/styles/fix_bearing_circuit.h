@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/circuit: a bearing in an outer circuit, sampled every N steps: bearing voltage,
-// discharges, energy. Films are those of a fix bearing/capacitance. Every rank solves the circuit,
-// so bits do not depend on ranks.
+// fix bearing/circuit: a bearing in an outer circuit, sampled every N steps or at several instants
+// within every step: bearing voltage, discharges, energy. Films are those of a fix
+// bearing/capacitance. Every rank solves the circuit, so bits do not depend on ranks.
 #ifdef FIX_CLASS
 FixStyle(bearing/circuit,FixBearingCircuit)
 #else
@@ -10,6 +10,7 @@ FixStyle(bearing/circuit,FixBearingCircuit)
 
 #include "../deck/text_file.h"
 #include "../physics/circuit.h"
+#include "../physics/film_capacitor.h"
 #include "bearing_compat.h"
 #include "circuit_settings.h"
 
@@ -20,6 +21,7 @@ struct RacewayContact;
 namespace LAMMPS_NS {
 
 class FixBearingCapacitance;
+class FixBearingImplicit;
 class PairBearingHertz;
 
 class FixBearingCircuit : public Fix {
@@ -41,6 +43,7 @@ class FixBearingCircuit : public Fix {
     double thickness = std::numeric_limits<double>::quiet_NaN();    // m
     double rough = 0.0;    // m, that the surfaces' roughness takes
     double metal = 0.0;    // S, of asperities
+    double area = 0.0;     // m^2, of the contact ellipse, where an arc asks for it
   };
   struct Ball {
     double tag = 0.0, azimuth = 0.0;    // rad
@@ -54,10 +57,18 @@ class FixBearingCircuit : public Fix {
     Film film;
   };
 
+  void find_integrators();
   std::vector<Ball> find_balls();
-  Film film_of(const bearing::RacewayContact &) const;
-  // Since the first sample, s.
-  double time_of(bigint step) const { return static_cast<double>(step - first_step_) * dt_; }
+  std::vector<Ball> balls_at(int instant);
+  std::vector<Ball> balls_of(const std::vector<bearing::tag_t> &tags, std::vector<Row> mine) const;
+  Film film_of(const raceway::RacewayPhysics &, bool live, const raceway::ContactState &,
+               const raceway::FilmCapacitorT<double> &) const;
+  bool needs_states() const { return settings_.metal > 0.0 || settings_.arc > 0.0; }
+  // Since the first sample, s; `back` steps before the end of one.
+  double time_of(bigint step, double back = 0.0) const
+  {
+    return (static_cast<double>(step - first_step_) - back) * dt_;
+  }
   void sample();
   void advance(const std::vector<Ball> &to, double time);
   raceway::BearingFilms films(const std::vector<Ball> &) const;
@@ -70,9 +81,11 @@ class FixBearingCircuit : public Fix {
   bearing::CircuitSettings settings_;
   PairBearingHertz *pair_ = nullptr;
   FixBearingCapacitance *cap_ = nullptr;
+  std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
   bearing::TextFile events_;
   bool begun_ = false, restored_ = false;
   bigint first_step_ = 0, last_step_ = -1;    // of the first and of the last sample
+  double last_time_ = 0.0;                    // s, of the last sample
   double dt_ = 0.0;                           // s, of all steps between them
   std::vector<Ball> balls_;                   // at the last sample, by tag
   raceway::CircuitState state_;

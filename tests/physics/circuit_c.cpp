@@ -16,8 +16,8 @@ RECORD(CircuitEnd, double source_work, mechanical_work, leak_heat, resistor_heat
 EXPORT(int, circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *limit, const double *outer, double start,
-        double *bearing, double *ball, double *threshold, int most, double *failures,
-        CircuitEnd *out))
+        double *bearing, double *ball, double *threshold, double *current, int most,
+        double *failures, CircuitEnd *out))
 {
   CircuitState s;
   int count = 0;
@@ -42,6 +42,7 @@ EXPORT(int, circuit,
     bearing[p] = s.voltage.ring;
     for (int k = 0; k < balls; ++k) ball[p * balls + k] = s.voltage.ball[k];
     threshold[p] = threshold_voltage(films);
+    current[p] = s.account.current;
   }
   const CircuitAccount &a = s.account;
   *out = {a.source_work,

@@ -31,7 +31,8 @@ def solve(physics, given, outer, breakdown=None):
         axis=1,
     )
     limit = breakdown.limit(given) if breakdown else np.full(given.capacitance.shape, np.inf)
-    made = {"bearing": np.empty(n), "ball": np.empty((n, z)), "threshold": np.empty(n)}
+    made = {name: np.empty(n) for name in ("bearing", "threshold", "current")}
+    made["ball"] = np.empty((n, z))
     rows = np.empty((4 * n, 8))
     count, end = physics.call(
         "circuit",
@@ -84,6 +85,8 @@ def test_the_two_programs_agree(physics, name):
     near = dict(rtol=1e-11, atol=1e-11 * scale)
     np.testing.assert_allclose(ours["bearing"], data.bearing_voltage, **near)
     np.testing.assert_allclose(ours["ball"], data.ball_voltage, **near)
+    most = float(np.abs(data.current[1:]).max())
+    np.testing.assert_allclose(ours["current"][1:], data.current[1:], rtol=1e-9, atol=1e-9 * most)
     if breakdown:
         limit = breakdown.limit(given)
         np.testing.assert_allclose(ours["threshold"], threshold(given, limit), rtol=1e-13)
@@ -128,6 +131,18 @@ def test_series_and_ratio(physics):
     ours, *_ = solve(physics, given, Floating(12.0))
     bearing = series(given.capacitance).bearing
     np.testing.assert_allclose(ours["bearing"], 12 * bearing[0] / bearing, rtol=1e-12)
+
+
+def test_t9_current_into_a_capacitance_that_changes(physics):
+    """C0 (1 + m cos W t) at constant voltage: |i| = V C0 m W, to the mean over a step."""
+    time, mean, depth, speed = np.linspace(0, 0.04, 2001), 100 * PICO, 0.3, 2 * np.pi * 50
+    one = 2 * mean * (1 + depth * np.cos(speed * time))  # two alike in series
+    given = films(np.tile(one[:, None, None], (1, 2, 1)), time)
+    found = solve(physics, given, Source(Constant(5.0)))[0]["current"][1:]
+    largest = 5.0 * mean * depth * speed
+    exact = -largest * np.sin(speed * (time[1:] + time[:-1]) / 2)
+    assert np.abs(found - exact).max() < largest * (speed * 2e-5) ** 2 / 20
+    assert np.abs(found).max() == pytest.approx(largest, rel=1e-5)
 
 
 def test_a_full_discharge_leaves_other_charges(physics):

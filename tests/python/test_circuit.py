@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The bearing in its circuit: closed forms, charge, energy, breakdown."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 import raceway
@@ -448,3 +450,26 @@ def test_table_from_a_file(tmp_path):
 def test_bad_input(make, message):
     with pytest.raises(ValueError, match=message):
         make()
+
+
+def test_current_of_a_failure():
+    """The inner film of one ball: behind it lies its own capacitance beside that of the rest."""
+    inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
+    given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
+    events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events
+    one = events.iloc[0]
+    assert len(events) == 1 and one.raceway == "inner"
+    behind = inner + outer * rest / (outer + rest)
+    assert one.film_voltage == pytest.approx(4.0)
+    assert one.current == pytest.approx(4.0 / arc)
+    assert one.duration == pytest.approx(arc * behind, rel=1e-12)
+    assert np.isnan(one.current_density)  # no ellipse is known
+    known = dataclasses.replace(given, hertz_area=np.full(3, 5e-6))
+    (density,) = circuit.run(
+        known, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)
+    ).events.current_density
+    assert density == pytest.approx(4.0 / arc / 5e-6)
+    plain = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth")).events
+    assert plain[["current", "duration", "current_density"]].isna().all(axis=None)
+    with pytest.raises(ValueError, match="arc = 0 ohm must be positive"):
+        Breakdown(35e6, arc=0.0)

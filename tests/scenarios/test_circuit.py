@@ -5,6 +5,7 @@ and what it refuses."""
 import shutil
 
 import numpy as np
+import pandas as pd
 import pytest
 import raceway
 from host import ROOT, run
@@ -43,14 +44,22 @@ CASES = {
     ),
     "floating": ("floating 4 stray 2e-12", Floating(4.0), None, None, 1),
     "whole capacitance": (
-        "motor 50e-12 1e-9 voltage sine 300 200 breakdown 30e6 resistivity 1e9 points 4",
+        "motor 50e-12 1e-9 voltage sine 300 200 breakdown 30e6 resistivity 1e9 points 4 arc 0.5",
         Motor(Sine(300.0, 200.0), 50e-12, 1e-9),
-        Breakdown(30e6),
+        Breakdown(30e6, arc=0.5),
         Leak(1e9),
         4,
     ),
+    "instants": (
+        "motor 50e-12 1e-9 voltage sine 300 200 breakdown 30e6 arc 2 points 2 within 4",
+        Motor(Sine(300.0, 200.0), 50e-12, 1e-9),
+        Breakdown(30e6, arc=2.0),
+        None,
+        2,
+    ),
 }
 WHOLE = dict(cap="surroundings cavitated 1", clearance=2e-5)
+WITHIN = 4  # of the case that has instants in steps of four samples
 
 
 FAST = "x free y free spin speed 150 force 0 -800 0 ramp 3.0e-3"
@@ -82,22 +91,32 @@ def pair(request, tmp_path_factory):
     folder = tmp_path_factory.mktemp("circuit")
     if breakdown:
         words += f" events {folder / 'events.txt'}"
-    whole = request.param == "whole capacitance"
-    end = run_with(folder, words, **WHOLE if whole else {})
+    whole, instants = (request.param == name for name in ("whole capacitance", "instants"))
+    more = WHOLE if whole or instants else {}
+    if instants:
+        record = RECORD.rstrip() + f" within {WITHIN}\n"
+        more = more | dict(record=record, sample=WITHIN * 1e-4, samples=SAMPLES // WITHIN)
+    end = run_with(folder, words, **more)
     assert end.code == 0, end.text[-3000:]
     rows = dict(zip(NAMES, np.loadtxt(folder / "circuit.txt").T))
-    events = np.loadtxt(folder / "events.txt", ndmin=2) if breakdown else np.empty((0, 12))
+    events = pd.DataFrame()
+    if breakdown:
+        with open(folder / "events.txt") as file:
+            names = file.readline().lstrip("# ").split()
+        events = pd.DataFrame(np.loadtxt(folder / "events.txt", ndmin=2), columns=names)
     stray = {"leaking source": 1e-12, "floating": 2e-12}.get(request.param, 0.0)
     found = circuit.run(
         raceway.open(folder / "rec"), outer, breakdown, leak, points=points, stray=stray
     )
-    assert bool((found.data.film_capacitance > 0).all()) == whole or stray
-    return rows, events, found, points
+    assert bool((found.data.film_capacitance > 0).all()) == (whole or instants) or stray
+    return rows, events, found, points * (WITHIN if instants else 1)
 
 
 def test_the_fix_gives_the_numbers_of_python(pair):
     """At every sample after the first, of which LIGGGHTS prints nothing."""
     rows, _, (data, events), points = pair
+    on_films = float(np.abs(data.film_capacitance * data.film_voltage).max())
+    step = float(data.time.diff("time").min())
     data = data.isel(time=slice(points, None, points))
     for name in NAMES:
         if name.endswith("_error"):
@@ -107,10 +126,12 @@ def test_the_fix_gives_the_numbers_of_python(pair):
         elif name == "failures":
             ours = np.searchsorted(events.time, data.time, "right")
         else:
-            ours = data[name].to_numpy() if name in data else np.zeros(SAMPLES)
+            ours = data[name].to_numpy() if name in data else np.zeros(data.sizes["time"])
             ours = np.where(np.isinf(ours), 0.0, ours)  # no film can fail
-        scale = np.abs(ours).max()
-        np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=1e-9 * scale, err_msg=name)
+        scale = 1e-9 * np.abs(ours).max()
+        if name == "current":  # charges of films cancel where the ring keeps its own
+            scale = max(scale, 1e-13 * on_films / step)
+        np.testing.assert_allclose(rows[name], ours, rtol=1e-9, atol=scale, err_msg=name)
 
 
 def test_metal(tmp_path):
@@ -153,14 +174,22 @@ def test_the_events_are_those_of_python(pair):
     if not len(rows):
         return
     events = events.assign(raceway=(events.raceway == "outer").astype(int))
-    names = (
-        "time discharge order ball raceway azimuth bearing_voltage bearing_voltage_after"
-        " film_voltage local_thickness film_energy energy"
-    ).split()
-    for name, found in zip(names, rows.T):
+    assert ("current_density" in rows) == bool(events.current.notna().all())
+    for name, found in rows.items():
         ours = events[name].to_numpy(dtype=float)
         scale = np.abs(ours).max()
         np.testing.assert_allclose(found, ours, rtol=1e-9, atol=1e-9 * scale, err_msg=name)
+
+
+def test_current_of_a_failure(pair):
+    """Peak through the arc, duration by the charge that flows, density over all Hertz area."""
+    _, rows, (_, events), _ = pair
+    if "current" not in rows:
+        return
+    charge = rows["current"] * rows["duration"]
+    np.testing.assert_allclose(charge * np.abs(rows["film_voltage"]), 2 * rows["energy"], rtol=1e-9)
+    area = rows["current"] / rows["current_density"]
+    assert 1e-8 < area.min() < area.max() < 1e-5
 
 
 def test_the_cases_have_discharges(pair):
@@ -180,6 +209,8 @@ def test_the_cases_have_discharges(pair):
         ("source 1 voltage table {table} points 0", "points of the circuit a sample"),
         ("source 1 voltage table nowhere.txt", "cannot read 'nowhere.txt'"),
         ("floating 1 events x", "'events' needs 'breakdown'"),
+        ("floating 1 breakdown 1e6 arc 1", "'arc' needs 'events'"),
+        ("floating 1 within 0", "samples a step is 0"),
         ("floating 1 metal 5", "share of the load on asperities above which a film is metallic"),
         ("floating 1 metal 5 0.1", "'metal' needs 'friction mixed', which knows what asperities"),
         ("floating 1 loud yes", "voltage, second, second_factor, beside, stray, breakdown"),
@@ -222,6 +253,14 @@ def test_which_capacitance_and_which_balls(tmp_path):
     few += "fix two balls bearing/circuit 1 less floating 1\n"
     end = run_with(tmp_path / "c", "floating 1", few, samples=2)
     assert "fix two bearing/circuit: ball 3 is not in the group of fix less" in end.error
+
+
+def test_instants_need_every_step_and_who_knows_them(tmp_path):
+    more = "fix two balls bearing/circuit 2 cap floating 1 within 3\n"
+    end = run_with(tmp_path / "a", "floating 1", more, samples=2)
+    assert "'within' takes samples evenly within every step: N must be 1, not 2" in end.error
+    end = run_with(tmp_path / "b", "floating 1 within 3", integrator="verlet", samples=1)
+    assert "'within 3' needs fix bearing/implicit" in end.error, end.error
 
 
 def test_the_time_step_must_stay(tmp_path):

@@ -72,6 +72,12 @@ def add(commands: Commands) -> None:
         help="smallest local thickness (default 1e-9)",
     )
     one.add_argument(
+        "--arc",
+        type=number(1e-6, 1e12, "ohm"),
+        metavar="OHM",
+        help="resistance of a film while it fails: gives currents, durations, current density",
+    )
+    one.add_argument(
         "--resistivity",
         type=number(1e3, 1e18, "ohm m"),
         metavar="OHM_M",
@@ -153,7 +159,11 @@ def run(arguments: argparse.Namespace) -> None:
     breakdown = leak = None
     if arguments.strength is not None:
         breakdown = Breakdown(
-            arguments.strength, arguments.surfaces, arguments.film_floor, arguments.roughness
+            arguments.strength,
+            arguments.surfaces,
+            arguments.film_floor,
+            arguments.roughness,
+            arguments.arc,
         )
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)

@@ -20,12 +20,15 @@ class Breakdown:
 
     The local thickness is that of the film less three times the composite roughness ("rough") or
     the film's own ("smooth"), and at least `floor` (m). `roughness` (m) is the run's unless given.
+    `arc` (ohm) is the resistance of a film while it fails; it gives the current of a failure and
+    its duration.
     """
 
     strength: float
     surfaces: str = "rough"
     floor: float = 1e-9
     roughness: float | None = None
+    arc: float | None = None
 
     def __post_init__(self) -> None:
         for name, unit in (("strength", "V/m"), ("floor", "m")):
@@ -34,6 +37,8 @@ class Breakdown:
                 raise ValueError(f"{name} = {value:g} {unit} must be positive")
         if self.surfaces not in SURFACES:
             raise ValueError(f"surfaces = '{self.surfaces}' must be {' or '.join(SURFACES)}")
+        if self.arc is not None and not 0 < self.arc < np.inf:
+            raise ValueError(f"arc = {self.arc:g} ohm must be positive")
         if self.roughness is not None and not self.roughness >= 0:
             raise ValueError(f"roughness = {self.roughness:g} m must be 0 or more")
 
@@ -77,6 +82,20 @@ class Failure(NamedTuple):
     bearing_voltage_after: float
     film_energy: float  # J, stored in the film before
     energy: float  # J, turned into heat
+
+
+class ArcCurrent(NamedTuple):
+    """Current of a failure through a resistance."""
+
+    peak: float  # A
+    duration: float  # s, in which it falls to 1/e
+
+    @classmethod
+    def of(cls, failure: Failure, arc: float) -> "ArcCurrent":
+        """Of a `failure` through `arc` (ohm): what stands behind the film is a capacitance C, and
+        the energy is C V^2/2 of the film's voltage."""
+        volts = abs(failure.film_voltage)
+        return cls(volts / arc, arc * 2 * failure.energy / volts**2)
 
 
 class Discharge(NamedTuple):

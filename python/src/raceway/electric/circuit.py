@@ -8,14 +8,14 @@ import pandas as pd
 import xarray as xr
 
 from raceway.electric import energy, films, network
-from raceway.electric.breakdown import Breakdown, threshold
+from raceway.electric.breakdown import ArcCurrent, Breakdown, threshold
 from raceway.electric.films import Films
 from raceway.electric.leak import Leak
 from raceway.electric.network import Solution
 from raceway.electric.outer import Motor, Outer, Terms
 from raceway.electric.waveforms import FEWEST, PER_CYCLE
 from raceway.runs.run import Run
-from raceway.theory.film_voltage import field
+from raceway.theory.film_voltage import apparent_current_density, field
 
 RACEWAYS = ("inner", "outer")
 MEANINGS = {  # of the variables, with units
@@ -50,6 +50,9 @@ EVENT_UNITS = {
     "field": "V/m",
     "film_energy": "J",
     "energy": "J",
+    "current": "A",
+    "duration": "s",
+    "current_density": "A/m2",
 }
 
 
@@ -76,7 +79,9 @@ def run(
     all. `points` of the circuit a sample, linear in between; None: as many as give a period of the
     voltage of `outer` `PER_CYCLE` points.
     `stray` (F) is added to every film. Voltages of the dataset are those after a discharge. Events
-    have the columns of `EVENT_UNITS`; `energy` includes what the charges of other films lose.
+    have the columns of `EVENT_UNITS`; `energy` includes what the charges of other films lose. The
+    peak `current`, the `duration` in which it falls to 1/e and the current density over all Hertz
+    area are NaN without the breakdown's `arc`.
 
     Raises `RunError` where `of` lacks what is needed, `ValueError` for parameters out of range and
     for steps too long for the voltage of `outer`.
@@ -180,10 +185,23 @@ def _events(fine, s: Solution, breakdown):
         for number, (point, one) in enumerate(s.discharges.items(), 1):
             for order, failure in enumerate(one.failures, 1):
                 place = {"discharge": number, "order": order}
-                rows.append(_row(fine, local[point], point, failure) | place)
+                row = _row(fine, local[point], point, failure)
+                rows.append(row | _arc(fine, point, failure, breakdown.arc) | place)
     table = pd.DataFrame(rows, columns=list(EVENT_UNITS))
     table.attrs["units"] = EVENT_UNITS
     return table
+
+
+def _arc(fine, point, failure, arc):
+    if arc is None:
+        return dict.fromkeys(("current", "duration", "current_density"), np.nan)
+    current = ArcCurrent.of(failure, arc)
+    area = np.nan if fine.hertz_area is None else fine.hertz_area[point]
+    return {
+        "current": current.peak,
+        "duration": current.duration,
+        "current_density": apparent_current_density(current.peak, area) if area > 0 else np.nan,
+    }
 
 
 def _row(fine, local, point, failure):

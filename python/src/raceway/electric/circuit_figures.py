@@ -48,6 +48,9 @@ TOPICS = {
         Row("voltage_before_mean_V", "bearing voltage before, mean", "V"),
         Row("energy_mean_J", "energy of one, mean", "J"),
         Row("energy_max_J", "energy of one, largest", "J"),
+        Row("arc_current_max_A", "current of a failure, largest", "A", "by the arc's resistance"),
+        Row("arc_duration_mean_s", "duration of a failure, mean", "s", "to 1/e"),
+        Row("current_density_max_A_m2", "apparent current density, largest", "A/m2"),
         Row("place_rad", "mean place from the load line", "rad", "by energy"),
     ),
     "Energy since the start": (
@@ -107,6 +110,9 @@ def figures(result: Result) -> dict[str, float | None]:
         "voltage_before_mean_V": _finite(one["bearing_voltage"].first().abs().mean()),
         "energy_mean_J": _finite(energy.mean()),
         "energy_max_J": _finite(energy.max()),
+        "arc_current_max_A": _finite(events["current"].max()),
+        "arc_duration_mean_s": _finite(events["duration"].mean()),
+        "current_density_max_A_m2": _finite(events["current_density"].max()),
         "place_rad": _place(events),
     }
     return found

@@ -35,6 +35,7 @@ class Films:
     roughness: float = 0.0  # m, composite
     leaking: bool = False  # whether a film without metal in it conducts
     metallic: Floats | None = None  # (n, 2, Z) 1 where asperities conduct
+    hertz_area: Floats | None = None  # (n,) m^2 of all contact ellipses
 
     def __post_init__(self) -> None:
         if len(self.time) < 2 or not (np.diff(self.time) > 0).all():
@@ -71,7 +72,7 @@ class Films:
 
 
 ANGLES = ("azimuth", "from_load_line")
-OVER_TIME = ("time", "capacitance", "thickness", "conductance", "metallic")
+OVER_TIME = ("time", "capacitance", "thickness", "conductance", "metallic", "hertz_area")
 
 
 class Series(NamedTuple):
@@ -128,7 +129,8 @@ def of_dataset(
     """The films of a dataset with dimensions time, raceway and ball, as `run.contacts` is.
 
     `permittivity` (1) is that of the lubricant at rest, `roughness` (m) that of both surfaces.
-    `balls` has the azimuths of balls without contact; without it `contacts` has the azimuths.
+    `balls` has the azimuths of balls without contact; without it `contacts` has the azimuths. The
+    columns a and b give the Hertz area.
     `name` is for messages. Raises `RunError` where a column is missing or a value is no number.
     """
     if not stray >= 0:
@@ -151,7 +153,15 @@ def of_dataset(
         roughness,
         leak is not None and leak.resistivity is not None,
         metallic,
+        _hertz_area(contacts),
     )
+
+
+def _hertz_area(contacts):
+    if not {"a", "b"} <= set(contacts):
+        return None
+    area = np.pi * (contacts["a"] * contacts["b"]).fillna(0.0).sum(("raceway", "ball"))
+    return area.to_numpy()
 
 
 def _column(contacts, names, what):
