@@ -66,6 +66,7 @@ NAMES = {
     "electrical": "runs.electrical",
     "envelope": "runs.envelope",
     "film_figures": "runs.film_figures",
+    "film_table": "runs.film_table",
     "losses": "runs.losses",
     "regimes": "runs.regimes",
     "spectrum": "runs.spectrum",

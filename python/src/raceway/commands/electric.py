@@ -8,11 +8,14 @@ import json
 import math
 from pathlib import Path
 
-from raceway.commands import Commands
+from raceway.commands import Commands, electric_run
 from raceway.commands.quantity import number, takes_negative
 
 HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
 DESCRIPTION = """\
+With DIR the figures are those of a run over its time, from its record; the options of an operating
+point are then left out. Else they are of an operating point, without a simulation.
+
 All of the capacitance of a bearing at an operating point: contact ellipses, the gap around them,
 balls without load. Beside it the smallest voltage at which a film fails, the impedance, and the
 bearing voltage ratio of a motor. Loads and films are those of `raceway static`; docs/electric
@@ -22,10 +25,10 @@ derives the formulas.
 goes back from a measured capacitance to the film thickness.
 
 Pictures (--kind, with --out):
-  parts    capacitance by its parts, over the one quantity with several values
+  parts    capacitance by its parts, over the one quantity with several values; of a run over time
   field    field in the films around the ring, at --voltage
   bode     impedance over frequency, with --resistivity
-  reading  film thickness that an instrument reads, and its error"""
+  reading  film thickness that an instrument reads, and its error; not of a run"""
 EXAMPLES = """\
 examples:
   raceway electric --load 3000 --rpm 1500
@@ -33,6 +36,8 @@ examples:
   raceway electric --load 1000 --speeds 100 300 1000 3000 10000 --kind parts --out parts.png
   raceway electric --load 1000 --rpm 3000 --c-wr 50e-12 --c-rf 1e-9 --frequency 1e4 --json
   raceway electric --load 1000 --rpm 3000 --measured 250e-12
+  raceway electric build/run/6208 --frequency 1e4 --resistivity 1e9
+  raceway electric build/run/6208 --voltage 5 --kind field --out field.png
   raceway electric --load 1000 --rpm 3000 --csv reading.csv --kind reading --out reading.png
 
 Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
@@ -58,6 +63,7 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     takes_negative(one)
+    one.add_argument("folder", nargs="?", metavar="DIR", help="folder that a run wrote")
     _operating_point(one)
     _surroundings(one)
     _electrics(one)
@@ -68,13 +74,15 @@ def add(commands: Commands) -> None:
         "--csv", metavar="FILE", help="a table: of the points, or with --kind reading of its curve"
     )
     out.add_argument("--json", action="store_true", help="JSON instead of tables")
-    one.set_defaults(command=run, complain=one.error)
+    one.set_defaults(
+        command=run, complain=one.error, unset=one.get_default, ask=_ask, filling=_filling
+    )
 
 
 def _operating_point(one):
     point = one.add_argument_group("operating point")
     point.add_argument(
-        "--bearing", default="6208", metavar="NAME", help="a file of inputs/bearings (6208)"
+        "--bearing", metavar="NAME", help="a file of inputs/bearings (6208); number in a run"
     )
     point.add_argument(
         "--lubricant", default="vg46", metavar="NAME", help="a file of inputs/lubricants (vg46)"
@@ -113,9 +121,9 @@ def _surroundings(one):
     around.add_argument(
         "--surroundings",
         nargs="+",
-        default=["flooded"],
         metavar=("KIND", "EPS_OUT"),
-        help="flooded, dry, or cavitated EPS_OUT, the outlet's relative permittivity (flooded)",
+        help="flooded, dry, or cavitated EPS_OUT, the outlet's relative permittivity (flooded, or"
+        " as the run)",
     )
     around.add_argument(
         "--shoulders",
@@ -127,13 +135,11 @@ def _surroundings(one):
     around.add_argument(
         "--permittivity-at",
         choices=("maximum", "mean", "two_thirds"),
-        default="maximum",
         help="pressure of the film's permittivity: largest, its mean over the ellipse, two thirds",
     )
     around.add_argument(
         "--roughness",
         choices=("none", "gamma"),
-        default="none",
         help="of the films' capacitance: smooth, or a gamma-distributed film (none)",
     )
 
@@ -186,6 +192,8 @@ def _electrics(one):
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures, write picture and table. Raises `RacewayError`."""
+    if arguments.folder is not None:
+        return electric_run.run(arguments)
     # scipy takes longer to load than --help to print
     from raceway.theory import electric_point, electric_table
 
@@ -243,11 +251,10 @@ def _filling(arguments):
     from raceway.theory.capacitors import Filling
     from raceway.theory.validity import Shoulders
 
-    kind, *rest = arguments.surroundings
+    kind, *rest = words = arguments.surroundings or ["flooded"]
     if kind not in FILLS or len(rest) != (kind == "cavitated"):
         arguments.complain(
-            f"--surroundings {' '.join(arguments.surroundings)}: give flooded, dry or"
-            " cavitated EPS_OUT"
+            f"--surroundings {' '.join(words)}: give flooded, dry or cavitated EPS_OUT"
         )
     try:
         outlet = number(1, 100, "")(rest[0]) if rest else 1.0
@@ -256,8 +263,8 @@ def _filling(arguments):
     return Filling(
         kind,
         outlet,
-        arguments.permittivity_at,
-        arguments.roughness,
+        arguments.permittivity_at or "maximum",
+        arguments.roughness or "none",
         Shoulders(*(arguments.shoulders or ())),
     )
 
@@ -301,7 +308,7 @@ def _solve(arguments, values, phase=0.0):
 
     try:
         return electric_point.solve(
-            arguments.bearing,
+            arguments.bearing or "6208",
             arguments.lubricant,
             arguments.inputs,
             axial=arguments.axial,

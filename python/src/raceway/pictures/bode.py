@@ -7,11 +7,19 @@ from typing import Any
 import matplotlib.pyplot as plt
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.files import FilePath
 from raceway.pictures.electric_page import LEFT, RIGHT, head
 from raceway.pictures.style import PALETTE, STYLE, save
 from raceway.theory import impedance
 from raceway.theory.electric_point import Point
+
+
+def frequencies(resistivity: float, count: int = 400) -> Floats:
+    """Hz, (count,): from far below the corner of films in oil of `resistivity` (ohm m) to 100
+    MHz."""
+    corner = 1 / (2 * np.pi * resistivity * 2e-11) if np.isfinite(resistivity) else 1.0
+    return np.geomspace(10 ** np.floor(np.log10(max(corner / 100, 1e-3))), 1e8, count)
 
 
 def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
@@ -21,9 +29,7 @@ def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FileP
     found = point.capacitors()
     loaded = found.inner.load > 0
     bare = type(found)(*(_plates(side, loaded) for side in (found.inner, found.outer)))
-    corner = 1 / (2 * np.pi * resistivity * 2e-11) if np.isfinite(resistivity) else 1.0
-    low = 10 ** np.floor(np.log10(max(corner / 100, 1e-3)))
-    frequency = np.geomspace(low, 1e8, 400)
+    frequency = frequencies(resistivity)
     with plt.rc_context(STYLE):
         figure, (top, bottom) = plt.subplots(
             2, 1, figsize=(10, 7.6), dpi=110, sharex=True, height_ratios=(1.5, 1)

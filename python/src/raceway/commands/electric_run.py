@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway electric DIR`: the electrical figures of a run, from its record."""
+
+import argparse
+import json
+import math
+from pathlib import Path
+
+STATIC = (  # options of an operating point
+    "load", "loads", "rpm", "speeds", "clearance", "clearances", "temperature", "temperatures",
+    "axial", "models", "lubricant", "inputs", "measured", "measured_impedance",
+)  # fmt: skip
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the figures of the run `arguments.folder`, write picture and table. Raises
+    `RacewayError`."""
+    import raceway
+    from raceway.runs import film_figures, film_table, whole_capacitance
+
+    _check(arguments)
+    of = raceway.open(arguments.folder)
+    if arguments.bearing is not None:
+        of = of.select(_number(arguments))
+    ask = arguments.ask(arguments)
+    whole = whole_capacitance.over_time(of, _filling(arguments, of))
+    data = film_figures.over_time(of, whole, ask)
+    fields = whole_capacitance.fields(of, whole, ask.voltage or 1.0, ask.strength)
+    found = film_table.figures(of, data, fields, ask.frequency)
+    if arguments.json:
+        print(json.dumps(found, indent=2, allow_nan=False))
+    else:
+        print(film_table.table(found))
+    if arguments.csv:
+        print(_table(data, Path(arguments.csv)))
+    if arguments.kind:
+        _picture(arguments, of, whole, data, fields)
+
+
+def _check(arguments):
+    complain = arguments.complain
+    for name in STATIC:
+        if getattr(arguments, name) != arguments.unset(name):
+            complain(f"--{name.replace('_', '-')}: a run has its own; leave it out or the folder")
+    if (arguments.c_wr is None) != (arguments.c_rf is None):
+        complain("--c-wr and --c-rf: give both")
+    if (arguments.kind is None) != (arguments.out is None):
+        complain("--kind and --out: give both")
+    if arguments.kind == "reading":
+        complain("--kind reading: is of an operating point, without a run")
+    if arguments.kind == "field" and arguments.voltage is None:
+        complain("--kind field: give --voltage")
+    if arguments.kind == "bode" and math.isinf(arguments.resistivity):
+        complain("--kind bode: give --resistivity")
+
+
+def _number(arguments):
+    try:
+        return int(arguments.bearing)
+    except ValueError:
+        arguments.complain(f"--bearing {arguments.bearing}: of a run it is a number")
+
+
+def _filling(arguments, of):
+    """That of the run, and what was given instead; None where nothing was."""
+    from raceway.runs import whole_capacitance
+
+    names = ("surroundings", "shoulders", "permittivity_at", "roughness")
+    if all(getattr(arguments, name) is None for name in names):
+        return None
+    own, given = whole_capacitance.filling_of(of), arguments.filling(arguments)
+    if arguments.surroundings is not None:
+        own = own._replace(kind=given.kind, outlet=given.outlet)
+    for name in names[1:]:
+        if getattr(arguments, name) is not None:
+            own = own._replace(**{name: getattr(given, name)})
+    return own
+
+
+def _table(data, path):
+    from raceway import files
+
+    return files.whole(path, lambda part: data.to_dataframe().to_csv(part))
+
+
+def _picture(arguments, of, whole, data, fields):
+    from raceway.pictures import electric_run  # matplotlib takes long to load
+
+    if arguments.kind == "parts":
+        electric_run.parts(of, data, arguments.out)
+    elif arguments.kind == "field":
+        electric_run.field(of, fields, arguments.voltage, arguments.out)
+    else:
+        electric_run.bode(of, whole, arguments.resistivity, arguments.out)
+    print(arguments.out)

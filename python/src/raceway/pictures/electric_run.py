@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pictures of a bearing as a capacitor over a run: its parts over time, fields around the ring,
+impedance over frequency."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import xarray as xr
+
+from raceway.files import FilePath
+from raceway.pictures.bode import frequencies
+from raceway.pictures.capacitance_parts import PARTS
+from raceway.pictures.page import LEFT, RIGHT, against_time, head
+from raceway.pictures.style import COLOUR, NAME, PALETTE, SIDES, SOFT, STYLE, save
+from raceway.runs import film_figures
+from raceway.runs.run import Run
+from raceway.units import axis, prefixed
+
+VARIABLES = ("plates", "around", "unloaded")  # in the order of `PARTS`
+BINS = 72  # of the ring, in the picture of the field
+
+
+def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:
+    """Draw the parts of the capacitance of a `run` over time to the PNG `path`, `data` of
+    `film_figures.over_time`. Raises `RunError` when it cannot be written."""
+    layers = np.stack([data[name].to_numpy() for name in VARIABLES])
+    factor, unit = axis(layers.sum(0).max(), "F")
+    with plt.rc_context(STYLE):
+        figure, axes = plt.subplots(figsize=(10, 6), dpi=110)
+        figure.subplots_adjust(left=LEFT + 0.02, right=RIGHT, bottom=0.11, top=0.81)
+        head(figure, run.tables, _below("Capacitance of the bearing by its parts", data), size=15)
+        axes.grid(True)
+        axes.stackplot(
+            run.tables.passes(np.arange(layers.shape[1])),
+            factor * layers,
+            labels=[name for _, name, _ in PARTS],
+            colors=[colour for _, _, colour in PARTS],
+            lw=0,
+        )
+        against_time(axes, run.tables, layers.shape[1])
+        axes.set(ylabel=f"capacitance ({unit})", ylim=(0, 1.22 * factor * layers.sum(0).max()))
+        axes.legend(loc="upper left", ncols=3)
+        save(figure, path)
+
+
+def field(run: Run, fields: xr.Dataset, voltage: float, path: FilePath) -> None:
+    """Draw the largest field in the films around the ring under a `voltage` (V) over a `run` to the
+    PNG `path`, `fields` of `whole_capacitance.fields`. Raises `RunError` when it cannot be
+    written."""
+    place = run.balls["from_load_line"].sel(time=fields["time"]).transpose("time", "ball")
+    edges = np.linspace(-np.pi, np.pi, BINS + 1)
+    which = np.clip(np.digitize(place.to_numpy(), edges) - 1, 0, BINS - 1)
+    middle = np.append(edges[:-1] + np.pi / BINS, edges[0] + np.pi / BINS)
+    with plt.rc_context(STYLE):
+        figure = plt.figure(figsize=(10, 9), dpi=110)
+        axes = figure.add_axes((0.12, 0.085, 0.76, 0.68), projection="polar")
+        text = f"Largest field in the films at {prefixed(voltage, 'V')} over the bearing"
+        head(figure, run.tables, text, size=14)
+        largest = {"field": 0.0, "field_peaks": 0.0}
+        for side in SIDES:
+            for name, dashes, over in (
+                ("field", "-", "over the film"),
+                ("field_peaks", (0, (3, 2)), "less 3σ"),
+            ):
+                values = fields[name].isel(raceway=side).transpose("time", "ball")
+                shown = _largest(which, np.abs(values.to_numpy()))
+                largest[name] = max(largest[name], np.nanmax(shown, initial=0.0))
+                axes.plot(
+                    middle,
+                    1e-6 * np.append(shown, shown[0]),
+                    color=COLOUR[side],
+                    ls=dashes,
+                    lw=2.2,
+                    label=f"{NAME[side]}, {over}",
+                )
+        axes.set_theta_zero_location("S")
+        axes.set_thetagrids(
+            range(0, 360, 45), [f"{a}°" for a in (0, 45, 90, 135, 180, -135, -90, -45)]
+        )
+        edge = min(max(largest.values()), 6 * largest["field"])
+        axes.set_rlim(0, 1.12e-6 * edge)
+        axes.set_rlabel_position(157)
+        axes.text(
+            0.5,
+            -0.09,
+            "azimuth from the load line; field in V/µm",
+            transform=axes.transAxes,
+            ha="center",
+            color=SOFT,
+        )
+        figure.legend(
+            *axes.get_legend_handles_labels(),
+            loc="upper center",
+            bbox_to_anchor=(0.5, 0.885),
+            ncols=2,
+        )
+        save(figure, path)
+
+
+def bode(run: Run, whole: xr.Dataset, resistivity: float, path: FilePath) -> None:
+    """Draw modulus and phase of the impedance of a `run` over frequency, in oil of `resistivity`
+    (ohm m), to the PNG `path`: its mean and what it takes over time. `whole` is of
+    `whole_capacitance.over_time`. Raises `RunError` when it cannot be written."""
+    frequency = frequencies(resistivity, 120)
+    z = film_figures.spectrum(whole, frequency, resistivity).to_numpy()
+    with plt.rc_context(STYLE):
+        figure, (top, bottom) = plt.subplots(
+            2, 1, figsize=(10, 7.6), dpi=110, sharex=True, height_ratios=(1.5, 1)
+        )
+        figure.subplots_adjust(left=LEFT + 0.04, right=RIGHT, bottom=0.09, top=0.85, hspace=0.1)
+        head(figure, run.tables, _below("Impedance of the bearing", whole), size=15)
+        for axes, values in ((top, np.abs(z)), (bottom, np.degrees(np.angle(z)))):
+            axes.fill_between(
+                frequency, values.min(0), values.max(0), color=PALETTE[4], alpha=0.6, lw=0,
+                label="over the run",
+            )  # fmt: skip
+            axes.plot(frequency, values.mean(0), color=PALETTE[0], lw=1.6, label="mean")
+            axes.set(xscale="log", xlim=(frequency[0], frequency[-1]))
+            axes.grid(True)
+        top.set(yscale="log", ylabel="|Z| (Ω)")
+        top.legend(loc="upper right")
+        bottom.set(xlabel="frequency (Hz)", ylabel="phase (°)", ylim=(-95, 5))
+        bottom.set_yticks([-90, -60, -30, 0])
+        save(figure, path)
+
+
+def _below(text, data):
+    return f"{text}  ·  {data.attrs['filling']}"
+
+
+def _largest(which, values):
+    """(BINS,), NaN where there is none."""
+    found = np.full(BINS, -np.inf)
+    np.maximum.at(found, which, np.where(np.isfinite(values), values, -np.inf))
+    return np.where(np.isfinite(found), found, np.nan)

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The electrical figures of a run, of `film_figures` over time, as one mapping and as text."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from raceway.rows import Row, lines, row
+from raceway.runs.run import Run
+from raceway.theory.film_voltage import STATES
+
+TOPICS = {
+    "Run": (
+        row("bearing"),
+        row("lubricant"),
+        row("load_N"),
+        row("clearance_m"),
+        row("rpm"),
+        Row("surroundings", "surroundings", None),
+        Row("source", "capacitances from", None),
+        Row("samples", "samples", ""),
+    ),
+    "Capacitance, mean over the run": (
+        row("capacitance_F", "contact ellipses, eq 12")._replace(label="plates"),
+        Row("capacitance_surroundings_F", "around the ellipses", "F", "loaded balls"),
+        Row("capacitance_unloaded_F", "balls without load", "F"),
+        Row("capacitance_total_F", "bearing", "F", "all of it"),
+        Row("capacitance_total_min_F", "bearing, least", "F"),
+        Row("capacitance_total_max_F", "bearing, largest", "F"),
+        Row("plates_factor", "over the plates", ""),
+        Row("hertz_area_m2", "Hertz area, both raceways", None),
+    ),
+    "Breakdown": (
+        Row("threshold_V", "smallest voltage, smooth", "V", "least over the run"),
+        Row("threshold_mean_V", "the same, mean", "V"),
+        Row("threshold_peaks_V", "smallest voltage, rough", "V", "least; over h_c - 3 sigma"),
+        Row("threshold_azimuth_deg", "at the ball at", "°", "from the load line"),
+        Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
+        Row("field_V_m", "largest field, smooth", "V/m"),
+        Row("field_peaks_V_m", "largest field, rough", "V/m"),
+        Row("metallic_share", "metallic contacts", "", "share; asperities carry 0.01"),
+    ),
+    "Impedance": (
+        Row("leak_ohm", "leak", "Ω", "direct current, mean"),
+        Row("frequency_Hz", "frequency", "Hz"),
+        Row("impedance_ohm", "impedance", "Ω", "mean"),
+        Row("impedance_min_ohm", "impedance, least", "Ω"),
+        Row("impedance_max_ohm", "impedance, largest", "Ω"),
+        Row("phase_deg", "phase", "°", "mean"),
+    ),
+    "Motor": (
+        Row("bearing_voltage_ratio", "bearing voltage ratio", "", "mean; two such bearings"),
+        Row("bearing_voltage_ratio_min", "least", ""),
+        Row("bearing_voltage_ratio_max", "largest", ""),
+    ),
+}
+
+
+def figures(
+    run: Run, data: xr.Dataset, fields: xr.Dataset, frequency: float | None = None
+) -> dict[str, Any]:
+    """Figures of a `run` by name in SI units, angles in degrees; None for what was not asked.
+    `data` is of `film_figures.over_time`, `fields` of `whole_capacitance.fields`. Keys that
+    `electric_point.figures` has, too, mean the same, over the run."""
+    first = int(data["threshold"].to_numpy().argmin())
+    state = fields["state"].to_numpy() == STATES.index("metallic")
+    plates = float(data["plates"].mean())
+    whole = data["bearing"]
+    known = ("bearing", "lubricant", "load_N", "clearance_m", "rpm")
+    found: dict[str, Any] = {key: run.settings.get(key) for key in known}
+    found |= dict(
+        surroundings=data.attrs["filling"],
+        source=data.attrs["source"],
+        samples=data.sizes["time"],
+        capacitance_F=plates,
+        capacitance_surroundings_F=float(data["around"].mean()),
+        capacitance_unloaded_F=float(data["unloaded"].mean()),
+        capacitance_total_F=float(whole.mean()),
+        capacitance_total_min_F=float(whole.min()),
+        capacitance_total_max_F=float(whole.max()),
+        plates_factor=float(whole.mean()) / plates if plates else None,
+        hertz_area_m2=float(data["hertz_area"].mean()),
+        threshold_V=float(data["threshold"][first]),
+        threshold_mean_V=float(data["threshold"].mean()),
+        threshold_peaks_V=float(data["threshold_peaks"].min()),
+        threshold_azimuth_deg=_azimuth(run, data["time"][first], data["weakest"][first]),
+        stored_energy_J=float(data["energy"][first]),
+        field_V_m=_finite(data.get("field"), "max"),
+        field_peaks_V_m=_finite(data.get("field_peaks"), "max"),
+        metallic_share=float(state.mean()),
+        leak_ohm=_finite(data.get("leak"), "mean"),
+        frequency_Hz=frequency,
+    )
+    for key, name, whats in (
+        ("impedance{}_ohm", "impedance", ("mean", "min", "max")),
+        ("bearing_voltage_ratio{}", "bearing_voltage_ratio", ("mean", "min", "max")),
+    ):
+        for what in whats:
+            end = "" if what == "mean" else f"_{what}"
+            found[key.format(end)] = _finite(data.get(name), what)
+    phase = _finite(data.get("phase"), "mean")
+    found["phase_deg"] = None if phase is None else math.degrees(phase)
+    return found
+
+
+def table(figures: Mapping[str, Any]) -> str:
+    """`figures` as text."""
+    shown = dict(figures, hertz_area_m2=f"{1e6 * figures['hertz_area_m2']:.4g} mm²")
+    for key in ("threshold_azimuth_deg", "phase_deg"):
+        shown[key] = shown[key] and round(shown[key], 2) + 0.0
+    return "\n".join(lines(shown, TOPICS))
+
+
+def _azimuth(run, time, ball):
+    line = run.balls["from_load_line"].sel(time=time, ball=int(ball))
+    return math.degrees(float(line))
+
+
+def _finite(values, what):
+    if values is None:
+        return None
+    found = float(getattr(values, what)())
+    return found if np.isfinite(found) else None

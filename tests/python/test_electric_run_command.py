@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway electric DIR`: figures of a run, its table, pictures and messages."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+import raceway
+from PIL import Image
+from raceway import film_figures, film_table, film_voltage, whole_capacitance
+from raceway.cli import main
+from raceway.theory.capacitors import Filling
+from raceway.theory.electric_point import Ask
+
+ALL = "--frequency 1e4 --resistivity 1e9 --voltage 5 --c-wr 50e-12 --c-rf 1e-9".split()
+ASK = Ask(voltage=5.0, frequency=1e4, resistivity=1e9, motor=(50e-12, 1e-9))
+
+
+def printed(capsys, *arguments):
+    assert main(["electric", *map(str, arguments)]) == 0
+    return capsys.readouterr().out
+
+
+def test_figures(folder, capsys):
+    found = json.loads(printed(capsys, folder, *ALL, "--json"))
+    run = raceway.open(folder)
+    whole = whole_capacitance.over_time(run)
+    data = film_figures.over_time(run, whole, ASK)
+    fields = whole_capacitance.fields(run, whole, 5.0)
+    assert found == film_table.figures(run, data, fields, 1e4)
+    parts = ("capacitance_F", "capacitance_surroundings_F", "capacitance_unloaded_F")
+    assert sum(found[part] for part in parts) == pytest.approx(found["capacitance_total_F"])
+    assert found["capacitance_total_min_F"] < found["capacitance_total_max_F"]
+    assert found["field_V_m"] == pytest.approx(float(np.abs(fields["field"]).max()))
+    assert found["threshold_V"] == float(data["threshold"].min()) < found["threshold_mean_V"]
+    first = int(data["threshold"].to_numpy().argmin())
+    hangs = 1050e-12 + float(data["bearing"][first])
+    assert found["stored_energy_J"] == pytest.approx(
+        film_voltage.stored_energy(hangs, found["threshold_V"])
+    )
+    # films are thinnest where the load is
+    assert abs(found["threshold_azimuth_deg"]) < 45
+    both = 2 * data["bearing"].to_numpy()
+    assert found["bearing_voltage_ratio"] == pytest.approx(np.mean(50e-12 / (1050e-12 + both)))
+
+
+def test_what_is_not_asked_for_is_not_there(folder, capsys):
+    found = json.loads(printed(capsys, folder, "--json"))
+    for key in ("leak_ohm", "impedance_ohm", "phase_deg", "field_V_m", "bearing_voltage_ratio"):
+        assert found[key] is None, key
+    text = printed(capsys, folder)
+    assert "balls without load" in text and "Impedance" not in text
+
+
+def test_another_filling(folder, capsys):
+    dry = json.loads(printed(capsys, folder, "--surroundings", "dry", "--json"))
+    whole = whole_capacitance.over_time(raceway.open(folder), Filling("dry"))
+    assert dry["surroundings"] == "dry"
+    assert dry["capacitance_total_F"] == pytest.approx(float(whole["bearing"].mean()))
+    wet = json.loads(printed(capsys, folder, "--json"))
+    assert wet["surroundings"] == "flooded"
+    assert wet["capacitance_total_F"] > dry["capacitance_total_F"]
+    mean = json.loads(printed(capsys, folder, "--permittivity-at", "mean", "--json"))
+    assert mean["surroundings"] == "flooded" and mean["capacitance_F"] < wet["capacitance_F"]
+
+
+def test_table(folder, capsys, tmp_path):
+    path = tmp_path / "electric.csv"
+    printed(capsys, folder, *ALL, "--csv", path)
+    with open(path) as file:
+        rows = list(csv.DictReader(file))
+    run = raceway.open(folder)
+    data = film_figures.over_time(run, whole_capacitance.over_time(run), ASK)
+    assert set(film_figures.MEANING) <= set(rows[0]) and len(rows) == data.sizes["time"]
+    for name in film_figures.MEANING:
+        assert [float(row[name]) for row in rows] == pytest.approx(data[name].to_numpy())
+
+
+@pytest.mark.parametrize("kind", ["parts", "field", "bode"])
+def test_pictures(folder, capsys, tmp_path, kind):
+    out = tmp_path / "picture.png"
+    shown = printed(capsys, folder, *ALL, "--kind", kind, "--out", out)
+    assert shown.splitlines()[-1] == str(out)
+    with Image.open(out) as picture:
+        assert picture.width >= 1000 and len(picture.convert("RGB").getcolors(1 << 24)) > 100
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "message"),
+    [
+        (["--load", "5"], 2, "--load: a run has its own"),
+        (["--measured-impedance", "1", "-90"], 2, "--measured-impedance: a run has its own"),
+        (["--kind", "parts"], 2, "--kind and --out: give both"),
+        (["--c-wr", "1e-12"], 2, "--c-wr and --c-rf: give both"),
+        (["--kind", "reading", "--out", "x.png"], 2, "is of an operating point, without a run"),
+        (["--kind", "field", "--out", "x.png"], 2, "give --voltage"),
+        (["--kind", "bode", "--out", "x.png"], 2, "give --resistivity"),
+        (["--bearing", "6208"], 1, "6208"),
+        (["--bearing", "one"], 2, "--bearing one: of a run it is a number"),
+    ],
+)
+def test_messages(folder, capsys, arguments, code, message):
+    try:
+        assert main(["electric", str(folder), *arguments]) == code
+    except SystemExit as stop:
+        assert stop.code == code
+    assert message in capsys.readouterr().err
+
+
+def test_a_dry_run_has_none(dry_folder, capsys):
+    assert main(["electric", str(dry_folder)]) == 1
+    assert "capacitance" in capsys.readouterr().err
