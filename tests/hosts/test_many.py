@@ -250,3 +250,20 @@ def test_a_value_that_is_no_number(force, message, tmp_path):
 def test_mistakes(words, message, tmp_path):
     outcome = liggghts("inputs/in.many", out=tmp_path, **{**BEARINGS, **words})
     assert outcome.code != 0 and re.search(message, outcome.error), outcome.text[-2000:]
+
+
+def test_surroundings(tmp_path):
+    """All of the capacitance in the table; the motion and the rest of the rows stay."""
+    short = {"bearings": 2, "columns": 2, "time": 2e-3}
+    tables = {}
+    for word in ("none", "cavitated"):
+        more = {"surroundings": word, "outlet": 1.3, "out": tmp_path / word}
+        succeed("inputs/in.many", **short, **more)
+        tables[word] = frames(tmp_path / word / "bearings.dump")
+    for step, rows in tables["none"].items():
+        for plain, whole in zip(rows, tables["cavitated"][step], strict=True):
+            *same, total = whole.split()
+            assert same == plain.split()
+            assert float(total) > 1.05 * float(same[-1])
+    end = liggghts("inputs/in.many", **short, surroundings="wet", out=tmp_path / "wet")
+    assert end.code != 0 and "none, flooded, dry, cavitated" in end.error
