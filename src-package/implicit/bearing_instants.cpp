@@ -29,8 +29,8 @@ RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
 {
   to.resize(b_.contact_at.size());
   Contact nobody;    // of a lane without a ball
-  for (size_t group = 0; group < b_.n_contacts; ++group) {
-    const size_t at = (k - 1) * b_.n_contacts + group;
+  for (int group = 0; group < b_.n_contacts; ++group) {
+    const int at = (k - 1) * b_.n_contacts + group;
     const ContactLook &look = looks_[at];
     Contact *one[lanes];
     for (int i = 0; i < lanes; ++i) {

@@ -44,7 +44,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     m[0] = dot(s.normal, v);
     m[1] = dot(s.along, v);
     m[2] = dot(s.across, v);
-    if (on) m[0] -= on->slope * dot(s.along, motion_of(dof, g.now, e, d));
+    if (on) m[0] -= on->slope * dot(s.along, motion_of(dof, g.now, e, lever_of(ring, e, d)));
     if constexpr (n == 6) {
       const Vec3L w = rotation_of(dof, g.now, e);
       m[3] = dot(s.normal, w);
@@ -87,10 +87,11 @@ static void add_profile(BearingSystem &system, BodyGroup &g, int group, const Ri
     for (int k = 0; k < 3; ++k)
       g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
   if (!ring.loose) return;
+  const Vec3L lever = lever_of(ring, e, d);
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
     const int u = ring.unknown[dof];
     if (u < 0) continue;
-    const Vec3L v = motion_of(dof, g.now, e, d);
+    const Vec3L v = motion_of(dof, g.now, e, lever);
     const Lane path = dot(along, v), near = dot(approach, v), force_G = cross * path,
                force_t = cross * near + side * path;
     Lane *B = system.B(group, u), *C = system.C(group, u);
@@ -101,7 +102,7 @@ static void add_profile(BearingSystem &system, BodyGroup &g, int group, const Ri
     }
     for (int o = 0; o < RingProgram::N_DOF; ++o) {
       if (ring.unknown[o] < 0) continue;
-      const Vec3L w = motion_of(o, g.now, e, d);
+      const Vec3L w = motion_of(o, g.now, e, lever);
       system.D(ring.unknown[o], u) += sum(dot(approach, w) * force_G + dot(along, w) * force_t);
     }
   }
