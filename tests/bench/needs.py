@@ -129,8 +129,8 @@ see that run. {kept} of {SCENES} answers keep what is wanted; {KEPT} are asked f
 
 Full and fine is a tolerance of 0.1 nm and 400 samples a ball pass. The answers are {middle:.1f}
 times cheaper (median, range {min(cheaper):.1f} to {max(cheaper):.1f}); {CHEAPER} is asked for.
-Cost is processor time, the median of three runs. {refused} more scenes did not run with every part of the
-model, before any answer.
+Cost is processor time, the median of three runs. {refused} more scenes did not run with every part
+of the model, before any answer.
 """.splitlines(),
         "",
         *list_table(HEAD, [cells for cells, _, _ in rows]),

@@ -115,6 +115,7 @@ def test_the_list_is_complete():
             "around",
             "friction",
             "measured",
+            "model_range",
             "record",
             "named",
             "recorded",

@@ -20,9 +20,9 @@ q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa loaded_balls_m
 cage_speed_rad_s entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F wall_s
 simulated_s real_time_factor processor_s evaluations force_x_N force_y_N force_z_N moment_x_N_m
 moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rpm_least rpm_most friction_torque_N_m power_loss_W
-losses_W torque_skf_N_m torque_palmgren_N_m asperity_share warnings""".split()
+losses_W torque_skf_N_m torque_palmgren_N_m asperity_share warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
-TYPES = dict.fromkeys(WORDS, str) | {"warnings": list, "losses_W": dict}
+TYPES = dict.fromkeys(WORDS, str) | {"warnings": list, "losses_W": dict, "model_ranges": dict}
 TILTS = {"tilt_x_rad", "tilt_y_rad", "asperity_share"}  # tables of rings and contacts have none
 DRY_NULL = {
     "viscosity_Pa_s",
@@ -36,6 +36,7 @@ DRY_NULL = {
     "capacitance_top_F",
     "torque_skf_N_m",
     "torque_palmgren_N_m",
+    "model_ranges",
 }
 
 

@@ -63,18 +63,21 @@ def lines(
     figures: Mapping[str, Any],
     topics: Mapping[str, Sequence[Row]],
     errors: Mapping[str, float] | None = None,
+    ranges: Mapping[str, tuple[float, float]] | None = None,
 ) -> list[str]:
     """The lines of a table of `topics` (`Row`s by heading); figures that are None are left out.
-    Where there are `errors` by key, in the unit of the figure, a column has them."""
+    Where there are `errors` by key, in the unit of the figure, a column has them; `ranges` (low,
+    high) by key end a line."""
     result = []
-    for row in cells(figures, topics, errors):
+    for row in cells(figures, topics, errors, ranges):
         if len(row) == 1:
             result += ["", *row]
             continue
-        label, value, error, source = row
+        label, value, error, span, source = row
         error = "" if errors is None else f"{error:>12}"
+        span = f"  range {span}" if span else ""
         source = f"({source})" if source else ""
-        result.append(f"  {label:<32}{value:>14}{error}  {source}".rstrip())
+        result.append(f"  {label:<32}{value:>14}{error}  {source}{span}".rstrip())
     return result[1:]
 
 
@@ -82,12 +85,20 @@ def cells(
     figures: Mapping[str, Any],
     topics: Mapping[str, Sequence[Row]],
     errors: Mapping[str, float] | None = None,
+    ranges: Mapping[str, tuple[float, float]] | None = None,
 ) -> list[tuple[str, ...]]:
-    """The cells of that table: (label, value, error, source), and (topic,) above a topic's."""
+    """The cells of that table: (label, value, error, range, source), and (topic,) above a
+    topic's."""
     result: list[tuple[str, ...]] = []
     for topic, rows in topics.items():
         block = [
-            (row.label, _value(row, figures[row.key]), _error(row, errors), row.source)
+            (
+                row.label,
+                _value(row, figures[row.key]),
+                _error(row, errors),
+                _range(row, ranges),
+                row.source,
+            )
             for row in rows
             if figures[row.key] is not None
         ]
@@ -98,6 +109,12 @@ def cells(
 
 def _value(row, value):
     return value if row.unit is None else _shown(value, row.unit, 4)
+
+
+def _range(row, ranges):
+    if not ranges or row.key not in ranges:
+        return ""
+    return " to ".join(_shown(end, row.unit, 3) for end in ranges[row.key])
 
 
 def _error(row, errors):

@@ -15,7 +15,7 @@ from raceway.pictures.part import shown as part
 from raceway.report.page import Page
 from raceway.rows import cells
 from raceway.runs.columns import BEARING, CONTACT
-from raceway.runs.summary import TOPICS, ring_displacement, shown, summary
+from raceway.runs.summary import TOPICS, reasons, ring_displacement, shown, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.check import variables
 from raceway.units import axis
@@ -58,9 +58,19 @@ def _warnings(page, figures):
 
 def _figures(page, figures):
     page.heading("Figures")
-    rows = cells(shown(figures), TOPICS, figures.get("numerical_errors"))
-    head = ("", "", "numerical error", "")
-    page.table(rows, ("", "number", "number", "source"), head)
+    ranges = figures["model_ranges"] or {}
+    rows = cells(
+        shown(figures),
+        TOPICS,
+        figures.get("numerical_errors"),
+        {key: (one["low"], one["high"]) for key, one in ranges.items()},
+    )
+    head = ("", "", "numerical error", "range of the model", "")
+    page.table(rows, ("", "number", "number", "number", "source"), head)
+    if ranges:
+        page.text("Ranges of the model, as far as they are known:")
+    for text in reasons(figures):
+        page.text(text)
     if "numerical_errors" not in figures:
         page.text("Numerical errors are not known: raceway check finds them.")
 

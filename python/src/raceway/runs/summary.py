@@ -14,6 +14,7 @@ from raceway.errors import RunError
 from raceway.rows import Row, lines, row
 from raceway.runs.friction import PARTS, friction
 from raceway.runs.measured import load_parameter, measured
+from raceway.runs.model_range import model_ranges
 from raceway.runs.settings import LUBRICANT
 from raceway.runs.tables import BALL, RunTables
 from raceway.runs.totals import pairs
@@ -141,6 +142,8 @@ def summary(tables: RunTables) -> dict[str, Any]:
     )
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(tables, result)
+    ranges = {key: one._asdict() for key, one in model_ranges(tables, result).items()}
+    result["model_ranges"] = ranges or None
     if errors := numerical_errors(tables):
         result["numerical_errors"] = errors
     return result
@@ -321,8 +324,26 @@ def table(figures: Mapping[str, Any]) -> str:
     """The mapping of `summary` as text, a topic a block; figures the run has none of, or that are
     next to nothing, are left out. Warnings stand at the end."""
     warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
-    text = lines(shown(figures), TOPICS, figures.get("numerical_errors"))
+    ranges = figures.get("model_ranges") or {}
+    text = lines(
+        shown(figures),
+        TOPICS,
+        figures.get("numerical_errors"),
+        {key: (one["low"], one["high"]) for key, one in ranges.items()},
+    )
+    if ranges:
+        text += ["", "Ranges of the model, as far as they are known"]
+        text += [f"  {one}" for one in reasons(figures)]
     return "\n".join(text + (warnings if figures["warnings"] else []))
+
+
+def reasons(figures: Mapping[str, Any]) -> list[str]:
+    """Why the figures have the ranges that they have: a text for figures that share it."""
+    labels = {row.key: row.label.strip() for rows in TOPICS.values() for row in rows}
+    by_reason: dict[str, list[str]] = {}
+    for key, one in (figures.get("model_ranges") or {}).items():
+        by_reason.setdefault(one["why"], []).append(labels[key])
+    return [f"{', '.join(names)}: {why}" for why, names in by_reason.items()]
 
 
 def shown(figures: Mapping[str, Any]) -> dict[str, Any]:

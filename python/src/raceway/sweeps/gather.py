@@ -33,6 +33,7 @@ def gather(folder: FilePath) -> pd.DataFrame:
         status, message = state(path.parent, asked)
         figures = mapping(path.parent / "summary.json", json.loads) if status == FINISHED else {}
         losses = figures.pop("losses_W", None) or {}
+        figures.pop("model_ranges", None)
         figures.update({f"loss_{part}_W": loss for part, loss in losses.items()})
         rows.append(
             {"point": path.parent.name, "status": status, "message": message, **asked, **figures}

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The known uncertainty of the model beside the figures of a run: the range of its inputs and the
+spread of its laws. What is not known is not there; numerical errors are another matter
+(`raceway check`).
+
+Films and capacitance: ends of the inputs, Masjedi-Khonsari or Hamrock-Dowson, and the factors of
+inlet shear by Murch and by Wilson. A run without inlet shear is isothermal: then its lowest film is
+the one thinned by it. All are taken at the inner contact with the largest load and carried over as
+factors; ends that act alike are combined. Asperities: the three laws of `theory.asperity`. Torque:
+the run's own with the makers'.
+"""
+
+import math
+from collections.abc import Mapping
+from importlib.resources import files
+from itertools import product
+from typing import Any, NamedTuple
+
+import yaml
+
+from raceway import catalogue, inputs
+from raceway.runs.tables import RunTables
+from raceway.theory import asperity, capacitance, film, film_factors, hertz
+from raceway.theory.bearing import INNER
+
+INPUTS = yaml.safe_load(files("raceway").joinpath("runs/model_range.yaml").read_text())
+FIELDS = {
+    "viscosity_Pa_s": "viscosity",
+    "pressure_viscosity_per_Pa": "pressure_viscosity",
+    "permittivity": "permittivity",
+    "roughness_m": "roughness",
+}
+SAME = 1e-6  # a value of the file
+LAWS = ((film.h_min, film.h_c), (film.hamrock_dowson_min, film.hamrock_dowson_c))
+SHARES = (asperity.zhou_hoeprich, asperity.olver_spikes, asperity.clarke)
+
+
+class Range(NamedTuple):
+    """Where a figure may lie as far as the model is known, in its own unit, and why."""
+
+    low: float
+    high: float
+    why: str
+
+
+def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Range]:
+    """`Range` by key of the figures of the run `tables`; empty for a dry run or a lubricant whose
+    file is not at hand."""
+    result: dict[str, Range] = {}
+    if tables.lubricated and figures.get("h_c_m") and figures.get("entrainment_speed_m_s"):
+        try:
+            path = catalogue.find("lubricants", figures["lubricant"])
+            temperature = _temperature(tables)
+            oil, fluid = inputs.oil(path, temperature), inputs.fluid(path, temperature)
+        except inputs.InputError:
+            return {}
+        result = _films(tables, figures, oil, fluid)
+    share = figures.get("asperity_share")
+    if share is not None and figures.get("lambda"):
+        known = [float(law(figures["lambda"])) for law in SHARES]
+        why = "Zhou and Hoeprich, Olver and Spikes, Clarke"
+        result["asperity_share"] = Range(min(share, *known), max(share, *known), why)
+    makers = [figures.get(key) for key in ("torque_skf_N_m", "torque_palmgren_N_m")]
+    makers = [torque for torque in makers if torque]
+    own = figures.get("friction_torque_N_m")
+    if own and makers and figures.get("models") == "full":
+        why = "this run, SKF, Palmgren"
+        result["friction_torque_N_m"] = Range(min(own, *makers), max(own, *makers), why)
+    return result
+
+
+def _temperature(tables):
+    said = str(tables.settings.get("deck_variables", ""))
+    known = dict(word.split("=", 1) for word in said.split(",") if "=" in word)
+    return float(known["temperature"]) if "temperature" in known else None
+
+
+def _films(tables, figures, oil, fluid):
+    bearing, speed = tables.geometry, figures["entrainment_speed_m_s"]
+    r_x, r_y = bearing.effective_radii(INNER, 0.0, figures["clearance_m"] or 0.0)
+    ellipse = hertz.exact(r_x, r_y)
+    load, pressure = figures["q_inner_max_N"], figures["p_max_inner_Pa"]
+    a = math.sqrt(1.5 * load * ellipse.kappa / (math.pi * pressure))  # p = 1.5 Q/(pi a b)
+    ends, why = {}, []
+    for key, field in FIELDS.items():
+        own, given = getattr(oil, field), figures[key]
+        typical = abs(given / own - 1) < SAME
+        factors = INPUTS[key]["factors"] if typical else (1.0, 1.0)
+        ends[key] = [given * factor for factor in factors]
+        if typical:
+            why.append(INPUTS[key]["why"])
+    thinning = _thinning(tables, figures, fluid)
+    found = []
+    for law, viscosity, xi, thin in product(
+        LAWS, ends["viscosity_Pa_s"], ends["pressure_viscosity_per_Pa"], thinning
+    ):
+        group = film.group(
+            viscosity, xi, bearing.effective_modulus, r_x, ellipse.kappa, speed, load
+        )
+        found.append([thin * float(one(r_x, group)) for one in law])
+    usual = film.group(
+        figures["viscosity_Pa_s"],
+        figures["pressure_viscosity_per_Pa"],
+        bearing.effective_modulus,
+        r_x,
+        ellipse.kappa,
+        speed,
+        load,
+    )
+    # of the run over the law: what else thins or thickens it
+    scale = [figures["h_min_m"] / film.h_min(r_x, usual), figures["h_c_m"] / film.h_c(r_x, usual)]
+    lows = [float(k * min(one[i] for one in found)) for i, k in enumerate(scale)]
+    highs = [float(k * max(one[i] for one in found)) for i, k in enumerate(scale)]
+    laws = "Masjedi-Khonsari or Hamrock-Dowson, inlet shear by Murch or Wilson"
+    flows = "; ".join([text for text in why if text.startswith(("viscosity", "pressure"))] + [laws])
+    rough = ends["roughness_m"]
+    result = {
+        "h_min_m": Range(lows[0], highs[0], flows),
+        "h_c_m": Range(lows[1], highs[1], flows),
+        "lambda": Range(lows[0] / rough[1], highs[0] / rough[0], "film and roughness"),
+    }
+
+    def electric(permittivity, h):
+        return float(capacitance.contact(permittivity, pressure, a, a / ellipse.kappa, h))
+
+    now = electric(figures["permittivity"], figures["h_c_m"])
+    least = electric(ends["permittivity"][0], highs[1]) / now
+    most = electric(ends["permittivity"][1], lows[1]) / now
+    for key in ("capacitance_F", "capacitance_top_F"):
+        if figures.get(key):
+            result[key] = Range(figures[key] * least, figures[key] * most, "film and permittivity")
+    return result
+
+
+def _thinning(tables, figures, fluid):
+    """Factors on the film of the run for the laws of inlet shear."""
+    loading = film_factors.thermal_loading(
+        fluid.temperature_viscosity,
+        figures["viscosity_Pa_s"],
+        figures["entrainment_speed_m_s"],
+        fluid.conductivity,
+    )
+    if math.isnan(loading):  # the file does not say
+        return [1.0]
+    murch, wilson = (
+        float(one(loading)) for one in (film_factors.murch_wilson, film_factors.wilson)
+    )
+    record = tables.record
+    if record and "inlet_shear" in str(record.attrs.get("pair_commands", "")):
+        return [1.0, wilson / murch]
+    return [1.0, murch, wilson]
