@@ -304,6 +304,7 @@ double BearingForces::longest_step() const
   return longest;
 }
 
+// Of smooth raceways: profiles are shallow beside the overlap of a loaded ball.
 RACEWAY_LANES double BearingForces::largest_overlap() const
 {
   Lane most = {};
