@@ -48,7 +48,8 @@ def test_values_given_outright_have_no_range(folder):
     group = film.group(0.05, 2e-8, modulus, r_x, kappa, speed, load)
     other = film.hamrock_dowson_c(r_x, group) / film.h_c(r_x, group)
     loading = film_factors.thermal_loading(0.047, 0.05, speed, 0.134)  # of mineral
-    shear = film_factors.murch_wilson(loading), film_factors.wilson(loading)
+    shear = [film_factors.murch_wilson(loading), film_factors.wilson(loading)]
+    shear.append(film_factors.gupta(loading, figures["p_max_inner_Pa"] / modulus))
     found = model_ranges(tables, figures)["h_c_m"]
     assert found.low == pytest.approx(figures["h_c_m"] * min(1, other) * min(1, *shear), rel=1e-9)
     assert found.high == pytest.approx(figures["h_c_m"] * max(1, other), rel=1e-9)

@@ -4,13 +4,14 @@ spread of its laws. What is not known is not there; numerical errors are another
 (`raceway check`).
 
 Films and capacitance: ends of the inputs, Masjedi-Khonsari or Hamrock-Dowson, and the factors of
-inlet shear by Murch and by Wilson. A run without inlet shear is isothermal: then its lowest film is
+inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal: then its lowest film is
 the one thinned by it. All are taken at the inner contact with the largest load and carried over as
 factors; ends that act alike are combined. Asperities: the three laws of `theory.asperity`. Torque:
 the run's own with the makers'.
 """
 
 import math
+import re
 from collections.abc import Mapping
 from importlib.resources import files
 from itertools import product
@@ -30,6 +31,7 @@ FIELDS = {
     "permittivity": "permittivity",
     "roughness_m": "roughness",
 }
+GUPTA = 10.0  # thermal loading up to which his factor holds
 SAME = 1e-6  # a value of the file
 LAWS = ((film.h_min, film.h_c), (film.hamrock_dowson_min, film.hamrock_dowson_c))
 SHARES = (asperity.zhou_hoeprich, asperity.olver_spikes, asperity.clarke)
@@ -111,7 +113,7 @@ def _films(tables, figures, oil, fluid):
     scale = [figures["h_min_m"] / film.h_min(r_x, usual), figures["h_c_m"] / film.h_c(r_x, usual)]
     lows = [float(k * min(one[i] for one in found)) for i, k in enumerate(scale)]
     highs = [float(k * max(one[i] for one in found)) for i, k in enumerate(scale)]
-    laws = "Masjedi-Khonsari or Hamrock-Dowson, inlet shear by Murch or Wilson"
+    laws = "Masjedi-Khonsari or Hamrock-Dowson, inlet shear by Murch, Wilson or Gupta"
     flows = "; ".join([text for text in why if text.startswith(("viscosity", "pressure"))] + [laws])
     rough = ends["roughness_m"]
     result = {
@@ -142,10 +144,12 @@ def _thinning(tables, figures, fluid):
     )
     if math.isnan(loading):  # the file does not say
         return [1.0]
-    murch, wilson = (
-        float(one(loading)) for one in (film_factors.murch_wilson, film_factors.wilson)
-    )
-    record = tables.record
-    if record and "inlet_shear" in str(record.attrs.get("pair_commands", "")):
-        return [1.0, wilson / murch]
-    return [1.0, murch, wilson]
+    pressure = figures["p_max_inner_Pa"] / tables.geometry.effective_modulus
+    laws = {"murch": film_factors.murch_wilson(loading), "wilson": film_factors.wilson(loading)}
+    if loading < GUPTA:
+        laws["gupta"] = film_factors.gupta(loading, pressure)
+    commands = str(tables.record.attrs.get("pair_commands", "")) if tables.record else ""
+    own = re.search(r"\binlet_shear (\w+)", commands)
+    if own is None:  # isothermal
+        return [1.0, *map(float, laws.values())]
+    return [float(law / laws.get(own[1], laws["murch"])) for law in laws.values()]
