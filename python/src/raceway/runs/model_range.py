@@ -4,10 +4,10 @@ spread of its laws. What is not known is not there; numerical errors are another
 (`raceway check`).
 
 Films and capacitance: ends of the inputs, Masjedi-Khonsari or Hamrock-Dowson, and the factors of
-inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal: then its lowest film is
-the one thinned by it. All are taken at the inner contact with the largest load and carried over as
-factors; ends that act alike are combined. Asperities: the three laws of `theory.asperity`. Torque:
-the run's own with the makers'.
+inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal: then its lowest
+film is the one thinned by it. All are taken at the inner contact with the largest load and carried
+over as factors; ends that act alike are combined. Asperities: the three laws of `theory.asperity`.
+Torque: the run's own with the makers'.
 """
 
 import math
