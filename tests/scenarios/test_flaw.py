@@ -127,7 +127,7 @@ def test_energy(tmp_path, mover, flaw):
 
 
 def test_flaw_turns_with_its_ring(tmp_path):
-    """A ball at rest at the bottom, without friction: the flaw comes by, 0.03 rad on, at 10 rad/s."""
+    """A ball at rest at the bottom, without friction, and a flaw that comes by at 10 rad/s."""
     b = rolled(
         tmp_path,
         notch(1e-3, 1e-3, azimuth=BOTTOM - 0.03),
