@@ -17,6 +17,7 @@ NAMES = {
     # theory, without a run
     "asperity": "theory.asperity",
     "beam": "theory.beam",
+    "beam_motion": "theory.beam_motion",
     "bearing": "theory.bearing",
     "capacitance": "theory.capacitance",
     "capacitance_exact": "theory.capacitance_exact",
@@ -52,6 +53,7 @@ NAMES = {
     "operating_point": "theory.operating_point",
     "rolling": "theory.rolling",
     "shaft": "theory.shaft",
+    "shaft_motion": "theory.shaft_motion",
     "rough_film": "theory.rough_film",
     "sliding": "theory.sliding",
     "spin": "theory.spin",

@@ -12,7 +12,7 @@ from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.inputs import InputError
 from raceway.theory import life
-from raceway.theory.beam import Section, Steel
+from raceway.theory.beam import Disc, Section, Steel
 from raceway.theory.shaft import Load, Seat, Shaft
 
 # what a part of the file may have: name: (default or None for needed, least, most)
@@ -34,6 +34,12 @@ NUMBERS: Mapping[str, Mapping[str, tuple[float | None, float, float]]] = {
         "phase": (0.0, -2 * math.pi, 2 * math.pi),
     },
     "loads": {"at": (None, 0.0, 1e3)},
+    "discs": {
+        "at": (None, 0.0, 1e3),
+        "mass": (None, 0.0, 1e5),
+        "axial": (0.0, 0.0, 1e6),
+        "transverse": (0.0, 0.0, 1e6),
+    },
 }
 LISTS = {  # name: (length, largest size)
     "file": {"gravity": (3, 1e3)},
@@ -41,7 +47,7 @@ LISTS = {  # name: (length, largest size)
     "loads": {"force": (3, 1e7), "moment": (2, 1e6)},
 }
 OTHERS = {
-    "file": ("steel", "sections", "bearings", "loads", "lubricant"),
+    "file": ("steel", "sections", "bearings", "loads", "discs", "lubricant"),
     "bearings": ("name", "floating"),
 }
 
@@ -88,8 +94,9 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
         ratings.append(inputs.ratings(found))
         angles.append(inputs.nominal_angle(found))
     loads = [Load(**one) for one in _parts(whole, path, "loads")]
+    discs = [Disc(**one) for one in _parts(whole, path, "discs")] if "discs" in whole else []
     return Case(
-        Shaft(sections, steel, whole["gravity"]),
+        Shaft(sections, steel, whole["gravity"], discs),
         names,
         seats,
         ratings,

@@ -12,7 +12,8 @@ from raceway.units import prefixed
 
 DESCRIPTION = """\
 A shaft on several ball bearings at rest, from theory: loads and tilt of every bearing, its
-rating life, displacements of the shaft. The shaft is a Timoshenko beam, each bearing the statics of
+rating life, displacements of the shaft. And what it is as a rigid body, and its natural frequencies
+on the bearings' stiffness at rest. The shaft is a Timoshenko beam, each bearing the statics of
 `raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst)."""
 EXAMPLES = """\
 examples:
@@ -21,6 +22,7 @@ examples:
   raceway shaft inputs/shafts/motor --out build/motor.png
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
+SHOWN = 6  # natural frequencies in the table
 AXES = ("x", "y", "z", "rx", "ry")
 
 
@@ -75,7 +77,7 @@ def run(arguments: argparse.Namespace) -> None:
 def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[str, Any]:
     """Figures by name in SI units of a `shaft_file.Case` and its `shaft.Rest`."""
     from raceway import catalogue, inputs
-    from raceway.theory import life
+    from raceway.theory import life, shaft_motion
 
     viscosity = None
     if case.lubricant is not None:
@@ -114,6 +116,8 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
             if not math.isnan(found.factor):
                 row.update(life_factor=found.factor)
         bearings.append(row)
+    rigid = shaft_motion.rigid(case.shaft, rest)
+    frequencies = shaft_motion.frequencies(case.shaft, rest, case.rpm * math.pi / 30)
     return dict(
         rpm=case.rpm,
         lubricant=case.lubricant,
@@ -121,6 +125,13 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
         z_m=rest.z.tolist(),
         place=rest.place.tolist(),
         residual=rest.residual,
+        rigid=dict(
+            mass_kg=rigid.mass,
+            centre_m=rigid.centre,
+            axial_kg_m2=rigid.axial,
+            transverse_kg_m2=rigid.transverse,
+        ),
+        frequencies_Hz=(frequencies / (2 * math.pi)).tolist(),
     )
 
 
@@ -149,7 +160,20 @@ def table(result: dict[str, Any]) -> str:
     for z, place in zip(result["z_m"], result["place"]):
         units = ("m", "m", "m", "rad", "rad")
         rows.append([prefixed(z, "m"), *map(_cell, place, units)])
-    return "\n".join([*text, *_block(rows)])
+    body = result["rigid"]
+    first = ", ".join(prefixed(one, "Hz") for one in result["frequencies_Hz"][:SHOWN])
+    return "\n".join(
+        [
+            *text,
+            *_block(rows),
+            "",
+            f"Natural frequencies at {result['rpm']:g} rpm: {first}",
+            f"Rigid body: mass {body['mass_kg']:.4g} kg,"
+            f" centre at {prefixed(body['centre_m'], 'm')},"
+            f" inertia {body['axial_kg_m2']:.4g} about the axis, {body['transverse_kg_m2']:.4g}"
+            " kg m2 across it",
+        ]
+    )
 
 
 def _block(rows):

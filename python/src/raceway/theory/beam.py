@@ -31,6 +31,15 @@ class Steel(NamedTuple):
     density: float = 7800.0  # kg/m^3
 
 
+class Disc(NamedTuple):
+    """A rigid body on the shaft, thin along it."""
+
+    at: float  # m
+    mass: float  # kg
+    axial: float = 0.0  # kg m^2
+    transverse: float = 0.0  # kg m^2
+
+
 STEEL = Steel()
 
 
@@ -55,12 +64,18 @@ def shear_coefficient(section: Section, poisson: float) -> float:
     return 6 * (1 + poisson) * even / ((7 + 6 * poisson) * even + (20 + 12 * poisson) * hollow)
 
 
+def softness(section: Section, steel: Steel = STEEL) -> float:
+    """Displacement by shear over that by bending, of a piece clamped at one end and guided at the
+    other."""
+    modulus = steel.young / (2 * (1 + steel.poisson))
+    shear = shear_coefficient(section, steel.poisson) * area(section) * modulus
+    return 12 * steel.young * second_moment(section) / (shear * section.length**2)
+
+
 def element(section: Section, steel: Steel = STEEL) -> Floats:
     """(10, 10) stiffness of a piece between two nodes, N/m, N and N m/rad."""
     length, bending = section.length, steel.young * second_moment(section)
-    modulus = steel.young / (2 * (1 + steel.poisson))
-    shear = shear_coefficient(section, steel.poisson) * area(section) * modulus
-    soft = 12 * bending / (shear * length**2)
+    soft = softness(section, steel)
     k = bending / ((1 + soft) * length**3)
     plane = k * np.array(
         [

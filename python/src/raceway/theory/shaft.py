@@ -18,7 +18,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.theory import beam, static
-from raceway.theory.beam import FREEDOMS, Section, Steel
+from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
 
 HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, of the soft springs, one after the other
@@ -50,11 +50,12 @@ class Load:
 
 @dataclass(frozen=True)
 class Shaft:
-    """Sections from z = 0 on, what they are made of, and gravity."""
+    """Sections from z = 0 on, what they are made of, gravity, and rigid bodies on it."""
 
     sections: Sequence[Section]
     steel: Steel = field(default_factory=Steel)
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # m/s^2
+    discs: Sequence[Disc] = ()
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,7 @@ class Carried:
     place: Floats  # (5,), m and rad: inner ring against outer
     load: Floats  # (5,), N and N m: of the shaft on the inner ring
     state: static.Equilibrium
+    stiffness: Floats  # (5, 5), of the bearing as the shaft meets it
 
 
 @dataclass(frozen=True)
@@ -99,11 +101,14 @@ def rest(
     >>> [round(float(one.load[1])) for one in found.bearings]
     [-2000, -1000]
     """
-    places = [seat.at for seat in seats] + [load.at for load in loads]
+    places = [one.at for kind in (seats, loads, shaft.discs) for one in kind]
     z, pieces = beam.divided(shaft.sections, places)
     node = {place: int(np.argmin(np.abs(z - place))) for place in places}
     stiffness = beam.stiffness(pieces, shaft.steel)
     given = beam.weight(pieces, np.array(shaft.gravity), shaft.steel)
+    for disc in shaft.discs:
+        at = FREEDOMS * node[disc.at]
+        given[at : at + 3] += disc.mass * np.array(shaft.gravity)
     for load in loads:
         at = FREEDOMS * node[load.at]
         given[at : at + FREEDOMS] += [*load.force, *load.moment]
@@ -168,7 +173,7 @@ class _Holder:
         force = -np.array([*state.force, *state.moment[:2]])
         if self.seat.floating:
             force[2] = 0.0
-        return Carried(self.seat, relative, force, state)
+        return Carried(self.seat, relative, force, state, self.respond(place)[1])
 
 
 def _newton(stiffness, given, holders, place, soft):

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Small vibrations of a shaft about its rest (`shaft`): what it is as a rigid body, and its natural
+frequencies on bearings whose stiffness is that at rest."""
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.theory import beam, beam_motion
+from raceway.theory.beam import FREEDOMS
+from raceway.theory.shaft import Rest, Shaft
+
+FINENESS = 24  # pieces of a shaft, at least
+
+
+def nodes(shaft: Shaft, rest: Rest) -> tuple[Floats, beam_motion.Matrices]:
+    """(z in m, `beam_motion.Matrices`) of the nodes of `rest` and enough others."""
+    z = rest.z
+    longest = z[-1] / FINENESS
+    places = [
+        place
+        for first, last in zip(z, z[1:])
+        for place in np.linspace(first, last, int(np.ceil((last - first) / longest)) + 1)
+    ]
+    z, pieces = beam.divided(shaft.sections, places)
+    return z, beam_motion.matrices(z, pieces, shaft.discs, shaft.steel)
+
+
+def rigid(shaft: Shaft, rest: Rest) -> beam_motion.Rigid:
+    """The shaft as a body that does not bend, as `fix bearing/shaft` takes it."""
+    return beam_motion.rigid(*nodes(shaft, rest))
+
+
+def frequencies(shaft: Shaft, rest: Rest, speed: float) -> Floats:
+    """(5 N,) natural frequencies in rad/s, rising, at the shaft's `speed` in rad/s.
+
+    >>> from raceway.theory.bearing import Bearing
+    >>> from raceway.theory.beam import Section
+    >>> from raceway.theory.shaft import Load, Seat, rest
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> whole = Shaft([Section(0.4, 0.04)])
+    >>> loads = [Load(0.2, (0.0, -3000.0, 500.0))]
+    >>> still = rest(whole, [Seat(0.0, b), Seat(0.4, b)], loads)
+    >>> [round(f / 2 / np.pi) for f in frequencies(whole, still, 300.0)[:3]]
+    [259, 482, 494]
+    """
+    z, whole = nodes(shaft, rest)
+    springs = np.zeros_like(whole.stiffness)
+    for one in rest.bearings:
+        first = FREEDOMS * int(np.argmin(np.abs(z - one.seat.at)))
+        springs[first : first + FREEDOMS, first : first + FREEDOMS] += one.stiffness
+    return beam_motion.frequencies(whole, springs, speed)
