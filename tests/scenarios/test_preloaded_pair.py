@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""docs/decks/in.pair: two 7208s back to back under preload, against statics of one bearing."""
+
+import numpy as np
+import pytest
+from host import succeed
+from raceway import catalogue, inputs, static
+
+BEARING = inputs.bearing(catalogue.find("bearings", "7208"))
+SPREAD = 5e-6  # m, of each outer ring
+ANGLE = np.radians(40)
+FIRST_CONTACT = (0.02 + 0.03) * 11.9e-3 * np.sin(ANGLE)  # m, of the inner ring along the axis
+CAGE = 2 * np.pi * 10 * (1 - 5.95 / 30 * np.cos(ANGLE)) / 2  # rad/s, at 600 rpm
+
+
+def pull(displacement):
+    """Axial load (N) of a bearing whose inner ring is pushed by so much (m) after contact."""
+    held = dict.fromkeys(static.FREEDOMS, 0.0) | {"z": FIRST_CONTACT + displacement}
+    found = static.equilibrium(BEARING, held=held, orbital_speed=CAGE, ball_density=7800.0)
+    return -found.force[2]
+
+
+@pytest.fixture(scope="module")
+def line(tmp_path_factory):
+    """(load N, displacement m, axial loads of both bearings N) while the load grows."""
+    folder = tmp_path_factory.mktemp("pair")
+    succeed("docs/decks/in.pair", out=folder)
+    return np.loadtxt(folder / "line.dat").T
+
+
+def test_preload(line):
+    before = line[:, line[0] == 0.0][:, -1]
+    assert before[1] == pytest.approx(0.0, abs=1e-10)
+    assert -before[2] == pytest.approx(pull(SPREAD), rel=1e-3)
+    assert before[3] == pytest.approx(pull(SPREAD), rel=1e-3)
+
+
+def test_preload_line(line):
+    """Each bearing has the load of its own displacement; their difference is within 1 %."""
+    load, place, first, second = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
+    want = np.array([[pull(SPREAD + one), pull(SPREAD - one)] for one in place]).T
+    assert len(load) > 40 and load[-1] > 1100
+    assert -first == pytest.approx(want[0], rel=1e-3)
+    assert second == pytest.approx(want[1], rel=0, abs=2e-3 * pull(SPREAD))
+    assert load == pytest.approx(want[0] - want[1], rel=1e-2, abs=1.0)
+
+
+def test_unloading(line):
+    """One bearing is free when the other has all of the spread: 2.8 times the preload, and a
+    little more because the contact angle grows."""
+    load, place, _, second = line
+    at_end = np.interp(SPREAD, place, load)
+    assert at_end == pytest.approx(pull(2 * SPREAD), rel=1e-2)
+    assert 2.8 < at_end / pull(SPREAD) < 2.9
+    # what is left of its load is centrifugal
+    assert np.interp(SPREAD, place, second) < 0.03 * pull(SPREAD)
+
+
+def test_stiffness(line):
+    """Under preload the pair is twice as stiff as one bearing, until one is free."""
+    load, place = line[0], line[1]
+    start = (load > 0) & (load < 200)
+    found = np.polyfit(place[start], load[start], 1)[0]
+    one = (pull(SPREAD + 1e-7) - pull(SPREAD - 1e-7)) / 2e-7
+    assert found == pytest.approx(2 * one, rel=1e-2)
