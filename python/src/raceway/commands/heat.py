@@ -3,8 +3,11 @@
 
 import argparse
 import json
+import sys
 
+from raceway import files
 from raceway.commands import Commands
+from raceway.commands.program import program
 from raceway.commands.quantity import number, takes_negative
 
 HELP = "steady temperature, viscosity, clearance, film and friction torque from theory"
@@ -15,12 +18,17 @@ have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
 
 Cooling is that of ISO 15312 unless --conductance gives it. --nodes gives three conductances: inner
 ring to ambient, outer ring to ambient, ring to balls. Then the parts have their own temperatures
-and the clearance follows from them."""
+and the clearance follows from them.
+
+--runs N takes the friction from at most N short runs of the main deck with the models `full`, one
+after another, each at the temperature that follows from the last. Less are made when the
+temperature settles. They are in the folder of --out. Stopped, the same command goes on."""
 EXAMPLES = """\
 examples:
   raceway heat --load 5000 --rpm 1910 --lubricant vg46
   raceway heat --load 1000 --rpm 9549 --lubricant vg32 --nodes 0.5 2 3 --clearance 20e-6
   raceway heat --loads 1000 5000 --speeds 500 2000 8000 --json
+  raceway heat --load 5000 --rpm 9549 --runs 4 --out build/heat
 
 Exit codes: 0 done, 1 no steady state or unusable data, 2 wrong command line."""
 
@@ -89,6 +97,23 @@ def add(commands: Commands) -> None:
         help="three conductances in W/K for ring, balls and ring",
     )
     one.add_argument(
+        "--runs",
+        type=_number_of_runs,
+        metavar="N",
+        help="friction from at most N runs, 1 to 50, in place of statics",
+    )
+    one.add_argument(
+        "--passes", type=number(1, 1e6, "passes"), metavar="P", help="ball passes of a run (1)"
+    )
+    one.add_argument(
+        "--out", metavar="DIR", help="with --runs: folder of the runs (default: build/heat)"
+    )
+    one.add_argument(
+        "--program",
+        metavar="COMMAND",
+        help="with --runs: program that runs the deck (default: build/liggghts)",
+    )
+    one.add_argument(
         "--json", action="store_true", help="one JSON object, a list with --loads or --speeds"
     )
     one.set_defaults(command=run, complain=one.error)
@@ -97,7 +122,7 @@ def add(commands: Commands) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
-    from raceway.theory.steady_heat import Nodes, curves, figures, table
+    from raceway.theory.steady_heat import curves, table
 
     if (arguments.rpm is None) == (arguments.speeds is None):
         arguments.complain("give --rpm or --speeds")
@@ -109,22 +134,44 @@ def run(arguments: argparse.Namespace) -> None:
     ]
     if not arguments.axial and not all(load for load, _ in points):
         arguments.complain("a load is needed: give --load, --loads or --axial")
-    results = [
-        figures(
-            arguments.bearing,
-            arguments.lubricant,
-            arguments.inputs,
-            load=load,
-            axial=arguments.axial,
-            rpm=rpm,
-            clearance=arguments.clearance,
-            ambient=arguments.ambient,
-            conductance=arguments.conductance,
-            nodes=arguments.nodes and Nodes(*arguments.nodes),
-        )
-        for load, rpm in points
-    ]
+    given = [name for name in ("out", "program", "passes") if getattr(arguments, name) is not None]
+    if given and arguments.runs is None:
+        arguments.complain(f"--{given[0]} is for runs: give --runs")
+    results = [_figures(arguments, load, rpm) for load, rpm in points]
     if arguments.json:
         print(json.dumps(results if many else results[0], indent=2, allow_nan=False))
     else:
         print(curves(results) if many else table(results[0]))
+
+
+def _figures(arguments, load, rpm):
+    from raceway.theory.steady_heat import Case, Nodes, figures
+
+    point = dict(
+        load=load,
+        axial=arguments.axial,
+        rpm=rpm,
+        clearance=arguments.clearance,
+        ambient=arguments.ambient,
+        conductance=arguments.conductance,
+        nodes=arguments.nodes and Nodes(*arguments.nodes),
+    )
+    names = arguments.bearing, arguments.lubricant, arguments.inputs
+    if arguments.runs is None:
+        return figures(*names, **point)
+    from raceway.sweeps.heat_runs import by_runs
+
+    return by_runs(
+        Case(*names, **point),
+        files.folder(arguments.out or "build/heat"),
+        [*program(arguments.program or "build/liggghts"), "-in", "inputs/in.6208"],
+        runs=arguments.runs,
+        more={"passes": f"{arguments.passes or 1:.10g}"},
+        say=lambda line: print(line, file=sys.stderr, flush=True),
+    )
+
+
+def _number_of_runs(text):
+    if text.isdecimal() and 1 <= int(text) <= 50:
+        return int(text)
+    raise argparse.ArgumentTypeError(f"{text!r} must be a whole number from 1 to 50")

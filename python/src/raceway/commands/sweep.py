@@ -5,13 +5,13 @@ import argparse
 import os
 import re
 import shlex
-import shutil
 import signal
 import sys
 from pathlib import Path
 
 from raceway import files
 from raceway.commands import Commands
+from raceway.commands.program import program
 from raceway.errors import RacewayError
 from raceway.sweeps.points import deck_variables, read_points
 
@@ -115,15 +115,7 @@ def run(arguments: argparse.Namespace) -> None:
     Raises `RacewayError` for a table that cannot be used and when a point failed.
     """
     points = read_points(arguments.table, deck_variables(arguments.deck))
-    try:
-        program = shlex.split(arguments.program)
-    except ValueError as error:
-        raise RacewayError(f"--program {arguments.program!r}: {error}") from None
-    if not program or shutil.which(program[0]) is None:
-        raise RacewayError(
-            f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
-            " from the repository's root"
-        )
+    words = program(arguments.program)
     out = Path(arguments.out or Path("build/sweep") / Path(arguments.table).stem)
     if arguments.check:
         print(f"{arguments.table}: {len(points)} points")
@@ -139,7 +131,7 @@ def run(arguments: argparse.Namespace) -> None:
         counts, before, path = sweep(
             points[first - 1 :: step],
             out,
-            [*program, "-in", arguments.deck],
+            [*words, "-in", arguments.deck],
             jobs=arguments.jobs,
             retry=arguments.retry,
         )

@@ -9,6 +9,7 @@ ring at their own, the oil at their mean, and the clearance of the warm parts in
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,12 @@ TOPICS = {
         Row("clearance_m", "diametral clearance, cold", "m"),
         Row("ambient_C", "ambient temperature", "°C"),
         Row("conductance_W_K", "cooling", "W/K", "ISO 15312 unless given"),
+    ),
+    "Runs": (
+        Row("runs", "runs", ""),
+        Row("run_temperature_C", "temperature of the last run", "°C"),
+        Row("run_power_W", "power loss of it", "W"),
+        Row("run_over_statics", "its power loss over that of statics", ""),
     ),
     "Steady state": (
         Row("temperature_C", "temperature of the lubricant", "°C"),
@@ -95,6 +102,7 @@ class Scene:
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
+        self.share = 1.0  # of the friction that the laws give; `by_runs` sets it
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Figures of the scene with its oil at a temperature in degrees C and a clearance in m;
@@ -128,10 +136,10 @@ class Scene:
             "h_min_m": float(films.inner.h_min[top]),
             "h_c_m": float(films.inner.h_c[top]),
             "lambda": float(films.inner.ratio[top]),
-            "friction_torque_N_m": losses.power / abs(ring),
-            "power_loss_W": losses.power,
-            "losses_W": losses.parts,
-            "sides": tuple((contacts.sum(1) + losses.drag.sum() / 2).tolist()),
+            "friction_torque_N_m": self.share * losses.power / abs(ring),
+            "power_loss_W": self.share * losses.power,
+            "losses_W": {name: self.share * power for name, power in losses.parts.items()},
+            "sides": tuple((self.share * (contacts.sum(1) + losses.drag.sum() / 2)).tolist()),
         }
 
 
@@ -185,6 +193,91 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
     raise NoEquilibrium(f"no steady temperature up to 200 C: the oil is at {oil:.4g} C")
 
 
+@dataclass(frozen=True)
+class Case:
+    """What `figures` are asked for, by the names of data files; SI units, degrees C.
+
+    Cooling: `nodes`, or `conductance` in W/K, or that of ISO 15312.
+    """
+
+    bearing: str
+    lubricant: str
+    folder: FilePath | None = None
+    load: float = 0.0
+    axial: float = 0.0
+    rpm: float = 0.0
+    clearance: float = 0.0
+    ambient: float = 20.0
+    conductance: float | None = None
+    nodes: Nodes | None = None
+
+    def files(self) -> tuple[Path, Path]:
+        """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
+        path, oil = (
+            catalogue.find("bearings", self.bearing, self.folder),
+            catalogue.find("lubricants", self.lubricant, self.folder),
+        )
+        if not inputs.physical(oil):
+            raise inputs.InputError(
+                f"{oil} has no physical data to compute other temperatures from: take vg46 for"
+                " example"
+            )
+        return path, oil
+
+    def scene(self) -> Scene:
+        """The `Scene`. Raises `RacewayError`."""
+        path, oil = self.files()
+        return Scene(
+            inputs.bearing(path),
+            inputs.boundary(path),
+            inputs.lubricant(oil),
+            inputs.oil(oil).roughness,
+            self.load,
+            self.axial,
+            self.rpm,
+            float(inputs.values(path).get("ball_density", 7800.0)),
+        )
+
+    def cooling(self) -> float | None:
+        """Conductance in W/K; None with nodes. Raises `RacewayError`."""
+        if self.conductance is not None or self.nodes is not None:
+            return self.conductance
+        path, _ = self.files()
+        boundary = inputs.boundary(path)
+        if boundary is None:
+            raise inputs.InputError(
+                f"{path} has no boundary dimensions for ISO 15312: give the conductance"
+            )
+        return heat.cooling(boundary)
+
+    def steady(self, scene: Scene) -> dict[str, Any]:
+        """Steady figures of its `Scene`. Raises `NoEquilibrium`."""
+        if self.nodes is not None:
+            return three_nodes(scene, self.nodes, self.ambient, self.clearance)
+        return one_node(scene, self.cooling(), self.ambient, self.clearance)
+
+    def report(self, scene: Scene, found: Mapping[str, Any]) -> dict[str, Any]:
+        """The mapping of `figures` with the steady figures `found`."""
+        path, oil = self.files()
+        level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
+        known = inputs.values(path).get("reference_speed")
+        boundary = scene.boundary
+        return dict(
+            bearing=path.name,
+            lubricant=oil.name,
+            load_N=self.load,
+            axial_N=self.axial,
+            rpm=self.rpm,
+            clearance_m=self.clearance,
+            ambient_C=self.ambient,
+            conductance_W_K=self.cooling(),
+            **{key: value for key, value in found.items() if key != "sides"},
+            reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
+            reference_speed_dry_rpm=boundary and heat.reference_speed(boundary),
+            reference_speed_catalogue_rpm=known and float(known),
+        )
+
+
 def figures(
     bearing: str,
     lubricant: str,
@@ -203,47 +296,13 @@ def figures(
     `bearing` and `lubricant` are names or paths of data files; the lubricant's must have physical
     data. Cooling: `nodes`, or `conductance` in W/K, or that of ISO 15312. Raises `RacewayError`.
     """
-    path, oil = (
-        catalogue.find("bearings", bearing, folder),
-        catalogue.find("lubricants", lubricant, folder),
+    case = Case(
+        bearing, lubricant, folder, load, axial, rpm, clearance, ambient, conductance, nodes
     )
-    if not inputs.physical(oil):
-        raise inputs.InputError(
-            f"{oil} has no physical data to compute other temperatures from: take vg46 for example"
-        )
-    boundary, rough = inputs.boundary(path), inputs.oil(oil).roughness
-    density = float(inputs.values(path).get("ball_density", 7800.0))
-    if conductance is None and nodes is None:
-        if boundary is None:
-            raise inputs.InputError(
-                f"{path} has no boundary dimensions for ISO 15312: give the conductance"
-            )
-        conductance = heat.cooling(boundary)
-    scene = Scene(
-        inputs.bearing(path), boundary, inputs.lubricant(oil), rough, load, axial, rpm, density
-    )
-    found = (
-        one_node(scene, conductance, ambient, clearance)
-        if nodes is None
-        else three_nodes(scene, nodes, ambient, clearance)
-    )
-    del found["sides"]
-    level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
-    known = inputs.values(path).get("reference_speed")
-    return dict(
-        bearing=path.name,
-        lubricant=oil.name,
-        load_N=load,
-        axial_N=axial,
-        rpm=rpm,
-        clearance_m=clearance,
-        ambient_C=ambient,
-        conductance_W_K=conductance if nodes is None else None,
-        **found,
-        reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
-        reference_speed_dry_rpm=boundary and heat.reference_speed(boundary),
-        reference_speed_catalogue_rpm=known and float(known),
-    )
+    case.files()
+    case.cooling()
+    scene = case.scene()
+    return case.report(scene, case.steady(scene))
 
 
 def table(result: Mapping[str, Any]) -> str:

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The steady temperature of a bearing with the friction of runs of the simulation.
+
+Statics gives how friction falls with temperature, a run how much there is: the friction of statics,
+scaled to that of the last run, is balanced with cooling for the temperature of the next run. Every
+run has a folder, named after its variables, so what was stopped goes on there.
+"""
+
+import json
+import os
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.sweeps.point_run import FINISHED, mapping, run_point
+from raceway.sweeps.points import folder_name
+from raceway.theory.steady_heat import Case
+
+CLOSE = 0.1  # K, between the temperature of a run and what follows from it
+RANGE = (-40.0, 200.0)  # degrees C that a deck takes
+
+
+def by_runs(
+    case: Case,
+    folder: FilePath,
+    command: Sequence[str],
+    *,
+    runs: int,
+    more: dict[str, str] | None = None,
+    say: Callable[[str], None] = lambda line: None,
+) -> dict[str, Any]:
+    """Figures of `steady_heat.figures`, friction scaled to that of at most `runs` runs with the
+    models `full`; less when the temperature changes by less than `CLOSE` kelvin.
+
+    `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
+    of runs are in `folder`; those that are finished are not run again. `say` gets a line for each
+    run. The figures have also `runs`, and of the last run its temperature in degrees C, its power
+    loss in W, and that over the power loss of statics. `losses_W` is that of this run. With three
+    nodes the sides of a run share its friction as in statics. Raises `RacewayError` for a run that
+    fails or is stopped.
+    """
+    scene = case.scene()
+    found = case.steady(scene)
+    with _stopped() as stop:
+        for number in range(1, runs + 1):
+            asked = round(found["temperature_C"], 2)
+            if not RANGE[0] <= asked <= RANGE[1]:
+                raise RacewayError(
+                    f"no run at {asked} C: a deck takes {RANGE[0]:g} to {RANGE[1]:g} C"
+                )
+            variables = _variables(case, asked, found["clearance_warm_m"], more or {})
+            place = Path(folder) / folder_name(variables).replace("/", "_")
+            status, message = run_point(place, variables, command, retry=True, stop=stop)
+            if status != FINISHED:
+                raise RacewayError(f"{place}: {message}")
+            ran = mapping(place / "summary.json", json.loads)
+            power = ran["power_loss_W"]
+            scene.share = 1.0
+            scene.share = power / scene.at(asked, float(variables["clearance"]))["power_loss_W"]
+            found = case.steady(scene)
+            change = found["temperature_C"] - asked
+            say(
+                f"run {number} of at most {runs}: {asked:.2f} C, {power:.4g} W, "
+                f"{scene.share:.4f} of statics; next {found['temperature_C']:.2f} C"
+            )
+            if abs(change) < CLOSE:
+                break
+    return dict(
+        case.report(scene, dict(found, losses_W=ran["losses_W"])),
+        runs=number,
+        run_temperature_C=asked,
+        run_power_W=power,
+        run_over_statics=scene.share,
+    )
+
+
+def _variables(case, temperature, clearance, more):
+    return {
+        "bearing": str(case.bearing),
+        "lubricant": str(case.lubricant),
+        "load": f"{case.load:.10g}",
+        "axial": f"{case.axial:.10g}",
+        "rpm": f"{case.rpm:.10g}",
+        "clearance": f"{clearance:.4e}",
+        "temperature": f"{temperature:.2f}",
+        "models": "full",
+        **more,
+    }
+
+
+@contextmanager
+def _stopped() -> Iterator[int]:
+    """A descriptor that becomes readable on Ctrl-C, SIGTERM and SIGHUP: a run leaves a restart file
+    then, and the next start goes on with it."""
+    reading, writing = os.pipe()
+    numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+    before = [signal.signal(number, lambda *_: os.write(writing, b"x")) for number in numbers]
+    try:
+        yield reading
+    finally:
+        for number, handler in zip(numbers, before):
+            signal.signal(number, handler)
+        os.close(reading)
+        os.close(writing)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway heat --runs` with the real program: balance, finished runs, failures, messages."""
+
+import json
+
+import pytest
+from host import ROOT
+from raceway.cli import main
+from raceway.theory import steady_heat
+
+POINT = ["heat", "--load", "5000", "--rpm", "9549", "--lubricant", "vg46"]
+
+
+@pytest.fixture(autouse=True)
+def in_the_tree(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("heat")
+
+
+def heat(capsys, folder, *more):
+    code = main([*POINT, "--program", "build/liggghts", "--out", str(folder), "--json", *more])
+    told = capsys.readouterr()
+    return code, told.out and json.loads(told.out), told.err
+
+
+def test_balance_with_the_friction_of_runs(capsys, folder):
+    code, found, said = heat(capsys, folder, "--runs", "2")
+    assert code == 0 and found["runs"] == 2 and len(said.splitlines()) == 2
+    conductance = found["conductance_W_K"]
+    # what is found carries the friction of statics, as much larger as that of the last run
+    scene = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0).scene()
+    there = found["run_temperature_C"]
+    of_statics = scene.at(there, 0.0)["power_loss_W"]
+    assert found["run_over_statics"] == pytest.approx(found["run_power_W"] / of_statics, rel=1e-9)
+    hot = found["temperature_C"]
+    carried = conductance * (hot - 20)
+    assert found["power_loss_W"] == pytest.approx(carried, abs=0.05)
+    power = scene.at(hot, 0.0)["power_loss_W"] * found["run_over_statics"]
+    assert power == pytest.approx(carried, abs=0.05)
+    # runs have Coulomb's law in the film, statics Eyring's: more friction, and warmer
+    assert hot > steady_heat.one_node(scene, conductance, 20.0, 0.0)["temperature_C"] + 5
+    assert sum(found["losses_W"].values()) == pytest.approx(found["run_power_W"], rel=1e-9)
+    runs = sorted(folder.glob("*/summary.json"))
+    powers = [json.loads(path.read_text())["power_loss_W"] for path in runs]
+    assert len(runs) == 2 and found["run_power_W"] in powers
+    settings = json.loads(runs[0].read_text())
+    assert settings["models"] == "full" and settings["rpm"] == 9549
+    (folder / "found.json").write_text(json.dumps(found))
+
+
+def test_finished_runs_are_not_run_again(capsys, folder):
+    first = json.loads((folder / "found.json").read_text())
+    before = {path: path.stat().st_mtime_ns for path in folder.glob("*/*")}
+    code, again, _ = heat(capsys, folder, "--runs", "2")
+    assert code == 0 and again == first
+    assert {path: path.stat().st_mtime_ns for path in folder.glob("*/*")} == before
+
+
+def test_failures(capsys, tmp_path):
+    assert main([*POINT, "--runs", "1", "--program", "false", "--out", str(tmp_path)]) == 1
+    assert "exit code 1" in capsys.readouterr().err
+    assert main([*POINT, "--runs", "1", "--program", "no-such-program"]) == 1
+    assert "there is no program 'no-such-program'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        (["--runs", "0"], "must be a whole number from 1 to 50"),
+        (["--out", "x"], "--out is for runs: give --runs"),
+        (["--passes", "2"], "--passes is for runs: give --runs"),
+        (["--runs", "1", "--passes", "0"], "must lie from 1 to 1e+06 passes"),
+    ],
+)
+def test_messages(capsys, more, message):
+    with pytest.raises(SystemExit) as stop:
+        main([*POINT, *more])
+    assert stop.value.code == 2
+    assert message in capsys.readouterr().err
