@@ -198,8 +198,9 @@ class SurroundedRaceway {
     if (any(live)) {
       const LoadedGapT<T> loaded(s, T(where(live, c.root, 1e-8)), h);
       G = where(live, loaded.G, 0.0);
-      far = loaded.stretch(r.far);
-      if (leans) near = loaded.stretch(r.near);
+      const T a = s.a * loaded.root;
+      far = loaded.stretch(shoulder_.around(r.far, c.cos_angle, a));
+      if (leans) near = loaded.stretch(shoulder_.around(r.near, c.cos_angle, a));
     }
     if (any(!live)) {
       const OpenGapT<T> open(s, h, T(1.0 - play / p_->slack));

@@ -7,7 +7,10 @@
 //   cos theta = 1 - t/r_c,  tan theta_b = r_c sin theta/(R_b - t).
 // Along y across the groove the gap's parabola ends at
 //   S = R_b [4 tan((theta_b -+ alpha)/4) +- 0.09 gamma],  +0.09 inner, -0.09 outer,
-// on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch.
+// on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch. Within
+// the contact ellipse the groove is that parabola already. What the arc adds there comes off:
+// 4 R_b q_a - a of the first term and (q_a/q)^2 of the second, q the tangent in S, q_a =
+// tan(a/(4 R_b)), a the semi-axis across.
 #ifndef RACEWAY_GROOVE_SHOULDER_H
 #define RACEWAY_GROOVE_SHOULDER_H
 
@@ -55,6 +58,17 @@ class GrooveShoulder {
             curved = curved_ * cosine;
     return {radius_ * (4.0 * (quarter_ - lean) / (1.0 + both) + curved),
             radius_ * (4.0 * (quarter_ + lean) / (1.0 - both) + curved)};
+  }
+
+  // The reach around an ellipse of the semi-axis a (m) across.
+  template <class T> RACEWAY_INLINE T around(const T &reach, const T &cosine, const T &a) const
+  {
+    const T curved = curved_ * cosine, u = a * (0.25 / radius_), u2 = u * u;
+    // the tangent, to 3e-7 of it where an ellipse is a radius wide
+    const T within = u * (1.0 + u2 * (1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315))));
+    const T quarter = 0.25 * (reach * (1.0 / radius_) - curved);
+    const T part = where(quarter > within, T(within / quarter), 1.0);
+    return reach + a - radius_ * (4.0 * within + curved * part * part);
   }
 
  private:

@@ -74,14 +74,15 @@ EXPORT(double, permittivity_mean, (double ambient, double p))
 EXPORT(double, rough_factor, (double sigma_over_h)) { return rough_film_factor(sigma_over_h); }
 EXPORT(double, gap_beside, (double H)) { return gap_beside_ellipse(std::pow(H, 1.0 / 6)); }
 
-// near and far side, m
+// near and far side, m, around an ellipse of that semi-axis (m)
 EXPORT(void, groove_reach,
-       (const RacewayPhysics *p, double depth, double sine, double cosine, double out[2]))
+       (const RacewayPhysics *p, double depth, double sine, double cosine, double semi_axis,
+        double out[2]))
 {
-  const GrooveReachT<double> r =
-      GrooveShoulder(p->groove, depth, p->pitch_radius).reach(sine, cosine);
-  out[0] = r.near;
-  out[1] = r.far;
+  const GrooveShoulder s(p->groove, depth, p->pitch_radius);
+  const GrooveReachT<double> r = s.reach(sine, cosine);
+  out[0] = semi_axis > 0.0 ? s.around(r.near, cosine, semi_axis) : r.near;
+  out[1] = semi_axis > 0.0 ? s.around(r.far, cosine, semi_axis) : r.far;
 }
 
 // m, of a contact with that load (N); 0: no contact, at the gap h with that play (m)

@@ -5,7 +5,8 @@ integrals and limits."""
 import numpy as np
 import pytest
 from physics_c import BALL, INNER, OIL, OUTER, PITCH
-from raceway import capacitance_outside, hertz
+from raceway import capacitance_outside, groove_width, hertz
+from raceway.theory.bearing import Bearing
 from raceway.theory.groove_width import HalfWidths
 from scipy.constants import epsilon_0
 from scipy.integrate import quad
@@ -57,9 +58,14 @@ def integral(physics, raceway, load, height, reach, cos_angle=1.0, play=None):
     )
 
 
-def reach(physics, raceway, depth, angle=0.0):
+def reach(physics, raceway, depth, angle=0.0, semi_axis=0.0):
     return physics.call(
-        "groove_reach", p=raceway._handle, depth=depth, sine=np.sin(angle), cosine=np.cos(angle)
+        "groove_reach",
+        p=raceway._handle,
+        depth=depth,
+        sine=np.sin(angle),
+        cosine=np.cos(angle),
+        semi_axis=semi_axis,
     )
 
 
@@ -348,6 +354,20 @@ def test_reach_of_a_groove(physics, side):
         curved = gamma * np.cos(angle)
         assert near == pytest.approx(4 * np.tan((shoulder - angle) / 4) + curved, rel=1e-12)
         assert far == pytest.approx(4 * np.tan((shoulder + angle) / 4) + curved, rel=1e-12)
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+@pytest.mark.parametrize("angle", [0.0, 0.3])
+def test_reach_around_an_ellipse(physics, side, angle):
+    """As Python has it: narrow ellipses take nothing off, wide ones what the arc adds within."""
+    raceway = physics.raceway_6208(side)
+    bearing = Bearing(9, 2 * BALL, 24e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    plain = reach(physics, raceway, 2.3e-3, angle)
+    for semi_axis in (1e-6, 1e-3, 3e-3, 5e-3):
+        found = reach(physics, raceway, 2.3e-3, angle, semi_axis)
+        exact = groove_width.half_widths(bearing, side, 2.3e-3, angle, semi_axis=semi_axis)
+        np.testing.assert_allclose(found, exact, rtol=1e-6)
+        assert np.all(np.abs(found - plain) < 4e-5 + 0.03 * semi_axis)
 
 
 # T6: 6208 at 1500 rpm: film of table 1's oil, groove 2.3 mm deep; N, pF of the ball

@@ -139,11 +139,10 @@ def of_raceway(
         lean = angle[which]
         if np.ptp(lean) == 0:  # the shape of one contact serves all
             lean = lean[0]
-        widths = groove_width.half_widths(bearing, raceway, depth, lean, clearance)
-        return *bearing.effective_radii(raceway, lean, clearance), widths
+        return lean, *bearing.effective_radii(raceway, lean, clearance)
 
     if live.any():
-        r_x, r_y, widths = shape(live)
+        lean, r_x, r_y = shape(live)
         ellipse, modulus = hertz.exact(r_x, r_y), bearing.effective_modulus
         a, b = hertz.semi_axes(ellipse, modulus, load[live])
         ellipse_area[live] = np.pi * a * b
@@ -153,12 +152,14 @@ def of_raceway(
         factor = 1.0
         if filling.roughness == "gamma" and roughness > 0:
             factor = rough_film.factor(film_there[live] / roughness)
+        widths = groove_width.half_widths(bearing, raceway, depth, lean, clearance, a)
         plates[live] = capacitance.VACUUM * pressed * ellipse_area[live] / film_there[live] * factor
         around[live] = capacitance_outside.loaded(
             ellipse, modulus, r_x, load[live], separation[live], widths
         )
     if not live.all():
-        r_x, r_y, widths = shape(~live)
+        lean, r_x, r_y = shape(~live)
+        widths = groove_width.half_widths(bearing, raceway, depth, lean, clearance)
         around[~live] = capacitance_outside.rigid(
             hertz.exact(r_x, r_y),
             r_x,

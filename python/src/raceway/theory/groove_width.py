@@ -51,13 +51,21 @@ def shoulder_angle(groove: float, ball_radius: float, depth: float, gap: Numbers
 
 
 def half_widths(
-    bearing: Bearing, raceway: int, depth: float, angle: Numbers = 0.0, clearance: float = 0.0
+    bearing: Bearing,
+    raceway: int,
+    depth: float,
+    angle: Numbers = 0.0,
+    clearance: float = 0.0,
+    semi_axis: Numbers = 0.0,
 ) -> HalfWidths:
-    """`HalfWidths` of a groove `depth` deep (m) at a contact angle (rad), the shape of `angle`;
-    `clearance` is diametral, m.
+    """`HalfWidths` of a groove `depth` deep (m) at a contact angle (rad), around an ellipse of the
+    `semi_axis` a across the groove (m), 0 without load; the shape of these two. `clearance` is
+    diametral, m.
 
     S = R_b (4 tan(t/4) ± 0.09 gamma) with t = theta_b -/+ angle, + inner, - outer: of the parabola
     that has the capacitance of the arc (derived here: docs/electric). Zero past the shoulder.
+    Within the ellipse the groove is the parabola already: what the arc adds there comes off, 4 R_b
+    q_a - a of the first term and (q_a/q)^2 of the second, with q = tan(t/4), q_a = tan(a/(4 R_b)).
 
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> [round(1e3 * float(half_widths(b, side, 2.3e-3).near), 3) for side in (0, 1)]  # mm
@@ -68,9 +76,11 @@ def half_widths(
     r_x, _ = bearing.effective_radii(raceway, angle, clearance)
     turned = 0.09 * (1 - r_x / radius)  # 0.09 gamma, + inner, - outer
     lean = np.abs(angle)
-    return HalfWidths(
-        *(
-            np.maximum(radius * (4 * np.tan(side / 4) + turned), 0.0)
-            for side in (edge - lean, edge + lean)
-        )
-    )
+    within = np.tan(np.asarray(semi_axis, float) / (4 * radius))  # q_a
+    widths = []
+    for side in (edge - lean, edge + lean):
+        quarter = np.tan(side / 4)
+        part = (within / np.maximum(quarter, within + 1e-300)) ** 2
+        width = radius * (4 * (quarter - within) + turned * (1 - part)) + semi_axis
+        widths.append(np.maximum(width, 0.0)[()])
+    return HalfWidths(*widths)
