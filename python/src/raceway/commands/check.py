@@ -6,6 +6,7 @@ import shlex
 import shutil
 
 from raceway.commands import Commands
+from raceway.commands.quantity import takes_negative
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
@@ -49,6 +50,7 @@ def add(commands: Commands) -> None:
         default="build/liggghts",
         help="program that runs it, with its own words if any (default: %(default)s)",
     )
+    takes_negative(one)
     one.set_defaults(command=run)
 
 

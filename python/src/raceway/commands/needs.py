@@ -12,6 +12,7 @@ import sys
 
 from raceway import files
 from raceway.commands import Commands
+from raceway.commands.quantity import takes_negative
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
@@ -81,6 +82,7 @@ def add(commands: Commands) -> None:
         default="build/liggghts",
         help="program that runs it, with its own words if any (default: %(default)s)",
     )
+    takes_negative(one)
     one.set_defaults(command=run)
 
 

@@ -198,7 +198,8 @@ class _Lab:
         for turn in range(REPEATS):
             for name, asked in words.items():
                 point = self.point(asked)
-                own = point.name if turn == 0 else f"{point.name[:140]}_again={turn}"
+                again = {"again": str(turn), **point.variables}
+                own = point.name if turn == 0 else folder_name(again)
                 points[name].append(own)
                 every[own] = Point(own, point.variables)
         sweep(list(every.values()), self.folder, self.command, jobs=self.jobs)
