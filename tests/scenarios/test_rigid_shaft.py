@@ -9,6 +9,7 @@ import re
 
 import numpy as np
 import pytest
+import xarray
 from host import run, succeed
 from raceway import shaft, static
 from raceway.theory.beam import Section, Steel
@@ -227,7 +228,21 @@ def test_energy(tmp_path):
 LOADED = "mass 4 inertia 2e-3 2e-2 load 0.15 -300 -3000 200 unbalance 0.02 2e-4 0.4 ramp 1e-3"
 
 
-def test_integrators_agree(tmp_path):
+OIL = "lubricant 0.04 22e-9 roughness 1e-7 0"
+LAWS = {
+    "dry": {},
+    # a film that keeps a state of each contact
+    "film": {
+        "style": "bearing/ehd",
+        "law": f"{OIL} gap 0 film_damping branch friction stribeck 0.12 0.05 smoothed 0.01",
+        "speed": 200,
+        "cage": 1,
+    },
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_integrators_agree(tmp_path, law):
     control = {
         "implicit": {"step": 5e-5, "control": "tolerance 1e-10 largest 4e-6"},
         "verlet": {"mover": "verlet", "step": 2.5e-7},
@@ -239,6 +254,7 @@ def test_integrators_agree(tmp_path):
             words=LOADED,
             steps=round(3e-3 / extra["step"]),
             every=round(1e-4 / extra["step"]),
+            **LAWS[law],
             **extra,
         )[0]
         for mover, extra in control.items()
@@ -246,6 +262,32 @@ def test_integrators_agree(tmp_path):
     one, other = ends
     for key in ("x", "y", "z", "rx", "ry", "f1y", "f2y", "mx", "a2y"):
         assert np.abs(one[key] - other[key]).max() < 1e-3 * np.abs(other[key]).max(), key
+
+
+def test_within_a_step(tmp_path):
+    """Samples inside long steps: rings stay on the shaft, and accelerations are those of the
+    velocities."""
+    swing(
+        tmp_path,
+        control="tolerance 1e-11 largest 5e-6",
+        freedoms=f"{TILTING} 200",
+        words=LOADED,
+        steps=40,
+        within=10,
+    )
+    with xarray.open_dataset(tmp_path / "record.nc") as record:
+        ring = {name: record[f"ring_{name}"].values for name in ("x", "y", "tilt_2", "vx", "ax")}
+        inner = [k for k, raceway in enumerate(record["ring_raceway"].values) if raceway == 0]
+        time = record["time"].values
+    first, second = inner
+    apart = ring["x"][:, second] - ring["x"][:, first]
+    assert apart == pytest.approx(0.2 * ring["tilt_2"][:, first], rel=0, abs=1e-12)
+    assert np.abs(apart).max() > 1e-6
+    for k in inner:
+        slope = (ring["vx"][2:, k] - ring["vx"][:-2, k]) / (time[2:] - time[:-2])
+        largest = np.abs(slope).max()
+        # velocities are linear within an internal step, and each sample has its own
+        assert np.median(np.abs(ring["ax"][1:-1, k] - slope)) < 2e-2 * largest
 
 
 # ---- bits
