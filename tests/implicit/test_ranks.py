@@ -21,7 +21,7 @@ def state(folder):
     """Every bit that was written, step by step."""
     return [frames(folder / name) for name in ("balls.dump", "contacts.dump")] + [
         (folder / name).read_text()
-        for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt")
+        for name in ("ring.txt", "control.txt", "capacitance.txt", "between.txt", "events.txt")
     ]
 
 
@@ -65,6 +65,7 @@ def test_scene_is_worth_comparing(whole):
     assert all(r[2] < -1e-6 for r in rings)  # m, the ring has left the cut at y = 0
     assert 1000 < rings[0][7] < 4500 < rings[-1][7]  # N, the load still grows at the first sample
     assert abs(rings[0][8]) > 1e-4  # rad, the outer ring wobbles
+    assert rings[-1][10] > 3  # discharges
     refused = float((whole / "control.txt").read_text().splitlines()[-1].split()[4])
     assert refused > 0
 
