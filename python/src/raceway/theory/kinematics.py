@@ -45,6 +45,23 @@ def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Number
     return np.abs(spin) * bearing.pitch_radius * (1 - gamma**2) / 2
 
 
+def spall_length(
+    bearing: Bearing, spin: Numbers, seconds: Numbers, angle: Numbers = 0.0
+) -> Numbers:
+    """Length in m of a spall along rolling, from the `seconds` between a ball's entry and its blow;
+    the inner ring turns at `spin` rad/s.
+
+    The blow comes when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
+    (2011) 846). A ball that loses its load over the spall is late, and the length too large.
+
+    >>> from raceway.theory.bearing import Bearing
+    >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> print(f"{spall_length(paper, 3000 * np.pi / 30, 0.2196e-3):.3e} m")
+    2.000e-03 m
+    """
+    return 2 * entrainment(bearing, spin, angle) * np.asarray(seconds)
+
+
 def orbital_speed(x: ArrayLike, y: ArrayLike, vx: ArrayLike, vy: ArrayLike) -> Numbers:
     """(x v_y - y v_x)/r^2 in rad/s of points at `x`, `y` (m) from the axis. Raises `ValueError` on
     the axis."""

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Which waves of a raceway move the inner ring, at which frequency, which way round and how far: a
+6208 under 1 kN along its axis, slowly turning, all nine balls loaded."""
+
+import numpy as np
+import pytest
+import raceway
+from host import succeed
+
+BALLS, AMPLITUDE = 9, 1e-8  # m
+RPM = 600
+
+
+def waves(*orders):
+    return " ".join(f"wave {order} {AMPLITUDE} 0.3" for order in orders)
+
+
+def turned(folder, **variables):
+    """Displacement of the inner ring across (x + i y) and along its axis (m), over time (s), speeds
+    of ring and cage (rad/s), and what a slow wave does, over its amplitude: across and along."""
+    succeed("tests/scenarios/in.waves", out=folder, rpm=RPM, **variables)
+    run = raceway.open(folder)
+    time = run.rings["time"].values
+    x, y, z = (run.rings[name].values for name in "xyz")
+    azimuth = np.unwrap(np.arctan2(run.balls["y"].values, run.balls["x"].values), axis=0)
+    cage = np.polyfit(time, azimuth, 1)[0].mean()
+    angle, Q = (float(run.contacts[name].mean()) for name in ("angle", "load"))
+    approach = float(run.contacts["overlap"].mean("ball").sum("raceway").mean())
+    k = 1.5 * Q / approach
+    L = 2 * 6.552e-3 - 12.6e-3 + approach
+    c, s = np.cos(angle), np.sin(angle)
+    slow = (k * c / (k * c**2 + Q / L * s**2), k * s / (k * s**2 + Q / L * c**2))
+    return time, x + 1j * y, z, 2 * np.pi * RPM / 60, cage, slow
+
+
+def lines(time, values, speeds):
+    """Amplitudes at these speeds (rad/s, signed: which way round), fitted together with a mean."""
+    columns = np.exp(1j * np.outer(time, [0.0, *speeds]))
+    found, *_ = np.linalg.lstsq(columns, values.astype(complex), rcond=None)
+    return dict(zip(speeds, np.abs(found[1:])))
+
+
+@pytest.mark.parametrize("ring", ["outer", "inner"])
+def test_one_before_and_after_the_balls(tmp_path, ring):
+    """Order Z - 1 and Z + 1 of the outer raceway whirl with and against the shaft at Z cage speeds.
+    Those of the inner one do so against and with it, at Z times its speed relative to the cage less
+    and plus its own. Order Z moves the ring along its axis. Each alone, by what statics says."""
+    orders = (BALLS - 1, BALLS, BALLS + 1)
+    time, across, along, shaft, cage, (radial, axial) = turned(
+        tmp_path, **{f"flaw_{ring}": waves(*orders)}
+    )
+    if ring == "outer":
+        below, above, straight = BALLS * cage, -BALLS * cage, BALLS * cage
+    else:
+        passing = BALLS * (shaft - cage)
+        below, above, straight = -(passing - shaft), passing + shaft, passing
+    others = () if ring == "outer" else (-below, -above)
+    whirl = lines(time, across, [below, above, *others])
+    assert whirl[below] == pytest.approx(AMPLITUDE * radial, rel=2e-3)
+    assert whirl[above] == pytest.approx(AMPLITUDE * radial, rel=2e-3)
+    for other in others:
+        assert whirl[other] < 2e-3 * AMPLITUDE
+    pump = lines(time, along, [straight, -straight])
+    assert 2 * pump[straight] == pytest.approx(AMPLITUDE * axial, rel=2e-3)
+
+
+@pytest.mark.parametrize("order, way", [(BALLS - 1, 1), (BALLS + 1, -1)])
+def test_one_wave_whirls_one_way(tmp_path, order, way):
+    time, across, along, _, cage, (radial, _) = turned(tmp_path, flaw_outer=waves(order))
+    whirl = lines(time, across, [BALLS * cage, -BALLS * cage])
+    assert whirl[way * BALLS * cage] == pytest.approx(AMPLITUDE * radial, rel=2e-3)
+    assert whirl[-way * BALLS * cage] < 2e-3 * AMPLITUDE
+    assert lines(time, along, [BALLS * cage])[BALLS * cage] < 2e-3 * AMPLITUDE
+
+
+def test_other_orders_move_nothing(tmp_path):
+    """Eleven waves at once: no line differs from a smooth bearing's by more than 5e-3 of one
+    amplitude."""
+    orders = [n for n in range(2, 16) if n % BALLS not in (0, 1, BALLS - 1)]
+    smooth = turned(tmp_path / "smooth")
+    wavy = turned(tmp_path / "wavy", flaw_outer=waves(*orders))
+    cage = wavy[4]
+    for which in (1, 2):
+        speeds = [n * cage for n in orders] + [BALLS * cage]
+        found, base = (lines(run[0], run[which], speeds) for run in (wavy, smooth))
+        for speed in speeds:
+            assert abs(found[speed] - base[speed]) < 5e-3 * AMPLITUDE
+
+
+@pytest.mark.parametrize("larger", [1e-7, -1e-7])
+def test_a_larger_ball_carries_the_ring_around(tmp_path, larger):
+    """A ball of another atom type: the ring's centre goes round with the cage, at 2 dD/(Z cos a).
+    Friction settles slowly along the axis, which is felt at 0.6 % here."""
+    time, across, _, _, cage, _ = turned(tmp_path, larger=larger)
+    angle = float(raceway.open(tmp_path).contacts["angle"].mean())
+    orbit = lines(time, across, [cage, -cage, 2 * cage])
+    assert orbit[cage] == pytest.approx(2 * abs(larger) / (BALLS * np.cos(angle)), rel=1e-2)
+    assert 2e-6 / larger * orbit[cage] * np.sign(larger) == pytest.approx(0.4628e-6, rel=1e-2)
+    assert orbit[-cage] < 2e-3 * orbit[cage] and orbit[2 * cage] < 2e-3 * orbit[cage]
