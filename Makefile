@@ -34,7 +34,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 # deck, ranks and contacts see the host's headers as styles do; implicit does not
 STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck record)))
 IMPLICIT := $(wildcard src-package/implicit/*.cpp)
-# implicit/raceway_contacts.cpp takes longest to compile: it starts first
+# implicit/raceway_contacts_*.cpp take longest to compile: implicit/ starts first
 SOURCES := $(IMPLICIT) $(STYLES) src-package/host/interposing_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
 # implicit/ knows no host: all hosts link the same objects

@@ -64,6 +64,11 @@ class BearingForces {
  private:
   template <class L> RACEWAY_INLINE Failure raceways(const Stage &);
   Failure all_raceways(const Stage &);
+  template <class Family> RACEWAY_INLINE bool raceways_of(const Stage &, Failure &);
+  bool dry_raceways(const Stage &, Failure &);
+  bool lubricated_raceways(const Stage &, Failure &);
+  bool gap_raceways(const Stage &, Failure &);
+  bool full_raceways(const Stage &, Failure &);
   void rails(const Stage &);
   Failure pockets(const Stage &);
 

@@ -49,24 +49,33 @@ using UniformSlip = Base<MixedFrictionPart, SmoothedFrictionPart, HydrodynamicRo
                          RollingHysteresisPart, DragPart>;
 
 template <class... L> struct LawList {};
+template <class... A, class... B, class... Others>
+auto joined(LawList<A...>, LawList<B...>, Others... others)
+{
+  if constexpr (sizeof...(Others) == 0) return LawList<A..., B...>();
+  else return joined(LawList<A..., B...>(), others...);
+}
 
-// The laws that are compiled: those that decks use.
-using Laws =
+// The laws that are compiled: those that decks use. A family is compiled at a time.
+using DryLaws =
     LawList<DryLaw<>, DryLaw<ConstantFrictionPart, TangentialSpringPart>,
-            DryLaw<ConstantFrictionPart, SmoothedFrictionPart>, LubricatedLaw<>,
-            LubricatedLaw<ConstantFrictionPart, TangentialSpringPart>,
+            DryLaw<ConstantFrictionPart, SmoothedFrictionPart>,
+            DryLaw<ConstantFrictionPart, DifferentialSlipPart>,
+            DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>>;
+using LubricatedLaws =
+    LawList<LubricatedLaw<>, LubricatedLaw<ConstantFrictionPart, TangentialSpringPart>,
             LubricatedLaw<ConstantFrictionPart, SmoothedFrictionPart>,
             LubricatedLaw<StribeckFrictionPart, TangentialSpringPart>,
             LubricatedLaw<StribeckFrictionPart, SmoothedFrictionPart>,
-            GapLaw<StribeckFrictionPart, TangentialSpringPart>,
-            GapLaw<StribeckFrictionPart, SmoothedFrictionPart>, FullLaw<>,
-            FullLaw<StribeckFrictionPart, TangentialSpringPart>,
-            FullLaw<StribeckFrictionPart, SmoothedFrictionPart>,
-            DryLaw<ConstantFrictionPart, DifferentialSlipPart>,
-            DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>,
             LubricatedLaw<ConstantFrictionPart, DifferentialSlipPart>,
-            RollingFriction<LubricatedLaw>, RollingFriction<GapLaw>, RollingFriction<FullLaw>,
-            UniformSlip<LubricatedLaw>, UniformSlip<GapLaw>, UniformSlip<FullLaw>>;
+            RollingFriction<LubricatedLaw>, UniformSlip<LubricatedLaw>>;
+using GapLaws = LawList<GapLaw<StribeckFrictionPart, TangentialSpringPart>,
+                        GapLaw<StribeckFrictionPart, SmoothedFrictionPart>, RollingFriction<GapLaw>,
+                        UniformSlip<GapLaw>>;
+using FullLaws = LawList<FullLaw<>, FullLaw<StribeckFrictionPart, TangentialSpringPart>,
+                         FullLaw<StribeckFrictionPart, SmoothedFrictionPart>,
+                         RollingFriction<FullLaw>, UniformSlip<FullLaw>>;
+using Laws = decltype(joined(DryLaws(), LubricatedLaws(), GapLaws(), FullLaws()));
 
 namespace detail {
 template <class... P> constexpr unsigned parts_when(PartList<P...>, When when)
@@ -161,6 +170,10 @@ template <class... L> constexpr int most_states(LawList<L...>)
   return most;
 }
 }    // namespace detail
+template <class F, class Family> RACEWAY_INLINE bool with_law(unsigned parts, Family, const F &f)
+{
+  return detail::with_law(parts, Family(), f);
+}
 template <class F> RACEWAY_INLINE bool with_law(unsigned parts, const F &f)
 {
   return detail::with_law(parts, Laws(), f);

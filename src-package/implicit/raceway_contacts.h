@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Balls on raceways, four side by side, in each ball's own turning frame. The law of the contacts
+// is a list of parts (physics/contact.h); nothing here knows what is in it.
+//
+// Compiled for a family of laws at a time, each in a file of its own: together they would take a
+// compiler minutes and gigabytes.
+#ifndef RACEWAY_RACEWAY_CONTACTS_H
+#define RACEWAY_RACEWAY_CONTACTS_H
+
+#include "bearing_forces.h"
+#include "contact_rows.h"
+#include "ring_motions.h"
+
+#include <algorithm>
+
+namespace raceway {
+
+// Matrix of the linear system: the ball's block, the ring's columns and rows, and the border.
+template <int n>
+static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int group,
+                                      const RingBody &ring, double R, const Vec3L &d,
+                                      const Vec3L &e, const ScaledSlopes<n> &s,
+                                      const ProfiledContactT<Lane> *on)
+{
+  Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
+  ball_rows(s, R, row);
+  if (on)
+    for (int k = 0; k < 3; ++k) row[0][k] -= on->slope * row[1][k];
+  for (int k = 0; k < 6; ++k) {
+    Lane motion[n];
+    for (int i = 0; i < n; ++i) motion[i] = row[i][k];
+    local_forces(s, motion, k < 3, column[k]);
+    for (int m = 0; m < 6; ++m) {
+      Lane a = row[m < 3 ? 0 : 1][m] * column[k][m < 3 ? 0 : 1];
+      for (int i = m < 3 ? 1 : 2; i < n; ++i) a += row[i][m] * column[k][i];
+      g.A[6 * m + k] += a;
+    }
+  }
+  if (!ring.loose) return;
+  g.coupled = true;
+  const Vec3L lever = lever_of(ring, e, d + s.normal * R);
+  Lane motions[RingProgram::N_DOF][n];
+  int dofs[RingProgram::N_DOF], free = 0;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    if (ring.unknown[dof] < 0) continue;
+    const Vec3L v = motion_of(dof, g.now, e, lever);
+    Lane(&m)[n] = motions[free];
+    dofs[free++] = dof;
+    m[0] = dot(s.normal, v);
+    m[1] = dot(s.along, v);
+    m[2] = dot(s.across, v);
+    if (on) m[0] -= on->slope * dot(s.along, motion_of(dof, g.now, e, lever_of(ring, e, d)));
+    if constexpr (n == 6) {
+      const Vec3L w = rotation_of(dof, g.now, e);
+      m[3] = dot(s.normal, w);
+      m[4] = dot(s.along, w);
+      m[5] = dot(s.across, w);
+    }
+  }
+  for (int j = 0; j < free; ++j) {
+    const int u = ring.unknown[dofs[j]];
+    Lane force[n];    // the groove is a surface of revolution: its spin displaces nothing
+    local_forces(s, motions[j], dofs[j] != RingProgram::SPIN, force);
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < 6; ++k)
+      for (int i = 0; i < n; ++i) {
+        if ((i == 0 && k >= 3) || (i >= 3 && k < 3)) continue;    // rows that are 0 there
+        B[k] -= row[i][k] * force[i];
+      }
+    for (int k = 0; k < 6; ++k)
+      for (int i = 0; i < n; ++i) C[k] -= motions[j][i] * column[k][i];
+    for (int o = 0; o < free; ++o) {
+      Lane a = motions[o][0] * force[0];
+      for (int i = 1; i < n; ++i) a += motions[o][i] * force[i];
+      system.D(ring.unknown[dofs[o]], u) += sum(a);
+    }
+  }
+}
+
+// What a profile adds to the matrix beyond the slope in its rows: the slope changes along the path
+// of the ball's centre. h2 (s^2) is 0 where nothing touches.
+static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
+                               const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
+                               const Lane &h2, const ProfiledContactT<Lane> &on)
+{
+  const Lane cross = h2 * on.cross, side = h2 * (on.side - c.normal * on.bend);
+  const Vec3L along = c.t, approach = c.u * c.nu + e * c.ne - along * on.slope;
+  Lane G[3], t[3];
+  approach.to(G);
+  along.to(t);
+  for (int m = 0; m < 3; ++m)
+    for (int k = 0; k < 3; ++k)
+      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
+  if (!ring.loose) return;
+  const Vec3L lever = lever_of(ring, e, d);
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    const int u = ring.unknown[dof];
+    if (u < 0) continue;
+    const Vec3L v = motion_of(dof, g.now, e, lever);
+    const Lane path = dot(along, v), near = dot(approach, v), force_G = cross * path,
+               force_t = cross * near + side * path;
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < 3; ++k) {
+      const Lane both = G[k] * force_G + t[k] * force_t;
+      B[k] -= both;
+      C[k] -= both;
+    }
+    for (int o = 0; o < RingProgram::N_DOF; ++o) {
+      if (ring.unknown[o] < 0) continue;
+      const Vec3L w = motion_of(o, g.now, e, lever);
+      system.D(ring.unknown[o], u) += sum(dot(approach, w) * force_G + dot(along, w) * force_t);
+    }
+  }
+}
+
+static inline void look_at_profile(const BearingBodies::Track &track, const LaneFrame &f,
+                                   const RingPose &ring, const ContactStateT<Lane> &c,
+                                   ProfiledContactT<Lane> &on)
+{
+  const Vec3L u = f.lab(c.u);
+  for (int i = 0; i < lanes; ++i) {
+    const ProfiledContact one =
+        profiled(*track.profile, *track.physics, std::atan2(u.y[i], u.x[i]) - ring.angle, c.r[i],
+                 c.overlap[i]);
+    on.overlap[i] = one.overlap;
+    on.slope[i] = one.slope;
+    on.bend[i] = one.bend;
+    on.energy[i] = one.energy;
+    on.follows[i] = one.follows;
+    on.cross[i] = one.cross;
+    on.side[i] = one.side;
+  }
+}
+
+// Place and motions of contacts that may be open.
+static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT<Lane> &ball,
+                                       const LaneFrame &f, const RingBody &body,
+                                       RingStateT<Lane> ring, const ContactStateT<Lane> &c,
+                                       ContactStateT<Lane> &seen)
+{
+  ring.v = f.local(body.now.v);
+  ring.w = f.local(body.now.angular_velocity());
+  seen = c;
+  find_motions<false>(p, ball, ring, seen);
+}
+
+template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &stage)
+{
+  int contact = 0;
+  for (const BearingBodies::Track &track : b_.tracks) {
+    RingBody &ring = b_.rings[track.ring];
+    const RacewayPhysics &p = *track.physics;
+    const Vec3 centre = ring.now.x - b_.centre, spin = ring.now.angular_velocity();
+    for (int k = track.first; k < track.end; ++k, ++contact) {
+      BodyGroup &g = b_.groups[k];
+      const LaneFrame &f = g.now;
+      const Vec3L at = f.local(centre);
+      const Vec3L d = {f.r - at.x, -at.y, f.z - at.z};
+      RingStateT<Lane> r;
+      r.e = f.local(ring.now.e);
+      ContactStateT<Lane> c;
+      locate(d, r.e, p.centre_circle, c);
+      c.overlap = c.s - p.slack;
+      if (track.profile) {
+        look_at_profile(track, f, ring.now, c, on_);
+        c.overlap = on_.overlap;
+      }
+      // what is not a number must not pass for a gap
+      LaneMask live = g.used & ~(c.overlap <= -p.reach);
+      Lane unused[L::states > 0 ? L::states : 1];
+      if constexpr (L::states > 0)
+        if (stage.evaluate != Evaluate::only) {
+          for (int m = 0; m < L::states; ++m)
+            b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
+          KeptSlopes &slopes = b_.kept_slopes[contact];
+          slopes.live = LaneMask{};
+          if (stage.evaluate == Evaluate::derivatives)
+            for (auto &of_one : slopes.of) std::fill(of_one, of_one + 6, Lane{});
+        }
+      if (stage.looks) {
+        stage.looks[contact].live = live;
+        stage.looks[contact].orbit = dot(g.v - f.local(ring.now.v), c.t) / c.r;
+      }
+      const Lane apart = -c.overlap;
+      if (stage.gaps && (L::decides || any(g.used & ~live)))
+        look_at_gap(p, {d, g.v, g.w}, f, ring, r, c, stage.looks[contact].state);
+      if (!any(live)) continue;
+      if (any(live & ~(c.overlap < p.largest_overlap))) {
+        for (int i = 0; i < lanes; ++i)
+          if (live[i] && !(c.overlap[i] < p.largest_overlap)) body_ = b_.body_at[lanes * k + i];
+        return Failure::outside_groove;
+      }
+      c.overlap = where(live, c.overlap, 1e-9);
+      r.v = f.local(ring.now.v);
+      r.w = f.local(spin);
+      const BallStateT<Lane> ball = {d, g.v, g.w};
+      const auto open = approach<L>(p, ball, r, c);
+      if constexpr (L::decides) {
+        live &= ~open;
+        if (stage.looks) stage.looks[contact].live = live;
+        if (!any(live)) continue;
+        c.overlap = where(live, c.overlap, 1e-9);
+      }
+      if (track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);
+      LawStates<Lane> memory;
+      if constexpr (L::states > 0) {
+        BearingBodies::States &kept = b_.kept[contact];
+        memory = stage.evaluate == Evaluate::only
+                     ? LawStates<Lane>{0.0, kept.now, unused}
+                     : LawStates<Lane>{stage.h, kept.base, kept.now, !stage.dampers_only};
+      }
+      ContactSlopesT<Lane, L::motions> slopes;
+      // set and read in the same stages, which the compiler does not see
+      if constexpr (L::states > 0)
+        for (auto &of_one : slopes.state) std::fill(of_one, of_one + L::motions, Lane{});
+      if (stage.evaluate == Evaluate::derivatives)
+        act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
+      else L::act(p, p.law.at(c.cos_angle), memory, c);
+      if constexpr (L::states > 0)
+        if (stage.evaluate != Evaluate::only) {
+          for (int m = 0; m < L::states; ++m)
+            b_.kept[contact].now[m] = where(live, b_.kept[contact].now[m], 0.0);
+          b_.kept_slopes[contact].live = live;
+        }
+      ContactForcesT<Lane> q = assemble<L::couples>(p, r.e, c);
+      if (track.profile) push_along(on_.slope, r.e, c, q);
+      for (Vec3L *v : {&q.force, &q.ball_torque, &q.ring_torque})
+        *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
+      ring.force_lanes -= f.lab(q.force);
+      ring.moment_lanes += f.lab(q.ring_torque);
+      if (stage.looks) {
+        ContactStateT<Lane> &seen = stage.looks[contact].state;
+        seen = c;
+        if (stage.gaps) seen.overlap = where(live, c.overlap, -apart);
+        seen.u = f.lab(c.u);
+        seen.t = f.lab(c.t);
+        continue;
+      }
+      if (stage.evaluate == Evaluate::only) {
+        power_lost_ += sum(where(live, L::loss(c), 0.0));
+        contact_energy_ += sum(where(live, L::energy(p, c), 0.0));
+        if (track.profile) contact_energy_ += sum(where(live, on_.energy, 0.0));
+        continue;
+      }
+      g.rhs[0] += stage.h * q.force.x;
+      g.rhs[1] += stage.h * q.force.y;
+      g.rhs[2] += stage.h * q.force.z;
+      g.rhs[3] += stage.h * q.ball_torque.x;
+      g.rhs[4] += stage.h * q.ball_torque.y;
+      g.rhs[5] += stage.h * q.ball_torque.z;
+      if (stage.evaluate != Evaluate::derivatives) continue;
+      if (stage.dampers_only) {
+        const Lane spring = where(live, c.stiffness, 0.0);
+        g.spring += spring;
+        g.damper += where(live, c.damping, 0.0);
+        ring.spring += sum(spring);
+      }
+      if (track.profile) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
+      const auto s = scaled(stage.h, stage.follows(), c, r.e, live, slopes);
+      add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e, s,
+                 track.profile ? &on_ : nullptr);
+      if (track.profile) {
+        const Lane h2 = where(live, all_lanes(stage.h * stage.follows()), 0.0);
+        add_profile(system_, g, k, ring, d, r.e, c, h2, on_);
+      }
+      if constexpr (L::states > 0) {
+        KeptSlopes &kept = b_.kept_slopes[contact];
+        kept.stiffness = c.stiffness;
+        kept.normal = s.normal;
+        kept.along = s.along;
+        kept.across = s.across;
+        kept.lever = lever_of(ring, r.e, d + s.normal * p.groove.ball_radius);
+        if (track.profile) kept.slope = on_.slope;
+        for (int m = 0; m < L::states; ++m)
+          for (int i = 0; i < L::motions; ++i) kept.of[m][i] = where(live, slopes.state[m][i], 0.0);
+      }
+    }
+  }
+  return Failure::none;
+}
+
+// Of the family's law that the bearing has, if it has one; else false.
+template <class Family>
+RACEWAY_INLINE bool BearingForces::raceways_of(const Stage &stage, Failure &failure)
+{
+  return with_law(b_.model.parts, Family(), [&](auto law) __attribute__((always_inline)) {
+    using L = decltype(law);
+    if constexpr (!L::explicit_step) failure = raceways<L>(stage);
+  });
+}
+
+}    // namespace raceway
+
+#endif

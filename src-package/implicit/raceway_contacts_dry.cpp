@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Laws of dry contacts.
+#include "raceway_contacts.h"
+
+namespace raceway {
+
+RACEWAY_LANES bool BearingForces::dry_raceways(const Stage &stage, Failure &failure)
+{
+  return raceways_of<DryLaws>(stage, failure);
+}
+
+}    // namespace raceway
