@@ -61,7 +61,10 @@ void BearingBodies::place()
     for (const BearingModel::Seat &s : model.seats)
       if (s.body == row[0]) rail_tracks.push_back({s.ring, first, end, s.rails, s.stiffness});
   }
-  for (const Track &t : tracks) n_contacts += t.end - t.first;
+  for (const Track &t : tracks) {
+    n_contacts += t.end - t.first;
+    flawed = flawed || t.profile;
+  }
   groove_at.assign(lanes * n_contacts, -1);
   for (const BearingModel::Groove &g : model.grooves) {
     const int at = slot[g.body];

@@ -82,6 +82,7 @@ class BearingBodies {
   std::vector<int> slot, body_at;    // of a body; of a slot (group 4 k + lane), -1: padding
   std::vector<BodyGroup> groups;
   std::vector<Track> tracks;
+  bool flawed = false;    // some of them have a profile
   std::vector<RailTrack> rail_tracks;
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
   std::vector<int> contact_at;    // of a groove of the model: lanes * group of contacts + lane

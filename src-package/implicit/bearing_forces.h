@@ -62,7 +62,8 @@ class BearingForces {
   double contact_energy() const { return contact_energy_; }    // J, of their springs
 
  private:
-  template <class L> RACEWAY_INLINE Failure raceways(const Stage &);
+  // flawed: some raceway may have a profile; without one nothing of it is compiled in
+  template <class L, bool flawed> RACEWAY_INLINE Failure raceways(const Stage &);
   Failure all_raceways(const Stage &);
   template <class Family> RACEWAY_INLINE bool raceways_of(const Stage &, Failure &);
   bool dry_raceways(const Stage &, Failure &);

@@ -144,7 +144,7 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
-template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &stage)
+template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &stage)
 {
   int contact = 0;
   for (const BearingBodies::Track &track : b_.tracks) {
@@ -161,7 +161,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       ContactStateT<Lane> c;
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
-      if (track.profile) {
+      if (flawed && track.profile) {
         look_at_profile(track, f, ring.now, c, on_);
         c.overlap = on_.overlap;
       }
@@ -201,7 +201,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         if (!any(live)) continue;
         c.overlap = where(live, c.overlap, 1e-9);
       }
-      if (track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);
+      if (flawed && track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);
       LawStates<Lane> memory;
       if constexpr (L::states > 0) {
         BearingBodies::States &kept = b_.kept[contact];
@@ -223,7 +223,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
           b_.kept_slopes[contact].live = live;
         }
       ContactForcesT<Lane> q = assemble<L::couples>(p, r.e, c);
-      if (track.profile) push_along(on_.slope, r.e, c, q);
+      if (flawed && track.profile) push_along(on_.slope, r.e, c, q);
       for (Vec3L *v : {&q.force, &q.ball_torque, &q.ring_torque})
         *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
       ring.force_lanes -= f.lab(q.force);
@@ -239,7 +239,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
       if (stage.evaluate == Evaluate::only) {
         power_lost_ += sum(where(live, L::loss(c), 0.0));
         contact_energy_ += sum(where(live, L::energy(p, c), 0.0));
-        if (track.profile) contact_energy_ += sum(where(live, on_.energy, 0.0));
+        if (flawed && track.profile) contact_energy_ += sum(where(live, on_.energy, 0.0));
         continue;
       }
       g.rhs[0] += stage.h * q.force.x;
@@ -255,11 +255,11 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         g.damper += where(live, c.damping, 0.0);
         ring.spring += sum(spring);
       }
-      if (track.profile) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
+      if (flawed && track.profile) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
       const auto s = scaled(stage.h, stage.follows(), c, r.e, live, slopes);
       add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e, s,
-                 track.profile ? &on_ : nullptr);
-      if (track.profile) {
+                 flawed && track.profile ? &on_ : nullptr);
+      if (flawed && track.profile) {
         const Lane h2 = where(live, all_lanes(stage.h * stage.follows()), 0.0);
         add_profile(system_, g, k, ring, d, r.e, c, h2, on_);
       }
@@ -270,7 +270,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &s
         kept.along = s.along;
         kept.across = s.across;
         kept.lever = lever_of(ring, r.e, d + s.normal * p.groove.ball_radius);
-        if (track.profile) kept.slope = on_.slope;
+        if (flawed && track.profile) kept.slope = on_.slope;
         for (int m = 0; m < L::states; ++m)
           for (int i = 0; i < L::motions; ++i) kept.of[m][i] = where(live, slopes.state[m][i], 0.0);
       }
@@ -285,7 +285,8 @@ RACEWAY_INLINE bool BearingForces::raceways_of(const Stage &stage, Failure &fail
 {
   return with_law(b_.model.parts, Family(), [&](auto law) __attribute__((always_inline)) {
     using L = decltype(law);
-    if constexpr (!L::explicit_step) failure = raceways<L>(stage);
+    if constexpr (!L::explicit_step)
+      failure = b_.flawed ? raceways<L, true>(stage) : raceways<L, false>(stage);
   });
 }
 

@@ -29,10 +29,13 @@ void PairBearingHertz::compute(int eflag, int vflag)
 
 template <bool tally> void PairBearingHertz::raceway_forces()
 {
-  with_law(law_, [this](auto law) { raceway_forces<decltype(law), tally>(); });
+  with_law(law_, [this](auto law) {
+    if (profiles_.empty()) raceway_forces<decltype(law), tally, false>();
+    else raceway_forces<decltype(law), tally, true>();
+  });
 }
 
-template <class L, bool tally> void PairBearingHertz::raceway_forces()
+template <class L, bool tally, bool flawed> void PairBearingHertz::raceway_forces()
 {
   double **x = atom->x, **v = atom->v, **w = atom->omega, **f = atom->f, **torque = atom->torque;
   // the forces of a set-up belong to a step already made: they must not advance what contacts keep
@@ -47,8 +50,8 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     ring.x = Vec3::from(x[c.i_ring]);
     ring.e = state_->axis(c.i_ring);
     const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
-    c.live = c.profile ? touch_profile(c, ball.x - ring.x, ring.e, on)
-                       : touch(p, ball.x - ring.x, ring.e, c.state);
+    c.live = flawed && c.profile ? touch_profile(c, ball.x - ring.x, ring.e, on)
+                                 : touch(p, ball.x - ring.x, ring.e, c.state);
     if (c.live) {
       if (!(c.state.overlap < p.largest_overlap)) lost(c);
       ball.v = Vec3::from(v[c.i_ball]);
@@ -58,7 +61,8 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
       c.live = !approach<L>(p, ball, ring, c.state);
     }
     if (gaps_) look_at_gap(c);
-    if (c.live && c.profile) c.state.overlap_rate -= on.slope * passing_speed(ball, ring, c.state);
+    if (flawed && c.live && c.profile)
+      c.state.overlap_rate -= on.slope * passing_speed(ball, ring, c.state);
     if (!c.live) {
       if (keeps) std::fill(c.kept, c.kept + L::states, 0.0);
       continue;
@@ -67,7 +71,7 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
     const LawStates<double> memory = {keeps ? dt : 0.0, c.kept, after};
     L::act(p, p.law.at(c.state.cos_angle), memory, c.state);
     ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
-    if (c.profile) push_along(on.slope, ring.e, c.state, forces);
+    if (flawed && c.profile) push_along(on.slope, ring.e, c.state, forces);
     if (keeps) std::copy(after, after + L::states, c.kept);
     if (!std::isfinite(c.state.normal)) lost(c);
     forces.force.add_to(f[c.i_ball]);
@@ -77,8 +81,9 @@ template <class L, bool tally> void PairBearingHertz::raceway_forces()
       const Vec3 d = ball.x - ring.x;
       // only this rank sees the pair: count it whole (newton = 1)
       ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
-                   eflag_either ? L::energy(p, c.state) + (c.profile ? on.energy : 0.0) : 0.0, 0.0,
-                   forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
+                   eflag_either ? L::energy(p, c.state) + (flawed && c.profile ? on.energy : 0.0)
+                                : 0.0,
+                   0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
     }
   }
 }
