@@ -71,6 +71,7 @@ NAMES = {
     "film_table": "runs.film_table",
     "losses": "runs.losses",
     "regimes": "runs.regimes",
+    "sensor": "runs.sensor",
     "spectrum": "runs.spectrum",
     "summary": "runs.summary",
     "whole_capacitance": "runs.whole_capacitance",

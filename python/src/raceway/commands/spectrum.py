@@ -18,7 +18,7 @@ if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
     from raceway.runs.spectrum import Line
 
 DESCRIPTION = """\
-Spectrum of a column of rings.dat, and where the kinematic lines are in it. Measure enough ball
+Spectrum of a column of a ring, and where the kinematic lines are in it. Measure enough ball
 passes: -var passes 40 separates all lines but FTF; the record must hold more than five periods of a
 line.
 
@@ -31,7 +31,7 @@ examples:
   build/liggghts -in inputs/in.6208 -var passes 40 -var out build/run/long
   raceway spectrum build/run/long --signal x --out spectrum.png
   raceway spectrum build/run/long --signal capacitance --harmonics 5 --json
-  raceway spectrum build/run/long --signal ay --envelope --band 2000 8000
+  raceway spectrum build/run/long --ring outer --signal ay --envelope --band 2000 8000
 
 Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command line."""
 
@@ -51,6 +51,12 @@ def add(commands: Commands) -> None:
         default="shift",
         metavar="NAME",
         help="shift (displacement along the load, the default), x, y, fx, fy, mz, capacitance ...",
+    )
+    one.add_argument(
+        "--ring",
+        choices=("inner", "outer"),
+        default="inner",
+        help="whose signal; an outer ring in a housing has ax, ay ... too (default inner)",
     )
     one.add_argument(
         "--harmonics", type=_count, default=3, metavar="N", help="of each line (default 3)"
@@ -98,9 +104,9 @@ def run(arguments: argparse.Namespace) -> None:
             f"{arguments.folder} has {len(opened.bearing_numbers)} bearings: give --bearing N"
         )
     spectrum = (
-        envelope.of_run(opened, arguments.signal, arguments.band)
+        envelope.of_run(opened, arguments.signal, arguments.band, arguments.ring)
         if arguments.envelope
-        else of_run(opened, arguments.signal)
+        else of_run(opened, arguments.signal, arguments.ring)
     )
     found = lines(
         opened,

@@ -89,13 +89,15 @@ def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Ban
     return max(found, key=lambda band: band.kurtosis)
 
 
-def of_run(run: Run, name: str, band: tuple[float, float] | None = None) -> xr.DataArray:
-    """`spectrum.spectrum` of the envelope of a column of the rings of `run`, in a `band` (Hz, Hz)
+def of_run(
+    run: Run, name: str, band: tuple[float, float] | None = None, ring: str = "inner"
+) -> xr.DataArray:
+    """`spectrum.spectrum` of the envelope of a column of a `ring` of `run`, in a `band` (Hz, Hz)
     or in the most impulsive one that is three times as wide as BPFI; `attrs["band"]` says which.
 
     Raises `RunError` as `spectrum.of_run` does, and for a band that the sampling does not hold.
     """
-    values, sample_s = spectrum.signal_of(run, name), run.settings["sample_s"]
+    values, sample_s = spectrum.signal_of(run, name, ring), run.settings["sample_s"]
     shaft = abs(run.settings["rpm"]) / 60
     passes = spectrum.expected(run.tables.geometry, shaft, harmonics=1)["BPFI", 1][1]
     try:
@@ -103,6 +105,6 @@ def of_run(run: Run, name: str, band: tuple[float, float] | None = None) -> xr.D
         result = spectrum.spectrum(of_values(values, sample_s, *chosen), sample_s)
     except ValueError as error:
         raise RunError(f"{run.tables.source['rings']}: {error}") from None
-    result.attrs.update(spectrum.of_column(name), band=tuple(map(float, chosen)))
+    result.attrs.update(spectrum.of_column(name, ring), band=tuple(map(float, chosen)))
     result.attrs["long_name"] = f"envelope of: {result.attrs['long_name']}"
     return result

@@ -19,7 +19,7 @@ from raceway.errors import RunError
 from raceway.runs.columns import RING
 from raceway.runs.run import Run
 from raceway.theory import kinematics
-from raceway.theory.bearing import Bearing
+from raceway.theory.bearing import OUTER, Bearing
 
 # Four-term Blackman-Harris: what a line leaks is 92 dB below it, so a faint line shows beside a
 # strong one; near its top the logarithm is a parabola to 1e-3 of a bin. In exchange a line is 8
@@ -79,32 +79,55 @@ def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
     return result
 
 
-def of_run(run: Run, name: str = "shift") -> xr.DataArray:
-    """`spectrum` of a column of the rings of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
-    `capacitance` ...
+def of_run(run: Run, name: str = "shift", ring: str = "inner") -> xr.DataArray:
+    """`spectrum` of a column of a ring of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
+    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" has those of motion and force.
 
     Raises `RunError` when the run has no such column, too few samples, or the samples are not
     evenly spaced.
     """
-    result = spectrum(signal_of(run, name), run.settings["sample_s"])
-    result.attrs.update(of_column(name))
+    result = spectrum(signal_of(run, name, ring), run.settings["sample_s"])
+    result.attrs.update(of_column(name, ring))
     return result
 
 
-def signal_of(run: Run, name: str) -> np.ndarray:
-    """Samples (N,) of a column of the rings of `run`. Raises `RunError` as `of_run` does."""
-    rings, where = run.rings, run.tables.source["rings"]
-    if name not in rings:
-        raise RunError(f"{where} has no column {name}; it has {', '.join(rings.data_vars)}")
-    if rings.sizes["time"] < 32:
-        raise RunError(f"{where} has {rings.sizes['time']} samples: a spectrum needs 32")
-    return rings[name].to_numpy()
+def signal_of(run: Run, name: str, ring: str = "inner") -> np.ndarray:
+    """Samples (N,) of a column of a `ring` of `run`, "inner" or "outer". Raises `RunError` as
+    `of_run` does."""
+    values, where, known = (_of_inner if ring == "inner" else _of_outer)(run, name)
+    if values is None:
+        raise RunError(f"{where} has no column {name}; it has {', '.join(known)}")
+    if len(values) < 32:
+        raise RunError(f"{where} has {len(values)} samples: a spectrum needs 32")
+    return values
 
 
-def of_column(name: str) -> dict[str, str]:
-    """Unit and meaning of a column of the rings, as attributes."""
+def _of_inner(run, name):
+    rings = run.rings
+    values = rings[name].to_numpy() if name in rings else None
+    return values, run.tables.source["rings"], rings.data_vars
+
+
+def _of_outer(run, name):
+    record = run.tables.record
+    if not record:
+        raise RunError(f"{run.tables.folder} has no record: only that has the outer ring")
+    here = np.flatnonzero(record.fixed("ring_raceway") == OUTER)
+    if len(here) != 1:
+        raise RunError(f"{record.path} has {len(here)} outer rings of one bearing, must be one")
+    known = [n for n, dims in record.variables.items() if dims == ("time", "ring")]
+    values = None
+    if f"ring_{name}" in known:
+        read = record.read([f"ring_{name}"], run.tables.first, run.tables.stop)
+        values = read[f"ring_{name}"][:, here[0]]
+    return values, f"{record.path}, outer ring,", [n.removeprefix("ring_") for n in known]
+
+
+def of_column(name: str, ring: str = "inner") -> dict[str, str]:
+    """Unit and meaning of a column of a ring, as attributes."""
     column = RING.get(name)
-    return {"units": column.unit if column else "", "long_name": column.meaning if column else name}
+    meaning = column.meaning.replace("inner ring", f"{ring} ring") if column else name
+    return {"units": column.unit if column else "", "long_name": meaning}
 
 
 def expected(

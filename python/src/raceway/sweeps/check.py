@@ -19,7 +19,7 @@ from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
 FINER = 0.1  # of the tolerance; velocity Verlet: half the step
 MORE = 2  # samples for one
-IMPLICIT = ("implicit", "damping")  # integrators with a tolerance
+IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance")
 # cost and settings: no figures
 LEFT_OUT = (
@@ -70,7 +70,9 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
         finer["step"] = f"{0.5 * tables.settings['step_s']:.15g}"
         for name in TOLERANCES:
             finer.pop(name, None)
-    sampled = {**own, "samples": f"{MORE * int(float(own['samples']))}"}
+    # integrator vibration has a step for each sample: more of them are a finer step, too
+    count = "oversampling" if "oversampling" in own else "samples"
+    sampled = {**own, count: f"{MORE * int(float(own[count]))}"}
     if own["integrator"] not in IMPLICIT:
         for name in TOLERANCES:
             sampled.pop(name, None)

@@ -45,7 +45,7 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
     deck = Path(deck)
     files = [deck] + [
         path
-        for folder in ("modules", "integrators")
+        for folder in ("modules", "integrators", "housings")
         for path in sorted((deck.parent / folder).glob("*"))
     ]
     found = {}

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What an accelerometer on a ring or its housing would give: the record at a lower rate.
+
+A record of integrator vibration has several samples for each that is wanted. A filter takes off
+what a lower rate cannot hold, then samples are left out. Nothing is added but noise, when asked.
+"""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+from scipy import signal
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.runs import spectrum
+from raceway.runs.run import Run
+
+PASSED = 0.4  # of the new rate: up to here the signal is what it was, within STOPPED
+STOPPED = 80.0  # dB, from half the new rate on
+LARGEST = 1000  # of the whole numbers whose ratio the two rates have
+
+
+def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
+    """Evenly sampled `values` (N,), `sample_s` apart, at `rate` in Hz: (M,), in their unit, the
+    first at the time of the first.
+
+    A Kaiser-windowed FIR filter without delay stands before: flat to 0.4 of the rate, 80 dB down
+    from half of it on. The outermost 25 or so of the M hold the filter's ends.
+    Raises `ValueError` for a rate above that of the values, and one that is no ratio of whole
+    numbers below 1000 to it.
+
+    >>> time = np.arange(19200) / 192e3
+    >>> kept = decimated(np.sin(2 * np.pi * 5e3 * time), 1 / 192e3, 48e3)
+    >>> wrong = kept - np.sin(2 * np.pi * 5e3 * np.arange(len(kept)) / 48e3)
+    >>> print(len(kept), abs(wrong[50:-50]).max() < 2e-4)
+    4800 True
+    >>> gone = decimated(np.sin(2 * np.pi * 30e3 * time), 1 / 192e3, 48e3)
+    >>> print(abs(gone[50:-50]).max() < 2e-4)
+    True
+    """
+    values = np.asarray(values, float)
+    share = Fraction(rate * sample_s).limit_denominator(LARGEST)
+    if not 0 < rate * sample_s <= 1 + 1e-9:
+        raise ValueError(f"rate {rate:g} Hz must lie between 0 and {1 / sample_s:g} Hz")
+    if not share or abs(float(share) / (rate * sample_s) - 1) > 1e-9:
+        raise ValueError(f"rate {rate:g} Hz is no simple ratio to {1 / sample_s:.10g} Hz")
+    if share == 1:
+        return values.copy()
+    up, down = share.numerator, share.denominator
+    # of the rate that the filter runs at, `up` times that of the values: half the new rate
+    edge = 1 / down
+    taps, beta = signal.kaiserord(STOPPED, edge * (1 - 2 * PASSED))
+    middle = edge * (0.5 + PASSED)
+    window = signal.firwin(taps | 1, middle, window=("kaiser", beta))
+    mean = values.mean()  # else the ends would show a step
+    return signal.resample_poly(values - mean, up, down, window=window) + mean
+
+
+def of_run(
+    run: Run,
+    name: str = "ay",
+    ring: str = "outer",
+    rate: float | None = None,
+    noise: float = 0.0,
+    seed: int | Sequence[int] | None = None,
+) -> xr.DataArray:
+    """A column of a ring of `run` as a sensor gives it: `DataArray` (time), unit of the column.
+
+    `ring` is "inner" or "outer", `rate` in Hz (None: as recorded). `noise` is the standard
+    deviation of white noise in the column's unit, from `seed`; 0 adds none. An outer ring that is
+    held has no acceleration: give the deck a housing.
+
+    Raises `RunError` for a run without such a column, for a ring that does not move, and for a rate
+    as `decimated` does.
+    """
+    values, attrs = spectrum.signal_of(run, name, ring), spectrum.of_column(name, ring)
+    sample_s = run.settings["sample_s"]
+    if not np.ptp(values) > 0:
+        raise RunError(
+            f"{run.tables.folder}: {name} of the {ring} ring does not change; a sensor needs one"
+            " that is free, for the outer ring a housing (-var housing springs)"
+        )
+    if rate is not None:
+        try:
+            values = decimated(values, sample_s, rate)
+        except ValueError as error:
+            raise RunError(f"{run.tables.folder}: {error}") from None
+        sample_s = 1 / rate
+    if noise:
+        values = values + np.random.default_rng(seed).normal(0.0, noise, len(values))
+    time = np.arange(len(values)) * sample_s
+    attrs.update(ring=ring, sample_s=sample_s, noise=noise)
+    return xr.DataArray(values, {"time": ("time", time, {"units": "s"})}, name=name, attrs=attrs)
