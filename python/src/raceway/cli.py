@@ -13,6 +13,7 @@ from raceway.commands import (
     catalogue,
     check,
     circuit,
+    dataset,
     electric,
     export,
     gather,
@@ -43,6 +44,7 @@ examples:
   raceway heat --load 2000 --rpm 3000                    its steady temperature
   raceway electric --load 2000 --rpm 3000                its capacitance and breakdown
   raceway sweep points.csv                               many runs, one a row
+  raceway dataset inputs/datasets/small.yaml --out DIR   labelled vibration of many runs
   raceway needs inputs/in.6208 --want torque=10%         which parts of the model matter there
 
 `raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the
@@ -99,6 +101,7 @@ def _parser():
         heat,
         electric,
         sweep,
+        dataset,
         gather,
         needs,
         paper,

@@ -8,7 +8,7 @@ import sys
 import threading
 import time
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
@@ -30,13 +30,15 @@ def sweep(
     *,
     jobs: int = 1,
     retry: bool = False,
+    finished: Callable[[Point], object] | None = None,
 ) -> tuple[dict[str, int], int, Path]:
     """Run `points` (of `read_points`) into `folder`, `jobs` at a time; return (number by status,
     points that were finished before, path of the table).
 
     `command` is a list: program, options, deck. A bar shows progress where there is a terminal. On
     KeyboardInterrupt or SystemExit runs are stopped (they leave a restart file), the table is
-    written and the exception goes on. Raises `RacewayError` when a worker is killed.
+    written and the exception goes on. `finished` is called here with each point that has just been
+    finished. Raises `RacewayError` when a worker is killed.
     """
     folder, counts, todo = Path(folder), Counter(), []
     for point in points:
@@ -66,6 +68,8 @@ def sweep(
             for future in as_completed(futures):
                 status, message = future.result()
                 counts[status] += 1
+                if status == FINISHED and finished:
+                    finished(futures[future])
                 bar.update()
                 if status == FAILED:
                     bar.write(f"{futures[future].name}: {message}", file=sys.stderr)

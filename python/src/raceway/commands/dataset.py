@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway dataset`: vibration of many runs as labelled files."""
+
+import argparse
+import os
+import shlex
+import shutil
+import signal
+import sys
+
+from raceway.commands import Commands
+from raceway.errors import RacewayError
+
+DESCRIPTION = """\
+Runs every flaw of the file SPEC under all of its conditions, with integrator vibration and a
+housing. Each run becomes a record: .mat files with the housing's acceleration at the rates of
+SPEC, and a row of DIR/labels.csv. DIR/README.md says what is physics and what is assumed.
+
+The same command goes on after a stop. A folder of another SPEC is refused."""
+EXAMPLES = """\
+examples:
+  raceway dataset inputs/datasets/small.yaml --check            how many runs, how long
+  raceway dataset inputs/datasets/small.yaml --out build/small
+  raceway dataset inputs/datasets/spalls.yaml --out build/spalls --jobs 2
+
+Exit codes: 0 done, 1 a run failed or SPEC cannot be used, 2 wrong command line, 130 and 143
+stopped."""
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "dataset",
+        help="labelled vibration data: a sweep over flaws and conditions as .mat files",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument("spec", metavar="SPEC", help="YAML file: flaws, conditions, rates")
+    one.add_argument("--out", metavar="DIR", help="folder of the data set")
+    one.add_argument(
+        "--jobs",
+        metavar="N",
+        type=int,
+        default=len(os.sched_getaffinity(0)),
+        help="runs at a time (default: the cores, %(default)s)",
+    )
+    one.add_argument("--keep", action="store_true", help="keep the records of the runs (large)")
+    one.add_argument("--check", action="store_true", help="check SPEC, run nothing")
+    one.add_argument(
+        "--deck",
+        metavar="FILE",
+        default="inputs/in.6208",
+        help="deck to run (default: %(default)s)",
+    )
+    one.add_argument(
+        "--program",
+        metavar="COMMAND",
+        default="build/liggghts",
+        help="program that runs it, with its own words if any (default: %(default)s)",
+    )
+    one.set_defaults(command=run, complain=one.error)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Make the data set, or check what it would be. Raises `RacewayError`."""
+    from raceway.datasets.spec import read_spec, records
+    from raceway.sweeps.points import deck_variables
+
+    if arguments.jobs < 1:
+        arguments.complain(f"--jobs is {arguments.jobs}, must be from 1")
+    spec = read_spec(arguments.spec, deck_variables(arguments.deck))
+    wanted = records(spec)
+    if arguments.check:
+        seconds = len(wanted) * spec.seconds
+        print(f"{arguments.spec}: {len(wanted)} records, {seconds:g} s at {spec.run_rate} Hz")
+        return
+    if not arguments.out:
+        arguments.complain("--out: say where the data set goes")
+    program = shlex.split(arguments.program)
+    if not program or shutil.which(program[0]) is None:
+        raise RacewayError(
+            f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
+            " from the repository's root"
+        )
+    from raceway.datasets.make import LABELS, make  # scipy and pandas take a while
+
+    signal.signal(signal.SIGTERM, _terminated)
+    signal.signal(signal.SIGHUP, _terminated)
+    command = [*program, "-in", arguments.deck]
+    table = make(spec, arguments.out, command, jobs=arguments.jobs, keep=arguments.keep)
+    print(f"{len(table)} of {len(wanted)} records: {arguments.out}/{LABELS}")
+
+
+def _terminated(number, _):
+    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
+    sys.exit(128 + number)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The card of a data set: what is in it, what is physics, what is assumed, the noise floor."""
+
+from textwrap import fill
+
+import pandas as pd
+
+from raceway import __version__
+from raceway.datasets.spec import OVERSAMPLING, Spec
+
+TEXT = """\
+# {title}
+
+Simulated vibration of a bearing {bearing}, with labels. Made by `raceway dataset`, version
+{version}. {there} of {wanted} records of {seconds:g} s are there.
+
+## Files
+
+- `labels.csv`: a row for each record. Lengths are in m, loads in N, speeds in rpm.
+- {folders}: the signals, MATLAB version 5.
+- `dataset.json`: what was asked for.
+- `runs/`: variables and figures of each run.
+
+A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, named as those of the bearing
+data center of Case Western Reserve University. Beside them are `fault`, `fault_size_m`, `load_N`,
+`sampling_Hz` and `unit`. The signal is the acceleration of the housing along {axis}, in m/s^2. The
+load points along -y unless `load_azimuth` says otherwise.
+
+| class | records | rms, least to most (m/s^2) |
+|---|---|---|
+{classes}
+
+`size_m` is the length of a notch along rolling, or the amplitude of waves. `flaw_place` is
+on the clock: the load presses at 6. Lines (`BPFO_Hz` ...) are those of the run's own cage speed.
+
+## What is physics
+
+Every ball, the cage and both rings move by contact forces in three dimensions. Contacts have
+elliptical Hertz elasticity, an oil film, film damping and friction. A flaw is a shape of the
+raceway. A ball reaches only a part of it, because it is round. Blows, load zones, slip and
+sidebands follow from that. No blow, line, jitter or sideband was put in by hand.
+
+## What is assumed
+
+- The housing is one mass on springs and dampers along x and y{housing}. Its numbers are estimates.
+  Real structures have many modes and paths.
+- Notches have rounded edges (`flaw_edge`) and no raised rim. They do not grow.
+- Rings are rigid between their contacts. Shaft, seals and other machines make no sound.
+- Raceways and balls are perfect but for the flaw. Bearing data: `inputs/bearings/{bearing}`.
+- Waviness has the orders Z - 1 and Z + 1 on both raceways.
+- Speed and load are constant. A seed draws where balls and flaws of the inner raceway start.
+- {noise}
+- Records are at {oversampling} times the fastest rate, then filtered: flat to 0.4 of the
+  rate of a file, 80 dB down from half of it on.
+
+## Noise floor
+
+{floor}
+"""
+
+
+def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
+    """Text of README.md for the records of `table` (rows of labels.csv), of `wanted` ones."""
+    classes, floor = [], "There is no record without a flaw, so the floor is not known here."
+    if len(table):
+        for kind, some in table.groupby("class", sort=False)["rms_m_s2"]:
+            classes.append(f"| {kind} | {len(some)} | {some.min():.3g} to {some.max():.3g} |")
+        quiet = table.loc[table["class"] == "none", "rms_m_s2"]
+        if len(quiet):
+            floor = (
+                f"Records without a flaw have an rms of {quiet.min():.3g} to {quiet.max():.3g}"
+                f" m/s^2 at {max(spec.rates) / 1000:g} kHz"
+                + (", noise included." if spec.noise else ", from the passing balls alone.")
+                + " What is fainter than that in another record is not of its flaw."
+            )
+    return TEXT.format(
+        title=spec.title,
+        bearing=spec.bearing,
+        version=__version__,
+        there=len(table),
+        wanted=wanted,
+        seconds=spec.seconds,
+        folders=", ".join(f"`{rate / 1000:g}k/`" for rate in spec.rates),
+        axis=spec.axis,
+        classes="\n".join(classes),
+        housing="".join(
+            f", {name.removeprefix('housing_')} {value}"
+            for name, value in spec.deck.items()
+            if name.startswith("housing_")
+        ),
+        noise=(
+            f"White noise of {spec.noise:g} m/s^2 (standard deviation) was added, from the seed."
+            if spec.noise
+            else "No noise was added."
+        ),
+        oversampling=OVERSAMPLING,
+        floor=fill(floor, 100),
+    )

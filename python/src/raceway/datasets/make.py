@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs of a data set, and the files that are made of them.
+
+The folder holds
+
+    dataset.json     what was asked for: files of another one are refused
+    README.md        the card
+    labels.csv       a row for each record
+    48k/0001.mat     signals, a folder for each rate
+    runs/0001/       the run: its variables, its figures, `label.json` once its files are written
+
+A record is whole when `label.json` is there, which is written last.
+"""
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from scipy import io, stats
+
+from raceway import files
+from raceway.datasets.card import card
+from raceway.datasets.spec import FLAW_WORDS, GUARD, Record, Spec, SpecError, records
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.runs import record as run_record
+from raceway.runs import sensor, spectrum
+from raceway.runs.run import Run
+from raceway.sweeps.point_run import FINISHED, mapping, state
+from raceway.sweeps.sweep import sweep
+
+ASKED, LABELS, LABEL = "dataset.json", "labels.csv", "label.json"
+
+
+def make(
+    spec: Spec, folder: FilePath, command: Sequence[str], *, jobs: int = 1, keep: bool = False
+) -> pd.DataFrame:
+    """Make the data set `spec` in `folder`, or go on with it; return the table of labels.
+
+    `command` is a list: program, options, deck. `keep` leaves the records of the runs, which are
+    large. Raises `RacewayError` for a folder of another data set, and where runs fail.
+    """
+    folder, wanted = Path(folder), records(spec)
+    _claim(spec, folder)
+    by_name = {one.point.name: one for one in wanted}
+    todo = []
+    for one in wanted:
+        where = folder / "runs" / one.point.name
+        if _whole(folder, one, spec):
+            continue
+        if state(where, one.point.variables)[0] == FINISHED:
+            if run_record.there(where):  # stopped between the run and its files
+                _write(one, spec, folder, keep)
+                continue
+            (where / "summary.json").unlink()  # the record is gone and a file as well: run again
+            (where / "run.yaml").unlink(missing_ok=True)
+        todo.append(one.point)
+    counts, *_ = sweep(
+        todo,
+        folder / "runs",
+        command,
+        jobs=jobs,
+        retry=True,
+        finished=lambda point: _write(by_name[point.name], spec, folder, keep),
+    )
+    table = _labels(wanted, spec, folder)
+    if failed := counts.get("failed"):
+        raise RacewayError(
+            f"{failed} of {len(wanted)} runs failed, see {folder}/runs/*/failed.json and log.txt"
+        )
+    return table
+
+
+def _claim(spec, folder):
+    """The folder is new, or of this data set."""
+    asked = json.dumps(spec._asdict(), indent=2, ensure_ascii=False) + "\n"
+    path = folder / ASKED
+    if path.exists():
+        if path.read_text() != asked:
+            raise SpecError(f"{folder} holds another data set: {path} differs; choose a new folder")
+        return
+    if folder.exists() and any(folder.iterdir()):
+        raise SpecError(f"{folder} holds files of something else: choose a new folder")
+    files.folder(folder)
+    files.whole(path, lambda part: part.write_text(asked))
+
+
+def file_of(rate: int, record: Record) -> str:
+    """Path of a record's file in the folder.
+
+    >>> from raceway.sweeps.points import Point
+    >>> file_of(48000, Record(7, Point("0007", {}), {}, 1797.0))
+    '48k/0007.mat'
+    """
+    return f"{rate / 1000:g}k/{record.point.name}.mat"
+
+
+def _whole(folder, one, spec):
+    where = folder / "runs" / one.point.name
+    return (
+        state(where, one.point.variables)[0] == FINISHED
+        and mapping(where / LABEL, json.loads) is not None
+        and all((folder / file_of(rate, one)).exists() for rate in spec.rates)
+    )
+
+
+def _write(one: Record, spec: Spec, folder: Path, keep: bool) -> None:
+    """Files and label of a finished run."""
+    where = folder / "runs" / one.point.name
+    run = Run(where)
+    name = f"a{spec.axis}"
+    for rate in spec.rates:
+        heard = sensor.of_run(
+            run, name, "outer", rate, noise=spec.noise, seed=[one.labels["seed"], one.number, rate]
+        ).to_numpy()
+        first = round(GUARD * rate / min(spec.rates))
+        values = heard[first : first + round(spec.seconds * rate)]
+        if len(values) < round(spec.seconds * rate):
+            raise RacewayError(f"{where}: {len(values)} samples at {rate} Hz are too few")
+        path = folder / file_of(rate, one)
+        files.folder(path.parent)
+        content = _matlab(one, spec, rate, values)
+        files.whole(path, lambda part, content=content: _save(part, content))
+        if rate == max(spec.rates):
+            label = _label(one, spec, run, values)
+    files.whole(where / LABEL, lambda part: part.write_text(json.dumps(label, indent=2)))
+    if not keep:
+        (where / run_record.NAME).unlink()
+        (where / "restart").unlink(missing_ok=True)
+
+
+def _save(path, content):
+    with open(path, "wb") as file:  # a name would get .mat at its end
+        io.savemat(file, content, oned_as="column", do_compression=True)
+
+
+def _matlab(one: Record, spec: Spec, rate: int, values: np.ndarray) -> Mapping[str, Any]:
+    """Variables of a .mat file. `X001_DE_time` and `X001RPM` are named as those of Case Western
+    Reserve University, drive end; the others say the rest."""
+    stem = f"X{one.number:03d}"
+    return {
+        f"{stem}_DE_time": values,
+        f"{stem}RPM": np.array([[one.rpm]]),
+        "fault": one.labels["flaw"],
+        "fault_size_m": np.array([[_size(one)]]),
+        "load_N": np.array([[float(one.labels["load"])]]),
+        "sampling_Hz": np.array([[float(rate)]]),
+        "unit": "m/s^2",
+    }
+
+
+def _size(one):
+    """Length of a notch or amplitude of waves, m; 0 without a flaw."""
+    return float(one.labels.get("length", one.labels.get("amplitude", 0.0)))
+
+
+def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, Any]:
+    """A row of labels.csv."""
+    shaft, cage = one.rpm / 60, spectrum.cage_order(run)
+    places = spectrum.expected(run.tables.geometry, shaft, harmonics=1, cage=cage)
+    return {
+        "record": one.point.name,
+        "class": one.labels["flaw"],
+        "size_m": _size(one),
+        **{f"flaw_{name}": one.labels.get(name) for name in FLAW_WORDS},
+        **{name: value for name, value in one.labels.items() if name not in (*FLAW_WORDS, "flaw")},
+        "words_inner": one.point.variables.get("flaw_inner", "none"),
+        "words_outer": one.point.variables.get("flaw_outer", "none"),
+        "phase_rad": float(one.point.variables["phase"]),
+        "cage_order": cage,
+        **{f"{line}_Hz": places[line, 1][1] for line in ("FTF", "BPFO", "BPFI", "BSF")},
+        "rms_m_s2": float(np.std(values)),
+        "peak_m_s2": float(np.abs(values - values.mean()).max()),
+        "kurtosis": float(stats.kurtosis(values, fisher=False)),
+        **{f"file_{rate // 1000}k": file_of(rate, one) for rate in spec.rates},
+    }
+
+
+def _labels(wanted: Sequence[Record], spec: Spec, folder: Path) -> pd.DataFrame:
+    """Write labels.csv and the card of what is there; return the table."""
+    rows = [
+        mapping(folder / "runs" / one.point.name / LABEL, json.loads)
+        for one in wanted
+        if _whole(folder, one, spec)
+    ]
+    table = pd.DataFrame(rows)
+    files.whole(folder / LABELS, lambda part: table.to_csv(part, index=False))
+    text = card(spec, table, len(wanted))
+    files.whole(folder / "README.md", lambda part: part.write_text(text))
+    return table

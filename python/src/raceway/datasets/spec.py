@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a data set is to hold: a YAML file, and the runs that it asks for."""
+
+import math
+from collections.abc import Mapping
+from itertools import product
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import yaml
+
+from raceway import catalogue, inputs
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.sweeps.points import OURS, WORD, Point
+from raceway.theory import kinematics
+from raceway.theory.bearing import Bearing
+
+OVERSAMPLING = 4  # samples of a run for each of the fastest file
+GUARD = 64  # samples of the slowest file at each end, which the filter spoils
+# what a flaw may say: {word: its default, None where it must be given}; lists are swept
+NOTCH: dict[str, Any] = {"length": None, "width": "round", "depth": 3e-4, "edge": 5e-5}
+FLAWS: dict[str, dict[str, Any]] = {
+    "none": {},
+    "inner": NOTCH,
+    "outer": {**NOTCH, "place": 6},
+    "both": {**NOTCH, "place": 6},
+    "waviness": {"amplitude": None},
+}
+FLAW_WORDS = ("length", "width", "depth", "edge", "place", "amplitude")
+RANGES = {  # m, but for the place
+    "length": (1e-5, 1e-2),
+    "depth": (1e-7, 1e-2),
+    "edge": (1e-6, 1e-3),
+    "amplitude": (1e-10, 1e-5),
+    "place": (0, 12),  # o'clock
+}
+SET_HERE = {
+    **OURS,
+    **dict.fromkeys(("flaw_inner", "flaw_outer"), "`flaws` says it"),
+    **dict.fromkeys(("sampling", "oversampling", "passes", "samples"), "`record` says it"),
+    **dict.fromkeys(("integrator", "record", "dumps"), "it is always the same"),
+    "phase": "`seed` draws it",
+}
+
+
+class SpecError(RacewayError):
+    """The file of a data set cannot be used; the message names the place and the value."""
+
+
+class Spec(NamedTuple):
+    """A data set as asked for."""
+
+    title: str
+    bearing: str
+    deck: dict[str, str]  # variables with one value
+    flaws: dict[str, dict[str, list[Any]]]
+    conditions: dict[str, list[str]]  # variables that are swept
+    seeds: list[int]
+    seconds: float
+    rates: list[int]  # Hz
+    noise: float  # m/s^2
+    axis: str  # x or y
+
+    @property
+    def run_rate(self) -> int:
+        """Samples a second of the runs' records."""
+        return OVERSAMPLING * max(self.rates)
+
+
+class Record(NamedTuple):
+    """One record: a run, and what is said of it."""
+
+    number: int  # from 1
+    point: Point
+    labels: dict[str, Any]
+    rpm: float
+
+
+def read_spec(path: FilePath, known: Mapping[str, str]) -> Spec:
+    """The `Spec` of the YAML file `path`; `known` are the deck's variables (`deck_variables`).
+
+    Raises `SpecError` for a file that cannot be read, and for a word or a value that it does not
+    know.
+    """
+    try:
+        data = yaml.safe_load(Path(path).read_text())
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise SpecError(
+            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+        ) from None
+    try:
+        return _spec(data, known)
+    except SpecError as error:
+        raise SpecError(f"{path}: {error}") from None
+
+
+def _spec(data, known):
+    whole = {"title", "bearing", "deck", "flaws", "conditions", "record"}
+    data = _section("the file", data, whole, needed=whole - {"deck"})
+    record = _section(
+        "record", data["record"], {"seconds", "rates", "noise", "axis"}, {"seconds", "rates"}
+    )
+    rates = [int(_number("rates (Hz)", rate, 1000, 1e5)) for rate in _list(record["rates"])]
+    if any(max(rates) * OVERSAMPLING % rate for rate in rates):
+        raise SpecError(f"record: rates {rates} must divide {OVERSAMPLING} times the largest")
+    if (axis := record.get("axis", "y")) not in ("x", "y"):
+        raise SpecError(f"record: axis is '{axis}', must be x or y")
+    conditions = dict(_section("conditions", data["conditions"], None, {"load", "rpm"}))
+    seeds = [int(_number("seed", seed, 0, 2**31)) for seed in _list(conditions.pop("seed", 1))]
+    swept = {name: [_word(name, one) for one in _list(v)] for name, v in conditions.items()}
+    deck = {name: _word(name, v) for name, v in (data.get("deck") or {}).items()}
+    for name in [*swept, *deck]:
+        if name in SET_HERE or name == "bearing" or name not in known:
+            why = SET_HERE.get(name, "no such variable of the deck, or it stands elsewhere")
+            raise SpecError(f"variable '{name}' cannot be set: {why}")
+    if twice := set(swept) & set(deck):
+        raise SpecError(f"variable '{min(twice)}' stands in deck and in conditions")
+    if len(set(seeds)) < len(seeds) or any(len(set(v)) < len(v) for v in swept.values()):
+        raise SpecError("conditions: a value is there twice")
+    for rpm in swept["rpm"]:
+        _number("rpm", rpm, 1, 1e5)
+    return Spec(
+        title=str(data["title"]),
+        bearing=_word("bearing", data["bearing"]),
+        deck={"housing": "springs", **deck},
+        flaws=_flaws(data["flaws"]),
+        conditions=swept,
+        seeds=seeds,
+        seconds=_number("seconds", record["seconds"], 1e-3, 1e4),
+        rates=rates,
+        noise=_number("noise (m/s^2)", record.get("noise", 0), 0, 1e4),
+        axis=axis,
+    )
+
+
+def _flaws(given):
+    if not isinstance(given, dict) or not given:
+        raise SpecError("flaws: must name one or more of " + ", ".join(FLAWS))
+    result = {}
+    for kind, words in given.items():
+        if kind not in FLAWS:
+            raise SpecError(f"flaws: '{kind}' is unknown; there is: {', '.join(FLAWS)}")
+        words = _section(f"flaw {kind}", words or {}, set(FLAWS[kind]))
+        full = {name: _list(words.get(name, usual)) for name, usual in FLAWS[kind].items()}
+        for name, values in full.items():
+            if values == [None]:
+                raise SpecError(f"flaw {kind}: needs '{name}'")
+            if name == "width":
+                if set(values) - {"round", "full"}:
+                    raise SpecError(f"flaw {kind}: width is {values}, must be round or full")
+            else:
+                full[name] = [_number(f"flaw {kind}: {name}", v, *RANGES[name]) for v in values]
+        result[kind] = full
+    return result
+
+
+def _section(name, given, words, needed=frozenset()):
+    if not isinstance(given, dict) or not all(isinstance(key, str) for key in given):
+        raise SpecError(f"{name} must hold names with values")
+    if words is not None and (more := set(given) - words):
+        raise SpecError(f"{name}: '{min(more)}' is unknown; there is: {', '.join(sorted(words))}")
+    if missing := needed - set(given):
+        raise SpecError(f"{name}: needs '{min(missing)}'")
+    return given
+
+
+def _list(given):
+    values = given if isinstance(given, list) else [given]
+    if not values:
+        raise SpecError("an empty list")
+    return values
+
+
+def _number(name, given, low, high):
+    try:
+        value = float(given)
+    except (TypeError, ValueError):
+        raise SpecError(f"{name} is '{given}', must be a number") from None
+    if not low <= value <= high:
+        raise SpecError(f"{name} is {value:g}, must be {low:g} to {high:g}")
+    return value
+
+
+def _word(name, given):
+    text = str(given)
+    if not WORD.fullmatch(text):
+        raise SpecError(f"{name} is '{text}', must be one word or number")
+    return text
+
+
+# ---- its runs --------------------------------------------------------------------------------
+def records(spec: Spec) -> list[Record]:
+    """The `Record`s that `spec` asks for, in its order: every flaw under all conditions.
+
+    A seed draws the first ball's azimuth, where a flaw of the inner raceway starts, and the phases
+    of waves. Raises `RacewayError` for a bearing that there is not.
+    """
+    path = catalogue.find("bearings", spec.bearing)
+    bearing, angle = inputs.bearing(path), inputs.nominal_angle(path)
+    passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes a second and rpm
+    length = spec.seconds + 2 * GUARD / min(spec.rates)
+    result = []
+    for kind, words in spec.flaws.items():
+        for values in product(*words.values(), *spec.conditions.values(), spec.seeds):
+            flaw = dict(zip(words, values))
+            given = dict(zip(spec.conditions, values[len(words) :]))
+            seed, number = values[-1], len(result) + 1
+            draw = np.random.default_rng([seed, number])
+            phase, turned = draw.uniform(0, 2 * math.pi, 2)
+            rpm = float(given["rpm"])
+            variables = {
+                "bearing": spec.bearing,
+                **spec.deck,
+                **given,
+                "phase": f"{phase / bearing.balls:.9g}",
+                "integrator": "vibration",
+                "sampling": str(max(spec.rates)),
+                "oversampling": str(OVERSAMPLING),
+                "passes": str(math.ceil(length * passes * rpm)),
+                "record": "summary",
+                **_words_of(kind, flaw, bearing, turned - math.pi, draw),
+            }
+            labels = {"flaw": kind, **flaw, **given, "seed": seed}
+            result.append(Record(number, Point(f"{number:04d}", variables), labels, rpm))
+    return result
+
+
+def azimuth(place: float) -> float:
+    """Azimuth (rad) of a `place` on the clock, 12 at the top; the load presses at 6 o'clock.
+
+    >>> print(f"{azimuth(6):.4f} {azimuth(3):.4f} {azimuth(12):.4f}")
+    -1.5708 0.0000 1.5708
+    """
+    return math.remainder(math.pi / 2 - place * math.pi / 6, 2 * math.pi)
+
+
+def _words_of(kind, flaw, bearing: Bearing, turned, draw):
+    """Words of fix bearing/profile for both raceways."""
+    if kind == "none":
+        return {}
+    if kind == "waviness":
+        return {
+            f"flaw_{name}": " ".join(
+                f"wave {order} {flaw['amplitude']:g} {draw.uniform(0, 2 * math.pi):.9g}"
+                for order in (bearing.balls - 1, bearing.balls + 1)
+            )
+            for name in ("inner", "outer")
+        }
+    width = f"{flaw['length']:g}" if flaw["width"] == "round" else "full"
+    rest = f"{flaw['length']:g} {width} {flaw['depth']:g} {flaw['edge']:g}"
+    words = {}
+    if kind in ("inner", "both"):
+        words["flaw_inner"] = f"notch {turned:.9g} {rest}"
+    if kind in ("outer", "both"):
+        words["flaw_outer"] = f"notch {azimuth(flaw['place']):.9g} {rest}"
+    return words
