@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a perfect bearing vibrates by with integrator vibration, against a waviness of 0.01 um of
+its inner raceway; writes docs/performance/noise_floor.rst.
+
+    .venv/bin/python tests/bench/noise_floor.py [--print]     --print: leave the page alone
+
+Exit code 1 when the perfect bearing has more than a tenth of the wave's line.
+"""
+
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+
+from hard.table import list_table  # noqa: E402
+from host import succeed  # noqa: E402
+from raceway import sensor, spectrum  # noqa: E402
+from raceway.runs.run import Run  # noqa: E402
+
+TARGET = ROOT / "docs/performance/noise_floor.rst"
+SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
+MODE = dict(integrator="vibration", housing="springs", record="summary")
+RATE = 48e3  # Hz
+BAND = (20.0, 0.4 * RATE)  # Hz, what the filter leaves alone
+WAVE = 1e-8  # m
+# waves of the inner raceway, Z - 1 and Z + 1, and the order of the shaft that each adds to BPFI
+WAVES = {8: -1, 10: 1}
+ENDS = 100  # samples that the filter spoils
+PAGE = """\
+Noise floor of vibration
+========================
+
+Written by ``tests/bench/noise_floor.py`` (``make bench``).
+
+A perfect bearing is not silent, since its stiffness varies as balls pass: BPFO and its harmonics.
+What else is in its spectrum is the noise of the computation. Here it is compared with an inner
+raceway that has waves of {wave:g} µm. The bearing is a 6205 at {rpm} rpm under {load} N with VG 46.
+Signals are at {rate:g} kHz, of ``-var integrator vibration`` and ``-var housing springs``. The
+record is {seconds:.2f} s long.
+
+The perfect bearing, accelerations along the load in m/s²:
+
+{perfect}
+
+* *rms*: of the whole signal, nearly all of it BPFO and harmonics.
+* *median*: of the amplitudes between {low:g} Hz and {high:g} kHz, a line's floor.
+
+Lines of waves of the inner raceway, in m/s², and what the perfect bearing has there:
+
+{waves}
+
+Waves of order :math:`Z - 1` have the line BPFI - shaft, those of :math:`Z + 1` BPFI + shaft. The housing's acceleration is small there. It has 2 kg on
+stiff springs, and only the inner ring's mass pushes it.
+"""
+
+
+def run(folder, **words):
+    """The run of the scene with more variables."""
+    succeed("inputs/in.6208", out=folder, timeout=1200, **SCENE, **MODE, **words)
+    return Run(folder)
+
+
+def of_ring(run, ring):
+    """Spectrum (m/s^2) of a ring's acceleration along the load, and its rms."""
+    heard = sensor.of_run(run, "ay", ring, RATE).to_numpy()[ENDS:-ENDS]
+    return spectrum.spectrum(heard, 1 / RATE), float(heard.std())
+
+
+def line(found, run, shift):
+    """Amplitude (m/s^2) at BPFI + `shift` times the shaft, by the run's own cage speed."""
+    balls, shaft = run.tables.geometry.balls, run.settings["rpm"] / 60
+    hertz = (balls * (1 - spectrum.cage_order(run)) + shift) * shaft
+    return float(found.sel(frequency=hertz, method="nearest"))
+
+
+def main() -> int:
+    """Write the page."""
+    with tempfile.TemporaryDirectory() as place:
+        perfect = run(Path(place) / "perfect")
+        wavy = {
+            order: run(Path(place) / str(order), flaw_inner=f"wave {order} {WAVE} 0")
+            for order in WAVES
+        }
+        still, waves, shares = [], [], []
+        for ring, name in (("inner", "inner ring"), ("outer", "housing")):
+            quiet, rms = of_ring(perfect, ring)
+            inside = quiet.sel(frequency=slice(*BAND))
+            still.append([name, *(f"{v:.2g}" for v in (rms, float(np.median(inside))))])
+            for order, shift in WAVES.items():
+                loud = line(of_ring(wavy[order], ring)[0], wavy[order], shift)
+                floor = line(quiet, perfect, shift)
+                shares.append(floor / loud)
+                where = f"BPFI {'+' if shift > 0 else '-'} shaft"
+                waves.append(
+                    [name, str(order), where, f"{loud:.2g}", f"{floor:.2g}", f"{loud / floor:.0f}"]
+                )
+        seconds = perfect.rings.sizes["time"] * perfect.settings["sample_s"]
+    page = PAGE.format(
+        wave=1e6 * WAVE,
+        rpm=SCENE["rpm"],
+        load=SCENE["load"],
+        rate=RATE / 1e3,
+        seconds=seconds,
+        low=BAND[0],
+        high=BAND[1] / 1e3,
+        perfect="\n".join(list_table(["acceleration of", "rms", "median"], still)),
+        waves="\n".join(
+            list_table(["acceleration of", "order", "line", "waves", "perfect", "ratio"], waves)
+        ),
+    )
+    if "--print" in sys.argv[1:]:
+        print(page)
+    else:
+        TARGET.write_text(page)
+    return max(shares) > 0.1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
