@@ -53,8 +53,9 @@ Lines of waves of the inner raceway, in m/s², and what the perfect bearing has 
 
 {waves}
 
-Waves of order :math:`Z - 1` have the line BPFI - shaft, those of :math:`Z + 1` BPFI + shaft. The housing's acceleration is small there. It has 2 kg on
-stiff springs, and only the inner ring's mass pushes it.
+Waves of order :math:`Z - 1` have the line BPFI - shaft, those of :math:`Z + 1` BPFI + shaft.
+The housing's acceleration is small there. It has 2 kg on stiff springs, and only the inner ring's
+mass pushes it.
 """
 
 

@@ -44,6 +44,7 @@ def loaded(*arguments):
         "heat",
         "electric",
         "sweep",
+        "dataset",
         "gather",
         "paper",
     ],
