@@ -7,6 +7,8 @@ import pytest
 import raceway
 from host import liggghts, succeed
 from raceway import envelope, sensor, spectrum
+from raceway.runs.tables import RunTables
+from raceway.sweeps import check
 
 DECK = "inputs/in.6208"
 SPALL = "notch -1.5708 {} full 1.0e-3 5.0e-5"
@@ -59,6 +61,13 @@ def test_rate(perfect):
     ball_pass = 2 * np.pi / (9 * float(run.bearing["cage_speed"].mean()))
     assert (count - 1) * sample_s == pytest.approx(4 * ball_pass, rel=2e-3)
     assert sensor.of_run(run, rate=25600).sizes["time"] == (count + 1) // 2
+
+
+def test_a_repeat_with_more_samples(perfect):
+    """What `raceway check` runs: a finer step comes with them."""
+    more = check.repeats(RunTables(perfect))["sampling"]
+    assert more["oversampling"] == "4" and more["samples"] == "200"
+    assert more["sampling"] == "25600" and more["housing_frequency"] == "4000"
 
 
 def test_the_housing_carries_the_load(perfect):
