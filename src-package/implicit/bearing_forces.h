@@ -65,11 +65,13 @@ class BearingForces {
   // flawed: some raceway may have a profile; without one nothing of it is compiled in
   template <class L, bool flawed> RACEWAY_INLINE Failure raceways(const Stage &);
   Failure all_raceways(const Stage &);
-  template <class Family> RACEWAY_INLINE bool raceways_of(const Stage &, Failure &);
+  template <class Family, bool flawed> RACEWAY_INLINE bool raceways_of(const Stage &, Failure &);
   bool dry_raceways(const Stage &, Failure &);
   bool lubricated_raceways(const Stage &, Failure &);
   bool gap_raceways(const Stage &, Failure &);
   bool full_raceways(const Stage &, Failure &);
+  bool flawed_raceways(const Stage &, Failure &);
+  bool flawed_gap_raceways(const Stage &, Failure &);
   void rails(const Stage &);
   Failure pockets(const Stage &);
 

@@ -9,8 +9,10 @@ namespace raceway {
 Failure BearingForces::all_raceways(const Stage &stage)
 {
   Failure failure = Failure::none;
-  dry_raceways(stage, failure) || lubricated_raceways(stage, failure) ||
-      gap_raceways(stage, failure) || full_raceways(stage, failure);
+  if (b_.flawed) flawed_raceways(stage, failure) || flawed_gap_raceways(stage, failure);
+  else
+    dry_raceways(stage, failure) || lubricated_raceways(stage, failure) ||
+        gap_raceways(stage, failure) || full_raceways(stage, failure);
   return failure;
 }
 

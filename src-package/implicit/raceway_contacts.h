@@ -3,7 +3,8 @@
 // is a list of parts (physics/contact.h); nothing here knows what is in it.
 //
 // Compiled for a family of laws at a time, each in a file of its own: together they would take a
-// compiler minutes and gigabytes.
+// compiler minutes and gigabytes. For the same reason raceways with profiles are compiled for one
+// instruction set.
 #ifndef RACEWAY_RACEWAY_CONTACTS_H
 #define RACEWAY_RACEWAY_CONTACTS_H
 
@@ -280,13 +281,12 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
 }
 
 // Of the family's law that the bearing has, if it has one; else false.
-template <class Family>
+template <class Family, bool flawed>
 RACEWAY_INLINE bool BearingForces::raceways_of(const Stage &stage, Failure &failure)
 {
   return with_law(b_.model.parts, Family(), [&](auto law) __attribute__((always_inline)) {
     using L = decltype(law);
-    if constexpr (!L::explicit_step)
-      failure = b_.flawed ? raceways<L, true>(stage) : raceways<L, false>(stage);
+    if constexpr (!L::explicit_step) failure = raceways<L, flawed>(stage);
   });
 }
 

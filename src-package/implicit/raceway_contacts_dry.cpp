@@ -6,7 +6,7 @@ namespace raceway {
 
 RACEWAY_LANES bool BearingForces::dry_raceways(const Stage &stage, Failure &failure)
 {
-  return raceways_of<DryLaws>(stage, failure);
+  return raceways_of<DryLaws, false>(stage, failure);
 }
 
 }    // namespace raceway

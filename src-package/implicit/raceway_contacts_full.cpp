@@ -6,7 +6,7 @@ namespace raceway {
 
 RACEWAY_LANES bool BearingForces::full_raceways(const Stage &stage, Failure &failure)
 {
-  return raceways_of<FullLaws>(stage, failure);
+  return raceways_of<FullLaws, false>(stage, failure);
 }
 
 }    // namespace raceway

@@ -6,7 +6,7 @@ namespace raceway {
 
 RACEWAY_LANES bool BearingForces::gap_raceways(const Stage &stage, Failure &failure)
 {
-  return raceways_of<GapLaws>(stage, failure);
+  return raceways_of<GapLaws, false>(stage, failure);
 }
 
 }    // namespace raceway

@@ -6,7 +6,7 @@ namespace raceway {
 
 RACEWAY_LANES bool BearingForces::lubricated_raceways(const Stage &stage, Failure &failure)
 {
-  return raceways_of<LubricatedLaws>(stage, failure);
+  return raceways_of<LubricatedLaws, false>(stage, failure);
 }
 
 }    // namespace raceway

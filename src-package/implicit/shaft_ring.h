@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A shaft is a ring without raceways (RingProgram, RingPose) that carries rings: each is fixed to it
-// on its axis, `at` metres from its centre. So a carried ring has the axis, the angular velocity and
-// the turned angle of its shaft.
+// A shaft is a ring without raceways (RingProgram, RingPose) that carries rings: each is fixed to
+// it on its axis, `at` metres from its centre. So a carried ring has the axis, the angular velocity
+// and the turned angle of its shaft.
 #ifndef RACEWAY_SHAFT_RING_H
 #define RACEWAY_SHAFT_RING_H
 

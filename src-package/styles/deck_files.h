@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_columns,
-// bearing_step, bearing_words, bearing_parts: a deck's data files, result folder, numbers, host, restart file, the
-// columns of its dumps, the number of its step and variables of several words, with errors that
-// help before anything runs.
+// bearing_step, bearing_words, bearing_parts: a deck's data files, result folder, numbers, host,
+// restart file, the columns of its dumps, the number of its step, variables of several words and
+// parts of a model, with errors that help before anything runs.
 #ifdef COMMAND_CLASS
 // clang-format off
 CommandStyle(bearing_input,BearingInput)

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Raceways of which some have a profile, without film in the gap.
+#include "raceway_contacts.h"
+
+namespace raceway {
+
+bool BearingForces::flawed_raceways(const Stage &stage, Failure &failure)
+{
+  return raceways_of<DryLaws, true>(stage, failure) ||
+         raceways_of<LubricatedLaws, true>(stage, failure);
+}
+
+}    // namespace raceway
