@@ -8,7 +8,6 @@ from host import ROOT, succeed
 from raceway.cli import main
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
-from raceway.sweeps.check import repeats
 
 COARSE = {"passes": 1, "samples": 20, "settle": 1, "tolerance": 1e-7, "load": 2000}
 
@@ -68,13 +67,6 @@ def test_verlet_takes_half_the_step(tmp_path, monkeypatch):
         for where in (tmp_path, tmp_path / "check" / "integration")
     ]
     assert steps[1] == pytest.approx(steps[0] / 2, rel=0.02)  # a whole number a sample
-
-
-def test_repeats_have_the_flaws(tmp_path):
-    notch = "notch -1.5708 1.0e-3 full 1.0e-4 5.0e-5"
-    succeed("inputs/in.6208", out=tmp_path, passes=1, samples=20, settle=0, flaw_outer=notch)
-    for repeat in repeats(RunTables(tmp_path)).values():
-        assert repeat["flaw_outer"] == notch and repeat["flaw_inner"] == "none"
 
 
 def test_mistakes(checked, tmp_path, monkeypatch, capsys):

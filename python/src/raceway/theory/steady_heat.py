@@ -307,7 +307,7 @@ def figures(
 
 def table(result: Mapping[str, Any]) -> str:
     """The mapping of `figures` as text."""
-    shown = dict(result)
+    shown = {**dict.fromkeys(row.key for row in TOPICS["Runs"]), **result}
     for key in ("reference_speed_rpm", "reference_speed_dry_rpm"):
         shown[key] = shown[key] and round(shown[key])
     parts = "\n".join(f"  {name:<32}{power:>12.4g} W" for name, power in result["losses_W"].items())
