@@ -55,7 +55,7 @@ def test_spoilt_settings(folder, pattern, replacement, said):
     "pattern, said",
     [
         ("^wall_s:.*\n", "no wall_s$"),
-        ("^wall_s:.*\nsimulated_s:.*\n", "no simulated_s and no wall_s$"),
+        ("^wall_s:.*\n(.*\n)*?simulated_s:.*\n", "no simulated_s and no wall_s$"),
     ],
 )
 def test_unfinished_run_gives_its_tables_and_no_figures(folder, pattern, said):

@@ -55,6 +55,12 @@ def test_summary(both):
                 assert (found[key][part] is None) == (loss is None)
                 if loss is not None:
                     close(found[key][part], loss, 1e-9)
+        elif key == "model_ranges":
+            assert found[key].keys() == value.keys()
+            for figure, one in value.items():
+                assert found[key][figure]["why"] == one["why"]
+                for end in ("low", "high"):
+                    close(found[key][figure][end], one[end], 1e-5)
         elif key in ("ring_shift_m", "friction_torque_N_m", *MAKERS):  # rings.dat has six digits
             close(found[key], value, 1e-5)
         elif value is None or isinstance(value, list):

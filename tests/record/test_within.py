@@ -51,6 +51,8 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
     for name, truth in fine.data_vars.items():
         if "time" not in truth.dims or name in ("step", "regime", "mu"):
             continue
+        if name == "bearing_cage_force":  # known at the ends of steps only
+            continue
         found, truth = coarse[name].values[60:], truth.values[60:]
         there = np.isfinite(truth) & np.isfinite(found)
         # contacts at the edge of the loaded zone may close a sample earlier or later

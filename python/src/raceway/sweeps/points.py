@@ -39,31 +39,39 @@ class Point(NamedTuple):
 
 def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
-    lines of the deck at path `deck` and of the `modules` and `integrators` beside it. Raises
+    lines of the deck at path `deck` and of the `modules`, `integrators` and `housings` beside it.
+    Where the files of a folder differ, the default is that of the file which the deck takes. Raises
     `TableError` when the deck cannot be read.
     """
     deck = Path(deck)
-    files = [deck] + [
-        path
-        for folder in ("modules", "integrators", "housings")
-        for path in sorted((deck.parent / folder).glob("*"))
-    ]
-    found = {}
-    for path in files:
-        try:
-            text = path.read_text()
-        except (OSError, UnicodeDecodeError) as error:
-            raise TableError(
-                f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}"
-            ) from None
-        for name, default in INDEX.findall(text):
-            if not name.startswith("b_"):  # of the modules themselves
-                found.setdefault(name, default)
+    found: dict[str, str] = {}
+    _add_variables(found, deck)
+    for folder, choice in (
+        ("modules", None),
+        ("integrators", "integrator"),
+        ("housings", "housing"),
+    ):
+        taken = found.get(choice or "")
+        paths = sorted((deck.parent / folder).glob("*"), key=lambda p: (p.name != taken, p.name))
+        for path in paths:
+            _add_variables(found, path)
     if not found:
         raise TableError(
             f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary"
         )
     return found
+
+
+def _add_variables(found, path):
+    try:
+        text = path.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise TableError(
+            f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}"
+        ) from None
+    for name, default in INDEX.findall(text):
+        if not name.startswith("b_"):  # of the modules themselves
+            found.setdefault(name, default)
 
 
 def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
