@@ -140,10 +140,14 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
                                     : kind == CAGE ? cage_
                                     : kind == RING ? ring_
                                                    : contact_;
-    if (kind == CONTACT && content_.single)
-      for (size_t k = 0; k < at.size(); ++k) put_single(sample_ + at[k] + 4 * place, value[k]);
+    // copies, because bytes that are written might be anything's
+    const size_t *const column = at.data(), columns = at.size();
+    const bool single = kind == CONTACT && content_.single;
+    unsigned char *const to = sample_ + (single ? 4 : 8) * place;
+    if (single)
+      for (size_t k = 0; k < columns; ++k) put_single(to + column[k], value[k]);
     else
-      for (size_t k = 0; k < at.size(); ++k) put_real(sample_ + at[k] + 8 * place, value[k]);
+      for (size_t k = 0; k < columns; ++k) put_real(to + column[k], value[k]);
     if (kind == BALL)
       memcpy(static_cast<void *>(&shares_[place]), value + MOTION, sizeof(BallShare));
     reported_ += kind != CONTACT;
