@@ -46,7 +46,7 @@ def make(
     folder, wanted = Path(folder), records(spec)
     _claim(spec, folder)
     by_name = {one.point.name: one for one in wanted}
-    todo = []
+    missing = []
     for one in wanted:
         where = folder / "runs" / one.point.name
         if _whole(folder, one, spec):
@@ -57,9 +57,9 @@ def make(
                 continue
             (where / "summary.json").unlink()  # the record is gone and a file as well: run again
             (where / "run.yaml").unlink(missing_ok=True)
-        todo.append(one.point)
+        missing.append(one.point)
     counts, *_ = sweep(
-        todo,
+        missing,
         folder / "runs",
         command,
         jobs=jobs,
