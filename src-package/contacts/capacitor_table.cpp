@@ -23,14 +23,20 @@ void CapacitorTable::plan(const ContactTable &table, const CapacitorModel &model
   }
 }
 
+// Those that touch stand side by side: four of a kind cost less than both kinds.
 void CapacitorTable::fill(const ContactTable &table)
 {
-  for (const Batch &b : batches_) fill(table, b);
+  for (Batch &b : batches_) {
+    std::partition(b.rows.begin(), b.rows.end(), [&](int k) { return table.raceway[k].live; });
+    fill(table, b);
+  }
 }
 
 RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &batch)
 {
   const int n = static_cast<int>(batch.rows.size());
+  const RacewayPhysics &p = *batch.raceway.raceway();
+  const bool slides = p.factors.any, gap = p.has<FilmInGapPart>();
   ContactStateT<Lane> c;
   for (int first = 0; first < n; first += lanes) {
     const RacewayContact *four[lanes];    // the last one fills up
@@ -40,16 +46,23 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
       return Lane{of(*four[0]), of(*four[1]), of(*four[2]), of(*four[3])};
     };
     using One = const RacewayContact &;
-    c.nu = take([](One one) { return one.state.nu; });
-    c.ne = take([](One one) { return one.state.ne; });
     c.cos_angle = take([](One one) { return one.state.cos_angle; });
     c.overlap = take([](One one) { return one.state.overlap; });
     c.root = take([](One one) { return one.state.root; });
     c.entrainment = take([](One one) { return one.state.entrainment; });
     c.film_load = take([](One one) { return one.state.film_load; });
-    c.h_c = take([](One one) { return one.state.h_c; });
-    c.sliding_t = take([](One one) { return one.state.sliding_t; });
-    c.sliding_w = take([](One one) { return one.state.sliding_w; });
+    if (any(c.cos_angle < 1.0)) {
+      c.nu = take([](One one) { return one.state.nu; });
+      c.ne = take([](One one) { return one.state.ne; });
+    }
+    if (slides) {
+      c.sliding_t = take([](One one) { return one.state.sliding_t; });
+      c.sliding_w = take([](One one) { return one.state.sliding_w; });
+    }
+    if (gap) {
+      c.load = take([](One one) { return one.state.load; });
+      c.h_c = take([](One one) { return one.state.h_c; });
+    }
     const Lane orbit = take([](One one) { return one.orbit; });
     const LaneMask live = take([](One one) { return double(one.live); }) > 0.0;
     const FilmCapacitorT<Lane> found = batch.raceway.capacitor(c, live, orbit);

@@ -167,8 +167,11 @@ RACEWAY_LANES void BearingInstants::surrounded(int k)
   const ContactLook *look = looks_.data() + (k - 1) * b_.n_contacts;
   Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
   for (size_t t = 0; t < b_.tracks.size(); ++t)
-    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to)
-      to->of = surrounded_[t].capacitor(look->state, look->live, look->orbit);
+    for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to) {
+      // lanes without a ball are as the others, so that one kind of contact is all there is
+      const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
+      to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
+    }
 }
 
 }    // namespace raceway

@@ -133,15 +133,16 @@ static inline void look_at_profile(const BearingBodies::Track &track, const Lane
   }
 }
 
-// Place and motions of contacts that may be open.
+// Place and motions of contacts that are all open.
 static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT<Lane> &ball,
                                        const LaneFrame &f, const RingBody &body,
-                                       RingStateT<Lane> ring, const ContactStateT<Lane> &c,
-                                       ContactStateT<Lane> &seen)
+                                       RingStateT<Lane> ring, const GroovePositionT<Lane> &at,
+                                       const Lane &overlap, ContactStateT<Lane> &seen)
 {
   ring.v = f.local(body.now.v);
   ring.w = f.local(body.now.angular_velocity());
-  seen = c;
+  static_cast<GroovePositionT<Lane> &>(seen) = at;
+  seen.overlap = overlap;
   find_motions<false>(p, ball, ring, seen);
 }
 
@@ -183,9 +184,14 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         stage.looks[contact].orbit = dot(g.v - f.local(ring.now.v), c.t) / c.r;
       }
       const Lane apart = -c.overlap;
-      if (stage.gaps && (L::decides || any(g.used & ~live)))
-        look_at_gap(p, {d, g.v, g.w}, f, ring, r, c, stage.looks[contact].state);
-      if (!any(live)) continue;
+      const auto look_at_gaps = [&] {
+        if (stage.gaps)
+          look_at_gap(p, {d, g.v, g.w}, f, ring, r, c, -apart, stage.looks[contact].state);
+      };
+      if (!any(live)) {
+        look_at_gaps();
+        continue;
+      }
       if (any(live & ~(c.overlap < p.largest_overlap))) {
         for (int i = 0; i < lanes; ++i)
           if (live[i] && !(c.overlap[i] < p.largest_overlap)) body_ = b_.body_at[lanes * k + i];
@@ -199,7 +205,10 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       if constexpr (L::decides) {
         live &= ~open;
         if (stage.looks) stage.looks[contact].live = live;
-        if (!any(live)) continue;
+        if (!any(live)) {
+          look_at_gaps();
+          continue;
+        }
         c.overlap = where(live, c.overlap, 1e-9);
       }
       if (flawed && track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);

@@ -79,10 +79,17 @@ template <class T> RACEWAY_INLINE FilmPointT<T> film_point(const T &speed, const
   return {logarithm(speed), logarithm(load)};
 }
 
+// Logarithm of h (m) from the law.
+template <class T>
+RACEWAY_INLINE T ln_film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
+{
+  return f.lnA + f.p * at.ln_speed + f.m * at.ln_load;
+}
+
 // h from the law, m; a speed of 0 gives 0 (no film at rest).
 template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
 {
-  return exponential(f.lnA + f.p * at.ln_speed + f.m * at.ln_load);
+  return exponential(ln_film_thickness(f, at));
 }
 
 // Composite roughness sqrt(s1^2 + s2^2), m; the film parameter is Lambda = h_min/composite (eq 7).

@@ -114,7 +114,9 @@ class SurroundedRaceway {
   SurroundedRaceway(const RacewayPhysics &p, const CapacitorModel &m) :
       p_(&p), m_(m), modulus_(p.material.Eprime()),
       shoulder_(p.groove, m.groove_depth(p.groove), p.pitch_radius),
-      radial_(gap_shape(p.law.radial(), modulus_, p.rolling_radius(1.0)))
+      radial_(gap_shape(p.law.radial(), modulus_, p.rolling_radius(1.0))),
+      upright_(shoulder_.reach(0.0, 1.0)), flatter_(1.0 / p.slack),
+      ln_floor_(std::log(m.film_floor))
   {
     any_load_ = has_film_at_any_load(p);
     if (!p.has<FilmInGapPart>() || any_load_) return;
@@ -135,87 +137,134 @@ class SurroundedRaceway {
                                              const T &cage_speed) const
   {
     const T none = T();
-    const RacewayConstantsT<T> k = p_->law.at(c.cos_angle);
-    const T floor = none + m_.film_floor;
+    const Films<T> f = films(c, live, cage_speed);
     FilmCapacitorT<T> to = {none, none, none, none};
-    T h = c.h_c, apart = where(live, h, 0.0), begins = none + p_->reach;
-    if (!any_load_) films(c, k, live, cage_speed, h, apart, begins);
     if (any(live)) {
-      const T h_c = where(h > floor, h, floor);
-      T C = contact_capacitance(film_permittivity(m_, T(k.p * c.root)), T(k.a * c.root),
-                                T(k.b * c.root), h_c);
+      const T h_c = where(f.h > m_.film_floor, f.h, m_.film_floor);
+      T C = contact_capacitance(film_permittivity(m_, T(f.law.p * c.root)), T(f.law.a * c.root),
+                                T(f.law.b * c.root), h_c);
       if (m_.rough) C = C * rough_film_factor(T(p_->roughness / h_c));
       to.h_c = where(live, h_c, 0.0);
       to.capacitance = where(live, C, 0.0);
     }
     const auto open = !live;
-    T play = none;
+    T play = none, apart = f.apart;
     if (any(open)) {
       T gap = play = -c.overlap;
-      if (begins_ > 0.0) gap = gap - where(begins > apart, T(begins - apart), 0.0);
-      play = play - begins;
+      if (begins_ > 0.0) gap = gap - where(f.begins > apart, T(f.begins - apart), 0.0);
+      play = play - f.begins;
       apart = where(open & (gap > apart), gap, apart);
       play = where(play > 0.0, play, 0.0);
     }
-    to.separation = where(apart > floor, apart, floor);
-    to.outside = vacuum_permittivity * m_.outside() * integral(c, k, live, to.separation, play);
+    const auto floored = !(apart > m_.film_floor);
+    to.separation = where(floored, m_.film_floor, apart);
+    const T I = integral(c, f, live, to.separation, T(where(floored, ln_floor_, f.ln_apart)), play);
+    to.outside = vacuum_permittivity * m_.outside() * I;
     return to;
   }
 
  private:
-  // The film h under the load of a contact; the film `apart` under no less than the least load; the
-  // gap at which a contact begins.
+  template <class T> struct Films {
+    RacewayConstantsT<T> law;
+    T h, apart, ln_apart;    // m, under the load, and under no less than the least; logarithm
+    T ln_load;               // of what presses the surfaces together
+    T begins;                // m, the gap at which a contact begins
+  };
+
   template <class T, class Mask>
-  RACEWAY_INLINE void films(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
-                            const Mask &live, const T &cage_speed, T &h, T &apart, T &begins) const
+  RACEWAY_INLINE Films<T> films(const ContactStateT<T> &c, const Mask &live,
+                                const T &cage_speed) const
   {
+    const T none = T();
+    Films<T> f{p_->law.at(c.cos_angle), c.h_c, none, none, none, none + p_->reach};
+    if (any_load_) {
+      f.apart = where(live, f.h, 0.0);
+      f.ln_apart = logarithm(f.apart);
+      f.ln_load = logarithm(c.load);
+      return f;
+    }
     const T ln_u = logarithm(c.entrainment);
     const T Q_u = p_->ball_mass * p_->pitch_radius * cage_speed * cage_speed;
     const T least = where(Q_u > least_load_, Q_u, least_load_);
     const T Q = where(live, c.film_load, least);
-    h = apart = central_film(*p_, k, c, FilmPointT<T>{ln_u, logarithm(Q)});
+    f.ln_load = logarithm(Q);
+    f.ln_apart = film(c, f.law, {ln_u, f.ln_load}, f.h);
+    f.apart = f.h;
     const auto light = !(Q >= least);
-    if (any(light))
-      apart = where(light, central_film(*p_, k, c, FilmPointT<T>{ln_u, logarithm(least)}), h);
-    begins = T();
-    if (begins_ > 0.0 && any(!live))
-      begins = begins_ * central_film(*p_, k, c, FilmPointT<T>{ln_u, T() + std::log(least_load_)});
+    if (any(light)) {
+      T h;
+      const T ln_h = film(c, f.law, {ln_u, logarithm(least)}, h);
+      f.apart = where(light, h, f.apart);
+      f.ln_apart = where(light, ln_h, f.ln_apart);
+    }
+    f.begins = none;
+    if (begins_ > 0.0) {
+      // a film is that of no less than this load, whatever presses
+      const auto cut = live & (Q <= least_load_);
+      if (any(cut)) f.ln_load = where(cut, logarithm(c.load), f.ln_load);
+      if (any(!live))
+        f.begins = begins_ *
+                   central_film(*p_, f.law, c, FilmPointT<T>{ln_u, none + std::log(least_load_)});
+    }
+    return f;
+  }
+
+  // The film h, and its logarithm.
+  template <class T>
+  RACEWAY_INLINE T film(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
+                        const FilmPointT<T> &at, T &h) const
+  {
+    if (!p_->factors.any) {
+      const T ln_h = ln_film_thickness(k.film.central, at);
+      h = exponential(ln_h);
+      return ln_h;
+    }
+    h = central_film(*p_, k, c, at);
+    return logarithm(h);
   }
 
   template <class T, class Mask>
-  RACEWAY_INLINE T integral(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
-                            const Mask &live, const T &h, const T &play) const
+  RACEWAY_INLINE T integral(const ContactStateT<T> &c, const Films<T> &f, const Mask &live,
+                            const T &h, const T &ln_film, const T &play) const
   {
     // as the law's constants: radial ones are exact
     const auto oblique = 1.0 - c.cos_angle >= 1e-12;
     const GapShapeT<T> s =
         any(oblique)
-            ? gap_shape(k, modulus_, p_->rolling_radius(T(where(oblique, c.cos_angle, 1.0))))
+            ? gap_shape(f.law, modulus_, p_->rolling_radius(T(where(oblique, c.cos_angle, 1.0))))
             : of_radial<T>();
-    const GrooveReachT<T> r = shoulder_.reach(T(magnitude(c.ne)), T(magnitude(c.nu)));
-    const bool leans = any(r.near < r.far);
+    const GrooveReachT<T> r = any(oblique)
+                                  ? shoulder_.reach(T(where(oblique, magnitude(c.ne), 0.0)),
+                                                    T(where(oblique, magnitude(c.nu), 1.0)))
+                                  : of_upright<T>();
+    const bool leans = any(r.near.reach < r.far.reach);
     T G = T(), near = T(), far = T(), wider = T() + 1.0;
     if (any(live)) {
-      const LoadedGapT<T> loaded(s, T(where(live, c.root, 1e-8)), h);
+      const LoadedGapT<T> loaded(s, T(where(live, c.root, 1e-4)), f.ln_load, h, ln_film);
       G = where(live, loaded.G, 0.0);
       const T a = s.a * loaded.root;
       far = loaded.stretch(shoulder_.around(r.far, c.cos_angle, a));
       if (leans) near = loaded.stretch(shoulder_.around(r.near, c.cos_angle, a));
     }
     if (any(!live)) {
-      const OpenGapT<T> open(s, h, T(1.0 - play / p_->slack));
-      far = where(live, far, open.stretch(r.far));
-      if (leans) near = where(live, near, open.stretch(r.near));
-      wider = where(live, wider, T(1.0 / open.root));
+      const OpenGapT<T> open(s, h, T(1.0 - play * flatter_));
+      far = where(live, far, open.stretch(r.far.reach));
+      if (leans) near = where(live, near, open.stretch(r.near.reach));
+      wider = where(live, wider, open.wider);
     }
-    const T I = wider * gap_integral(s, G, far);
-    return leans ? T(0.5 * (I + wider * gap_integral(s, G, near))) : I;
+    return wider * gap_integral(s, G, leans ? near : far, far);
+  }
+  template <class T> RACEWAY_INLINE GrooveReachT<T> of_upright() const
+  {
+    const GrooveSideT<T> side = {T() + upright_.far.reach, T() + upright_.far.cotangent};
+    return {side, side};
   }
   template <class T> RACEWAY_INLINE GapShapeT<T> of_radial() const
   {
     const T n = T();
-    return {n + radial_.a,           n + radial_.Fbar, n + radial_.scale, n + radial_.ends,
-            n + radial_.log_4_kappa, n + radial_.e,    n + radial_.root_e};
+    return {n + radial_.a,      n + radial_.Fbar,        n + radial_.scale,
+            n + radial_.ends,   n + radial_.log_4_kappa, n + radial_.e,
+            n + radial_.root_e, n + radial_.least_D,     n + radial_.log_H};
   }
 
   const RacewayPhysics *p_ = nullptr;
@@ -223,6 +272,9 @@ class SurroundedRaceway {
   double modulus_ = 0.0;    // Pa
   GrooveShoulder shoulder_;
   GapShape radial_;
+  GrooveReachT<double> upright_;    // of radial contacts
+  double flatter_ = 0.0;            // 1/m, by play
+  double ln_floor_ = 0.0;
   double begins_ = 0.0;    // share of the film at which contacts begin
   double least_load_ = least_load;
   bool any_load_ = false;    // a film has a thickness at any load

@@ -29,9 +29,11 @@ template <class T> struct GapShapeT {
   T a;        // sqrt(m), semi-axis across over sqrt(overlap)
   T Fbar;     // overlap/g_s
   T scale;    // m, 4 kappa Ebar R
-  T ends;     // pi sqrt(2 R_x g_s)/b
+  T ends;     // pi sqrt(2 R_x g_s)/(b root_e)
   T log_4_kappa;
   T e, root_e;    // log_4_kappa - 1
+  T least_D;      // in gap_end
+  T log_H;        // of H at a load of 1 N and h = 1 m
 };
 using GapShape = GapShapeT<double>;
 
@@ -46,49 +48,70 @@ RACEWAY_INLINE GapShapeT<T> gap_shape(const RacewayConstantsT<T> &k, double Epri
   s.a = k.a;
   s.Fbar = pi * Eprime * k.a / (3.0 * k.K);
   s.scale = 2.0 * s.Fbar * k.a * k.b;
-  s.ends = pi * square_root(T(2.0 * Rx / s.Fbar)) / k.b;
   s.log_4_kappa = logarithm(T(4.0 * where(kappa > 1.0, kappa, 1.0)));
   s.e = s.log_4_kappa - 1.0;
   s.root_e = square_root(s.e);
+  s.ends = pi * square_root(T(2.0 * Rx / s.Fbar)) / (k.b * s.root_e);
+  s.least_D = 1.0 / (0.9 * s.root_e);
+  s.log_H = logarithm(T(s.Fbar / k.unit));
   return s;
 }
 
-// G at the sixth root X of H; within 0.2 % of the integral.
-template <class T> RACEWAY_INLINE T gap_beside_ellipse(const T &X)
-{
-  const T more = 0.88494 * (1.0 - 0.12025 * X) / (1.0 + X * (0.95409 + 0.86606 * X));
-  return 3.14159265358979323846 / (X * X * (X + more));
-}
+// G is up/down at the sixth root X of H; within 0.2 % of the integral.
+template <class T> struct GapBeside {
+  T up, down;
 
-// P is ln(stretch)/sqrt(e); v is the stretch that the end of the ellipse takes.
-template <class T> RACEWAY_INLINE T gap_end(const GapShapeT<T> &s, const T &X)
-{
-  const T D = -1.254 + 0.4523 * s.log_4_kappa + X * (4.773 + X * (-3.520 + 3.690 * X));
-  // far outside the range of the fit the end stays an end
-  const T part = where(D * s.root_e > 1.0 / 0.9, T(1.0 / D), T(0.9 * s.root_e));
-  return X * X * X + s.root_e - part;
-}
+  RACEWAY_INLINE explicit GapBeside(const T &X)
+  {
+    const T under = 1.0 + X * (0.95409 + 0.86606 * X);
+    up = 3.14159265358979323846 * under;
+    down = X * X * (X * under + 0.88494 * (1.0 - 0.12025 * X));
+  }
+};
 
-// Of a loaded contact: root of its overlap (sqrt(m)), h (m).
+// P is ln(stretch)/sqrt(e); the end of the ellipse takes the stretch 1/v, v = X^3 + sqrt(e) - 1/D,
+// that is down/D.
+template <class T> struct GapEnd {
+  T D, down;
+
+  RACEWAY_INLINE GapEnd(const GapShapeT<T> &s, const T &X, const T &X3)
+  {
+    const T fit = -1.254 + 0.4523 * s.log_4_kappa + X * (4.773 + X * (-3.520 + 3.690 * X));
+    // far outside the range of the fit the end stays an end
+    D = where(fit > s.least_D, fit, s.least_D);
+    down = (X3 + s.root_e) * D - 1.0;
+  }
+};
+
+// Of a loaded contact: root of its overlap (sqrt(m)), load (N) and h (m), both by logarithms, too.
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
-  T root, H, v, G;
+  T root, H, end, G;
 
-  RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &h) : shape(s)
+  RACEWAY_INLINE LoadedGapT(const GapShapeT<T> &s, const T &any_root, const T &ln_load, const T &h,
+                            const T &ln_h) : shape(s)
   {
-    root = where(any_root > 1e-8, any_root, 1e-8);    // the limit without load, to rounding
-    H = h * s.Fbar / (root * root);
-    const T X = exponential(T(logarithm(H) * (1.0 / 6)));
-    v = gap_end(s, X);
-    G = gap_beside_ellipse(X);
+    const auto pressed = any_root > 1e-8;    // the limit without load, to rounding
+    root = where(pressed, any_root, 1e-8);
+    T ln_X = (s.log_H + ln_h) * (1.0 / 6) - ln_load * (1.0 / 9);
+    if (any(!pressed))
+      ln_X = where(pressed, ln_X, T(logarithm(T(h * s.Fbar / (root * root))) * (1.0 / 6)));
+    const T X = exponential(ln_X), X3 = X * X * X;
+    H = X3 * X3;
+    const GapBeside<T> beside(X);
+    const GapEnd<T> tip(s, X, X3);
+    const T inverse = 1.0 / (beside.down * tip.down);    // one division for both
+    G = beside.up * (inverse * tip.down);
+    end = tip.D * (inverse * beside.down);
   }
   // to the groove's reach on one side (m)
   RACEWAY_INLINE T stretch(const T &reach) const
   {
     const GapShapeT<T> &s = shape;
-    const T far = reach / (s.a * root), eta = where(far > 1.0, far, 1.0);
-    const T under = s.e * eta * eta + H - s.log_4_kappa + 2.0 / (3.0 * eta);
-    return (s.root_e * eta + square_root(where(under > 0.0, under, 0.0))) / v;
+    const T a = s.a * root, far = where(reach > a, reach, a);
+    const T product = 1.0 / (far * a), eta = far * far * product;
+    const T under = s.e * eta * eta + H - s.log_4_kappa + 2.0 / 3 * (a * a * product);
+    return (s.root_e * eta + square_root(where(under > 0.0, under, 0.0))) * end;
   }
 };
 
@@ -101,13 +124,14 @@ RACEWAY_INLINE Lane sine_stretch(const Lane &z)
 
 // Of surfaces that do not touch, at the gap g (m), with c of them; G is 0 there.
 template <class T> struct OpenGapT {
-  T root;    // of c; the limit for concentric circles, to rounding
+  T wider;    // 1/sqrt(c); the limit for concentric circles, to rounding
 
   RACEWAY_INLINE OpenGapT(const GapShapeT<T> &s, const T &g, const T &any_c) : c(any_c)
   {
-    const T size = magnitude(c);
-    root = square_root(T(where(size > 1e-9, size, 1e-9)));
-    over = s.root_e * root / (s.a * square_root(T(s.Fbar * g)));
+    const T size = magnitude(c), kept = where(size > 1e-9, size, 1e-9), root = square_root(kept);
+    const T wide = s.a * square_root(T(s.Fbar * g)), inverse = 1.0 / (root * wide);
+    over = s.root_e * (kept * inverse);
+    wider = wide * inverse;
   }
   RACEWAY_INLINE T stretch(const T &reach) const
   {
@@ -121,12 +145,12 @@ template <class T> struct OpenGapT {
   T c, over;
 };
 
-// I, m
+// I, m, with the stretches to both sides
 template <class T>
-RACEWAY_INLINE T gap_integral(const GapShapeT<T> &s, const T &G, const T &stretch)
+RACEWAY_INLINE T gap_integral(const GapShapeT<T> &s, const T &G, const T &near, const T &far)
 {
-  const T P = logarithm(stretch) / s.root_e;
-  return s.scale * (G + s.ends * where(P > 0.0, P, 0.0));
+  const T both = where(near > 1.0, near, 1.0) * where(far > 1.0, far, 1.0);
+  return s.scale * (G + s.ends * (0.5 * logarithm(both)));
 }
 
 }    // namespace raceway

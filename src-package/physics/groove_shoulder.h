@@ -32,8 +32,12 @@ template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
   return tangent / (1.0 + square_root(T(1.0 + tangent * tangent)));
 }
 
+template <class T> struct GrooveSideT {
+  T reach;        // m
+  T cotangent;    // of a quarter of the shoulder's angle from the contact
+};
 template <class T> struct GrooveReachT {
-  T near, far;    // m, on the side to which the contact leans, and on the other
+  GrooveSideT<T> near, far;    // the side to which the contact leans, and the other
 };
 
 class GrooveShoulder {
@@ -56,19 +60,21 @@ class GrooveShoulder {
   {
     const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,
             curved = curved_ * cosine;
-    return {radius_ * (4.0 * (quarter_ - lean) / (1.0 + both) + curved),
-            radius_ * (4.0 * (quarter_ + lean) / (1.0 - both) + curved)};
+    const T near = (quarter_ - lean) / (1.0 + both), far = (quarter_ + lean) / (1.0 - both);
+    return {{radius_ * (4.0 * near + curved), 1.0 / near},
+            {radius_ * (4.0 * far + curved), 1.0 / far}};
   }
 
   // The reach around an ellipse of the semi-axis a (m) across.
-  template <class T> RACEWAY_INLINE T around(const T &reach, const T &cosine, const T &a) const
+  template <class T>
+  RACEWAY_INLINE T around(const GrooveSideT<T> &side, const T &cosine, const T &a) const
   {
     const T curved = curved_ * cosine, u = a * (0.25 / radius_), u2 = u * u;
     // the tangent, to 3e-7 of it where an ellipse is a radius wide
     const T within = u * (1.0 + u2 * (1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315))));
-    const T quarter = 0.25 * (reach * (1.0 / radius_) - curved);
-    const T part = where(quarter > within, T(within / quarter), 1.0);
-    return reach + a - radius_ * (4.0 * within + curved * part * part);
+    const T ratio = within * side.cotangent;
+    const T part = where((side.cotangent > 0.0) & (ratio < 1.0), ratio, 1.0);
+    return side.reach + a - radius_ * (4.0 * within + curved * part * part);
   }
 
  private:

@@ -203,7 +203,7 @@ void FixBearingCapacitance::find_integrators()
             "integrators sample every step");
   for (FixBearingImplicit *f : integrators_)
     f->want_instants(instants(within_), std::string("fix ") + id + " bearing/capacitance");
-  members_ = find_members();
+  members_ = bearing::TagSet(find_members());
 }
 
 std::vector<tag_t> FixBearingCapacitance::find_members() const
@@ -211,9 +211,7 @@ std::vector<tag_t> FixBearingCapacitance::find_members() const
   std::vector<tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) mine.push_back(atom->tag[i]);
-  std::vector<tag_t> all = bearing::gather_all(mine, world);
-  std::sort(all.begin(), all.end());
-  return all;
+  return bearing::gather_all(mine, world);
 }
 
 FilmCapacitorT<double> FixBearingCapacitance::capacitor(const RacewayContact &c)
@@ -252,8 +250,7 @@ void FixBearingCapacitance::add_instants()
     for (int k = 1; k < within_; ++k)
       f->read_instant(k, {ask_.any(),
                           [this, k](const bearing::InstantContact &c) {
-                            if ((c.live || model_.surrounded()) &&
-                                std::binary_search(members_.begin(), members_.end(), c.ball))
+                            if ((c.live || model_.surrounded()) && members_.has(c.ball))
                               mine_.push_back(row_of(k, c.ball, c.raceway, c.live, c.load, c.state,
                                                      c.capacitor));
                           },

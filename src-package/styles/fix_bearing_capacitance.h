@@ -10,6 +10,7 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 
 #include "../contacts/capacitor_table.h"
 #include "../contacts/instants.h"
+#include "../contacts/tag_set.h"
 #include "../deck/text_file.h"
 #include "../physics/film_figures.h"
 
@@ -37,7 +38,7 @@ class FixBearingCapacitance : public Fix {
   void set_arrays(int) override;
   double memory_usage() override;
 
-  // Its balls, sorted; all ranks.
+  // Its balls, of all ranks.
   std::vector<bearing::tag_t> find_members() const;
   // At `number` instants of a step.
   bearing::Instants instants(int number) const { return {number, model_}; }
@@ -96,9 +97,8 @@ class FixBearingCapacitance : public Fix {
   double **per_ball_ = nullptr;    // inner, outer, series; the same with surroundings
   int within_ = 1;                 // instants a step, the last one its end
   std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
-  std::vector<bearing::tag_t>
-      members_;              // balls of the group, sorted; known where integrators_ are
-  std::vector<Row> mine_;    // of this step, kept for its memory
+  bearing::TagSet members_;    // balls of the group; known where integrators_ are
+  std::vector<Row> mine_;      // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;
   bool between_ = false, summed_ = true;       // what mine_ holds; the numbers below are of it
   Total total_ = {};                           // at the end of the step

@@ -183,10 +183,10 @@ void FixBearingRecord::find_integrators()
               "move ball " +
               std::to_string(atom->tag[i]) + ". With other integrators sample every step");
   const std::vector<FixBearingCapacitance *> fixes = bearing::fixes_of<FixBearingCapacitance>(lmp);
-  capacitors_.clear();
+  std::vector<bearing::tag_t> balls;
   for (const FixBearingCapacitance *c : fixes)
-    for (bearing::tag_t ball : c->find_members()) capacitors_.push_back(ball);
-  std::sort(capacitors_.begin(), capacitors_.end());
+    for (bearing::tag_t ball : c->find_members()) balls.push_back(ball);
+  capacitors_ = bearing::TagSet(balls);
   for (FixBearingImplicit *f : integrators_) {
     f->want_instants({within_, {}}, command_);
     for (const FixBearingCapacitance *c : fixes) f->want_instants(c->instants(within_), command_);
@@ -271,7 +271,7 @@ void FixBearingRecord::sample_instants()
     if (ball < 0) return;
     if (rows_.needs_orbit(ball, c.raceway.groove.side)) rows_.orbit(ball, c.orbit);
     if (!c.live && !context_.surroundings) return;
-    const bool capacitor = std::binary_search(capacitors_.begin(), capacitors_.end(), c.ball);
+    const bool capacitor = capacitors_.has(c.ball);
     const bearing::ContactView view = {
         double(c.ball), double(c.ring),
         c.raceway,      c.state,

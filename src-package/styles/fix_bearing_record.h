@@ -14,6 +14,7 @@ FixStyle(bearing/record,FixBearingRecord)
 
 #include "../contacts/contact_reader.h"
 #include "../contacts/instants.h"
+#include "../contacts/tag_set.h"
 #include "../record/record_rows.h"
 
 #include <memory>
@@ -65,7 +66,7 @@ class FixBearingRecord : public Fix {
   bearing::ContactContext context_;
   int within_ = 1;                                         // samples a step, the last one its end
   std::vector<class FixBearingImplicit *> integrators_;    // that know what happens between steps
-  std::vector<bearing::tag_t> capacitors_;                 // balls that have one, sorted
+  bearing::TagSet capacitors_;                             // balls that have one
 
   bool open_ = false;
   std::unique_ptr<bearing::RecordFile> file_;    // of rank 0

@@ -106,19 +106,19 @@ bool PairBearingHertz::touch_profile(RacewayContact &c, const Vec3 &d, const Vec
 void PairBearingHertz::look_at_gap(RacewayContact &c)
 {
   ContactState &s = c.state;
-  const Vec3 centre = Vec3::from(atom->x[c.i_ring]);
-  const BallState ball = {Vec3::from(atom->x[c.i_ball]), Vec3::from(atom->v[c.i_ball]),
-                          Vec3::from(atom->omega[c.i_ball])};
-  const RingState ring = {centre, Vec3::from(atom->v[c.i_ring]), Vec3::from(atom->omega[c.i_ring]),
-                          state_->axis(c.i_ring)};
+  const Vec3 v = Vec3::from(atom->v[c.i_ball]), ring_v = Vec3::from(atom->v[c.i_ring]);
   if (!c.live) {
+    const Vec3 d = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
+    const RingState ring = {Vec3::from(atom->x[c.i_ring]), ring_v,
+                            Vec3::from(atom->omega[c.i_ring]), state_->axis(c.i_ring)};
     if (!c.profile) {
-      locate(ball.x - centre, ring.e, c.raceway->centre_circle, s);
+      locate(d, ring.e, c.raceway->centre_circle, s);
       s.overlap = s.s - c.raceway->slack;
     }
-    find_motions<false>(*c.raceway, ball, ring, s);
+    find_motions<false>(
+        *c.raceway, {Vec3::from(atom->x[c.i_ball]), v, Vec3::from(atom->omega[c.i_ball])}, ring, s);
   }
-  c.orbit = dot(ball.v - ring.v, s.t) / s.r;
+  c.orbit = dot(v - ring_v, s.t) / s.r;
 }
 
 void PairBearingHertz::sphere_forces(bool tally)

@@ -72,7 +72,11 @@ EXPORT(double, permittivity_mean, (double ambient, double p))
   return mean_permittivity(ambient, p);
 }
 EXPORT(double, rough_factor, (double sigma_over_h)) { return rough_film_factor(sigma_over_h); }
-EXPORT(double, gap_beside, (double H)) { return gap_beside_ellipse(std::pow(H, 1.0 / 6)); }
+EXPORT(double, gap_beside, (double H))
+{
+  const GapBeside<double> beside(std::pow(H, 1.0 / 6));
+  return beside.up / beside.down;
+}
 
 // near and far side, m, around an ellipse of that semi-axis (m)
 EXPORT(void, groove_reach,
@@ -81,8 +85,8 @@ EXPORT(void, groove_reach,
 {
   const GrooveShoulder s(p->groove, depth, p->pitch_radius);
   const GrooveReachT<double> r = s.reach(sine, cosine);
-  out[0] = semi_axis > 0.0 ? s.around(r.near, cosine, semi_axis) : r.near;
-  out[1] = semi_axis > 0.0 ? s.around(r.far, cosine, semi_axis) : r.far;
+  out[0] = semi_axis > 0.0 ? s.around(r.near, cosine, semi_axis) : r.near.reach;
+  out[1] = semi_axis > 0.0 ? s.around(r.far, cosine, semi_axis) : r.far.reach;
 }
 
 // m, of a contact with that load (N); 0: no contact, at the gap h with that play (m)
@@ -94,10 +98,12 @@ EXPORT(double, outside_integral,
   const GapShape s = gap_shape(k, p->material.Eprime(), p->rolling_radius(cos_angle));
   if (load == 0.0) {
     const OpenGapT<double> open(s, h, 1.0 - play / p->slack);
-    return gap_integral(s, 0.0, open.stretch(reach)) / open.root;
+    const double stretch = open.stretch(reach);
+    return open.wider * gap_integral(s, 0.0, stretch, stretch);
   }
-  const LoadedGapT<double> loaded(s, std::cbrt(load / k.K), h);
-  return gap_integral(s, loaded.G, loaded.stretch(reach));
+  const LoadedGapT<double> loaded(s, std::cbrt(load / k.K), std::log(load), h, std::log(h));
+  const double stretch = loaded.stretch(reach);
+  return gap_integral(s, loaded.G, stretch, stretch);
 }
 
 // n balls on a raceway, one by one and four side by side; columns numbers each. n is a multiple of

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Atoms by tag, asked for contact by contact.
+#ifndef BEARING_TAG_SET_H
+#define BEARING_TAG_SET_H
+
+#include "bearing_compat.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace bearing {
+
+class TagSet {
+ public:
+  TagSet() = default;
+  explicit TagSet(const std::vector<tag_t> &tags)
+  {
+    if (tags.empty()) return;
+    const auto ends = std::minmax_element(tags.begin(), tags.end());
+    first_ = *ends.first;
+    in_.assign(static_cast<size_t>(*ends.second - first_) + 1, 0);
+    for (tag_t t : tags) in_[static_cast<size_t>(t - first_)] = 1;
+  }
+  bool has(tag_t t) const
+  {
+    const size_t at = static_cast<size_t>(t - first_);    // huge below the first
+    return at < in_.size() && in_[at];
+  }
+
+ private:
+  tag_t first_ = 0;
+  std::vector<char> in_;    // from the first to the last tag
+};
+
+}    // namespace bearing
+
+#endif
