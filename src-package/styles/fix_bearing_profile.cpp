@@ -23,12 +23,21 @@ using raceway::Wave;
 
 static constexpr int most_points = 1000000;    // of a table
 
+// A word as a deck has it: in quotes if it has blanks.
+static std::string quoted(const std::string &word)
+{
+  if (word.find_first_of(" \t") == std::string::npos) return word;
+  const char mark = word.find('"') == std::string::npos ? '"' : '\'';
+  return mark + word + mark;
+}
+
 // fix ID group bearing/profile [groove K] [notch AZIMUTH LENGTH WIDTH|full DEPTH EDGE] ...
 // [wave ORDER AMPLITUDE PHASE] ... [file NAME] ..., or none
 FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   PairBearingHertz::find(lmp, "fix bearing/profile");
   Arguments args(lmp, std::string("fix ") + id + " bearing/profile", narg, arg, 3);
+  for (int k = 3; k < narg; ++k) said_ += (k > 3 ? " " : "") + quoted(arg[k]);
   if (args.take("none")) {
     if (args.more()) args.fail("'none' stands alone: a raceway without flaws");
     return;
@@ -114,7 +123,6 @@ PeriodicCurve FixBearingProfile::read_table(Arguments &args) const
   return PeriodicCurve(values[0], depth);
 }
 
-// Of the group, of all ranks.
 std::vector<FixBearingProfile::Ring> FixBearingProfile::rings(PairBearingHertz &pair) const
 {
   std::vector<Ring> mine;

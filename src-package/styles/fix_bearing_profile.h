@@ -10,6 +10,8 @@ FixStyle(bearing/profile,FixBearingProfile)
 #include "../physics/raceway_profile.h"
 #include "bearing_compat.h"
 
+#include <string>
+
 namespace bearing {
 class Arguments;
 }
@@ -28,20 +30,23 @@ class FixBearingProfile : public Fix {
   {
     return !(shape_.notches.empty() && shape_.waves.empty() && shape_.tables.empty());
   }
+  const std::string &said() const { return said_; }    // its keywords and values
 
- private:
   struct Ring {
     bearing::tag_t tag;
     int type, turns_alone;    // 1: it spins, and no fix bearing/ring counts its angle
   };
+  std::vector<Ring> rings(PairBearingHertz &) const;    // of the group, of all ranks
+
+ private:
   raceway::NotchShape read_notch(bearing::Arguments &) const;
   raceway::Wave read_wave(bearing::Arguments &) const;
   raceway::PeriodicCurve read_table(bearing::Arguments &) const;
-  std::vector<Ring> rings(PairBearingHertz &) const;
   void check(const raceway::RacewayPhysics &) const;
   void check_pits(bearing::tag_t ring, const raceway::ProfileShape &,
                   const raceway::RacewayPhysics &) const;
 
+  std::string said_;
   int groove_ = 0;
   raceway::ProfileShape shape_;
 };

@@ -150,7 +150,10 @@ void FixBearingRecord::init()
 // At the start of every run: the first sample, unless the run before ended with it.
 void FixBearingRecord::setup(int)
 {
-  if (open_) check_time_step();
+  if (open_) {
+    check_time_step();
+    check_flaws();
+  }
   step_length_ = update->dt;
   if (!open_) open();
   if (within_ > 1 && sampled_) find_integrators();
@@ -168,6 +171,19 @@ void FixBearingRecord::check_time_step() const
   if (update->dt != step_length_)
     BRG_ALL(command_ + ": the time step was " + bearing::text(step_length_) + " s and is now " +
             bearing::text(update->dt) + " s; samples of a record are even in time");
+}
+
+// A fix bearing/profile that came, went or changed between two runs.
+void FixBearingRecord::check_flaws() const
+{
+  std::string noted;
+  for (const NetcdfHeader::Attribute &a : about_)
+    if (a.name == "flaws") noted = a.words;
+  const std::string now = bearing::flaws_of(lmp, *pair_, layout_);
+  const auto shown = [](const std::string &f) { return f.empty() ? "none" : "'" + f + "'"; };
+  if (now != noted)
+    BRG_ALL(command_ + ": flaws of its raceways were " + shown(noted) + " and are now " +
+            shown(now) + "; begin another record");
 }
 
 // Those whose steps the samples lie within, and which balls have a capacitance there.

@@ -40,6 +40,7 @@ class FixBearingRecord : public Fix {
   void open();
   void find_integrators();
   void check_time_step() const;
+  void check_flaws() const;
   void sample(bool between);
   void sample_instants();
   void sample_contacts();

@@ -3,6 +3,7 @@
 
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
+#include "fix_bearing_profile.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
@@ -47,6 +48,22 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
   for (const auto &r : layout.rings) add(ring[r.raceway], r.tag);
 }
 
+std::string flaws_of(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout)
+{
+  std::map<double, std::string> of;    // by ring
+  for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
+    if (!f->departs()) continue;
+    for (const FixBearingProfile::Ring &r : f->rings(pair)) {
+      std::string &text = of[static_cast<double>(r.tag)];
+      text += (text.empty() ? "" : "; ") + std::to_string(r.tag) + " " + f->said();
+    }
+  }
+  std::string all;
+  for (const RecordLayout::Ring &r : layout.rings)
+    if (of.count(r.tag)) all += (all.empty() ? "" : "; ") + of[r.tag];
+  return all;
+}
+
 Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &layout,
                            const Attributes &notes, const RunTimes &times)
 {
@@ -72,7 +89,18 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
     if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
   if (!surroundings.empty())
     list.push_back(NetcdfHeader::attribute("capacitance_commands", surroundings));
+  const std::string flaws = flaws_of(lmp, pair, layout);
+  if (!flaws.empty()) list.push_back(NetcdfHeader::attribute("flaws", flaws));
   return list;
+}
+
+// A text of YAML that a file's name may have made ambiguous.
+static std::string scalar(const std::string &words)
+{
+  if (words.find(": ") == std::string::npos && words.find(" #") == std::string::npos) return words;
+  std::string quoted = "'";
+  for (char c : words) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
 }
 
 std::string write_run_yaml(const std::string &folder, const Attributes &about,
@@ -84,7 +112,8 @@ std::string write_run_yaml(const std::string &folder, const Attributes &about,
   for (const Attributes *list : {&about, &more})
     for (const NetcdfHeader::Attribute &a : *list)
       if (a.type == NetcdfHeader::real) to << a.name << ": " << a.of[0] << "\n";
-      else if (a.words.find('\n') == std::string::npos) to << a.name << ": " << a.words << "\n";
+      else if (a.words.find('\n') == std::string::npos)
+        to << a.name << ": " << scalar(a.words) << "\n";
   to << std::flush;
   return to ? "" : "cannot write " + file.string() + ": " + strerror(errno);
 }

@@ -20,8 +20,12 @@ struct RunTimes {
   double sample, start;    // s: between samples, of the first one
 };
 
-// The notes of the deck, what is known of the bearing if there is one, the host and the commands of
-// the pair style.
+// Every profile of a ring of the record: the ring's tag and the words of the fix bearing/profile,
+// with "; " between them. All ranks.
+std::string flaws_of(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, const RecordLayout &);
+
+// The notes of the deck, what is known of the bearing if there is one, the host, the commands of
+// the pair style and the flaws.
 NetcdfHeader::Attributes record_settings(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &,
                                          const RecordLayout &,
                                          const NetcdfHeader::Attributes &notes, const RunTimes &);

@@ -113,6 +113,7 @@ def test_the_list_is_complete():
         "theory": {"balance", "circle", "seat", "validity"},
         "runs": {
             "around",
+            "flaws",
             "friction",
             "measured",
             "model_range",

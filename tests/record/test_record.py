@@ -122,6 +122,7 @@ def test_what_the_bearing_is(main):
         assert data.attrs["load_N"] == 5000 and data.attrs["bearing"] == "6208"
         assert data.attrs["pair_commands"].startswith("pair_style bearing/ehd young 210e9 ")
         assert int(data["finished"]) == 1
+        assert "flaws" not in data.attrs
         for name in data.variables:
             if name not in ("raceway",):
                 assert data[name].attrs["units"] and data[name].attrs["long_name"]

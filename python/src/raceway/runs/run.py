@@ -12,6 +12,7 @@ import xarray as xr
 from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.runs.columns import ATOM, BEARING, CONTACT, RING
+from raceway.runs.flaws import by_raceway
 from raceway.runs.named import NamedDataset
 from raceway.runs.recorded import Recorded
 from raceway.runs.summary import ring_displacement, summary
@@ -78,11 +79,12 @@ class Run:
         if self.tables.record and self.tables.record.bearing is None:
             return f"<raceway run {self.tables.folder}: {len(self.bearing_numbers)} bearings>"
         settings = self.settings
+        flaws = "".join(f", {side} raceway: {words}" for side, words in self.flaws.items())
         state = "" if self.tables.finished else ", not finished"
         return (
             f"<raceway run {self.tables.folder}: {settings['bearing']}, {settings['lubricant']},"
             f" {settings['load_N']:g} N, {settings['rpm']:g} rpm, clearance"
-            f" {settings['clearance_m']:g} m, {settings['host']}{state}>"
+            f" {settings['clearance_m']:g} m, {settings['host']}{flaws}{state}>"
         )
 
     @property
@@ -90,6 +92,14 @@ class Run:
         """What was run, `run.yaml` as a dict: names as text, the rest as numbers in the units their
         names end with."""
         return self.tables.settings
+
+    @property
+    def flaws(self) -> dict[str, str]:
+        """Words of fix bearing/profile by raceway, "inner" and "outer"; nothing of one without
+        flaws. Raises `RunError` unless one bearing has been chosen."""
+        if self.tables.record:
+            self.tables.record.need_one()
+        return by_raceway(self.settings)
 
     @cached_property
     def contacts(self) -> xr.Dataset:

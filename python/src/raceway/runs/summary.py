@@ -12,6 +12,7 @@ from typing import Any
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
+from raceway.runs.flaws import by_raceway
 from raceway.runs.friction import PARTS, friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.model_range import model_ranges
@@ -37,6 +38,8 @@ TOPICS = {
         row("pressure_viscosity_per_Pa"),
         row("permittivity"),
         row("roughness_m"),
+        Row("flaw_inner", "flaws, inner raceway", None, "fix bearing/profile"),
+        Row("flaw_outer", "flaws, outer raceway", None, "fix bearing/profile"),
     ),
     "Inner ring, measured": (
         Row("force_x_N", "force of the balls along x", "N", "mean"),
@@ -144,6 +147,8 @@ def summary(tables: RunTables) -> dict[str, Any]:
     result["warnings"] = _warnings(tables, result)
     ranges = {key: one._asdict() for key, one in model_ranges(tables, result).items()}
     result["model_ranges"] = ranges or None
+    if flaws := by_raceway(settings):
+        result["flaws"] = flaws
     if errors := numerical_errors(tables):
         result["numerical_errors"] = errors
     return result
@@ -350,7 +355,12 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     """The figures by the keys of `TOPICS`, None for those that are next to nothing."""
     result = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
     losses = figures["losses_W"] or dict.fromkeys(PARTS)
-    return {**result, **{f"loss_{part}_W": loss or None for part, loss in losses.items()}}
+    flaws = figures.get("flaws", {})
+    return {
+        **result,
+        **{f"loss_{part}_W": loss or None for part, loss in losses.items()},
+        **{f"flaw_{name}": flaws.get(name) for name in NAME.values()},
+    }
 
 
 def _nothing(key, figures):

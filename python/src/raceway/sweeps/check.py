@@ -13,6 +13,7 @@ from typing import Any
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
+from raceway.runs.flaws import by_raceway
 from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
@@ -42,6 +43,7 @@ SAME = (
     "pressure_viscosity_per_Pa",
     "permittivity",
     "roughness_m",
+    "flaws",
 )
 
 
@@ -55,6 +57,8 @@ def variables(tables: RunTables) -> dict[str, str]:
             " record can be repeated"
         )
     known = dict(word.split("=", 1) for word in said.split(","))
+    for raceway, words in by_raceway(tables.settings).items():
+        known[f"flaw_{raceway}"] = words
     return {**known, "passes": f"{tables.settings['passes']:.15g}"}
 
 
