@@ -52,7 +52,8 @@ def spall_length(
     the inner ring turns at `spin` rad/s.
 
     The blow comes when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
-    (2011) 846). A ball that loses its load over the spall is late, and the length too large.
+    (2011) 846). A ball that loses its load over the spall is late, and the length too large:
+    `spall.length` knows its flight.
 
     >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A ball over a spall across the whole groove: when it strikes, and how long the spall is.
+
+A ball that keeps its load strikes half-way, where the near flank of its path meets the far one
+(`kinematics.spall_length`). One that loses its load flies on and strikes the far flank later. Here
+ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
+spring that stands for the other balls. The path over the spall is that of a rigid ball on two sharp
+edges (docs/theory, Flaws of a raceway). The spall lies on the load line and is deeper than the ball
+reaches. Film, friction and what carries the outer ring are left out.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Floats
+from raceway.theory import hertz, kinematics, static
+from raceway.theory.bearing import INNER, OUTER, Bearing
+
+STEP = 0.2  # over the ball's angular frequency between its raceways
+LONGEST = 0.4  # of the distance of two balls
+LENGTHS = 80  # in the table that `length` reads
+
+
+def seconds_to_blow(
+    bearing: Bearing,
+    raceway: int,
+    lengths: ArrayLike,
+    spin: float,
+    load: float,
+    ring_mass: float,
+    *,
+    heard: int | None = None,
+    clearance: float = 0.0,
+    ball_density: float = 7800.0,
+) -> Floats:
+    """Times in s from entry to blow over spalls of `lengths` (N,) in m on a `raceway` (`INNER` or
+    `OUTER`): (N,).
+
+    `spin` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
+    of what turns with it, which the load pushes after the ball; diametral `clearance` in m;
+    `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, the spall's own
+    unless given: to the other one the ball must fly back. Raises `ValueError` for a length or mass
+    that is not positive and for lengths above 0.4 of the distance of two balls, `NoEquilibrium`
+    where nothing carries the load without that ball.
+
+    A 6208 at 1500 rpm and 2 kN keeps its load over 1 mm, not over 2 mm:
+
+    >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> spin = 1500 * np.pi / 30
+    >>> late = seconds_to_blow(paper, OUTER, [1e-3, 2e-3], spin, 2000.0, 0.2)
+    >>> print((late / ([0.5e-3, 1e-3] / kinematics.entrainment(paper, spin))).round(1))
+    [1.  1.1]
+    """
+    w = np.atleast_1d(np.asarray(lengths, float))
+    if not (np.all(w > 0) and ring_mass > 0):
+        raise ValueError(f"lengths {lengths} m and ring_mass {ring_mass} kg must be positive")
+    if w.max() > longest(bearing, raceway):
+        raise ValueError(
+            f"length {w.max():g} m must be at most {longest(bearing, raceway):g} m, {LONGEST} of"
+            " the distance of two balls"
+        )
+    speed = float(kinematics.entrainment(bearing, spin))
+    orbit = spin * float(kinematics.frequencies(bearing).cage)
+    full = static.equilibrium(bearing, load, clearance=clearance, orbital_speed=orbit)
+    without = static.equilibrium(
+        replace(bearing, balls=int(bearing.balls) - 1),
+        load,
+        clearance=clearance,
+        orbital_speed=orbit,
+        phase=full.azimuth[1:],
+    )
+    carried = full.inner.load[0]
+    # of the other balls, between the bearing with this one and without it
+    ring_spring = carried / (without.shift[0] - full.shift[0])
+    mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density
+    centrifugal = mass * bearing.pitch_radius * orbit**2
+    rest = (full.inner.overlap[0], full.outer.overlap[0])
+    radii = [bearing.effective_radii(side, 0.0, clearance) for side in (INNER, OUTER)]
+    modulus = bearing.effective_modulus
+    K = [hertz.stiffness(hertz.exact(*radii[side]), modulus) for side in (INNER, OUTER)]
+    rolling = radii[raceway][0]
+    stiff = 1.5 * sum(K[side] * np.sqrt(rest[side]) for side in (INNER, OUTER))
+    step = STEP / np.sqrt(stiff / mass)
+    heard = raceway if heard is None else heard
+
+    ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
+    lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
+    blow = 0.5 * w / speed  # of a ball that keeps its load
+    found = np.zeros(len(w), bool)
+
+    def loads(time):
+        on = speed * time
+        # over the near flank, then over the far one
+        drop = np.minimum(on, np.maximum(w - on, 0.0)) ** 2 / (2 * rolling)
+        overlap = [rest[INNER] + ring - ball, rest[OUTER] + ball]
+        overlap[raceway] = overlap[raceway] - drop
+        return [hertz.load(K[side], overlap[side]) for side in (INNER, OUTER)]
+
+    inner, outer = loads(0.0)
+    for n in range(1, int(np.ceil(w.max() / speed / step)) + 1):
+        ring_v += 0.5 * step / ring_mass * (carried - inner - ring_spring * ring)
+        ball_v += 0.5 * step / mass * (inner - outer + centrifugal)
+        ring += step * ring_v
+        ball += step * ball_v
+        inner, outer = both = loads(n * step)
+        ring_v += 0.5 * step / ring_mass * (carried - inner - ring_spring * ring)
+        ball_v += 0.5 * step / mass * (inner - outer + centrifugal)
+        struck |= lost & (both[raceway] > 0)
+        new = struck & ~found & (both[heard] > 0)
+        blow[new] = n * step
+        found |= new
+        lost |= both[raceway] == 0
+    return blow
+
+
+def length(
+    bearing: Bearing,
+    raceway: int,
+    seconds: ArrayLike,
+    spin: float,
+    load: float,
+    ring_mass: float,
+    *,
+    heard: int | None = None,
+    clearance: float = 0.0,
+    ball_density: float = 7800.0,
+) -> Floats:
+    """Lengths in m along rolling of spalls with these `seconds` (any shape) from entry to blow, of
+    a ball that may lose its load: the inverse of `seconds_to_blow`, whose arguments these are.
+
+    Times that no spall up to `longest` has give NaN. A spall shallower than the ball reaches is
+    struck at its bottom: its length does not follow.
+
+    >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> case = dict(spin=1500 * np.pi / 30, load=2000.0, ring_mass=0.2)
+    >>> time = seconds_to_blow(paper, INNER, [1e-3, 2e-3], **case)
+    >>> print((1e3 * length(paper, INNER, time, **case)).round(2))
+    [1. 2.]
+    """
+    table = longest(bearing, raceway) * np.linspace(0, 1, LENGTHS + 1)
+    more = {"heard": heard, "clearance": clearance, "ball_density": ball_density}
+    times = seconds_to_blow(bearing, raceway, table[1:], spin, load, ring_mass, **more)
+    times = np.maximum.accumulate(np.concatenate([[0.0], times]))
+    wanted = np.asarray(seconds, float)
+    return np.where(wanted > 0, np.interp(wanted, times, table, right=np.nan), np.nan)
+
+
+def longest(bearing: Bearing, raceway: int) -> float:
+    """The longest spall (m) on a `raceway` that is looked for: 0.4 of the distance of two balls."""
+    radius = bearing.inner_radius if raceway == INNER else bearing.outer_radius
+    return LONGEST * 2 * np.pi * radius / bearing.balls

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Lengths of spalls: closed forms of the ball's flight, and entry and blow in synthetic signals of
+a known length."""
+
+import numpy as np
+import pytest
+from raceway import hertz, kinematics, passages, spall, static
+from raceway.errors import RunError
+from raceway.theory.bearing import INNER, OUTER
+
+SPIN, LOAD = 1500 * np.pi / 30, 2000.0
+SAMPLE, PERIOD = 5e-6, 11.2e-3  # s
+ROLLING = 7.6e-3  # m
+HEAVY = 1e6  # kg: a ring that does not follow the ball
+
+
+@pytest.mark.parametrize("raceway", [INNER, OUTER])
+def test_a_ball_that_keeps_its_load_strikes_half_way(bearing, raceway):
+    lengths = np.array([0.2e-3, 0.5e-3])
+    late = spall.seconds_to_blow(bearing, raceway, lengths, SPIN, LOAD, 0.2)
+    assert kinematics.spall_length(bearing, SPIN, late) == pytest.approx(lengths, rel=1e-12)
+
+
+@pytest.mark.parametrize("raceway", [INNER, OUTER])
+def test_flight_of_a_ball_that_loses_its_load(bearing, raceway):
+    """A ring that does not follow, and a ball light enough to be in balance until then: it leaves
+    at its share of the drop's rate, and the centrifugal load bends its path."""
+    orbit = SPIN * kinematics.frequencies(bearing).cage
+    rest = static.equilibrium(bearing, LOAD, orbital_speed=orbit)
+    approach = rest.inner.overlap[0] + rest.outer.overlap[0]
+    radii = [bearing.effective_radii(side) for side in (INNER, OUTER)]
+    soft = [
+        hertz.stiffness(hertz.exact(*one), bearing.effective_modulus) ** (-2 / 3) for one in radii
+    ]
+    share = soft[1 - raceway] / sum(soft)  # of the drop that the other contact gives back
+    rolling, speed = radii[raceway][0], kinematics.entrainment(bearing, SPIN)
+    lost = np.sqrt(2 * rolling * approach)  # m from the entry
+    on = np.linspace(1.3, 2.5, 5) * lost
+    curve = (1 if raceway == OUTER else -1) * bearing.pitch_radius * (orbit / speed) ** 2
+    drop = approach + share * lost / rolling * (on - lost) + 0.5 * curve * (on - lost) ** 2
+    lengths = on + np.sqrt(2 * rolling * drop)
+    found = spall.seconds_to_blow(bearing, raceway, lengths, SPIN, LOAD, HEAVY) * speed
+    assert found == pytest.approx(on, rel=0.02)
+    assert spall.length(bearing, raceway, on / speed, SPIN, LOAD, HEAVY) == pytest.approx(
+        lengths, rel=0.01
+    )
+
+
+def test_the_other_ring_hears_it_later(bearing):
+    own, other = (
+        spall.seconds_to_blow(bearing, OUTER, 2e-3, SPIN, LOAD, 0.2, heard=heard)
+        for heard in (OUTER, INNER)
+    )
+    assert 1.05 * own < other < 1.3 * own
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        (dict(lengths=0.0), "lengths 0.0 m"),
+        (dict(lengths=0.02), "must be at most 0.0102"),
+        (dict(ring_mass=-1.0), "ring_mass -1.0 kg"),
+    ],
+)
+def test_mistakes_of_a_spall(bearing, words, says):
+    given = {"lengths": 1e-3, "spin": SPIN, "load": LOAD, "ring_mass": 0.2, **words}
+    with pytest.raises(ValueError, match=says):
+        spall.seconds_to_blow(bearing, OUTER, **given)
+
+
+def test_times_of_no_spall(bearing):
+    found = spall.length(bearing, OUTER, [np.nan, -1e-4, 0.0, 1.0], SPIN, LOAD, 0.2)
+    assert np.isnan(found).all()
+
+
+def path(length, speed=2.3, periods=6):
+    """(seconds, drop of a rigid ball's centre in m) over a spall with sharp edges, every period."""
+    time = np.arange(int(periods * PERIOD / SAMPLE)) * SAMPLE
+    way = speed * ((time - 0.123 * PERIOD) % PERIOD - 0.5 * PERIOD)
+    return time, np.maximum(0.5 * length - np.abs(way), 0.0) ** 2 / (2 * ROLLING)
+
+
+@pytest.mark.parametrize("length", [0.5e-3, 1e-3, 2e-3])
+@pytest.mark.parametrize("noise", [0.0, 2e-4])
+def test_known_length(length, noise):
+    """Sharp edges, noise of 2e-4 of the drop: 1 %, and half a sample of the blow."""
+    _, drop = path(length)
+    random = np.random.default_rng(1)
+    values = 3.0 - drop / drop.max() + noise * random.normal(size=len(drop))
+    found = passages.find(values, SAMPLE, PERIOD)
+    assert len(found.entry) >= 4 and np.diff(found.blow) == pytest.approx(PERIOD, rel=2e-3)
+    assert np.median(2 * 2.3 * found.seconds) == pytest.approx(
+        length, abs=0.01 * length + 2.3 * SAMPLE
+    )
+
+
+@pytest.mark.parametrize("share, error", [(0.5, 0.05), (0.2, 0.03)])
+def test_a_housing_that_rings(share, error):
+    """The drop as the force on a mass on a spring, 4 kHz, 4 % damped, which bends the square."""
+    from scipy import signal
+
+    _, drop = path(1e-3)
+    omega = 2 * np.pi * 4000
+    system = signal.StateSpace(
+        *([[0, 1], [-(omega**2), -0.08 * omega]], [[0], [1]]),
+        *([[-(omega**2), -0.08 * omega]], [[1]]),
+    )
+    _, heard, _ = signal.lsim(system, -drop / drop.max(), np.arange(len(drop)) * SAMPLE)
+    found = passages.find(heard, SAMPLE, PERIOD, share=share)
+    assert len(found.entry) >= 4
+    assert np.median(2 * 2.3 * found.seconds) == pytest.approx(1e-3, rel=error)
+
+
+def test_no_blow_no_passage():
+    time, _ = path(1e-3)
+    assert len(passages.find(np.sin(2 * np.pi * 90 * time), SAMPLE, PERIOD).entry) == 0
+    noise = np.random.default_rng(2).normal(size=len(time))
+    assert len(passages.find(noise, SAMPLE, PERIOD).entry) == 0
+
+
+def test_strong_ones():
+    _, drop = path(1e-3)
+    values = drop * np.where(np.arange(len(drop)) * SAMPLE < 3.1 * PERIOD, 1.0, 0.3)
+    found = passages.find(values, SAMPLE, PERIOD)
+    assert 0 < len(found.strong.entry) < len(found.entry)
+    assert (found.strong.blow < 3.1 * PERIOD).all()
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        (dict(period_s=1e-4), "reach 5e-05 s must be 16 samples"),
+        (dict(reach_s=6e-3), "to half a period"),
+        (dict(period_s=1.0, reach_s=1e-3), "must last a period of 1 s"),
+        (dict(share=1.0), "share is 1"),
+    ],
+)
+def test_mistakes_of_a_signal(words, says):
+    with pytest.raises(ValueError, match=says):
+        passages.find(**{"values": path(1e-3)[1], "sample_s": SAMPLE, "period_s": PERIOD, **words})
+
+
+def test_a_run_without_cage_speed(folder):
+    import raceway
+
+    with pytest.raises(RunError, match="does not say the cage speed"):
+        passages.of_run(raceway.open(folder), "outer", "vy", "inner")
