@@ -76,6 +76,7 @@ NAMES = {
     "sensor": "runs.sensor",
     "spectrum": "runs.spectrum",
     "summary": "runs.summary",
+    "time_frequency": "runs.time_frequency",
     "whole_capacitance": "runs.whole_capacitance",
     # the electrical bearing
     "circuit": "electric.circuit",

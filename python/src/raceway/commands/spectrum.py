@@ -5,6 +5,7 @@ import argparse
 import json
 import math
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raceway.commands import Commands
@@ -25,13 +26,17 @@ line.
 --envelope takes the spectrum of the signal's envelope, in a band around a resonance: the rate at
 which flaws strike it, with the sidebands of the shaft and the cage.
 
-The last column compares with the run's own cage speed, which slips."""
+The last column compares with the run's own cage speed, which slips.
+
+--kind time draws the signal, or its envelope, over time and frequency. Where the speed of the shaft
+changes by more than 1 %, orders of the shaft take the place of frequencies."""
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var passes 40 -var out build/run/long
   raceway spectrum build/run/long --signal x --out spectrum.png
   raceway spectrum build/run/long --signal capacitance --harmonics 5 --json
   raceway spectrum build/run/long --ring outer --signal ay --envelope --band 2000 8000
+  raceway spectrum build/run/long --ring outer --signal ay --envelope --kind time
 
 Exit codes: 0 done, 1 the run is broken or has no such signal, 2 wrong command line."""
 
@@ -82,7 +87,17 @@ def add(commands: Commands) -> None:
         "--bearing", type=_number, metavar="N", help="one of many bearings in the folder"
     )
     one.add_argument("--json", action="store_true", help="a JSON list instead of a table")
-    one.add_argument("--out", metavar="PNG", help="draw the spectrum with its lines marked")
+    one.add_argument(
+        "--kind",
+        choices=("lines", "time"),
+        default="lines",
+        help="lines (default), or time: a picture over time and frequency, or order in a run-up",
+    )
+    one.add_argument(
+        "--out",
+        metavar="PNG",
+        help="draw the spectrum with its lines marked (kind time: default DIR/time_frequency.png)",
+    )
     one.set_defaults(command=run, complain=one.error)
 
 
@@ -103,6 +118,9 @@ def run(arguments: argparse.Namespace) -> None:
         raise RacewayError(
             f"{arguments.folder} has {len(opened.bearing_numbers)} bearings: give --bearing N"
         )
+    if arguments.kind == "time":
+        _over_time(arguments, opened)
+        return
     spectrum = (
         envelope.of_run(opened, arguments.signal, arguments.band, arguments.ring)
         if arguments.envelope
@@ -125,6 +143,22 @@ def run(arguments: argparse.Namespace) -> None:
         if arguments.json
         else table(spectrum, found)
     )
+
+
+def _over_time(arguments, opened):
+    """Draw the picture over time and print its path."""
+    from raceway.pictures.time_frequency import picture
+    from raceway.runs import envelope, time_frequency
+
+    if arguments.json:
+        arguments.complain("--json: of kind lines")
+    name, ring, band = arguments.signal, arguments.ring, arguments.band
+    if arguments.envelope and band is None:
+        band = envelope.of_run(opened, name, None, ring).attrs["band"]
+    found = time_frequency.of_run(opened, name, ring, band=band)
+    out = Path(arguments.out or Path(arguments.folder) / "time_frequency.png")
+    picture(opened, found, out)
+    print(out)
 
 
 def table(spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:

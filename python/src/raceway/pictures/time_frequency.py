@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Picture of a signal over time and frequency, or order: the kinematic lines named at its side,
+the shaft's speed above."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import xarray as xr
+from matplotlib.colors import LogNorm
+
+from raceway.files import FilePath
+from raceway.pictures.page import title
+from raceway.pictures.spectrum import COLOUR, levels
+from raceway.pictures.style import FAINT, INK, MAP, SOFT, STYLE, save
+from raceway.runs import spectrum
+from raceway.runs.run import Run
+from raceway.units import axis
+
+DECADES = 2.5  # of the colours, below the largest amplitude
+POWER = 0.98  # of a signal's, below the top of its picture
+MOST = 800  # rows and columns drawn
+LABEL = 0.036  # of the axis: the height of a name
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,), "FTF": (1,), "shaft": (1,)}
+
+
+def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
+    """Draw `found` (`time_frequency.of_run` of `run`) to the PNG `path`.
+
+    Raises `RunError` when the picture cannot be written.
+    """
+    upright = found.dims[0]
+    places = _lines(run, found)
+    top = _top(found, places)
+    shown = found.isel({upright: (found[upright] > 0) & (found[upright] <= top)})
+    shown = shown[:: -(-shown.shape[0] // MOST), :: -(-shown.shape[1] // MOST)]
+    factor, unit = axis(float(shown.max()), found.attrs["units"])
+    values = np.maximum(shown.to_numpy() * factor, 1e-30)
+    with plt.rc_context(STYLE):
+        figure = plt.figure(figsize=(12, 7.2), dpi=110, layout="constrained")
+        above, main = figure.subplots(2, 1, sharex=True, height_ratios=(1, 5))
+        mesh = main.pcolormesh(
+            shown["time"],
+            shown[upright],
+            values,
+            norm=LogNorm(values.max() / 10**DECADES, values.max()),
+            cmap=MAP,
+            rasterized=True,
+            shading="nearest",
+        )
+        main.set(
+            xlabel="time (s)",
+            ylabel="order of the shaft" if found.attrs["orders"] else "frequency (Hz)",
+            ylim=(0, top),
+            xlim=(float(shown["time"][0]), float(shown["time"][-1])),
+        )
+        _name(main, {key: place for key, place in places.items() if place < top}, top)
+        time = np.arange(run.rings.sizes["time"]) * run.settings["sample_s"]
+        rpm = np.abs(run.rings["spin"].to_numpy()) * 30 / np.pi
+        thin = slice(None, None, -(-len(time) // MOST))
+        above.plot(time[thin], rpm[thin], color=INK, lw=1.6)
+        above.set(ylabel="shaft (rpm)", ylim=(0, 1.15 * rpm.max()))
+        above.grid(True)
+        above.tick_params(labelbottom=False)
+        bar = figure.colorbar(mesh, ax=main, label=f"amplitude ({unit})" if unit else "amplitude")
+        bar.outline.set_edgecolor(FAINT)
+        above.set_title(_head(found), pad=26)
+        above.text(0, 1.1, title(run.tables), transform=above.transAxes, fontsize=10, color=SOFT)
+        save(figure, path)
+
+
+def _lines(run, found):
+    """{(name, harmonic): place on the upright axis} of the lines with the run's own cage speed."""
+    shaft = abs(run.settings["rpm"]) / 60
+    expected = spectrum.expected(
+        run.tables.geometry, shaft, harmonics=3, cage=spectrum.cage_order(run)
+    )
+    which = 0 if found.attrs["orders"] else 1
+    return {
+        (name, n): place[which] for (name, n), place in expected.items() if n in HARMONICS[name]
+    }
+
+
+def _top(found, places):
+    """Of the upright axis: above all lines for an envelope; above most of a signal's power."""
+    upright = found[found.dims[0]].to_numpy()
+    if "band" in found.attrs:
+        return min(1.1 * max(places.values()), upright[-1])
+    power = np.cumsum((found.to_numpy()[1:] ** 2).sum(axis=1))
+    most = upright[1 + np.searchsorted(power, POWER * power[-1])]
+    return min(1.2 * most, upright[-1])
+
+
+def _name(axes, places, top):
+    """Dotted lines, and their names at the right of the picture."""
+    if not places or max(places.values()) < 0.15 * top:
+        return  # all at the foot of the picture
+    row = levels(list(places.values()), LABEL * top)
+    for ((name, n), place), level in zip(places.items(), row):
+        axes.axhline(place, color="white", lw=0.8, ls=(0, (1, 5)))
+        axes.annotate(
+            name if n == 1 else f"{n}·{name}",
+            (1.0, place),
+            xycoords=axes.get_yaxis_transform(),
+            xytext=(4 + 44 * level, 0),
+            textcoords="offset points",
+            va="center",
+            fontsize=9,
+            color=COLOUR[name],
+        )
+
+
+def _head(found):
+    if "band" not in found.attrs:
+        return found.attrs["long_name"]
+    low, high = found.attrs["band"]
+    return f"{found.attrs['long_name']}, {low:g} to {high:g} Hz"
