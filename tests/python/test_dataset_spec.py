@@ -65,7 +65,7 @@ def test_waves_of_both_raceways(tmp_path):
 
 
 def test_examples_can_be_used(capsys):
-    for name, count in (("small", 4), ("spalls", 40)):
+    for name, count in (("small", 4), ("spalls", 40), ("classes", 40), ("classes_elsewhere", 14)):
         path = ROOT / f"inputs/datasets/{name}.yaml"
         assert len(records(read_spec(path, KNOWN))) == count
         assert main(["dataset", str(path), "--deck", str(ROOT / "inputs/in.6208"), "--check"]) == 0
