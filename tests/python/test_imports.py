@@ -41,6 +41,7 @@ def loaded(*arguments):
         "spectrum",
         "circuit",
         "static",
+        "stiffness",
         "heat",
         "electric",
         "sweep",

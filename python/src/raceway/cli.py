@@ -25,6 +25,7 @@ from raceway.commands import (
     shaft,
     spectrum,
     static,
+    stiffness,
     summary,
     sweep,
 )
@@ -40,6 +41,7 @@ examples:
   raceway report build/run/6208                          all of it as one HTML page
   raceway catalogue --bore 40                            the bearings by name
   raceway static --load 2000 --clearance 10e-6           theory, without a run
+  raceway stiffness --load 2000 --rpm 1000 3000          stiffness and damping for rotor programs
   raceway shaft inputs/shafts/motor                     bearings on one shaft
   raceway heat --load 2000 --rpm 3000                    its steady temperature
   raceway electric --load 2000 --rpm 3000                its capacitance and breakdown
@@ -97,6 +99,7 @@ def _parser():
         circuit,
         catalogue,
         static,
+        stiffness,
         shaft,
         heat,
         electric,

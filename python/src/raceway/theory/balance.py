@@ -17,6 +17,7 @@ from raceway.theory import circle, contact_law, hertz, seat
 from raceway.theory import clearance as play
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.contact_law import FilmInGap
+from raceway.theory.small_motion import condensed
 
 
 class Balance:
@@ -145,11 +146,8 @@ class Balance:
         grooves, _, touch = self.balls(place)
         slope = touch.reach.slope[:, 2:] / self.metres
         gradient = np.einsum("z,za->a", touch.load[INNER], slope) - self.loads
-        live = touch.load[INNER] > 0
-        whole = seat.inner_hessian(grooves, touch)[live]
-        own, mixed = whole[:, 2:, 2:], whole[:, :2, 2:]
-        ball = whole[:, :2, :2] + seat.outer_hessian(grooves, touch)[live]
-        reduced = (own - mixed.transpose(0, 2, 1) @ np.linalg.solve(ball, mixed)).sum(0)
+        linear = seat.linear(grooves, touch)
+        reduced = condensed(linear.stiffness[linear.loaded])
         return gradient, reduced / np.outer(self.metres, self.metres), touch.load
 
     def angles(self, touch: seat.Touch) -> Floats:

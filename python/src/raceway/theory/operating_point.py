@@ -16,10 +16,11 @@ from numpy.typing import ArrayLike
 from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.rows import Row, lines, row
-from raceway.theory import clearance, friction_torque, life, makers, validity
+from raceway.theory import clearance, friction_torque, life, makers, ring_response, validity
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
+from raceway.theory.small_motion import response
 from raceway.theory.static import FREEDOMS
 from raceway.units import prefixed
 
@@ -74,6 +75,11 @@ TOPICS = {
         Row("viscosity_ratio", "viscosity ratio kappa", "", "ISO 281"),
         Row("life_factor", "life modification factor", "", "a_ISO of ISO 281"),
         Row("life_modified_h", "modified reference life, hours", "", "a_ISO L_10r"),
+    ),
+    "Damping of the ring": (
+        Row("damping_x_N_s_m", "damping along x", "N s/m", "slow motion, the others held"),
+        Row("damping_z_N_s_m", "damping along z", "N s/m", "slow motion, the others held"),
+        Row("damping_law", "law of the contacts", None),
     ),
     "Film at the largest inner load": (
         row("viscosity_Pa_s"),
@@ -170,6 +176,7 @@ def figures(
         models=models,
         friction_torque_N_m=None,
         losses_W=None,
+        damping=None,
         load_N=load,
         axial_N=axial,
         moment_x_N_m=moment[0],
@@ -205,6 +212,7 @@ def figures(
             capacitance_top_F=films.ball.max(),
         )
         result["lambda"] = films.inner.ratio[top]
+        result.update(_damping(body, state, films, oil, models, clearance))
     if film is not None:
         boundary = inputs.boundary(path)
         result.update(film_factor=film.factor(films.inner.entrainment[top]))
@@ -355,6 +363,17 @@ def _ring(state, load, axial, moment, held, play, reach):
         residual_N=state.residual,
     )
     return result
+
+
+def _damping(body, state, films, oil, models, play):
+    beside = ring_response.dampers(body, state, films, oil, models, clearance=play)
+    matrix = response(state.linear, beside.damping).damping
+    return dict(
+        damping_x_N_s_m=matrix[0, 0],
+        damping_z_N_s_m=matrix[2, 2],
+        damping=matrix.tolist(),
+        damping_law=ring_response.LAWS[models],
+    )
 
 
 def _loads(state):

@@ -17,6 +17,7 @@ from raceway.errors import NoEquilibrium
 from raceway.theory import circle, hertz
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.contact_law import Law
+from raceway.theory.small_motion import Linear
 
 
 class Grooves(NamedTuple):
@@ -81,6 +82,15 @@ def outer_hessian(grooves: Grooves, touch: Touch) -> Floats:
     line = direction[:, :, None] * direction[:, None, :]
     across = touch.load[OUTER] / np.maximum(touch.distance[OUTER], 1e-300)
     return touch.along[OUTER, :, None, None] * line + across[:, None, None] * (np.eye(2) - line)
+
+
+def linear(grooves: Grooves, touch: Touch) -> Linear:
+    """`Linear` of all balls."""
+    whole = inner_hessian(grooves, touch)
+    whole[:, :2, :2] += outer_hessian(grooves, touch)
+    approach = np.zeros((2, *whole.shape[:2]))
+    approach[INNER], approach[OUTER, :, :2] = touch.reach.slope, touch.direction[OUTER]
+    return Linear(whole, approach, touch.along, touch.load[INNER] > 0)
 
 
 def settle(grooves: Grooves) -> Floats:

@@ -30,10 +30,11 @@ from numpy.typing import ArrayLike
 
 from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
-from raceway.theory import hertz
+from raceway.theory import hertz, seat
 from raceway.theory.balance import Balance
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.contact_law import FilmInGap
+from raceway.theory.small_motion import Linear
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
@@ -68,6 +69,7 @@ class Equilibrium:
     # (5, 5), N/m, N/rad, N m/rad: d(load)/d(place) in x, y, z, rx, ry at the present contact
     # ellipses
     stiffness: Floats
+    linear: Linear  # of the balls about their rest, for `small_motion.response`
 
 
 def equilibrium(
@@ -151,7 +153,7 @@ def _check(bearing, loads, place, clearance, orbital_speed):
 
 def _state(balance, place):
     bearing = balance.bearing
-    _, _, touch = balance.balls(place)
+    grooves, _, touch = balance.balls(place)
     angle, load = balance.angles(touch), touch.load
     if balance.free.any() and not load[INNER].any():
         raise NoEquilibrium("no ball carries: nothing says where the ring sits")
@@ -185,4 +187,5 @@ def _state(balance, place):
         each.sum(0),
         np.cross(touch.reach.arm, each).sum(0),
         hessian * np.outer(balance.metres, balance.metres),
+        seat.linear(grooves, touch),
     )

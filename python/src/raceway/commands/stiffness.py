@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway stiffness`: a bearing's stiffness and damping over load and speed."""
+
+import argparse
+import math
+from pathlib import Path
+
+from raceway.commands import Commands
+from raceway.commands.quantity import number, takes_negative
+
+DESCRIPTION = """\
+Stiffness and damping of a bearing's ring from statics and films: 5 x 5 matrices in x, y, z, rx, ry,
+their mean over a ball pass, and the least and most of it. A row for each radial load and speed.
+Damping is that of films and steel alone, and needs a lubricant.
+
+--out writes them by the ending of the name:
+  .csv   a table, with units in its first line
+  .json  all of it
+  .toml  for ROSS, one load: ross.BearingElement.load(FILE); without tilting terms, see
+         docs/stiffness.rst"""
+EXAMPLES = """\
+examples:
+  raceway stiffness --load 1000 3000 --rpm 1000 3000
+  raceway stiffness --load 3000 --rpm 1000 2000 3000 --lubricant vg46 --temperature 70
+  raceway stiffness --load 3000 --rpm 3000 --lubricant vg46 --node 4 --out build/6208.toml
+
+Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
+FORMATS = (".csv", ".json", ".toml")
+DIAGONAL = ("kxx", "kyy", "kzz", "cxx", "cyy", "czz")
+
+
+def add(commands: Commands) -> None:
+    """Add the parser to those of the `raceway` command."""
+    one = commands.add_parser(
+        "stiffness",
+        help="stiffness and damping over load and speed, for ROSS and others",
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    takes_negative(one)
+    one.add_argument(
+        "--bearing",
+        default="6208",
+        metavar="NAME",
+        help="a file of inputs/bearings, or a path (6208)",
+    )
+    one.add_argument(
+        "--inputs",
+        metavar="DIR",
+        help="the inputs folder (default: here or above, else what comes with raceway)",
+    )
+    one.add_argument(
+        "--load",
+        type=number(0, 1e6, "N"),
+        nargs="+",
+        default=[0.0],
+        metavar="N",
+        help="radial, along x, newtons; one or more (0)",
+    )
+    one.add_argument(
+        "--axial",
+        type=number(-1e6, 1e6, "N"),
+        default=0.0,
+        metavar="N",
+        help="along z, newtons (0)",
+    )
+    one.add_argument(
+        "--rpm",
+        type=number(0, 1e5, "rpm"),
+        nargs="+",
+        default=[0.0],
+        metavar="R",
+        help="speed of the inner ring; one or more, rising (0)",
+    )
+    one.add_argument(
+        "--clearance",
+        type=number(-1e-3, 1e-3, "m"),
+        default=0.0,
+        metavar="M",
+        help="diametral clearance, metres; negative is preload (0)",
+    )
+    one.add_argument(
+        "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; brings damping"
+    )
+    one.add_argument(
+        "--temperature",
+        type=number(-40, 200, "C"),
+        metavar="C",
+        help="of the lubricant, degrees Celsius (that of its file, 40)",
+    )
+    one.add_argument(
+        "--models",
+        choices=("paper", "full"),
+        default="full",
+        help="paper: damping as the publication; full: film in the gap and film branch (full)",
+    )
+    one.add_argument(
+        "--frequency",
+        type=number(0, 1e5, "Hz"),
+        metavar="HZ",
+        help="of the vibration, for the damping (that of the shaft's rotation)",
+    )
+    one.add_argument(
+        "--phases",
+        type=int,
+        choices=range(1, 65),
+        default=8,
+        metavar="N",
+        help="places of the balls over a ball pass, 1 to 64 (8)",
+    )
+    one.add_argument(
+        "--node", type=int, default=0, metavar="N", help=".toml: node of the rotor (0)"
+    )
+    one.add_argument(
+        "--tilts",
+        choices=("held", "free"),
+        default="held",
+        help=".toml: tilts of the ring held, or free of moments (held)",
+    )
+    one.add_argument("--out", metavar="FILE", help="write .csv, .json or .toml")
+    one.set_defaults(command=run, complain=one.error)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the table, or write the file and print its name. Raises `RacewayError`."""
+    ending = Path(arguments.out).suffix if arguments.out else None
+    if ending is not None and ending not in FORMATS:
+        arguments.complain(f"--out {arguments.out}: the name must end in {', '.join(FORMATS)}")
+    if ending == ".toml" and len(arguments.load) > 1:
+        arguments.complain(f"--out {arguments.out}: ROSS takes one load, not {len(arguments.load)}")
+    if any(a >= b for a, b in zip(arguments.rpm, arguments.rpm[1:])):
+        arguments.complain("--rpm: give rising speeds")
+    if arguments.node < 0:
+        arguments.complain(f"--node {arguments.node}: must be 0 or more")
+    if arguments.temperature is not None and arguments.lubricant is None:
+        arguments.complain("--temperature: of the lubricant; give --lubricant")
+    if arguments.lubricant is not None and not all(arguments.rpm):
+        arguments.complain("--lubricant: a film needs a speed; give --rpm above 0")
+
+    # scipy takes longer to load than --help to print
+    from raceway.export import rotor
+
+    found = rotor.points(
+        arguments.bearing,
+        arguments.load,
+        arguments.rpm,
+        axial=arguments.axial,
+        lubricant=arguments.lubricant,
+        temperature=arguments.temperature,
+        models=arguments.models,
+        folder=arguments.inputs,
+        frequency=None if arguments.frequency is None else 2 * math.pi * arguments.frequency,
+        phases=arguments.phases,
+        clearance=arguments.clearance,
+    )
+    if ending is None:
+        print(table(found))
+    elif ending == ".toml":
+        tag = Path(arguments.bearing).name
+        print(rotor.write_ross(found, arguments.out, arguments.node, tag, arguments.tilts))
+    else:
+        print({".csv": rotor.write_csv, ".json": rotor.write_json}[ending](found, arguments.out))
+
+
+def table(points: list) -> str:
+    """The translations of `rotor.Point`s as text, stiffness along y with its range over a pass."""
+    from raceway.units import prefixed
+
+    rows = [["rpm", "load", *DIAGONAL[:2], "kyy least", "most", *DIAGONAL[2:]]]
+    for one in points:
+        mean, least, most = one.over
+        k, c = mean.stiffness, mean.damping
+        y = (k[1, 1], least.stiffness[1, 1], most.stiffness[1, 1])
+        rows.append(
+            [
+                f"{one.rpm:g}",
+                prefixed(one.load, "N"),
+                *(prefixed(value, "N/m") for value in (k[0, 0], *y, k[2, 2])),
+                *(prefixed(c[axis, axis], "N s/m") for axis in range(3)),
+            ]
+        )
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return "\n".join("  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows)

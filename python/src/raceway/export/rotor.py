@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Stiffness and damping of a bearing for rotor dynamics: over load and speed, as a table (CSV,
+JSON) and for ROSS, without ROSS installed.
+
+ROSS (`ross-rotordynamics`) has our axes: x, y across, z along the shaft, right-handed tilts alpha =
+rx and beta = ry. Its `BearingElement` takes translations alone, without coupling to z.
+"""
+
+import csv
+import json
+import math
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway import catalogue, inputs
+from raceway.arrays import Floats
+from raceway.errors import RacewayError, RunWarning
+from raceway.files import FilePath
+from raceway.theory.ring_response import LAWS, PHASES, OverPass, turning_ring
+from raceway.theory.small_motion import SLOW
+from raceway.theory.static import FREEDOMS
+
+PER_METRE = (1, 1, 1, 0, 0)  # of a row and of a column of the matrices: 2 in all is N/m
+TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries that ROSS's BearingElement takes
+ROSS_FREEDOMS = 6  # of a node: ours and the rotation about z
+TILTS = ("held", "free")
+NOISE = 1e-9  # of the diagonal: what rounding leaves of an entry that symmetry makes 0
+
+
+class Point(NamedTuple):
+    """A bearing at one operating point."""
+
+    rpm: float
+    load: float  # N, along x
+    axial: float  # N
+    over: OverPass
+
+
+def points(
+    bearing: str,
+    load: ArrayLike,
+    rpm: ArrayLike,
+    *,
+    axial: float = 0.0,
+    lubricant: str | None = None,
+    temperature: float | None = None,
+    models: str = "full",
+    folder: FilePath | None = None,
+    frequency: float | None = None,
+    phases: int = PHASES,
+    **options: Any,
+) -> list[Point]:
+    """A `Point` for each radial `load` (N, along x), and for each `rpm` of the inner ring in it.
+
+    `bearing` and `lubricant` are files of the inputs `folder` or paths; without a lubricant there
+    is no damping. `models` is paper or full, `temperature` in degrees C. `frequency` of the
+    vibration is in rad/s; it is the shaft's speed unless given, as rotor programs read their
+    tables. `axial` is in N; `options` are those of `static.equilibrium` (clearance, held, moment).
+    Without them tilts are held at 0. Raises `RacewayError`, and `ValueError` for a number out of
+    range.
+    """
+    if models not in LAWS:
+        raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
+    body = inputs.bearing(catalogue.find("bearings", bearing, folder))
+    oil = fluid = None
+    if lubricant is not None:
+        path = catalogue.find("lubricants", lubricant, folder)
+        oil, fluid = inputs.oil(path, temperature), inputs.fluid(path, temperature)
+        lacks = [name for name, value in fluid._asdict().items() if math.isnan(value)]
+        if models == "full" and lacks:
+            raise inputs.InputError(
+                f"{path} has no {', '.join(lacks)}: models full need them, models paper do not"
+            )
+    loads, speeds = (np.atleast_1d(np.asarray(one, float)) for one in (load, rpm))
+    if not (np.all(np.isfinite(loads)) and np.all(np.isfinite(speeds)) and np.all(speeds >= 0)):
+        raise ValueError(f"load {load} N must be finite, rpm {rpm} must be 0 or more")
+    result = []
+    for newtons in loads.tolist():
+        for speed in speeds.tolist():
+            spin = speed * math.pi / 30
+            over = turning_ring(
+                body,
+                newtons,
+                axial,
+                spin=spin,
+                oil=oil,
+                fluid=fluid,
+                models=models,
+                frequency=spin if frequency is None else frequency,
+                phases=phases,
+                **options,
+            )
+            result.append(Point(speed, newtons, axial, OverPass(*map(_cleaned, over))))
+    return result
+
+
+def ross(
+    bearing: str, load: float, rpm: ArrayLike, *, tilts: str = "held", **options: Any
+) -> dict[str, float | list[float]]:
+    """Keyword arguments of ROSS's `BearingElement` but for the node: kxx, kyy, kxy, kyx, kzz, the
+    same of c, and, of several `rpm`, `frequency` in rad/s. All are Python floats or lists of them.
+
+    `load` in N is radial, along x; `options` are those of `points`. With `tilts` "held" they are
+    entries of the 5 x 5 matrices, and `add_rest` brings the others. "free" is what the ring feels
+    when nothing but the bearing holds its tilts, and there is no rest to add. Warns where ROSS's
+    smoothing of a table of more than four speeds changes an entry by more than 1 %.
+
+    >>> one = ross("6208", 3000.0, 0.0, clearance=10e-6, phases=1)
+    >>> [f"{one[name]:.4g}" for name in ("kxx", "kyy", "kzz")]
+    ['1.805e+08', '8.34e+07', '6.559e+06']
+    """
+    return ross_of(points(bearing, load, rpm, **options), tilts)
+
+
+def ross_of(points: Sequence[Point], tilts: str = "held") -> dict[str, float | list[float]]:
+    """As `ross`, of `points` of one load and rising speed. Raises `ValueError` for others."""
+    speeds = [one.rpm for one in points]
+    if len({(one.load, one.axial) for one in points}) != 1 or np.any(np.diff(speeds) <= 0):
+        raise ValueError("ROSS takes the points of one load and of rising speed")
+    result: dict[str, Any] = {}
+    frequency = [speed * math.pi / 30 for speed in speeds]
+    pairs = [translations(one, tilts) for one in points]
+    for letter, row in (("k", 0), ("c", 1)):
+        for entry in TAKEN:
+            at = tuple("xyz".index(axis) for axis in entry)
+            result[letter + entry] = [float(pair[row][at]) for pair in pairs]
+    if len(points) == 1:
+        return {name: values[0] for name, values in result.items()}
+    _warn_of_smoothing(frequency, result)
+    return {**result, "frequency": frequency}
+
+
+def translations(point: Point, tilts: str = "held") -> tuple[Floats, Floats]:
+    """(K in N/m, C in N s/m), both (3, 3), of the ring's translations; `tilts` as in `ross`. Raises
+    `ValueError` for another word, or free tilts that nothing holds."""
+    if tilts not in TILTS:
+        raise ValueError(f"tilts '{tilts}' is none of {', '.join(TILTS)}")
+    mean = point.over.mean
+    if tilts == "held":
+        return mean.stiffness[:3, :3], mean.damping[:3, :3]
+    whole = mean.stiffness + 1j * SLOW * mean.damping
+    if np.linalg.eigvalsh(mean.stiffness[3:, 3:])[0] <= 0:
+        raise ValueError("tilts free: no stiffness holds them")
+    seen = whole[:3, :3] - whole[:3, 3:] @ np.linalg.solve(whole[3:, 3:], whole[3:, :3])
+    return seen.real, seen.imag / SLOW
+
+
+def rest(point: Point) -> tuple[Floats, Floats]:
+    """(K, C), both (6, 6) for a node of ROSS: what `BearingElement` has no names for."""
+    result = []
+    for matrix in point.over.mean:
+        whole = np.zeros((ROSS_FREEDOMS, ROSS_FREEDOMS))
+        whole[:5, :5] = matrix
+        for entry in TAKEN:
+            whole[tuple("xyz".index(axis) for axis in entry)] = 0.0
+        result.append(whole)
+    return result[0], result[1]
+
+
+def add_rest(rotor: Any, node: int, point: Point) -> None:
+    """Add `rest` to the matrices K0 and C0 of a ROSS `rotor`, before its first analysis: it keeps
+    what it has computed. The rest does not change with speed there, so take a `point` amid yours.
+
+    Raises `RacewayError` for a rotor whose nodes have not six degrees of freedom (ROSS before 2.0).
+    """
+    if rotor.number_dof != ROSS_FREEDOMS:
+        raise RacewayError(
+            f"this rotor has {rotor.number_dof} degrees of freedom a node, and needs"
+            f" {ROSS_FREEDOMS}: take ROSS 2.0 or later"
+        )
+    at = slice(ROSS_FREEDOMS * node, ROSS_FREEDOMS * (node + 1))
+    stiffness, damping = rest(point)
+    rotor.K0[at, at] += stiffness
+    rotor.C0[at, at] += damping
+
+
+def element(node: int, *arguments: Any, tag: str | None = None, **options: Any) -> Any:
+    """ROSS's `BearingElement` at `node` of `ross`(*arguments, **options). Raises `RacewayError`
+    without ROSS."""
+    try:
+        from ross import BearingElement
+    except ImportError as error:
+        raise RacewayError(
+            f"ROSS does not load ({error}): pip install ross-rotordynamics 'plotly<7', or"
+            " take the keyword arguments of raceway.export.ross"
+        ) from None
+    return BearingElement(int(node), tag=tag, **ross(*arguments, **options))
+
+
+def columns() -> list[str]:
+    """The headings of `write_csv`, with units."""
+    names = ["speed [rpm]", "radial load [N]", "axial load [N]"]
+    for letter, second in (("k", ""), ("c", " s")):
+        for a in range(5):
+            names += [
+                f"{letter}{FREEDOMS[a]}{FREEDOMS[b]} [{_unit(a, b, second)}]" for b in range(5)
+            ]
+    for word in ("least", "most"):
+        names += [f"{word} k{one}{one} [{_unit(a, a)}]" for a, one in enumerate(FREEDOMS)]
+    return names
+
+
+def write_csv(points: Sequence[Point], path: FilePath) -> Path:
+    """A row a point: mean K and C over the ball pass, row by row in x, y, z, rx, ry, and least and
+    most of K's diagonal. SI units."""
+    with open(path, "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns())
+        for one in points:
+            mean, least, most = one.over
+            numbers = [one.rpm, one.load, one.axial, *mean.stiffness.ravel(), *mean.damping.ravel()]
+            numbers += [*np.diag(least.stiffness), *np.diag(most.stiffness)]
+            writer.writerow([f"{number:.9g}" for number in numbers])
+    return Path(path)
+
+
+def write_json(points: Sequence[Point], path: FilePath) -> Path:
+    """The same as one JSON object, with matrices as lists of rows, and all of least and most."""
+    Path(path).write_text(json.dumps(as_mapping(points), indent=1, allow_nan=False) + "\n")
+    return Path(path)
+
+
+def as_mapping(points: Sequence[Point]) -> dict[str, Any]:
+    """What `write_json` writes, SI units."""
+    rows = []
+    for one in points:
+        row: dict[str, Any] = dict(rpm=one.rpm, load_N=one.load, axial_N=one.axial)
+        for word, part in zip(("", "_least", "_most"), one.over):
+            row[f"stiffness{word}"], row[f"damping{word}"] = (m.tolist() for m in part)
+        rows.append(row)
+    return dict(order=list(FREEDOMS), points=rows)
+
+
+def write_ross(
+    points: Sequence[Point], path: FilePath, node: int, tag: str = "bearing", tilts: str = "held"
+) -> Path:
+    """A TOML file that `ross.BearingElement.load` reads."""
+    lines = [f"[BearingElement_{tag}]", f"n = {int(node)}", f'tag = "{tag}"']
+    for name, value in ross_of(points, tilts).items():
+        numbers = value if isinstance(value, list) else [value]
+        text = ", ".join(repr(float(number)) for number in numbers)
+        lines.append(f"{name} = [{text}]" if isinstance(value, list) else f"{name} = {text}")
+    Path(path).write_text("\n".join(lines) + "\n")
+    return Path(path)
+
+
+def _unit(a: int, b: int, second: str = "") -> str:
+    """Of the entry in row `a` and column `b`: a force or moment over a displacement or tilt."""
+    power = PER_METRE[a] + PER_METRE[b]
+    return {2: f"N{second}/m", 1: f"N{second}/rad", 0: f"N m{second}/rad"}[power]
+
+
+def _cleaned(one):
+    """Without what rounding left of entries that are 0 by symmetry."""
+    result = []
+    for matrix in one:
+        scale = np.sqrt(np.abs(np.diag(matrix)))
+        keep = np.abs(matrix) > NOISE * np.outer(scale, scale)
+        result.append(np.where(keep, matrix, 0.0))
+    return type(one)(*result)
+
+
+def _warn_of_smoothing(frequency, table):
+    if len(frequency) <= 4:
+        return
+    from scipy.interpolate import UnivariateSpline
+
+    changed = []
+    for name, values in table.items():
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            seen = UnivariateSpline(frequency, values)(frequency)
+        off, largest = np.abs(seen - values).max(), np.abs(values).max()
+        if off > 0.01 * largest:
+            changed.append(f"{name} by {off:.3g} of {largest:.3g}")
+    if changed:
+        warnings.warn(
+            "ROSS smooths a table of more than four speeds, and changes"
+            f" {', '.join(changed)}; give four speeds or fewer",
+            RunWarning,
+            stacklevel=3,
+        )

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Stiffness and damping of a bearing's ring from statics and films: at one place of the balls, and
+their mean and spread over a ball pass.
+
+Damping is that of the films and of the contacts' steel alone. Seats, housing and grease are left
+out, and so is friction.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.inputs import Oil
+from raceway.theory import damping, film_damping, hertz
+from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.contact_law import FilmInGap
+from raceway.theory.lubricant import Fluid
+from raceway.theory.lubrication import Lubrication, lubricate, turning
+from raceway.theory.small_motion import Response, response
+from raceway.theory.static import Equilibrium, equilibrium
+
+PHASES = 8  # places of the balls over a ball pass
+# by models: what the dampers of the contacts are
+LAWS = {
+    "paper": "steel and squeeze film, eqs 4 and 5",
+    "full": "film branch, k_m and tau of a rolling contact",
+}
+
+
+class Dampers(NamedTuple):
+    """Beside the springs of the contacts, (2, Z)."""
+
+    damping: Floats  # N s/m
+    stiffening: Floats  # N/m
+
+
+class OverPass(NamedTuple):
+    """`Response` over a ball pass; least and most are entry by entry."""
+
+    mean: Response
+    least: Response
+    most: Response
+
+
+def dampers(
+    bearing: Bearing,
+    state: Equilibrium,
+    films: Lubrication,
+    oil: Oil,
+    models: str = "paper",
+    *,
+    clearance: float = 0.0,
+    frequency: float = 0.0,
+) -> Dampers:
+    """`Dampers` of the contacts of a rest and its films. `models` is a key of `LAWS`, and they are
+    those of the simulation with these models. `clearance` is in m, as of `state`.
+
+    The film branch is softer the faster the motion, so it needs the `frequency` of the motion in
+    rad/s. Raises `ValueError` for other models.
+    """
+    if models not in LAWS:
+        raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
+    result = np.zeros((2, 2, bearing.balls))
+    for side, contact, film in (
+        (INNER, state.inner, films.inner),
+        (OUTER, state.outer, films.outer),
+    ):
+        live = contact.load > 0
+        load = contact.load[live]
+        if models == "paper":
+            floor = np.maximum(film.h_min[live], oil.roughness)
+            squeeze = damping.film(oil.viscosity, contact.a[live], bearing.ball_radius, floor)
+            result[0, side, live] = damping.hysteretic(load) + squeeze
+            continue
+        ellipse = hertz.exact(*bearing.effective_radii(side, contact.angle[live], clearance))
+        elastic = (load / hertz.stiffness(ellipse, bearing.effective_modulus)) ** (2 / 3)
+        one = film_damping.branch(
+            1.5 * load / elastic, film.h_c[live], elastic, contact.b[live], film.entrainment[live]
+        )
+        turn = (frequency * one.time) ** 2
+        result[0, side, live] = one.stiffness * one.time / (1 + turn)
+        result[1, side, live] = one.stiffness * turn / (1 + turn)
+    return Dampers(*result)
+
+
+def over_pass(at: Callable[[float], Response], balls: int, phases: int = PHASES) -> OverPass:
+    """`OverPass` of `at`(phase in rad) at even `phases` of the ball pass of `balls` balls.
+
+    >>> from raceway.theory.bearing import Bearing
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> still = lambda phase: response(equilibrium(b, 3000.0, phase=phase).linear, 0.0)
+    >>> found = over_pass(still, 9, 16)
+    >>> print(*(f"{one.stiffness[1, 1]:.4g}" for one in found))
+    1.222e+08 1.114e+08 1.354e+08
+    """
+    if phases < 1:
+        raise ValueError(f"{phases} phases of a ball pass: give 1 or more")
+    found = [at(2 * math.pi * k / (balls * phases)) for k in range(phases)]
+    both = [np.array(part) for part in zip(*found)]
+    return OverPass(
+        *(Response(*(how(one, axis=0) for one in both)) for how in (np.mean, np.min, np.max))
+    )
+
+
+def turning_ring(
+    bearing: Bearing,
+    load: float,
+    axial: float = 0.0,
+    *,
+    spin: float = 0.0,
+    oil: Oil | None = None,
+    fluid: Fluid | None = None,
+    models: str = "paper",
+    frequency: float = 0.0,
+    phases: int = PHASES,
+    **options: Any,
+) -> OverPass:
+    """`OverPass` under a radial load along x and an axial one, N, the inner ring at `spin` rad/s.
+
+    Without an `oil` there is no damping. "full" `models` take the `fluid`, too. `frequency` of the
+    motion is in rad/s, 0 for slow. `options` are those of `static.equilibrium`: clearance, moment,
+    held and others. Raises `NoEquilibrium`.
+    """
+    film = None
+    if oil is not None and spin and models == "full":
+        if fluid is None:
+            raise ValueError("models full need the fluid")
+        film = FilmInGap(fluid, spin)
+    clearance = options.get("clearance", 0.0)
+    _, orbit = turning(bearing, spin, load, axial, film=film, **options)
+
+    def at(phase):
+        state = equilibrium(
+            bearing, load, axial, phase=phase, orbital_speed=orbit, film=film, **options
+        )
+        if oil is None or not spin:
+            return response(state.linear, 0.0, frequency)
+        films = lubricate(bearing, state, oil, spin, clearance, film and film.factor)
+        beside = dampers(
+            bearing, state, films, oil, models, clearance=clearance, frequency=frequency
+        )
+        return response(state.linear, beside.damping, frequency, stiffening=beside.stiffening)
+
+    return over_pass(at, bearing.balls, phases)

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Small motions of a ring about its rest: the balls follow, and the ring feels a 5 x 5 stiffness
+and damping.
+
+Each ball has two degrees of freedom in the plane through the bearing's axis, and the ring five.
+Springs, dampers and inertia of the balls are put together in these seven, at one frequency. The
+ball is then eliminated, and the sum over the balls is what the ring feels. So a damper of a contact
+acts on its share of the ring's motion, as the spring in series with it does.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats, Numbers
+
+SLOW = 1e-9  # rad/s: a motion so slow that damping is the derivative of the response
+
+
+class Linear(NamedTuple):
+    """Balls of a ring at rest. Derivatives are taken in the seven of `circle`, the ball first."""
+
+    stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
+    approach: Floats  # (2, Z, 7), of the overlaps at the inner and the outer raceway
+    along: Floats  # (2, Z), N/m: of the contacts along their lines, 1.5 Q over the compression
+    loaded: Floats  # (Z,), bool: balls with an inner contact, the others hold no ring
+
+
+class Response(NamedTuple):
+    """What a ring feels of small motions at one frequency, in x, y, z, rx, ry."""
+
+    stiffness: Floats  # (5, 5), N/m, N/rad, N m/rad
+    damping: Floats  # (5, 5), N s/m, N s/rad, N m s/rad
+
+
+def condensed(whole: Floats) -> Floats:
+    """(5, 5) of the ring, of balls (Z, 7, 7) that follow it, real or complex."""
+    own, mixed = whole[:, 2:, 2:], whole[:, :2, 2:]
+    follow = np.linalg.solve(whole[:, :2, :2], mixed)
+    return (own - mixed.transpose(0, 2, 1) @ follow).sum(0)
+
+
+def response(
+    linear: Linear,
+    damping: Numbers,
+    frequency: float = 0.0,
+    *,
+    stiffening: Numbers = 0.0,
+    ball_mass: float = 0.0,
+) -> Response:
+    """`Response` with dampers `damping` (2, Z) in N s/m beside the springs of the contacts, at
+    `frequency` in rad/s; 0 is the limit of slow motion.
+
+    `stiffening` (2, Z) in N/m adds to the springs, as a film's does at that frequency. `ball_mass`
+    in kg is that of one ball, moving in its plane. Raises `ValueError` for a negative frequency or
+    damper.
+
+    A ball's two springs are in series, and so are its two dampers:
+
+    >>> from raceway.theory import static
+    >>> from raceway.theory.bearing import Bearing
+    >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+    >>> rest = static.equilibrium(b, 3000.0)
+    >>> one = response(rest.linear, 1e-5 * rest.linear.along)
+    >>> round(float(one.damping[0, 0] / one.stiffness[0, 0] * 1e5), 3)
+    1.0
+    """
+    damping = np.asarray(damping, float)
+    if not (frequency >= 0 and np.all(damping >= 0)):
+        raise ValueError(
+            f"frequency {frequency:g} rad/s and dampers from {damping.min():g} N s/m must be 0 or"
+            " more"
+        )
+    rate = max(frequency, SLOW)
+    added = np.broadcast_to(stiffening + 1j * rate * damping, linear.along.shape)
+    whole = linear.stiffness + np.einsum("sz,sza,szb->zab", added, linear.approach, linear.approach)
+    whole[:, [0, 1], [0, 1]] -= ball_mass * frequency**2
+    ring = condensed(whole[linear.loaded])
+    return Response(ring.real, ring.imag / rate)

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a ring feels of small motions: springs and dampers in series in closed form, laws of the
+dampers, and the mean over a ball pass."""
+
+import json
+
+import numpy as np
+import pytest
+from raceway import film_damping, lubrication, ring_response, small_motion, static
+from raceway.cli import main
+from raceway.inputs import Oil
+from raceway.theory.bearing import Bearing
+from raceway.theory.lubricant import Fluid
+
+B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+OIL = Oil(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.25, roughness=1e-7)
+SPIN = 300.0  # rad/s
+MASS = 8.17e-3  # kg, of a ball
+
+
+@pytest.fixture(scope="module")
+def radial():
+    return static.equilibrium(B6208, 3000.0)
+
+
+@pytest.fixture(scope="module")
+def combined():
+    return static.equilibrium(B6208, 1500.0, 2500.0, clearance=20e-6)
+
+
+def test_without_dampers_it_is_the_stiffness(combined):
+    found = small_motion.response(combined.linear, 0.0, 100.0)
+    assert found.stiffness == pytest.approx(combined.stiffness, rel=1e-9, abs=1e-6)
+    assert np.all(found.damping == 0)
+
+
+@pytest.mark.parametrize("frequency, mass", [(0.0, 0.0), (2000.0, 0.0), (20000.0, MASS)])
+def test_springs_and_dampers_in_series(radial, frequency, mass):
+    """Under a radial load balls move along their radii: one spring and damper on each side."""
+    c = np.array([800.0, 300.0])
+    found = small_motion.response(
+        radial.linear, np.broadcast_to(c[:, None], (2, 9)), frequency, ball_mass=mass
+    )
+    rate = max(frequency, 1e-3)
+    live = radial.inner.load > 0
+    inner, outer = radial.linear.along[:, live] + 1j * rate * c[:, None]
+    line = inner - inner**2 / (inner + outer - mass * frequency**2)
+    whole = (line * np.cos(radial.azimuth[live]) ** 2).sum()
+    assert found.stiffness[0, 0] == pytest.approx(whole.real, rel=1e-9)
+    assert found.damping[0, 0] == pytest.approx(whole.imag / rate, rel=1e-6)
+
+
+def test_two_branches_of_the_law(combined):
+    films = lubrication.lubricate(B6208, combined, OIL, SPIN, 20e-6)
+    paper = ring_response.dampers(B6208, combined, films, OIL, "paper", clearance=20e-6)
+    top = int(np.argmax(combined.inner.load))
+    load, a, h = combined.inner.load[top], combined.inner.a[top], films.inner.h_min[top]
+    want = 0.12 * load + 3 * np.pi * 0.04 * a / np.sqrt(2) * (6.3e-3 / max(h, 1e-7)) ** 1.5
+    assert paper.damping[0, top] == pytest.approx(want, rel=1e-9)
+    assert np.all(paper.stiffening == 0) and np.all(paper.damping > 0)
+
+    k, elastic = combined.linear.along[0, top], combined.inner.overlap[top]
+    one = film_damping.branch(
+        k, films.inner.h_c[top], elastic, combined.inner.b[top], films.inner.entrainment[top]
+    )
+    for turn in (0.0, 1.0):
+        full = ring_response.dampers(
+            B6208, combined, films, OIL, "full", clearance=20e-6, frequency=turn / one.time
+        )
+        assert full.damping[0, top] == pytest.approx(
+            one.stiffness * one.time / (1 + turn), rel=1e-6
+        )
+        assert full.stiffening[0, top] == pytest.approx(one.stiffness * turn / 2, rel=1e-6)
+    with pytest.raises(ValueError, match="models 'dry' is none of paper, full"):
+        ring_response.dampers(B6208, combined, films, OIL, "dry")
+
+
+def test_negative_numbers(radial):
+    with pytest.raises(ValueError, match="dampers from -1 N s/m must be 0 or more"):
+        small_motion.response(radial.linear, -1.0)
+    with pytest.raises(ValueError, match="0 phases"):
+        ring_response.over_pass(lambda phase: None, 9, 0)
+
+
+def test_over_a_ball_pass():
+    """Mean, least and most across the load, over 16 phases."""
+    found = ring_response.turning_ring(B6208, 3000.0, phases=16)
+    assert found.mean.stiffness[1, 1] == pytest.approx(1.2220e8, rel=5e-4)
+    assert found.least.stiffness[1, 1] == pytest.approx(1.1142e8, rel=1e-3)
+    assert found.most.stiffness[1, 1] == pytest.approx(1.3538e8, rel=1e-3)
+    assert np.all(found.mean.damping == 0)
+
+
+def test_full_needs_the_fluid():
+    with pytest.raises(ValueError, match="models full need the fluid"):
+        ring_response.turning_ring(B6208, 3000.0, spin=SPIN, oil=OIL, models="full")
+    assert "viscosity" in Fluid._fields
+
+
+def test_static_prints_it(capsys):
+    """--json has the matrix of the same rest; without a film it is null."""
+    shape = ["static", "--load", "1500", "--axial", "2500", "--clearance", "20e-6", "--json"]
+    assert main([*shape, "--rpm", "1910", "--lubricant", "mineral"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    matrix = np.array(found["damping"])
+    assert matrix.shape == (5, 5) and np.all(np.diag(matrix) > 0)
+    assert found["damping_x_N_s_m"] == matrix[0, 0]
+    assert np.linalg.eigvalsh(matrix)[0] > -1e-12 * matrix.max()
+    assert found["damping_law"] == ring_response.LAWS["paper"]
+    assert main(shape) == 0
+    assert json.loads(capsys.readouterr().out)["damping"] is None

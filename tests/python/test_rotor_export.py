@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Stiffness and damping for rotor programs: axes, names, units, files, and what ROSS gets of
+them."""
+
+import csv
+import json
+import sys
+import tomllib
+import types
+
+import numpy as np
+import pytest
+from raceway import beam, beam_motion, export, static
+from raceway.cli import main
+from raceway.errors import RacewayError, RunWarning
+from raceway.export import rotor
+from raceway.theory.beam import Disc, Section, Steel
+from raceway.theory.bearing import Bearing
+from raceway.theory.small_motion import Response
+from raceway.units import prefixed
+
+B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+CASE = dict(axial=2500.0, clearance=20e-6, phases=1)
+OILED = dict(lubricant="vg46", temperature=70.0, models="paper", **CASE)
+# Hz, the first six of the rotor below at 6000 rpm, from a run of ROSS 2.3.0 with these arguments:
+# its BearingElement alone, and with the rest added to K0
+ROSS_HELD = (267.5332352, 267.852525, 677.395444, 1008.881426, 1152.218606, 2721.708329)
+ROSS_WHOLE = (273.4117005, 273.8277096, 675.3206635, 1012.398655, 1155.409870, 2639.294152)
+
+
+@pytest.fixture(scope="module")
+def point():
+    return rotor.points("6208", 1500.0, 6000.0, **CASE)[0]
+
+
+@pytest.fixture(scope="module")
+def oiled():
+    return rotor.points("6208", [1500.0], [1000.0, 3000.0, 6000.0], **OILED)
+
+
+@pytest.fixture(scope="module")
+def shaft():
+    """Eight elements of 50 mm, 40 mm thick, and a disc of 0.2 m in the middle, of ROSS's steel."""
+    steel = Steel(211e9, 211e9 / (2 * 81.2e9) - 1, 7810.0)
+    z, pieces = beam.divided([Section(0.4, 0.04)], np.linspace(0.0, 0.4, 9))
+    mass = 7810.0 * np.pi / 4 * (0.2**2 - 0.04**2) * 0.02
+    across = mass * (3 * (0.2**2 + 0.04**2) / 4 + 0.02**2) / 12
+    disc = Disc(0.2, mass, mass * (0.2**2 + 0.04**2) / 8, across)
+    return beam_motion.matrices(z, pieces, [disc], steel)
+
+
+def whirl(shaft, five):
+    """Hz at 6000 rpm on the (5, 5) springs `five` at both ends."""
+    springs = np.zeros_like(shaft.stiffness)
+    springs[:5, :5], springs[-5:, -5:] = five, five
+    return beam_motion.frequencies(shaft, springs, 200 * np.pi)[:6] / (2 * np.pi)
+
+
+def test_as_ross(shaft, point):
+    """The arguments by name, and with the rest: whirl of ROSS 2.3.0 and of our beam."""
+    named, five = rotor.ross_of([point]), np.zeros((5, 5))
+    for name in ("xx", "xy", "yx", "yy", "zz"):
+        five["xyz".index(name[0]), "xyz".index(name[1])] = named["k" + name]
+    assert whirl(shaft, five) == pytest.approx(ROSS_HELD, rel=1e-7)
+    five += rotor.rest(point)[0][:5, :5]
+    assert np.array_equal(five, point.over.mean.stiffness)
+    assert whirl(shaft, five) == pytest.approx(ROSS_WHOLE, rel=1e-7)
+
+
+def test_arguments(point, oiled):
+    """One speed: plain floats without frequency. Several: lists, and frequency in rad/s."""
+    one, many = rotor.ross_of([point]), rotor.ross_of(oiled)
+    assert all(type(value) is float for value in one.values()) and "frequency" not in one
+    assert set(many) == {*one, "frequency"}
+    assert all(type(value) is list and type(value[0]) is float for value in many.values())
+    assert many["frequency"] == pytest.approx([104.72, 314.159, 628.319], rel=1e-5)
+    assert one["kxx"] == point.over.mean.stiffness[0, 0] and one["cxx"] == 0.0
+    assert many["cyy"][1] == oiled[1].over.mean.damping[1, 1] > 100.0
+    assert many["cxx"][0] > many["cxx"][2]  # thicker films damp less
+    assert export.ross("6208", 1500.0, 6000.0, **CASE) == one
+    assert point.over.mean.stiffness[0, 4] < 0 < point.over.mean.stiffness[1, 3]  # axes of ROSS
+
+
+def test_free_tilts():
+    """Without moments the ring gives way as one whose tilts are free."""
+    here = rotor.points("6208", 1500.0, 0.0, axial=2500.0, phases=1, moment=(0.0, 0.0))[0]
+    found, _ = rotor.translations(here, "free")
+    step, loads = 10.0, np.eye(3) * 10.0
+    places = []
+    for sign in (-1, 1):
+        rests = [
+            static.equilibrium(
+                B6208,
+                np.hypot(*(load := np.array([1500.0, 0.0, 2500.0]) + sign * extra)[:2]),
+                load[2],
+                load_azimuth=np.arctan2(load[1], load[0]),
+                moment=(0.0, 0.0),
+            )
+            for extra in loads
+        ]
+        places.append(np.array([one.shift for one in rests]).T)
+    softness = (places[1] - places[0]) / (2 * step)
+    assert found == pytest.approx(np.linalg.inv(softness), rel=2e-3, abs=2e-3 * found.max())
+    with pytest.raises(ValueError, match="tilts 'loose' is none of held, free"):
+        rotor.translations(here, "loose")
+
+
+def test_add_rest(point):
+    """Into the node's rows of K0 and C0, beside what is there."""
+    there = types.SimpleNamespace(number_dof=6, K0=np.ones((24, 24)), C0=np.zeros((24, 24)))
+    rotor.add_rest(there, 2, point)
+    added, mean = there.K0 - 1, point.over.mean
+    assert added[12, 16] == pytest.approx(mean.stiffness[0, 4]) and added[12, 12] == 0
+    assert added[15, 15] == pytest.approx(mean.stiffness[3, 3]) and added[12, 14] != 0
+    assert np.all(added[:12] == 0) and np.all(added[17:] == 0)
+    there.number_dof = 4
+    with pytest.raises(RacewayError, match="4 degrees of freedom a node"):
+        rotor.add_rest(there, 2, point)
+
+
+def test_element(monkeypatch, point):
+    """The element is made of the arguments; without ROSS the message has the command."""
+    fake = types.ModuleType("ross")
+    fake.BearingElement = lambda node, **named: (node, named)
+    monkeypatch.setitem(sys.modules, "ross", fake)
+    node, named = rotor.element(np.int64(3), "6208", 1500.0, 6000.0, tag="left", **CASE)
+    assert type(node) is int and node == 3
+    assert named == {"tag": "left", **rotor.ross_of([point])}
+    monkeypatch.setitem(sys.modules, "ross", None)
+    with pytest.raises(RacewayError, match="pip install ross-rotordynamics 'plotly<7'"):
+        rotor.element(3, "6208", 1500.0, 6000.0, **CASE)
+
+
+def test_csv(tmp_path, oiled):
+    path = rotor.write_csv(oiled, tmp_path / "k.csv")
+    first, *rows = list(csv.reader(path.read_text().splitlines()))
+    assert len(rows) == 3 and {len(first)} == {len(row) for row in rows}
+    data = dict(zip(first, map(float, rows[1])))
+    mean = oiled[1].over.mean
+    assert data["speed [rpm]"] == 3000.0 and data["axial load [N]"] == 2500.0
+    assert data["kxx [N/m]"] == pytest.approx(mean.stiffness[0, 0], rel=1e-8)
+    assert data["kxry [N/rad]"] == pytest.approx(mean.stiffness[0, 4], rel=1e-8)
+    assert data["cryry [N m s/rad]"] == pytest.approx(mean.damping[4, 4], rel=1e-8)
+    assert data["most kyy [N/m]"] == pytest.approx(oiled[1].over.most.stiffness[1, 1], rel=1e-8)
+
+
+def test_command_writes_what_ross_reads(tmp_path, capsys, oiled):
+    path = tmp_path / "b.toml"
+    words = ["stiffness", "--load", "1500", "--axial", "2500", "--clearance", "20e-6"]
+    words += ["--phases", "1", "--lubricant", "vg46", "--temperature", "70", "--models", "paper"]
+    words += ["--rpm", "1000", "3000", "6000"]
+    assert main([*words, "--node", "4", "--out", str(path)]) == 0
+    assert capsys.readouterr().out == f"{path}\n"
+    (name, table), *others = tomllib.loads(path.read_text()).items()
+    assert name == "BearingElement_6208" and not others
+    assert table == {"n": 4, "tag": "6208", **rotor.ross_of(oiled)}
+    found = json.loads(rotor.write_json(oiled, tmp_path / "b.json").read_text())
+    assert found == rotor.as_mapping(oiled) and found["order"] == ["x", "y", "z", "rx", "ry"]
+
+
+def test_command_prints(capsys):
+    assert main(["stiffness", "--load", "1000", "3000", "--phases", "2"]) == 0
+    heading, *rows = capsys.readouterr().out.splitlines()
+    assert heading.split()[:3] == ["rpm", "load", "kxx"] and len(rows) == 2
+    least = rotor.points("6208", 3000.0, 0.0, phases=2)[0].over.least.stiffness[1, 1]
+    assert rows[1].split()[7:9] == prefixed(least, "N/m").split()
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        (["--out", "a.xls"], "must end in .csv, .json, .toml"),
+        (["--load", "1", "2", "--out", "a.toml"], "ROSS takes one load, not 2"),
+        (["--rpm", "2", "1"], "rising speeds"),
+        (["--lubricant", "vg46"], "give --rpm above 0"),
+        (["--rpm", "9", "--temperature", "70"], "give --lubricant"),
+        (["--node", "-1"], "must be 0 or more"),
+    ],
+)
+def test_wrong_words(words, says, capsys):
+    with pytest.raises(SystemExit) as code:
+        main(["stiffness", *words])
+    assert code.value.code == 2 and says in capsys.readouterr().err
+
+
+def test_incomplete_lubricant(tmp_path, capsys):
+    oil = tmp_path / "oil"
+    names = dict(viscosity=0.04, pressure_viscosity=22e-9, permittivity=2.2, temperature=40)
+    names |= dict(roughness=1e-7, ball_roughness=0)
+    oil.write_text("".join(f"variable {key} index {value}\n" for key, value in names.items()))
+    words = ["stiffness", "--load", "100", "--rpm", "100", "--phases", "1", "--lubricant", str(oil)]
+    assert main(words) == 1
+    assert "models full need them, models paper do not" in capsys.readouterr().err
+    assert main([*words, "--models", "paper"]) == 0
+
+
+def test_smoothing_warns():
+    """A damping that falls fast, as a table of six speeds: ROSS would alter it."""
+    mean = static.equilibrium(B6208, 1500.0, 2500.0).stiffness
+    both = [Response(mean, np.eye(5) * damping) for damping in (9.0, 4.0, 1.0, 0.5, 0.3, 0.2)]
+    table = [
+        rotor.Point(1000.0 * k, 1500.0, 2500.0, rotor.OverPass(one, one, one))
+        for k, one in enumerate(both, 1)
+    ]
+    with pytest.warns(RunWarning, match="changes cxx by .* of 9, cyy by .*four speeds or fewer"):
+        rotor.ross_of(table)
+    assert rotor.ross_of(table[:4])["cxx"] == [9.0, 4.0, 1.0, 0.5]
+    with pytest.raises(ValueError, match="one load and of rising speed"):
+        rotor.ross_of(table[::-1])
