@@ -26,7 +26,6 @@ examples:
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 FORMATS = (".csv", ".json", ".toml")
-DIAGONAL = ("kxx", "kyy", "kzz", "cxx", "cyy", "czz")
 
 
 def add(commands: Commands) -> None:
@@ -167,18 +166,17 @@ def table(points: list) -> str:
     """The translations of `rotor.Point`s as text, stiffness along y with its range over a pass."""
     from raceway.units import prefixed
 
-    rows = [["rpm", "load", *DIAGONAL[:2], "kyy least", "most", *DIAGONAL[2:]]]
+    damped = any(one.over.mean.damping.any() for one in points)
+    rows = [["rpm", "load", "kxx", "kyy", "kyy least", "most", "kzz"]]
+    rows[0] += ["cxx", "cyy", "czz"] if damped else []
     for one in points:
-        mean, least, most = one.over
-        k, c = mean.stiffness, mean.damping
-        y = (k[1, 1], least.stiffness[1, 1], most.stiffness[1, 1])
-        rows.append(
-            [
-                f"{one.rpm:g}",
-                prefixed(one.load, "N"),
-                *(prefixed(value, "N/m") for value in (k[0, 0], *y, k[2, 2])),
-                *(prefixed(c[axis, axis], "N s/m") for axis in range(3)),
-            ]
-        )
+        (k, c), (least, _), (most, _) = one.over
+        stiff = (k[0, 0], k[1, 1], least[1, 1], most[1, 1], k[2, 2])
+        row = [
+            f"{one.rpm:g}",
+            prefixed(one.load, "N"),
+            *(prefixed(value, "N/m") for value in stiff),
+        ]
+        rows.append(row + [prefixed(c[axis, axis], "N s/m") for axis in range(3) if damped])
     widths = [max(map(len, column)) for column in zip(*rows)]
     return "\n".join("  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows)

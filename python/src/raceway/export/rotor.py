@@ -21,7 +21,9 @@ from raceway import catalogue, inputs
 from raceway.arrays import Floats
 from raceway.errors import RacewayError, RunWarning
 from raceway.files import FilePath
+from raceway.theory.bearing import Bearing
 from raceway.theory.ring_response import LAWS, PHASES, OverPass, turning_ring
+from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
 from raceway.theory.static import FREEDOMS
 
@@ -36,13 +38,13 @@ class Point(NamedTuple):
     """A bearing at one operating point."""
 
     rpm: float
-    load: float  # N, along x
+    load: float  # N, radial, along x unless `load_azimuth` or `at_rest` says otherwise
     axial: float  # N
     over: OverPass
 
 
 def points(
-    bearing: str,
+    bearing: str | Bearing,
     load: ArrayLike,
     rpm: ArrayLike,
     *,
@@ -57,16 +59,18 @@ def points(
 ) -> list[Point]:
     """A `Point` for each radial `load` (N, along x), and for each `rpm` of the inner ring in it.
 
-    `bearing` and `lubricant` are files of the inputs `folder` or paths; without a lubricant there
-    is no damping. `models` is paper or full, `temperature` in degrees C. `frequency` of the
-    vibration is in rad/s; it is the shaft's speed unless given, as rotor programs read their
-    tables. `axial` is in N; `options` are those of `static.equilibrium` (clearance, held, moment).
-    Without them tilts are held at 0. Raises `RacewayError`, and `ValueError` for a number out of
-    range.
+    `bearing` is a `Bearing` or, as `lubricant`, a file of the inputs `folder` or a path; without a
+    lubricant there is no damping. `models` is paper or full, `temperature` in degrees C.
+    `frequency` of the vibration is in rad/s; it is the shaft's speed unless given, as rotor
+    programs read their tables. `axial` is in N; `options` are those of `static.equilibrium`
+    (clearance, held, moment). Without them tilts are held at 0. Raises `RacewayError`, and
+    `ValueError` for a number out of range.
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
-    body = inputs.bearing(catalogue.find("bearings", bearing, folder))
+    body = bearing
+    if isinstance(bearing, str):
+        body = inputs.bearing(catalogue.find("bearings", bearing, folder))
     oil = fluid = None
     if lubricant is not None:
         path = catalogue.find("lubricants", lubricant, folder)
@@ -99,6 +103,16 @@ def points(
     return result
 
 
+def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
+    """`points` of a bearing of a shaft at rest (`shaft.rest`) at each `rpm`, under the loads and at
+    the tilts that it has there. So the matrices have the axes of the shaft, whatever the load's
+    direction. `options` are those of `points`, such as lubricant and temperature."""
+    x, y, z = carried.load[:3].tolist()
+    tilts = dict(zip(FREEDOMS[3:], carried.place[3:].tolist()))
+    place = dict(load_azimuth=math.atan2(y, x), held=tilts, clearance=carried.seat.clearance)
+    return points(carried.seat.bearing, math.hypot(x, y), rpm, axial=z, **place, **options)
+
+
 def ross(
     bearing: str, load: float, rpm: ArrayLike, *, tilts: str = "held", **options: Any
 ) -> dict[str, float | list[float]]:
@@ -112,7 +126,7 @@ def ross(
 
     >>> one = ross("6208", 3000.0, 0.0, clearance=10e-6, phases=1)
     >>> [f"{one[name]:.4g}" for name in ("kxx", "kyy", "kzz")]
-    ['1.805e+08', '8.34e+07', '6.559e+06']
+    ['1.805e+08', '8.339e+07', '6.556e+06']
     """
     return ross_of(points(bearing, load, rpm, **options), tilts)
 

@@ -55,9 +55,12 @@ def touch(grooves: Grooves, ball: Floats) -> Touch:
 
 def energy(grooves: Grooves, ball: Floats) -> Floats:
     """Energy (Z,) in J of both springs, less the centrifugal load's work."""
-    return touch(grooves, ball).energy.sum(0) - grooves.centrifugal * (
-        ball[:, 0] - grooves.outer[:, 0]
-    )
+    return _stored(grooves, touch(grooves, ball), ball)
+
+
+def _stored(grooves, touch, ball):
+    work = grooves.centrifugal * (ball[:, 0] - grooves.outer[:, 0])
+    return touch.energy.sum(0) - work
 
 
 def gradient(grooves: Grooves, touch: Touch) -> Floats:
@@ -127,12 +130,14 @@ def settle(grooves: Grooves) -> Floats:
         # distances are known to some last digits of the circle's radius; also where a contact has
         # just closed
         rounding = 1.5 * (stiffness * np.sqrt(now.elastic + digits)).sum(0) * digits
-        if np.all(size <= 1e-12 * scale + rounding):
+        left = size > 1e-12 * scale + rounding
+        if not left.any():
             break
         curvature = inner_hessian(grooves, now)[:, :2, :2] + outer_hessian(grooves, now)
         step = -np.linalg.solve(curvature + floor, slope[..., None])[..., 0]
         step *= np.minimum(1, longest / np.maximum(np.linalg.norm(step, axis=-1), 1e-300))[:, None]
-        moved = ball + _part(grooves, ball, step, slope)[:, None] * step
+        step[~left] = 0.0  # rounding would hold up the others
+        moved = ball + _part(grooves, ball, step, slope, now)[:, None] * step
         if np.array_equal(moved, ball):
             break
         ball = moved
@@ -142,19 +147,20 @@ def settle(grooves: Grooves) -> Floats:
     return ball
 
 
-def _part(grooves, ball, step, slope):
-    """How much (Z,) of each ball's step to take: halved until the energy, or the force left, comes
-    down."""
+def _part(grooves, ball, step, slope, now):
+    """How much (Z,) of each ball's step to take from the `Touch` now: halved until the energy, or
+    the force left, comes down."""
     here, descent, size = (
-        energy(grooves, ball),
+        _stored(grooves, now, ball),
         (slope * step).sum(-1),
         np.linalg.norm(slope, axis=-1),
     )
     part = np.ones(len(ball))
     for _ in range(40):
         trial = ball + part[:, None] * step
-        better = energy(grooves, trial) <= here + 1e-4 * part * descent
-        better |= np.linalg.norm(gradient(grooves, touch(grooves, trial)), axis=-1) < 0.5 * size
+        there = touch(grooves, trial)
+        better = _stored(grooves, there, trial) <= here + 1e-4 * part * descent
+        better |= np.linalg.norm(gradient(grooves, there), axis=-1) < 0.5 * size
         if np.all(better):
             break
         part = np.where(better, part, part / 2)
