@@ -75,6 +75,7 @@ NAMES = {
     "losses": "runs.losses",
     "passages": "runs.passages",
     "regimes": "runs.regimes",
+    "ring_fit": "runs.ring_fit",
     "sensor": "runs.sensor",
     "spectrum": "runs.spectrum",
     "summary": "runs.summary",

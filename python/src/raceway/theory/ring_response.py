@@ -26,7 +26,7 @@ PHASES = 8  # places of the balls over a ball pass
 # by models: what the dampers of the contacts are
 LAWS = {
     "paper": "steel and squeeze film, eqs 4 and 5",
-    "full": "film branch, k_m and tau of a rolling contact",
+    "full": "steel, eq 4, and film branch",
 }
 
 
@@ -70,10 +70,12 @@ def dampers(
     ):
         live = contact.load > 0
         load = contact.load[live]
+        result[0, side, live] = damping.hysteretic(load)
         if models == "paper":
             floor = np.maximum(film.h_min[live], oil.roughness)
-            squeeze = damping.film(oil.viscosity, contact.a[live], bearing.ball_radius, floor)
-            result[0, side, live] = damping.hysteretic(load) + squeeze
+            result[0, side, live] += damping.film(
+                oil.viscosity, contact.a[live], bearing.ball_radius, floor
+            )
             continue
         ellipse = hertz.exact(*bearing.effective_radii(side, contact.angle[live], clearance))
         elastic = (load / hertz.stiffness(ellipse, bearing.effective_modulus)) ** (2 / 3)
@@ -81,7 +83,7 @@ def dampers(
             1.5 * load / elastic, film.h_c[live], elastic, contact.b[live], film.entrainment[live]
         )
         turn = (frequency * one.time) ** 2
-        result[0, side, live] = one.stiffness * one.time / (1 + turn)
+        result[0, side, live] += one.stiffness * one.time / (1 + turn)
         result[1, side, live] = one.stiffness * turn / (1 + turn)
     return Dampers(*result)
 

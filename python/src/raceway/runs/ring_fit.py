@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Stiffness and damping of a bearing from small motions of its ring in a run: free decay, or
+vibration under loads that vary.
+
+The force of the balls on the ring is fitted by f = f_0 - K q - C v, by least squares over all
+samples. So K and C are those of the frequencies that move, and the balls' inertia and the laws of
+the film are in them.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.runs.run import Run
+
+# degree of freedom: column of its place and of the force on it
+COLUMNS = {
+    "x": ("x", "fx"),
+    "y": ("y", "fy"),
+    "z": ("z", "fz"),
+    "rx": ("tilt_1", "mx"),
+    "ry": ("tilt_2", "my"),
+}
+APART = 1e-4  # of singular values: below it two motions are one
+
+
+class Fit(NamedTuple):
+    """Of n degrees of freedom, SI units."""
+
+    stiffness: Floats  # (n, n)
+    damping: Floats  # (n, n)
+    stiffness_error: Floats  # (n, n), standard errors if what is left were noise
+    damping_error: Floats  # (n, n), likewise
+    left: Floats  # (n,), rms of what is left of each force over that of its changes
+
+
+def fitted(
+    place: ArrayLike, velocity: ArrayLike, force: ArrayLike, others: ArrayLike | None = None
+) -> Fit:
+    """`Fit` of the places (N, n), velocities (N, n) and forces on the ring (N, n) of N samples.
+
+    `others` (N, k) are functions of time that the force may have beside, a sine of the ball pass
+    for instance. Raises `ValueError` for too few samples, or motions that are not independent.
+
+    >>> time = np.linspace(0, 1, 500)
+    >>> place, velocity = np.sin(20 * time)[:, None], 20 * np.cos(20 * time)[:, None]
+    >>> found = fitted(place, velocity, 3.0 - 100.0 * place - 2.0 * velocity)
+    >>> round(float(found.stiffness[0, 0]), 6), round(float(found.damping[0, 0]), 6)
+    (100.0, 2.0)
+    """
+    q, v, f = (np.asarray(one, float) for one in (place, velocity, force))
+    if not (q.ndim == 2 and q.shape == v.shape == f.shape):
+        raise ValueError(f"places {q.shape}, velocities {v.shape}, forces {f.shape}: must agree")
+    beside = np.zeros((len(q), 0)) if others is None else np.asarray(others, float)
+    known = np.concatenate([q, v, beside], axis=1)
+    known, free = known - known.mean(0), f - f.mean(0)
+    samples, columns = known.shape
+    if samples < 2 * columns + 2:
+        raise ValueError(f"{samples} samples are too few for {columns} motions")
+    size = np.sqrt((known**2).mean(0))
+    if not size.all():
+        raise ValueError(f"motion {int(np.argmin(size))} of {columns} does not move")
+    left, singular, right = np.linalg.svd(known / size, full_matrices=False)
+    if singular[-1] < APART * singular[0]:
+        raise ValueError("the motions are not independent: move each with a frequency of its own")
+    found = right.T @ ((left.T @ free) / singular[:, None]) / size[:, None]
+    remains = free - known @ found
+    noise = np.sqrt((remains**2).sum(0) / (samples - columns - 1))
+    spread = np.sqrt(((right / singular[:, None]) ** 2).sum(0)) / size
+    error = spread[:, None] * noise
+    n = q.shape[1]
+    return Fit(
+        -found[:n].T,
+        -found[n : 2 * n].T,
+        error[:n].T,
+        error[n : 2 * n].T,
+        np.sqrt((remains**2).mean(0) / (free**2).mean(0)),
+    )
+
+
+def of_run(
+    run: Run,
+    freedoms: Sequence[str] = tuple(COLUMNS),
+    *,
+    since: float = -np.inf,
+    lines: Sequence[float] = (),
+) -> Fit:
+    """`Fit` of the inner ring of `run` in `freedoms` (of x, y, z, rx, ry), from the time `since`
+    (s) on; the bearing's axis is z.
+
+    `lines` in rad/s are frequencies that the force has of its own, such as the ball pass of a
+    bearing under radial load. Velocities are derivatives of splines through the places. So samples
+    must be even, ten or more a period. Raises `ValueError` as `fitted` does, and `RunError` for a
+    degree of freedom that there is none of, or uneven samples.
+    """
+    from scipy.interpolate import CubicSpline
+
+    if unknown := [name for name in freedoms if name not in COLUMNS]:
+        raise RunError(f"degree of freedom '{unknown[0]}' is none of {', '.join(COLUMNS)}")
+    rings = run.rings
+    time = rings["time"].to_numpy()
+    steps = np.diff(time)
+    if len(steps) < 2 or not np.allclose(steps, steps[0], rtol=1e-6, atol=0):
+        raise RunError("a fit of small motions needs evenly spaced samples")
+    place = np.stack([rings[COLUMNS[name][0]].to_numpy() for name in freedoms], axis=1)
+    force = np.stack([rings[COLUMNS[name][1]].to_numpy() for name in freedoms], axis=1)
+    velocity = CubicSpline(time, place).derivative()(time)
+    # the ends of a spline know one side alone
+    keep = (time >= since) & (time > time[3]) & (time < time[-4])
+    sines = [wave(line * time) for line in lines for wave in (np.sin, np.cos)]
+    others = np.stack(sines, axis=1)[keep] if sines else None
+    return fitted(place[keep], velocity[keep], force[keep], others)

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""docs/decks/in.small_motion: stiffness and damping of a ring that moves a little, against statics
+with films. With little friction, which statics has not."""
+
+import numpy as np
+import pytest
+import raceway
+from host import succeed
+from raceway import lubrication, ring_fit, ring_response, small_motion, static
+from raceway.inputs import Oil
+from raceway.theory.bearing import Bearing
+
+B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+OIL = Oil(0.03969, 22.57e-9, 2.25, 1e-7)
+SPIN, CLEARANCE = 100 * np.pi, 20e-6
+# Hz of the deck, in the order of the matrices
+DRIVEN = {"x": 250.0, "y": 350.0, "z": 150.0, "rx": 450.0, "ry": 550.0}
+MASS = 4 / 3 * np.pi * (6.3e-3) ** 3 * 7800.0  # kg, of a ball
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("small_motion")
+    succeed("docs/decks/in.small_motion", out=folder, friction="stribeck 0.01 0.005")
+    run = raceway.open(folder)
+    return ring_fit.of_run(run), float(run.bearing.cage_speed.mean())
+
+
+@pytest.fixture(scope="module")
+def want(found):
+    """Column by column at its frequency: (stiffness, damping), (5, 5)."""
+    state = static.equilibrium(
+        B6208,
+        axial_load=1000.0,
+        clearance=CLEARANCE,
+        orbital_speed=found[1],
+        held=dict.fromkeys(("x", "y", "rx", "ry"), 0.0),
+    )
+    films = lubrication.lubricate(B6208, state, OIL, SPIN, CLEARANCE)
+    columns = []
+    for k, hertz in enumerate(DRIVEN.values()):
+        rate = 2 * np.pi * hertz
+        beside = ring_response.dampers(
+            B6208, state, films, OIL, "full", clearance=CLEARANCE, frequency=rate
+        )
+        one = small_motion.response(
+            state.linear, beside.damping, rate, stiffening=beside.stiffening, ball_mass=MASS
+        )
+        columns.append((one.stiffness[:, k], one.damping[:, k]))
+    return np.array(columns).transpose(1, 2, 0)
+
+
+def test_stiffness(found, want):
+    """All that symmetry leaves, and nothing else but what turns with the balls."""
+    stiffness, expected = found[0].stiffness, want[0]
+    for row, column in ((0, 0), (1, 1), (2, 2), (0, 4), (1, 3), (3, 1), (4, 0)):
+        assert stiffness[row, column] == pytest.approx(expected[row, column], rel=1e-3)
+    for tilt in (3, 4):
+        assert stiffness[tilt, tilt] == pytest.approx(expected[tilt, tilt], rel=5e-3)
+    scale = np.sqrt(np.diag(expected))
+    others = np.where(np.abs(expected) > 1.0, 0.0, stiffness) / np.outer(scale, scale)
+    assert np.abs(others).max() < 1e-3
+    assert np.all(found[0].left < 0.02)
+
+
+def test_damping(found, want):
+    damping, expected = found[0].damping, want[1]
+    assert damping[2, 2] == pytest.approx(expected[2, 2], rel=0.01)
+    for axis in (0, 1):
+        assert damping[axis, axis] == pytest.approx(expected[axis, axis], rel=0.03)
+    for row, column in ((0, 4), (1, 3), (3, 1), (4, 0)):
+        assert damping[row, column] == pytest.approx(expected[row, column], rel=0.05)
+    # friction adds a little to what tilts
+    for tilt in (3, 4):
+        assert 1.0 < damping[tilt, tilt] / expected[tilt, tilt] < 1.2
+
+
+def test_damping_turns_with_the_balls(found):
+    """K_xy = C omega_c = -K_yx."""
+    fit, orbit = found
+    across = (fit.stiffness[0, 1] - fit.stiffness[1, 0]) / 2
+    assert across == pytest.approx(fit.damping[0, 0] * orbit, rel=0.15)
+    assert abs(fit.damping[0, 1] - fit.damping[1, 0]) < 0.05 * fit.damping[0, 0]
