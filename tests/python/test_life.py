@@ -150,3 +150,27 @@ def test_ratings_that_are_none(tmp_path, line, says):
     path.write_text(f"{text}variable {line}\n")
     with pytest.raises(inputs.InputError, match=says):
         inputs.ratings(path)
+
+
+def test_minimum_load(tmp_path, capsys):
+    """k_r of the file; it grows with the 2/3 power of viscosity and speed. A file without has
+    none."""
+    once = life.minimum_load(0.025, 46.0, 1500.0, 0.06)
+    assert life.minimum_load(0.025, 92.0, 6000.0, 0.06) == pytest.approx(4 * once, rel=1e-12)
+    assert life.minimum_load(0.025, 1000.0, 1.0, 0.1) == pytest.approx(25.0, rel=1e-12)
+    text = (ROOT / "inputs/bearings/6206").read_text()
+    words = ["static", "--load", "500", "--rpm", "1500", "--lubricant", "vg46", "--json"]
+    assert cli.main([*words, "--bearing", "6206"]) == 0
+    kinematic = inputs.fluid(ROOT / "inputs/lubricants/vg46").kinematic
+    want = life.minimum_load(0.025, kinematic, 1500.0, 0.046)
+    found = json.loads(capsys.readouterr().out)["minimum_load_N"]
+    assert found == pytest.approx(want, rel=1e-12)
+    lines = text.splitlines(keepends=True)
+    bare = tmp_path / "bare"
+    bare.write_text("".join(line for line in lines if "minimum_load_factor" not in line))
+    assert cli.main([*words, "--bearing", str(bare)]) == 0
+    assert "minimum_load_N" not in json.loads(capsys.readouterr().out)
+    bad = tmp_path / "bad"
+    bad.write_text(text.replace("minimum_load_factor index 0.025", "minimum_load_factor index -1"))
+    assert cli.main([*words, "--bearing", str(bad)]) == 1
+    assert "minimum_load_factor = -1 must lie between 0 and 1" in capsys.readouterr().err

@@ -157,6 +157,18 @@ def ratings(path: FilePath) -> life.Ratings | None:
     return estimate
 
 
+def minimum_load(path: FilePath) -> tuple[float, float] | None:
+    """(k_r, mean of bore and outside diameter in m) of a file of inputs/bearings for
+    `life.minimum_load`, None when it does not state the factor. Raises `InputError`."""
+    if "minimum_load_factor" not in values(path):
+        return None
+    names = ("minimum_load_factor", "bore_diameter", "outside_diameter")
+    factor, bore, outside = _numbers(path, *names).values()
+    if not 0 < factor < 1:
+        raise InputError(f"{path}: minimum_load_factor = {factor:g} must lie between 0 and 1")
+    return factor, (bore + outside) / 2
+
+
 def shoulders(path: FilePath) -> Shoulders:
     """`Shoulders` of a file of inputs/bearings, NaN for what it does not say. Raises `InputError`
     for a diameter that is none."""

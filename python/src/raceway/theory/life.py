@@ -149,6 +149,20 @@ def static_safety(pressure: float) -> float:
     return (PERMITTED / pressure) ** 3
 
 
+def minimum_load(factor: float, viscosity: float, rpm: float, mean_diameter: float) -> float:
+    """F_rm in N, the radial load below which balls of a deep groove bearing may slide instead of
+    roll: 1000 k_r (nu n/1000)^(2/3) (d_m/100)^2 with nu in mm2/s and d_m in mm.
+
+    `factor` is k_r of the maker's product table, `viscosity` nu in mm2/s, `mean_diameter` that of
+    bore and outside in m. The symbols are those of SKF's pages on loads of deep groove bearings.
+    The formula itself is quoted from memory: take it as information.
+
+    >>> round(minimum_load(0.025, 46.0, 1500.0, 0.060), 1)
+    151.4
+    """
+    return 1e3 * factor * (viscosity * abs(rpm) / 1000) ** (2 / 3) * (10 * mean_diameter) ** 2
+
+
 def of_loads(
     bearing: Bearing,
     rated: Ratings,

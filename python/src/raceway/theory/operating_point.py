@@ -75,6 +75,7 @@ TOPICS = {
         Row("viscosity_ratio", "viscosity ratio kappa", "", "ISO 281"),
         Row("life_factor", "life modification factor", "", "a_ISO of ISO 281"),
         Row("life_modified_h", "modified reference life, hours", "", "a_ISO L_10r"),
+        Row("minimum_load_N", "minimum radial load", "N", "SKF's k_r, formula from memory"),
     ),
     "Damping of the ring": (
         Row("damping_x_N_s_m", "damping along x", "N s/m", "slow motion, the others held"),
@@ -312,6 +313,10 @@ def _life(path, body, state, rpm, fluid, cleanliness):
     """Static safety, and the life of a bearing whose file states its load ratings."""
     pressure = max(state.inner.pressure.max(), state.outer.pressure.max())
     result = dict(static_safety=life.static_safety(pressure))
+    stated = inputs.minimum_load(path)
+    if stated is not None and rpm and fluid is not None and not math.isnan(fluid.kinematic):
+        factor, mean = stated
+        result["minimum_load_N"] = life.minimum_load(factor, fluid.kinematic, rpm, mean)
     rated, nominal = inputs.ratings(path), inputs.nominal_angle(path)
     if rated is None:
         return result
