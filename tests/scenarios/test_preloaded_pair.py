@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 from host import succeed
-from raceway import catalogue, inputs, static
+from raceway import catalogue, inputs, many_grooves, static
 
 BEARING = inputs.bearing(catalogue.find("bearings", "7208"))
 SPREAD = 5e-6  # m, of each outer ring
@@ -63,3 +63,12 @@ def test_stiffness(line):
     found = np.polyfit(place[start], load[start], 1)[0]
     one = (pull(SPREAD + 1e-7) - pull(SPREAD - 1e-7)) / 2e-7
     assert found == pytest.approx(2 * one, rel=1e-2)
+
+
+def test_as_one_double_row_bearing(line):
+    """The pair as two rows of one bearing: its place under the load, both rows together."""
+    load, place, *_ = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
+    rows = many_grooves.double_row(BEARING, 0.018, ANGLE, SPREAD)
+    for k in (len(load) // 3, -1):
+        rest = many_grooves.equilibrium(rows, (0.0, 0.0, load[k]), orbital_speed=CAGE)
+        assert place[k] == pytest.approx(rest.place[2], rel=1e-2)

@@ -52,6 +52,7 @@ NAMES = {
     "makers": "theory.makers",
     "operating_point": "theory.operating_point",
     "ring_response": "theory.ring_response",
+    "many_grooves": "theory.many_grooves",
     "rolling": "theory.rolling",
     "shaft": "theory.shaft",
     "shaft_motion": "theory.shaft_motion",

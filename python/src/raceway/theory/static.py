@@ -113,7 +113,7 @@ def equilibrium(
     if held is None:
         held = STRAIGHT if moment is None else {}
     couple = np.zeros(2) if moment is None else np.asarray(moment, float)
-    place = _imposed(held)
+    place = imposed(held)
     given = np.concatenate([force, couple])
     _check(bearing, given, place, clearance, orbital_speed)
 
@@ -127,8 +127,9 @@ def equilibrium(
     return _state(balance, balance.find())
 
 
-def _imposed(held):
-    """(5,) imposed places, NaN where free."""
+def imposed(held: Mapping[str, float]) -> Floats:
+    """(5,) places in m and rad that `held` imposes, NaN where free. Raises `ValueError` for an
+    unknown degree of freedom and a value that is not finite."""
     if unknown := sorted(set(held) - set(FREEDOMS)):
         raise ValueError(
             f"held: {', '.join(map(str, unknown))} is no degree of freedom; there are"
