@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import xarray
 from host import run, succeed
-from raceway import shaft, static
+from raceway import many_grooves, shaft, static
 from raceway.theory.beam import Section, Steel
 from raceway.theory.bearing import Bearing
 
@@ -75,6 +75,16 @@ def test_as_statics(resting):
     assert resting["y2"] == pytest.approx(second.place[1], rel=2e-3)
     assert resting["f1y"] == pytest.approx(-first.load[1], rel=1e-3)
     assert resting["f2y"] == pytest.approx(-second.load[1], rel=1e-3)
+
+
+def test_as_one_double_row_bearing(resting):
+    """Statics of two rows on one ring, loaded beside its middle; the ring is free to tilt."""
+    rows = [many_grooves.Row(B6208, at, phase=-np.pi / 2) for at in (-0.1, 0.1)]
+    rest = many_grooves.equilibrium(rows, (0.0, -3000.0, 0.0), (60.0, 0.0), held={"z": 0.0})
+    assert resting["y"] == pytest.approx(rest.place[1], rel=2e-3)
+    assert resting["rx"] == pytest.approx(rest.place[3], rel=2e-3)
+    loads = [one.inner.load[0].max() for one in rest.rows]
+    assert loads[1] / loads[0] == pytest.approx(1.5, rel=2e-3)
 
 
 def test_rings_are_on_the_shaft(resting):
