@@ -6,6 +6,8 @@
 
 #include "bearing_compat.h"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #if BEARING_IS_LIGGGHTS
@@ -62,6 +64,43 @@ inline void make_atoms(LAMMPS_NS::LAMMPS *lmp, const std::vector<NewAtom> &list)
       atom->omega[i][k] = a.omega[k];
     }
   }
+}
+
+// The host's map from tags to atoms, after those from `first` on were made and there are natoms, up
+// to the tag `top`. All ranks.
+inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, tag_t top)
+{
+  LAMMPS_NS::Atom &atom = *lmp->atom;
+#if BEARING_IS_LIGGGHTS
+  // A map made anew for every bearing takes a time that grows with their square. So it is made for
+  // twice as many tags, and then takes the new atoms only. The host has an array by local atom as
+  // well, with 1000 places (EXTRA of its atom_map.cpp) more than atoms when the map was made, and
+  // none on a rank without atoms.
+  constexpr double spare = 1000.0;
+  const bool array = atom.map_style == 1;
+  int mine = array && atom.nghost == 0 && (first > 0 || atom.nlocal == 0), all;
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, lmp->world);
+  const double atoms = static_cast<double>(atom.natoms);
+  if (all && top <= atom.map_tag_max &&
+      std::floor(atoms_before / spare) == std::floor(atoms / spare)) {
+    for (int i = first; i < atom.nlocal; ++i) atom.map_one(atom.tag[i], i);
+    return;
+  }
+  // the host asks its atoms for the largest tag
+  const bool twice = array && atom.nlocal > 0 && top < std::numeric_limits<tag_t>::max() / 2;
+  const tag_t own = twice ? atom.tag[atom.nlocal - 1] : 0;
+  if (twice) atom.tag[atom.nlocal - 1] = 2 * top;
+  atom.nghost = 0;
+  atom.map_init();
+  if (twice) atom.tag[atom.nlocal - 1] = own;
+#else
+  (void)first;
+  (void)atoms_before;
+  (void)top;
+  atom.nghost = 0;
+  atom.map_init();
+#endif
+  atom.map_set();
 }
 
 }    // namespace bearing

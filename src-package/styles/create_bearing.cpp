@@ -130,7 +130,8 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
 {
   const int first = atom->nlocal;
   bearing::tag_t top = 0;
-  for (int i = 0; i < atom->nlocal; ++i) top = atom->tag[i] > top ? atom->tag[i] : top;
+  const bearing::tag_t *const tag = atom->tag;
+  for (int i = 0; i < first; ++i) top = std::max(top, tag[i]);
   double most = static_cast<double>(top);
   MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, world);
   next_tag_ = static_cast<bearing::tag_t>(most) + 1;
@@ -161,13 +162,10 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   for (int m = 0; m < modify->nfix; ++m)
     if (modify->fix[m]->create_attribute)
       for (int i = first; i < atom->nlocal; ++i) modify->fix[m]->set_arrays(i);
+  const double before = static_cast<double>(atom->natoms);
   bigint n = atom->nlocal;
   MPI_Allreduce(&n, &atom->natoms, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  if (atom->map_style) {
-    atom->nghost = 0;
-    atom->map_init();
-    atom->map_set();
-  }
+  if (atom->map_style) bearing::map_atoms(lmp, first, before, next_tag_ - 1);
   if (comm->me == 0) {
     const std::string say = "Created a bearing: " + std::to_string(p.balls) + " balls" +
                             (p.cage_type ? ", as many cage balls" : "") + ", two rings\n";

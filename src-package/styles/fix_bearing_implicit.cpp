@@ -3,6 +3,7 @@
 
 #include "../contacts/fix_columns.h"
 #include "../deck/arguments.h"
+#include "../implicit/alike_bearings.h"
 #include "../implicit/bearing_step.h"
 #include "../ranks/bearing_parts.h"
 #include "fix_bearing_cage.h"
@@ -13,6 +14,8 @@
 #include "ring_values.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -20,12 +23,13 @@ using bearing::Arguments;
 using bearing::Instants;
 using bearing::tag_t;
 using bearing::text;
+using raceway::BearingModel;
 using raceway::BearingStep;
 
 static constexpr double smallest_step = 1e-12;    // s
 
 struct FixBearingImplicit::Part {
-  std::unique_ptr<BearingStep> bearing;
+  BearingStep *bearing;
   double step;                     // s, the control's wish for the next substep
   BearingStep::Outcome outcome;    // of the last substep that was tried
 };
@@ -34,7 +38,8 @@ struct FixBearingImplicit::Solver {
   BearingStep::Settings settings;
   BearingStep::Energy energy;    // of bearings of earlier neighbour builds
   bearing::BearingParts bearings;
-  std::vector<Part> parts;                                    // one a bearing at home here
+  std::vector<Part> parts;    // one a bearing at home here
+  std::vector<std::unique_ptr<BearingStep>> steps;
   std::vector<raceway::BearingInstants::Contact> contacts;    // of the instant that is read
 };
 
@@ -42,7 +47,7 @@ struct FixBearingImplicit::Solver {
 // [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
-    solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}, {}})
+    solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}, {}, {}})
 {
   BearingStep::Settings &settings = solver_->settings;
   double cage = 0.0;
@@ -200,9 +205,9 @@ void FixBearingImplicit::build()
   if (build_ == pair_->table_build()) return;
   build_ = pair_->table_build();
   Solver &all = *solver_;
-  for (Part &p : all.parts) {    // what the bearings of the last build have to say
-    all.energy.work += p.bearing->spent().work;
-    all.energy.dissipated += p.bearing->spent().dissipated;
+  for (const auto &step : all.steps) {    // what the bearings of the last build have to say
+    all.energy.work += step->spent().work;
+    all.energy.dissipated += step->spent().dissipated;
   }
   bearing::BearingSources sources;
   sources.table = &pair_->table();
@@ -224,12 +229,30 @@ void FixBearingImplicit::build()
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.parts.clear();
+  all.steps.clear();
+  // One solver for all bearings that are alike stays in the caches. An account of the energy and
+  // instants stay with a bearing after its step, so there each has its own.
+  const bool shared = !energy_wanted_ && instants_.number < 2;
+  using Kind = std::tuple<const void *, size_t, int>;    // tells most kinds apart
+  std::map<Kind, std::vector<std::pair<int, BearingStep *>>> kinds;
   for (int p = 0; p < all.bearings.size(); ++p) {
-    raceway::BearingModel model = all.bearings.model(p);
-    model.parts = pair_->law();
-    all.parts.push_back({std::make_unique<BearingStep>(model), 0.0, {}});
-    all.parts.back().bearing->keep_energy(energy_wanted_);
-    all.parts.back().bearing->instants().want({instants_.number, instants_.capacitor});
+    const BearingModel &model = all.bearings.model(p);
+    auto &kind = kinds[{model.grooves.empty() ? nullptr : model.grooves.front().physics,
+                        model.bodies.size(), model.rings.front().mover}];
+    const auto like =
+        std::find_if(shared ? kind.begin() : kind.end(), kind.end(),
+                     [&](const auto &one) { return alike(all.bearings.model(one.first), model); });
+    if (like != kind.end()) {
+      all.parts.push_back({like->second, 0.0, {}});
+      continue;
+    }
+    BearingModel of = model;
+    of.parts = pair_->law();
+    all.steps.push_back(std::make_unique<BearingStep>(of));
+    all.parts.push_back({all.steps.back().get(), 0.0, {}});
+    kind.push_back({p, all.steps.back().get()});
+    all.steps.back()->keep_energy(energy_wanted_);
+    all.steps.back()->instants().want({instants_.number, instants_.capacitor});
   }
 }
 
@@ -237,9 +260,27 @@ void FixBearingImplicit::build()
 void FixBearingImplicit::begin_energy()
 {
   stored_before_ = 0.0;
-  for (Part &p : solver_->parts) stored_before_ += p.bearing->energy().stored;
+  for (const auto &step : solver_->steps) stored_before_ += step->energy().stored;
   MPI_Allreduce(MPI_IN_PLACE, &stored_before_, 1, MPI_DOUBLE, MPI_SUM, world);
   begun_ = true;
+}
+
+// The state of a bearing, and what its rings are told to do in this step.
+void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
+{
+  bearing::BearingParts &bearings = solver_->bearings;
+  BearingStep &step = *solver_->parts[p].bearing;
+  const BearingModel &model = bearings.model(p);
+  step.set_gravity(fall);
+  for (size_t k = 0; k < model.rings.size(); ++k)
+    if (model.rings[k].mover >= 0 && !model.rings[k].on_shaft)
+      step.set_program(static_cast<int>(k),
+                       rings_[model.rings[k].mover]->program(model.rings[k].own));
+  int shaft = static_cast<int>(model.rings.size());
+  for (const BearingModel::Shaft &s : model.shafts)
+    step.set_program(shaft++, rings_[s.mover]->program({}));
+  step.load(bearings.bodies(p), bearings.rings(p));
+  step.load_states(bearings.states(p).data());
 }
 
 void FixBearingImplicit::initial_integrate(int)
@@ -250,21 +291,12 @@ void FixBearingImplicit::initial_integrate(int)
   std::vector<Part> &parts = solver_->parts;
   bearings.gather();
   const raceway::Vec3 fall = gravity();
-  for (int p = 0; p < bearings.size(); ++p) {
-    parts[p].bearing->set_gravity(fall);
-    const std::vector<raceway::BearingModel::Ring> &rings = bearings.model(p).rings;
-    for (size_t k = 0; k < rings.size(); ++k)
-      if (rings[k].mover >= 0 && !rings[k].on_shaft)
-        parts[p].bearing->set_program(static_cast<int>(k),
-                                      rings_[rings[k].mover]->program(rings[k].own));
-    int shaft = static_cast<int>(rings.size());
-    for (const raceway::BearingModel::Shaft &s : bearings.model(p).shafts)
-      parts[p].bearing->set_program(shaft++, rings_[s.mover]->program({}));
-    parts[p].bearing->load(bearings.bodies(p), bearings.rings(p));
-    parts[p].bearing->load_states(bearings.states(p).data());
+  if (energy_wanted_ && !begun_) {
+    for (int p = 0; p < bearings.size(); ++p) load(p, fall);
+    begin_energy();
   }
-  if (energy_wanted_ && !begun_) begin_energy();
   for (int p = 0; p < bearings.size(); ++p) {
+    load(p, fall);
     // the control's wish is kept with the ring, so that it goes with the bearing to another home or
     // into a restart file
     double &wish = bearings.wished_step(p);
@@ -341,7 +373,7 @@ void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell)
 {
   const raceway::LabAxes axes = {pair_->axis_index()};
   for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
-    const raceway::BearingModel &m = solver_->bearings.model(p);
+    const BearingModel &m = solver_->bearings.model(p);
     const raceway::BearingInstants &at = solver_->parts[p].bearing->instants();
     at.contacts(k, tell.states, solver_->contacts);
     for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
@@ -392,7 +424,7 @@ static std::string cause(raceway::Failure f, const std::string &who)
 void FixBearingImplicit::give_up(const Part &p, double h) const
 {
   const BearingStep::Outcome &o = p.outcome;
-  const raceway::BearingModel &m = solver_->bearings.model(&p - solver_->parts.data());
+  const BearingModel &m = solver_->bearings.model(&p - solver_->parts.data());
   const std::string where =
       std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
   const std::string who =
@@ -417,9 +449,9 @@ double FixBearingImplicit::compute_scalar()
 double FixBearingImplicit::compute_vector(int k)
 {
   BearingStep::Energy e = solver_->energy;
-  for (Part &p : solver_->parts)
+  for (const auto &step : solver_->steps)
     if (energy_wanted_) {
-      const BearingStep::Energy &now = p.bearing->energy();
+      const BearingStep::Energy &now = step->energy();
       e.work += now.work;
       e.dissipated += now.dissipated;
       e.stored += now.stored;

@@ -52,6 +52,7 @@ class FixBearingImplicit : public Fix {
   void find_rings();
   void build();
   void begin_energy();
+  void load(int part, const raceway::Vec3 &fall);
   void advance(Part &);
   [[noreturn]] void give_up(const Part &, double h) const;
 
