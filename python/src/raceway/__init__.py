@@ -55,6 +55,7 @@ NAMES = {
     "many_grooves": "theory.many_grooves",
     "rolling": "theory.rolling",
     "shaft": "theory.shaft",
+    "shaft_bending": "theory.shaft_bending",
     "shaft_motion": "theory.shaft_motion",
     "rough_film": "theory.rough_film",
     "sliding": "theory.sliding",
@@ -85,6 +86,7 @@ NAMES = {
     # the electrical bearing
     "circuit": "electric.circuit",
     # data files, errors, units
+    "bending_file": "bending_file",
     "catalogue": "catalogue",
     "clearance_classes": "clearance_classes",
     "errors": "errors",

@@ -20,6 +20,7 @@ examples:
   raceway shaft inputs/shafts/motor
   raceway shaft inputs/shafts/motor --json
   raceway shaft inputs/shafts/motor --out build/motor.png
+  raceway shaft inputs/shafts/motor --reduced build/motor.modes --places 0.1 0.27
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 SHOWN = 6  # natural frequencies in the table
@@ -50,6 +51,32 @@ def add(commands: Commands) -> None:
     )
     one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
     one.add_argument("--out", metavar="PNG", help="draw the shaft's displacement")
+    reduced = one.add_argument_group("a shaft that bends, for fix bearing/shaft")
+    reduced.add_argument(
+        "--reduced", metavar="FILE", help="write how the shaft bends, in few coordinates"
+    )
+    reduced.add_argument(
+        "--modes",
+        type=int,
+        default=4,
+        metavar="N",
+        help="modes of a plane while bearings and loads are held (4)",
+    )
+    reduced.add_argument(
+        "--damping",
+        type=float,
+        default=0.0,
+        metavar="RATIO",
+        help="damping ratio of every elastic mode (0)",
+    )
+    reduced.add_argument(
+        "--places",
+        type=float,
+        nargs="+",
+        default=[],
+        metavar="Z",
+        help="other places of the deck's loads and unbalances, m",
+    )
     one.set_defaults(command=run)
 
 
@@ -60,6 +87,7 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.errors import RacewayError
     from raceway.theory import shaft
 
+    _check(arguments)
     case = shaft_file.read(arguments.file, arguments.inputs)
     speed = case.rpm * math.pi / 30
     try:
@@ -71,7 +99,38 @@ def run(arguments: argparse.Namespace) -> None:
         from raceway.pictures.shaft import picture
 
         picture(case, rest, arguments.out)
+    if arguments.reduced:
+        reduce(case, rest, arguments)
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
+
+
+def _check(arguments):
+    from raceway.errors import RacewayError
+
+    if not 0 <= arguments.modes <= 50:
+        raise RacewayError(f"--modes is {arguments.modes}, must be from 0 to 50")
+    if not 0 <= arguments.damping < 1:
+        raise RacewayError(f"--damping is {arguments.damping:g}, must be from 0 to below 1")
+
+
+def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
+    """Write the file of `arguments.reduced`. Raises `RacewayError`."""
+    from raceway import bending_file
+    from raceway.errors import RacewayError
+    from raceway.theory import shaft_motion
+
+    try:
+        found = shaft_motion.bending(
+            case.shaft,
+            rest,
+            case.loads,
+            modes=arguments.modes,
+            damping=arguments.damping,
+            places=arguments.places,
+        )
+        bending_file.write(arguments.reduced, found)
+    except (ValueError, OSError) as error:
+        raise RacewayError(f"{arguments.file}: {error}") from None
 
 
 def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[str, Any]:

@@ -1,20 +1,25 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small vibrations of a shaft about its rest (`shaft`): what it is as a rigid body, and its natural
-frequencies on bearings whose stiffness is that at rest."""
+"""Small vibrations of a shaft about its rest (`shaft`): what it is as a rigid body, how it bends,
+and its natural frequencies on bearings whose stiffness is that at rest."""
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from raceway.arrays import Floats
-from raceway.theory import beam, beam_motion
+from raceway.theory import beam, beam_motion, shaft_bending
 from raceway.theory.beam import FREEDOMS
-from raceway.theory.shaft import Rest, Shaft
+from raceway.theory.shaft import Load, Rest, Shaft
 
 FINENESS = 24  # pieces of a shaft, at least
 
 
-def nodes(shaft: Shaft, rest: Rest) -> tuple[Floats, beam_motion.Matrices]:
-    """(z in m, `beam_motion.Matrices`) of the nodes of `rest` and enough others."""
-    z = rest.z
+def nodes(
+    shaft: Shaft, rest: Rest, places: Sequence[float] = ()
+) -> tuple[Floats, beam_motion.Matrices]:
+    """(z in m, `beam_motion.Matrices`) of the nodes of `rest`, those at `places` (m) and enough
+    others. Raises `ValueError` for a place off the shaft."""
+    z, _ = beam.divided(shaft.sections, [*rest.z, *places])
     longest = z[-1] / FINENESS
     places = [
         place
@@ -28,6 +33,35 @@ def nodes(shaft: Shaft, rest: Rest) -> tuple[Floats, beam_motion.Matrices]:
 def rigid(shaft: Shaft, rest: Rest) -> beam_motion.Rigid:
     """The shaft as a body that does not bend, as `fix bearing/shaft` takes it."""
     return beam_motion.rigid(*nodes(shaft, rest))
+
+
+def bending(
+    shaft: Shaft,
+    rest: Rest,
+    loads: Sequence[Load],
+    *,
+    modes: int = 4,
+    damping: float = 0.0,
+    places: Sequence[float] = (),
+) -> shaft_bending.Bending:
+    """How `shaft` bends: kept are its bearings and the places of `loads` across it.
+
+    `modes` in a plane and the `damping` ratio are those of `shaft_bending.bending`. Stations are
+    the nodes of `rest`, the centre of mass, and `places` (m). Raises `ValueError` for a place off
+    the shaft and for too many modes.
+    """
+    centre = rigid(shaft, rest).centre
+    stations = [*rest.z, centre, *places]
+    z, whole = nodes(shaft, rest, [centre, *places])
+
+    def node(place):
+        return int(np.argmin(np.abs(z - place)))
+
+    across = [one.at for one in loads if any(one.force[:2]) or any(one.moment)]
+    kept = {node(place) for place in (*(one.seat.at for one in rest.bearings), *across)}
+    return shaft_bending.bending(
+        z, whole, sorted(kept), modes, sorted({node(place) for place in stations}), damping
+    )
 
 
 def frequencies(shaft: Shaft, rest: Rest, speed: float) -> Floats:
