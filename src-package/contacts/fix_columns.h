@@ -73,6 +73,18 @@ const Column list[N] = {
 };
 }    // namespace of_fix_ring
 
+// ---- fix bearing/shaft with *flexible*: these follow in the row of a ring
+namespace of_fix_bend {
+enum { X, Y, Z, TILT1, TILT2, N };
+const Column list[N] = {
+    {"bend_x", "m", "displacement along x by bending, against the rigid shaft"},
+    {"bend_y", "m", "displacement along y by bending"},
+    {"bend_z", "m", "displacement along z by bending, 0 along the shaft"},
+    {"bend_tilt_1", "rad", "slope by bending as a tilt about the first axis across"},
+    {"bend_tilt_2", "rad", "slope by bending as a tilt about the second axis across"},
+};
+}    // namespace of_fix_bend
+
 // ---- fix bearing/implicit: all its bearings, since the start of the run
 namespace of_fix_implicit {
 enum {
@@ -96,8 +108,9 @@ const Column list[N] = {
     {"refused", "", "internal steps refused and repeated", raceway::has_none, as_whole},
     {"error", "m", "largest accepted estimated error; with *solve damping* the largest movement"},
     {"work", "J", "work put in by loads and driven motions; 0 without *energy yes*, as the next"},
-    {"dissipated", "J", "energy dissipated in films, by hysteresis, by sliding and at the cage"},
-    {"stored", "J", "growth of the energy of motion and of contact springs"},
+    {"dissipated", "J",
+     "energy dissipated in films, by hysteresis, by sliding, at the cage and in dampers"},
+    {"stored", "J", "growth of the energy of motion, of contact springs and of bent shafts"},
     {"lost", "J", "energy lost by the integrator: work, less dissipated, less stored"},
 };
 }    // namespace of_fix_implicit

@@ -82,11 +82,24 @@ void BearingBodies::place_shafts()
 {
   for (size_t s = 0; s < model.shafts.size(); ++s) {
     const int shaft = static_cast<int>(model.rings.size() + s);
+    const ShaftModes *modes = model.shafts[s].modes;
+    if (modes) {
+      bends.emplace_back();
+      ShaftBend &b = bends.back();
+      b.modes = modes;
+      b.shaft = shaft;
+      for (BendState *state : {&b.from, &b.base, &b.now, &b.first}) state->resize(modes->size());
+      b.gained.assign(b.size(), 0.0);
+      b.contacts.assign(b.size(), 0.0);
+      for (int k : model.shafts[s].rings)
+        b.seats.push_back({k, -1, model.rings[k].at, &modes->station(model.rings[k].at)});
+    }
     for (int k : model.shafts[s].rings) {
       rings[k].carried = true;
+      rings[k].levered = !modes;
       rings[k].at = model.rings[k].at;
       rings[shaft].span = std::max(rings[shaft].span, std::fabs(rings[k].at));
-      on_shafts.push_back({k, shaft});
+      if (!modes) on_shafts.push_back({k, shaft});
     }
   }
 }
@@ -97,6 +110,12 @@ void BearingBodies::carry()
     RingBody &r = rings[c.ring];
     r.now = raceway::carried(rings[c.shaft].now, r.at, r.from.origin);
   }
+  for (const ShaftBend &b : bends)
+    for (const ShaftBend::Seat &seat : b.seats) {
+      RingBody &r = rings[seat.ring];
+      r.now = raceway::carried(rings[b.shaft].now, seat.at, r.from.origin,
+                               Deflection(*seat.station, b.now));
+    }
 }
 
 void BearingBodies::add_shafts()
@@ -107,6 +126,34 @@ void BearingBodies::add_shafts()
     shaft.force += r.force;
     shaft.moment += moment_about_centre(shaft.now.e, r.at, r.force, r.moment);
   }
+  for (ShaftBend &b : bends) {
+    RingBody &shaft = rings[b.shaft];
+    std::fill(b.contacts.begin(), b.contacts.end(), 0.0);
+    for (const ShaftBend::Seat &seat : b.seats) {
+      const RingBody &r = rings[seat.ring];
+      shaft.force += r.force;
+      shaft.moment += moment_about_centre(shaft.now.e, seat.at, r.now.e, r.force, r.moment);
+      add_to_modes(*seat.station, r.now.e, r.force, r.moment, b.contacts);
+    }
+  }
+}
+
+bool BearingBodies::is_bent_shaft(int ring) const
+{
+  return std::any_of(bends.begin(), bends.end(),
+                     [ring](const ShaftBend &b) { return b.shaft == ring; });
+}
+
+void BearingBodies::find_unknowns_of(size_t k)
+{
+  rings[k].loose = false;
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    rings[k].unknown[dof] = -1;
+    if (!rings[k].program.free(dof)) continue;
+    rings[k].loose = true;
+    rings[k].unknown[dof] = static_cast<int>(free.size());
+    free.push_back({static_cast<int>(k), dof});
+  }
 }
 
 // They do not change while a run lasts.
@@ -114,14 +161,19 @@ void BearingBodies::find_unknowns()
 {
   unknowns_known_ = true;
   free.clear();
-  for (size_t k = 0; k < rings.size(); ++k) {
-    rings[k].loose = false;
-    for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-      rings[k].unknown[dof] = -1;
-      if (!rings[k].program.free(dof)) continue;
-      rings[k].loose = true;
-      rings[k].unknown[dof] = static_cast<int>(free.size());
-      free.push_back({static_cast<int>(k), dof});
+  for (size_t k = 0; k < rings.size(); ++k)
+    if (!is_bent_shaft(static_cast<int>(k))) find_unknowns_of(k);
+  columns = straight = static_cast<int>(free.size());
+  for (const ShaftBend &b : bends) find_unknowns_of(b.shaft);
+  unknowns = static_cast<int>(free.size());
+  for (ShaftBend &b : bends) {
+    b.unknown = unknowns;
+    unknowns += b.size();
+    for (ShaftBend::Seat &seat : b.seats) {
+      RingBody &r = rings[seat.ring];
+      seat.column = columns;
+      r.loose = true;
+      for (int &column : r.unknown) column = columns++;
     }
   }
   for (const Carried &c : on_shafts) {
@@ -129,6 +181,40 @@ void BearingBodies::find_unknowns()
     rings[c.ring].loose = shaft.loose;
     std::copy(shaft.unknown, shaft.unknown + RingProgram::N_DOF, rings[c.ring].unknown);
   }
+  columns_of_group.assign(groups.size(), {});
+  for (std::vector<int> &all : columns_of_group)
+    for (int k = 0; k < columns; ++k) all.push_back(k);
+  if (!bends.empty()) find_columns();
+}
+
+// What hangs together by contacts alone: rings are numbered first, then groups.
+void BearingBodies::find_columns()
+{
+  const int n = static_cast<int>(rings.size());
+  std::vector<int> part(n + groups.size());
+  for (size_t k = 0; k < part.size(); ++k) part[k] = static_cast<int>(k);
+  const auto join = [&part](int a, int b) {
+    std::replace(part.begin(), part.end(), int(part[a]), int(part[b]));
+  };
+  for (const Track &t : tracks)
+    for (int g = t.first; g < t.end; ++g) join(t.ring, n + g);
+  for (const RailTrack &t : rail_tracks)
+    for (int g = t.first; g < t.end; ++g) join(t.ring, n + g);
+  for (const BearingModel::Pocket &p : model.pockets)
+    join(n + slot[p.a] / lanes, n + slot[p.b] / lanes);
+  for (const Carried &c : on_shafts) join(c.ring, c.shaft);
+  std::vector<std::vector<int>> of_part(part.size());
+  columns_of_column.assign(columns, {});
+  for (int pass = 0; pass < 2; ++pass)
+    for (int k = 0; k < n; ++k) {
+      if (rings[k].levered || is_bent_shaft(k)) continue;    // its shaft has them; meets no contact
+      for (int column : rings[k].unknown) {
+        if (column < 0) continue;
+        if (pass == 0) of_part[part[k]].push_back(column);
+        else columns_of_column[column] = of_part[part[k]];
+      }
+    }
+  for (size_t g = 0; g < groups.size(); ++g) columns_of_group[g] = of_part[part[n + g]];
 }
 
 void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<RingPose> &poses)
@@ -138,6 +224,11 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
   for (size_t s = 0; s < model.shafts.size(); ++s) {
     const RingBody &first = rings[model.shafts[s].rings.front()];
     rings[poses.size() + s].from = shaft_of(first.from, first.at);
+  }
+  for (const ShaftBend &b : bends) {
+    const ShaftBend::Seat &first = b.seats.front();
+    rings[b.shaft].from =
+        shaft_of(rings[first.ring].from, first.at, Deflection(*first.station, b.from));
   }
   // balls circle the ring that is not free, the last one if there is a choice
   centre = rings.front().from.x;
@@ -215,6 +306,7 @@ void BearingBodies::accept()
     g.w_from = g.w;
   }
   for (RingBody &r : rings) r.from = r.now;
+  for (ShaftBend &b : bends) b.from = b.now;
   for (States &s : kept) std::copy(s.now, s.now + states_, s.from);
 }
 

@@ -6,6 +6,7 @@
 
 #include "bearing_model.h"
 #include "kept_follow.h"
+#include "shaft_bend.h"
 
 namespace raceway {
 
@@ -30,9 +31,11 @@ struct alignas(32) RingBody {
   RingProgram program;
   RingPose from, base, now, first;
   double gained[RingProgram::N_DOF] = {};
-  int unknown[RingProgram::N_DOF];    // number of a free degree of freedom, else -1
+  int unknown[RingProgram::N_DOF];    // number of a free degree of freedom, else -1; of a ring on
+                                      // a shaft that bends: its column (BearingBodies::columns)
   bool loose = false;                 // some degree of freedom is free
-  bool carried = false;               // by a shaft, whose unknowns it has
+  bool carried = false;               // by a shaft
+  bool levered = false;               // by a rigid one, whose unknowns it has
   double at = 0.0;                    // m, a carried ring from the shaft's centre
   double span = 0.0;                  // m, of a shaft: to the farthest of its rings
   double spring = 0.0;                // N/m, sum over contacts; with dampers_only
@@ -92,14 +95,26 @@ class BearingBodies {
   std::vector<RingBody> rings;    // those of the model, then a shaft each
   std::vector<Carried> on_shafts;
   std::vector<Free> free;    // degrees of freedom of the rings: the border
-  Vec3 centre;               // of the turning frames
-  Vec3 gravity;              // m/s^2, on all bodies and rings
-  bool heavy = false;        // there is any
+  // With shafts that bend, their free degrees of freedom are the last ones, and their modes follow.
+  std::vector<ShaftBend> bends;
+  int unknowns = 0;    // of the border
+  // Motions of rings that contacts meet: the first unknowns, but for shafts that bend, then all of
+  // each ring on such a shaft.
+  int columns = 0, straight = 0;
+  // Those that a group may have numbers in, by group: all, or with shafts that bend the ones of its
+  // own bearing. With such shafts the same by column.
+  std::vector<std::vector<int>> columns_of_group, columns_of_column;
+  Vec3 centre;           // of the turning frames
+  Vec3 gravity;          // m/s^2, on all bodies and rings
+  bool heavy = false;    // there is any
 
  private:
   void place();
   void place_shafts();
   void find_unknowns();
+  void find_unknowns_of(size_t ring);
+  void find_columns();
+  bool is_bent_shaft(int ring) const;
   bool unknowns_known_ = false;
   int states_ = 0;
 };

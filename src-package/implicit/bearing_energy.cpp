@@ -24,8 +24,17 @@ void BearingStep::add_energy(double weight, double s)
     for (int k = 0; k < 3; ++k)
       power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
   }
-  if (bodies_.heavy) power += power_of_gravity();
   double lost = forces_.power_lost();
+  for (const ShaftBend &b : bodies_.bends) {
+    const RingBody &shaft = bodies_.rings[b.shaft];
+    const std::vector<double> loads = b.program.forces(shaft.program, s, shaft.now.angle);
+    for (int k = 0; k < b.size(); ++k) {
+      const double v = b.now.rate[k];
+      power += loads[k] * v;
+      lost += b.modes->damping[k % b.modes->size()] * v * v;
+    }
+  }
+  if (bodies_.heavy) power += power_of_gravity();
   for (const RingBody &r : bodies_.rings)
     if (r.program.supported) lost += r.program.support_loss(r.now, r.now.rate[0], r.now.rate[1]);
   pending_.work += weight * power;
@@ -81,6 +90,12 @@ double BearingStep::stored_energy()
     if (r.program.supported) total += r.program.support_energy(r.now);
     if (r.program.free(RingProgram::SPIN))
       total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
+  }
+  for (ShaftBend &b : bodies_.bends) {
+    b.now = b.from;
+    total += strain_energy(*b.modes, b.now);
+    for (int k = 0; k < b.size(); ++k)
+      total += 0.5 * b.modes->mass[k % b.modes->size()] * b.now.rate[k] * b.now.rate[k];
   }
   forces_.evaluate(Stage());
   return total + forces_.contact_energy();

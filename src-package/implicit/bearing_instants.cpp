@@ -83,6 +83,8 @@ void BearingInstants::keep()
   for (size_t k = 0; k < b_.groups.size(); ++k)
     end_[k] = {b_.groups[k].now, b_.groups[k].v, b_.groups[k].w};
   for (size_t k = 0; k < b_.rings.size(); ++k) ring_end_[k] = b_.rings[k].now;
+  bend_end_.clear();
+  for (const ShaftBend &b : b_.bends) bend_end_.push_back(b.now);
   kept_end_ = b_.kept;
 }
 
@@ -95,6 +97,7 @@ void BearingInstants::put_back()
     g.w = end_[k].w;
   }
   for (size_t k = 0; k < b_.rings.size(); ++k) b_.rings[k].now = ring_end_[k];
+  for (size_t k = 0; k < b_.bends.size(); ++k) b_.bends[k].now = bend_end_[k];
   std::swap(b_.kept, kept_end_);
 }
 
@@ -114,6 +117,7 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
   }
   for (size_t k = 0; k < b_.rings.size(); ++k)
     b_.rings[k].now = between(b_.rings[k].from, ring_end_[k], h, s);
+  for (size_t k = 0; k < b_.bends.size(); ++k) b_.bends[k].between(bend_end_[k], h, s);
   b_.carry();
   for (size_t k = 0; k < b_.kept.size(); ++k)
     for (int m = 0; m < b_.states(); ++m)
@@ -146,6 +150,16 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
     rings_[(k - 1) * b_.rings.size() + c.ring].acceleration =
         carried_acceleration(shaft.program, shaft.now, b_.rings[c.ring].at, b_.force_on(shaft, s),
                              b_.moment_on(shaft, s));
+  }
+  for (const ShaftBend &b : b_.bends) {
+    const RingBody &shaft = b_.rings[b.shaft];
+    const Vec3 push = b_.force_on(shaft, s),
+               moment = b_.moment_on(shaft, s) + moment_of_modes(*b.modes, b.now, shaft.now.spin);
+    const std::vector<double> forces = b.forces(shaft.program, shaft.now, s);
+    for (const ShaftBend::Seat &seat : b.seats)
+      rings_[(k - 1) * b_.rings.size() + seat.ring].acceleration =
+          carried_acceleration(shaft.program, shaft.now, seat.at, push, moment) +
+          bending_acceleration(*b.modes, *seat.station, forces);
   }
   if (!surrounded_.empty()) surrounded(k);
   else if (!capacitors_.empty()) capacitors(k);

@@ -75,6 +75,7 @@ class BearingInstants {
   // the end of the step, while the bearing is put elsewhere
   std::vector<Motion> end_;
   std::vector<RingPose> ring_end_;
+  std::vector<BendState> bend_end_;
   std::vector<BearingBodies::States> kept_end_;
 };
 

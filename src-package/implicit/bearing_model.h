@@ -15,6 +15,8 @@
 
 namespace raceway {
 
+struct ShaftModes;
+
 struct BearingModel {
   using Tag = std::int64_t;
   struct Body {
@@ -31,7 +33,8 @@ struct BearingModel {
   };
   struct Shaft {    // rings that move as one body
     int mover;
-    std::vector<int> rings;    // by tag
+    std::vector<int> rings;               // by tag
+    const ShaftModes *modes = nullptr;    // of a shaft that bends
   };
   struct Groove {    // a ball that may touch a raceway
     int body, ring;

@@ -24,6 +24,13 @@ BearingStep::Settings BearingStep::Settings::at(double overlap) const
   return result;
 }
 
+ShaftBend &BearingStep::bend(int shaft)
+{
+  const int ring = static_cast<int>(bodies_.model.rings.size()) + shaft;
+  return *std::find_if(bodies_.bends.begin(), bodies_.bends.end(),
+                       [ring](const ShaftBend &b) { return b.shaft == ring; });
+}
+
 BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s0, double s1)
 {
   const Settings set = asked.relative > 0.0 ? asked.at(forces_.largest_overlap()) : asked;
@@ -41,6 +48,7 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
     r.base = r.from;
     std::fill(r.gained, r.gained + RingProgram::N_DOF, 0.0);
   }
+  for (ShaftBend &b : bodies_.bends) b.start();
   for (BearingBodies::States &k : bodies_.kept)
     std::copy(k.from, k.from + bodies_.states(), k.base);
   if (set.dampers_only) {
@@ -85,7 +93,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
       failure = forces_.evaluate(stage);
     }
     if (failure != Failure::none) return failed(o, failure, forces_.body()).solved();
-    system_.add_rings(h, stage.follows(), s);
+    system_.add_rings(h, stage.follows(), s, fresh);
     if (fresh) system_.factor();
     system_.solve();
     ++o.corrections;
@@ -119,6 +127,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
              largest_turn);    // the base of a second stage goes that far
   }
   for (RingBody &r : bodies_.rings) r.now = moved(r.program, r.base, r.gained, h, s);
+  for (ShaftBend &b : bodies_.bends) b.move(h);
   bodies_.carry();
   return !any(far);
 }
@@ -197,6 +206,7 @@ RACEWAY_LANES void BearingStep::second_base()
       k.first[m] = k.now[m];
       k.base[m] = k.from[m] + beyond_2 * (k.now[m] - k.from[m]);
     }
+  for (ShaftBend &b : bodies_.bends) b.second_base(beyond_2);
   for (RingBody &r : bodies_.rings) {
     r.first = r.now;
     r.base = beyond(r.from, r.now, beyond_2);
@@ -241,11 +251,16 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
                   lever(f);
     largest = std::max(largest, std::fabs(dv));
   }
+  for (const ShaftBend &b : bodies_.bends)
+    for (int k = 0; k < b.size(); ++k) {
+      const double before = one ? b.from.rate[k] : b.first.rate[k];
+      largest = std::max(largest, std::fabs(b.now.rate[k] - before));
+    }
   return share * h * largest;
 }
 
-// Adds the correction; returns its size, m: largest over balls across the raceways and over the
-// rings.
+// Adds the correction; returns its size, m: largest over balls across the raceways, over the rings
+// and over the modes of shafts.
 RACEWAY_LANES double BearingStep::apply(double h, const Settings &set, Outcome &o)
 {
   Lane off = {};
@@ -272,6 +287,13 @@ RACEWAY_LANES double BearingStep::apply(double h, const Settings &set, Outcome &
     if (bodies_.free[f].dof == RingProgram::SPIN) continue;
     largest = std::max(largest, std::fabs(system_.y(f)) * lever(bodies_.free[f]));
   }
+  for (ShaftBend &b : bodies_.bends)
+    for (int k = 0; k < b.size(); ++k) {
+      const double dv = system_.y(b.unknown + k);
+      b.gained[k] += dv;
+      finite = finite && std::fabs(dv) < HUGE_VAL;
+      largest = std::max(largest, std::fabs(dv));
+    }
   return finite ? h * largest : HUGE_VAL;
 }
 

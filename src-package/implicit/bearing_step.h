@@ -83,6 +83,10 @@ class BearingStep {
   void store(std::vector<BodyPose> &b, std::vector<RingPose> &r) const { bodies_.store(b, r); }
   // Of a ring of the model; the shafts are numbered after them.
   void set_program(int ring, const RingProgram &p) { bodies_.rings[ring].program = p; }
+  // Of a shaft of the model that bends: what loads do to its modes, and where these are.
+  void set_bend(int shaft, const BendProgram &p) { bend(shaft).program = p; }
+  void load_bend(int shaft, const BendState &b) { bend(shaft).from = b; }    // before load()
+  const BendState &stored_bend(int shaft) { return bend(shaft).from; }
   void set_gravity(const Vec3 &g)    // m/s^2
   {
     bodies_.gravity = g;
@@ -109,6 +113,7 @@ class BearingStep {
   const Energy &energy();                            // with it
 
  private:
+  ShaftBend &bend(int shaft);
   bool solve_stage(const Settings &, double h, double s, Outcome &);
   bool move(double h, double s, bool dampers_only);
   bool coast(double h, double s, bool to_end);

@@ -9,12 +9,19 @@ namespace raceway {
 
 void BearingSystem::resize()
 {
-  const size_t nf = b_.free.size();
-  if (y_.size() == nf && B_.size() == b_.groups.size() * nf) return;
+  const size_t nf = b_.columns, n = b_.unknowns;
+  if (y_.size() == n && B_.size() == b_.groups.size() * nf) return;
   B_.assign(b_.groups.size() * nf, Column());
   C_.assign(b_.groups.size() * nf, Column());
-  border_.resize(static_cast<int>(nf));
-  y_.assign(nf, 0.0);
+  border_.resize(static_cast<int>(n));
+  y_.assign(n, 0.0);
+  corner_ = border_.a.data();
+  motions_ = y_.data();
+  if (b_.bends.empty()) return;
+  corner_apart_.assign(nf * nf, 0.0);
+  motions_apart_.assign(nf, 0.0);
+  corner_ = corner_apart_.data();
+  motions_ = motions_apart_.data();
 }
 
 RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
@@ -42,12 +49,23 @@ RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
   for (Column &c : B_) c = Column();
   for (Column &c : C_) c = Column();
   std::fill(border_.a.begin(), border_.a.end(), 0.0);
+  std::fill(corner_apart_.begin(), corner_apart_.end(), 0.0);
+}
+
+// Where no shaft bends, what is added to old factors stays: the bits of runs have it.
+void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
+{
+  if (b_.bends.empty()) return add_rings(h, follows, s);
+  const std::vector<double> factors = fresh ? std::vector<double>() : border_.a;
+  add_rings(h, follows, s);
+  add_bends(h, follows, s, fresh);
+  if (!fresh) border_.a = factors;
 }
 
 void BearingSystem::add_rings(double h, double follows, double s)
 {
-  const int nf = static_cast<int>(b_.free.size());
-  for (int f = 0; f < nf; ++f) {
+  const int nf = b_.unknowns;
+  for (int f = 0; f < static_cast<int>(b_.free.size()); ++f) {
     const int dof = b_.free[f].dof;
     const RingBody &r = b_.rings[b_.free[f].ring];
     const RingPose &now = r.now;
@@ -81,15 +99,47 @@ void BearingSystem::add_rings(double h, double follows, double s)
   }
 }
 
+// Modes, and the gyroscopic moments between them and their rigid shaft.
+void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
+{
+  const int nf = b_.unknowns;
+  for (const ShaftBend &b : b_.bends) {
+    const RingBody &shaft = b_.rings[b.shaft];
+    const ShaftModes &m = *b.modes;
+    const int n = m.size(), first = shaft.unknown[RingProgram::TILT],
+              second = shaft.unknown[RingProgram::TILT + 1];
+    const Vec3 moment = moment_of_modes(m, b.now, shaft.now.spin);
+    y_[first] += h * moment.x;
+    y_[second] += h * moment.y;
+    const std::vector<double> forces = b.forces(shaft.program, shaft.now, s);
+    for (int k = 0; k < 2 * n; ++k) {
+      const int u = b.unknown + k, mode = k % n;
+      y_[u] = h * forces[k] - m.mass[mode] * b.gained[k];
+      if (!fresh) continue;
+      double *row = &border_.a[u * nf];
+      row[u] += m.mass[mode] + h * (m.damping[mode] + follows * m.stiffness[mode]);
+      const double turn = h * shaft.now.spin;
+      for (int j = 0; j < n; ++j) {
+        const double g = turn * m.g(mode + 1, j + 1);
+        row[k < n ? b.unknown + n + j : b.unknown + j] += k < n ? g : -g;
+      }
+      const double g = turn * m.g(0, mode + 1);
+      const int tilt = k < n ? first : second;
+      row[tilt] -= g;
+      border_.a[tilt * nf + u] += g;
+    }
+  }
+}
+
 RACEWAY_LANES void BearingSystem::factor_groups()
 {
-  const size_t nf = b_.free.size();
+  const size_t nf = b_.columns;
   for (size_t k = 0; k < b_.groups.size(); ++k) {
     BodyGroup &g = b_.groups[k];
     if (g.spins) raceway::factor<6>(g.A);
     else raceway::factor<3>(g.A);
     if (g.coupled)
-      for (size_t f = 0; f < nf; ++f) {
+      for (int f : b_.columns_of_group[k]) {
         if (g.spins) substitute<6>(g.A, B_[k * nf + f].a);
         else substitute<3>(g.A, B_[k * nf + f].a);
       }
@@ -103,7 +153,7 @@ RACEWAY_LANES void BearingSystem::factor_groups()
 
 void BearingSystem::factor()
 {
-  const int nf = static_cast<int>(b_.free.size());
+  const int nf = b_.columns;
   for (BodyGroup &g : b_.groups)
     if (g.linked)
       for (Lane(&column)[6] : g.link) std::fill(column, column + 6, Lane{});
@@ -131,12 +181,16 @@ void BearingSystem::factor()
     const BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
-    for (int i = 0; i < nf; ++i)
-      for (int j = 0; j < nf; ++j) {
+    for (int i : b_.columns_of_group[k])
+      for (int j : b_.columns_of_group[k]) {
         Lane s = {};
         for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * B_[k * nf + j].a[m];
-        border_.a[i * nf + j] -= sum(where(g.used, s, 0.0));
+        D(i, j) -= sum(where(g.used, s, 0.0));
       }
+  }
+  if (!b_.bends.empty()) {
+    lift_.find(b_);
+    lift_.add_matrix(corner_apart_, border_.a);
   }
   border_.factor();
 }
@@ -171,7 +225,8 @@ template <class ColumnOf> void BearingSystem::condense_links(ColumnOf column, bo
 
 RACEWAY_LANES void BearingSystem::solve()
 {
-  const int nf = static_cast<int>(b_.free.size());
+  const int nf = b_.columns;
+  std::fill(motions_apart_.begin(), motions_apart_.end(), 0.0);
   for (BodyGroup &g : b_.groups) {
     if (g.spins) substitute<6>(g.A, g.rhs);
     else substitute<3>(g.A, g.rhs);
@@ -183,19 +238,21 @@ RACEWAY_LANES void BearingSystem::solve()
     const BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
-    for (int i = 0; i < nf; ++i) {
+    for (int i : b_.columns_of_group[k]) {
       Lane s = {};
       for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * g.rhs[m];
-      y_[i] -= sum(where(g.used, s, 0.0));
+      motions_[i] -= sum(where(g.used, s, 0.0));
     }
   }
+  if (!b_.bends.empty()) lift_.add_forces(motions_apart_, y_);
   border_.solve(y_.data());
+  if (!b_.bends.empty()) lift_.find_motions(y_, motions_apart_);
   for (size_t k = 0; k < b_.groups.size(); ++k) {
     BodyGroup &g = b_.groups[k];
     if (!g.coupled) continue;
     const int n = g.spins ? 6 : 3;
-    for (int f = 0; f < nf; ++f)
-      for (int m = 0; m < n; ++m) g.rhs[m] -= B_[k * nf + f].a[m] * y_[f];
+    for (int f : b_.columns_of_group[k])
+      for (int m = 0; m < n; ++m) g.rhs[m] -= B_[k * nf + f].a[m] * motions_[f];
   }
 }
 

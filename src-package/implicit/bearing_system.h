@@ -6,12 +6,17 @@
 // with s_ik = +1 for the first and -1 for the second body of link i. It is solved block by block,
 // link by link, then y, and back: a time proportional to the number of balls. factor() keeps what
 // solve() needs, so that later corrections with the same derivatives cost one right-hand side.
+//
+// Contacts write columns B and rows C for motions of rings. Those are the unknowns y themselves,
+// but for rings on shafts that bend: these have columns of their own, and y moves them by T
+// (shaft_lift.h). So the modes of a shaft cost the bodies nothing.
 #ifndef RACEWAY_BEARING_SYSTEM_H
 #define RACEWAY_BEARING_SYSTEM_H
 
 #include "bearing_bodies.h"
 #include "dense_lu.h"
 #include "link_chain.h"
+#include "shaft_lift.h"
 
 namespace raceway {
 
@@ -24,31 +29,38 @@ class BearingSystem {
 
   // What is still missing of M (V_base - V) + h frame; `fresh`: masses into the blocks, all else 0.
   void start(double h, bool fresh);
-  // The rings' right-hand sides and the part of D that no contact brings, at share s of the step.
-  // Positions follow velocities over `follows` seconds.
-  void add_rings(double h, double follows, double s);
+  // The rings' right-hand sides and, if fresh, the part of D that no contact brings, at share s of
+  // the step. Positions follow velocities over `follows` seconds.
+  void add_rings(double h, double follows, double s, bool fresh);
   void factor();
   void solve();    // corrections: BodyGroup::rhs and y()
 
   struct alignas(32) Column {
     Lane a[6];
   };
-  int unknowns() const { return static_cast<int>(b_.free.size()); }
-  Lane *B(int group, int unknown) { return B_[group * unknowns() + unknown].a; }
-  Lane *C(int group, int unknown) { return C_[group * unknowns() + unknown].a; }
-  double &D(int row, int column) { return border_.a[row * unknowns() + column]; }
+  int columns() const { return b_.columns; }
+  Lane *B(int group, int column) { return B_[group * columns() + column].a; }
+  Lane *C(int group, int column) { return C_[group * columns() + column].a; }
+  double &D(int row, int column) { return corner_[row * columns() + column]; }
   double y(int unknown) const { return y_[unknown]; }
+  double motion(int column) const { return motions_[column]; }
   LinkChain &links() { return chain_; }
 
  private:
   void resize();
+  void add_rings(double h, double follows, double s);
+  void add_bends(double h, double follows, double s, bool fresh);
   void factor_groups();
   template <class ColumnOf> void condense_links(ColumnOf column, bool mark);
 
   BearingBodies &b_;
-  std::vector<Column> B_, C_;    // group by group, unknown by unknown
+  std::vector<Column> B_, C_;    // group by group, column by column
   DenseLU border_;
   std::vector<double> y_, forces_;    // border, links
+  // Of the columns: those of the border, or apart where a shaft bends.
+  double *corner_ = nullptr, *motions_ = nullptr;
+  std::vector<double> corner_apart_, motions_apart_;
+  ShaftLift lift_;
   LinkChain chain_;
 };
 

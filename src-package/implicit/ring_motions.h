@@ -22,7 +22,7 @@ RACEWAY_INLINE Vec3L rotation_of(int dof, const LaneFrame &f, const Vec3L &e)
 // A lever from the ring's centre, from that of what moves as one with it.
 RACEWAY_INLINE Vec3L lever_of(const RingBody &ring, const Vec3L &e, const Vec3L &lever)
 {
-  return ring.carried ? lever + e * ring.at : lever;
+  return ring.levered ? lever + e * ring.at : lever;
 }
 
 // Velocity of its point at `lever` from its centre.

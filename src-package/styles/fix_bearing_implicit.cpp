@@ -6,8 +6,10 @@
 #include "../implicit/alike_bearings.h"
 #include "../implicit/bearing_step.h"
 #include "../ranks/bearing_parts.h"
+#include "../ranks/gather.h"
 #include "fix_bearing_cage.h"
 #include "fix_bearing_ring.h"
+#include "fix_bearing_shaft.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
@@ -126,6 +128,9 @@ void FixBearingImplicit::find_rings()
     if (seen[2 * k + 1])
       BRG_ALL(std::string("fix ") + id + " bearing/implicit: its group has some rings of fix " +
               all[k]->id + " but not all of them");
+    if (solver_->settings.dampers_only && all[k]->bending())
+      BRG_ALL(bearing::name_of(*all[k]) + ": a flexible shaft needs 'solve all' of fix " + id +
+              " bearing/implicit");
     rings_.push_back(all[k]);
   }
 }
@@ -248,6 +253,8 @@ void FixBearingImplicit::build()
     }
     BearingModel of = model;
     of.parts = pair_->law();
+    for (BearingModel::Shaft &one : of.shafts)
+      if (const FixBearingShaft *bends = rings_[one.mover]->bending()) one.modes = &bends->modes();
     all.steps.push_back(std::make_unique<BearingStep>(of));
     all.parts.push_back({all.steps.back().get(), 0.0, {}});
     kind.push_back({p, all.steps.back().get()});
@@ -279,6 +286,7 @@ void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
   int shaft = static_cast<int>(model.rings.size());
   for (const BearingModel::Shaft &s : model.shafts)
     step.set_program(shaft++, rings_[s.mover]->program({}));
+  load_bends(p);
   step.load(bearings.bodies(p), bearings.rings(p));
   step.load_states(bearings.states(p).data());
 }
@@ -307,7 +315,40 @@ void FixBearingImplicit::initial_integrate(int)
     parts[p].bearing->store_states(bearings.states(p).data());
   }
   bearings.scatter();
+  store_bends();
   time_ += update->dt;
+}
+
+// Shafts that bend: from their fixes to the bearings at home here.
+void FixBearingImplicit::load_bends(int p)
+{
+  int shaft = 0;
+  for (const BearingModel::Shaft &s : solver_->bearings.model(p).shafts) {
+    if (const FixBearingShaft *bends = rings_[s.mover]->bending()) {
+      solver_->parts[p].bearing->set_bend(shaft, bends->bend_program());
+      solver_->parts[p].bearing->load_bend(shaft, bends->bend());
+    }
+    ++shaft;
+  }
+}
+
+// And back, to all ranks.
+void FixBearingImplicit::store_bends()
+{
+  for (int k = 0; k < static_cast<int>(rings_.size()); ++k) {
+    FixBearingShaft *bends = rings_[k]->bending();
+    if (!bends) continue;
+    raceway::BendState state;
+    for (int p = 0; p < solver_->bearings.size(); ++p) {
+      int shaft = 0;
+      for (const BearingModel::Shaft &s : solver_->bearings.model(p).shafts) {
+        if (s.mover == k) state = solver_->parts[p].bearing->stored_bend(shaft);
+        ++shaft;
+      }
+    }
+    bends->set_bend(
+        {bearing::gather_all(state.place, world), bearing::gather_all(state.rate, world)});
+  }
 }
 
 // The host's step in equal substeps, as few as the control allows.

@@ -53,6 +53,8 @@ class FixBearingImplicit : public Fix {
   void build();
   void begin_energy();
   void load(int part, const raceway::Vec3 &fall);
+  void load_bends(int part);
+  void store_bends();
   void advance(Part &);
   [[noreturn]] void give_up(const Part &, double h) const;
 

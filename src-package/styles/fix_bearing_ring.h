@@ -12,6 +12,7 @@ FixStyle(bearing/ring,FixBearingRing)
 
 namespace LAMMPS_NS {
 
+class FixBearingShaft;
 class FixBearingState;
 class PairBearingHertz;
 
@@ -37,6 +38,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // Tag of the first of its rings if all of them are on one shaft, else 0; where one is on it (m).
   virtual bearing::tag_t shaft() const { return 0; }
   virtual double place_on_shaft(int) const { return 0.0; }
+  // Itself if it is a shaft that bends, else null.
+  virtual FixBearingShaft *bending() { return nullptr; }
   void begin_step();
   // What an atom-style variable gives a ring for itself.
   std::vector<raceway::RingValue> own_values(int i) const;
@@ -55,7 +58,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // them: components have the bearing axis third.
   struct Values {
     double of[RingProgram::N_VALUE] = {};
-    raceway::Vec3 leverage;    // N m, of the loads of a shaft, along it
+    raceway::Vec3 leverage;         // N m, of the loads of a shaft, along it
+    std::vector<double> bending;    // N, of loads on the modes of a shaft, without the ramp
   };
   // What balls and cage exert on a ring; lab components, N and N m.
   struct ContactLoad {

@@ -14,14 +14,14 @@ using raceway::Vec3;
 // Rings live on one rank each: a sum over ranks only moves their numbers.
 void FixBearingRing::make_report()
 {
-  report_.assign(tags_.size() * size_vector, 0.0);
+  report_.assign(tags_.size() * bearing::of_fix_ring::N, 0.0);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!moves(i)) continue;
     const auto known = std::lower_bound(tags_.begin(), tags_.end(), atom->tag[i]);
     if (known == tags_.end() || *known != atom->tag[i])
       continue;    // in the group since the last run: the next run knows it
     using namespace bearing::of_fix_ring;
-    double *r = &report_[(known - tags_.begin()) * size_vector];
+    double *r = &report_[(known - tags_.begin()) * N];
     const bearing::RingMotion &ring = state_->ring(i);
     const Vec3 w = Vec3::from(atom->omega[i]);
     (Vec3::from(atom->x[i]) - ring.origin).to(r + X);
@@ -65,7 +65,7 @@ double FixBearingRing::reported(int row, int k)
   if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
   if (reported_ != update->ntimestep) make_report();
   reported_ = update->ntimestep;
-  return report_[row * size_vector + k];
+  return report_[row * bearing::of_fix_ring::N + k];
 }
 
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const

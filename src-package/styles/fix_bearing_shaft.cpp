@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_shaft.h"
 
+#include "../contacts/fix_columns.h"
 #include "../implicit/shaft_ring.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
@@ -23,7 +24,14 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
   bearing::Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
   bearing::RingWords words(args, axes_, settings_, false);
   while (args.more())
-    if (!shaft_.take(args) && !words.take()) args.unknown(words.known() + ", centre, load");
+    if (!shaft_.take(args) && !words.take())
+      args.unknown(words.known() + ", centre, load, flexible");
+  if (!shaft_.file.empty()) {
+    shaft_.read_file(args, settings_.program, world);
+    bend_.resize(modes().size());
+    size_array_cols += bearing::of_fix_bend::N;
+    size_vector += 1 + 2 * modes().size();
+  }
   words.check();
   for (const bearing::ShaftSettings::Unbalance &u : shaft_.unbalances)
     if (u.of.moment > 0.0 && settings_.program.mode[RingProgram::SPIN] != Freedom::speed)
@@ -44,6 +52,9 @@ void FixBearingShaft::init()
     most = std::max(most, r.now.origin.z);
   }
   middle_ = 0.5 * (least + most);
+  places_.clear();
+  for (const Ring &r : rings()) places_.push_back(r.at);
+  if (bending()) check_stations();
   shaft_.add_unbalances(centre(), settings_.program);
 }
 
@@ -76,10 +87,10 @@ void FixBearingShaft::check_axis() const
 void FixBearingShaft::check_places() const
 {
   const std::vector<Ring> all = rings();
-  const RingAtom shaft = shaft_of(all.front().now, all.front().at);
+  const RingAtom shaft = straight(all.front().now, all.front().at);
   const std::string first = std::to_string(all.front().tag);
   for (const Ring &r : all) {
-    const RingAtom seat = raceway::carried(shaft, r.at, r.now.origin);
+    const RingAtom seat = this->seat(shaft, r.at, r.now.origin);
     const std::string who = bearing::name_of(*this) + ": ring atom " + std::to_string(r.tag);
     const double off = norm(r.now.x - seat.x), fast = norm(r.now.v - seat.v),
                  turned = norm(r.now.e - seat.e), spun = norm(r.now.w - seat.w);
@@ -119,6 +130,10 @@ void FixBearingShaft::evaluate(int first, int last)
 {
   FixBearingRing::evaluate(first, last);
   if (last <= RingProgram::FORCE) return;
+  now_.bending.assign(bend_.place.size(), 0.0);
+  if (bending())
+    load_modes(0.0, Vec3::from(now_.of + RingProgram::FORCE),
+               Vec3::from(now_.of + RingProgram::MOMENT));
   now_.leverage = Vec3();
   for (const bearing::ShaftSettings::Load &load : shaft_.loads) {
     Vec3 lab;
@@ -127,6 +142,7 @@ void FixBearingShaft::evaluate(int first, int last)
     lab.z = load.force[2].now(lmp);
     const Vec3 force = axes_.third(lab);
     now_.leverage += force * (load.at - centre());
+    if (bending()) load_modes(load.at - centre(), force, Vec3());
     double all[3];
     (Vec3::from(now_.of + RingProgram::FORCE) + force).to(all);
     std::copy(all, all + 3, now_.of + RingProgram::FORCE);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/shaft: the ring atoms of a group on one rigid shaft. It is a fix bearing/ring whose
 // rings move as one: freedoms, inertia and loads are those of the shaft. The shaft has no atom; it
-// is where its first ring says (implicit/shaft_ring.h).
+// is where its first ring says (implicit/shaft_ring.h). A flexible one has elastic modes beside
+// that motion (implicit/shaft_modes.h), whose state is here.
 #ifdef FIX_CLASS
 FixStyle(bearing/shaft,FixBearingShaft)
 #else
 #ifndef LMP_FIX_BEARING_SHAFT_H
 #define LMP_FIX_BEARING_SHAFT_H
 
+#include "../implicit/shaft_bend.h"
 #include "fix_bearing_ring.h"
 #include "shaft_settings.h"
 
@@ -19,6 +21,16 @@ class FixBearingShaft : public FixBearingRing {
   void init() override;
   void setup(int) override;
   double compute_vector(int) override;
+  double compute_array(int, int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  // For fix bearing/implicit. Every rank knows how the shaft bends, at the end of each host step.
+  FixBearingShaft *bending() override { return shaft_.of_file ? this : nullptr; }
+  const raceway::ShaftModes &modes() const { return shaft_.of_file->modes; }
+  const raceway::BendState &bend() const { return bend_; }
+  void set_bend(const raceway::BendState &b) { bend_ = b; }
+  raceway::BendProgram bend_program() const;
 
   bearing::tag_t shaft() const override { return tags_.front(); }
   double place_on_shaft(int i) const override;
@@ -37,6 +49,7 @@ class FixBearingShaft : public FixBearingRing {
     raceway::RingAtom shaft;
     raceway::Vec3 push, moment;    // all that the atoms of the rings got
     raceway::Vec3 contact[2];      // of balls and cage
+    std::vector<Ring> rings;
   };
 
   void evaluate(int first, int last) override;
@@ -50,6 +63,16 @@ class FixBearingShaft : public FixBearingRing {
   void report_loads(int, double *) const override {}    // they are the shaft's
 
   double centre() const;
+  // The rigid shaft of a ring that is `at` metres from its centre, and the other way.
+  raceway::RingAtom straight(const raceway::RingAtom &ring, double at) const;
+  raceway::RingAtom seat(const raceway::RingAtom &shaft, double at,
+                         const raceway::Vec3 &origin) const;
+  raceway::Deflection deflection(double at) const;
+  void load_modes(double at, const raceway::Vec3 &force, const raceway::Vec3 &moment);
+  std::vector<double> forces_on_modes(const std::vector<Ring> &, const raceway::RingPose &) const;
+  void check_stations() const;
+  void check_station(const std::string &what, double at) const;
+  double bending_value(int k) const;
   void check_axis() const;
   void check_places() const;
   void check_gravity() const;
@@ -61,8 +84,10 @@ class FixBearingShaft : public FixBearingRing {
                     const raceway::Vec3 &moment);
 
   bearing::ShaftSettings shaft_;
-  double middle_ = 0.0;          // m, along the axis: middle of its rings
-  raceway::RingAtom between_;    // the shaft between kick and coast
+  raceway::BendState bend_;
+  std::vector<double> places_;    // m, of its rings from the centre, by tag
+  double middle_ = 0.0;           // m, along the axis: middle of its rings
+  raceway::RingAtom between_;     // the shaft between kick and coast
 };
 
 }    // namespace LAMMPS_NS

@@ -50,11 +50,11 @@ std::vector<FixBearingShaft::Ring> FixBearingShaft::rings() const
 
 FixBearingShaft::Whole FixBearingShaft::whole() const
 {
-  const std::vector<Ring> all = rings();
   Whole w;
-  w.shaft = shaft_of(all.front().now, all.front().at);
+  w.rings = rings();
+  w.shaft = straight(w.rings.front().now, w.rings.front().at);
   const Vec3 &e = w.shaft.e;
-  for (const Ring &r : all) {
+  for (const Ring &r : w.rings) {
     w.push += r.force;
     w.moment += moment_about_centre(e, r.at, r.force, r.moment);
     w.contact[0] += r.contact[0];
@@ -92,7 +92,7 @@ void FixBearingShaft::add_loads()
 {
   const int i = first_ring();
   if (i < 0) return;
-  const RingAtom shaft = shaft_of(read(i), place_on_shaft(i));
+  const RingAtom shaft = straight(read(i), place_on_shaft(i));
   const RingProgram p = at_end(now_);
   add_to_first(shaft, p.force_at(1.0, shaft.angle), p.moment_at(1.0, shaft));
 }
@@ -122,15 +122,24 @@ void FixBearingShaft::note_accelerations()
   // not from the torques of the atoms: gravity there pulls at the rings
   Vec3 moment = w.contact[1] + p.moment_at(1.0, shaft);
   if (p.supported) moment += p.support_moment(shaft, shaft.rate[0], shaft.rate[1]);
+  std::vector<double> on_modes;
+  if (bending()) {
+    moment += moment_of_modes(modes(), bend_, shaft.spin);
+    on_modes = forces_on_modes(w.rings, shaft);
+  }
   for (int i = 0; i < atom->nlocal; ++i)
-    if (moves(i))
-      state_->ring(i).acceleration =
-          axes_.lab(carried_acceleration(p, shaft, place_on_shaft(i), w.push, moment));
+    if (moves(i)) {
+      const double at = place_on_shaft(i);
+      Vec3 a = carried_acceleration(p, shaft, at, w.push, moment);
+      if (bending()) a += bending_acceleration(modes(), modes().station(at), on_modes);
+      state_->ring(i).acceleration = axes_.lab(a);
+    }
 }
 
 double FixBearingShaft::compute_vector(int k)
 {
-  return reported(static_cast<int>(tags_.size()), k);
+  using bearing::of_fix_ring::N;
+  return k < N ? reported(static_cast<int>(tags_.size()), k) : bending_value(k - N);
 }
 
 // A row for every ring, then one for the shaft.

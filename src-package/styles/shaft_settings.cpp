@@ -21,6 +21,8 @@ bool ShaftSettings::take(Arguments &args)
     u.of.moment = args.non_negative("unbalance (kg m)");
     u.of.phase = args.number("phase of the unbalance (rad)");
     unbalances.push_back(u);
+  } else if (args.take("flexible")) {
+    file = args.word("file of a shaft that bends");
   } else {
     return false;
   }
@@ -43,6 +45,38 @@ void ShaftSettings::add_unbalances(double about, RingProgram &p) const
   p.unbalance = polar(sum[0], sum[1]);
   p.couple = polar(first[0], first[1]);
   p.apart = !loads.empty() || p.couple.moment > 0.0;
+}
+
+std::vector<raceway::Unbalance> ShaftSettings::unbalances_of_modes() const
+{
+  const raceway::ShaftModes &modes = of_file->modes;
+  std::vector<raceway::Unbalance> of;
+  for (int k = 0; k < modes.size(); ++k) {
+    double sum[2] = {};
+    for (const Unbalance &u : unbalances) {
+      const double size = u.of.moment * modes.station(u.at - of_file->centre).moved[k];
+      sum[0] += size * std::cos(u.of.phase);
+      sum[1] += size * std::sin(u.of.phase);
+    }
+    of.push_back(polar(sum[0], sum[1]));
+  }
+  return of;
+}
+
+void ShaftSettings::read_file(const Arguments &args, RingProgram &p, MPI_Comm world)
+{
+  if (p.mass > 0.0 || p.inertia.axial > 0.0 || centre_given)
+    args.fail("mass, inertia and centre of a flexible shaft are those of '" + file +
+              "': leave them out");
+  for (int dof : {0, 1, int(RingProgram::TILT), int(RingProgram::TILT + 1)})
+    if (!p.free(dof))
+      args.fail("a flexible shaft needs its displacements across and its tilts 'free'");
+  if (p.supported) args.fail("a flexible shaft takes no 'support'");
+  of_file = std::make_shared<BendingShaft>(read_bending_shaft(args, file, world));
+  p.mass = of_file->mass;
+  p.inertia = of_file->inertia;
+  centre = of_file->centre;
+  centre_given = true;
 }
 
 }    // namespace bearing

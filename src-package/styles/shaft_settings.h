@@ -4,8 +4,10 @@
 #ifndef BEARING_SHAFT_SETTINGS_H
 #define BEARING_SHAFT_SETTINGS_H
 
+#include "bending_file.h"
 #include "ring_settings.h"
 
+#include <memory>
 #include <vector>
 
 namespace bearing {
@@ -23,11 +25,17 @@ struct ShaftSettings {
   double centre = 0.0;    // m, of mass
   std::vector<Load> loads;
   std::vector<Unbalance> unbalances;
+  std::string file;    // of a shaft that bends, else empty
+  std::shared_ptr<const BendingShaft> of_file;
 
   // A keyword and its values; false: the next word is none of these.
   bool take(Arguments &);
   // The sums of the unbalances at a centre (m) and about it.
   void add_unbalances(double about, raceway::RingProgram &) const;
+  // What they are for each mode of a shaft that bends.
+  std::vector<raceway::Unbalance> unbalances_of_modes() const;
+  // Reads the file, which gives mass, inertia and centre.
+  void read_file(const Arguments &, raceway::RingProgram &, MPI_Comm world);
 };
 
 }    // namespace bearing

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "shaft_bend.h"
+
+#include <algorithm>
+
+namespace raceway {
+
+std::vector<double> ShaftBend::forces(const RingProgram &p, const RingPose &rigid, double s) const
+{
+  std::vector<double> of = own_forces(*modes, now, rigid);
+  const std::vector<double> loads = program.forces(p, s, rigid.angle);
+  for (int k = 0; k < size(); ++k) of[k] += contacts[k] + loads[k];
+  return of;
+}
+
+void ShaftBend::start()
+{
+  base = now = from;
+  std::fill(gained.begin(), gained.end(), 0.0);
+}
+
+void ShaftBend::move(double h)
+{
+  for (int k = 0; k < size(); ++k) {
+    now.rate[k] = base.rate[k] + gained[k];
+    now.place[k] = base.place[k] + h * now.rate[k];
+  }
+}
+
+void ShaftBend::second_base(double beyond)
+{
+  first = now;
+  for (int k = 0; k < size(); ++k) {
+    base.place[k] = from.place[k] + beyond * (now.place[k] - from.place[k]);
+    base.rate[k] = from.rate[k] + beyond * (now.rate[k] - from.rate[k]);
+    gained[k] = first.rate[k] - base.rate[k];
+  }
+}
+
+void ShaftBend::between(const BendState &end, double h, double s)
+{
+  const Cubic at(s, h);
+  for (int k = 0; k < size(); ++k) {
+    now.place[k] = at(from.place[k], from.rate[k], end.place[k], end.rate[k]);
+    now.rate[k] = from.rate[k] + (end.rate[k] - from.rate[k]) * s;
+  }
+}
+
+}    // namespace raceway

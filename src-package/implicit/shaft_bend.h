@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A shaft that bends, in the implicit step: its modes are unknowns beside those of the rigid shaft.
+#ifndef RACEWAY_SHAFT_BEND_H
+#define RACEWAY_SHAFT_BEND_H
+
+#include "shaft_modes.h"
+
+namespace raceway {
+
+// What the modes get over the host's step from loads, as RingProgram says it of the rigid shaft.
+struct BendProgram {
+  std::vector<double> load[2];         // N, by mode of both planes, at both ends, before the ramp
+  std::vector<Unbalance> unbalance;    // by mode of a plane
+  std::vector<double> centre;          // displacement of the centre by mode, for a turning force
+
+  // N, at the share s of the host's step.
+  std::vector<double> forces(const RingProgram &shaft, double s, double angle) const
+  {
+    const size_t n = unbalance.size();
+    std::vector<double> of(2 * n);
+    Vec3 turning;
+    if (shaft.turning.size != 0.0)
+      turning = across_at(shaft.turning.speed * shaft.age_at(s) + shaft.turning.phase) *
+                shaft.turning.size;
+    const double share = shaft.share_of_load(s);
+    for (size_t k = 0; k < n; ++k) {
+      const Vec3 out =
+          unbalance[k].moment == 0.0 ? Vec3() : shaft.unbalance_force(unbalance[k], s, angle);
+      const double steady = load[0][k] + (load[1][k] - load[0][k]) * s,
+                   other = load[0][n + k] + (load[1][n + k] - load[0][n + k]) * s;
+      of[k] = share * (steady + centre[k] * turning.x) + out.x;
+      of[n + k] = share * (other + centre[k] * turning.y) + out.y;
+    }
+    return of;
+  }
+};
+
+struct ShaftBend {
+  struct Seat {
+    int ring, column;    // column: the first of the ring's own in the linear system
+    double at;           // m, from the centre
+    const ShaftModes::Station *station;
+  };
+  const ShaftModes *modes = nullptr;
+  int shaft = -1;      // in BearingBodies::rings
+  int unknown = -1;    // of the first mode
+  std::vector<Seat> seats;
+  BendProgram program;
+  BendState from, base, now, first;
+  std::vector<double> gained;      // m/s, by mode, since the base
+  std::vector<double> contacts;    // N, by mode, of the bearings
+
+  int size() const { return 2 * modes->size(); }    // unknowns
+  // N, by mode: contacts, loads, springs, dampers and the spin of the rigid shaft.
+  std::vector<double> forces(const RingProgram &, const RingPose &shaft, double s) const;
+  void start();                       // a step, from `from`
+  void move(double h);                // to the end of a stage
+  void second_base(double beyond);    // of order 2
+  // On its way from `from` to `end` over h seconds, at the share s.
+  void between(const BendState &end, double h, double s);
+};
+
+}    // namespace raceway
+
+#endif

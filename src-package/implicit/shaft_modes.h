@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How a round shaft bends: elastic modes beside its motion as a rigid body, the same in the planes
+// of both axes across (names have the bearing axis third). A mode's coordinate is a length; modes
+// stand still while the shaft turns. They are free of the rigid body in mass, and
+//   m a'' + c a' + k a + spin g b' = f_a,    m b'' + c b' + k b - spin g a' = f_b
+// with the coordinates a of the first plane and b of the second. The gyroscopic matrix g also joins
+// them to the slopes of the rigid shaft, which are its first row and column.
+#ifndef RACEWAY_SHAFT_MODES_H
+#define RACEWAY_SHAFT_MODES_H
+
+#include "shaft_ring.h"
+
+#include <type_traits>
+#include <vector>
+
+namespace raceway {
+
+struct ShaftModes {
+  struct Station {
+    double at;                            // m, from the centre of mass
+    std::vector<double> moved, tilted;    // 1 and rad/m, by mode
+  };
+  std::vector<double> mass, stiffness, damping;    // kg, N/m, N s/m
+  std::vector<double> gyroscopic;                  // row by row; the rigid slope first
+  std::vector<Station> stations;                   // rising
+
+  int size() const { return static_cast<int>(mass.size()); }    // modes of a plane
+  double g(int i, int k) const { return gyroscopic[i * (size() + 1) + k]; }
+  const Station &station(double at) const    // the nearest
+  {
+    const Station *best = &stations.front();
+    for (const Station &s : stations)
+      if (std::fabs(s.at - at) < std::fabs(best->at - at)) best = &s;
+    return *best;
+  }
+};
+
+// Of all modes: those of the first plane, then those of the second.
+struct BendState {
+  std::vector<double> place, rate;    // m, m/s
+
+  void resize(int modes)
+  {
+    place.assign(2 * modes, 0.0);
+    rate.assign(2 * modes, 0.0);
+  }
+};
+
+// Of a place of the shaft against the rigid one.
+struct Deflection {
+  double moved[2] = {}, slope[2] = {};    // m, rad: of the axis, along both axes across
+  double speed[2] = {}, rate[2] = {};     // m/s, rad/s
+
+  Deflection(const ShaftModes::Station &s, const BendState &b)
+  {
+    const size_t n = s.moved.size();
+    for (size_t plane = 0; plane < 2; ++plane)
+      for (size_t k = 0; k < n; ++k) {
+        const double q = b.place[plane * n + k], v = b.rate[plane * n + k];
+        moved[plane] += s.moved[k] * q;
+        slope[plane] += s.tilted[k] * q;
+        speed[plane] += s.moved[k] * v;
+        rate[plane] += s.tilted[k] * v;
+      }
+  }
+};
+
+// An axis with other slopes, and how fast it moves.
+inline Vec3 axis_of(double x, double y) { return {x, y, std::sqrt(1.0 - x * x - y * y)}; }
+inline Vec3 axis_speed(const Vec3 &e, double x, double y)
+{
+  return {x, y, -(e.x * x + e.y * y) / e.z};
+}
+
+// The axis `from` of a place becomes e; the rates of its slopes grow by the two given.
+template <class Place>
+void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double rate_2)
+{
+  const Vec3 was = cross(turning(r), from);
+  const Vec3 W = cross(e, axis_speed(e, was.x + rate_1, was.y + rate_2));
+  if constexpr (std::is_same_v<Place, RingAtom>) {
+    r.w = W + e * dot(r.w, from);
+  } else {
+    r.rate[0] = W.x;
+    r.rate[1] = W.y;
+  }
+  r.e = e;
+  tilt_of(r.e, r.tilt);
+}
+
+// A ring on a shaft that bends.
+template <class Place>
+Place carried(const Place &shaft, double at, const Vec3 &origin, const Deflection &d)
+{
+  Place ring = carried(shaft, at, origin);
+  ring.x += {d.moved[0], d.moved[1], 0.0};
+  ring.v += {d.speed[0], d.speed[1], 0.0};
+  turn_axis(ring, axis_of(shaft.e.x + d.slope[0], shaft.e.y + d.slope[1]), shaft.e, d.rate[0],
+            d.rate[1]);
+  return ring;
+}
+
+// The rigid shaft of a ring on it.
+template <class Place> Place shaft_of(const Place &ring, double at, const Deflection &d)
+{
+  Place straight = ring;
+  straight.x -= {d.moved[0], d.moved[1], 0.0};
+  straight.v -= {d.speed[0], d.speed[1], 0.0};
+  turn_axis(straight, axis_of(ring.e.x - d.slope[0], ring.e.y - d.slope[1]), ring.e, -d.rate[0],
+            -d.rate[1]);
+  return shaft_of(straight, at);
+}
+
+// Adds to the modes' forces (N) a force and a moment at a station; e is the axis there.
+inline void add_to_modes(const ShaftModes::Station &s, const Vec3 &e, const Vec3 &force,
+                         const Vec3 &moment, std::vector<double> &of)
+{
+  const size_t n = s.moved.size();
+  const Vec3 across = moment - e * dot(moment, e);
+  for (size_t k = 0; k < n; ++k) {
+    of[k] += s.moved[k] * force.x + s.tilted[k] * across.y;
+    of[n + k] += s.moved[k] * force.y - s.tilted[k] * across.x;
+  }
+}
+
+// About the centre of the rigid shaft, with its axis e: what a ring with the axis `own` gets. What
+// turns the ring about its own axis turns the shaft about its.
+inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const Vec3 &force,
+                                const Vec3 &moment)
+{
+  const double torque = dot(moment, own);
+  const Vec3 across = moment - own * torque;
+  return moment_about_centre(e, at, force, across + e * (torque - dot(across, e)));
+}
+
+// N, of springs, dampers and the spin on the modes of a shaft.
+inline std::vector<double> own_forces(const ShaftModes &m, const BendState &b,
+                                      const RingPose &shaft)
+{
+  const int n = m.size();
+  std::vector<double> of(2 * n);
+  for (int k = 0; k < n; ++k) {
+    double turn[2] = {-m.g(0, k + 1) * shaft.rate[0], m.g(0, k + 1) * shaft.rate[1]};
+    for (int j = 0; j < n; ++j) {
+      turn[0] += m.g(k + 1, j + 1) * b.rate[n + j];
+      turn[1] += m.g(k + 1, j + 1) * b.rate[j];
+    }
+    of[k] = -m.stiffness[k] * b.place[k] - m.damping[k] * b.rate[k] - shaft.spin * turn[0];
+    of[n + k] =
+        -m.stiffness[k] * b.place[n + k] - m.damping[k] * b.rate[n + k] + shaft.spin * turn[1];
+  }
+  return of;
+}
+
+// N m, of the modes' gyroscopic forces on the tilts of their shaft.
+inline Vec3 moment_of_modes(const ShaftModes &m, const BendState &b, double spin)
+{
+  Vec3 sum;
+  for (int k = 0; k < m.size(); ++k) {
+    sum.x -= spin * m.g(0, k + 1) * b.rate[k];
+    sum.y -= spin * m.g(0, k + 1) * b.rate[m.size() + k];
+  }
+  return sum;
+}
+
+inline double strain_energy(const ShaftModes &m, const BendState &b)    // J
+{
+  double sum = 0.0;
+  for (int k = 0; k < m.size(); ++k)
+    for (int plane = 0; plane < 2; ++plane) {
+      const double q = b.place[plane * m.size() + k];
+      sum += 0.5 * m.stiffness[k] * q * q;
+    }
+  return sum;
+}
+
+// m/s^2, of a ring on a shaft that bends, over that of the rigid one.
+inline Vec3 bending_acceleration(const ShaftModes &m, const ShaftModes::Station &s,
+                                 const std::vector<double> &forces)
+{
+  Vec3 a;
+  for (int k = 0; k < m.size(); ++k) {
+    a.x += s.moved[k] * forces[k] / m.mass[k];
+    a.y += s.moved[k] * forces[m.size() + k] / m.mass[k];
+  }
+  return a;
+}
+
+}    // namespace raceway
+
+#endif

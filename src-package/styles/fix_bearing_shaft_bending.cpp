@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is there of a shaft that bends alone: its modes, their loads, and their state.
+#include "../contacts/fix_columns.h"
+#include "fix_bearing_shaft.h"
+#include "fix_bearing_state.h"
+#include "fixes.h"
+
+using namespace LAMMPS_NS;
+using bearing::text;
+using raceway::BendProgram;
+using raceway::Deflection;
+using raceway::RingAtom;
+using raceway::RingPose;
+using raceway::RingProgram;
+using raceway::ShaftModes;
+using raceway::Vec3;
+
+static constexpr double near_enough = 1e-6;    // m, of a station
+
+Deflection FixBearingShaft::deflection(double at) const { return {modes().station(at), bend_}; }
+
+RingAtom FixBearingShaft::straight(const RingAtom &ring, double at) const
+{
+  return shaft_.of_file ? shaft_of(ring, at, deflection(at)) : shaft_of(ring, at);
+}
+
+RingAtom FixBearingShaft::seat(const RingAtom &shaft, double at, const Vec3 &origin) const
+{
+  return shaft_.of_file ? raceway::carried(shaft, at, origin, deflection(at))
+                        : raceway::carried(shaft, at, origin);
+}
+
+void FixBearingShaft::check_station(const std::string &what, double at) const
+{
+  const double nearest = modes().station(at - centre()).at + centre();
+  if (!(std::fabs(nearest - at) <= near_enough))
+    BRG_ALL(bearing::name_of(*this) + ": " + what + " is at " + text(at) + " m, and '" +
+            shaft_.file + "' has no station there, the nearest is at " + text(nearest) +
+            " m; 'raceway shaft --reduced FILE --places Z ...' writes stations");
+}
+
+void FixBearingShaft::check_stations() const
+{
+  if (!by_another_)
+    BRG_ALL(bearing::name_of(*this) + ": a flexible shaft needs fix bearing/implicit");
+  check_station("the centre of mass", centre());
+  for (size_t k = 0; k < places_.size(); ++k)
+    check_station("ring atom " + std::to_string(tags_[k]), places_[k] + centre());
+  for (const bearing::ShaftSettings::Load &l : shaft_.loads) check_station("a load", l.at);
+  for (const bearing::ShaftSettings::Unbalance &u : shaft_.unbalances)
+    check_station("an unbalance", u.at);
+}
+
+// At a place along the shaft (m, from its centre).
+void FixBearingShaft::load_modes(double at, const Vec3 &force, const Vec3 &moment)
+{
+  add_to_modes(modes().station(at), {0.0, 0.0, 1.0}, force, moment, now_.bending);
+}
+
+BendProgram FixBearingShaft::bend_program() const
+{
+  return {
+      {before_.bending, now_.bending}, shaft_.unbalances_of_modes(), modes().station(0.0).moved};
+}
+
+// N, at the end of the step.
+std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<Ring> &all,
+                                                     const RingPose &shaft) const
+{
+  std::vector<double> of = own_forces(modes(), bend_, shaft);
+  for (const Ring &r : all)
+    add_to_modes(modes().station(r.at), r.now.e, r.contact[0], r.contact[1], of);
+  const std::vector<double> loads = bend_program().forces(at_end(now_), 1.0, shaft.angle);
+  for (size_t k = 0; k < of.size(); ++k) of[k] += loads[k];
+  return of;
+}
+
+// The strain energy, then both coordinates of each mode.
+double FixBearingShaft::bending_value(int k) const
+{
+  if (k == 0) return strain_energy(modes(), bend_);
+  const int mode = (k - 1) / 2, plane = (k - 1) % 2;
+  return bend_.place[plane * modes().size() + mode];
+}
+
+double FixBearingShaft::compute_array(int row, int k)
+{
+  namespace of = bearing::of_fix_bend;
+  if (k < bearing::of_fix_ring::N) return FixBearingRing::compute_array(row, k);
+  if (static_cast<size_t>(row) >= places_.size()) return 0.0;
+  const Deflection d = deflection(places_[row]);
+  double values[of::N];
+  axes_.lab({d.moved[0], d.moved[1], 0.0}).to(values + of::X);
+  values[of::TILT1] = -d.slope[1];
+  values[of::TILT2] = d.slope[0];
+  return values[k - bearing::of_fix_ring::N];
+}
+
+// Fix time, then the modes.
+void FixBearingShaft::write_restart(FILE *fp)
+{
+  if (comm->me != 0) return;
+  std::vector<double> all = {time_, static_cast<double>(bend_.place.size())};
+  all.insert(all.end(), bend_.place.begin(), bend_.place.end());
+  all.insert(all.end(), bend_.rate.begin(), bend_.rate.end());
+  const int size = static_cast<int>(all.size() * sizeof(double));
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(all.data(), sizeof(double), all.size(), fp);
+}
+
+void FixBearingShaft::restart(char *buf)
+{
+  double head[2];
+  memcpy(head, buf, sizeof head);
+  time_ = head[0];
+  const size_t n = bend_.place.size();
+  if (head[1] != static_cast<double>(n))
+    BRG_ALL(bearing::name_of(*this) + ": the restart file has " + text(head[1] / 2.0) +
+            " modes of the shaft, the deck has " + std::to_string(n / 2) +
+            (shaft_.of_file ? "" : ", a rigid one"));
+  if (n == 0) return;
+  memcpy(bend_.place.data(), buf + sizeof head, n * sizeof(double));
+  memcpy(bend_.rate.data(), buf + sizeof head + n * sizeof(double), n * sizeof(double));
+}

@@ -1,0 +1,445 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""fix bearing/shaft flexible: a shaft that bends on two 6208s, against the beam with all its nodes.
+
+The shaft lies along z from 0 to 0.3 m, its bearings at 0 and 0.2 m.
+"""
+
+import re
+
+import numpy as np
+import pytest
+import xarray
+from host import succeed
+from raceway import beam, beam_motion, bending_file, shaft, shaft_bending, static
+from raceway.theory.beam import Disc, Section, Steel
+from shaft_runs import B6208, DECK, TILTING, data_of, small, swing
+
+SECTIONS = [Section(0.2, 0.02), Section(0.1, 0.016)]
+DISC = Disc(0.12, 3.0, 0.01, 0.006)
+PLACES = (0.0, 0.12, 0.2, 0.3)  # m, of bearings, disc and overhung load
+KEPT = (0.0, 0.2, 0.3)
+PRELOAD = -20e-6  # m, diametral clearance
+
+
+def beam_of(steel=beam.STEEL):
+    z, pieces = beam.divided(SECTIONS, np.linspace(0.0, 0.3, 31))
+    return z, beam_motion.matrices(z, pieces, [DISC], steel)
+
+
+def node(z, place):
+    return int(np.argmin(np.abs(z - place)))
+
+
+def reduced(steel=beam.STEEL, damping=0.0):
+    z, whole = beam_of(steel)
+    centre = beam_motion.rigid(z, whole).centre
+    z, pieces = beam.divided(SECTIONS, [*np.linspace(0.0, 0.3, 31), centre])
+    whole = beam_motion.matrices(z, pieces, [DISC], steel)
+    stations = sorted(node(z, one) for one in (*PLACES, centre))
+    kept = [node(z, one) for one in KEPT]
+    return shaft_bending.bending(z, whole, kept, 4, stations, damping)
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    """The shaft without damping."""
+    path = tmp_path_factory.mktemp("file") / "shaft.modes"
+    bending_file.write(path, reduced())
+    return path
+
+
+@pytest.fixture(scope="module")
+def damped(tmp_path_factory):
+    path = tmp_path_factory.mktemp("damped") / "shaft.modes"
+    bending_file.write(path, reduced(damping=0.02))
+    return path
+
+
+# ---- against the beam
+def on_bearings(z, whole, stiffness):
+    """(5 N, 5 N) springs at both bearings."""
+    springs = np.zeros_like(whole.stiffness)
+    for place in (0.0, 0.2):
+        at = 5 * node(z, place) + np.arange(5)
+        springs[np.ix_(at, at)] = stiffness
+    return springs
+
+
+def stiffness_of(clearance):
+    """(5, 5) of a bearing that carries nothing but its preload; the shaft does not slide in it."""
+    held = dict.fromkeys(static.FREEDOMS, 0.0)
+    # a ring that tilts by t draws the centre of its groove in by R t^2/2, against the preload
+    state = static.equilibrium(B6208, held=held, clearance=clearance, finite_shift=True)
+    stiffness = state.stiffness.copy()
+    stiffness[2, 2] = 1e12
+    return stiffness
+
+
+def whirls(signals, step, count):
+    """Hz, rising, of free whirls (channels, samples) x + i y, backward ones below 0: a linear map
+    from each instant to the next, from delayed copies."""
+    copies, length = 12, signals.shape[1]
+    signals = signals - signals.mean(axis=1, keepdims=True)
+    delayed = np.vstack([signals[:, k : length - copies + k] for k in range(copies)])
+    main = np.linalg.svd(delayed, full_matrices=False)[2][:count]
+    forward = main[:, 1:] @ np.linalg.pinv(main[:, :-1])
+    return np.sort(np.log(np.linalg.eigvals(forward)).imag / step) / (2 * np.pi)
+
+
+def test_bending_pairs(tmp_path, file):
+    """Free vibration on preloaded bearings: the first pair of the beam on their stiffness within
+    1e-3, the second within 5e-3, both split by the spin."""
+    spin, clearance = 2000.0, 2 * PRELOAD
+    data, _ = swing(
+        tmp_path,
+        clearance=clearance,
+        freedoms=f"{TILTING} {spin}",
+        words=f"flexible {file} load 0.12 3 1 0 load 0.3 1 1 0",
+        control="tolerance 1e-11 largest 1e-5",
+        step=2e-4,
+        steps=80,
+    )
+    z, whole = beam_of()
+    springs = on_bearings(z, whole, stiffness_of(clearance))
+    exact = beam_motion.frequencies(whole, springs, spin) / (2 * np.pi)
+    signals = [data["x"] + 1j * data["y"], 0.1 * (data["ry"] - 1j * data["rx"])]
+    signals += [data[f"x{ring}"] + 1j * data[f"y{ring}"] for ring in (1, 2)]
+    found = whirls(np.array(signals), data["time"][1] - data["time"][0], 12)
+    # the disc turns first backward, then forward
+    for k, (sign, error) in enumerate([(-1, 1e-3), (1, 1e-3), (-1, 5e-3), (1, 5e-3)]):
+        assert np.abs(sign * found / exact[k] - 1).min() < error
+    assert exact[1] / exact[0] > 1.05 and exact[3] / exact[2] > 1.5  # worth telling apart
+
+
+STEADY = [shaft.Load(0.12, (0.0, -800.0, 0.0)), shaft.Load(0.3, (100.0, -200.0, 0.0))]
+
+
+@pytest.fixture(scope="module")
+def resting(tmp_path_factory, damped):
+    """Under loads at the disc and the overhang until it rests: backward Euler in long steps."""
+    loads = " ".join(f"load {one.at} {one.force[0]} {one.force[1]} 0" for one in STEADY)
+    data, _ = swing(
+        tmp_path_factory.mktemp("resting"),
+        clearance=PRELOAD,
+        words=f"flexible {damped} {loads}",
+        control="order 1 tolerance 1e-6",
+        cage=1,  # without it and friction the balls leave the load
+        law="friction constant 0.1",
+        freedoms=f"{TILTING} 0 z free",
+        step=5e-4,
+        steps=200,
+        every=200,
+    )
+    return {key: value[-1] for key, value in data.items()}
+
+
+def test_steady_loads(resting):
+    """Places and forces of the bearings as those of the beam on the statics of bearings."""
+    seats = [shaft.Seat(at, B6208, clearance=PRELOAD, phase=-np.pi / 2) for at in (0.0, 0.2)]
+    rest = shaft.rest(shaft.Shaft(SECTIONS), seats, STEADY)
+    for n, one in enumerate(rest.bearings, 1):
+        size = np.hypot(*one.place[:2])
+        assert resting[f"x{n}"] == pytest.approx(one.place[0], rel=0, abs=1e-3 * size)
+        assert resting[f"y{n}"] == pytest.approx(one.place[1], rel=0, abs=1e-3 * size)
+        assert resting[f"f{n}x"] == pytest.approx(-one.load[0], rel=1e-3)
+        assert resting[f"f{n}y"] == pytest.approx(-one.load[1], rel=1e-3)
+
+
+def test_deflection_is_that_of_the_beam(resting):
+    """Tilts of both rings follow from their displacements, their moments and the loads."""
+    z, whole = beam_of()
+    force, held = np.zeros(5 * len(z)), np.zeros(5 * len(z))
+    place = np.zeros_like(force)
+    for one in STEADY:
+        at = 5 * node(z, one.at)
+        force[at : at + 2] += one.force[:2]
+    for ring, at in ((1, 5 * node(z, 0.0)), (2, 5 * node(z, 0.2))):
+        force[at + 3 : at + 5] += resting[f"m{ring}x"], resting[f"m{ring}y"]
+        place[at : at + 2] = resting[f"x{ring}"], resting[f"y{ring}"]
+        held[at : at + 2] = 1e14
+    held[2] = 1e14  # along the shaft
+    found = np.linalg.solve(whole.stiffness + np.diag(held), force + held * place)
+    for ring, at in ((1, 5 * node(z, 0.0)), (2, 5 * node(z, 0.2))):
+        tilts = resting[f"rx{ring}"], resting[f"ry{ring}"]
+        assert tilts == pytest.approx(found[at + 3 : at + 5], rel=1e-4)
+    assert abs(resting["rx1"] - resting["rx2"]) > 1e-4  # it bends
+
+
+# ---- against the equations of a free shaft
+def in_the_air(found, time, spin):
+    """(times, 2 (2 + n)) coordinates of the free shaft with loads, from rest: place, slope and
+    modes in the plane of y, then in that of z."""
+    from scipy.integrate import solve_ivp
+
+    body, n = found.body, len(found.mass) + 2
+    mass = np.tile([body.mass, body.transverse, *found.mass], 2)
+    stiffness = np.tile([0.0, 0.0, *found.stiffness], 2)
+    damping = np.tile([0.0, 0.0, *found.damping], 2)
+
+    def at(place):  # displacement and slope there, in one plane
+        k = node(found.z, place)
+        moved = np.array([1.0, found.z[k] - body.centre, *found.shape[:, k, 0]])
+        return moved, np.array([0.0, 1.0, *found.shape[:, k, 1]])
+
+    def force(t):
+        overhang, disc, (centre, slope) = at(0.3)[0], at(0.12)[0], at(body.centre)
+        turning = 4.0 * np.array([np.cos(900 * t + 0.3), np.sin(900 * t + 0.3)])
+        heavy = 1e-5 * spin**2 * np.array([np.cos(spin * t + 0.7), np.sin(spin * t + 0.7)])
+        one = overhang * 5 + disc * heavy[0] + centre * turning[0] + slope * 0.1
+        other = overhang * 2 + disc * heavy[1] + centre * turning[1] - slope * 0.2
+        return np.concatenate([one, other])
+
+    gyroscopic = np.zeros((2 * n, 2 * n))
+    gyroscopic[1:n, n + 1 :], gyroscopic[n + 1 :, 1:n] = found.gyroscopic, -found.gyroscopic
+
+    def motion(t, state):
+        q, v = np.split(state, 2)
+        own = stiffness * q + damping * v + spin * gyroscopic @ v
+        return np.concatenate([v, (force(t) - own) / mass])
+
+    start = np.zeros(4 * n)
+    end = solve_ivp(motion, (0.0, time), start, "DOP853", rtol=1e-10, atol=1e-16).y[:, -1]
+    return end[: 2 * n]
+
+
+def test_in_the_air(tmp_path, damped):
+    """Loads, a moment, a turning force and an unbalance on the modes of a shaft along x."""
+    spin, time = 2000.0, 2e-3
+    wanted = ["2", "3", "7", "8", "27"] + [str(k) for k in range(28, 34)]
+    rings = [f"f_s[2][{k}]" for k in (2, 3, 7, 8, 28, 29, 30, 31)]
+    values = " ".join(f"$({one})" for one in (*(f"f_s[{k}]" for k in wanted), *rings))
+    text = small(
+        tmp_path,
+        "fix move all bearing/implicit tolerance 1e-13 largest 1e-6\n"
+        f"fix s inner bearing/shaft flexible {damped} y free z free ry free rz free "
+        f"spin speed {spin} load 0.3 0 5 2 moment 0 0.2 0.1 rotating 4 900 0.3 "
+        f'unbalance 0.12 1e-5 0.7\ntimestep 1e-6\nrun {round(time / 1e-6)}\nprint "END {values}"\n',
+    ).text
+    y, z, tilt_y, tilt_z, strain, *rest = map(
+        float, re.search(r"^END (.*)$", text, re.M)[1].split()
+    )
+    modes, ring = np.reshape(rest[:6], (3, 2)).T, rest[6:]
+    found = reduced(damping=0.02)
+    one, other = np.split(in_the_air(found, time, spin), 2)
+    assert [y, tilt_z] == pytest.approx(one[:2], rel=1e-3)
+    assert [z, tilt_y] == pytest.approx([other[0], -other[1]], rel=1e-3)
+    assert modes[0] == pytest.approx(one[2:5], rel=0, abs=2e-3 * np.abs(one[2]))
+    assert modes[1] == pytest.approx(other[2:5], rel=0, abs=2e-3 * np.abs(other[2]))
+    want = 0.5 * found.stiffness @ (one[2:] ** 2 + other[2:] ** 2)
+    assert strain == pytest.approx(want, rel=2e-3)
+    # a ring moves with the rigid shaft and bends away from it
+    ring_y, ring_z, ring_tilt_y, ring_tilt_z, bend_y, bend_z, bend_tilt_y, bend_tilt_z = ring
+    lever = 0.2 - found.body.centre
+    assert ring_y == pytest.approx(y + lever * tilt_z + bend_y, rel=1e-6)
+    assert ring_z == pytest.approx(z - lever * tilt_y + bend_z, rel=1e-6)
+    assert ring_tilt_y == pytest.approx(tilt_y + bend_tilt_y, rel=1e-6)
+    assert ring_tilt_z == pytest.approx(tilt_z + bend_tilt_z, rel=1e-6)
+    at = node(found.z, 0.2)
+    assert bend_y == pytest.approx(found.shape[:, at, 0] @ one[2:], rel=2e-3)
+    assert bend_tilt_y == pytest.approx(-found.shape[:, at, 1] @ other[2:], rel=2e-3)
+
+
+# ---- a shaft that does not bend
+LOADED = "load 0.12 -100 -800 0 load 0.3 20 50 30 unbalance 0.12 1e-4 0.4 ramp 1e-3"
+
+
+def test_stiff_is_rigid(tmp_path):
+    steel = Steel(young=1e7 * beam.STEEL.young)
+    stiff, body = reduced(steel), beam_motion.rigid(*beam_of())
+    bending_file.write(tmp_path / "stiff.modes", stiff)
+    words = {
+        "flexible": f"flexible {tmp_path / 'stiff.modes'}",
+        "rigid": f"mass {body.mass!r} inertia {body.axial!r} {body.transverse!r}"
+        f" centre {body.centre!r}",
+    }
+    ends = [
+        swing(
+            tmp_path / kind,
+            clearance=1e-5,
+            speed=200,
+            law="friction constant 0.05",
+            freedoms=f"{TILTING} 200 z free",
+            words=f"{text} {LOADED}",
+            control="tolerance 1e-10",
+            steps=60,
+            every=2,
+        )[0]
+        for kind, text in words.items()
+    ]
+    for key in ("x", "y", "z", "rx", "ry", "f1y", "f2y", "m1x", "a2y", "x1", "y2"):
+        one, other = ends[0][key], ends[1][key]
+        assert np.abs(one - other).max() < 1e-4 * np.abs(other).max(), key
+
+
+# ---- balances
+def test_energy(tmp_path, damped):
+    """Work of loads is in motion, springs, the bent shaft and heat."""
+    _, energy = swing(
+        tmp_path,
+        control="tolerance 1e-10 largest 2e-6 energy yes",
+        freedoms=f"{TILTING} 200 z free",
+        words=f"flexible {damped} {LOADED}",
+        clearance=1e-5,
+        speed=200,
+        law="friction constant 0.05",
+        steps=80,
+        every=80,
+    )
+    assert energy["work"] > 1e-3 and energy["dissipated"] > 0.0
+    assert abs(energy["lost"]) < 1e-3 * energy["work"]
+
+
+def test_within_a_step(tmp_path, damped):
+    """Samples inside long steps: accelerations of rings are those of their velocities."""
+    swing(
+        tmp_path,
+        control="tolerance 1e-11 largest 5e-6",
+        freedoms=f"{TILTING} 200",
+        words=f"flexible {damped} {LOADED}",
+        clearance=PRELOAD,
+        steps=40,
+        within=10,
+    )
+    with xarray.open_dataset(tmp_path / "record.nc") as record:
+        speed, growth = record["ring_vx"].values, record["ring_ax"].values
+        inner = [k for k, raceway in enumerate(record["ring_raceway"].values) if raceway == 0]
+        time = record["time"].values
+    for k in inner:
+        slope = (speed[2:, k] - speed[:-2, k]) / (time[2:] - time[:-2])
+        largest = np.abs(slope).max()
+        assert np.median(np.abs(growth[1:-1, k] - slope)) < 2e-2 * largest
+
+
+# ---- bits
+FULL = dict(
+    cage=1,
+    speed=200,
+    second=0.2,
+    law="friction constant 0.05",
+    freedoms=f"{TILTING} 200 z free",
+    clearance=1e-5,
+    skin=4e-4,
+    control="tolerance 1e-8",
+    every=10,
+)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory, damped):
+    """(folder, variables) on one rank."""
+    folder = tmp_path_factory.mktemp("whole")
+    variables = {**FULL, "words": f"flexible {damped} {LOADED}"}
+    succeed(DECK, out=folder, **variables, steps=60)
+    return folder, variables
+
+
+def rows(folder):
+    return (folder / "shaft.dat").read_text().splitlines()
+
+
+def test_scene_is_worth_comparing(whole):
+    data = {key: value[-1] for key, value in data_of(whole[0]).items()}
+    rigid = data["y"] - (0.2 - reduced().body.centre) * data["rx"]
+    assert abs(data["y2"] - rigid) > 1e-7 and data["f2y"] > 100 and abs(data["z"]) > 1e-7
+
+
+@pytest.mark.parametrize("host, ranks", [("liggghts", 4), ("lammps", 2)])
+def test_same_bits(whole, host, ranks, tmp_path):
+    folder, variables = whole
+    succeed(DECK, host=host, ranks=ranks, out=tmp_path, **variables, steps=60)
+    assert rows(tmp_path)[-6:] == rows(folder)[-6:]
+
+
+@pytest.fixture(scope="module")
+def half(whole, tmp_path_factory):
+    """Restart file of the middle."""
+    folder = tmp_path_factory.mktemp("half")
+    succeed(DECK, out=folder, **whole[1], steps=30, keep=30)
+    return folder / "restart.30"
+
+
+def test_restart(whole, half, tmp_path):
+    folder, variables = whole
+    extra = {**variables, "from": half}
+    succeed(DECK, ranks=2, out=tmp_path, begin="resume", **extra, steps=30)
+    assert rows(tmp_path)[-3:] == rows(folder)[-3:]
+
+
+def test_restart_with_other_modes(whole, half, tmp_path):
+    from host import run
+
+    words = f"mass 4 inertia 2e-3 2e-2 {LOADED}"
+    extra = {**whole[1], "from": half, "words": words}
+    failed = run(DECK, out=tmp_path, begin="resume", **extra, steps=1)
+    assert failed.code != 0 and "the restart file has 8 modes of the shaft, the deck has 0" in (
+        failed.error
+    )
+
+
+# ---- mistakes
+FREE = "y free z free ry free rz free spin speed 100"
+
+
+@pytest.mark.parametrize(
+    "text, says",
+    [
+        ("FILE mass 4", "mass, inertia and centre of a flexible shaft are those of"),
+        ("FILE centre 0.1", "mass, inertia and centre of a flexible shaft are those of"),
+        ("FILE ry fixed", "needs its displacements across and its tilts 'free'"),
+        ("FILE support y 1e6 10", "a flexible shaft takes no 'support'"),
+        ("FILE load 0.25 0 1 0", "a load is at 0.25 m, and"),
+        ("FILE unbalance 0.05 1e-5 0", "an unbalance is at 0.05 m, and"),
+        ("nowhere", "cannot read 'nowhere'"),
+        ("FILE\nunfix m\nfix m balls nve/sphere", "a flexible shaft needs fix bearing/implicit"),
+        (
+            "FILE\nunfix m\nfix m all bearing/implicit solve damping",
+            "a flexible shaft needs 'solve all' of fix m",
+        ),
+    ],
+)
+def test_mistakes(tmp_path, file, text, says):
+    first, *lines = text.replace("FILE", str(file)).splitlines()
+    deck = f"fix m all bearing/implicit\nfix s inner bearing/shaft {FREE} flexible {first}\n"
+    failed = small(tmp_path, deck + "\n".join([*lines, "run 0\n"]))
+    assert failed.code != 0 and says in failed.error, failed.text[-600:]
+
+
+@pytest.mark.parametrize(
+    "old, new, says",
+    [
+        ("raceway-shaft 1", "raceway-shaft 2", "must be 'raceway-shaft 1'"),
+        ("units m kg s N rad", "units mm kg s N rad", "must be 'units m kg s N rad'"),
+        ("units m kg s N rad\n", "", "has no line 'units m kg s N rad'"),
+        ("\nmass ", "\nweight ", "unknown word 'weight'; known: units, mass"),
+        ("\nmass ", "\nmass -", "'mass' is -"),
+        ("\nmodal_mass ", "\nmodal_mass -", "'modal_mass' is -"),
+        ("\nmodal_stiffness ", "\nmodal_stiffness 1 ", "'modal_stiffness' has 9 numbers"),
+        ("\nmodal_damping 0", "\nmodal_damping -1", "'modal_damping' is -1, must be from 0"),
+        ("\nmodes 8", "\nmodes 7", "'modal_mass' has 8 numbers, must have 7"),
+        ("\nmodes 8", "\nmodes 8.5", "'modes' is 8.5, must be a whole number"),
+        ("\ngyroscopic ", "\n# ", "has 8 lines 'gyroscopic', must have 9"),
+        ("\nstation 0 ", "\nstation 0 1 ", "'station' has 18 numbers, must have 17"),
+        ("\nstation 0 ", "\nstation 1 ", "must be beyond the one before it"),
+        ("\nstation 0 ", "\nstation 0.001 ", "ring atom 10 is at 0 m, and"),
+        ("\nstation 0 ", "\nstation nan ", "'nan' is no finite number"),
+    ],
+)
+def test_bad_files(tmp_path, file, old, new, says):
+    content = file.read_text()
+    assert old in content
+    bad = tmp_path / "bad.modes"
+    bad.write_text(content.replace(old, new, 1))
+    deck = f"fix m all bearing/implicit\nfix s inner bearing/shaft {FREE} flexible {bad}\nrun 0\n"
+    failed = small(tmp_path, deck)
+    assert failed.code != 0 and says in failed.error, failed.text[-600:]
+
+
+def test_matrix_that_is_not_symmetric(tmp_path, file):
+    lines = file.read_text().splitlines()
+    first = next(k for k, line in enumerate(lines) if line.startswith("gyroscopic"))
+    word, one, two, *others = lines[first].split()
+    lines[first] = " ".join([word, one, repr(1.001 * float(two)), *others])
+    bad = tmp_path / "bad.modes"
+    bad.write_text("\n".join(lines))
+    failed = small(tmp_path, f"fix s inner bearing/shaft {FREE} flexible {bad}\n")
+    assert failed.code != 0 and "'gyroscopic' is not symmetric" in failed.error
