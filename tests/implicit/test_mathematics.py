@@ -17,7 +17,10 @@ ROOT = Path(__file__).resolve().parents[2]
 def lib():
     source, target = ROOT / "tests/implicit/implicit_c.cpp", ROOT / "build/test/libimplicit.so"
     target.parent.mkdir(parents=True, exist_ok=True)
-    step = map(str, sorted(ROOT.glob("src-package/implicit/*.cpp")))
+    step = [
+        str(ROOT / "build/obj/implicit" / source.with_suffix(".o").name)
+        for source in sorted(ROOT.glob("src-package/implicit/*.cpp"))
+    ]
     subprocess.run(
         [
             "g++",
