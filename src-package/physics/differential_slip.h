@@ -42,10 +42,22 @@ template <class T> RACEWAY_INLINE T slip_secant(const T &off)
   return where(q < 0.0, beyond, where(q > 1.0, beyond, inside));
 }
 
-// C/(mu Q a^2/(2 R_d)).
-template <class T> RACEWAY_INLINE T slip_couple(const T &off)
+// t0 of a force, in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. Two steps of Newton
+// from a polynomial in sqrt(1 - F) leave rounding.
+template <class T> RACEWAY_INLINE T force_root(const T &force)
 {
-  const T t = slip_root(off), cube = t * t * t;
+  constexpr double least = 1e-24;    // of 1 - F, where x divides
+  const T rest = 1.0 - force, r = where(rest > least, where(rest < 2.0, rest, 2.0), least);
+  const T q = square_root(r);
+  T x = q * (0.57692098 + q * (0.06107723 + q * (-0.00171489 + q * 0.01645284)));
+  for (int pass = 0; pass < 2; ++pass) x = x - (x * x * (3.0 - x) - r) / (3.0 * x * (2.0 - x));
+  return 1.0 - x;
+}
+
+// C/(mu Q a^2/(2 R_d)).
+template <class T> RACEWAY_INLINE T slip_couple(const T &t)
+{
+  const T cube = t * t * t;
   return cube - 0.6 * cube * t * t - 0.2;
 }
 

@@ -60,7 +60,7 @@ struct DifferentialSlipPart : PartBase {
 
     // secants in the plane: each direction shares the friction that the other uses
     const B alone = slip_secant(off_t), cross = alone * off_w;
-    const B secant_t = alone / square_root(B(1.0 + cross * cross));
+    const B sharing = square_root(B(1.0 + cross * cross)), secant_t = alone / sharing;
     const B secant_w =
         1.0 / square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
     const T cap = c.mu * c.normal;
@@ -78,9 +78,10 @@ struct DifferentialSlipPart : PartBase {
     m.after[0] = c.friction_t;
     m.after[1] = c.friction_w;
 
-    // the couple belongs to the slip that the spring leaves
-    const B slip = held(c.friction_t) / held(ct) * forward / width;
-    const B against = -slip_couple(slip) * most * curve * curve / width;    // N m s
+    // The couple belongs to the slip that the spring leaves. It follows from the force: as f/c,
+    // with c at the present sliding, a swing of the spring would feed itself in explicit steps.
+    const B used = held(c.friction_t) * sharing * forward / (most + none);
+    const B against = -slip_couple(force_root(used)) * most * curve * curve / width;    // N m s
     c.slip_couple = against * turn;
     c.couple_w += c.slip_couple + where(against > 0.0, against, 0.0) * (c.roll_w - turn);
   }

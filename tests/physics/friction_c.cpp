@@ -6,12 +6,13 @@
 
 using namespace raceway;
 
-RECORD(SlipLaw, double root, secant, couple;)
+RECORD(SlipLaw, double root, secant, couple, root_of_force;)
 EXPORT(void, differential_slip, (double off, SlipLaw *out))
 {
   out->root = slip_root(off);
   out->secant = slip_secant(off);
-  out->couple = slip_couple(off);
+  out->couple = slip_couple(out->root);
+  out->root_of_force = force_root(out->secant * off);
 }
 EXPORT(double, surface_radius, (double groove, double ball))
 {

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from physics_c import INNER, OUTER
 from raceway import asperity, drag, film_factors, hertz, rolling, sliding, spin
+from scipy.optimize import brentq
 
 GROOVE, BALL, PITCH = 6.552e-3, 6.3e-3, 30.3e-3
 MODULUS = 210e9 / (1 - 0.3**2)
@@ -66,6 +67,8 @@ def test_closed_form(physics):
         force = found.secant * (slip - sliding.FREE**2)
         assert force == pytest.approx(theory.force, abs=1e-12)
         assert found.couple == pytest.approx(theory.couple, abs=1e-12)
+        # t0 goes as the root of what F lacks at its end: rounding there is 1e-8 of t0
+        assert found.root_of_force == pytest.approx(found.root, abs=1e-12 if slip < 0.9 else 1e-7)
     free = physics.call("differential_slip", off=0.0)
     assert free.root == pytest.approx(0.347296, abs=5e-7)
     assert free.secant == pytest.approx(3.80, abs=5e-3)
@@ -147,8 +150,11 @@ def test_spring_in_series(physics, step):
     force, _ = sliding.in_series(15.0, distance, secant, found.kt, step)
     assert found.friction_t == pytest.approx(force, rel=1e-11)
     assert list(found.states) == [found.friction_t, found.friction_w]
-    # the couple is that of the slip which the spring leaves
-    slip = found.friction_t / secant + sliding.free_slip(*arguments[2:])
+    # the couple is that of the slip which the spring leaves: the one that has this force
+    edge = sliding.edge_slip(*arguments[2:])
+    slip = brentq(
+        lambda slip: sliding.heathcote(slip, *arguments).force - force, 0, edge, xtol=1e-16
+    )
     couple = sliding.heathcote(slip, *arguments).couple
     assert found.couple_w == pytest.approx(-couple, rel=1e-10)
 

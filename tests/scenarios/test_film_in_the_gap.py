@@ -139,34 +139,21 @@ def test_longest_explicit_step(fixed_step, rpm):
     assert code != 0 or rows[:, 1].max() > 2 * rows[0, 1]
 
 
-@pytest.mark.parametrize("rpm", [477.5, 1910])
-def test_longest_explicit_step_with_all_parts(fixed_step, rpm):
+@pytest.mark.parametrize("rpm, within", [(48, 5e-3), (477.5, 1e-3), (1910, 1e-3)])
+def test_longest_explicit_step_with_all_parts(fixed_step, rpm, within):
     """At what fix bearing/timestep allows friction loses what it loses at 1 us; at 125 % the
-    tangential springs swing up to sliding."""
+    tangential springs swing up to sliding. At 48 rpm the start's swing lasts some milliseconds, and
+    is larger in a longer step: 2e-3 at 4 us, 4e-3 at the limit in the second 2 ms."""
 
     def power(step):
         code, rows = fixed_step(step, rpm, FULL, int(4e-3 / step))
         assert code == 0
-        return rows[len(rows) // 2 :, 3].mean(), rows[:, 2].min()
+        rows = rows[len(rows) // 2 :]
+        return rows[:, 3].mean(), rows[:, 2].min(), rows[:, 1].max()
 
-    found, limit = power(1e-6)
+    found, limit, load = power(1e-6)
     assert limit > 4e-6
-    assert power(limit)[0] == pytest.approx(found, rel=1e-3)
+    at_limit = power(limit)
+    assert at_limit[0] == pytest.approx(found, rel=within)
+    assert at_limit[2] < 1.01 * load
     assert power(1.25 * limit)[0] > 1.5 * found
-
-
-def test_explicit_step_with_all_parts_when_slow(fixed_step):
-    """48 rpm: loads stay bounded at the limit. Friction has its power up to 2 us only, since the
-    springs hardly lose what they swing (docs/validation)."""
-
-    def rows_of(step):
-        code, rows = fixed_step(step, 48, FULL, int(4e-3 / step))
-        assert code == 0
-        return rows[len(rows) // 2 :]
-
-    fine, usual = rows_of(1e-6), rows_of(2e-6)
-    limit = fine[:, 2].min()
-    assert limit > 4e-6
-    assert usual[:, 3].mean() == pytest.approx(fine[:, 3].mean(), rel=5e-3)
-    longest = rows_of(0.98 * limit)
-    assert longest[:, 1].max() < 1.01 * fine[:, 1].max()
