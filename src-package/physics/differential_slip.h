@@ -16,8 +16,10 @@
 
 namespace raceway {
 
-constexpr double free_root = 0.34729635533386070;                    // 2 sin(pi/18): F = 0
-constexpr double free_part = free_root * free_root;                  // of s_e, slip of free rolling
+constexpr double free_root = 0.34729635533386070;      // 2 sin(pi/18): F = 0
+constexpr double free_part = free_root * free_root;    // of s_e, slip of free rolling
+// mean sliding speed of free rolling over the load, of s_e
+constexpr double free_speed = 0.2 + free_part * free_root * (0.6 * free_part - 1.0);
 constexpr double free_lean = 1.5 * (1.0 - free_part) / free_root;    // s_e dF/ds/(mu Q) there
 
 // m: curvature across the groove of the surface of contact.

@@ -22,6 +22,16 @@ EXPORT(double, asperities, (double b, double c, double Lambda))
 {
   return asperity_share(Asperities{b, c}, Lambda);
 }
+EXPORT(double, film_coefficient,
+       (double viscosity, double pressure_viscosity, double stress, double limit, double pressure,
+        double rate))
+{
+  FilmTraction f;
+  f.stress = stress;
+  f.limit = limit;
+  f.prepare({viscosity, pressure_viscosity});
+  return f.coefficient(pressure, logarithm(rate));
+}
 EXPORT(double, rolling_resistance,
        (double viscosity, double modulus, double Rx, double Ry, double speed, double load))
 {
@@ -40,7 +50,8 @@ EXPORT(double, sphere_drag, (double reynolds)) { return drag_coefficient(drag_ta
 
 // A contact by its motions, and what the laws of full models make of it.
 RECORD(Rolled, double side, overlap, overlap_rate, cos_angle, entrainment, sliding_t, sliding_w,
-       spin_n, roll_w, dt, least, mu, mu_boundary, mu_film, beta, starvation, alpha, density, oil;)
+       spin_n, roll_w, dt, least, mu, mu_boundary, mu_film, beta, starvation, alpha, density, oil,
+       eyring, limit;)
 RECORD(Resisted, double load, normal, mu, lambda_, asperity_share, kt, a, b, friction_t, friction_w,
        couple_n, couple_w, slip_couple, rolling_couple, hysteresis_couple, drag, drag_power,
        friction_power, loss, states[2];)
@@ -57,6 +68,8 @@ static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
   p.of<DifferentialSlipPart>().least = in.least;
   p.of<MixedFrictionPart>().mu_boundary = in.mu_boundary;
   p.of<MixedFrictionPart>().mu_film = in.mu_film;
+  p.of<MixedFrictionPart>().traction.stress = in.eyring;
+  p.of<MixedFrictionPart>().traction.limit = in.limit;
   p.of<HydrodynamicRollingPart>().beta = in.beta;
   p.of<HydrodynamicRollingPart>().conductivity = 0.134;
   p.of<HydrodynamicRollingPart>().starvation = in.starvation;

@@ -83,6 +83,10 @@ Scene scene(unsigned parts, int n)
   s.p.factors = {InletShear::murch, 0.047, 0.134, 0.9};
   s.p.of<ConstantFrictionPart>().mu = 0.1;
   s.p.of<StribeckFrictionPart>().curve = {0.12, 0.05, 0.0, 0.0};
+  if (n % 2) {
+    s.p.of<MixedFrictionPart>().traction.stress = 5e6;
+    s.p.of<MixedFrictionPart>().traction.limit = 0.047;
+  }
   s.p.of<HydrodynamicRollingPart>().beta = 0.047;
   s.p.of<DragPart>().share = 0.1;
   s.p.prepare(30.3e-3, 8.17e-3, 0.05);

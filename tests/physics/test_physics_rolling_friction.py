@@ -5,7 +5,17 @@ which is written independently, and against numbers that were computed before ei
 import numpy as np
 import pytest
 from physics_c import INNER, OUTER
-from raceway import asperity, drag, film_factors, hertz, rolling, sliding, spin
+from raceway import (
+    asperity,
+    drag,
+    film,
+    film_factors,
+    hertz,
+    rolling,
+    sliding,
+    spin,
+    traction,
+)
 from scipy.optimize import brentq
 
 GROOVE, BALL, PITCH = 6.552e-3, 6.3e-3, 30.3e-3
@@ -31,6 +41,8 @@ REST = dict(
     alpha=0.01,
     density=870.0,
     oil=0.1,
+    eyring=0.0,
+    limit=0.0,
 )
 NONE = np.zeros(2)
 
@@ -215,6 +227,74 @@ def test_mixed_friction(physics):
         assert found.mu == pytest.approx(share * 0.12 + (1 - share) * 0.05, rel=1e-14)
     assert shares[0] > 0.3 and np.all(np.diff(shares) < 0)
     assert of(physics, "all_of", REST | dict(entrainment=0.0)).mu == pytest.approx(0.12, rel=1e-15)
+
+
+@pytest.mark.parametrize("oil", [(0.04, 22e-9), (0.005, 15e-9), (0.1, 25e-9)])
+def test_film_coefficient(physics, oil):
+    """As in Python, which has the same Gauss points; 100 of them differ by less than 1 %."""
+    lowest = []
+    for pressure in (1e7, 1e9, 2.5e9, 4e9):
+        for rate in np.geomspace(1e-3, 1e9, 13):
+            found = physics.call(
+                "film_coefficient",
+                viscosity=oil[0],
+                pressure_viscosity=oil[1],
+                stress=5e6,
+                limit=0.047,
+                pressure=pressure,
+                rate=rate,
+            )
+            laws = (*oil, pressure, rate, 5e6, 0.047)
+            assert found == pytest.approx(traction.coefficient(*laws), rel=1e-12)
+            assert found == pytest.approx(traction.coefficient(*laws, points=100), rel=1e-2)
+            assert found <= 0.047 * (1 + 1e-9)
+            lowest.append(found)
+    assert min(lowest) < 1e-8 and max(lowest) > 0.04699
+
+
+def test_inverse_sinh_has_no_seam(physics):
+    """A film so thin in stress that the coefficient is asinh alone: across x = 1e-3 and 1."""
+    for x in (1e-6, 0.999e-3, 1.001e-3, 0.5, 30.0):
+        found = physics.call(
+            "film_coefficient",
+            viscosity=1.0,
+            pressure_viscosity=1e-30,
+            stress=1.0,
+            limit=1.0,
+            pressure=1e9,
+            rate=x,
+        )
+        assert found == pytest.approx(1.5e-9 * np.arcsinh(x), rel=1e-12)
+
+
+def test_mixed_friction_with_a_film_after_eyring(physics):
+    """The coefficient of the film at the speed of free rolling and of what slides beside it."""
+    r_d = sliding.deformed_radius(GROOVE, BALL)
+    found = []
+    for speed, along, across in (
+        (0.0725, 0.0, 0.0),
+        (0.725, 0.0, 0.0),
+        (-0.725, 1e-3, 2e-3),
+        (14.5, 0.05, 0.0),
+        (14.5, 0.0, 0.3),
+    ):
+        contact = turning(speed=speed, eyring=5e6, limit=0.047)
+        r_x, r_y = radii(INNER)
+        one = of(physics, "all_of", contact)
+        edge = sliding.edge_slip(abs(speed), one.a, r_d, r_x)
+        slip = np.sign(speed) * sliding.FREE**2 * edge + along
+        one = of(physics, "all_of", contact | dict(sliding_t=slip, sliding_w=across))
+        slid = np.sqrt((sliding.FREE_SPEED * edge) ** 2 + along**2 + across**2)
+        kappa = hertz.exact(r_x, r_y).kappa
+        h = film.h_c(r_x, film.group(0.04, 22e-9, MODULUS, r_x, kappa, abs(speed), one.load))
+        pressure = 1.5 * one.load / (np.pi * one.a * one.b)
+        mu = traction.coefficient(0.04, 22e-9, pressure, slid / h, 5e6, 0.047)
+        share = one.asperity_share
+        assert one.mu == pytest.approx(traction.mixed(share, 0.12, mu), rel=1e-11)
+        found.append(mu)
+    assert min(found) > 0.035 and max(found) > found[0]
+    rest = REST | dict(entrainment=0.0, eyring=5e6, limit=0.047)
+    assert of(physics, "all_of", rest).mu == pytest.approx(0.12, rel=1e-12)
 
 
 # ---- rolling -------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@ import numpy as np
 from raceway.arrays import Numbers
 
 FREE = 2 * np.sin(np.pi / 18)  # t0 without force, the root of t^3 - 3 t + 1
+FREE_SPEED = 0.2 + 0.6 * FREE**5 - FREE**3  # mean |s| over the load without force, of s_e
 LEAST = 1e-4  # m/s, floor of s_e: towards u = 0 the law is Coulomb's, smoothed over this
 
 
@@ -67,8 +68,7 @@ def free_power(
     load: Numbers, friction: Numbers, speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers
 ) -> Numbers:
     """Power of free rolling, 0.161142 mu Q s_e, W."""
-    share = 0.2 + 0.6 * FREE**5 - FREE**3
-    return share * friction * load * edge_slip(speed, a, r_d, r_x)
+    return FREE_SPEED * friction * load * edge_slip(speed, a, r_d, r_x)
 
 
 def free_slope(

