@@ -92,7 +92,7 @@ bearings: setup
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	.venv/bin/sphinx-build -q -W --keep-going -b html docs build/docs
+	.venv/bin/sphinx-build -q -W --keep-going -j auto -b html docs build/docs
 	@echo "The documentation is build/docs/index.html"
 
 # ---- layout of the sources -------------------------------------------------------------------------------

@@ -5,17 +5,20 @@ every Python or console block, in the order of its page.
     .venv/bin/python docs/try_examples.py [build/liggghts]
 
 A block under "Examples" stands in for the lines of decks/in.ehd that give the same command; the
-rest of that deck stays. Python and console blocks run in a copy (workspace.py): a finished run is
-not replaced unasked, so they must find none of an earlier time. They may use the run of `make run`;
-tutorial, sweep and gallery have a copy of their own. Exit code 1 when a run fails; its last lines
-are shown.
+rest of that deck stays. Python and console blocks of a page run in a copy (workspace.py): a
+finished run is not replaced unasked, so they must find none of an earlier time. They may use the
+run of `make run`, but on pages that make it themselves. As many pages run at a time as there are
+cores. Exit code 1 when a run fails; its last lines are shown.
 """
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from workspace import workspace
@@ -29,7 +32,8 @@ FILM_ONLY = (
     "variable out ",
     "bearing_output ",
 )
-APART = ("tutorial.rst", "sweep.rst", "gallery.rst")
+MAIN = Path("build/run/6208")
+APART = ("tutorial.rst", "sweep.rst")  # they make the main run, or need none
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
@@ -160,47 +164,46 @@ def deck(base, block):
     return result
 
 
-def main():
-    program = Path(sys.argv[1] if len(sys.argv) > 1 else DOCS.parent / "build/liggghts").resolve()
-    base = joined((DOCS / "decks/in.ehd").read_text())
-    jobs = [(path.name, joined(path.read_text())) for path in sorted((DOCS / "decks").glob("in.*"))]
-    for page in sorted(DOCS.glob("*.rst")):
-        for number, block in enumerate(blocks(page), 1):
-            jobs.append((f"{page.name} example {number}", deck(base, joined(block))))
-    failed = 0
-    for script in sorted((DOCS / "decks").glob("*.py")):
-        done = subprocess.run(
-            [sys.executable, script],
-            cwd=DOCS.parent,
-            capture_output=True,
-            text=True,
-            errors="replace",
-        )
-        print(f"{'FAILED' if done.returncode else 'ok    '} {script.name}", done.stderr[-400:])
-        failed += done.returncode != 0
-    together = [page for page in sorted(DOCS.glob("*.rst")) if page.name not in APART]
-    for pages in (
-        [DOCS.parent / "README.md", *together],
-        [DOCS / "tutorial.rst"],
-        [DOCS / "sweep.rst"],
-    ):
-        with workspace(program) as folder:
-            if len(pages) > 1:
-                main_run = [program, "-in", "inputs/in.6208", "-log", "none"]
-                subprocess.run(main_run, cwd=folder, capture_output=True, check=True)
-            for page in pages:
-                for name, trouble in run_session(page, folder):
-                    print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "")
-                    failed += bool(trouble)
-    failed += subprocess.run([sys.executable, DOCS / "gallery.py", "--check"]).returncode != 0
+def of_script(script):
+    """A Python script beside the decks, from the root."""
+    done = subprocess.run(
+        [sys.executable, script],
+        cwd=DOCS.parent,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+    )
+    return [(script.name, done.returncode and done.stdout[-400:])]
+
+
+def of_gallery():
+    done = subprocess.run(
+        [sys.executable, DOCS / "gallery.py", "--check"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    return [("gallery.rst", done.returncode and done.stdout)]
+
+
+def of_page(page, program, main_run):
+    """What a page shows, in a copy with the main run unless the page makes it itself."""
+    with workspace(program) as folder:
+        if page.name not in APART:
+            shutil.copytree(main_run, folder / MAIN)
+        return list(run_session(page, folder))
+
+
+def of_decks(program, decks):
+    """Decks (name, lines) one after the other in one folder: they read what those before them
+    wrote."""
+    found = []
     with tempfile.TemporaryDirectory() as top:
-        for number, (name, lines) in enumerate(jobs):
-            # decks read what those before them wrote, examples write what others did
-            folder = Path(top) / ("decks" if name.startswith("in.") else str(number))
-            if not folder.exists():
-                folder.mkdir()
-                (folder / "inputs").symlink_to(DOCS.parent / "inputs")
-            path = folder / "in.deck"
+        folder = Path(top)
+        (folder / "inputs").symlink_to(DOCS.parent / "inputs")
+        path = folder / "in.deck"
+        for name, lines in decks:
             path.write_text("\n".join(lines) + "\n")
             done = subprocess.run(
                 [program, "-in", path, "-log", "none"],
@@ -209,11 +212,41 @@ def main():
                 text=True,
                 errors="replace",
             )
-            good = done.returncode == 0
-            print(f"{'ok    ' if good else 'FAILED'} {name}")
-            if not good:
-                failed += 1
-                print("\n".join(lines), "\n", done.stdout[-800:], done.stderr[-400:])
+            told = "\n".join([*lines, done.stdout[-800:], done.stderr[-400:]])
+            found.append((name, done.returncode and told))
+    return found
+
+
+def tasks(program, main_run):
+    """Everything there is to run, the longest first; each returns pairs of a name and what it said
+    when it failed, or nothing."""
+    yield of_gallery
+    pages = [DOCS.parent / "README.md", *DOCS.glob("*.rst")]
+    blocks_of = {page: len(list(session(page))) for page in pages if page.name != "gallery.rst"}
+    for page in sorted(blocks_of, key=blocks_of.get, reverse=True):
+        if blocks_of[page]:
+            yield partial(of_page, page, program, main_run)
+    for script in sorted((DOCS / "decks").glob("*.py")):
+        yield partial(of_script, script)
+    decks = [(path.name, joined(path.read_text())) for path in (DOCS / "decks").glob("in.*")]
+    yield partial(of_decks, program, sorted(decks))
+    base = joined((DOCS / "decks/in.ehd").read_text())
+    for page in sorted(DOCS.glob("*.rst")):
+        for number, block in enumerate(blocks(page), 1):
+            example = [(f"{page.name} example {number}", deck(base, joined(block)))]
+            yield partial(of_decks, program, example)
+
+
+def main():
+    program = Path(sys.argv[1] if len(sys.argv) > 1 else DOCS.parent / "build/liggghts").resolve()
+    failed = 0
+    with workspace(program) as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
+        command = [program, "-in", "inputs/in.6208", "-log", "none"]
+        subprocess.run(command, cwd=folder, capture_output=True, check=True)
+        for found in pool.map(lambda task: task(), tasks(program, folder / MAIN)):
+            for name, trouble in found:
+                print(f"{'FAILED' if trouble else 'ok    '} {name}", trouble or "", flush=True)
+                failed += bool(trouble)
     return 1 if failed else 0
 
 
