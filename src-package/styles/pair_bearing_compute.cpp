@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The step: fill the contact table, add forces. What a scene does not ask for is a template
-// parameter.
-#include "pair_bearing_hertz.h"
+// The step: fill the contact table, add forces.
+#include "pair_bearing_forces.h"
 
 #include "../deck/arguments.h"
 #include "../physics/damped_hertz.h"
@@ -21,71 +20,15 @@ void PairBearingHertz::compute(int eflag, int vflag)
   state_->forward_axes();
   if (neighbor->ago == 0 || rebuild_) rebuild_contacts();
   ++fills_;
-  if (evflag) raceway_forces<true>();
-  else raceway_forces<false>();
+  if (profiles_.empty()) smooth_raceway_forces();
+  else flawed_raceway_forces();
   sphere_forces(evflag);
   ring_sum_.flush();
 }
 
-template <bool tally> void PairBearingHertz::raceway_forces()
+void PairBearingHertz::smooth_raceway_forces()
 {
-  with_law(law_, [this](auto law) {
-    if (profiles_.empty()) raceway_forces<decltype(law), tally, false>();
-    else raceway_forces<decltype(law), tally, true>();
-  });
-}
-
-template <class L, bool tally, bool flawed> void PairBearingHertz::raceway_forces()
-{
-  double **x = atom->x, **v = atom->v, **w = atom->omega, **f = atom->f, **torque = atom->torque;
-  // the forces of a set-up belong to a step already made: they must not advance what contacts keep
-  const bool advance = !update->setupflag;
-  const double dt = advance ? update->dt : 0.0;
-  BallState ball;
-  RingState ring;
-  ProfiledContact on;
-  for (RacewayContact &c : table_.raceway) {
-    const RacewayPhysics &p = *c.raceway;
-    ball.x = Vec3::from(x[c.i_ball]);
-    ring.x = Vec3::from(x[c.i_ring]);
-    ring.e = state_->axis(c.i_ring);
-    const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
-    c.live = flawed && c.profile ? touch_profile(c, ball.x - ring.x, ring.e, on)
-                                 : touch(p, ball.x - ring.x, ring.e, c.state);
-    if (c.live) {
-      if (!(c.state.overlap < p.largest_overlap)) lost(c);
-      ball.v = Vec3::from(v[c.i_ball]);
-      ball.w = Vec3::from(w[c.i_ball]);
-      ring.v = Vec3::from(v[c.i_ring]);
-      ring.w = Vec3::from(w[c.i_ring]);
-      c.live = !approach<L>(p, ball, ring, c.state);
-    }
-    if (gaps_) look_at_gap(c);
-    if (flawed && c.live && c.profile)
-      c.state.overlap_rate -= on.slope * passing_speed(ball, ring, c.state);
-    if (!c.live) {
-      if (keeps) std::fill(c.kept, c.kept + L::states, 0.0);
-      continue;
-    }
-    double after[L::states > 0 ? L::states : 1];
-    const LawStates<double> memory = {keeps ? dt : 0.0, c.kept, after};
-    L::act(p, p.law.at(c.state.cos_angle), memory, c.state);
-    ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
-    if (flawed && c.profile) push_along(on.slope, ring.e, c.state, forces);
-    if (keeps) std::copy(after, after + L::states, c.kept);
-    if (!std::isfinite(c.state.normal)) lost(c);
-    forces.force.add_to(f[c.i_ball]);
-    forces.ball_torque.add_to(torque[c.i_ball]);
-    ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
-    if (tally) {
-      const Vec3 d = ball.x - ring.x;
-      // only this rank sees the pair: count it whole (newton = 1)
-      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
-                   eflag_either ? L::energy(p, c.state) + (flawed && c.profile ? on.energy : 0.0)
-                                : 0.0,
-                   0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
-    }
-  }
+  with_law(law_, [this](auto law) { raceway_forces<decltype(law), false>(); });
 }
 
 // As touch(), with what the profile leaves of the overlap.

@@ -98,8 +98,9 @@ class PairBearingHertz : public Pair {
   void check_atoms() const;
   void rebuild_contacts();
   void add_raceway_contacts();
-  template <bool tally> void raceway_forces();
-  template <class L, bool tally, bool flawed> void raceway_forces();
+  void smooth_raceway_forces();
+  void flawed_raceway_forces();
+  template <class L, bool flawed> void raceway_forces();
   void sphere_forces(bool tally);
   void look_at_gap(bearing::RacewayContact &);
   bool touch_profile(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e,
