@@ -91,9 +91,10 @@ def test_length_from_a_contact_load(tmp_path):
         passages.find(one, sample_s, 0.999 * len(one) * sample_s, REACH, share=0.1)
         for one in loads.T
     ]
-    # the balls beside it feel the ring move, and nothing as sharp
-    seconds = passages.Passages(*map(np.concatenate, zip(*each))).strong.seconds
-    assert len(seconds) >= 2
+    every = passages.Passages(*map(np.concatenate, zip(*each)))
+    # the balls beside it take less than the load that it loses
+    seconds = every.seconds[every.dip > 0.9 * every.dip.max()]
+    assert len(seconds) == 2
     spin = RPM * np.pi / 30
     found = spall.length(run.tables.geometry, OUTER, seconds, spin, 2000, 0.2, clearance=10e-6)
     assert found == pytest.approx(length, rel=0.05)

@@ -11,19 +11,19 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy import optimize
+from scipy import optimize, signal
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs import spectrum
 from raceway.runs.run import Run
+from raceway.theory import kinematics
 
-QUIET = 0.25  # of the time around a blow, at its start: before any entry
+QUIET = 0.25  # of the time before a blow, at its start: no entry yet
 SHARP, ABOVE = 4.0, 1.5  # times the sharpest bend of that quiet time: a blow, its begin
 ONSET = 0.2  # of the sharpest bend of a passage: its first blow
-STRONG = 0.5  # of the sharpest blow of all: those under the load
-NOISE = 5.0  # standard deviations of the quiet time: no longer at rest
-LEAST = 0.02  # of the largest value before the blow: no longer at rest
+STRONG = 0.7  # of the deepest dip of all: those under the load
+LEAST, FAINT = 0.02, 0.02  # of the largest value before the blow, and bend: no longer at rest
 REACH = 6.0  # times the time from first notice to there: where the entry is looked for
 FOLDS = 4  # samples in a bin of the folded record
 FEWEST = 32  # samples around a blow
@@ -34,7 +34,7 @@ class Passages(NamedTuple):
 
     entry: Floats  # s from the first value
     blow: Floats  # s
-    sharpness: Floats  # of the blow, second difference in the signal's unit
+    dip: Floats  # first peak after the entry, in the signal's unit
 
     @property
     def seconds(self) -> Floats:
@@ -43,9 +43,9 @@ class Passages(NamedTuple):
 
     @property
     def strong(self) -> "Passages":
-        """Those with at least half the sharpest blow: a spall of the inner raceway turns through
+        """Those with at least 0.7 of the deepest dip: a spall of the inner raceway turns through
         the load."""
-        kept = self.sharpness >= STRONG * self.sharpness.max(initial=0.0)
+        kept = self.dip >= STRONG * self.dip.max(initial=0.0)
         return Passages(*(values[kept] for values in self))
 
 
@@ -61,10 +61,11 @@ def find(
     of one ball.
 
     A passage is the time `reach_s` before to `reach_s` after a blow, half a period unless given.
-    Its first quarter must be quiet, along a straight line. The entry is where a square begins that
-    is fitted up to a `share` of the first peak. A contact load bends sooner than an acceleration:
-    take a `share` of 0.1, and a reach of three times the time from entry to blow. Passages without
-    a blow that stands out, or whose entry is lost in noise, are left out.
+    The first quarter of the time before the blow must be quiet, along a straight line. The entry is
+    where a square begins that is fitted up to a `share` of the first peak. A contact load bends
+    sooner than an acceleration: take a `share` of 0.1, and a reach of three times the time from
+    entry to blow. Passages without a blow that stands out, or whose entry is lost in noise, are
+    left out.
 
     Raises `ValueError` for a reach below 16 samples or above half a period, values shorter than a
     period, and a share outside 0 to 1.
@@ -87,81 +88,120 @@ def find(
         raise ValueError(f"{len(values)} values must last a period of {period_s:g} s")
     if not 0 < share < 1:
         raise ValueError(f"share is {share:g}, must lie between 0 and 1")
-    bend = np.abs(np.diff(values, 2, prepend=values[0], append=values[-1]))
+    turn = np.diff(values, 2, prepend=values[0], append=values[-1])
     count, reach = period_s / sample_s, reach_s / sample_s
-    first, found = _phase(bend, count), []
+    first, found = _phase(turn, count), []
     for middle in np.arange(first, len(values), count):
         start, stop = int(np.ceil(middle - reach)), int(middle + reach)
         if start >= 0 and stop <= len(values):
-            one = _passage(values[start:stop], bend[start:stop], share)
+            one = _passage(values[start:stop], turn[start:stop], share)
             if one is not None:
                 found.append((start + one[0], start + one[1], one[2]))
-    entry, blow, sharpness = np.array(found).reshape(-1, 3).T
-    return Passages(entry * sample_s, blow * sample_s, sharpness)
+    entry, blow, dip = np.array(found).reshape(-1, 3).T
+    return Passages(entry * sample_s, blow * sample_s, dip)
 
 
-def _phase(bend, count):
+def _phase(turn, count):
     """Where in a period of `count` samples the record bends most, all periods together; samples."""
     bins = int(count / FOLDS)
-    place = (np.arange(len(bend)) % count * bins / count).astype(int) % bins
-    sharp = np.bincount(place, bend**2, bins)
+    place = (np.arange(len(turn)) % count * bins / count).astype(int) % bins
+    sharp = np.bincount(place, turn**2, bins)
     return (np.argmax(sharp + np.roll(sharp, 1) + np.roll(sharp, -1)) + 0.5) * count / bins
 
 
-def _passage(values, bend, share):
-    """(entry, blow, sharpness) in samples of the `values` around one blow, or None."""
-    quiet = slice(0, int(QUIET * len(values)))
+def _passage(values, turn, share):
+    """(entry, blow, dip) in samples of the `values` around one blow, whose second
+    differences are `turn`, or None."""
+    bend = np.abs(turn)
+    quiet = slice(0, int(0.5 * QUIET * len(values)))
     place = np.arange(len(values), dtype=float)
     away = values - np.polyval(np.polyfit(place[quiet], values[quiet], 1), place)
     floor = bend[quiet].max()
     if not bend.max() > SHARP * floor:
         return None
-    blow = int(np.argmax(bend > max(ONSET * bend.max(), ABOVE * floor)))
-    while blow + 1 < len(bend) and bend[blow + 1] > bend[blow]:
-        blow += 1
+    blow, middle = _first(turn, max(ONSET * bend.max(), ABOVE * floor))
     size = np.abs(away[: blow + 1])
-    start = int(np.argmax(size > max(NOISE * np.std(away[quiet]), LEAST * size.max())))
+    # the square's own bend is constant: it shows beside ringing that is larger than the dip
+    notices = [
+        np.flatnonzero(one[: blow + 1] > max(ABOVE * one[quiet].max(), least))
+        for one, least in ((np.abs(away), LEAST * size.max()), (bend, FAINT * bend.max()))
+    ]
+    start = int(min((found[0] for found in notices if len(found)), default=blow))
+    size = np.abs(away - away[start])
     top = start
     while top < blow and size[top + 1] > size[top]:
         top += 1
     end = start + int(np.argmax(size[start : top + 1] >= share * size[top]))
-    entry = _entry(place[: end + 1], away[: end + 1], start)
-    return None if entry is None else (entry, float(blow), bend[blow])
+    entry = _entry(values, start, end, _ringing(values[blow:]))
+    return None if entry is None else (entry, middle, size[top])
 
 
-def _entry(place, away, start):
-    """Where `away` leaves zero as a square, least squares up to its last value; or None."""
-    last = place[-1]
-    if last - start < 1:
+def _first(turn, least):
+    """(first index where |`turn`| is above `least`, middle of that bend): an edge that is rounded
+    spreads the blow of a ball that keeps its load over as much."""
+    first = int(np.argmax(np.abs(turn) > least))
+    away = np.flatnonzero(turn[first:] * np.sign(turn[first]) <= least)
+    last = first + (int(away[0]) if len(away) else len(turn) - first)
+    weight = np.abs(turn[first:last])
+    return first, float(np.arange(first, last) @ weight / weight.sum())
+
+
+def _entry(values, start, end, ringing):
+    """Where a square begins on top of a line and of a `ringing` (rad a sample) that dies down,
+    least squares up to the index `end`, near `start`; or None."""
+    if end - start < 1:
         return None
-    first = max(last - REACH * (last - start), 0.0)
-    place, away = place[place >= first], away[place >= first]
+    place = np.arange(end + 1) - float(end)
+    place = place[max(0, end - int(4 * np.pi / ringing + REACH * (end - start))) :]
+    rest = [np.ones_like(place), place, *_waves(place, ringing)]
+    values = values[-len(place) + end + 1 : end + 1]
+    # what the rest leaves of the values, and of a square, by its begin
+    base = np.linalg.qr(np.transpose(rest))[0]
+    left = values - base @ (base.T @ values)
 
     def miss(entry):
         shape = np.maximum(place - entry, 0.0) ** 2
-        return -((shape @ away) ** 2) / (shape @ shape)  # what the square explains
+        shape = shape - base @ (base.T @ shape)
+        return -((shape @ left) ** 2) / (shape @ shape)  # what the square explains
 
-    found = optimize.minimize_scalar(miss, bounds=(first, last - 1), method="bounded")
-    return float(found.x) if found.x > first + 1 else None
+    first = -REACH * (end - start)
+    found = optimize.minimize_scalar(miss, bounds=(first, -1.0), method="bounded")
+    return float(end + found.x) if found.x > first + 1 else None
 
 
-def of_run(run: Run, raceway: str, name: str = "ay", ring: str = "outer") -> Passages:
-    """`find` in a column of a `ring` of `run`, for a spall of the "inner" or "outer" `raceway`; the
-    period is that of the run's own cage speed.
+def _waves(place, ringing):
+    turn = ringing * place
+    return np.cos(turn), np.sin(turn), place * np.cos(turn), place * np.sin(turn)
+
+
+def _ringing(values):
+    """The strongest frequency of `values` after a blow, rad a sample."""
+    heard = signal.detrend(values) * np.hanning(len(values))
+    lines = np.abs(np.fft.rfft(heard, 8 * len(heard)))
+    return 2 * np.pi * max(int(np.argmax(lines)), 1) / (8 * len(heard))
+
+
+def of_run(
+    run: Run, raceway: str, name: str = "ay", ring: str = "outer", longest: float = 3e-3
+) -> Passages:
+    """`find` in a column of a `ring` of `run`, for a spall of the "inner" or "outer" `raceway`, up
+    to `longest` in m: what rang before must have died down that far before a blow. The period is
+    that of the run's own cage speed.
 
     Raises `RunError` as `spectrum.signal_of` does, for a run that does not say its cage speed, and
-    where the samples are too few.
+    where the samples are too few; `ValueError` for another raceway.
     """
+    if raceway not in ("inner", "outer"):
+        raise ValueError(f"raceway is '{raceway}', must be inner or outer")
     values, cage = spectrum.signal_of(run, name, ring), spectrum.cage_order(run)
     if cage is None:
         raise RunError(f"{run.tables.folder} does not say the cage speed: it needs a record")
-    if raceway not in ("inner", "outer"):
-        raise ValueError(f"raceway is '{raceway}', must be inner or outer")
-    lines = spectrum.expected(
-        run.tables.geometry, abs(run.settings["rpm"]) / 60, harmonics=1, cage=cage
-    )
-    passing = lines["BPFI" if raceway == "inner" else "BPFO", 1][1]
+    bearing, spin = run.tables.geometry, abs(run.settings["rpm"]) * np.pi / 30
+    lines = spectrum.expected(bearing, spin / (2 * np.pi), harmonics=1, cage=cage)
+    period = 1 / lines["BPFI" if raceway == "inner" else "BPFO", 1][1]
+    # a ball strikes before it leaves the spall
+    reach = longest / float(kinematics.entrainment(bearing, spin)) / (1 - QUIET)
     try:
-        return find(values, run.settings["sample_s"], 1 / passing)
+        return find(values, run.settings["sample_s"], period, min(reach, 0.5 * period))
     except ValueError as error:
         raise RunError(f"{run.tables.folder}: {error}") from None
