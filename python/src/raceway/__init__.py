@@ -90,6 +90,7 @@ NAMES = {
     "catalogue": "catalogue",
     "clearance_classes": "clearance_classes",
     "errors": "errors",
+    "export": "export",
     "inputs": "inputs",
     "listing": "listing",
     "shaft_file": "shaft_file",
