@@ -60,7 +60,8 @@ MAIN_DECK = {
     ),
     "unknown models": (
         {"models": "papers"},
-        r"bearing_input: there is no 'papers' in folder inputs/models; there is: eyring, film, full, paper",
+        r"bearing_input: there is no 'papers' in folder inputs/models; "
+        r"there is: eyring, film, full, paper",
     ),
     "cage ball too large": (
         {"cage_ball_diameter": 9e-3},
