@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Breakdown of films in the circuit: charges that redistribute, thresholds, events."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from circuits import PICO, steady, turning
+from raceway.electric import circuit, network
+from raceway.electric.breakdown import Breakdown, Node, redistribute
+from raceway.electric.films import series
+from raceway.electric.outer import Floating, Motor, Source
+from raceway.electric.waveforms import Constant, Sine
+
+MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
+WEAK = Breakdown(30e6)
+
+
+def test_a_film_that_fails_by_hand():
+    """Two balls, 10 V. The inner film of ball 1 fails alone; its outer one holds."""
+    thickness = np.array([[100e-9, 400e-9], [500e-9, 400e-9]])
+    given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
+    result = circuit.run(given, Floating(10.0, 10 * PICO), Breakdown(50e6))
+    (event,) = result.events.itertuples()
+    # in series 12 and 30 pF, with 10 pF beside: 520 pC on the ring
+    assert (event.ball, event.raceway, event.order) == (1, "inner", 1)
+    assert event.film_voltage == pytest.approx(6.0)  # against 5 V
+    assert event.bearing_voltage_after == pytest.approx(520 / (30 + 30 + 10))
+    assert event.film_energy == pytest.approx(0.5 * 20 * PICO * 36)
+    before, after = 0.5 * 52 * PICO * 100, 0.5 * 520**2 / 70 * PICO
+    assert event.energy == pytest.approx(before - after)
+    end = result.data.isel(time=-1)
+    np.testing.assert_allclose(end.film_voltage[:, 0], [0, 520 / 70], atol=1e-14)
+    np.testing.assert_allclose(end.ball_charge, [30 * PICO * 520 / 70, 0], atol=1e-24)
+
+
+def test_the_second_film_follows_and_discharges_the_bearing():
+    thickness = np.array([[100e-9, 400e-9], [130e-9, 400e-9]])
+    given = steady([20 * PICO, 60 * PICO], [30 * PICO, 60 * PICO], thickness=thickness)
+    result = circuit.run(given, Floating(10.0), Breakdown(50e6))
+    assert result.events.raceway.tolist() == ["inner", "outer"]
+    assert result.events.order.tolist() == [1, 2] and result.events.discharge.tolist() == [1, 1]
+    assert result.events.bearing_voltage_after.iloc[-1] == 0
+    assert result.events.energy.sum() == pytest.approx(0.5 * 42 * PICO * 100)
+    assert not result.data.ball_voltage.any() and not result.data.bearing_voltage.any()
+
+
+def test_other_balls_keep_their_charge():
+    """A ball that an earlier discharge charged stays charged when another one shorts the rings."""
+    capacitance = np.array([[20.0, 60.0], [30.0, 60.0]]) * PICO
+    limit = np.array([[1.0, 99.0], [2.0, 99.0]])
+    charge = np.array([0.0, 120 * PICO])
+    ball, ring = redistribute(
+        capacitance, Node(0.0, 0.0, 0.0), charge, 420 * PICO, np.zeros((2, 2), bool)
+    )
+    found = network.discharge(
+        capacitance, limit, Node(0.0, 0.0, 0.0), charge, 420 * PICO, (ball, ring)
+    )
+    assert [one.ball for one in found.failures] == [0, 0]
+    assert found.ball_charge.tolist() == [0, charge[1]] and found.bearing_voltage == 0
+    assert found.ball_voltage.tolist() == [0, 1.0]
+    assert found.ring_charge == pytest.approx(-60 * PICO)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_charges_redistribute_as_a_network_of_conductors(seed):
+    """Against a dense system with the charge through every broken film as an unknown."""
+    rng = np.random.default_rng(seed)
+    z = 5
+    capacitance, charge = rng.uniform(10, 90, (2, z)) * PICO, rng.normal(0, 100, z) * PICO
+    broken = np.zeros((2, z), bool)
+    broken[rng.integers(0, 2, 3), [0, 2, 3]] = True
+    node, ring_charge = Node(70 * PICO, 40 * PICO, 200.0), 500 * PICO
+    ball, ring = redistribute(capacitance, node, charge, ring_charge, broken)
+    inner, outer = capacitance / PICO
+    places = np.argwhere(broken)
+    matrix = np.zeros((z + 1 + len(places),) * 2)
+    matrix[range(z), range(z)] = inner + outer
+    matrix[:z, z] = matrix[z, :z] = -inner
+    matrix[z, z] = inner.sum() + (node.beside + node.coupling) / PICO
+    for row, (side, k) in enumerate(places, z + 1):
+        matrix[[k, row], [row, k]] = 1  # into the ball; no voltage across the film
+        if side == 0:
+            matrix[[z, row], [row, z]] = -1
+    right = np.zeros(len(matrix))
+    right[: z + 1] = [*charge / PICO, (ring_charge + node.coupling * node.driving) / PICO]
+    dense = np.linalg.solve(matrix, right)
+    np.testing.assert_allclose([*ball, ring], dense[: z + 1], rtol=1e-12, atol=1e-12)
+
+
+def test_threshold_is_where_it_fails():
+    """Just below the threshold voltage of the samples nothing fails, just above it something
+    does."""
+    given = turning()
+    least = circuit.run(given, Source(Constant(0.0), 1.0), WEAK).data.threshold_voltage
+    share = series(given.capacitance).ball[:, None] / given.capacitance
+    np.testing.assert_allclose(least, (30e6 * given.thickness / share).min(axis=(1, 2)), rtol=1e-12)
+    # at the first point the source has charged nothing yet
+    for factor, failures in ((1 - 1e-9, 0), (1 + 1e-9, 1)):
+        outer = Source(Constant(float(least[1:].min()) * factor), 1e-9)
+        assert bool(len(circuit.run(given, outer, WEAK).events)) == bool(failures)
+
+
+def test_local_thickness():
+    given = steady([PICO], [PICO], thickness=100e-9, roughness=20e-9)
+    assert Breakdown(1e6).local_thickness(given)[0, 0, 0] == pytest.approx(40e-9)
+    assert Breakdown(1e6, "smooth").local_thickness(given)[0, 0, 0] == 100e-9
+    assert Breakdown(1e6, roughness=40e-9).local_thickness(given)[0, 0, 0] == 1e-9
+    data = circuit.run(given, Source(Constant(2.0), 1e3), Breakdown(1e9)).data.isel(time=-1)
+    assert float(data.field[0, 0]) == pytest.approx(1 / 100e-9)
+    assert float(data.local_field[1, 0]) == pytest.approx(1 / 40e-9)
+
+
+def test_events_have_units_and_places():
+    result = circuit.run(turning(), MOTOR, WEAK)
+    events = result.events
+    assert set(events.attrs["units"]) == set(events)
+    assert (np.abs(events.film_voltage) > 30e6 * events.local_thickness * (1 - 1e-12)).all()
+    assert (events.energy > 0).all() and (events.film_energy <= events.energy * (1 + 1e-9)).all()
+    np.testing.assert_allclose(events.field * events.local_thickness, events.film_voltage)
+    for row in events.itertuples():
+        at = result.data.sel(time=row.time, ball=row.ball)
+        assert float(at.azimuth) == row.azimuth
+        assert float(at.film_voltage.sel(raceway=row.raceway)) == pytest.approx(0, abs=1e-12)
+    for name, variable in result.data.data_vars.items():
+        assert variable.attrs["units"] and variable.attrs["long_name"], name
+
+
+def test_current_of_a_failure():
+    """The inner film of one ball: behind it lies its own capacitance beside that of the rest."""
+    inner, outer, rest, arc = 60 * PICO, 40 * PICO, 25 * PICO, 3.0
+    given = steady([inner], [outer], thickness=np.array([[[100e-9], [900e-9]]]))
+    events = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)).events
+    one = events.iloc[0]
+    assert len(events) == 1 and one.raceway == "inner"
+    behind = inner + outer * rest / (outer + rest)
+    assert one.film_voltage == pytest.approx(4.0)
+    assert one.current == pytest.approx(4.0 / arc)
+    assert one.duration == pytest.approx(arc * behind, rel=1e-12)
+    assert np.isnan(one.current_density)  # no ellipse is known
+    known = dataclasses.replace(given, hertz_area=np.full(3, 5e-6))
+    (density,) = circuit.run(
+        known, Floating(10.0, rest), Breakdown(35e6, "smooth", arc=arc)
+    ).events.current_density
+    assert density == pytest.approx(4.0 / arc / 5e-6)
+    plain = circuit.run(given, Floating(10.0, rest), Breakdown(35e6, "smooth")).events
+    assert plain[["current", "duration", "current_density"]].isna().all(axis=None)
+    with pytest.raises(ValueError, match="arc = 0 ohm must be positive"):
+        Breakdown(35e6, arc=0.0)

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Films of a circuit: those without contact, and those of a run."""
+
+import numpy as np
+import pytest
+import raceway
+from circuits import PICO, films, steady
+from raceway.electric import circuit
+from raceway.electric.breakdown import Breakdown
+from raceway.electric.films import of_dataset, of_run
+from raceway.electric.leak import Leak
+from raceway.electric.outer import Floating, Motor, Source
+from raceway.electric.waveforms import Constant, Sine
+from raceway.errors import RunError
+
+MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
+WEAK = Breakdown(30e6)
+
+
+def test_an_open_film_carries_nothing():
+    given = steady([50 * PICO, 0.0, 0.0], [50 * PICO, 40 * PICO, 0.0])
+    data = circuit.run(given, Source(Constant(4.0))).data
+    np.testing.assert_allclose(data.bearing_capacitance, 25 * PICO, rtol=1e-15)
+    np.testing.assert_allclose(data.ball_voltage[-1], [2.0, 0.0, 0.0], atol=1e-15)
+
+
+def test_charge_that_loses_its_films():
+    thickness = np.array([[100e-9], [900e-9]])
+    capacitance = np.full((5, 2, 1), 40 * PICO)
+    capacitance[3:] = 0
+    given = films(capacitance, thickness=thickness)
+    message = "ball 1 has a charge of 2.66667e-10 C and no film at 0.0075 s"
+    with pytest.raises(RunError, match=message):
+        circuit.run(given, Floating(10.0, 20 * PICO), Breakdown(45e6))
+
+
+def test_a_run(folder):
+    run = raceway.open(folder)
+    result = circuit.run(run, MOTOR, WEAK, Leak(1e9), points=24)
+    data = result.data
+    np.testing.assert_allclose(
+        data.bearing_capacitance[::24], run.bearing["capacitance"], rtol=1e-12
+    )
+    np.testing.assert_array_equal(data.time[::24], run.contacts.time)
+    np.testing.assert_allclose(data.azimuth[::24], run.balls.azimuth, atol=1e-14)
+    assert float(data.charge_error.max()) < 1e-13 * 300 * 50 * PICO
+    assert set(np.unique(data.film_state)) == {0, 1}
+
+
+def test_total_capacitance_and_separation_come_first(folder):
+    contacts = raceway.open(folder).contacts
+    more = contacts.assign(
+        capacitance_total=contacts.capacitance + 20 * PICO, separation=contacts.h_c * 0 + 3e-6
+    )
+    given = of_dataset(more)
+    np.testing.assert_array_equal(given.capacitance, more.capacitance_total)
+    assert np.nanmax(given.thickness) == 3e-6
+    assert (of_dataset(contacts, stray=PICO).capacitance >= PICO).all()
+
+
+def test_metal_by_the_share_of_asperities(folder):
+    contacts = raceway.open(folder).contacts
+    share = (contacts["load"] > 1000) * 0.2
+    given = of_dataset(contacts.assign(asperity_share=share), Leak(None, metal=5.0, share=0.1))
+    np.testing.assert_array_equal(given.conductance, share)
+    with pytest.raises(RunError, match="metallic films need the column asperity_share"):
+        of_dataset(contacts, Leak(None, metal=5.0))
+
+
+def test_a_dry_run_has_no_circuit(dry_folder):
+    with pytest.raises(RunError, match="a dry run has no films"):
+        of_run(raceway.open(dry_folder))
