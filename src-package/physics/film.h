@@ -80,8 +80,7 @@ template <class T> RACEWAY_INLINE FilmPointT<T> film_point(const T &speed, const
 }
 
 // Logarithm of h (m) from the law.
-template <class T>
-RACEWAY_INLINE T ln_film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
+template <class T> RACEWAY_INLINE T ln_film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
 {
   return f.lnA + f.p * at.ln_speed + f.m * at.ln_load;
 }
