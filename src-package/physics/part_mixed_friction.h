@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction coefficient of a contact that asperities and film share (asperities.h). That of the film
-// is a constant, or Eyring's with a limit (film_traction.h) at the speed of free rolling and of what
-// the contact slides beside it. The derivative holds it.
+// is a constant, or Eyring's with a limit (film_traction.h) at the speed of free rolling and of
+// what the contact slides beside it. The derivative holds it.
 #ifndef RACEWAY_PART_MIXED_FRICTION_H
 #define RACEWAY_PART_MIXED_FRICTION_H
 
