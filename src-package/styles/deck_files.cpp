@@ -118,6 +118,17 @@ void BearingRange::command(int narg, char **arg)
   Arguments args(lmp, "bearing_range", narg, arg, 0);
   const std::string name = args.word("name");
   const std::string value = args.word("value of " + name);
+  if (args.take("one_of")) {
+    std::string list;
+    bool known = false;
+    while (args.more()) {
+      const std::string word = args.word("a value of " + name);
+      known = known || word == value;
+      list += (list.empty() ? "" : ", ") + word;
+    }
+    if (!known) args.fail(name + " is '" + value + "', must be one of " + list);
+    return;
+  }
   const double lo = args.number("lowest " + name), hi = args.number("highest " + name);
   const bool whole = args.take("whole"), or_more = args.take("or");
   const double also = or_more ? args.number("another value of " + name) : lo;

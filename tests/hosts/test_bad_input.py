@@ -74,6 +74,14 @@ MAIN_DECK = {
         {"out": "/proc/nowhere/run"},
         r"bearing_output: cannot make output folder '/proc/nowhere/run'",
     ),
+    "no such inlet shear": (
+        {"inlet_shear": "murh"},
+        r"bearing_range: inlet_shear is 'murh', must be one of murch, wilson, gupta",
+    ),
+    "no such film in the gap": (
+        {"gap_film": "moss"},
+        r"bearing_range: gap_film is 'moss', must be one of power, moes",
+    ),
     "standing still": ({"rpm": 0}, r"bearing_range: rpm is 0, must be from 1 to 100000"),
     "half a pass": (
         {"passes": 1.5},
