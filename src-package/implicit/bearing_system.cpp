@@ -52,17 +52,7 @@ RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
   std::fill(corner_apart_.begin(), corner_apart_.end(), 0.0);
 }
 
-// Where no shaft bends, what is added to old factors stays: the bits of runs have it.
 void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
-{
-  if (b_.bends.empty()) return add_rings(h, follows, s);
-  const std::vector<double> factors = fresh ? std::vector<double>() : border_.a;
-  add_rings(h, follows, s);
-  add_bends(h, follows, s, fresh);
-  if (!fresh) border_.a = factors;
-}
-
-void BearingSystem::add_rings(double h, double follows, double s)
 {
   const int nf = b_.unknowns;
   for (int f = 0; f < static_cast<int>(b_.free.size()); ++f) {
@@ -70,11 +60,12 @@ void BearingSystem::add_rings(double h, double follows, double s)
     const RingBody &r = b_.rings[b_.free[f].ring];
     const RingPose &now = r.now;
     const double inertia = r.program.inertia_of(dof);
-    border_.a[f * nf + f] += inertia;
-    const bool held = r.program.supported && dof < RingProgram::SPIN;
-    if (held) {
-      const Support &on = r.program.support[dof];
-      border_.a[f * nf + f] += h * (on.damping + follows * on.stiffness);
+    if (fresh) {
+      border_.a[f * nf + f] += inertia;
+      if (r.program.supported && dof < RingProgram::SPIN) {
+        const Support &on = r.program.support[dof];
+        border_.a[f * nf + f] += h * (on.damping + follows * on.stiffness);
+      }
     }
     if (dof < RingProgram::TILT) {
       const Vec3 push = b_.force_on(r, s);
@@ -94,9 +85,10 @@ void BearingSystem::add_rings(double h, double follows, double s)
     y_[f] = h * (M_across - momentum * (dof == RingProgram::TILT ? turn.x : turn.y)) -
             inertia * r.gained[dof];
     const int other = r.unknown[dof == RingProgram::TILT ? dof + 1 : dof - 1];
-    if (other >= 0)
+    if (fresh && other >= 0)
       border_.a[f * nf + other] += dof == RingProgram::TILT ? h * momentum : -h * momentum;
   }
+  add_bends(h, follows, s, fresh);
 }
 
 // Modes, and the gyroscopic moments between them and their rigid shaft.

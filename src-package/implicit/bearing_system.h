@@ -48,7 +48,6 @@ class BearingSystem {
 
  private:
   void resize();
-  void add_rings(double h, double follows, double s);
   void add_bends(double h, double follows, double s, bool fresh);
   void factor_groups();
   template <class ColumnOf> void condense_links(ColumnOf column, bool mark);
