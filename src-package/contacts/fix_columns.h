@@ -74,7 +74,7 @@ const Column list[N] = {
 }    // namespace of_fix_ring
 
 // ---- fix bearing/shaft with *flexible*: these follow in the row of a ring
-namespace of_fix_bend {
+namespace of_bend {
 enum { X, Y, Z, TILT1, TILT2, N };
 const Column list[N] = {
     {"bend_x", "m", "displacement along x by bending, against the rigid shaft"},
@@ -83,7 +83,7 @@ const Column list[N] = {
     {"bend_tilt_1", "rad", "slope by bending as a tilt about the first axis across"},
     {"bend_tilt_2", "rad", "slope by bending as a tilt about the second axis across"},
 };
-}    // namespace of_fix_bend
+}    // namespace of_bend
 
 // ---- fix bearing/implicit: all its bearings, since the start of the run
 namespace of_fix_implicit {

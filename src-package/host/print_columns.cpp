@@ -95,7 +95,7 @@ int main()
   section("kind", bearing::of_kind::list);
   section("atom", bearing::of_atom::list);
   section("fix_ring", bearing::of_fix_ring::list);
-  section("fix_bend", bearing::of_fix_bend::list);
+  section("bend", bearing::of_bend::list);
   section("fix_implicit", bearing::of_fix_implicit::list);
   section("fix_cage", bearing::of_fix_cage::list);
   section("fix_capacitance", bearing::of_fix_capacitance::list);

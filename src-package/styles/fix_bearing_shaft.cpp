@@ -29,7 +29,7 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
   if (!shaft_.file.empty()) {
     shaft_.read_file(args, settings_.program, world);
     bend_.resize(modes().size());
-    size_array_cols += bearing::of_fix_bend::N;
+    size_array_cols += bearing::of_bend::N;
     size_vector += 1 + 2 * modes().size();
   }
   words.check();

@@ -85,7 +85,7 @@ double FixBearingShaft::bending_value(int k) const
 
 double FixBearingShaft::compute_array(int row, int k)
 {
-  namespace of = bearing::of_fix_bend;
+  namespace of = bearing::of_bend;
   if (k < bearing::of_fix_ring::N) return FixBearingRing::compute_array(row, k);
   if (static_cast<size_t>(row) >= places_.size()) return 0.0;
   const Deflection d = deflection(places_[row]);
