@@ -39,6 +39,11 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
   const bool slides = p.factors.any, gap = p.has<FilmInGapPart>();
   ContactStateT<Lane> c;
   for (int first = 0; first < n; first += lanes) {
+    if (first + 1 == n) {    // one alone costs less than four
+      const RacewayContact &one = table.raceway[batch.rows[first]];
+      of_[batch.rows[first]] = batch.raceway.capacitor(one.state, one.live, one.orbit);
+      break;
+    }
     const RacewayContact *four[lanes];    // the last one fills up
     for (int i = 0; i < lanes; ++i)
       four[i] = &table.raceway[batch.rows[std::min(first + i, n - 1)]];
