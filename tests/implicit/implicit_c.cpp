@@ -243,6 +243,42 @@ EXPORT(void, lone_ring,
   rings[0].v.to(out->v);
 }
 
+// Corrections of the velocity (x, y, z) of a free ring of 0.5 kg under a force of 1, 2, 3 N: with
+// its own factors, and twice more with those.
+EXPORT(void, old_factors, (double h, double found[9]))
+{
+  BearingModel m;
+  m.bodies.push_back({1, 1.0, 5e-3, true});
+  m.rings.push_back({2, 0, {}});
+  BearingBodies b(m);
+  BearingSystem system(b);
+  BearingForces forces(b, system);
+  RingProgram &p = b.rings[0].program;
+  p.mode[0] = p.mode[1] = p.mode[2] = Freedom::free;
+  p.mass = 0.5;
+  p.force[0] = p.force[1] = {1.0, 2.0, 3.0};
+  b.load({{{30e-3, 0, 0}, Vec3(), Vec3()}}, std::vector<RingPose>(1));
+  RingBody &ring = b.rings[0];
+  BodyGroup &g = b.groups[0];
+  g.base = g.now = g.from;
+  g.v = g.v_base = g.v_from;
+  g.w = g.w_base = g.w_from;
+  ring.base = ring.now = ring.from;
+  std::fill(ring.gained, ring.gained + RingProgram::N_DOF, 0.0);
+  Stage stage;
+  stage.h = h;
+  for (int pass = 0; pass < 3; ++pass) {
+    const bool fresh = pass == 0;
+    stage.evaluate = fresh ? Evaluate::derivatives : Evaluate::residual;
+    system.start(h, fresh);
+    forces.evaluate(stage);
+    system.add_rings(h, stage.follows(), 1.0, fresh);
+    if (fresh) system.factor();
+    system.solve();
+    for (int k = 0; k < 3; ++k) found[3 * pass + k] = system.y(k);
+  }
+}
+
 // A ball between its raceways, the outer one with a notch, in a stage of h seconds: the matrix of
 // the linear system and differences of its right-hand side. Rows: the ball's velocity and spin;
 // columns: these, and x, y and spin of the outer ring.

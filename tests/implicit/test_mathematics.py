@@ -313,3 +313,12 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
     assert transposed[:3, :2] == pytest.approx(force[:, 6:8], abs=1e-12 * stiff)
     if off_middle < 1e-3:
         assert np.abs(want[0, 1]) > 1e-3 * stiff  # the slope counts
+
+
+def test_old_factors_stay(lib):
+    """Corrections with factors of an earlier one solve with these, not with masses added again."""
+    h = 1e-4
+    found = lib.call("old_factors", h=h)
+    assert found.reshape(3, 3) == pytest.approx(
+        np.array([[1.0, 2.0, 3.0]] * 3) * h / 0.5, rel=1e-14
+    )
