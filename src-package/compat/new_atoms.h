@@ -66,8 +66,8 @@ inline void make_atoms(LAMMPS_NS::LAMMPS *lmp, const std::vector<NewAtom> &list)
   }
 }
 
-// The host's map from tags to atoms, after those from `first` on were made and there are natoms, up
-// to the tag `top`. All ranks.
+// The host's map from tags to atoms, after a rank has made those from `first` on. All ranks had
+// atoms_before until then; `top` is the largest tag now. All ranks.
 inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, tag_t top)
 {
   LAMMPS_NS::Atom &atom = *lmp->atom;

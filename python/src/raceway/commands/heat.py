@@ -6,7 +6,7 @@ import json
 import sys
 
 from raceway import files
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.commands.program import program
 from raceway.commands.quantity import number, takes_negative
 
@@ -44,22 +44,12 @@ def add(commands: Commands) -> None:
     )
     takes_negative(one)
     load, speed = number(0, 1e6, "N"), number(1, 1e5, "rpm")
-    one.add_argument(
-        "--bearing",
-        default="6208",
-        metavar="NAME",
-        help="a file of inputs/bearings, or a path (6208)",
-    )
+    options.bearing(one)
     one.add_argument(
         "--lubricant",
         default="vg46",
         metavar="NAME",
         help="a file of inputs/lubricants with physical data, or a path (vg46)",
-    )
-    one.add_argument(
-        "--inputs",
-        metavar="DIR",
-        help="the inputs folder (default: here or above, else that of the source tree)",
     )
     one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")
     one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, in place of it")

@@ -6,7 +6,7 @@ import argparse
 import json
 import math
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.commands.quantity import angle, number, takes_negative
 from raceway.theory.cleanliness import CLEANLINESS
 
@@ -51,17 +51,7 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     takes_negative(one)
-    one.add_argument(
-        "--bearing",
-        default="6208",
-        metavar="NAME",
-        help="a file of inputs/bearings, or a path (6208)",
-    )
-    one.add_argument(
-        "--inputs",
-        metavar="DIR",
-        help="the inputs folder (default: here or above, else what comes with raceway)",
-    )
+    options.bearing(one)
     loads = one.add_argument_group("loads on the inner ring")
     loads.add_argument(
         "--load",
@@ -139,12 +129,7 @@ def add(commands: Commands) -> None:
     balls.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm"
     )
-    balls.add_argument(
-        "--temperature",
-        type=number(-40, 200, "C"),
-        metavar="C",
-        help="of the lubricant, degrees Celsius (that of its file, 40)",
-    )
+    options.temperature(balls)
     one.add_argument(
         "--models",
         choices=("paper", "full"),

@@ -5,7 +5,7 @@ import argparse
 import math
 from pathlib import Path
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.commands.quantity import number, takes_negative
 
 DESCRIPTION = """\
@@ -38,17 +38,7 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     takes_negative(one)
-    one.add_argument(
-        "--bearing",
-        default="6208",
-        metavar="NAME",
-        help="a file of inputs/bearings, or a path (6208)",
-    )
-    one.add_argument(
-        "--inputs",
-        metavar="DIR",
-        help="the inputs folder (default: here or above, else what comes with raceway)",
-    )
+    options.bearing(one)
     one.add_argument(
         "--load",
         type=number(0, 1e6, "N"),
@@ -82,12 +72,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; brings damping"
     )
-    one.add_argument(
-        "--temperature",
-        type=number(-40, 200, "C"),
-        metavar="C",
-        help="of the lubricant, degrees Celsius (that of its file, 40)",
-    )
+    options.temperature(one)
     one.add_argument(
         "--models",
         choices=("paper", "full"),
