@@ -9,7 +9,8 @@ import pytest
 from host import ROOT, succeed
 from raceway.cli import main
 from raceway.runs.run import Run
-from raceway.sweeps.scene_parts import FIGURES, REFERENCE, choices, sets, variables
+from raceway.sweeps import scene_parts
+from raceway.sweeps.scene_parts import REFERENCE, choices, sets, variables
 
 SEED = 16
 SHORT = {"passes": "1", "settle": "1"}
@@ -17,6 +18,7 @@ WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}
 # what the second scene leaves alone, so that it is quick
 FEW = ["asperities", "differential_slip", "drag", "inlet_shear", "record", "rolling", "samples"]
 FEW += ["rolling_hysteresis", "film_branch", "spin", "damping", "relative 5e-4", "starvation"]
+FEW += ["cage"]
 
 
 def scene(number):
@@ -49,8 +51,7 @@ def answered(request, tmp_path_factory):
 
 
 def figures(folder):
-    found = Run(folder).summary()
-    return {word: found[key] for word, key in FIGURES.items()}
+    return scene_parts.figures(Run(folder).summary())
 
 
 def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
@@ -59,8 +60,10 @@ def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
     own, found, _ = answered
     assert found["wanted"] == WANTED
     finer = {**REFERENCE, "tolerance": "1e-11", "samples": 500}
-    succeed("inputs/in.6208", out=tmp_path / "exact", **own, **finer)
-    succeed("inputs/in.6208", out=tmp_path / "picked", **own, **found["words"])
+    whole = found["scene"]
+    assert whole == {"surroundings": "flooded", **own}
+    succeed("inputs/in.6208", out=tmp_path / "exact", **{**whole, **finer})
+    succeed("inputs/in.6208", out=tmp_path / "picked", **{**whole, **found["words"]})
     exact, picked = figures(tmp_path / "exact"), figures(tmp_path / "picked")
     for word, most in WANTED.items():
         assert abs(picked[word] / exact[word] - 1) <= most, word
@@ -78,7 +81,8 @@ def reference(answered):
     own, _, folder = answered
     for point in folder.glob("*/summary.json"):
         asked = (point.parent / "run.yaml").read_text()
-        if "tolerance=1e-10" in asked and "without=none" in asked and "samples=400" in asked:
+        words = ("tolerance=1e-10", "samples=400", "without=none", "cage=yes")
+        if all(word in asked for word in (*words, "surroundings=flooded")):
             found = json.loads(point.read_text())
             if found["models"] == "full" and found["integrator"] == "implicit":
                 return found
@@ -88,12 +92,17 @@ def reference(answered):
 def test_effects_are_those_of_the_runs(answered, tmp_path):
     own, found, _ = answered
     rows = {row["names"][0]: row for row in found["single"]}
-    succeed("inputs/in.6208", out=tmp_path, **own, **{**REFERENCE, "without": "gap"})
-    exact, without = reference(answered), figures(tmp_path)
-    for word, key in FIGURES.items():
+    succeed("inputs/in.6208", out=tmp_path, **found["scene"], **REFERENCE, without="gap")
+    exact, without = scene_parts.figures(reference(answered)), figures(tmp_path)
+    assert list(exact) == list(scene_parts.FIGURES)
+    for word, value in exact.items():
         assert rows["gap"]["errors"][word] == pytest.approx(
-            abs(without[word] / exact[key] - 1), rel=1e-9, abs=1e-12
+            abs(without[word] / value - 1), rel=1e-9, abs=1e-12
         )
+    # the ellipses alone are far from the whole capacitance; motion and film do not know of it
+    errors = rows["surroundings"]["errors"]
+    assert errors["capacitance"] > 0.1
+    assert {value for word, value in errors.items() if word != "capacitance"} == {0.0}
     assert rows["models paper"]["errors"]["torque"] > 0.5  # it has no rolling friction
 
 
@@ -107,7 +116,7 @@ def test_goes_on_without_running_again(answered, capsys, monkeypatch):
     assert main(["needs", "inputs/in.6208", *words(own), *keep, "--out", str(folder)]) == 0
     assert {path: path.stat().st_mtime_ns for path in folder.glob("*/run.yaml")} == before
     said = capsys.readouterr().out
-    assert shlex.split(said.strip().splitlines()[-1]) == words({**own, **found["words"]})
+    assert shlex.split(said.strip().splitlines()[-1]) == words({**found["scene"], **found["words"]})
 
 
 def test_wants_that_forbid_everything(answered, monkeypatch):
@@ -141,7 +150,8 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
 
 def test_sets():
     """One of a group, and no part that the models do not have."""
-    every = sets(choices(True))
+    known = choices({}, True)
+    every = sets([one for one in known if one.name not in ("cage", "surroundings", "spin")])
     names = [{choice.name for choice in picked} for picked in every]
     assert len({frozenset(one) for one in names}) == len(names)
     assert {"gap", "drag", "tolerance 1e-8", "samples 40"} in names
@@ -150,6 +160,11 @@ def test_sets():
         assert not ("models paper" in one and one & {"gap", "drag", "inlet_shear"})
         assert not ("models film" in one and "drag" in one)
     assert {"models film", "inlet_shear"} in names
-    picked = tuple(one for one in choices(True) if one.name in ("gap", "drag", "samples 40"))
+    picked = tuple(one for one in known if one.name in ("gap", "drag", "samples 40"))
     assert variables(picked) == {**REFERENCE, "samples": "40", "without": "gap+drag"}
-    assert all("film" not in choice.name for choice in choices(False))
+    assert all("film" not in choice.name for choice in choices({}, False))
+    # a scene that has chosen leaves no choice
+    chosen = {"cage": "no", "surroundings": "none", "load": "5000"}
+    gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
+    assert gone == {"cage", "surroundings"}
+    assert scene_parts.whole_scene(chosen, True) == chosen

@@ -5,6 +5,7 @@ import shutil
 
 import pytest
 from host import ROOT, liggghts, run, succeed
+from raceway.errors import RunError
 from raceway.runs.run import Run
 
 SCENE = {"passes": 1, "samples": 20, "lubricant": "vg46", "load": 2000, "models": "full"}
@@ -49,6 +50,18 @@ def test_losses_that_are_gone(tmp_path, whole):
     assert losses["slip"] == pytest.approx(whole["losses_W"]["slip"], rel=0.1)
 
 
+def test_no_cage(tmp_path, whole):
+    """The balls move alone and carry the load."""
+    succeed("inputs/in.6208", out=tmp_path, cage="no", **SCENE)
+    bare = Run(tmp_path)
+    found = bare.summary()
+    with pytest.raises(RunError, match="no cage balls"):
+        bare.cage
+    assert whole["losses_W"]["cage"] > 0 == found["losses_W"]["cage"]
+    assert found["force_y_N"] == pytest.approx(whole["force_y_N"], rel=1e-3)
+    assert "cage=no" in bare.settings["deck_variables"]
+
+
 def test_starvation(tmp_path, whole):
     """SKF's factor of the rolling couple, formula 10000 EN 2013; 1 without it."""
     succeed("inputs/in.6208", out=tmp_path, without="starvation", **SCENE)
@@ -66,6 +79,7 @@ def test_mistakes(tmp_path, host):
         ({"without": "spin", "models": "film"}, "there is: gap film_branch inlet_shear"),
         ({"without": "spin", "models": "paper"}, "there is no part 'spin' to leave out"),
         ({"without": "drag", "lubricant": "dry"}, "there is: rolling_hysteresis spin"),
+        ({"cage": "none"}, "bearing_range: cage is 'none', must be"),
     ):
         done = run("inputs/in.6208", host=host, out=tmp_path / "run", **{**SCENE, **words})
         assert done.code != 0 and says in done.error, (words, done.error)

@@ -95,16 +95,17 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.sweeps.points import OURS, WORD, deck_variables
 
     known = deck_variables(arguments.deck)
-    scene = dict(arguments.var)
-    for name, value in scene.items():
+    given = dict(arguments.var)
+    for name, value in given.items():
         if name in OURS or name in scene_parts.REFERENCE or name == "without":
             raise RacewayError(f"-var {name}: raceway needs sets it")
         if not WORD.fullmatch(value):
             raise RacewayError(f"-var {name} is '{value}', must be one word or number")
     if missing := sorted(set(scene_parts.REFERENCE) - set(known)):
         raise RacewayError(f"{arguments.deck} has no variable {', '.join(missing)}")
-    wet = scene_parts.lubricated(scene, known.get("lubricant", ""))
-    available = _without(scene_parts.choices(wet), arguments.keep)
+    wet = scene_parts.lubricated(given, known.get("lubricant", ""))
+    scene = scene_parts.whole_scene(given, wet)
+    available = _without(scene_parts.choices(scene, wet), arguments.keep)
     program = shlex.split(arguments.program)
     if not program or shutil.which(program[0]) is None:
         raise RacewayError(

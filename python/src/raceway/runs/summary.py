@@ -24,7 +24,10 @@ from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.validity import Shoulders, doubts, past_shoulder
 
 NAME = {INNER: "inner", OUTER: "outer"}
-FILM = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
+FILM = (
+    *("h_min_m", "h_c_m", "lambda"),
+    *("capacitance_F", "capacitance_top_F", "capacitance_total_F"),
+)
 
 
 TOPICS = {
@@ -62,7 +65,11 @@ TOPICS = {
         Row("loaded_balls_mean", "balls loaded on both raceways", "", "mean, N_l of eq 12"),
     ),
     "Film at the largest inner load": (row("h_min_m"), row("h_c_m"), row("lambda")),
-    "Capacitance": (row("capacitance_F", "mean, eq 12"), row("capacitance_top_F")),
+    "Capacitance": (
+        row("capacitance_F", "mean, eq 12"),
+        row("capacitance_top_F"),
+        Row("capacitance_total_F", "with its surroundings", "F", "mean"),
+    ),
     "Kinematics": (
         row("cage_speed_rad_s", "mean of (x v_y - y v_x)/r^2"),
         row("entrainment_speed_m_s", "U_r of eq 6, largest inner load"),
@@ -233,6 +240,8 @@ def _of_record(tables):
     wet = "capacitance" in table
     result["capacitance_F"] = table["capacitance"].mean() if wet else None
     result["capacitance_top_F"] = table["capacitance_top"].max() if wet else None
+    whole = table.get("capacitance_total")
+    result["capacitance_total_F"] = None if whole is None else whole.mean()
     return result
 
 

@@ -14,19 +14,18 @@ import math
 import statistics
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.sweeps.point_run import FINISHED, mapping, state
 from raceway.sweeps.points import Point, folder_name
-from raceway.sweeps.scene_parts import FIGURES, FINER, REFERENCE, Choice, sets, variables
+from raceway.sweeps.scene_parts import FINER, REFERENCE, Choice, figures, sets, variables
 from raceway.sweeps.sweep import sweep
 
 AT_ONCE = 6  # sets that a round runs
 ROUNDS = 8
 REPEATS = 3  # runs whose processor time counts, of the reference and of the set that is picked
-SURE = 0.5  # of what is wanted: the reference may be uncertain by so much
 
 
 class Outcome(NamedTuple):
@@ -52,7 +51,7 @@ class Outcome(NamedTuple):
 class Needs(NamedTuple):
     """The answer for a scene."""
 
-    scene: dict[str, str]  # variables that the user gave
+    scene: dict[str, str]  # variables of all runs
     wanted: dict[str, float]
     figures: dict[str, float]  # of the reference, by word
     uncertain: dict[str, float]  # relative, of the reference by its repeat that is finer
@@ -82,10 +81,10 @@ def needs(
     singles = [(choice,) for choice in available]
     lab.run([REFERENCE, {**REFERENCE, **FINER}, *map(variables, singles)])
     reference = lab.reference()
-    figures = _figures(reference)
-    if missing := [word for word in wanted if word not in figures]:
+    own = figures(reference)
+    if missing := [word for word in wanted if word not in own]:
         raise RacewayError(
-            f"the scene has no figure {', '.join(missing)}; it has: {', '.join(figures)}"
+            f"the scene has no figure {', '.join(missing)}; it has: {', '.join(own)}"
         )
     single = [lab.outcome(picked) for picked in singles]
     tried: list[Outcome] = []
@@ -103,8 +102,8 @@ def needs(
     return Needs(
         dict(scene),
         dict(wanted),
-        figures,
-        _relative(figures, _figures(lab.figures({**REFERENCE, **FINER}))),
+        own,
+        _relative(own, figures(lab.summary({**REFERENCE, **FINER}))),
         single,
         tried,
         best,
@@ -116,7 +115,8 @@ def needs(
 def _rounds(lab, single, wanted):
     """Outcomes of the sets that look cheapest, a round at a time; each round asks for as much more
     margin as the last one was wrong by."""
-    good = {one.picked[0].name: one for one in single if one.pays}
+    # what misses alone misses in a set: effects add up
+    good = {one.picked[0].name: one for one in single if one.pays and one.keeps(wanted)}
     candidates = []
     for picked in sets([one.picked[0] for one in good.values()]):
         rows = [good[choice.name] for choice in picked]
@@ -161,13 +161,13 @@ class _Lab:
         sweep(list(points.values()), self.folder, self.command, jobs=self.jobs)
 
     def reference(self):
-        figures = self.figures(REFERENCE)
-        if not figures:
+        found = self.summary(REFERENCE)
+        if not found:
             _, message = state(self.folder / self.point(REFERENCE).name, self.point(REFERENCE)[1])
             raise RacewayError(f"the scene with every part of the model: {message}")
-        return figures
+        return found
 
-    def figures(self, words):
+    def summary(self, words):
         """The summary of a run, empty where it failed."""
         point = self.point(words)
         status, _ = state(self.folder / point.name, point.variables)
@@ -177,16 +177,16 @@ class _Lab:
 
     def outcome(self, picked):
         words = variables(picked)
-        reference, found = self.reference(), self.figures(words)
+        reference, found = self.reference(), self.summary(words)
         if not found:
             point = self.point(words)
             _, message = state(self.folder / point.name, point.variables)
-            lost = dict.fromkeys(_figures(reference), math.inf)
+            lost = dict.fromkeys(figures(reference), math.inf)
             return Outcome(picked, words, lost, math.nan, math.nan, message or "not run")
         return Outcome(
             picked,
             words,
-            _relative(_figures(reference), _figures(found)),
+            _relative(figures(reference), figures(found)),
             found["processor_s"] / reference["processor_s"],
             found["evaluations"] / reference["evaluations"],
             "",
@@ -212,13 +212,8 @@ class _Lab:
         }
 
 
-def _figures(summary: Mapping[str, Any]) -> dict[str, float]:
-    """The figures that a summary has, by word."""
-    return {word: summary[key] for word, key in FIGURES.items() if summary.get(key)}
-
-
-def _relative(of, figures):
+def _relative(of, found):
     return {
-        word: abs(figures[word] / value - 1) if word in figures else math.inf
+        word: abs(found[word] / value - 1) if word in found else math.inf
         for word, value in of.items()
     }

@@ -5,7 +5,7 @@ variables of a deck."""
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import yaml
 
@@ -15,7 +15,10 @@ from raceway.errors import RacewayError
 _DATA = yaml.safe_load(files("raceway").joinpath("sweeps/scene_parts.yaml").read_text())
 REFERENCE = {name: str(value) for name, value in _DATA["reference"].items()}
 FINER = {name: str(value) for name, value in _DATA["finer"].items()}
-FIGURES: dict[str, str] = _DATA["figures"]  # words of --want: keys of the summary
+FIGURES = {  # words of --want: keys of the summary, of which a run's first counts
+    word: tuple(keys) if isinstance(keys, list) else (keys,)
+    for word, keys in _DATA["figures"].items()
+}
 
 
 class Choice(NamedTuple):
@@ -29,8 +32,31 @@ class Choice(NamedTuple):
     parts: tuple[str, ...] | None  # that these models have; None: those of the reference
 
 
-def choices(lubricated: bool) -> list[Choice]:
-    """The choices for contacts with a film, or for dry ones."""
+def figures(summary: Mapping[str, Any]) -> dict[str, float]:
+    """The figures that a run's `summary` has, by word of --want, SI units."""
+    found = {
+        word: next((summary[key] for key in keys if summary.get(key)), None)
+        for word, keys in FIGURES.items()
+    }
+    return {word: value for word, value in found.items() if value is not None}
+
+
+def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
+    """The deck's variables of a scene: those `given`, and what is assumed where they are silent."""
+    return {**(_DATA["assumed"] if lubricated else {}), **given}
+
+
+def choices(scene: Mapping[str, str], lubricated: bool) -> list[Choice]:
+    """The choices for contacts with a film, or for dry ones, but for those that the deck's
+    variables `scene` have made already."""
+    return [
+        choice
+        for choice in _all_choices(lubricated)
+        if not choice.settings or not set(choice.settings) <= set(scene.items())
+    ]
+
+
+def _all_choices(lubricated):
     return [
         Choice(
             row["name"],
