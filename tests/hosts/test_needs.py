@@ -123,7 +123,7 @@ def test_wants_that_forbid_everything(answered, monkeypatch):
     """Then it is the reference that is picked."""
     own, _, folder = answered
     monkeypatch.chdir(ROOT)
-    tight = ["--want", "torque=1e-9", "--keep", *FEW]
+    tight = ["--want", "torque=1e-9", "capacitance=1e-9", "--keep", *FEW]
     assert main(["needs", "inputs/in.6208", *words(own), *tight, "--out", str(folder)]) == 0
     found = json.loads((folder / "needs.json").read_text())
     assert found["best"]["names"] == [] and found["words"] == REFERENCE
