@@ -4,7 +4,7 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.commands.quantity import number
 
 DESCRIPTION = """\
@@ -33,7 +33,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    options.run_folder(one)
     one.add_argument(
         "--colour", choices=COLOURS, default="load", help="of the balls (default: %(default)s)"
     )

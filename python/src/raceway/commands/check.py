@@ -2,12 +2,10 @@
 """`raceway check DIR`: the numerical error of a run's figures."""
 
 import argparse
-import shlex
-import shutil
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
+from raceway.commands.program import command
 from raceway.commands.quantity import takes_negative
-from raceway.errors import RacewayError
 
 DESCRIPTION = """\
 Repeats a run of the main deck with a tenth of the tolerance (velocity Verlet: half the step), and
@@ -32,24 +30,9 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
-    one.add_argument(
-        "--var",
-        nargs=2,
-        action="append",
-        default=[],
-        metavar=("NAME", "VALUE"),
-        help="what the run was given of a bearing's or a lubricant's own data; may be repeated",
-    )
-    one.add_argument(
-        "--deck", metavar="FILE", default="inputs/in.6208", help="deck (default: %(default)s)"
-    )
-    one.add_argument(
-        "--program",
-        metavar="COMMAND",
-        default="build/liggghts",
-        help="program that runs it, with its own words if any (default: %(default)s)",
-    )
+    options.run_folder(one)
+    options.variables(one, "what the run was given of a bearing's or a lubricant's own data")
+    options.deck(one)
     takes_negative(one)
     one.set_defaults(command=run)
 
@@ -60,11 +43,5 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.runs.tables import RunTables
     from raceway.sweeps.check import check
 
-    program = shlex.split(arguments.program)
-    if not program or shutil.which(program[0]) is None:
-        raise RacewayError(
-            f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
-            " from the repository's root"
-        )
-    check(arguments.folder, [*program, "-in", arguments.deck], dict(arguments.var))
+    check(arguments.folder, command(arguments), dict(arguments.var))
     print(table(summary(RunTables(arguments.folder))))

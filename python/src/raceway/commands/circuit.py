@@ -5,7 +5,7 @@ import argparse
 import json
 from pathlib import Path
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.commands.quantity import number, takes_negative
 
 DESCRIPTION = """\
@@ -40,7 +40,7 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     takes_negative(one)
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    options.run_folder(one)
     one.add_argument(
         "--bearing", type=_whole, metavar="N", help="one of many bearings in the folder"
     )

@@ -2,14 +2,9 @@
 """`raceway dataset`: vibration of many runs as labelled files."""
 
 import argparse
-import os
-import shlex
-import shutil
-import signal
-import sys
 
-from raceway.commands import Commands
-from raceway.errors import RacewayError
+from raceway.commands import Commands, options
+from raceway.commands.program import command, end_on_signals
 
 DESCRIPTION = """\
 Runs every flaw of the file SPEC under all of its conditions, with integrator vibration and a
@@ -38,27 +33,10 @@ def add(commands: Commands) -> None:
     )
     one.add_argument("spec", metavar="SPEC", help="YAML file: flaws, conditions, rates")
     one.add_argument("--out", metavar="DIR", help="folder of the data set")
-    one.add_argument(
-        "--jobs",
-        metavar="N",
-        type=int,
-        default=len(os.sched_getaffinity(0)),
-        help="runs at a time (default: the cores, %(default)s)",
-    )
+    options.jobs(one)
     one.add_argument("--keep", action="store_true", help="keep the records of the runs (large)")
     one.add_argument("--check", action="store_true", help="check SPEC, run nothing")
-    one.add_argument(
-        "--deck",
-        metavar="FILE",
-        default="inputs/in.6208",
-        help="deck to run (default: %(default)s)",
-    )
-    one.add_argument(
-        "--program",
-        metavar="COMMAND",
-        default="build/liggghts",
-        help="program that runs it, with its own words if any (default: %(default)s)",
-    )
+    options.deck(one)
     one.set_defaults(command=run, complain=one.error)
 
 
@@ -67,8 +45,6 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.datasets.spec import read_spec, records
     from raceway.sweeps.points import deck_variables
 
-    if arguments.jobs < 1:
-        arguments.complain(f"--jobs is {arguments.jobs}, must be from 1")
     spec = read_spec(arguments.spec, deck_variables(arguments.deck))
     wanted = records(spec)
     if arguments.check:
@@ -77,21 +53,9 @@ def run(arguments: argparse.Namespace) -> None:
         return
     if not arguments.out:
         arguments.complain("--out: say where the data set goes")
-    program = shlex.split(arguments.program)
-    if not program or shutil.which(program[0]) is None:
-        raise RacewayError(
-            f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
-            " from the repository's root"
-        )
+    runs = command(arguments)
     from raceway.datasets.make import LABELS, make  # scipy and pandas take a while
 
-    signal.signal(signal.SIGTERM, _terminated)
-    signal.signal(signal.SIGHUP, _terminated)
-    command = [*program, "-in", arguments.deck]
-    table = make(spec, arguments.out, command, jobs=arguments.jobs, keep=arguments.keep)
+    end_on_signals()
+    table = make(spec, arguments.out, runs, jobs=arguments.jobs, keep=arguments.keep)
     print(f"{len(table)} of {len(wanted)} records: {arguments.out}/{LABELS}")
-
-
-def _terminated(number, _):
-    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
-    sys.exit(128 + number)

@@ -8,7 +8,7 @@ import json
 import math
 from pathlib import Path
 
-from raceway.commands import Commands, electric_run
+from raceway.commands import Commands, electric_run, options
 from raceway.commands.quantity import number, takes_negative
 
 HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
@@ -87,9 +87,7 @@ def _operating_point(one):
     point.add_argument(
         "--lubricant", default="vg46", metavar="NAME", help="a file of inputs/lubricants (vg46)"
     )
-    point.add_argument(
-        "--inputs", metavar="DIR", help="the inputs folder (default: as raceway static)"
-    )
+    options.inputs(point)
     for name, several, kind, unit, what in (
         ("--load", "--loads", number(0, 1e6, "N"), "N", "radial load, newtons (0)"),
         ("--rpm", "--speeds", number(1e-3, 1e5, "rpm"), "R", "speed of the inner ring"),

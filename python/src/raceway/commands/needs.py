@@ -3,15 +3,11 @@
 
 import argparse
 import json
-import os
 import re
-import shlex
-import shutil
-import signal
-import sys
 
 from raceway import files
-from raceway.commands import Commands
+from raceway.commands import Commands, options
+from raceway.commands.program import command, end_on_signals
 from raceway.commands.quantity import takes_negative
 from raceway.errors import RacewayError
 
@@ -42,15 +38,7 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     one.add_argument("deck", metavar="DECK", help="deck with the variables of inputs/in.6208")
-    one.add_argument(
-        "-var",
-        "--var",
-        nargs=2,
-        action="append",
-        default=[],
-        metavar=("NAME", "VALUE"),
-        help="variable of the deck; may be repeated",
-    )
+    options.variables(one, "variable of the deck")
     one.add_argument(
         "--want",
         nargs="+",
@@ -69,19 +57,8 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--out", metavar="DIR", default="build/needs", help="folder (default: %(default)s)"
     )
-    one.add_argument(
-        "--jobs",
-        metavar="N",
-        type=int,
-        default=len(os.sched_getaffinity(0)),
-        help="runs at a time (default: the cores, %(default)s)",
-    )
-    one.add_argument(
-        "--program",
-        metavar="COMMAND",
-        default="build/liggghts",
-        help="program that runs it, with its own words if any (default: %(default)s)",
-    )
+    options.jobs(one)
+    options.program(one)
     takes_negative(one)
     one.set_defaults(command=run)
 
@@ -106,23 +83,15 @@ def run(arguments: argparse.Namespace) -> None:
     wet = scene_parts.lubricated(given, known.get("lubricant", ""))
     scene = scene_parts.whole_scene(given, wet)
     available = _without(scene_parts.choices(scene, wet), arguments.keep)
-    program = shlex.split(arguments.program)
-    if not program or shutil.which(program[0]) is None:
-        raise RacewayError(
-            f"there is no program {arguments.program!r}: `make build` makes build/liggghts; start"
-            " from the repository's root"
-        )
-    if arguments.jobs < 1:
-        raise RacewayError(f"--jobs is {arguments.jobs}, must be from 1")
+    runs = command(arguments)
     out = files.folder(arguments.out)
-    signal.signal(signal.SIGTERM, _terminated)
-    signal.signal(signal.SIGHUP, _terminated)
+    end_on_signals()
     found = needs(
         scene,
         _wanted(arguments.want, wet),
         available,
         out,
-        [*program, "-in", arguments.deck],
+        runs,
         jobs=arguments.jobs,
     )
     files.whole(out / "needs.json", lambda part: part.write_text(_json(as_json(found))))
@@ -162,8 +131,3 @@ def _without(choices, keep):
     if unknown := sorted(set(keep) - names):
         raise RacewayError(f"--keep {unknown[0]}: there is: {', '.join(sorted(names))}")
     return [choice for choice in choices if choice.name not in keep and choice.group not in keep]
-
-
-def _terminated(number, _):
-    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
-    sys.exit(128 + number)

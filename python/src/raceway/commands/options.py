@@ -2,9 +2,61 @@
 """Options that several commands have: one text for each. They are added to a parser, or to a group
 of its options, for which argparse has no public type."""
 
+import os
 from typing import Any
 
-from raceway.commands.quantity import number
+from raceway.commands.quantity import number, positive
+
+
+def run_folder(to: Any) -> None:
+    """DIR, what a run wrote."""
+    to.add_argument("folder", metavar="DIR", help="folder the run wrote")
+
+
+def deck(to: Any) -> None:
+    """--deck and --program: what runs, and by what."""
+    to.add_argument(
+        "--deck",
+        metavar="FILE",
+        default="inputs/in.6208",
+        help="deck to run (default: %(default)s)",
+    )
+    program(to)
+
+
+def program(to: Any) -> None:
+    """--program that runs a deck."""
+    to.add_argument(
+        "--program",
+        metavar="COMMAND",
+        default="build/liggghts",
+        help="program that runs it, with its own words if any: 'mpirun -np 2 build/liggghts'"
+        " (default: %(default)s)",
+    )
+
+
+def jobs(to: Any) -> None:
+    """--jobs, how many runs at a time."""
+    to.add_argument(
+        "--jobs",
+        metavar="N",
+        type=positive,
+        default=len(os.sched_getaffinity(0)),
+        help="runs at a time (default: the cores, %(default)s)",
+    )
+
+
+def variables(to: Any, what: str) -> None:
+    """-var and --var, `what` of the deck they set."""
+    to.add_argument(
+        "-var",
+        "--var",
+        nargs=2,
+        action="append",
+        default=[],
+        metavar=("NAME", "VALUE"),
+        help=f"{what}; may be repeated",
+    )
 
 
 def bearing(to: Any) -> None:
@@ -15,6 +67,11 @@ def bearing(to: Any) -> None:
         metavar="NAME",
         help="a file of inputs/bearings, or a path (6208)",
     )
+    inputs(to)
+
+
+def inputs(to: Any) -> None:
+    """--inputs: where to look for a bearing or a lubricant."""
     to.add_argument(
         "--inputs",
         metavar="DIR",

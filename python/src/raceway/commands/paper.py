@@ -6,7 +6,7 @@ import os
 import sys
 from pathlib import Path
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
@@ -38,13 +38,7 @@ def add(commands: Commands) -> None:
     one.add_argument(
         "--runs", metavar="DIR", type=Path, help="where runs are kept (default: build/paper/runs)"
     )
-    one.add_argument(
-        "--jobs",
-        metavar="N",
-        type=_jobs,
-        default=len(os.sched_getaffinity(0)),
-        help="runs at a time (default: one a core, %(default)s)",
-    )
+    options.jobs(one)
     one.add_argument(
         "--figure",
         metavar="NAME",
@@ -125,13 +119,3 @@ def _progress(total):
             print(f"{done}/{total} cases", file=sys.stderr, flush=True)
 
     return tell
-
-
-def _jobs(text):
-    try:
-        number = int(text)
-    except ValueError:
-        number = 0
-    if not 1 <= number <= 64:
-        raise argparse.ArgumentTypeError(f"{text} is not a number of runs from 1 to 64")
-    return number

@@ -4,7 +4,7 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 
 KINDS = ("overview", "polar", "waterfall", "bearing", "motion")
 DESCRIPTION = """\
@@ -32,7 +32,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    options.run_folder(one)
     one.add_argument(
         "--kind", choices=KINDS, default="overview", help="what to draw (default: %(default)s)"
     )

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The program of --program."""
+"""The program of --program, and the command with the deck of --deck that a sweep runs."""
 
+import argparse
 import shlex
 import shutil
+import signal
+import sys
 
 from raceway.errors import RacewayError
 
@@ -19,3 +22,20 @@ def program(text: str) -> list[str]:
             " from the repository's root"
         )
     return words
+
+
+def command(arguments: argparse.Namespace) -> list[str]:
+    """Program, options and deck. Raises `RacewayError` when there is no such program."""
+    return [*program(arguments.program), "-in", arguments.deck]
+
+
+def end_on_signals() -> None:
+    """Let SIGTERM and SIGHUP end the process as Ctrl-C does, with its runs and its files in
+    order."""
+    signal.signal(signal.SIGTERM, _terminated)
+    signal.signal(signal.SIGHUP, _terminated)
+
+
+def _terminated(number, _):
+    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
+    sys.exit(128 + number)

@@ -29,6 +29,13 @@ def number(low: float, high: float, unit: str) -> Callable[[str], float]:
     return convert
 
 
+def positive(text: str) -> int:
+    """An argparse type: a whole number from 1."""
+    if not re.fullmatch(r"[1-9][0-9]*", text):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1")
+    return int(text)
+
+
 def angle(low: float, high: float) -> Callable[[str], float]:
     """An argparse type: an angle in rad, or with one of the suffixes of `ANGLES`; from `low` to
     `high` rad."""

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 from raceway.commands.quantity import number
 from raceway.errors import RacewayError
 from raceway.units import prefixed
@@ -50,7 +50,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    options.run_folder(one)
     one.add_argument(
         "--signal",
         default="shift",

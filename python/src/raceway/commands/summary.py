@@ -4,7 +4,7 @@
 import argparse
 import json
 
-from raceway.commands import Commands
+from raceway.commands import Commands, options
 
 EXAMPLES = """\
 examples:
@@ -26,7 +26,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("folder", metavar="DIR", help="folder the run wrote")
+    options.run_folder(one)
     one.add_argument(
         "--json", action="store_true", help="one JSON object in SI units instead of a table"
     )

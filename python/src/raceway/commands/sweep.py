@@ -2,16 +2,15 @@
 """`raceway sweep`: run the rows of a table, or write them out as a job array."""
 
 import argparse
-import os
 import re
 import shlex
-import signal
 import sys
 from pathlib import Path
 
 from raceway import files
-from raceway.commands import Commands
-from raceway.commands.program import program
+from raceway.commands import Commands, options
+from raceway.commands.program import command, end_on_signals
+from raceway.commands.quantity import positive
 from raceway.errors import RacewayError
 from raceway.sweeps.points import deck_variables, read_points
 
@@ -66,28 +65,8 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--out", metavar="DIR", help="folder of the sweep (default: build/sweep/NAME for NAME.csv)"
     )
-    parser.add_argument(
-        "--jobs",
-        metavar="N",
-        type=_positive,
-        default=len(os.sched_getaffinity(0)),
-        help="points at a time (default: the cores, %(default)s)",
-    )
-    parser.add_argument(
-        "--deck",
-        metavar="FILE",
-        default="inputs/in.6208",
-        help="deck to run (default: %(default)s)",
-    )
-    parser.add_argument(
-        "--program",
-        metavar="COMMAND",
-        default="build/liggghts",
-        help=(
-            "program that runs it, with its own words if any: 'mpirun -np 2 build/liggghts'"
-            " (default: %(default)s)"
-        ),
-    )
+    options.jobs(parser)
+    options.deck(parser)
     parser.add_argument("--retry", action="store_true", help="run failed points again")
     parser.add_argument(
         "--part",
@@ -103,7 +82,7 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--tasks",
         metavar="N",
-        type=_positive,
+        type=positive,
         help="with --slurm: tasks in the array (default: a point each, 1000 at most)",
     )
     parser.set_defaults(command=run)
@@ -115,7 +94,7 @@ def run(arguments: argparse.Namespace) -> None:
     Raises `RacewayError` for a table that cannot be used and when a point failed.
     """
     points = read_points(arguments.table, deck_variables(arguments.deck))
-    words = program(arguments.program)
+    runs = command(arguments)
     out = Path(arguments.out or Path("build/sweep") / Path(arguments.table).stem)
     if arguments.check:
         print(f"{arguments.table}: {len(points)} points")
@@ -126,12 +105,11 @@ def run(arguments: argparse.Namespace) -> None:
 
         first, step = arguments.part
         files.folder(out)
-        signal.signal(signal.SIGTERM, _terminated)
-        signal.signal(signal.SIGHUP, _terminated)
+        end_on_signals()
         counts, before, path = sweep(
             points[first - 1 :: step],
             out,
-            [*words, "-in", arguments.deck],
+            runs,
             jobs=arguments.jobs,
             retry=arguments.retry,
         )
@@ -148,11 +126,6 @@ def run(arguments: argparse.Namespace) -> None:
                 f"{counts['failed']} points failed: their messages are in {path}; --retry runs them"
                 " again"
             )
-
-
-def _terminated(number, _):
-    signal.signal(number, signal.SIG_IGN)  # once is enough, stopping takes a moment
-    sys.exit(128 + number)
 
 
 def _write_array(arguments, out, points):
@@ -185,12 +158,6 @@ def _write_array(arguments, out, points):
     except OSError as error:
         raise RacewayError(f"cannot write {error.filename}: {error.strerror}") from None
     print(f"{arguments.slurm}: {points} points in {tasks} tasks")
-
-
-def _positive(text):
-    if not re.fullmatch(r"[1-9][0-9]*", text):
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1")
-    return int(text)
 
 
 def _part(text):
