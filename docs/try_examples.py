@@ -228,7 +228,12 @@ def tasks(program, main_run):
             yield partial(of_page, page, program, main_run)
     for script in sorted((DOCS / "decks").glob("*.py")):
         yield partial(of_script, script)
-    decks = [(path.name, joined(path.read_text())) for path in (DOCS / "decks").glob("in.*")]
+    gallery = (DOCS / "gallery.rst").read_text()  # runs the decks that it names
+    decks = [
+        (path.name, joined(path.read_text()))
+        for path in (DOCS / "decks").glob("in.*")
+        if f"docs/decks/{path.name}" not in gallery
+    ]
     yield partial(of_decks, program, sorted(decks))
     base = joined((DOCS / "decks/in.ehd").read_text())
     for page in sorted(DOCS.glob("*.rst")):

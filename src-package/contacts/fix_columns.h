@@ -60,16 +60,16 @@ const Column list[N] = {
     {"mx", "N m", "moment of balls and cage about x through the ring's centre"},
     {"my", "N m", "moment of balls and cage about y through the ring's centre"},
     {"mz", "N m", "moment of balls and cage about z through the ring's centre"},
-    {"torque", "N m", "of these moments, that about the ring's axis: friction"},
+    {"torque", "N m", "moment of balls and cage about the ring's axis, its friction"},
     {"load_x", "N", "load on the ring along x: force, rotating force and unbalance"},
-    {"load_y", "N", "load on the ring along y, likewise"},
+    {"load_y", "N", "load on the ring along y: force, rotating force and unbalance"},
     {"load_z", "N", "load on the ring along z"},
     {"support_x", "N", "force of the supports on the ring along x"},
     {"support_y", "N", "force of the supports on the ring along y"},
     {"support_z", "N", "force of the supports on the ring along z"},
     {"ax", "m/s^2", "acceleration along x, 0 where the displacement is not free"},
-    {"ay", "m/s^2", "acceleration along y, likewise"},
-    {"az", "m/s^2", "acceleration along z, likewise"},
+    {"ay", "m/s^2", "acceleration along y, 0 where the displacement is not free"},
+    {"az", "m/s^2", "acceleration along z, 0 where the displacement is not free"},
 };
 }    // namespace of_fix_ring
 

@@ -36,6 +36,11 @@ def title(tables: RunTables) -> str:
     )
 
 
+def quantity(meaning: str) -> str:
+    """The `meaning` of a signal for a title: without what explains it, after the first comma."""
+    return meaning.partition(",")[0]
+
+
 def _loads(tables):
     load = loading(tables)
     if load is None:

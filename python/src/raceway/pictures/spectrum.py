@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from raceway.files import FilePath
-from raceway.pictures.page import title
+from raceway.pictures.page import quantity, title
 from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
 from raceway.runs.run import Run
 from raceway.runs.spectrum import Line
@@ -104,6 +104,6 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
                     fontweight="bold",
                     bbox=PAPER,
                 )
-        axes.set_title(spectrum.attrs["long_name"], pad=26)
+        axes.set_title(quantity(spectrum.attrs["long_name"]), pad=26)
         axes.text(0, 1.02, title(run.tables), transform=axes.transAxes, fontsize=10, color=SOFT)
         save(figure, path)

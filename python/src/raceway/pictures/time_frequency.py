@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.colors import LogNorm
 
 from raceway.files import FilePath
-from raceway.pictures.page import title
+from raceway.pictures.page import quantity, title
 from raceway.pictures.spectrum import COLOUR, levels
 from raceway.pictures.style import FAINT, INK, MAP, SOFT, STYLE, save
 from raceway.runs import spectrum
@@ -60,7 +60,9 @@ def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
         above.set(ylabel="shaft (rpm)", ylim=(0, 1.15 * rpm.max()))
         above.grid(True)
         above.tick_params(labelbottom=False)
-        bar = figure.colorbar(mesh, ax=main, label=f"amplitude ({unit})" if unit else "amplitude")
+        # below: the names of the lines stand at the right
+        bar = figure.colorbar(mesh, ax=main, location="bottom", shrink=0.4, aspect=40, pad=0.01)
+        bar.set_label(f"amplitude ({unit})" if unit else "amplitude")
         bar.outline.set_edgecolor(FAINT)
         above.set_title(_head(found), pad=26)
         above.text(0, 1.1, title(run.tables), transform=above.transAxes, fontsize=10, color=SOFT)
@@ -109,7 +111,8 @@ def _name(axes, places, top):
 
 
 def _head(found):
+    name = quantity(found.attrs["long_name"])
     if "band" not in found.attrs:
-        return found.attrs["long_name"]
+        return name
     low, high = found.attrs["band"]
-    return f"{found.attrs['long_name']}, {low:g} to {high:g} Hz"
+    return f"{name}, {low:g} to {high:g} Hz"
