@@ -1,36 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_record.h"
 
-#include "../contacts/fix_columns.h"
-#include "../ranks/gather.h"
 #include "contact_context.h"
 #include "find_record_layout.h"
-#include "fix_bearing_capacitance.h"
-#include "fix_bearing_implicit.h"
-#include "fixes.h"
 #include "pair_bearing_hertz.h"
 #include "record_settings.h"
-#include "ring_values.h"
 
 #include <algorithm>
 #include <cctype>
-#include <ctime>
 #include <filesystem>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::Arguments;
 using bearing::NetcdfHeader;
-using bearing::RacewayContact;
 using bearing::RecordFile;
-using raceway::Vec3;
 namespace fs = std::filesystem;
-namespace of_ring = bearing::of_ring;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
-
-// s, of this process
-static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // A note becomes an attribute of the file. Names that scipy's reader of netCDF has for itself would
 // break it.
@@ -157,9 +144,7 @@ void FixBearingRecord::setup(int)
   step_length_ = update->dt;
   if (!open_) open();
   if (within_ > 1 && sampled_) find_integrators();
-  clocks_.wall = MPI_Wtime();
-  clocks_.processor = processor_time();
-  running_ = true;
+  start_clocks();
   if (file_) refuse(file_->file().put_fixed(file_->finished(), 0.0));
   if (update->ntimestep % nevery == 0) sample(false);
 }
@@ -184,29 +169,6 @@ void FixBearingRecord::check_flaws() const
   if (now != noted)
     BRG_ALL(command_ + ": flaws of its raceways were " + shown(noted) + " and are now " +
             shown(now) + "; begin another record");
-}
-
-// Those whose steps the samples lie within, and which balls have a capacitance there.
-void FixBearingRecord::find_integrators()
-{
-  integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
-  for (int i = 0; i < atom->nlocal; ++i)
-    if (rows_.ball(atom->tag[i]) >= 0 &&
-        std::none_of(integrators_.begin(), integrators_.end(),
-                     [&](const Fix *f) { return atom->mask[i] & f->groupbit; }))
-      BRG_ONE(command_ + ": 'within " + std::to_string(within_) +
-              "' needs fix bearing/implicit, which knows what happens within a step; it does not "
-              "move ball " +
-              std::to_string(atom->tag[i]) + ". With other integrators sample every step");
-  const std::vector<FixBearingCapacitance *> fixes = bearing::fixes_of<FixBearingCapacitance>(lmp);
-  std::vector<bearing::tag_t> balls;
-  for (const FixBearingCapacitance *c : fixes)
-    for (bearing::tag_t ball : c->find_members()) balls.push_back(ball);
-  capacitors_ = bearing::TagSet(balls);
-  for (FixBearingImplicit *f : integrators_) {
-    f->want_instants({within_, {}}, command_);
-    for (const FixBearingCapacitance *c : fixes) f->want_instants(c->instants(within_), command_);
-  }
 }
 
 // From the first sample on, s.
@@ -256,244 +218,12 @@ void FixBearingRecord::open()
   refuse(bearing::write_run_yaml(folder_, about_, {}));
 }
 
-void FixBearingRecord::sample(bool between)
-{
-  const double step = static_cast<double>(update->ntimestep);
-  if (step == last_step_) return;
-  if (step < last_step_)
-    BRG_ALL(command_ + ": step " + bearing::text(step) + " comes after step " +
-            bearing::text(last_step_) + "; start a record after reset_timestep, not before");
-  check_time_step();
-  if (between && within_ > 1) {
-    if (sampled_) sample_instants();
-    samples_ += within_ - 1;
-  }
-  if (sampled_) {
-    sample_contacts();
-    sample_cage();
-    sample_parts();
-    end_sample(step);
-  }
-  last_step_ = step;
-  samples_ += 1.0;
-}
-
-// What the bearings at home here did within the step.
-void FixBearingRecord::sample_instants()
-{
-  bearing::InstantReader tell = {true, {}, {}, {}};
-  tell.contact = [this](const bearing::InstantContact &c) {
-    const int ball = rows_.ball(c.ball);
-    if (ball < 0) return;
-    if (rows_.needs_orbit(ball, c.raceway.groove.side)) rows_.orbit(ball, c.orbit);
-    if (!c.live && !context_.surroundings) return;
-    const bool capacitor = capacitors_.has(c.ball);
-    const bearing::ContactView view = {
-        double(c.ball), double(c.ring),
-        c.raceway,      c.state,
-        context_.axis,  capacitor ? c.capacitor : raceway::FilmCapacitorT<double>{}};
-    if (c.live) rows_.contact(ball, view);
-    else sample_gap(ball, view);
-  };
-  tell.body = [this](const bearing::InstantBody &b) {
-    const int ball = rows_.ball(b.tag);
-    if (ball >= 0) rows_.cage(ball, NAN, NAN);    // known at the ends of steps only
-    rows_.body(b.tag, b.x, b.v, b.w);
-  };
-  tell.ring = [this](const bearing::InstantRing &r) { rows_.ring(r.of); };
-  for (int k = 1; k < within_; ++k) {
-    for (const FixBearingImplicit *f : integrators_) f->read_instant(k, tell);
-    end_sample(static_cast<double>(update->ntimestep) - double(within_ - k) / within_);
-  }
-}
-
-// Contacts of the balls of this rank.
-void FixBearingRecord::sample_contacts()
-{
-  for (const RacewayContact &c : pair_->table().raceway) {
-    const int ball = rows_.ball(c.ball);
-    if (ball < 0) continue;
-    if (rows_.needs_orbit(ball, c.side())) rows_.orbit(ball, bearing::orbit_of(*atom, *pair_, c));
-    if (c.live) rows_.contact(ball, context_.view(c));
-    else if (context_.surroundings) sample_gap(ball, context_.view(c));
-  }
-}
-
-// Of a ball for which a fix gives surroundings.
-void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
-{
-  if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
-}
-
-// A ball has half of what it loses to other balls, and all that it loses to cage balls.
-void FixBearingRecord::sample_cage()
-{
-  for (const bearing::SphereContact &s : pair_->table().sphere) {
-    const int i = rows_.ball(s.tag_i), j = rows_.ball(s.tag_j);
-    const double share = i >= 0 && j >= 0 ? 0.5 * s.loss : s.loss;
-    if (i >= 0 && s.i < atom->nlocal) rows_.cage(i, share, s.force);
-    if (j >= 0 && s.j < atom->nlocal) rows_.cage(j, share, s.force);
-  }
-}
-
-// Balls, cage balls and rings of this rank.
-void FixBearingRecord::sample_parts()
-{
-  for (int i = 0; i < atom->nlocal; ++i)
-    rows_.body(atom->tag[i], Vec3::from(atom->x[i]), Vec3::from(atom->v[i]),
-               Vec3::from(atom->omega[i]));
-  double of[of_ring::N];
-  for (int n = 0; n < pair_->ring_sum().rings(); ++n) {
-    bearing::ring_values(*atom, *pair_, n, of);
-    rows_.ring(of);
-  }
-}
-
-void FixBearingRecord::end_sample(double step)
-{
-  rows_.end(time_of(step), step);
-  if (rows_.full()) flush();
-}
-
-// All ranks.
-void FixBearingRecord::flush()
-{
-  const size_t samples = rows_.samples();
-  if (samples == 0) return;
-  const std::vector<double> &said = rows_.said();
-  std::string why;
-  if (comm->nprocs == 1) {
-    const double *row = said.data(), *const end = row + said.size();
-    for (size_t k = 0; why.empty() && k < samples; ++k) {
-      bool whole;
-      row = file_->take(row, end, whole);
-      why = file_->end_sample(row[1], row[2]);
-      row += 3;
-    }
-  } else {
-    why = gather(said, samples);
-  }
-  rows_.clear();
-  if (!why.empty()) BRG_ONE(command_ + ": " + path_ + ": " + why);
-}
-
-// What the ranks know of the same samples, put together by the first.
-std::string FixBearingRecord::gather(const std::vector<double> &said, size_t samples)
-{
-  std::vector<double> all;
-  std::vector<size_t> begin = bearing::gather_to_first(said, all, world);
-  if (!file_) return "";
-  const double *rows = all.data();
-  const std::vector<size_t> end(begin.begin() + 1, begin.end());
-  begin.pop_back();
-  std::string why;
-  for (size_t k = 0; why.empty() && k < samples; ++k) {
-    double time = 0.0, step = 0.0;
-    for (size_t p = 0; p < end.size(); ++p) {
-      bool whole;
-      const double *row = file_->take(rows + begin[p], rows + end[p], whole);
-      if (whole) {
-        time = row[1];
-        step = row[2];
-      }
-      begin[p] = static_cast<size_t>(row - rows) + 3;
-    }
-    why = file_->end_sample(time, step);
-  }
-  return why;
-}
-
-void FixBearingRecord::post_run()
-{
-  flush();
-  spent_ = spent_now();
-  running_ = false;
-  if (comm->me != 0) return;
-  const bool done = update->ntimestep == update->laststep;    // not stopped by a signal
-  std::string why;
-  if (file_) {
-    why = file_->file().put_fixed(file_->finished(), done);
-    if (why.empty()) why = file_->file().settle();
-  }
-  if (!why.empty()) BRG_ONE(command_ + ": " + path_ + ": " + why);
-  const double time = time_of(last_step_);
-  if (done)
-    refuse(bearing::write_run_yaml(
-        folder_, about_,
-        {NetcdfHeader::attribute("step_s", time / std::max(spent_.steps, 1.0)),
-         NetcdfHeader::attribute("evaluations", spent_.evaluations),
-         NetcdfHeader::attribute("processor_s", spent_.processor),
-         NetcdfHeader::attribute("simulated_s", time),
-         NetcdfHeader::attribute("wall_s", spent_.wall)}));
-}
-
-// All ranks. Velocity Verlet evaluates the forces once a step.
-FixBearingRecord::Spent FixBearingRecord::made() const
-{
-  using namespace bearing::of_fix_implicit;
-  Spent s;
-  s.wall = MPI_Wtime() - clocks_.wall;
-  s.processor = processor_time() - clocks_.processor;
-  const std::vector<FixBearingImplicit *> implicit = bearing::fixes_of<FixBearingImplicit>(lmp);
-  if (implicit.empty())
-    s.steps = s.evaluations = static_cast<double>(update->ntimestep - update->firststep);
-  const double bearings = std::max<double>(1.0, layout_.bearings.size());
-  for (FixBearingImplicit *f : implicit) {
-    const double steps = f->compute_vector(STEPS) / bearings;
-    s.steps += steps;
-    s.evaluations += steps * f->compute_vector(CORRECTIONS);
-  }
-  return s;
-}
-
-// What the run has taken up to now; all ranks.
-FixBearingRecord::Spent FixBearingRecord::spent_now() const
-{
-  if (!running_) return spent_;
-  const Spent now = made();
-  Spent sum;
-  sum.wall = spent_.wall + now.wall;
-  sum.processor = spent_.processor + now.processor;
-  sum.steps = spent_.steps + now.steps;
-  sum.evaluations = spent_.evaluations + now.evaluations;
-  return sum;
-}
-
 // Samples so far
 double FixBearingRecord::compute_scalar() { return samples_; }
 
 void FixBearingRecord::refuse(const std::string &complaint) const
 {
   if (!complaint.empty()) BRG_ONE(command_ + ": " + complaint);
-}
-
-// All ranks: what the restart file counts is in the file.
-void FixBearingRecord::write_restart(FILE *fp)
-{
-  flush();
-  if (file_) refuse(file_->file().settle());
-  const Spent spent = spent_now();
-  const double data[] = {samples_,   first_step_,     start_,      last_step_,
-                         spent.wall, spent.processor, spent.steps, spent.evaluations};
-  if (comm->me != 0) return;
-  const int size = sizeof data;
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(data, 1, size, fp);
-}
-
-void FixBearingRecord::restart(char *buf)
-{
-  double data[8];
-  memcpy(data, buf, sizeof data);
-  samples_ = data[0];
-  first_step_ = data[1];
-  start_ = data[2];
-  last_step_ = data[3];
-  spent_.wall = data[4];
-  spent_.processor = data[5];
-  spent_.steps = data[6];
-  spent_.evaluations = data[7];
-  resumed_ = samples_ > 0.0;
 }
 
 double FixBearingRecord::memory_usage() { return static_cast<double>(rows_.bytes()); }

@@ -56,6 +56,7 @@ class FixBearingRecord : public Fix {
     double wall = 0.0, processor = 0.0;       // s, of this rank
     double steps = 0.0, evaluations = 0.0;    // of the integrator, a bearing
   };
+  void start_clocks();
   Spent made() const;    // in the present run
   Spent spent_now() const;
 

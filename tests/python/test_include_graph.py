@@ -27,7 +27,7 @@ def test_the_package_keeps_its_rules():
 
 
 def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
-    """Of all styles, only the source of fix bearing/implicit sees the class of the solver."""
+    """Of all styles, only the sources of fix bearing/implicit see the class of the solver."""
     graph = include_graph.read(ROOT / "src-package")
 
     def sees(file):
@@ -42,7 +42,11 @@ def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
     assert solver in graph
     rooms = ("styles", "contacts", "deck", "ranks")
     who = [f for f in graph if include_graph.room(f) in rooms and solver in sees(f)]
-    assert who == [Path("styles/fix_bearing_implicit.cpp")]
+    assert {f.suffix for f in who} == {".cpp", ".h"}
+    assert {f.parent / f.name.partition("implicit")[0] for f in who} == {
+        Path("styles/fix_bearing_")
+    }
+    assert Path("styles/fix_bearing_implicit.h") not in who
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Shafts that bend, between their fixes and the bearings at home here.
+#include "../ranks/gather.h"
+#include "fix_bearing_implicit_solver.h"
+#include "fix_bearing_shaft.h"
+
+using namespace LAMMPS_NS;
+using raceway::BearingModel;
+
+// From the fixes.
+void FixBearingImplicit::load_bends(int p)
+{
+  int shaft = 0;
+  for (const BearingModel::Shaft &s : solver_->bearings.model(p).shafts) {
+    if (const FixBearingShaft *bends = rings_[s.mover]->bending()) {
+      solver_->parts[p].bearing->set_bend(shaft, bends->bend_program());
+      solver_->parts[p].bearing->load_bend(shaft, bends->bend());
+    }
+    ++shaft;
+  }
+}
+
+// And back, to all ranks.
+void FixBearingImplicit::store_bends()
+{
+  for (int k = 0; k < static_cast<int>(rings_.size()); ++k) {
+    FixBearingShaft *bends = rings_[k]->bending();
+    if (!bends) continue;
+    raceway::BendState state;
+    for (int p = 0; p < solver_->bearings.size(); ++p) {
+      int shaft = 0;
+      for (const BearingModel::Shaft &s : solver_->bearings.model(p).shafts) {
+        if (s.mover == k) state = solver_->parts[p].bearing->stored_bend(shaft);
+        ++shaft;
+      }
+    }
+    bends->set_bend(
+        {bearing::gather_all(state.place, world), bearing::gather_all(state.rate, world)});
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Bearings between the steps of the host: who wants to know, and what is there.
+#include "fix_bearing_implicit_solver.h"
+#include "pair_bearing_hertz.h"
+#include "ring_values.h"
+
+using namespace LAMMPS_NS;
+using bearing::Instants;
+using bearing::tag_t;
+using raceway::BearingModel;
+
+// Those who want the same instants share one evaluation.
+void FixBearingImplicit::want_instants(const Instants &i, const std::string &command)
+{
+  const bool others = instants_.number > 1;
+  if (others && i.number != instants_.number)
+    BRG_ALL(command + ": 'within " + std::to_string(i.number) +
+            "', but another fix wants 'within " + std::to_string(instants_.number) + "' of fix " +
+            id + " bearing/implicit");
+  const bool capacitor = i.capacitor.permittivity > 0.0;
+  if (others && capacitor && instants_.capacitor.permittivity > 0.0 &&
+      i.capacitor != instants_.capacitor)
+    BRG_ALL(command + ": two fixes want different things between the steps of fix " + id +
+            " bearing/implicit; give them the same permittivity, film_floor, permittivity_at, "
+            "surroundings, shoulders and roughness");
+  if (capacitor || !others) instants_ = i;
+}
+
+void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const
+{
+  const raceway::LabAxes axes = {pair_->axis_index()};
+  for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
+    const BearingModel &m = solver_->bearings.model(p);
+    const raceway::BearingInstants &at = solver_->parts[p].bearing->instants();
+    at.contacts(k, tell.states, solver_->contacts);
+    for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
+      const raceway::BearingModel::Groove &groove = m.grooves[g];
+      raceway::BearingInstants::Contact &c = solver_->contacts[g];
+      if (tell.states) {
+        c.state.u = axes.lab(c.state.u);
+        c.state.t = axes.lab(c.state.t);
+      }
+      tell.contact({static_cast<tag_t>(m.bodies[groove.body].tag),
+                    static_cast<tag_t>(m.rings[groove.ring].tag), *groove.physics, c.orbit, c.live,
+                    c.load, c.capacitor, c.state});
+    }
+    if (tell.body)
+      for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
+        const raceway::BodyPose pose = at.body(k, b);
+        // the step leaves the spin of a cage ball alone
+        const raceway::Vec3 &w = m.bodies[b].spins ? pose.w : solver_->bearings.bodies(p)[b].w;
+        tell.body(
+            {static_cast<tag_t>(m.bodies[b].tag), axes.lab(pose.x), axes.lab(pose.v), axes.lab(w)});
+      }
+    if (tell.ring)
+      for (int r = 0; r < static_cast<int>(m.rings.size()); ++r) {
+        const raceway::BearingInstants::Ring &now = at.ring(k, r);
+        bearing::InstantRing ring;
+        bearing::ring_values({static_cast<double>(m.rings[r].tag), now.pose, now.pose.spin,
+                              now.force, now.moment, now.acceleration},
+                             axes, ring.of);
+        tell.ring(ring);
+      }
+  }
+}

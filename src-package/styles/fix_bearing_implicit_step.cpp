@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The steps of fix bearing/implicit: bearings of a neighbour build, their state in, substeps, and the
+// state out.
+#include "../deck/arguments.h"
+#include "../implicit/alike_bearings.h"
+#include "fix_bearing_cage.h"
+#include "fix_bearing_implicit_solver.h"
+#include "fix_bearing_ring.h"
+#include "fix_bearing_shaft.h"
+#include "fix_bearing_state.h"
+#include "fixes.h"
+#include "pair_bearing_hertz.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+using namespace LAMMPS_NS;
+using bearing::tag_t;
+using bearing::text;
+using raceway::BearingModel;
+using raceway::BearingStep;
+
+void FixBearingImplicit::build()
+{
+  if (build_ == pair_->table_build()) return;
+  build_ = pair_->table_build();
+  Solver &all = *solver_;
+  for (const auto &step : all.steps) {    // what the bearings of the last build have to say
+    all.energy.work += step->spent().work;
+    all.energy.dissipated += step->spent().dissipated;
+  }
+  bearing::BearingSources sources;
+  sources.table = &pair_->table();
+  sources.axes.along = pair_->axis_index();
+  for (const FixBearingCage *c : bearing::fixes_of<FixBearingCage>(lmp))
+    sources.cages.push_back(&c->rails());
+  for (size_t k = 0; k < rings_.size(); ++k)
+    for (int i = 0; i < atom->nlocal; ++i)
+      if (rings_[k]->moves(i))
+        sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i),
+                                 rings_[k]->shaft(), rings_[k]->place_on_shaft(i)});
+  sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
+  sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
+  sources.raceway = [this](int ball, int ring, int) { return pair_->raceway(ball, ring); };
+  sources.profile = [this](tag_t ring, const raceway::RacewayPhysics *p) {
+    return pair_->profile(ring, p);
+  };
+  raceway::with_law(pair_->law(), [&](auto law) { sources.states = decltype(law)::states; });
+  sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
+  all.bearings.build(sources, groupbit);
+  all.parts.clear();
+  all.steps.clear();
+  // One solver for all bearings that are alike stays in the caches. An account of the energy and
+  // instants stay with a bearing after its step, so there each has its own.
+  const bool shared = !energy_wanted_ && instants_.number < 2;
+  using Kind = std::tuple<const void *, size_t, int>;    // tells most kinds apart
+  std::map<Kind, std::vector<std::pair<int, BearingStep *>>> kinds;
+  for (int p = 0; p < all.bearings.size(); ++p) {
+    const BearingModel &model = all.bearings.model(p);
+    auto &kind = kinds[{model.grooves.empty() ? nullptr : model.grooves.front().physics,
+                        model.bodies.size(), model.rings.front().mover}];
+    const auto like =
+        std::find_if(shared ? kind.begin() : kind.end(), kind.end(),
+                     [&](const auto &one) { return alike(all.bearings.model(one.first), model); });
+    if (like != kind.end()) {
+      all.parts.push_back({like->second, 0.0, {}});
+      continue;
+    }
+    BearingModel of = model;
+    of.parts = pair_->law();
+    for (BearingModel::Shaft &one : of.shafts)
+      if (const FixBearingShaft *bends = rings_[one.mover]->bending()) one.modes = &bends->modes();
+    all.steps.push_back(std::make_unique<BearingStep>(of));
+    all.parts.push_back({all.steps.back().get(), 0.0, {}});
+    kind.push_back({p, all.steps.back().get()});
+    all.steps.back()->keep_energy(energy_wanted_);
+    all.steps.back()->instants().want({instants_.number, instants_.capacitor});
+  }
+}
+
+// The state of a bearing, and what its rings are told to do in this step.
+void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
+{
+  bearing::BearingParts &bearings = solver_->bearings;
+  BearingStep &step = *solver_->parts[p].bearing;
+  const BearingModel &model = bearings.model(p);
+  step.set_gravity(fall);
+  for (size_t k = 0; k < model.rings.size(); ++k)
+    if (model.rings[k].mover >= 0 && !model.rings[k].on_shaft)
+      step.set_program(static_cast<int>(k),
+                       rings_[model.rings[k].mover]->program(model.rings[k].own));
+  int shaft = static_cast<int>(model.rings.size());
+  for (const BearingModel::Shaft &s : model.shafts)
+    step.set_program(shaft++, rings_[s.mover]->program({}));
+  load_bends(p);
+  step.load(bearings.bodies(p), bearings.rings(p));
+  step.load_states(bearings.states(p).data());
+}
+
+void FixBearingImplicit::initial_integrate(int)
+{
+  build();
+  for (FixBearingRing *r : rings_) r->begin_step();
+  bearing::BearingParts &bearings = solver_->bearings;
+  std::vector<Part> &parts = solver_->parts;
+  bearings.gather();
+  const raceway::Vec3 fall = gravity();
+  if (energy_wanted_ && !begun_) {
+    for (int p = 0; p < bearings.size(); ++p) load(p, fall);
+    begin_energy();
+  }
+  for (int p = 0; p < bearings.size(); ++p) {
+    load(p, fall);
+    // the control's wish is kept with the ring, so that it goes with the bearing to another home or
+    // into a restart file
+    double &wish = bearings.wished_step(p);
+    parts[p].step = wish > 0.0 ? wish : largest_;
+    advance(parts[p]);
+    wish = parts[p].step;
+    parts[p].bearing->store(bearings.bodies(p), bearings.rings(p));
+    parts[p].bearing->store_states(bearings.states(p).data());
+  }
+  bearings.scatter();
+  store_bends();
+  time_ += update->dt;
+}
+
+// The host's step in equal substeps, as few as the control allows.
+void FixBearingImplicit::advance(Part &p)
+{
+  const double whole = update->dt;
+  const BearingStep::Settings &settings = solver_->settings;
+  double done = 0.0;
+  while (done < whole) {
+    const double left = whole - done;
+    // the edge of a flaw is an event: a step ends there, and over it steps are short
+    const double flaws = p.bearing->longest_step();
+    const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
+    const double free = pieces <= 1.0 ? left : left / pieces;
+    const bool held = flaws < std::min(free, 0.99 * left), last = !held && pieces <= 1.0;
+    const double h = held ? flaws : free;
+    p.outcome = p.bearing->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
+    const BearingStep::Outcome &o = p.outcome;
+    corrections_ += o.corrections;
+    // over what is allowed; grows like h^2
+    const double excess = std::max(o.error / o.tolerance, o.stability);
+    const double fit = 0.9 / std::sqrt(std::max(excess, 1e-6));
+    if (!o.solved() || !(excess <= 1.0)) {
+      refused_ += 1.0;
+      p.step = h * std::min(0.5, std::max(0.2, o.solved() ? fit : 0.25));
+      if (p.step < smallest_step) give_up(p, h);
+      continue;
+    }
+    if (const raceway::Failure f = p.bearing->accept(); f != raceway::Failure::none) {
+      p.outcome.failure = f;
+      give_up(p, h);
+    }
+    substeps_ += 1.0;
+    smallest_ = std::min(smallest_, h);
+    worst_ = std::max(worst_, o.error);
+    // grow back where Newton had an easy time
+    const double grow = std::min(2.0, std::max(0.5, fit));
+    if (o.corrections <= settings.corrections &&
+        (grow < 1.0 || (!held && (!last || h > 0.99 * p.step))))
+      p.step = std::min(grow * h, whole);
+    done = last ? whole : done + h;
+  }
+}
+
+static std::string cause(raceway::Failure f, const std::string &who)
+{
+  using raceway::Failure;
+  switch (f) {
+    case Failure::not_a_number: return "the velocity of " + who + " is not a number";
+    case Failure::outside_groove:
+      return "the overlap of " + who +
+             " is beyond the overlap limit, or its contact ellipse as wide as the groove";
+    case Failure::turned_too_far: return "a body turns too far for one stage";
+    case Failure::other_links: return "cage contacts open and close between corrections";
+    default: return "corrections do not converge";
+  }
+}
+
+void FixBearingImplicit::give_up(const Part &p, double h) const
+{
+  const BearingStep::Outcome &o = p.outcome;
+  const BearingModel &m = solver_->bearings.model(&p - solver_->parts.data());
+  const std::string where =
+      std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
+  const std::string who =
+      o.body >= 0 ? "atom " + std::to_string(m.bodies[o.body].tag) : std::string("a body");
+  if (o.failure == raceway::Failure::overlinked)
+    BRG_ONE(where + ": " + who + " touches more than two balls or cage balls");
+  BRG_ONE(where + ": no solution with substeps down to " + text(h) + " s; last correction " +
+          text(o.last) + " m, estimated error " + text(o.error) + " m, tolerance " +
+          text(o.tolerance) + " m; " +
+          (o.solved() ? "the error is too large" : cause(o.failure, who)) +
+          ". Load too high, rings apart, or the start overlaps");
+  std::abort();
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a run has taken: at its end, and in a restart file.
+#include "../contacts/fix_columns.h"
+#include "fix_bearing_implicit.h"
+#include "fix_bearing_record.h"
+#include "fixes.h"
+#include "record_settings.h"
+
+#include <algorithm>
+#include <ctime>
+
+using namespace LAMMPS_NS;
+using bearing::NetcdfHeader;
+
+// s, of this process
+static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void FixBearingRecord::start_clocks()
+{
+  clocks_.wall = MPI_Wtime();
+  clocks_.processor = processor_time();
+  running_ = true;
+}
+
+void FixBearingRecord::post_run()
+{
+  flush();
+  spent_ = spent_now();
+  running_ = false;
+  if (comm->me != 0) return;
+  const bool done = update->ntimestep == update->laststep;    // not stopped by a signal
+  std::string why;
+  if (file_) {
+    why = file_->file().put_fixed(file_->finished(), done);
+    if (why.empty()) why = file_->file().settle();
+  }
+  if (!why.empty()) BRG_ONE(command_ + ": " + path_ + ": " + why);
+  const double time = time_of(last_step_);
+  if (done)
+    refuse(bearing::write_run_yaml(
+        folder_, about_,
+        {NetcdfHeader::attribute("step_s", time / std::max(spent_.steps, 1.0)),
+         NetcdfHeader::attribute("evaluations", spent_.evaluations),
+         NetcdfHeader::attribute("processor_s", spent_.processor),
+         NetcdfHeader::attribute("simulated_s", time),
+         NetcdfHeader::attribute("wall_s", spent_.wall)}));
+}
+
+// All ranks. Velocity Verlet evaluates the forces once a step.
+FixBearingRecord::Spent FixBearingRecord::made() const
+{
+  using namespace bearing::of_fix_implicit;
+  Spent s;
+  s.wall = MPI_Wtime() - clocks_.wall;
+  s.processor = processor_time() - clocks_.processor;
+  const std::vector<FixBearingImplicit *> implicit = bearing::fixes_of<FixBearingImplicit>(lmp);
+  if (implicit.empty())
+    s.steps = s.evaluations = static_cast<double>(update->ntimestep - update->firststep);
+  const double bearings = std::max<double>(1.0, layout_.bearings.size());
+  for (FixBearingImplicit *f : implicit) {
+    const double steps = f->compute_vector(STEPS) / bearings;
+    s.steps += steps;
+    s.evaluations += steps * f->compute_vector(CORRECTIONS);
+  }
+  return s;
+}
+
+// What the run has taken up to now; all ranks.
+FixBearingRecord::Spent FixBearingRecord::spent_now() const
+{
+  if (!running_) return spent_;
+  const Spent now = made();
+  Spent sum;
+  sum.wall = spent_.wall + now.wall;
+  sum.processor = spent_.processor + now.processor;
+  sum.steps = spent_.steps + now.steps;
+  sum.evaluations = spent_.evaluations + now.evaluations;
+  return sum;
+}
+
+// All ranks: what the restart file counts is in the file.
+void FixBearingRecord::write_restart(FILE *fp)
+{
+  flush();
+  if (file_) refuse(file_->file().settle());
+  const Spent spent = spent_now();
+  const double data[] = {samples_,   first_step_,     start_,      last_step_,
+                         spent.wall, spent.processor, spent.steps, spent.evaluations};
+  if (comm->me != 0) return;
+  const int size = sizeof data;
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(data, 1, size, fp);
+}
+
+void FixBearingRecord::restart(char *buf)
+{
+  double data[8];
+  memcpy(data, buf, sizeof data);
+  samples_ = data[0];
+  first_step_ = data[1];
+  start_ = data[2];
+  last_step_ = data[3];
+  spent_.wall = data[4];
+  spent_.processor = data[5];
+  spent_.steps = data[6];
+  spent_.evaluations = data[7];
+  resumed_ = samples_ > 0.0;
+}
