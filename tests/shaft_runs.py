@@ -8,6 +8,7 @@ The shaft lies along z, its bearings at 0 and 0.2 m. `data` of a run are columns
 import re
 
 import numpy as np
+import xarray
 from host import run, succeed
 from raceway.theory.bearing import Bearing
 
@@ -25,21 +26,71 @@ def data_of(folder):
 def swing(folder, **variables):
     """(columns, energies in J by name) of a run of the deck."""
     text = succeed(DECK, out=folder, **variables).text
-    energy = re.search(r"^ENERGY (.*)$", text, re.M)
     names = ("work", "dissipated", "stored", "lost")
-    numbers = map(float, energy[1].split()) if energy else [np.nan] * 4
+    numbers = numbers_of(text, "ENERGY") if "\nENERGY " in text else [np.nan] * 4
     return data_of(folder), dict(zip(names, numbers, strict=True))
 
 
-def frequencies_of(signals, step, modes=4):
-    """Hz, rising, of free vibrations (channels, samples): a linear map from each instant to the
-    next, from delayed copies."""
-    copies, count = 12, signals.shape[1]
+def numbers_of(text, word="END"):
+    """The numbers that a run prints after a `word`."""
+    return [float(one) for one in re.search(rf"^{word} (.*)$", text, re.M)[1].split()]
+
+
+def rows_of(folder):
+    """Lines of the table of a run."""
+    return (folder / "shaft.dat").read_text().splitlines()
+
+
+def frequencies_of(signals, step, count):
+    """Hz, rising, of `count` free vibrations in signals (channels, samples): a linear map from each
+    instant to the next, from delayed copies. A real vibration has two, one of them below 0; of
+    x + i y those below 0 whirl backward."""
+    copies, length = 12, signals.shape[1]
     signals = signals - signals.mean(axis=1, keepdims=True)
-    delayed = np.vstack([signals[:, k : count - copies + k] for k in range(copies)])
-    main = np.linalg.svd(delayed, full_matrices=False)[2][: 2 * modes]
+    delayed = np.vstack([signals[:, k : length - copies + k] for k in range(copies)])
+    main = np.linalg.svd(delayed, full_matrices=False)[2][:count]
     forward = main[:, 1:] @ np.linalg.pinv(main[:, :-1])
-    return np.sort(np.abs(np.log(np.linalg.eigvals(forward)).imag / step))[::2] / (2 * np.pi)
+    return np.sort(np.log(np.linalg.eigvals(forward)).imag / step) / (2 * np.pi)
+
+
+def rings_follow(folder):
+    """Accelerations of the inner rings of a record are those of their velocities. Returns columns
+    of both rings (samples, 2) by name."""
+    with xarray.open_dataset(folder / "record.nc") as record:
+        inner = record["ring_raceway"].values == 0
+        names = ("x", "y", "tilt_2", "vx", "ax")
+        ring = {name: record[f"ring_{name}"].values[:, inner] for name in names}
+        time = record["time"].values
+    slope = (ring["vx"][2:] - ring["vx"][:-2]) / (time[2:] - time[:-2])[:, None]
+    # velocities are linear within an internal step, and each sample has its own
+    apart = np.median(np.abs(ring["ax"][1:-1] - slope), axis=0)
+    assert slope.shape[1] == 2 and np.all(apart < 2e-2 * np.abs(slope).max(axis=0))
+    return ring
+
+
+# what runs on several ranks and hosts have alike: everything moves
+BITS = dict(
+    cage=1,
+    speed=200,
+    second=0.2,
+    law="friction constant 0.05",
+    freedoms=f"{TILTING} 200 z free",
+    clearance=1e-5,
+    skin=4e-4,
+    control="tolerance 1e-8",
+)
+# of an account of the energy
+ENERGY = dict(
+    control="tolerance 1e-10 largest 2e-6 energy yes",
+    clearance=1e-5,
+    speed=200,
+    law="friction constant 0.05",
+    steps=80,
+    every=80,
+)
+WITHIN = dict(
+    control="tolerance 1e-11 largest 5e-6", freedoms=f"{TILTING} 200", steps=40, within=10
+)
 
 
 # a box with two bearings along x and nothing that moves them

@@ -10,7 +10,8 @@ import pytest
 # the helpers of this folder, from wherever pytest starts
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from physics_c import Physics  # noqa: E402
+from film_scene import Gap  # noqa: E402
+from physics_c import INNER, OUTER, Physics  # noqa: E402
 
 LIBRARY = Path(__file__).resolve().parents[2] / "build" / "libraceway_physics.so"
 
@@ -20,3 +21,20 @@ def physics():
     if not LIBRARY.exists():
         pytest.fail(f"{LIBRARY} is missing: run make build first", pytrace=False)
     return Physics(LIBRARY)
+
+
+@pytest.fixture(scope="module", params=[INNER, OUTER], ids=["inner", "outer"])
+def side(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def gap(physics, side):
+    """A contact with its film."""
+    return Gap(physics, side)
+
+
+@pytest.fixture(scope="module")
+def inner(physics):
+    """The same of the inner raceway."""
+    return Gap(physics, INNER)

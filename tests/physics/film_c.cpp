@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film factors, film in the gap and film branch, for test_physics_film_laws.py.
+// Film factors, film in the gap and film branch, for test_physics_film_*.py.
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/film_branch.h"
 #include "../../src-package/physics/film_factors.h"

@@ -4,15 +4,26 @@
 The shaft lies along z from 0 to 0.3 m, its bearings at 0 and 0.2 m.
 """
 
-import re
-
 import numpy as np
 import pytest
-import xarray
 from host import succeed
 from raceway import beam, beam_motion, bending_file, shaft, shaft_bending, static
 from raceway.theory.beam import Disc, Section, Steel
-from shaft_runs import B6208, DECK, TILTING, data_of, small, swing
+from shaft_runs import (
+    B6208,
+    BITS,
+    DECK,
+    ENERGY,
+    TILTING,
+    WITHIN,
+    data_of,
+    frequencies_of,
+    numbers_of,
+    rings_follow,
+    rows_of,
+    small,
+    swing,
+)
 
 SECTIONS = [Section(0.2, 0.02), Section(0.1, 0.016)]
 DISC = Disc(0.12, 3.0, 0.01, 0.006)
@@ -75,17 +86,6 @@ def stiffness_of(clearance):
     return stiffness
 
 
-def whirls(signals, step, count):
-    """Hz, rising, of free whirls (channels, samples) x + i y, backward ones below 0: a linear map
-    from each instant to the next, from delayed copies."""
-    copies, length = 12, signals.shape[1]
-    signals = signals - signals.mean(axis=1, keepdims=True)
-    delayed = np.vstack([signals[:, k : length - copies + k] for k in range(copies)])
-    main = np.linalg.svd(delayed, full_matrices=False)[2][:count]
-    forward = main[:, 1:] @ np.linalg.pinv(main[:, :-1])
-    return np.sort(np.log(np.linalg.eigvals(forward)).imag / step) / (2 * np.pi)
-
-
 def test_bending_pairs(tmp_path, file):
     """Free vibration on preloaded bearings: the first pair of the beam on their stiffness within
     1e-3, the second within 5e-3, both split by the spin."""
@@ -104,7 +104,7 @@ def test_bending_pairs(tmp_path, file):
     exact = beam_motion.frequencies(whole, springs, spin) / (2 * np.pi)
     signals = [data["x"] + 1j * data["y"], 0.1 * (data["ry"] - 1j * data["rx"])]
     signals += [data[f"x{ring}"] + 1j * data[f"y{ring}"] for ring in (1, 2)]
-    found = whirls(np.array(signals), data["time"][1] - data["time"][0], 12)
+    found = frequencies_of(np.array(signals), data["time"][1] - data["time"][0], 12)
     # the disc turns first backward, then forward
     for k, (sign, error) in enumerate([(-1, 1e-3), (1, 1e-3), (-1, 5e-3), (1, 5e-3)]):
         assert np.abs(sign * found / exact[k] - 1).min() < error
@@ -215,9 +215,7 @@ def test_in_the_air(tmp_path, damped):
         f"spin speed {spin} load 0.3 0 5 2 moment 0 0.2 0.1 rotating 4 900 0.3 "
         f'unbalance 0.12 1e-5 0.7\ntimestep 1e-6\nrun {round(time / 1e-6)}\nprint "END {values}"\n',
     ).text
-    y, z, tilt_y, tilt_z, strain, *rest = map(
-        float, re.search(r"^END (.*)$", text, re.M)[1].split()
-    )
+    y, z, tilt_y, tilt_z, strain, *rest = numbers_of(text)
     modes, ring = np.reshape(rest[:6], (3, 2)).T, rest[6:]
     found = reduced(damping=0.02)
     one, other = np.split(in_the_air(found, time, spin), 2)
@@ -276,14 +274,9 @@ def test_energy(tmp_path, damped):
     """Work of loads is in motion, springs, the bent shaft and heat."""
     _, energy = swing(
         tmp_path,
-        control="tolerance 1e-10 largest 2e-6 energy yes",
+        **ENERGY,
         freedoms=f"{TILTING} 200 z free",
         words=f"flexible {damped} {LOADED}",
-        clearance=1e-5,
-        speed=200,
-        law="friction constant 0.05",
-        steps=80,
-        every=80,
     )
     assert energy["work"] > 1e-3 and energy["dissipated"] > 0.0
     assert abs(energy["lost"]) < 1e-3 * energy["work"]
@@ -291,50 +284,18 @@ def test_energy(tmp_path, damped):
 
 def test_within_a_step(tmp_path, damped):
     """Samples inside long steps: accelerations of rings are those of their velocities."""
-    swing(
-        tmp_path,
-        control="tolerance 1e-11 largest 5e-6",
-        freedoms=f"{TILTING} 200",
-        words=f"flexible {damped} {LOADED}",
-        clearance=PRELOAD,
-        steps=40,
-        within=10,
-    )
-    with xarray.open_dataset(tmp_path / "record.nc") as record:
-        speed, growth = record["ring_vx"].values, record["ring_ax"].values
-        inner = [k for k, raceway in enumerate(record["ring_raceway"].values) if raceway == 0]
-        time = record["time"].values
-    for k in inner:
-        slope = (speed[2:, k] - speed[:-2, k]) / (time[2:] - time[:-2])
-        largest = np.abs(slope).max()
-        assert np.median(np.abs(growth[1:-1, k] - slope)) < 2e-2 * largest
+    swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED}", clearance=PRELOAD)
+    rings_follow(tmp_path)
 
 
 # ---- bits
-FULL = dict(
-    cage=1,
-    speed=200,
-    second=0.2,
-    law="friction constant 0.05",
-    freedoms=f"{TILTING} 200 z free",
-    clearance=1e-5,
-    skin=4e-4,
-    control="tolerance 1e-8",
-    every=10,
-)
-
-
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory, damped):
     """(folder, variables) on one rank."""
     folder = tmp_path_factory.mktemp("whole")
-    variables = {**FULL, "words": f"flexible {damped} {LOADED}"}
+    variables = {**BITS, "every": 10, "words": f"flexible {damped} {LOADED}"}
     succeed(DECK, out=folder, **variables, steps=60)
     return folder, variables
-
-
-def rows(folder):
-    return (folder / "shaft.dat").read_text().splitlines()
 
 
 def test_scene_is_worth_comparing(whole):
@@ -347,7 +308,7 @@ def test_scene_is_worth_comparing(whole):
 def test_same_bits(whole, host, ranks, tmp_path):
     folder, variables = whole
     succeed(DECK, host=host, ranks=ranks, out=tmp_path, **variables, steps=60)
-    assert rows(tmp_path)[-6:] == rows(folder)[-6:]
+    assert rows_of(tmp_path)[-6:] == rows_of(folder)[-6:]
 
 
 @pytest.fixture(scope="module")
@@ -362,7 +323,7 @@ def test_restart(whole, half, tmp_path):
     folder, variables = whole
     extra = {**variables, "from": half}
     succeed(DECK, ranks=2, out=tmp_path, begin="resume", **extra, steps=30)
-    assert rows(tmp_path)[-3:] == rows(folder)[-3:]
+    assert rows_of(tmp_path)[-3:] == rows_of(folder)[-3:]
 
 
 def test_restart_with_other_modes(whole, half, tmp_path):

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A contact of a 6208 with its film, in C++ and in Python, for the tests of the film."""
+
+import pytest
+from raceway import film_factors, film_gap, hertz
+
+OIL = (0.04, 22e-9)
+SPEEDS = (0.0725, 0.72481, 2.899, 14.4946)
+ROUNDING = 1e-12  # forty roundings in exponents of at most 50
+OVERLAPS = (-3e-6, -2.2e-6, -1.5e-6, -0.7e-6, -1e-7, -3e-8, 0.0, 3e-8, 1e-6, 17e-6, 60e-6)
+
+
+def scene(share=1.0, starvation=1.0, regimes=False, shear=0, sliding=0.0):
+    return {
+        "share": share,
+        "starvation": starvation,
+        "all_regimes": float(regimes),
+        "shear": float(shear),
+        "sliding": sliding,
+    }
+
+
+class Gap:
+    """A contact of a 6208 with its film, in C++ and in Python."""
+
+    def __init__(self, physics, side):
+        self.call = physics.call
+        self.raceway = physics.raceway_6208(
+            side, viscosity=OIL[0], pressure_viscosity=OIL[1], ring_roughness=1e-7
+        )
+        self.modulus = self.raceway.derived().modulus
+        self.r_x, self.r_y = physics.radii(side)
+        ellipse = hertz.exact(self.r_x, self.r_y)
+        self.kappa, self.stiffness = ellipse.kappa, self.raceway.radial().K
+        assert hertz.stiffness(ellipse, self.modulus) == pytest.approx(self.stiffness, rel=1e-13)
+
+    def cpp(self, overlap, speed, share=1.0, starvation=1.0, **changes):
+        """(whether there is no contact, its numbers)."""
+        return self.call(
+            "film_contact",
+            p=self.raceway._handle,
+            scene=scene(share=share, starvation=starvation, **changes),
+            overlap=overlap,
+            speed=speed,
+        )
+
+    def stored(self, overlap, speed, **changes):
+        """Energy, J."""
+        return self.call(
+            "film_stored",
+            p=self.raceway._handle,
+            scene=scene(**changes),
+            overlap=overlap,
+            speed=speed,
+        )
+
+    def law(self, speed, factor=1.0):
+        return film_gap.power_law(*OIL, self.modulus, self.r_x, self.kappa, speed, factor=factor)
+
+    def regimes(self, speed, factor=1.0):
+        return film_gap.all_regimes(*OIL, self.modulus, self.r_x, self.r_y, speed, factor=factor)
+
+    def heated(self, law, speed, sliding, cut):
+        """`law` with Gupta's factor."""
+        loading = film_factors.thermal_loading(0.047, OIL[0], speed, 0.134)
+        peak = self.raceway.radial().p * self.stiffness ** (-1 / 3) / self.modulus
+        return film_gap.heated(law, loading, peak, sliding / speed, cut=cut)

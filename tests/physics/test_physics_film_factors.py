@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Inlet shear and starvation thin the film: against numbers of TRIBOLOGY and raceway.theory."""
+
+import pytest
+from film_scene import ROUNDING, SPEEDS, Gap
+from physics_c import INNER
+from raceway import film_factors
+
+SHEAR = {1: film_factors.murch_wilson, 2: film_factors.wilson}  # 3 is Gupta's
+
+
+def factor(physics, shear, speed, starvation=1.0, pressure=0.0, sliding=0.0):
+    return physics.call(
+        "film_factor",
+        shear=shear,
+        beta=0.047 if shear else 0.0,
+        viscosity=0.04,
+        conductivity=0.134 if shear else 0.0,
+        starvation=starvation,
+        speed=speed,
+        pressure=pressure,
+        sliding=sliding,
+    )
+
+
+@pytest.mark.parametrize("shear", SHEAR)
+@pytest.mark.parametrize("speed", [1e-3, *SPEEDS, 90.0])
+def test_inlet_shear(physics, shear, speed):
+    loading = film_factors.thermal_loading(0.047, 0.04, speed, 0.134)
+    found = factor(physics, shear, speed, 0.8)
+    assert found == pytest.approx(0.8 * SHEAR[shear](loading), rel=ROUNDING)
+
+
+@pytest.mark.parametrize("sliding", [0.0, 0.02, 0.3])
+@pytest.mark.parametrize("speed", [1e-3, *SPEEDS])
+def test_gupta(physics, speed, sliding):
+    loading = film_factors.thermal_loading(0.047, 0.04, speed, 0.134)
+    for pressure in (0.0, 0.004, 0.0115):
+        found = factor(physics, 3, speed, 0.8, pressure, sliding)
+        expected = 0.8 * film_factors.gupta(loading, pressure, sliding / speed)
+        assert found == pytest.approx(expected, rel=ROUNDING)
+
+
+def test_gupta_beyond_its_range(physics):
+    """Python refuses; a run goes on with a tenth of what is left without pressure."""
+    loading = film_factors.thermal_loading(0.047, 0.04, 90.0, 0.134)
+    with pytest.raises(ValueError, match="range of Gupta"):
+        film_factors.gupta(loading, 0.02)
+    found = factor(physics, 3, 90.0, pressure=0.02)
+    assert found == pytest.approx(0.1 / (1 + 0.213 * loading**0.64), rel=ROUNDING)
+
+
+def test_digits_of_gupta(physics):
+    modulus = Gap(physics, INNER).modulus
+    speeds = (0.7248, 2.899, 14.4946)
+    found = [factor(physics, 3, u, pressure=2.571e9 / modulus) for u in speeds]
+    assert found == pytest.approx((0.9724, 0.8917, 0.5391), abs=5e-5)
+
+
+def test_digits_of_inlet_shear(physics):
+    speeds = (0.7248, 2.899, 14.4946)
+    for shear, expected in ((1, (0.9881, 0.9368, 0.6684)), (2, (0.9957, 0.9752, 0.8335))):
+        found = [factor(physics, shear, u) for u in speeds]
+        assert found == pytest.approx(expected, abs=5e-5)
+
+
+def test_no_factor(physics):
+    assert factor(physics, 0, 14.0) == 1.0
+    assert factor(physics, 1, 0.0) == 1.0  # at rest
+    assert factor(physics, 3, 0.0, pressure=0.01, sliding=0.1) == 1.0

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The film in the gap by a power law: against TRIBOLOGY, raceway.theory, and differences."""
+
+import itertools
+
+import numpy as np
+import pytest
+from film_scene import OIL, OVERLAPS, ROUNDING, SPEEDS
+from raceway import film, film_gap
+from scipy.integrate import quad
+
+
+@pytest.mark.parametrize(
+    "speed, overlap, load, h_c, slope",
+    [
+        (0.72481, 17e-6, 2310.20, 160.897e-9, 2.01739e8),
+        (14.4946, 17e-6, 2545.22, 1305.87e-9, 2.07066e8),
+        (14.4946, 0.0, 69.735, None, 5.7107e7),
+        (14.4946, -1e-6, 22.947, None, None),
+    ],
+)
+def test_digits_of_the_gap(inner, speed, overlap, load, h_c, slope):
+    open_, found = inner.cpp(overlap, speed)
+    assert not open_
+    assert found.load == pytest.approx(load, abs=0.5 * 10.0 ** (-2 if load > 100 else -3))
+    if h_c:
+        assert found.h_c == pytest.approx(h_c, abs=0.005e-9 if h_c > 1e-6 else 0.0005e-9)
+    if slope:
+        assert found.slope == pytest.approx(slope, rel=5e-6)
+
+
+@pytest.mark.parametrize("overlap, speed", list(itertools.product(OVERLAPS, SPEEDS)))
+@pytest.mark.parametrize("share, starvation", [(1.0, 1.0), (1.05, 0.7), (0.5, 1.0)])
+def test_as_in_python(gap, overlap, speed, share, starvation):
+    expected = film_gap.solve(overlap, gap.stiffness, gap.law(speed, starvation), share)
+    open_, found = gap.cpp(overlap, speed, share, starvation)
+    assert open_ == (expected.load == 0)
+    if open_:
+        return
+    # near the edge the overlap cancels the film: its rounding is that of the film's exponents
+    worst = ROUNDING * (1 + share * expected.h_c / expected.elastic)
+    assert found.compression == pytest.approx(expected.elastic, rel=worst)
+    assert found.load == pytest.approx(expected.load, rel=1.5 * worst)
+    assert found.h_c == pytest.approx(expected.h_c, rel=ROUNDING)
+    assert found.slope == pytest.approx(expected.slope, rel=3 * worst)
+    assert found.stiffness == pytest.approx(found.slope, rel=1e-14)
+
+
+def test_the_equation_holds_everywhere(gap):
+    """delta_H = delta + zeta h_c(Q), Q = K delta_H^1.5: for any film and overlap, a rough grid."""
+    radial = gap.raceway.radial()
+    for speed, share in itertools.product(np.geomspace(1e-4, 100, 25), (1e-3, 0.3, 1.0, 2.0)):
+        edge = share * np.exp(radial.central_lnA + radial.central_p * np.log(speed))
+        for part in (*np.linspace(-0.999, 0.999, 41), 5.0, 100.0, 1e4):
+            open_, found = gap.cpp(part * edge, speed, share)
+            assert not open_
+            assert found.load == pytest.approx(gap.stiffness * found.compression**1.5, rel=1e-13)
+            thin = max(found.load, 1.0) ** radial.central_m
+            film_there = np.exp(radial.central_lnA + radial.central_p * np.log(speed)) * thin
+            assert found.h_c == pytest.approx(film_there, rel=1e-12)
+            assert found.compression == pytest.approx(
+                part * edge + share * film_there, abs=1e-12 * (abs(part) + 1) * edge
+            )
+
+
+def test_slope_is_the_difference(gap):
+    for overlap, speed in itertools.product(OVERLAPS, SPEEDS):
+        open_, found = gap.cpp(overlap, speed)
+        step = 1e-5 * found.compression
+        ends = [gap.cpp(overlap + s * step, speed) for s in (-1, 1)]
+        if open_ or any(end[0] for end in ends):
+            continue
+        loads = [end[1].load for end in ends]
+        if (loads[0] - 1) * (loads[1] - 1) < 0:
+            continue  # the kink where the film is cut
+        difference = (loads[1] - loads[0]) / (2 * step)
+        assert found.slope == pytest.approx(difference, rel=1e-8)
+
+
+def test_continuous_through_loss_of_contact(gap):
+    """From a gap wider than the film to a load: no jump in load or film thickness."""
+    for speed in SPEEDS:
+        edge = gap.law(speed)(np.array(1.0))[0]
+        opens, _ = gap.cpp(-edge * (1 + 1e-9), speed)
+        begins, found = gap.cpp(-edge * (1 - 1e-9), speed)
+        assert opens and not begins
+        assert 0 < found.load < 1.1 * gap.stiffness * (1e-9 * edge) ** 1.5
+        overlaps = np.linspace(-edge * (1 - 1e-9), 2 * edge, 2001)
+        loads = np.array([gap.cpp(d, speed)[1].load for d in overlaps])
+        assert np.all(np.diff(loads) > 0)
+        # the largest slope is at the end: a load that jumps would be above it
+        steepest = gap.cpp(2 * edge, speed)[1].slope
+        assert np.diff(loads).max() <= 1.01 * steepest * (overlaps[1] - overlaps[0])
+
+
+def test_at_rest_it_is_hertz(gap):
+    for share in (0.0, 1.0):
+        open_, found = gap.cpp(17e-6, 0.0 if share else 3.0, share)
+        assert not open_
+        assert found.load == pytest.approx(gap.stiffness * 17e-6**1.5, rel=ROUNDING)
+    assert gap.cpp(-1e-9, 0.0)[0]
+
+
+def test_a_film_beyond_the_reach_is_held_there(gap):
+    """1e9 m/s: contacts begin at the reach, with no load."""
+    reach = gap.cpp(0.0, 1.0)[1].reach
+    assert reach == pytest.approx(0.01 * 6.3e-3, rel=1e-14)
+    assert gap.cpp(-reach * (1 + 1e-12), 1e9)[0]
+    open_, found = gap.cpp(-reach * (1 - 1e-9), 1e9)
+    assert not open_ and found.load < 1e-6
+
+
+def test_energy_is_the_work(gap):
+    """From the edge of the film to an overlap, at a constant speed."""
+    for speed in SPEEDS:
+        edge = gap.law(speed)(np.array(1.0))[0]
+        for end in (0.5e-6, 17e-6):
+            kink = gap.stiffness ** (-2 / 3) - edge  # where the load is 1 N
+            cut = [d for d in (-edge * 0.9, kink, 0.0) if -edge < d < end]
+            work, _ = quad(
+                lambda d, speed=speed: gap.cpp(d, speed)[1].load,
+                -edge,
+                end,
+                points=cut,
+                epsrel=1e-10,
+                limit=400,
+            )
+            assert gap.stored(end, speed) == pytest.approx(work, rel=1e-7)
+
+
+def test_smallest_film_is_cut_at_the_same_load(gap):
+    for overlap in (-1.9e-6, 17e-6):
+        _, found = gap.cpp(overlap, 14.4946)
+        g = film.group(*OIL, gap.modulus, gap.r_x, gap.kappa, 14.4946, max(found.load, 1.0))
+        assert found.h_min == pytest.approx(film.h_min(gap.r_x, g), rel=ROUNDING)

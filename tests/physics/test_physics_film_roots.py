@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Films whose thickness is a root: all regimes, and Gupta's factor."""
+
+import itertools
+
+import numpy as np
+import pytest
+from film_scene import OVERLAPS, SPEEDS, scene
+from raceway import film_gap
+from scipy.integrate import quad
+
+# films whose root is found by Newton's method on the film itself
+LAWS = {
+    "power": {},
+    "moes": {"regimes": True},
+    "gupta": {"shear": 3, "sliding": 0.02},
+    "moes, gupta": {"regimes": True, "shear": 3, "sliding": 0.02},
+}
+ROOTS = {name: law for name, law in LAWS.items() if law}
+
+
+def theory(gap, law, speed, share=1.0, starvation=1.0):
+    """The film of `law` in Python."""
+    base, cut = (gap.regimes, 0.0) if "regimes" in law else (gap.law, film_gap.CUT)
+    film_law = base(speed, starvation)
+    return gap.heated(film_law, speed, law["sliding"], cut) if "shear" in law else film_law
+
+
+@pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
+@pytest.mark.parametrize("share, starvation", [(1.0, 1.0), (1.05, 0.7), (0.5, 1.0)])
+@pytest.mark.parametrize("speed", SPEEDS)
+def test_roots_as_in_python(gap, law, speed, share, starvation):
+    checked = 0
+    for overlap in OVERLAPS:
+        film_law = theory(gap, law, speed, share, starvation)
+        expected = film_gap.solve(overlap, gap.stiffness, film_law, share)
+        open_, found = gap.cpp(overlap, speed, share, starvation, **law)
+        assert open_ == (expected.load == 0)
+        if open_ or share * expected.h_c > found.reach:
+            continue
+        worst = 1e-10 * (1 + share * expected.h_c / expected.elastic)
+        assert found.compression == pytest.approx(expected.elastic, rel=worst)
+        assert found.load == pytest.approx(expected.load, rel=1.5 * worst)
+        assert found.h_c == pytest.approx(expected.h_c, rel=1e-10)
+        assert found.slope == pytest.approx(expected.slope, rel=1e-7)
+        checked += 1
+    assert checked >= 5
+
+
+def test_digits_of_all_regimes(inner):
+    """At no overlap and 9549 rpm, with a film that needs no cut."""
+    assert inner.cpp(0.0, 14.4946, regimes=True)[1].load == pytest.approx(81.56, abs=0.005)
+
+
+@pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
+def test_roots_everywhere(gap, law):
+    """delta_H = delta + zeta h, h at most as thick as the reach allows; from the edge of the film
+    to a heavy load, crawling to fast."""
+    reach = gap.cpp(0.0, 1.0)[1].reach
+    for speed, share in itertools.product(np.geomspace(1e-6, 60, 15), (1e-3, 0.3, 1.0, 2.0)):
+        law_there = theory(gap, law, speed)
+        edge = reach / share if "regimes" in law else law_there(np.array(1.0))[0]
+        parts = (*np.linspace(-0.999, 0.999, 21), 1e-3, -1e-3, 0.0)
+        for overlap in (*(part * share * edge for part in parts), 3e-6, 2e-5, 6e-5):
+            open_, found = gap.cpp(overlap, speed, share, **law)
+            assert not open_
+            film_there = min(float(law_there(np.array(found.load))[0]), edge)
+            assert found.h_c == pytest.approx(film_there, rel=1e-9)
+            size = abs(overlap) + share * film_there
+            assert found.compression == pytest.approx(overlap + share * film_there, abs=1e-9 * size)
+
+
+@pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
+def test_roots_are_continuous_through_loss_of_contact(gap, law):
+    for speed in SPEEDS:
+        reach = gap.cpp(0.0, speed)[1].reach
+        edge = reach if "regimes" in law else theory(gap, law, speed)(np.array(1.0))[0]
+        opens, _ = gap.cpp(-edge * (1 + 1e-9), speed, **law)
+        begins, found = gap.cpp(-edge * (1 - 1e-9), speed, **law)
+        assert opens and not begins
+        assert 0 < found.load < 1.1 * gap.stiffness * (1e-9 * edge) ** 1.5
+        overlaps = np.linspace(-edge * (1 - 1e-9), 2e-6, 801)
+        loads = np.array([gap.cpp(d, speed, **law)[1].load for d in overlaps])
+        slopes = np.array([gap.cpp(d, speed, **law)[1].slope for d in overlaps])
+        rises = np.diff(loads)
+        assert np.all(rises > 0)
+        # a load that jumps would rise by more than its slopes at both ends and the wall of the edge
+        wall = 1.5 * gap.stiffness * np.sqrt(overlaps[1] - overlaps[0])
+        steepest = np.maximum(np.maximum(slopes[1:], slopes[:-1]), 0) * 1.5
+        within = rises <= np.maximum(steepest, wall) * (overlaps[1] - overlaps[0])
+        assert np.all(within)
+
+
+@pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
+def test_slopes_of_roots_are_differences(gap, law):
+    checked = 0
+    for overlap, speed in itertools.product(OVERLAPS, SPEEDS):
+        open_, found = gap.cpp(overlap, speed, **law)
+        step = 1e-4 * found.compression
+        if open_ or found.h_c >= gap.cpp(0.0, 1.0)[1].reach:
+            continue
+        loads = [gap.cpp(overlap + s * step, speed, **law)[1].load for s in (-2, -1, 1, 2)]
+        if (loads[0] - 1) * (loads[3] - 1) < 0:
+            continue  # the kink where a power law is cut
+        difference = (loads[0] - 8 * loads[1] + 8 * loads[2] - loads[3]) / (12 * step)
+        assert found.slope == pytest.approx(difference, rel=1e-6)
+        checked += 1
+    assert checked > 20
+
+
+@pytest.mark.parametrize("law", ROOTS.values(), ids=ROOTS)
+@pytest.mark.parametrize("speed", [0.0725, 14.4946])
+def test_energy_of_roots_is_the_work(gap, law, speed):
+    """Between two overlaps, at a constant speed."""
+    reach = gap.cpp(0.0, speed)[1].reach
+    first = -0.3 * reach if "regimes" in law else -1e-8
+    if gap.cpp(first, speed, **law)[0]:
+        first = 0.0
+    for end in (0.5e-6, 17e-6):
+        pieces = [first, *(p for p in (-1e-5, -3e-6, -1e-6, -3e-7, 0.0, 1e-7) if first < p), end]
+        work = sum(
+            quad(lambda d: gap.cpp(d, speed, **law)[1].load, a, b, epsrel=1e-9, limit=100)[0]
+            for a, b in itertools.pairwise(pieces)
+        )
+        gained = gap.stored(end, speed, **law) - gap.stored(first, speed, **law)
+        assert gained == pytest.approx(work, rel=1e-6)
+
+
+@pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
+def test_lanes_have_the_bits_of_a_double(gap, law):
+    """Lanes with contacts of all kinds side by side: none takes another's number of passes."""
+    random = np.random.default_rng(1)
+    for _ in range(200):
+        speed = np.exp(random.uniform(np.log(1e-3), np.log(30), 4))
+        overlap = random.choice(OVERLAPS, 4) + random.normal(0, 1e-8, 4)
+        assert (
+            gap.call(
+                "film_lanes",
+                p=gap.raceway._handle,
+                scene=scene(**law),
+                overlap=overlap,
+                speed=speed,
+            )
+            == 0
+        )
