@@ -87,10 +87,11 @@ def of_run(
     freedoms: Sequence[str] = tuple(COLUMNS),
     *,
     since: float = -np.inf,
+    until: float = np.inf,
     lines: Sequence[float] = (),
 ) -> Fit:
     """`Fit` of the inner ring of `run` in `freedoms` (of x, y, z, rx, ry), from the time `since`
-    (s) on; the bearing's axis is z.
+    on and before `until` (s); the bearing's axis is z.
 
     `lines` in rad/s are frequencies that the force has of its own, such as the ball pass of a
     bearing under radial load. Velocities are derivatives of splines through the places. So samples
@@ -110,7 +111,7 @@ def of_run(
     force = np.stack([rings[COLUMNS[name][1]].to_numpy() for name in freedoms], axis=1)
     velocity = CubicSpline(time, place).derivative()(time)
     # the ends of a spline know one side alone
-    keep = (time >= since) & (time > time[3]) & (time < time[-4])
+    keep = (time >= since) & (time < until) & (time > time[3]) & (time < time[-4])
     sines = [wave(line * time) for line in lines for wave in (np.sin, np.cos)]
     others = np.stack(sines, axis=1)[keep] if sines else None
     return fitted(place[keep], velocity[keep], force[keep], others)
