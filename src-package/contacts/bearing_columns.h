@@ -212,6 +212,8 @@ enum {
   PERMITTIVITY,
   RING_ROUGHNESS,
   BALL_ROUGHNESS,
+  INNER_ARCH,
+  OUTER_ARCH,
   N
 };
 const Column list[N] = {
@@ -234,7 +236,10 @@ const Column list[N] = {
     {"permittivity", "", "relative permittivity of the lubricant at ambient pressure"},
     {"ring_roughness", "m", "roughness of the inner raceway"},
     {"ball_roughness", "m", "roughness of the balls"},
+    {"inner_arch", "m", "inner ring with two grooves: of their centres from its middle plane"},
+    {"outer_arch", "m", "outer ring with two grooves: of their centres from its middle plane"},
 };
+inline bool of_two_grooves(int k) { return k == INNER_ARCH || k == OUTER_ARCH; }
 }    // namespace of_kind
 
 // ---- balls, cage balls and rings as the host has them

@@ -24,7 +24,7 @@ struct PlaceColumn {
   Column is;
   double (*value)(C);
   Needs needs = Needs::nothing;
-  bool names_it = false;
+  bool names_it = false, of_many_grooves = false;
 };
 
 const PlaceColumn place_columns[] = {
@@ -39,6 +39,11 @@ const PlaceColumn place_columns[] = {
     {{"raceway", "", "0 inner, 1 outer", has_none, as_whole},
      [](C c) { return c.raceway.groove.side == Side::inner ? 0.0 : 1.0; },
      Needs::nothing,
+     true},
+    {{"groove", "", "of a ring with two: 0 or 1 along the axis", has_none, as_whole},
+     [](C c) { return double(c.raceway.number); },
+     Needs::nothing,
+     true,
      true},
     {{"azimuth", "rad", "azimuth of the ball about the ring's axis, from the lab's x"},
      [](C c) { return azimuth(c.state.u, c.axis); }},
@@ -76,7 +81,8 @@ std::vector<ContactColumn> in_order()
           if (strcmp(known.is.name, c.is.name) == 0) return;
         all.push_back(c);
       };
-  for (const PlaceColumn &p : place_columns) add(ContactColumn(p.is, p.needs, p.value, p.names_it));
+  for (const PlaceColumn &p : place_columns)
+    add(ContactColumn(p.is, p.needs, p.value, p.names_it, p.of_many_grooves));
   for (const StateColumn &s : motion_columns()) add(ContactColumn(s));
   for (const PartEntry &part : part_table())
     for (const StateColumn &s : part.columns) add(ContactColumn(s));

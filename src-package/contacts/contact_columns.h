@@ -34,8 +34,9 @@ class ContactColumn {
       is(c.is), needs(c.needs), usual(c.usual), of_state_(c.value)
   {
   }
-  ContactColumn(const raceway::Column &c, raceway::Needs what, OfView value, bool name) :
-      is(c), needs(what), usual(true), names_it(name), of_view_(value)
+  ContactColumn(const raceway::Column &c, raceway::Needs what, OfView value, bool name,
+                bool grooves) :
+      is(c), needs(what), usual(true), names_it(name), of_many_grooves(grooves), of_view_(value)
   {
   }
   double value(const ContactView &c) const
@@ -49,8 +50,9 @@ class ContactColumn {
 
   raceway::Column is;
   raceway::Needs needs;
-  bool usual;               // part of a record unless more is asked for
-  bool names_it = false;    // says which contact it is: the same in all samples
+  bool usual;                      // part of a record unless more is asked for
+  bool names_it = false;           // says which contact it is: the same in all samples
+  bool of_many_grooves = false;    // no part of `all` where rings have one groove each
 
  private:
   OfState of_state_ = nullptr;

@@ -8,7 +8,7 @@ namespace bearing {
 bool Offer::gives(const ContactColumn &c) const
 {
   return (film || !c.needs_film()) && (capacitance || !c.needs_capacitance()) &&
-         (surroundings || !c.needs_surroundings());
+         (surroundings || !c.needs_surroundings()) && (many_grooves || !c.of_many_grooves);
 }
 
 void select_columns(const Arguments &args, const std::string &name, const Offer &offer,

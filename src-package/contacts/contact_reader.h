@@ -15,7 +15,7 @@ using ContactSelection = std::vector<const ContactColumn *>;
 
 // What a pair style and its fixes can give.
 struct Offer {
-  bool film, capacitance, surroundings;
+  bool film, capacitance, surroundings, many_grooves;
   bool gives(const ContactColumn &) const;
 };
 

@@ -53,6 +53,22 @@ struct ContactTable {
     for (const RacewayContact &c : raceway) n += c.live;
     return n;
   }
+
+  // Rows of one ball and ring stand together, one a groove. The row stands for all of them where
+  // one value is wanted: it carries the largest load.
+  bool leads(const RacewayContact &c) const
+  {
+    const RacewayContact *const first = raceway.data(), *const end = first + raceway.size();
+    const auto beside = [&c](const RacewayContact &o) {
+      return o.ball == c.ball && o.ring == c.ring;
+    };
+    const auto load = [](const RacewayContact &o) { return o.live ? o.state.load : -1.0; };
+    for (const RacewayContact *o = &c; o != first && beside(o[-1]); --o)
+      if (load(o[-1]) >= load(c)) return false;
+    for (const RacewayContact *o = &c + 1; o != end && beside(*o); ++o)
+      if (load(*o) > load(c)) return false;
+    return true;
+  }
 };
 
 }    // namespace bearing

@@ -43,10 +43,12 @@ RACEWAY_LANES double BearingForces::largest_overlap() const
   for (const BearingBodies::Track &track : b_.tracks) {
     const RingBody &ring = b_.rings[track.ring];
     const RacewayPhysics &p = *track.physics;
+    Vec3 centre = ring.from.x - b_.centre;
+    if (p.groove.offset != 0.0) centre += ring.from.e * p.groove.offset;
     for (int k = track.first; k < track.end; ++k) {
       const BodyGroup &g = b_.groups[k];
       const LaneFrame &f = g.from;
-      const Vec3L at = f.local(ring.from.x - b_.centre);
+      const Vec3L at = f.local(centre);
       ContactStateT<Lane> c;
       locate({f.r - at.x, -at.y, f.z - at.z}, f.local(ring.from.e), p.centre_circle, c);
       const Lane overlap = c.s - p.slack;

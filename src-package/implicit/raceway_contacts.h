@@ -16,7 +16,8 @@
 
 namespace raceway {
 
-// Matrix of the linear system: the ball's block, the ring's columns and rows, and the border.
+// Matrix of the linear system: the ball's block, the ring's columns and rows, and the border; the
+// ball is at d from the ring's centre.
 template <int n>
 static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int group,
                                       const RingBody &ring, double R, const Vec3L &d,
@@ -135,12 +136,12 @@ static inline void look_at_profile(const BearingBodies::Track &track, const Lane
 
 // Place and motions of contacts that are all open.
 static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT<Lane> &ball,
-                                       const LaneFrame &f, const RingBody &body,
+                                       const LaneFrame &f, const Vec3 &ring_v, const Vec3 &ring_w,
                                        RingStateT<Lane> ring, const GroovePositionT<Lane> &at,
                                        const Lane &overlap, ContactStateT<Lane> &seen)
 {
-  ring.v = f.local(body.now.v);
-  ring.w = f.local(body.now.angular_velocity());
+  ring.v = f.local(ring_v);
+  ring.w = f.local(ring_w);
   static_cast<GroovePositionT<Lane> &>(seen) = at;
   seen.overlap = overlap;
   find_motions<false>(p, ball, ring, seen);
@@ -152,7 +153,15 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
   for (const BearingBodies::Track &track : b_.tracks) {
     RingBody &ring = b_.rings[track.ring];
     const RacewayPhysics &p = *track.physics;
-    const Vec3 centre = ring.now.x - b_.centre, spin = ring.now.angular_velocity();
+    const Vec3 spin = ring.now.angular_velocity();
+    // of the groove, which may lie beside the ring's middle plane
+    const double offset = p.groove.offset;
+    Vec3 centre = ring.now.x - b_.centre, velocity = ring.now.v;
+    if (offset != 0.0) {
+      const Vec3 arm = ring.now.e * offset;
+      centre += arm;
+      velocity += cross(spin, arm);
+    }
     for (int k = track.first; k < track.end; ++k, ++contact) {
       BodyGroup &g = b_.groups[k];
       const LaneFrame &f = g.now;
@@ -186,7 +195,8 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       const Lane apart = -c.overlap;
       const auto look_at_gaps = [&] {
         if (stage.gaps)
-          look_at_gap(p, {d, g.v, g.w}, f, ring, r, c, -apart, stage.looks[contact].state);
+          look_at_gap(p, {d, g.v, g.w}, f, velocity, spin, r, c, -apart,
+                      stage.looks[contact].state);
       };
       if (!any(live)) {
         look_at_gaps();
@@ -198,7 +208,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         return Failure::outside_groove;
       }
       c.overlap = where(live, c.overlap, 1e-9);
-      r.v = f.local(ring.now.v);
+      r.v = f.local(velocity);
       r.w = f.local(spin);
       const BallStateT<Lane> ball = {d, g.v, g.w};
       const auto open = approach<L>(p, ball, r, c);
@@ -234,6 +244,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         }
       ContactForcesT<Lane> q = assemble<L::couples>(p, r.e, c);
       if (flawed && track.profile) push_along(on_.slope, r.e, c, q);
+      if (offset != 0.0) from_groove(r.e, offset, q);
       for (Vec3L *v : {&q.force, &q.ball_torque, &q.ring_torque})
         *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
       ring.force_lanes -= f.lab(q.force);
@@ -267,11 +278,12 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       }
       if (flawed && track.profile) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
       const auto s = scaled(stage.h, stage.follows(), c, r.e, live, slopes);
-      add_matrix(system_, g, k, ring, p.groove.ball_radius, d, r.e, s,
+      const Vec3L from_ring = offset != 0.0 ? d + r.e * offset : d;
+      add_matrix(system_, g, k, ring, p.groove.ball_radius, from_ring, r.e, s,
                  flawed && track.profile ? &on_ : nullptr);
       if (flawed && track.profile) {
         const Lane h2 = where(live, all_lanes(stage.h * stage.follows()), 0.0);
-        add_profile(system_, g, k, ring, d, r.e, c, h2, on_);
+        add_profile(system_, g, k, ring, from_ring, r.e, c, h2, on_);
       }
       if constexpr (L::states > 0) {
         KeptSlopes &kept = b_.kept_slopes[contact];
@@ -279,7 +291,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         kept.normal = s.normal;
         kept.along = s.along;
         kept.across = s.across;
-        kept.lever = lever_of(ring, r.e, d + s.normal * p.groove.ball_radius);
+        kept.lever = lever_of(ring, r.e, from_ring + s.normal * p.groove.ball_radius);
         if (flawed && track.profile) kept.slope = on_.slope;
         for (int m = 0; m < L::states; ++m)
           for (int i = 0; i < L::motions; ++i) kept.of[m][i] = where(live, slopes.state[m][i], 0.0);

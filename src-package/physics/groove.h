@@ -24,6 +24,7 @@ struct Groove {
   double raceway_radius = 0.0;    // m, R_i or R_e: bottom of the groove
   double groove_radius = 0.0;     // m, r_c: cross-section
   double ball_radius = 0.0;       // m, R_b
+  double offset = 0.0;            // m, of its centres from the ring's middle plane, along the axis
 
   // Radius of the circle of groove centres, m.
   double centre_circle() const
@@ -32,6 +33,19 @@ struct Groove {
   }
   // Distance of the ball centre from that circle at which the surfaces touch, m.
   double slack() const { return groove_radius - ball_radius; }
+  // A ball in the ring's middle plane that is in contact with a groove beside it: cosine of the
+  // contact angle, and the bottom of a groove in that plane that would hold it as far out (m).
+  double middle_cosine() const
+  {
+    const double sine = offset / slack();
+    return std::sqrt(1.0 - sine * sine);
+  }
+  double middle_radius() const
+  {
+    if (offset == 0.0) return raceway_radius;
+    const double rise = slack() * (1.0 - middle_cosine());
+    return side == Side::inner ? raceway_radius + rise : raceway_radius - rise;
+  }
 };
 
 template <class T> struct GroovePositionT {

@@ -37,6 +37,15 @@ template <class T> struct ContactForcesT {
 };
 using ContactForces = ContactForcesT<double>;
 
+// A groove may lie `offset` m along the axis from the ring's centre. Everything here then is about
+// the middle of the groove, which moves with v + w x (offset e). This takes the torque on the ring
+// from there to the ring's centre.
+template <class T>
+RACEWAY_INLINE void from_groove(const Vec3T<T> &e, double offset, ContactForcesT<T> &f)
+{
+  f.ring_torque -= cross(e * offset, f.force);
+}
+
 // Geometry only. True where the surfaces overlap, or are within reach of the law (or a position is
 // not a number); only then the frame is set.
 inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &c)

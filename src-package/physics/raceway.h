@@ -11,7 +11,7 @@
 namespace raceway {
 
 struct Raceway {
-  int number = 0;    // of the grooves that a ring has for one ball, 0 unless there are several
+  int number = 0;    // of the grooves that a ring has for one ball, from 0 along the axis
   Groove groove;
   RacewayMaterial material;
   RacewayModel model;

@@ -22,17 +22,19 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
     layout_(layout), content_(content)
 {
   const size_t n = layout_.balls.size(), m = layout_.cage.size();
-  const int time = header_.dimension("time", 0), raceway = header_.dimension("raceway", 2),
+  const bool one_groove = layout_.grooves == 1;
+  const int time = header_.dimension("time", 0),
+            raceway = header_.dimension("raceway", 2 * layout_.grooves),
             ball = header_.dimension("ball", n), cage = m ? header_.dimension("cage_ball", m) : -1,
             ring = header_.dimension("ring", layout_.rings.size()),
             bearing = header_.dimension("bearing", layout_.bearings.size()),
-            letters = header_.dimension("letters", 5);
+            letters = header_.dimension("letters", one_groove ? 5 : 7);
   for (const Header::Attribute &a : content_.about) header_.add(a);
   header_.variable({"raceway",
                     {raceway, letters},
                     Header::text,
                     {Header::attribute("_Encoding", "utf-8")},
-                    "innerouter",
+                    one_groove ? "innerouter" : "inner 0inner 1outer 0outer 1",
                     {}});
   finished_ = header_.variable(
       {"finished", {}, Header::integer, said({"", "", "1: the run has come to its end"}), "", {0}});
@@ -67,8 +69,9 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   for (size_t b = 0; b < layout_.bearings.size(); ++b) numbers.push_back(b + 1.0);
   fix({"bearing", "", "number of a bearing"}, bearing, Header::integer, numbers);
   for (int k = 0; k < of_kind::N; ++k)
-    fix(of_kind::list[k], bearing, Header::real,
-        each(layout_.bearings, [k](const auto &b) { return b.of[k]; }));
+    if (!one_groove || !of_kind::of_two_grooves(k))
+      fix(of_kind::list[k], bearing, Header::real,
+          each(layout_.bearings, [k](const auto &b) { return b.of[k]; }));
 
   // Numbers of variables, until the places in a sample are known.
   const auto add = [&](const std::string &prefix, const Column &c, std::vector<int> dimensions,
@@ -182,7 +185,7 @@ void RecordFile::sum_up()
     for (; ball < shares_.size() && layout_.balls[ball].bearing == static_cast<int>(b); ++ball) {
       const BallShare &s = shares_[ball];
       v[CONTACTS] += s.contacts;
-      v[LOADED_BALLS] += s.contacts == 2.0;
+      v[LOADED_BALLS] += s.loaded[0] * s.loaded[1];
       if (s.load[0] > v[LOAD_INNER]) {
         v[ENTRAINMENT_TOP] = s.entrainment;
         v[H_MIN_TOP] = s.film[0];

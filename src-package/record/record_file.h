@@ -20,8 +20,8 @@ class RecordFile {
     bool couples = false, asperities = false;    // of the law
     NetcdfHeader::Attributes about;
   };
-  // A row is its kind, its place in the layout (a contact's is raceway * balls + ball) and its
-  // values; a sample ends with its time and step.
+  // A row is its kind, its place in the layout and its values; a sample ends with its time and
+  // step. The place of a contact is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
   enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
   static constexpr size_t share = sizeof(BallShare) / sizeof(double);

@@ -30,12 +30,14 @@ struct RecordLayout {
   std::vector<Part> balls, cage;
   std::vector<Ring> rings;
 
+  int grooves = 1;    // a ring and ball: contacts are by raceway, groove and ball
+
   size_t parts() const { return balls.size() + cage.size() + rings.size(); }
 };
 
 // What the owner of a ball says of it for the sums of its bearing.
 struct BallShare {
-  double contacts = 0.0, load[2] = {}, pressure[2] = {};    // inner, outer
+  double contacts = 0.0, loaded[2] = {}, load[2] = {}, pressure[2] = {};    // inner, outer
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
   double orbit = 0.0, friction_power = 0.0, damping_power = 0.0;
   double capacitance = 0.0;                               // both contacts in series

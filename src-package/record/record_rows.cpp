@@ -15,6 +15,7 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
 {
   columns_ = columns;
   film_ = film;
+  grooves_ = layout.grooves;
   batch_ = batch;
   double top = 0.0;
   for (const auto &p : layout.balls) top = std::max(top, p.tag);
@@ -49,34 +50,44 @@ double *RecordRows::row(Kind kind, int at)
   return to + 2;
 }
 
+double *RecordRows::contact_row(int ball, const ContactView &view)
+{
+  const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
+  const int raceway = s * grooves_ + view.raceway.number;
+  return row(RecordFile::CONTACT, raceway * static_cast<int>(shares_.size()) + ball);
+}
+
 void RecordRows::contact(int ball, const ContactView &view)
 {
   const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
   if (!columns_.empty()) {
-    double *to = row(RecordFile::CONTACT, s * static_cast<int>(shares_.size()) + ball);
+    double *to = contact_row(ball, view);
     for (const ContactColumn *c : columns_) *to++ = c->value(view);
   }
   Share &share = shares_[ball];
   BallShare &sum = share.sum;
   const ContactState &state = view.state;
   sum.contacts += 1.0;
-  sum.load[s] = state.load;
-  sum.pressure[s] = view.raceway.law.at(state.cos_angle).p * state.root;
+  sum.loaded[s] = 1.0;
+  // of two grooves of the inner ring the one with the larger load
+  const bool top = s == 0 && !(state.load < sum.load[0]);
+  sum.load[s] = std::max(sum.load[s], state.load);
+  sum.pressure[s] = std::max(sum.pressure[s], view.raceway.law.at(state.cos_angle).p * state.root);
   sum.friction_power += friction_power(state);
   sum.damping_power += raceway::NormalForcePart::loss(state);
   sum.rolling += raceway::HydrodynamicRollingPart::loss(state);
   sum.hysteresis += raceway::RollingHysteresisPart::loss(state);
   sum.spin += raceway::SpinPart::loss(state);
   sum.drag += raceway::DragPart::loss(state);
-  if (s == 0) sum.asperity_share = state.asperity_share;
-  share.capacitance[s] = view.capacitor.capacitance;
+  if (top) sum.asperity_share = state.asperity_share;
+  share.capacitance[s] += view.capacitor.capacitance;
   sum.capacitance = raceway::series_capacitance(share.capacitance[0], share.capacitance[1]);
   add_total(ball, view);
-  if (s == 0) sum.entrainment = state.entrainment;
+  if (top) sum.entrainment = state.entrainment;
   if (!film_) return;
   sum.h_min = std::min(sum.h_min, state.h_min);
   sum.lambda = std::min(sum.lambda, state.lambda);
-  if (s == 0) {
+  if (top) {
     sum.film[0] = state.h_min;
     sum.film[1] = state.lambda;
     sum.film[2] = view.capacitor.h_c;
@@ -85,9 +96,8 @@ void RecordRows::contact(int ball, const ContactView &view)
 
 void RecordRows::gap(int ball, const ContactView &view)
 {
-  const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
   if (!columns_.empty()) {
-    double *to = row(RecordFile::CONTACT, s * static_cast<int>(shares_.size()) + ball);
+    double *to = contact_row(ball, view);
     for (const ContactColumn *c : columns_)
       *to++ = c->needs_surroundings() ? c->value(view) : c->is.absent;
   }
@@ -97,7 +107,7 @@ void RecordRows::gap(int ball, const ContactView &view)
 void RecordRows::add_total(int ball, const ContactView &view)
 {
   Share &share = shares_[ball];
-  share.total[view.raceway.groove.side == Side::inner ? 0 : 1] = view.capacitor.total();
+  share.total[view.raceway.groove.side == Side::inner ? 0 : 1] += view.capacitor.total();
   share.sum.capacitance_total = raceway::series_capacitance(share.total[0], share.total[1]);
 }
 

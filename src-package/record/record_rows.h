@@ -67,6 +67,7 @@ class RecordRows {
     return static_cast<size_t>(t) < places_.size() ? places_[t] : Place{RecordFile::END, 0};
   }
   double *row(Kind, int at);
+  double *contact_row(int ball, const ContactView &);
   double *room(size_t numbers)
   {
     if (used_ + numbers > said_.size()) said_.resize(2 * (used_ + numbers));
@@ -77,6 +78,7 @@ class RecordRows {
 
   Columns columns_;
   bool film_ = false;
+  int grooves_ = 1;              // a ring
   std::vector<Place> places_;    // by tag
   size_t widths_[4] = {};
   size_t batch_ = 1, samples_ = 0;

@@ -77,7 +77,7 @@ void ComputeBearingBall::compute_peratom()
     for (int k = 0; k < n; ++k) array_[i][k] = 0.0;
   }
   for (const RacewayContact &c : pair_->table().raceway) {
-    if (!(atom->mask[c.i_ball] & groupbit)) continue;
+    if (!(atom->mask[c.i_ball] & groupbit) || !pair_->table().leads(c)) continue;
     const bearing::ContactView view = context_.view(c);
     for (int k = 0; k < n; ++k) {
       double &v = array_[c.i_ball][k];

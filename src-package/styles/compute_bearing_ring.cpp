@@ -97,8 +97,8 @@ void ComputeBearingRing::tell()
       if (c.live) loaded |= 1 << s;
       if (!capacitor_) continue;
       const FilmCapacitorT<double> of = capacitor_(c);
-      if (c.live) side[s] = of.capacitance;
-      whole[s] = of.total();
+      if (c.live) side[s] += of.capacitance;
+      whole[s] += of.total();
     }
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
@@ -108,9 +108,11 @@ void ComputeBearingRing::tell()
                                       pair_->state()->axis(c.i_ring), c.raceway->centre_circle);
       said[ORBIT] = dot(Vec3::from(atom->v[c.i_ball]), g.t) / g.r;
       (g.t * (1.0 / g.r)).to(said + ALONG);
-      said[LOADED] = loaded == 3;
-      said[CAPACITANCE] = series_capacitance(side[0], side[1]);
-      said[CAPACITANCE_TOTAL] = series_capacitance(whole[0], whole[1]);
+      if (k == first || table[k - 1].ring != c.ring) {    // once a ball and ring
+        said[LOADED] = loaded == 3;
+        said[CAPACITANCE] = series_capacitance(side[0], side[1]);
+        said[CAPACITANCE_TOTAL] = series_capacitance(whole[0], whole[1]);
+      }
       if (!c.live) continue;
       const ContactState &s = c.state;
       said[LIVE] = 1.0;

@@ -17,7 +17,8 @@ Offer offer_of(LAMMPS *lmp, const PairBearingHertz &pair)
   const std::vector<FixBearingCapacitance *> fixes = fixes_of<FixBearingCapacitance>(lmp);
   return {pair.lubricated(), !fixes.empty(),
           std::any_of(fixes.begin(), fixes.end(),
-                      [](const FixBearingCapacitance *f) { return f->model().surrounded(); })};
+                      [](const FixBearingCapacitance *f) { return f->model().surrounded(); }),
+          pair.many_grooves()};
 }
 
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>

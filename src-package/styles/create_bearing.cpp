@@ -71,15 +71,26 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
   if (!out || out->groove.side != Side::outer)
     args.fail("missing ring: no pair_coeff " + std::to_string(p.ball_type) + " " +
               std::to_string(p.outer_type) + " outer ... before this command");
-  const double Ri = in->groove.raceway_radius, Re = out->groove.raceway_radius, R = p.ball_radius;
-  if (Ri >= Re)
-    args.fail("two rings at odds: inner raceway radius " + text(Ri) +
-              " m is not smaller than the outer one, " + text(Re) + " m");
+  const double R = p.ball_radius;
   for (const RacewayPhysics *r : {in, out})
     if (r->groove.groove_radius <= R)
       args.fail("groove radius " + text(r->groove.groove_radius) +
                 " m must be larger than the ball radius " + text(R) +
                 " m (a conformal groove is no Hertz point contact)");
+    else if (std::fabs(r->groove.offset) >= r->groove.groove_radius - R)
+      args.fail("gothic_arch " + text(std::fabs(r->groove.offset)) +
+                " m must be smaller than the groove radius less that of the ball, " +
+                text(r->groove.groove_radius - R) + " m");
+  const bool arch = in->groove.offset != 0.0 || out->groove.offset != 0.0;
+  if (arch && p.seat)
+    args.fail("'seat' needs raceways of one groove: a ball in a Gothic arch starts in the middle");
+  Groove inner = in->groove, outer = out->groove;
+  inner.ball_radius = outer.ball_radius = R;
+  const double Ri = inner.middle_radius(), Re = outer.middle_radius();
+  if (arch) p.cosine = 0.5 * (inner.middle_cosine() + outer.middle_cosine());
+  if (Ri >= Re)
+    args.fail("two rings at odds: inner raceway radius " + text(Ri) +
+              " m is not smaller than the outer one, " + text(Re) + " m");
   p.pitch = p.middle = 0.5 * (Ri + Re);
   // both contacts share the interference -P_d/2 of a ball that has no room
   const double clearance = 2.0 * (Re - Ri - 2.0 * R), squeeze = -0.25 * clearance;

@@ -70,17 +70,20 @@ void describe(const BearingModel &m, const Raceways &both, double permittivity, 
   if (inner) {
     of[of_kind::INNER_RADIUS] = inner->groove.raceway_radius;
     of[of_kind::INNER_GROOVE] = inner->groove.groove_radius;
+    if (inner->groove.offset != 0.0) of[of_kind::INNER_ARCH] = std::fabs(inner->groove.offset);
   }
   if (outer) {
     of[of_kind::OUTER_RADIUS] = outer->groove.raceway_radius;
     of[of_kind::OUTER_GROOVE] = outer->groove.groove_radius;
+    if (outer->groove.offset != 0.0) of[of_kind::OUTER_ARCH] = std::fabs(outer->groove.offset);
   }
   // to a picometre: what is left of the radii's last digits is none
-  of[of_kind::CLEARANCE] =
-      std::round(2e12 * (of[of_kind::OUTER_RADIUS] - of[of_kind::INNER_RADIUS] -
-                         of[of_kind::BALL_DIAMETER])) /
-          1e12 +
-      0.0;
+  if (inner && outer)
+    of[of_kind::CLEARANCE] =
+        std::round(2e12 * (outer->groove.middle_radius() - inner->groove.middle_radius() -
+                           of[of_kind::BALL_DIAMETER])) /
+            1e12 +
+        0.0;
   of[of_kind::BALL_YOUNG] = any->material.ball_young;
   of[of_kind::BALL_POISSON] = any->material.ball_poisson;
   of[of_kind::RING_YOUNG] = any->material.ring_young;
@@ -103,7 +106,9 @@ BearingSources sources_of(LAMMPS *lmp, PairBearingHertz &pair)
     sources.cages.push_back(&c->rails());
   sources.is_ring = [&pair](int type) { return pair.is_ring_type(type); };
   sources.is_ball = [&pair](int type) { return pair.is_ball_type(type); };
-  sources.raceway = [&pair](int ball, int ring, int) { return pair.raceway(ball, ring); };
+  sources.raceway = [&pair](int ball, int ring, int groove) {
+    return pair.raceway(ball, ring, groove);
+  };
   sources.motion = [&pair](int i) -> RingMotion & { return pair.state()->ring(i); };
   return sources;
 }
@@ -124,14 +129,10 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
     const double name = static_cast<double>(m.name());
     Raceways both;
     std::vector<int> side(m.rings.size(), 0);
-    std::vector<int> seen(2 * m.bodies.size(), 0);
     for (const BearingModel::Groove &g : m.grooves) {
       const int s = g.physics->groove.side == Side::inner ? 0 : 1;
       if (!both.of[s]) both.of[s] = g.physics;
       side[g.ring] = s;
-      if (seen[2 * g.body + s]++)
-        lmp->error->one(FLERR, BRG_TEXT(command + ": ball " + std::to_string(m.bodies[g.body].tag) +
-                                        " has two raceways on one side; a record has one"));
     }
     if (m.grooves.empty()) continue;
     Piece piece = {Piece::kind, name, 0.0, 0, {}};
@@ -150,6 +151,7 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
   std::sort(all.begin(), all.end(), before);
 
   RecordLayout layout;
+  layout.grooves = pair.many_grooves() ? 2 : 1;
   std::map<double, int> number;
   for (const Piece &p : all) {
     switch (p.what) {

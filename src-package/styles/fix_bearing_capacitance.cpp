@@ -58,12 +58,13 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
         names += std::string(" ") + bearing::of_fix_capacitance::list[k].name;
     totals_.open(args, totals_name_, names.c_str(), world);
   }
-  if (!contacts_name_.empty())
-    contacts_.open(args, contacts_name_,
-                   all ? "step time ball raceway load h_c capacitance separation "
-                         "capacitance_outside capacitance_total"
-                       : "step time ball raceway load h_c capacitance",
-                   world);
+  if (!contacts_name_.empty()) {
+    std::string names = "step time ball raceway load h_c capacitance";
+    if (all) names += " separation capacitance_outside capacitance_total";
+    grooves_ = pair_->many_grooves();
+    if (grooves_) names += " groove";
+    contacts_.open(args, contacts_name_, names.c_str(), world);
+  }
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_capacitance::N;
   extscalar = extvector = 0;
@@ -155,16 +156,36 @@ void FixBearingCapacitance::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
   planned_ = -1;
   filled_ = -1;
+  const std::string who = std::string("fix ") + id + " bearing/capacitance: ";
+  if (model_.surrounded()) refuse_arches(who + "'surroundings'");
+  if (ask_.any()) refuse_arches(who + "'resistivity', 'frequency' or 'strength'");
   if (model_.surrounded()) check_shoulders();
 }
 
-// Of the raceways that balls of the group may run on.
-void FixBearingCapacitance::check_shoulders()
+// Atom types of the balls of the group, on any rank.
+std::vector<int> FixBearingCapacitance::ball_types() const
 {
   std::vector<int> there(atom->ntypes + 1, 0);
   for (int i = 0; i < atom->nlocal; ++i)
     if (covers(i)) there[atom->type[i]] = 1;
   MPI_Allreduce(MPI_IN_PLACE, there.data(), atom->ntypes + 1, MPI_INT, MPI_MAX, world);
+  return there;
+}
+
+void FixBearingCapacitance::refuse_arches(const std::string &what) const
+{
+  const std::vector<int> there = ball_types();
+  for (int ball = 1; ball <= atom->ntypes; ++ball)
+    for (int ring = 1; ring <= atom->ntypes; ++ring)
+      if (there[ball] && pair_->raceway(ball, ring, 1))
+        BRG_ALL(what + " needs raceways of one groove; pair_coeff " + std::to_string(ball) + " " +
+                std::to_string(ring) + " has 'gothic_arch'");
+}
+
+// Of the raceways that balls of the group may run on.
+void FixBearingCapacitance::check_shoulders()
+{
+  const std::vector<int> there = ball_types();
   for (int ball = 1; ball <= atom->ntypes; ++ball)
     for (int ring = 1; ring <= atom->ntypes; ++ring) {
       const RacewayPhysics *p = there[ball] ? pair_->raceway(ball, ring) : nullptr;
@@ -236,7 +257,8 @@ FixBearingCapacitance::Row FixBearingCapacitance::row_of(int instant, tag_t ball
                                                          double load, const ContactState &state,
                                                          const FilmCapacitorT<double> &of) const
 {
-  Row row = {instant, ball, raceway.groove.side, live, live ? load : 0.0, of, 0.0, 0.0};
+  Row row = {instant, ball, raceway.groove.side, raceway.number, live, live ? load : 0.0, of,
+             0.0,     0.0};
   if (!ask_.any()) return row;
   row.roughness = raceway.roughness;
   if (live) row.area = hertz_area(raceway, state);
@@ -269,7 +291,7 @@ void FixBearingCapacitance::sample(bool between)
     if ((c.live || model_.surrounded()) && covers(c.i_ball)) {
       const FilmCapacitorT<double> q = capacitor(c);
       const int s = c.side() == Side::inner ? 0 : 1;
-      per_ball_[c.i_ball][s] = q.capacitance;
+      per_ball_[c.i_ball][s] += q.capacitance;
       if (model_.surrounded()) per_ball_[c.i_ball][3 + s] = q.total();
       mine_.push_back(row_of(within_, c.ball, *c.raceway, c.live, c.state.load, c.state, q));
     }
@@ -289,7 +311,8 @@ void FixBearingCapacitance::sum_up()
   std::vector<Row> space;
   const std::vector<Row> *all = &bearing::gather_all(mine_, space, world);
   const auto before = [](const Row &a, const Row &b) {
-    return std::make_tuple(a.instant, a.ball, a.side) < std::make_tuple(b.instant, b.ball, b.side);
+    return std::make_tuple(a.instant, a.ball, a.side, a.groove) <
+           std::make_tuple(b.instant, b.ball, b.side, b.groove);
   };
   if (!std::is_sorted(all->begin(), all->end(), before)) {
     if (all == &mine_) space = mine_;
@@ -320,29 +343,38 @@ void FixBearingCapacitance::Spread::add(double value, bool first)
   most = std::max(most, value);
 }
 
-// A ball's two contacts stand side by side; one alone adds nothing.
+// A ball's contacts stand side by side. Those with one ring add up; those with one ring alone add
+// nothing.
 FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end)
 {
   Total t = {};
   balls_.clear();
   for (const Row *one = row; one != end; ++one) t.hertz_area += one->area;
-  for (; row + 1 < end; ++row) {
-    if (row[0].ball != row[1].ball) continue;
-    const auto add = [](double one, double other, Sum &to) {
-      const double both = series_capacitance(one, other);
+  while (row != end) {
+    const Row *const first = row;
+    double plates[2] = {}, whole[2] = {};
+    bool there[2] = {}, live[2] = {};
+    for (; row != end && row->ball == first->ball; ++row) {
+      const int s = static_cast<int>(row->side);
+      plates[s] += row->of.capacitance;
+      whole[s] += row->of.total();
+      there[s] = true;
+      live[s] = live[s] || row->live;
+    }
+    if (!there[0] || !there[1]) continue;
+    const auto add = [](const double *of, Sum &to) {
+      const double both = series_capacitance(of[0], of[1]);
       to.all += both;
       to.largest = std::max(to.largest, both);
     };
-    add(row[0].of.capacitance, row[1].of.capacitance, t.plates);
-    if (model_.surrounded()) add(row[0].of.total(), row[1].of.total(), t.whole);
-    t.active += row[0].live && row[1].live;
-    if (ask_.any()) {
-      balls_.push_back({});
-      for (int k = 0; k < 2; ++k)
-        balls_.back().film[static_cast<int>(row[k].side)] =
-            sampled_film(model_, row[k].of, row[k].area, row[k].roughness);
-    }
-    ++row;
+    add(plates, t.plates);
+    if (model_.surrounded()) add(whole, t.whole);
+    t.active += live[0] && live[1];
+    if (!ask_.any()) continue;
+    balls_.push_back({});
+    for (const Row *one = first; one != row; ++one)
+      balls_.back().film[static_cast<int>(one->side)] =
+          sampled_film(model_, one->of, one->area, one->roughness);
   }
   if (ask_.any()) t.figures = film_figures(ask_, balls_, background_);
   t.plates.all += background_;
@@ -372,6 +404,7 @@ void FixBearingCapacitance::write(const Row *row, const Row *end, int instant)
       fprintf(f, "%.15g %.12g %d %d %.12g %.12g %.12g", step, time, static_cast<int>(row->ball),
               static_cast<int>(row->side), row->load, c.h_c, c.capacitance);
       if (all) fprintf(f, " %.12g %.12g %.12g", c.separation, c.outside, c.total());
+      if (grooves_) fprintf(f, " %d", row->groove);
       fputc('\n', f);
     }
   if (update->ntimestep == update->laststep)

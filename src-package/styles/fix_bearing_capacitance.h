@@ -45,6 +45,9 @@ class FixBearingCapacitance : public Fix {
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // the words of its command after N
+  // Error that begins with `what` if a ball of the group meets a ring with two grooves; after its
+  // init().
+  void refuse_arches(const std::string &what) const;
   // Of a contact in the table of the pair style; without contact what surrounds it, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
@@ -66,6 +69,7 @@ class FixBearingCapacitance : public Fix {
     int instant;    // of within_
     bearing::tag_t ball;
     raceway::Side side;
+    int groove;
     bool live;
     double load;    // N
     raceway::FilmCapacitorT<double> of;
@@ -75,6 +79,7 @@ class FixBearingCapacitance : public Fix {
   void read_options(bearing::Arguments &);
   void read_surroundings(bearing::Arguments &);
   void read_outlet(bearing::Arguments &);
+  std::vector<int> ball_types() const;
   void check_shoulders();
   Row row_of(int instant, bearing::tag_t ball, const raceway::RacewayPhysics &, bool live,
              double load, const raceway::ContactState &,
@@ -100,6 +105,7 @@ class FixBearingCapacitance : public Fix {
   bearing::TagSet members_;    // balls of the group; known where integrators_ are
   std::vector<Row> mine_;      // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;
+  bool grooves_ = false;                       // the second file tells them apart
   bool between_ = false, summed_ = true;       // what mine_ holds; the numbers below are of it
   Total total_ = {};                           // at the end of the step
   std::vector<raceway::SampledBall> balls_;    // of one instant, kept for its memory

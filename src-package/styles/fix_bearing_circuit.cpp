@@ -60,6 +60,7 @@ void FixBearingCircuit::init()
   cap_ = k < 0 ? nullptr : dynamic_cast<FixBearingCapacitance *>(modify->fix[k]);
   if (!cap_)
     BRG_ALL(bearing::name_of(*this) + ": there is no fix bearing/capacitance '" + cap_id_ + "'");
+  cap_->refuse_arches(bearing::name_of(*this) + ": the circuit");
 }
 
 void FixBearingCircuit::setup(int)

@@ -42,7 +42,9 @@ void FixBearingImplicit::build()
                                  rings_[k]->shaft(), rings_[k]->place_on_shaft(i)});
   sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
   sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
-  sources.raceway = [this](int ball, int ring, int) { return pair_->raceway(ball, ring); };
+  sources.raceway = [this](int ball, int ring, int groove) {
+    return pair_->raceway(ball, ring, groove);
+  };
   sources.profile = [this](tag_t ring, const raceway::RacewayPhysics *p) {
     return pair_->profile(ring, p);
   };

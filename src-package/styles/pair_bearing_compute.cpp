@@ -51,9 +51,14 @@ void PairBearingHertz::look_at_gap(RacewayContact &c)
   ContactState &s = c.state;
   const Vec3 v = Vec3::from(atom->v[c.i_ball]), ring_v = Vec3::from(atom->v[c.i_ring]);
   if (!c.live) {
-    const Vec3 d = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
-    const RingState ring = {Vec3::from(atom->x[c.i_ring]), ring_v,
-                            Vec3::from(atom->omega[c.i_ring]), state_->axis(c.i_ring)};
+    RingState ring = {Vec3::from(atom->x[c.i_ring]), ring_v, Vec3::from(atom->omega[c.i_ring]),
+                      state_->axis(c.i_ring)};
+    if (c.raceway->groove.offset != 0.0) {
+      const Vec3 arm = ring.e * c.raceway->groove.offset;
+      ring.x += arm;
+      ring.v += cross(ring.w, arm);
+    }
+    const Vec3 d = Vec3::from(atom->x[c.i_ball]) - ring.x;
     if (!c.profile) {
       locate(d, ring.e, c.raceway->centre_circle, s);
       s.overlap = s.s - c.raceway->slack;
@@ -98,6 +103,7 @@ void PairBearingHertz::lost(const RacewayContact &c)
 {
   BRG_ONE("ball " + std::to_string(c.ball) + " on " +
           (c.side() == Side::inner ? "inner" : "outer") + " ring " + std::to_string(c.ring) +
+          (c.raceway->groove.offset != 0.0 ? " in groove " + std::to_string(c.groove()) : "") +
           " at step " + std::to_string(update->ntimestep) + ": overlap " + text(c.state.overlap) +
           " m, force " + text(c.state.normal) + " N, largest allowed overlap " +
           text(c.raceway->largest_overlap) + " m (" + c.raceway->limit() + "). The step " +

@@ -24,20 +24,9 @@ void PairBearingHertz::rebuild_contacts()
     for (int jj = 0; jj < list->numneigh[i]; ++jj) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       if (ring_type_[type[i]] || ring_type_[type[j]]) {
-        RacewayContact c;
-        c.i_ball = ring_type_[type[i]] ? j : i;
-        c.i_ring = ring_type_[type[i]] ? i : j;
-        c.raceway = raceway(type[c.i_ball], type[c.i_ring]);
-        if (!c.raceway || c.i_ball >= nlocal) continue;    // the owner of the ball does it
-        // a ball of another bearing is not in this groove
-        const Vec3 d = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
-        if (!(locate(d, state_->axis(c.i_ring), c.raceway->centre_circle).s <
-              c.raceway->groove.groove_radius))
-          continue;
-        c.ball = atom->tag[c.i_ball];
-        c.ring = atom->tag[c.i_ring];
-        if (!profiles_.empty()) c.profile = profile(c.ring, c.raceway);
-        table_.raceway.push_back(c);
+        const bool ring_first = ring_type_[type[i]];
+        // the owner of the ball does it
+        if ((ring_first ? j : i) < nlocal) add_grooves(ring_first ? j : i, ring_first ? i : j);
         continue;
       }
       const bool i_first = atom->tag[i] < atom->tag[j];
@@ -75,15 +64,38 @@ void PairBearingHertz::rebuild_contacts()
   ++builds_;
 }
 
-// Claims and springs; every ball must sit in one groove of every side its type has a raceway on.
+// The grooves of a ring that a ball may be in contact with.
+void PairBearingHertz::add_grooves(int i_ball, int i_ring)
+{
+  RacewayContact c;
+  c.i_ball = i_ball;
+  c.i_ring = i_ring;
+  c.ball = atom->tag[i_ball];
+  c.ring = atom->tag[i_ring];
+  const Vec3 d = Vec3::from(atom->x[i_ball]) - Vec3::from(atom->x[i_ring]),
+             &e = state_->axis(i_ring);
+  for (int k = 0; (c.raceway = raceway(atom->type[i_ball], atom->type[i_ring], k)); ++k) {
+    const Groove &groove = c.raceway->groove;
+    // a ball of another bearing is not in this groove
+    if (!(locate(d - e * groove.offset, e, c.raceway->centre_circle).s < groove.groove_radius))
+      continue;
+    if (!profiles_.empty()) c.profile = profile(c.ring, c.raceway);
+    table_.raceway.push_back(c);
+  }
+}
+
+// Claims and springs; every ball must sit in one ring of every side its type has a raceway on.
 void PairBearingHertz::add_raceway_contacts()
 {
   std::vector<int> sides(atom->nlocal, 0);
+  const RacewayContact *before = nullptr;
   for (RacewayContact &c : table_.raceway) {
     c.claim = ring_sum_.claim(c.ring, state_->owner(c.i_ring), bearing::RingSum::ball, c.ball);
     c.kept = state_->kept(c.i_ball, c.ring, c.groove());
     const int bit = c.side() == Side::inner ? 1 : 2;
-    if (sides[c.i_ball] & bit)
+    const bool other_ring = !before || before->ball != c.ball || before->ring != c.ring;
+    before = &c;
+    if (other_ring && (sides[c.i_ball] & bit))
       BRG_ONE("ball " + std::to_string(c.ball) + " sits in the grooves of two " +
               (bit == 1 ? "inner" : "outer") +
               " rings: two bearings overlap, or a ring is there twice");
@@ -93,7 +105,7 @@ void PairBearingHertz::add_raceway_contacts()
     if (!ball_type_[atom->type[i]]) continue;
     int wanted = 0;
     for (const auto &r : raceways_)
-      if (r.first.first == atom->type[i]) wanted |= r.second.groove.side == Side::inner ? 1 : 2;
+      if (r.first.ball == atom->type[i]) wanted |= r.second.groove.side == Side::inner ? 1 : 2;
     const int missing = wanted & ~sides[i];
     if (missing)
       BRG_ONE(

@@ -27,6 +27,8 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     ball.x = Vec3::from(x[c.i_ball]);
     ring.x = Vec3::from(x[c.i_ring]);
     ring.e = state_->axis(c.i_ring);
+    const double offset = p.groove.offset;
+    if (offset != 0.0) ring.x += ring.e * offset;
     const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
     c.live = flawed && c.profile ? touch_profile(c, ball.x - ring.x, ring.e, on)
                                  : touch(p, ball.x - ring.x, ring.e, c.state);
@@ -36,6 +38,7 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
       ball.w = Vec3::from(w[c.i_ball]);
       ring.v = Vec3::from(v[c.i_ring]);
       ring.w = Vec3::from(w[c.i_ring]);
+      if (offset != 0.0) ring.v += cross(ring.w, ring.e * offset);
       c.live = !approach<L>(p, ball, ring, c.state);
     }
     if (gaps_) look_at_gap(c);
@@ -50,6 +53,7 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     L::act(p, p.law.at(c.state.cos_angle), memory, c.state);
     ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
     if (flawed && c.profile) push_along(on.slope, ring.e, c.state, forces);
+    if (offset != 0.0) from_groove(ring.e, offset, forces);
     if (keeps) std::copy(after, after + L::states, c.kept);
     if (!std::isfinite(c.state.normal)) lost(c);
     forces.force.add_to(f[c.i_ball]);

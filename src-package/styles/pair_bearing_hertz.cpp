@@ -83,8 +83,8 @@ void PairBearingHertz::settings(int narg, char **arg)
   }
 }
 
-// pair_coeff BALL RING inner|outer R r_c [keywords]   or   pair_coeff I J sphere E1 nu1 E2 nu2
-// [printed]
+// pair_coeff BALL RING inner|outer R r_c [gothic_arch G] [keywords]
+// or pair_coeff I J sphere E1 nu1 E2 nu2 [printed]
 void PairBearingHertz::coeff(int narg, char **arg)
 {
   if (!allocated) allocate();
@@ -100,7 +100,7 @@ void PairBearingHertz::coeff(int narg, char **arg)
     return;
   }
   if (i == j) args.fail("ball and ring need different atom types");
-  if (raceways_.count({j, i}))
+  if (raceway(j, i))
     args.fail("the ball type comes first, and an earlier pair_coeff has it second");
   RacewayPhysics p = defaults_;
   p.groove.side = role == 0 ? Side::inner : Side::outer;
@@ -109,9 +109,13 @@ void PairBearingHertz::coeff(int narg, char **arg)
   if (p.groove.groove_radius >= p.groove.raceway_radius)
     args.fail("groove radius " + text(p.groove.groove_radius) +
               " must be smaller than the raceway radius " + text(p.groove.raceway_radius));
-  while (args.more())
-    if (!bearing::read_raceway_keyword(args, with_film_, p))
-      args.unknown(bearing::raceway_keywords(with_film_));
+  double arch = 0.0;
+  while (args.more()) {
+    if (args.take("gothic_arch"))
+      arch = args.positive("distance of the groove centres from the ring's middle plane (m)");
+    else if (!bearing::read_raceway_keyword(args, with_film_, p))
+      args.unknown("gothic_arch, " + bearing::raceway_keywords(with_film_));
+  }
   if (with_film_ && p.model.lubricant.viscosity == 0.0)
     args.fail("bearing/ehd needs 'lubricant VISCOSITY PRESSURE_VISCOSITY' here or in pair_style; "
               "without a "
@@ -120,7 +124,14 @@ void PairBearingHertz::coeff(int narg, char **arg)
     args.fail("bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it sets the "
               "film parameter "
               "and the floor of the film damper");
-  raceways_[{i, j}] = p;
+  raceways_.erase({i, j, 1});
+  p.groove.offset = -arch;
+  raceways_[{i, j, 0}] = p;
+  if (arch > 0.0) {
+    p.number = 1;
+    p.groove.offset = arch;
+    raceways_[{i, j, 1}] = p;
+  }
   ball_type_[i] = ring_type_[j] = 1;
   if (ball_type_[j] || ring_type_[i]) args.fail("a type cannot be both ball and ring");
 }
@@ -146,10 +157,9 @@ Vec3 PairBearingHertz::axis() const
 double PairBearingHertz::pitch_radius(int ring_type) const
 {
   for (const auto &own : raceways_) {
-    if (own.first.second != ring_type) continue;
+    if (own.first.ring != ring_type) continue;
     for (const auto &other : raceways_)
-      if (other.first.first == own.first.first &&
-          other.second.groove.side != own.second.groove.side)
+      if (other.first.ball == own.first.ball && other.second.groove.side != own.second.groove.side)
         return 0.5 * (own.second.groove.raceway_radius + other.second.groove.raceway_radius);
     const double sign = own.second.groove.side == Side::inner ? 1.0 : -1.0;
     return own.second.groove.raceway_radius + sign * own.second.groove.ball_radius;
@@ -157,17 +167,23 @@ double PairBearingHertz::pitch_radius(int ring_type) const
   return 0.0;
 }
 
-const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type) const
+const RacewayPhysics *PairBearingHertz::raceway(int ball_type, int ring_type, int groove) const
 {
-  auto it = raceways_.find({ball_type, ring_type});
+  auto it = raceways_.find({ball_type, ring_type, groove});
   return it == raceways_.end() ? nullptr : &it->second;
+}
+
+bool PairBearingHertz::many_grooves() const
+{
+  return std::any_of(raceways_.begin(), raceways_.end(),
+                     [](const auto &entry) { return entry.first.number > 0; });
 }
 
 std::vector<const RacewayPhysics *> PairBearingHertz::raceways_of(int ring_type) const
 {
   std::vector<const RacewayPhysics *> list;
   for (const auto &r : raceways_)
-    if (r.first.second == ring_type) list.push_back(&r.second);
+    if (r.first.ring == ring_type) list.push_back(&r.second);
   return list;
 }
 
@@ -269,7 +285,7 @@ void PairBearingHertz::prepare_raceways()
   type_radius_ = hi;
   bool first = true;
   for (auto &entry : raceways_) {
-    const int ball = entry.first.first, ring = entry.first.second;
+    const int ball = entry.first.ball, ring = entry.first.ring;
     RacewayPhysics &p = entry.second;
     const std::string who = "pair_coeff " + std::to_string(ball) + " " + std::to_string(ring);
     if (hi[ball] == 0.0) BRG_ALL(who + ": there is no ball of type " + std::to_string(ball));
@@ -281,6 +297,10 @@ void PairBearingHertz::prepare_raceways()
       BRG_ALL(who + ": groove radius " + text(p.groove.groove_radius) +
               " m must be larger than the ball radius " + text(hi[ball]) +
               " m (a conformal groove is no Hertz point contact)");
+    if (std::fabs(p.groove.offset) >= p.groove.slack())
+      BRG_ALL(who + ": gothic_arch " + text(std::fabs(p.groove.offset)) +
+              " m must be smaller than the groove radius less that of the ball, " +
+              text(p.groove.slack()) + " m: beyond that a ball cannot be between both grooves");
     const double pitch = p.groove.side == Side::inner ? p.groove.raceway_radius + hi[ball]
                                                       : p.groove.raceway_radius - hi[ball];
     if (!(pitch > hi[ball]))
@@ -305,18 +325,18 @@ void PairBearingHertz::check_rings()
   for (int i = 0; i < atom->nlocal; ++i) ++rings[atom->type[i]];
   MPI_Allreduce(MPI_IN_PLACE, rings.data(), atom->ntypes + 1, MPI_INT, MPI_SUM, world);
   for (const auto &a : raceways_) {
-    const int ball = a.first.first, ring = a.first.second;
+    const int ball = a.first.ball, ring = a.first.ring;
     if (rings[ring] == 0)
       BRG_ALL("missing ring: pair_coeff " + std::to_string(ball) + " " + std::to_string(ring) +
               " names ring type " + std::to_string(ring) + ", but no atom has that type");
     for (const auto &b : raceways_) {
-      if (b.first.first != ball || b.first.second == ring) continue;
+      if (b.first.ball != ball || b.first.ring == ring) continue;
       if (a.second.groove.side == Side::inner && b.second.groove.side == Side::outer &&
           a.second.groove.raceway_radius >= b.second.groove.raceway_radius)
         BRG_ALL("two rings at odds: inner raceway radius " + text(a.second.groove.raceway_radius) +
                 " m (type " + std::to_string(ring) + ") is not smaller than the outer one, " +
-                text(b.second.groove.raceway_radius) + " m (type " +
-                std::to_string(b.first.second) + ")");
+                text(b.second.groove.raceway_radius) + " m (type " + std::to_string(b.first.ring) +
+                ")");
     }
   }
 }
@@ -379,11 +399,10 @@ double PairBearingHertz::init_one(int i, int j)
   // a neighbour: ghosts come from no farther than that. Spheres touch at the sum of their radii.
   double cut = 0.0;
   for (const TypePair &key : {TypePair(i, j), TypePair(j, i)}) {
-    auto it = raceways_.find(key);
-    if (it == raceways_.end()) continue;
-    const RacewayPhysics &p = it->second;
-    const double R = p.groove.ball_radius;
-    cut = p.centre_circle + p.groove.groove_radius - R + std::max(0.5, overlap_limit_) * R;
+    const RacewayPhysics *p = raceway(key.first, key.second);
+    if (!p) continue;
+    const double R = p->groove.ball_radius;
+    cut = p->centre_circle + p->groove.groove_radius - R + std::max(0.5, overlap_limit_) * R;
   }
   if (spheres_.count({std::min(i, j), std::max(i, j)})) cut = type_radius_[i] + type_radius_[j];
   // balls of one type are listed as neighbours so that overlapping ones can be refused at the start

@@ -48,7 +48,10 @@ class PairBearingHertz : public Pair {
   void expect_sphere(int ball_type, int cage_type);
   bool is_ring_type(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball_type(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
-  const raceway::RacewayPhysics *raceway(int ball_type, int ring_type) const;    // null: none
+  // A groove of a ring for a ball, by number; null: none.
+  const raceway::RacewayPhysics *raceway(int ball_type, int ring_type, int groove = 0) const;
+  // Some ring has two grooves for a ball.
+  bool many_grooves() const;
   // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no
   // ring.
   double pitch_radius(int ring_type) const;
@@ -86,6 +89,13 @@ class PairBearingHertz : public Pair {
     double E1, nu1, E2, nu2, factor;
   };
   using TypePair = std::pair<int, int>;
+  struct GrooveName {
+    int ball, ring, number;    // types; of the grooves of that ring
+    bool operator<(const GrooveName &o) const
+    {
+      return ball != o.ball ? ball < o.ball : ring != o.ring ? ring < o.ring : number < o.number;
+    }
+  };
 
   void allocate();
   void read_sphere(bearing::Arguments &, int i, int j);
@@ -97,6 +107,7 @@ class PairBearingHertz : public Pair {
   bigint count_atoms() const;
   void check_atoms() const;
   void rebuild_contacts();
+  void add_grooves(int i_ball, int i_ring);
   void add_raceway_contacts();
   void smooth_raceway_forces();
   void flawed_raceway_forces();
@@ -110,9 +121,9 @@ class PairBearingHertz : public Pair {
   raceway::RacewayPhysics defaults_;
   int axis_ = 2;
   double overlap_limit_ = 0.05;
-  std::map<TypePair, raceway::RacewayPhysics> raceways_;    // (ball type, ring type)
-  std::map<TypePair, Sphere> spheres_;                      // (smaller type, larger type)
-  std::set<TypePair> cages_;                                // made, (smaller type, larger type)
+  std::map<GrooveName, raceway::RacewayPhysics> raceways_;
+  std::map<TypePair, Sphere> spheres_;    // (smaller type, larger type)
+  std::set<TypePair> cages_;              // made, (smaller type, larger type)
   std::vector<char> ring_type_, ball_type_;
   std::vector<double> type_radius_;
   unsigned law_ = raceway::dry_parts;

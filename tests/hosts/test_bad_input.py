@@ -98,6 +98,17 @@ CREATE = "create_bearing 1 none 3 4 balls 9 diameter 12.6e-3\n"
 GROUPS = "group balls type 1\ngroup inner type 3\nfix move balls nve/sphere\n"
 DRY = BOX + STYLE + INNER + OUTER + CREATE + GROUPS
 FILM = "lubricant 0.04 2e-8 roughness 1e-7 0"
+ARCH = " gothic_arch 1.0e-4\n"
+FOUR_POINT = (
+    BOX
+    + f"pair_style bearing/ehd {FILM}\n"
+    + INNER.strip()
+    + ARCH
+    + OUTER.replace("36.6", "36.65").strip()
+    + ARCH
+    + CREATE
+    + GROUPS
+)
 
 # what is wrong: (deck, what the error must say)
 DECKS = {
@@ -144,6 +155,40 @@ DECKS = {
     "ring elsewhere": (
         DRY + "displace_atoms inner move 0.01 0 0 units box\nrun 0\n",
         r"ball \d at .* sits in no groove of an inner ring at step 0",
+    ),
+    "arch without a width": (
+        BOX + STYLE + INNER.strip() + " gothic_arch 0\n",
+        r"pair_coeff 1 3 inner: distance of the groove centres from the ring's middle plane"
+        r" \(m\) is 0, must be > 0",
+    ),
+    "arch too wide": (
+        BOX + STYLE + INNER.strip() + " gothic_arch 3.0e-4\n" + OUTER + CREATE,
+        r"create_bearing: gothic_arch 0.0003 m must be smaller than the groove radius less that of"
+        r" the ball, 0.000252 m",
+    ),
+    "arch too wide at run": (
+        FOUR_POINT + "set type 1 diameter 12.95e-3\nrun 0\n",
+        r"pair_coeff 1 3: gothic_arch 0.0001 m must be smaller than .* 7.7e-05 m",
+    ),
+    "seat in an arch": (
+        BOX + STYLE + INNER.strip() + ARCH + OUTER + CREATE.strip() + " seat plus\n",
+        r"create_bearing: 'seat' needs raceways of one groove",
+    ),
+    "surroundings of an arch": (
+        FOUR_POINT
+        + "fix c balls bearing/capacitance 10 permittivity 2.2 surroundings flooded\nrun 0\n",
+        r"fix c bearing/capacitance: 'surroundings' needs raceways of one groove; pair_coeff 1 3"
+        r" has 'gothic_arch'",
+    ),
+    "film figures of an arch": (
+        FOUR_POINT + "fix c balls bearing/capacitance 10 permittivity 2.2 strength 1e7\nrun 0\n",
+        r"'resistivity', 'frequency' or 'strength' needs raceways of one groove",
+    ),
+    "circuit of an arch": (
+        FOUR_POINT
+        + "fix c balls bearing/capacitance 10 permittivity 2.2\n"
+        + "fix v balls bearing/circuit 10 c source 1e6 voltage constant 10\nrun 0\n",
+        r"fix v bearing/circuit: the circuit needs raceways of one groove",
     ),
     "two outer rings": (
         DRY + "create_atoms 4 single 1e-6 0 0 units box\nset type 4 diameter 2e-4\nrun 0\n",

@@ -31,6 +31,13 @@ SCENES = {
     "preload": {"scene": "inputs/in.preload"},
     "no cage": {"scene": "inputs/in.nocage"},
     "axial": {"scene": "inputs/in.axial", "quiet": "slow_ring"},
+    "four points": {
+        "scene": "inputs/in.6208",
+        "four_point": 35,
+        "clearance": -4e-6,
+        "axial": 1000,
+        "passes": 1,
+    },
     "combined load, tilts": {"scene": "tests/scenarios/in.combined", "quiet": "ring"},
     "supports and gravity": {"scene": "tests/scenarios/in.support", "quiet": "ring", "fall": 9.81},
     "flaws": {"scene": "inputs/in.6208", "passes": 1, **FLAWS},

@@ -105,6 +105,7 @@ def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
         )
     if run.settings["lubricant"] == "dry":
         raise RunError(f"{run.tables.folder}: a dry run has no films")
+    run.tables.need_one_groove("a circuit")
     return of_dataset(
         run.contacts,
         leak,

@@ -37,8 +37,10 @@ def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
     `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's
     two), for each column of `CARRIED` that the run has its value on either raceway (`load_inner`
     ...), and capacitance (both in series). Where there is no contact: 0 for what vanishes with it,
-    NaN for what it does not have. Raises `RunError` when a file is broken.
+    NaN for what it does not have. Raises `RunError` when a file is broken, and for rings of two
+    grooves.
     """
+    tables.need_one_groove("an export of balls")
     if every is None:
         last = (
             len(tables.index("balls"))

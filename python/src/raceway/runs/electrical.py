@@ -16,9 +16,10 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
 
     Inner and outer contact of a ball are in series, balls in parallel, `background` (F) beside them
     when asked (eq 12). `run` from `raceway.open`; it needs memory for all samples of the run.
-    Raises `RunError` for a run without film.
+    Raises `RunError` for a run without film, or with rings of two grooves.
     """
     need_film(run, "capacitance")
+    run.tables.need_one_groove("a capacitance by raceway")
     contact = run.contacts["capacitance"].drop_vars(("azimuth", "from_load_line"))
     inner, outer = (contact.sel(raceway=side, drop=True) for side in ("inner", "outer"))
     one = inner.copy(data=capacitance.ball(inner.to_numpy(), outer.to_numpy()))

@@ -143,6 +143,12 @@ class Record:
         return values
 
     @cached_property
+    def raceways(self) -> list[str]:
+        """ "inner" and "outer"; "inner 0", "inner 1", "outer 0" and "outer 1" where a ring may have
+        two grooves for a ball."""
+        return [b"".join(name).decode().strip() for name in self._fixed["raceway"]]
+
+    @cached_property
     def contact_columns(self) -> list[str]:
         """Names of the columns of contacts; none in a summary."""
         return [n for n, dims in self.variables.items() if dims == ("time", "raceway", "ball")]
@@ -158,18 +164,20 @@ class Record:
 
     # ---- as tables -------------------------------------------------------------------------------
     def contacts(self, start: int, stop: int) -> pd.DataFrame:
-        """A row per contact and sample: `DataFrame`."""
+        """A row per contact and sample: `DataFrame`; with `groove` where rings have two."""
         if "load" not in self.contact_columns:
             raise RunError(f"{self.path} has no column load: record the contacts as well")
         data = self.read(self.contact_columns, start, stop)
         live = data["load"].transpose(0, 2, 1) > 0
-        sample, ball, raceway = np.nonzero(live)
+        sample, ball, place = np.nonzero(live)
+        raceway, groove = np.divmod(place, len(self.raceways) // 2)
         rings = self._rings_of_balls()
         table = pd.DataFrame(
             {
                 "ball": self.fixed("ball")[ball].astype(int),
                 "ring": rings[raceway, ball],
                 "raceway": raceway,
+                **({"groove": groove} if len(self.raceways) > 2 else {}),
                 **{name: values.transpose(0, 2, 1)[live] for name, values in data.items()},
                 "sample": sample + start,
             }

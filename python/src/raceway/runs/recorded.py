@@ -58,7 +58,7 @@ class Recorded:
         coords = {
             name: record.fixed(name) for name in ("ball", "cage_ball") if name in record.about
         }
-        data = NamedDataset(found, coords={**coords, "raceway": ["inner", "outer"]})
+        data = NamedDataset(found, coords={**coords, "raceway": record.raceways})
         for axis in "xyz":
             data[f"ring_origin_{axis}"] = ("ring", record.fixed(f"ring_origin_{axis}"))
         return data.set_coords("time")

@@ -187,6 +187,13 @@ class RunTables:
             yield _whole(block.table(columns), path)
         self._need_all(steps)
 
+    def need_one_groove(self, what: str) -> None:
+        """Raise `RunError` where rings have two grooves for a ball."""
+        if self.record and len(self.record.raceways) > 2:
+            raise RunError(
+                f"{self.folder} has rings of two grooves for a ball; {what} needs rings of one"
+            )
+
     def need_balls(self) -> None:
         """Raise `RunError` where `run.yaml` names more balls than `balls.dump` has."""
         if self.record:

@@ -151,9 +151,10 @@ def universe(tables: RunTables) -> MDAnalysis.Universe:
     """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, with their
     host's ids and types.
 
-    The trajectory is a `RunReader`. Raises `RunError` when a file is broken or MDAnalysis is not
-    installed.
+    The trajectory is a `RunReader`. Raises `RunError` when a file is broken, when MDAnalysis is not
+    installed, and for rings of two grooves.
     """
+    tables.need_one_groove("an MDAnalysis universe")
     chosen = tables.record.bearing if tables.record else None
     reader = RunReader(str(tables.folder), tables.first, tables.stop, chosen)
     result = MDAnalysis.Universe.empty(reader.n_atoms)

@@ -88,9 +88,10 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     raceway, from the places of ball and ring. Without `filling` it is the run's, and separations
     and capacitances are those of its record where it has them; the attribute `source` says which.
     It needs memory for all samples of the run. Raises `RunError` for a run without film, balls or
-    rings, or whose axis is not z.
+    rings, with rings of two grooves, or whose axis is not z.
     """
     need_film(run, "capacitance")
+    run.tables.need_one_groove("the whole capacitance")
     contacts, gaps = _aligned(run)
     recorded = filling is None and set(RECORDED.values()) <= set(contacts)
     filling = filling_of(run) if filling is None else filling

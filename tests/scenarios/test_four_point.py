@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Four-point contact: two grooves a ring. docs/decks/in.four_point turns a thrust round; other
+loads are put into a copy of it. The references are statics of rings with many grooves."""
+
+import numpy as np
+import pytest
+import raceway
+from host import ROOT, frames, succeed
+from raceway import bearing, electrical, many_grooves
+from raceway.electric import films
+from raceway.errors import RunError
+
+DECK = ROOT / "docs/decks/in.four_point"
+B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+ROWS = many_grooves.four_point(B6208, np.radians(35), clearance=-4e-6)
+STRAIGHT = dict.fromkeys(("x", "y", "rx", "ry"), 0.0)
+LIMIT = 400.0  # N, largest thrust
+SETTLED = 0.012  # s, from here on the start has died out
+VERLET = {
+    "fix move all bearing/implicit": "fix move balls nve/sphere",
+    "timestep 2.5e-5": "timestep 1.0e-6",
+    "run 1600": "run 40000",
+    "print 8 ": "print 200 ",
+    "local 8 ": "local 200 ",
+}
+MOVERS = {"implicit": {}, "verlet": VERLET}
+
+
+def turned(folder, changes):
+    """The deck with other words, run in `folder`."""
+    text = DECK.read_text()
+    for old, new in changes.items():
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    folder.joinpath("in.deck").write_text(text)
+    succeed(folder / "in.deck", out=folder)
+
+
+@pytest.fixture(scope="module", params=MOVERS)
+def path(request, tmp_path_factory):
+    """(time s, displacement m, force of the balls N, loads (n, raceway, groove, ball) N)."""
+    folder = tmp_path_factory.mktemp("four_point")
+    turned(folder, MOVERS[request.param])
+    thrust, place, force = np.loadtxt(folder / "line.dat").T
+    samples = list(frames(folder / "contacts.dump").values())[-len(thrust) :]
+    loads = np.zeros((len(thrust), 2, 2, 9))
+    for load, rows in zip(loads, samples):
+        ball, raceway, groove, value = np.array([row.split()[:4] for row in rows], float).T
+        load[raceway.astype(int), groove.astype(int), ball.astype(int) - 1] = value
+    time = 0.04 * np.arange(1, len(thrust) + 1) / len(thrust)
+    return time, place, force, loads
+
+
+def rests(force):
+    return [many_grooves.equilibrium(ROWS, (0, 0, -one), held=STRAIGHT) for one in force]
+
+
+def test_path_of_statics(path):
+    """Displacement against force, all the way round."""
+    time, place, force, _ = path
+    some = np.flatnonzero(time > SETTLED)[::4]
+    want = np.array([rest.place[2] for rest in rests(force[some])])
+    assert force[some].min() < -0.9 * LIMIT and force[some].max() > 0.9 * LIMIT
+    assert np.abs(place[some] - want).max() < 1e-3 * np.abs(want).max()
+
+
+def test_grooves_of_statics(path):
+    """The loads of each groove; statics names the groove at +z first."""
+    time, _, force, loads = path
+    some = np.flatnonzero(time > SETTLED)[::16]
+    for rest, load in zip(rests(force[some]), loads[some]):
+        for side, want in enumerate((rest.rows[0].inner.load, rest.rows[0].outer.load)):
+            assert np.abs(load[side] - want[::-1]).max() < 1e-3 * loads.max()
+
+
+def test_balls_change_grooves_without_a_jump(path):
+    """At +400 N one pair of grooves is free, at -400 N the other. On the way each load changes by
+    little from sample to sample, and by no more where a contact opens or closes."""
+    time, _, force, loads = path
+    late = time > SETTLED
+    loads, force = loads[late], force[late]
+    mean = loads.mean(axis=-1)  # over the balls, which are alike
+    ends = [np.argmin(force), np.argmax(force)]
+    for end, free in zip(ends, (0, 1)):  # the inner ring is pushed to +z, to -z
+        assert (mean[end, 0, free], mean[end, 1, 1 - free]) == (0.0, 0.0)
+        assert mean[end, 0, 1 - free] > 70 and mean[end, 1, free] > 70
+    between = np.abs(force) < 0.5 * LIMIT
+    assert (loads[between] > 0).all()
+    change = np.abs(np.diff(mean, axis=0)).max(axis=(1, 2))
+    fastest = 2 * np.pi / 0.04 * LIMIT * np.diff(time[late])[0]  # N a sample
+    stiffest = 0.5 / 9 / np.sin(np.radians(33))  # of a contact's load to the thrust, and preload
+    assert change.max() < 2.2 * stiffest * fastest
+    opening = (mean[1:] == 0) != (mean[:-1] == 0)
+    assert opening.any()
+    assert np.abs(np.diff(mean, axis=0))[opening].max() < change.max() / 2
+
+
+def tilted(folder, changes):
+    """(x, y, z, rx, ry) in m and rad of a ring that is free but for its spin, under a radial load,
+    a thrust and a moment."""
+    folder.mkdir()
+    damped = "support x 1.0 3.0e3 support y 1.0 3.0e3 support rx 1.0e-3 3 support ry 1.0e-3 3"
+    loads = {
+        "y free z free force 0 0 v_thrust": (
+            "y free z free inertia 1.2e-4 6.5e-5 rx free ry free force 300 0 200 moment 1 0.5 0"
+            f" ramp 4.0e-3 {damped}"
+        ),
+        '"${thrust} ${z} ${force}"': '"$(f_inner[1]) $(f_inner[2]) $(f_inner[3]) ${rx} ${ry}"',
+        "variable z equal f_inner[3]": (
+            "variable rx equal f_inner[7]\nvariable ry equal f_inner[8]\n"
+            "variable z equal f_inner[3]"
+        ),
+    }
+    turned(folder, loads | changes)
+    return np.loadtxt(folder / "line.dat")[-1] * [1, 1, 1, 0.03, 0.03]
+
+
+def test_tilted_ring_of_statics(tmp_path):
+    """Friction keeps the balls at their azimuths; smoothed, it lets the ring come to rest."""
+    rough = {"pair_style bearing/hertz": "pair_style bearing/hertz friction constant 0.1"}
+    found = tilted(tmp_path / "rough", rough)
+    want = many_grooves.equilibrium(ROWS, (300, 0, 200), (1, 0.5)).place * [1, 1, 1, 0.03, 0.03]
+    assert np.abs(found - want).max() < 1e-3 * np.abs(want).max()
+
+
+def test_tilted_ring_with_both_integrators(tmp_path):
+    """Without friction the balls leave the load, in both integrators alike."""
+    one = tilted(tmp_path / "implicit", {})
+    other = tilted(tmp_path / "verlet", VERLET)
+    assert np.abs(one - other).max() < 1e-3 * np.abs(one).max()
+
+
+# ---- outputs
+WET = {
+    "pair_style bearing/hertz": (
+        "pair_style bearing/ehd lubricant 0.04 2.2e-8 roughness 1e-7 0 friction stribeck 0.12 0.05"
+    ),
+    "balls 9 diameter 12.6e-3": "balls 9 diameter 12.6e-3 speed 60 0",
+    "force 0 0 v_thrust": "spin speed 60 rx speed 0.02 force 0 -300 v_thrust",
+    "run 1600": """compute ball balls bearing/ball inner_load inner_groove
+compute ring inner bearing/ring balls contacts load capacitance
+compute total all bearing/total
+fix cap balls bearing/capacitance 1 permittivity 2.2 contacts ${out}/cap.dat
+fix record all bearing/record 1 ${out}
+run 400
+dump balls balls custom 1 ${out}/balls.dump id c_ball[1] c_ball[2] f_cap[1] f_cap[2] f_cap[3]
+dump rings all local 1 ${out}/rings.dump c_ring[1] c_ring[2] c_ring[3] c_ring[4]
+dump now all local 1 ${out}/now.dump c_contacts[1] c_contacts[2] c_contacts[3] c_contacts[4]
+variable contacts equal c_total[1]
+variable loaded equal c_total[2]
+variable largest equal c_total[3]
+fix total all print 1 "${contacts} ${loaded} ${largest}" file ${out}/total.txt screen no title ""
+run 1""",
+}
+
+
+def last(path):
+    return np.array([row.split() for row in list(frames(path).values())[-1]], float)
+
+
+@pytest.fixture(scope="module")
+def outputs(tmp_path_factory):
+    """(folder, loads now (raceway, groove, ball) N) of a lubricated run with all outputs."""
+    folder = tmp_path_factory.mktemp("outputs")
+    turned(folder, WET)
+    loads = np.zeros((2, 2, 9))
+    for ball, side, groove, load in last(folder / "now.dump"):
+        loads[int(side), int(groove), int(ball) - 1] = load
+    return folder, loads
+
+
+def test_by_ball(outputs):
+    """The values of the contact with the larger load."""
+    folder, loads = outputs
+    table = last(folder / "balls.dump")
+    assert table[:, 1] == pytest.approx(loads[0].max(axis=0), rel=1e-5)
+    assert (table[:, 2] == loads[0].argmax(axis=0)).all()
+    assert 0 < loads[0].argmax(axis=0).sum() < 9 and (loads > 0).sum() > 18
+
+
+def test_sums(outputs):
+    folder, loads = outputs
+    contacts, loaded, largest = np.loadtxt(folder / "total.txt").reshape(-1, 3)[-1]
+    ((balls, of_ring, load, capacitance),) = last(folder / "rings.dump")
+    both = (loads > 0).any(axis=1).all(axis=0).sum()
+    assert (contacts, of_ring) == ((loads > 0).sum(), (loads[0] > 0).sum())
+    assert loaded == balls == both
+    assert largest == pytest.approx(load, rel=1e-5) == pytest.approx(loads[0].max(), rel=1e-5)
+    *_, inner, outer, series = last(folder / "balls.dump").T
+    assert series == pytest.approx(inner * outer / (inner + outer), rel=1e-5)
+    assert capacitance == pytest.approx(series.sum(), rel=1e-5)
+    rows = np.loadtxt(folder / "cap.dat")
+    rows = rows[rows[:, 0] == rows[-1, 0]]
+    for number, values in enumerate((inner, outer)):
+        of_balls = [rows[(rows[:, 2] == k) & (rows[:, 3] == number), 6].sum() for k in range(1, 10)]
+        assert values == pytest.approx(of_balls, rel=1e-5)
+
+
+def test_record(outputs):
+    """The record tells grooves apart; its sums are those of the computes."""
+    folder, loads = outputs
+    run = raceway.open(folder)
+    assert run.contacts.raceway.values.tolist() == ["inner 0", "inner 1", "outer 0", "outer 1"]
+    now = run.contacts["load"].isel(time=-1).to_numpy()
+    assert now == pytest.approx(loads.reshape(4, 9), rel=1e-5)
+    rows = run.tables.contacts
+    rows = rows[rows["sample"] == rows["sample"].max()]
+    place = rows["raceway"].to_numpy(), rows["groove"].to_numpy(), rows["ball"].to_numpy() - 1
+    assert rows["load"].to_numpy() == pytest.approx(loads[place], rel=1e-5)
+    totals, pairs = run.tables.totals.iloc[-1], run.tables.pairs
+    pairs = pairs[pairs["sample"] == pairs["sample"].max()]
+    assert totals["contacts"] == (loads > 0).sum()
+    assert totals["loaded_balls"] == len(pairs) == (loads > 0).any(axis=1).all(axis=0).sum()
+    assert totals["load_inner"] == pytest.approx(loads[0].max(), rel=1e-5)
+    assert totals["capacitance"] == pytest.approx(pairs["capacitance"].sum(), rel=1e-12)
+    assert run.settings["inner_arch_m"] == pytest.approx(2.52e-4 * np.sin(np.radians(35)))
+    assert run.settings["clearance_m"] == pytest.approx(-4e-6, abs=1e-12)
+
+
+def test_what_needs_one_groove_says_so(outputs):
+    run = raceway.open(outputs[0])
+    with pytest.raises(RunError, match="rings of two grooves for a ball; a circuit needs"):
+        films.of_run(run)
+    with pytest.raises(RunError, match="a capacitance by raceway needs rings of one"):
+        electrical.over_time(run)
