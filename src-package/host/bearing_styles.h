@@ -57,6 +57,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingHost>("bearing_host");
   add.template command<BearingResume>("bearing_resume");
   add.template command<BearingVariables>("bearing_variables");
+  add.template command<BearingForget>("bearing_forget");
 }
 
 #endif

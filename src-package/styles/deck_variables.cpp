@@ -52,6 +52,15 @@ void collect(const fs::path &path, Names &names)
   }
 }
 
+// Of all files in a folder; the error when it cannot be read.
+std::error_code collect_folder(const std::string &folder, Names &names)
+{
+  std::error_code ec;
+  for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+    collect(it->path(), names);
+  return ec;
+}
+
 // How many letters must be changed, added or taken away to make one word of the other
 size_t distance(const std::string &a, const std::string &b)
 {
@@ -87,13 +96,10 @@ void BearingVariables::command(int narg, char **arg)
   std::string complaint;
   if (comm->me == 0) {
     Names names;
-    std::error_code ec;
     if (infile) collect("/proc/self/fd/" + std::to_string(fileno(infile)), names);
     // decks that include this one
     for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);
-    for (const std::string &folder : folders)
-      for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
-        collect(it->path(), names);
+    for (const std::string &folder : folders) collect_folder(folder, names);
     for (std::string set : words_after("-var", "-v"))
       // a word after -v of another program, python for one, is no variable
       if (!names.empty() && !names.count(set) && input->variable->find(&set[0]) >= 0)
@@ -102,4 +108,24 @@ void BearingVariables::command(int narg, char **arg)
   }
   complaint = bearing::agree(complaint, world);
   if (!complaint.empty()) args.fail(complaint);
+}
+
+void BearingForget::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_forget", narg, arg, 0);
+  Names names;
+  std::string complaint;
+  do {
+    const std::string folder = args.word("folder");
+    if (comm->me != 0) continue;
+    if (const std::error_code ec = collect_folder(folder, names))
+      complaint = "cannot read folder '" + folder + "': " + ec.message();
+  } while (args.more());
+  complaint = bearing::agree(complaint, world);
+  if (!complaint.empty()) args.fail(complaint);
+  std::string joined;
+  for (const std::string &name : names) joined += name + " ";
+  std::istringstream all(bearing::agree(joined, world));
+  for (std::string name; all >> name;)
+    if (input->variable->find(&name[0]) >= 0) input->one(("variable " + name + " delete").c_str());
 }

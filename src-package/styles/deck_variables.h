@@ -2,6 +2,7 @@
 #ifdef COMMAND_CLASS
 // clang-format off
 CommandStyle(bearing_variables,BearingVariables)
+CommandStyle(bearing_forget,BearingForget)
 // clang-format on
 #else
 #ifndef LMP_DECK_VARIABLES_H
@@ -16,6 +17,14 @@ namespace LAMMPS_NS {
 class BearingVariables : public bearing::CommandBase {
  public:
   explicit BearingVariables(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_forget FOLDER ...: delete the variables that the files in a FOLDER set, so that the next
+// file can set its own.
+class BearingForget : public bearing::CommandBase {
+ public:
+  explicit BearingForget(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

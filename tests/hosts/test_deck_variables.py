@@ -73,6 +73,24 @@ def test_models_of_an_oil_without_the_numbers(tmp_path):
     assert "mine' has no variable temperature_viscosity, oil_conductivity" in done.text
 
 
+@pytest.mark.parametrize("host", HOSTS)
+def test_forget(tmp_path, host):
+    """What any file of the folder sets goes, on all ranks; all else stays."""
+    folder = tmp_path / "oils"
+    folder.mkdir()
+    (folder / "one").write_text("variable thick index 1\nvariable warm string 2\n")
+    (folder / "other").write_text("variable thick index 3\n")
+    deck = tmp_path / "in.deck"
+    deck.write_text(
+        f"variable mine index 4\ninclude {folder}/one\nbearing_forget {folder}\n"
+        f"include {folder}/other\nvariable warm index 5\n"
+        'print "NOW ${thick} ${warm} ${mine}"\nbearing_forget nowhere\n'
+    )
+    done = run(deck, host=host, ranks=2)
+    assert "NOW 3 5 4" in done.text
+    assert done.code != 0 and "bearing_forget: cannot read folder 'nowhere'" in done.text
+
+
 def test_other_spelling_of_the_option(tmp_path):
     done = run("inputs/in.6208", extra=["-v", "lod", "1"], out=tmp_path / "run")
     assert done.code != 0 and "-var lod" in done.text
