@@ -25,9 +25,9 @@ void BearingStep::add_energy(double weight, double s)
       power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
   }
   double lost = forces_.power_lost();
-  for (const ShaftBend &b : bodies_.bends) {
+  for (ShaftBend &b : bodies_.bends) {
     const RingBody &shaft = bodies_.rings[b.shaft];
-    const std::vector<double> loads = b.program.forces(shaft.program, s, shaft.now.angle);
+    const std::vector<double> &loads = b.loads(shaft.program, shaft.now, s);
     for (int k = 0; k < b.size(); ++k) {
       const double v = b.now.rate[k];
       power += loads[k] * v;

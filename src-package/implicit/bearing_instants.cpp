@@ -151,11 +151,11 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
         carried_acceleration(shaft.program, shaft.now, b_.rings[c.ring].at, b_.force_on(shaft, s),
                              b_.moment_on(shaft, s));
   }
-  for (const ShaftBend &b : b_.bends) {
+  for (ShaftBend &b : b_.bends) {
     const RingBody &shaft = b_.rings[b.shaft];
     const Vec3 push = b_.force_on(shaft, s),
                moment = b_.moment_on(shaft, s) + moment_of_modes(*b.modes, b.now, shaft.now.spin);
-    const std::vector<double> forces = b.forces(shaft.program, shaft.now, s);
+    const std::vector<double> &forces = b.forces(shaft.program, shaft.now, s);
     for (const ShaftBend::Seat &seat : b.seats)
       rings_[(k - 1) * b_.rings.size() + seat.ring].acceleration =
           carried_acceleration(shaft.program, shaft.now, seat.at, push, moment) +

@@ -95,7 +95,7 @@ void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
 void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
 {
   const int nf = b_.unknowns;
-  for (const ShaftBend &b : b_.bends) {
+  for (ShaftBend &b : b_.bends) {
     const RingBody &shaft = b_.rings[b.shaft];
     const ShaftModes &m = *b.modes;
     const int n = m.size(), first = shaft.unknown[RingProgram::TILT],
@@ -103,7 +103,7 @@ void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
     const Vec3 moment = moment_of_modes(m, b.now, shaft.now.spin);
     y_[first] += h * moment.x;
     y_[second] += h * moment.y;
-    const std::vector<double> forces = b.forces(shaft.program, shaft.now, s);
+    const std::vector<double> &forces = b.forces(shaft.program, shaft.now, s);
     for (int k = 0; k < 2 * n; ++k) {
       const int u = b.unknown + k, mode = k % n;
       y_[u] = h * forces[k] - m.mass[mode] * b.gained[k];

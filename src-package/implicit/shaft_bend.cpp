@@ -5,12 +5,18 @@
 
 namespace raceway {
 
-std::vector<double> ShaftBend::forces(const RingProgram &p, const RingPose &rigid, double s) const
+const std::vector<double> &ShaftBend::loads(const RingProgram &p, const RingPose &rigid, double s)
 {
-  std::vector<double> of = own_forces(*modes, now, rigid);
-  const std::vector<double> loads = program.forces(p, s, rigid.angle);
-  for (int k = 0; k < size(); ++k) of[k] += contacts[k] + loads[k];
-  return of;
+  program.forces(p, s, rigid.angle, loads_);
+  return loads_;
+}
+
+const std::vector<double> &ShaftBend::forces(const RingProgram &p, const RingPose &rigid, double s)
+{
+  own_forces(*modes, now, rigid, forces_);
+  loads(p, rigid, s);
+  for (int k = 0; k < size(); ++k) forces_[k] += contacts[k] + loads_[k];
+  return forces_;
 }
 
 void ShaftBend::start()

@@ -13,11 +13,11 @@ struct BendProgram {
   std::vector<Unbalance> unbalance;    // by mode of a plane
   std::vector<double> centre;          // displacement of the centre by mode, for a turning force
 
-  // N, at the share s of the host's step.
-  std::vector<double> forces(const RingProgram &shaft, double s, double angle) const
+  // N, by mode, at the share s of the host's step; `of` keeps its memory.
+  void forces(const RingProgram &shaft, double s, double angle, std::vector<double> &of) const
   {
     const size_t n = unbalance.size();
-    std::vector<double> of(2 * n);
+    of.resize(2 * n);
     Vec3 turning;
     if (shaft.turning.size != 0.0)
       turning = across_at(shaft.turning.speed * shaft.age_at(s) + shaft.turning.phase) *
@@ -31,7 +31,6 @@ struct BendProgram {
       of[k] = share * (steady + centre[k] * turning.x) + out.x;
       of[n + k] = share * (other + centre[k] * turning.y) + out.y;
     }
-    return of;
   }
 };
 
@@ -51,13 +50,18 @@ struct ShaftBend {
   std::vector<double> contacts;    // N, by mode, of the bearings
 
   int size() const { return 2 * modes->size(); }    // unknowns
-  // N, by mode: contacts, loads, springs, dampers and the spin of the rigid shaft.
-  std::vector<double> forces(const RingProgram &, const RingPose &shaft, double s) const;
+  // N, by mode: of the loads, and of contacts, loads, springs, dampers and the spin of the rigid
+  // shaft. Valid until the next call: every correction asks, and memory is kept for it.
+  const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
+  const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
   void start();                       // a step, from `from`
   void move(double h);                // to the end of a stage
   void second_base(double beyond);    // of order 2
   // On its way from `from` to `end` over h seconds, at the share s.
   void between(const BendState &end, double h, double s);
+
+ private:
+  std::vector<double> loads_, forces_;
 };
 
 }    // namespace raceway

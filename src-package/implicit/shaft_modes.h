@@ -133,12 +133,12 @@ inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const
   return moment_about_centre(e, at, force, across + e * (torque - dot(across, e)));
 }
 
-// N, of springs, dampers and the spin on the modes of a shaft.
-inline std::vector<double> own_forces(const ShaftModes &m, const BendState &b,
-                                      const RingPose &shaft)
+// N, by mode, of springs, dampers and the spin on the modes of a shaft; `of` keeps its memory.
+inline void own_forces(const ShaftModes &m, const BendState &b, const RingPose &shaft,
+                       std::vector<double> &of)
 {
   const int n = m.size();
-  std::vector<double> of(2 * n);
+  of.resize(2 * n);
   for (int k = 0; k < n; ++k) {
     double turn[2] = {-m.g(0, k + 1) * shaft.rate[0], m.g(0, k + 1) * shaft.rate[1]};
     for (int j = 0; j < n; ++j) {
@@ -149,7 +149,6 @@ inline std::vector<double> own_forces(const ShaftModes &m, const BendState &b,
     of[n + k] =
         -m.stiffness[k] * b.place[n + k] - m.damping[k] * b.rate[n + k] + shaft.spin * turn[1];
   }
-  return of;
 }
 
 // N m, of the modes' gyroscopic forces on the tilts of their shaft.

@@ -67,10 +67,11 @@ BendProgram FixBearingShaft::bend_program() const
 std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<Ring> &all,
                                                      const RingPose &shaft) const
 {
-  std::vector<double> of = own_forces(modes(), bend_, shaft);
+  std::vector<double> of, loads;
+  own_forces(modes(), bend_, shaft, of);
   for (const Ring &r : all)
     add_to_modes(modes().station(r.at), r.now.e, r.contact[0], r.contact[1], of);
-  const std::vector<double> loads = bend_program().forces(at_end(now_), 1.0, shaft.angle);
+  bend_program().forces(at_end(now_), 1.0, shaft.angle, loads);
   for (size_t k = 0; k < of.size(); ++k) of[k] += loads[k];
   return of;
 }
