@@ -72,3 +72,14 @@ def test_as_one_double_row_bearing(line):
     for k in (len(load) // 3, -1):
         rest = many_grooves.equilibrium(rows, (0.0, 0.0, load[k]), orbital_speed=CAGE)
         assert place[k] == pytest.approx(rest.place[2], rel=1e-2)
+
+
+def test_face_to_face(line, tmp_path):
+    """Face to face the bearings change parts; pair and displacement stay as they are."""
+    face = {"first": "minus", "second": "plus", "spread": -SPREAD}
+    succeed("docs/decks/in.pair", out=tmp_path, **face)
+    load, place, first, second = np.loadtxt(tmp_path / "line.dat").T
+    assert load == pytest.approx(line[0])
+    assert place == pytest.approx(line[1], rel=1e-6, abs=1e-12)
+    assert first == pytest.approx(line[3], rel=1e-6, abs=1e-6)
+    assert second == pytest.approx(line[2], rel=1e-6, abs=1e-6)

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""docs/decks/in.double_row: two preloaded rows under force, thrust and moment, against statics."""
+
+import numpy as np
+import pytest
+from host import succeed
+from raceway import catalogue, inputs, many_grooves
+
+BEARING = inputs.bearing(catalogue.find("bearings", "7208"))
+ANGLE, PRELOAD = np.radians(40), 5e-6
+CAGE = 2 * np.pi * 10 * (1 - 5.95 / 30 * np.cos(ANGLE)) / 2  # rad/s, at 600 rpm
+ARRANGEMENTS = {
+    "back_to_back": {},
+    "face_to_face": {"first": "minus", "second": "plus", "preload": -PRELOAD},
+}
+
+
+@pytest.fixture(scope="module")
+def rows(tmp_path_factory):
+    """{arrangement: (y m, z m, tilt rad)}: means over the last 15 ms, most of a ball pass."""
+    found = {}
+    for name, variables in ARRANGEMENTS.items():
+        folder = tmp_path_factory.mktemp(name)
+        succeed("docs/decks/in.double_row", out=folder, **variables)
+        found[name] = np.loadtxt(folder / "line.dat")[-15:, 1:].mean(axis=0)
+    return found
+
+
+@pytest.mark.parametrize("arrangement", ARRANGEMENTS)
+def test_statics(rows, arrangement):
+    two = many_grooves.double_row(BEARING, 0.018, ANGLE, PRELOAD, arrangement)
+    rest = many_grooves.equilibrium(two, (0, -1000, 300), (10, 0), orbital_speed=CAGE)
+    assert rows[arrangement] == pytest.approx(rest.place[1:4], rel=1e-2)
+
+
+def test_back_to_back_is_stiffer_against_a_moment(rows):
+    assert rows["face_to_face"][2] > 3 * rows["back_to_back"][2]
