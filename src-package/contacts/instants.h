@@ -17,6 +17,7 @@ namespace bearing {
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
+  bool states = false;    // of contacts
 };
 
 // A ball and a groove that may touch.
@@ -27,7 +28,7 @@ struct InstantContact {
   bool live;
   double load;                                         // N
   const raceway::FilmCapacitorT<double> &capacitor;    // 0 where none is wanted
-  const raceway::ContactState &state;                  // if states are wanted, and live
+  const raceway::ContactState &state;                  // if anybody wants states, and live
 };
 
 struct InstantBody {
@@ -41,7 +42,6 @@ struct InstantRing {
 
 // Who is told of the parts of a bearing; contacts come ball by ball, and before the bodies.
 struct InstantReader {
-  bool states;    // of contacts: wanted
   std::function<void(const InstantContact &)> contact;
   std::function<void(const InstantBody &)> body;    // or none
   std::function<void(const InstantRing &)> ring;    // or none

@@ -270,8 +270,7 @@ void FixBearingCapacitance::add_instants()
 {
   for (FixBearingImplicit *f : integrators_)
     for (int k = 1; k < within_; ++k)
-      f->read_instant(k, {ask_.any(),
-                          [this, k](const bearing::InstantContact &c) {
+      f->read_instant(k, {[this, k](const bearing::InstantContact &c) {
                             if ((c.live || model_.surrounded()) && members_.has(c.ball))
                               mine_.push_back(row_of(k, c.ball, c.raceway, c.live, c.load, c.state,
                                                      c.capacitor));

@@ -41,7 +41,7 @@ class FixBearingCapacitance : public Fix {
   // Its balls, of all ranks.
   std::vector<bearing::tag_t> find_members() const;
   // At `number` instants of a step.
-  bearing::Instants instants(int number) const { return {number, model_}; }
+  bearing::Instants instants(int number) const { return {number, model_, ask_.any()}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // the words of its command after N

@@ -86,8 +86,9 @@ void FixBearingCircuit::find_integrators()
     BRG_ALL(who + ": 'within " + std::to_string(settings_.within) +
             "' needs fix bearing/implicit, which knows what happens within a step; with other "
             "integrators sample every step");
-  for (FixBearingImplicit *f : integrators_)
-    f->want_instants(cap_->instants(settings_.within), who);
+  bearing::Instants wanted = cap_->instants(settings_.within);
+  wanted.states = needs_states();
+  for (FixBearingImplicit *f : integrators_) f->want_instants(wanted, who);
 }
 
 FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway, bool live,
@@ -146,8 +147,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_at(int instant)
                       film_of(c.raceway, c.live, c.state, c.capacitor)});
   };
   for (const FixBearingImplicit *f : integrators_)
-    f->read_instant(instant, {needs_states(), contact,
-                              [&](const bearing::InstantBody &b) { body[b.tag] = b.x; },
+    f->read_instant(instant, {contact, [&](const bearing::InstantBody &b) { body[b.tag] = b.x; },
                               [&](const bearing::InstantRing &r) {
                                 using namespace bearing::of_ring;
                                 ring[static_cast<tag_t>(r.of[RING])] = {r.of[X], r.of[Y], r.of[Z]};

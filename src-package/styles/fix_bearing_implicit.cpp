@@ -70,6 +70,7 @@ void FixBearingImplicit::init()
   check_fixes();
   find_rings();
   instants_ = bearing::Instants();
+  readers_.clear();
   if (pair_->smooth_friction(creep_) && comm->me == 0) {
     const std::string say = std::string("fix ") + id +
                             " bearing/implicit: friction smoothed over a creep of " + text(creep_) +

@@ -17,6 +17,8 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 #include "../contacts/instants.h"
 
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -62,7 +64,8 @@ class FixBearingImplicit : public Fix {
   double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   bearing::Instants instants_;
-  double largest_ = HUGE_VAL;    // s, substep
+  std::set<std::string> readers_;    // of instants
+  double largest_ = HUGE_VAL;        // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
   std::vector<Fix *> gravity_;             // that pull all atoms of the group

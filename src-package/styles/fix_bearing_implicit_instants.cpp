@@ -23,7 +23,10 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
     BRG_ALL(command + ": two fixes want different things between the steps of fix " + id +
             " bearing/implicit; give them the same permittivity, film_floor, permittivity_at, "
             "surroundings, shoulders and roughness");
+  const bool states = instants_.states || i.states;
   if (capacitor || !others) instants_ = i;
+  instants_.states = states;
+  readers_.insert(command);
 }
 
 void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const
@@ -32,14 +35,20 @@ void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell)
   for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
     const BearingModel &m = solver_->bearings.model(p);
     const raceway::BearingInstants &at = solver_->parts[p].bearing->instants();
-    at.contacts(k, tell.states, solver_->contacts);
+    const bool kept = readers_.size() > 1;
+    Solver::Unpacked &of = solver_->unpacked[kept ? (k - 1) * solver_->parts.size() + p : 0];
+    if (!kept || of.step != update->ntimestep) {
+      of.step = update->ntimestep;
+      at.contacts(k, instants_.states, of.contacts);
+      if (instants_.states)
+        for (raceway::BearingInstants::Contact &c : of.contacts) {
+          c.state.u = axes.lab(c.state.u);
+          c.state.t = axes.lab(c.state.t);
+        }
+    }
     for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
       const raceway::BearingModel::Groove &groove = m.grooves[g];
-      raceway::BearingInstants::Contact &c = solver_->contacts[g];
-      if (tell.states) {
-        c.state.u = axes.lab(c.state.u);
-        c.state.t = axes.lab(c.state.t);
-      }
+      const raceway::BearingInstants::Contact &c = of.contacts[g];
       tell.contact({static_cast<tag_t>(m.bodies[groove.body].tag),
                     static_cast<tag_t>(m.rings[groove.ring].tag), *groove.physics, c.orbit, c.live,
                     c.load, c.capacitor, c.state});

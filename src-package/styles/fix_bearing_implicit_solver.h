@@ -27,7 +27,13 @@ struct FixBearingImplicit::Solver {
   bearing::BearingParts bearings;
   std::vector<Part> parts;    // one a bearing at home here
   std::vector<std::unique_ptr<raceway::BearingStep>> steps;
-  std::vector<raceway::BearingInstants::Contact> contacts;    // of the instant that is read
+  // Contacts of an instant. With one reader they take turns in one place, so that they stay in the
+  // caches. With more they are kept for a step: by instant, then by bearing.
+  struct Unpacked {
+    bigint step = -1;
+    std::vector<raceway::BearingInstants::Contact> contacts;
+  };
+  std::vector<Unpacked> unpacked;
 };
 
 }    // namespace LAMMPS_NS

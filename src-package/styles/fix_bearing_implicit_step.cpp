@@ -53,6 +53,7 @@ void FixBearingImplicit::build()
   all.bearings.build(sources, groupbit);
   all.parts.clear();
   all.steps.clear();
+  all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
   // One solver for all bearings that are alike stays in the caches. An account of the energy and
   // instants stay with a bearing after its step, so there each has its own.
   const bool shared = !energy_wanted_ && instants_.number < 2;

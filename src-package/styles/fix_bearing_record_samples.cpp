@@ -34,7 +34,7 @@ void FixBearingRecord::find_integrators()
     for (bearing::tag_t ball : c->find_members()) balls.push_back(ball);
   capacitors_ = bearing::TagSet(balls);
   for (FixBearingImplicit *f : integrators_) {
-    f->want_instants({within_, {}}, command_);
+    f->want_instants({within_, {}, true}, command_);
     for (const FixBearingCapacitance *c : fixes) f->want_instants(c->instants(within_), command_);
   }
 }
@@ -64,7 +64,7 @@ void FixBearingRecord::sample(bool between)
 // What the bearings at home here did within the step.
 void FixBearingRecord::sample_instants()
 {
-  bearing::InstantReader tell = {true, {}, {}, {}};
+  bearing::InstantReader tell;
   tell.contact = [this](const bearing::InstantContact &c) {
     const int ball = rows_.ball(c.ball);
     if (ball < 0) return;

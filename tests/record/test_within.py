@@ -82,7 +82,7 @@ def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
 
 
 def test_shares_the_evaluation_with_the_capacitance(tmp_path):
-    """Loads, films and capacitances of both are the same numbers."""
+    """Loads, films and capacitances of both are the same numbers, and those of a record alone."""
     cap = (
         "fix cap balls bearing/capacitance 1 permittivity 2.25 within 6"
         f" contacts {tmp_path}/run/instants.txt\n"
@@ -94,6 +94,8 @@ def test_shares_the_evaluation_with_the_capacitance(tmp_path):
     assert len(rows) == int((data["load"] > 0).sum()) and 0 in sample % 6 and 3 in sample % 6
     for k, name in ((4, "load"), (5, "h_c"), (6, "capacitance")):
         np.testing.assert_allclose(data[name].values[sample, side, ball], rows[:, k], rtol=1e-11)
+    alone = recorded(tmp_path / "alone", "within 6", sample=4e-4, samples=6)
+    assert data.equals(alone)
 
 
 def test_within_a_sample_everything_agrees(tmp_path):
