@@ -84,9 +84,7 @@ def _operating_point(one):
     point.add_argument(
         "--bearing", metavar="NAME", help="a file of inputs/bearings (6208); number in a run"
     )
-    point.add_argument(
-        "--lubricant", default="vg46", metavar="NAME", help="a file of inputs/lubricants (vg46)"
-    )
+    options.lubricant(point)
     options.inputs(point)
     for name, several, kind, unit, what in (
         ("--load", "--loads", number(0, 1e6, "N"), "N", "radial load, newtons (0)"),

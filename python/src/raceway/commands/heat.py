@@ -45,12 +45,7 @@ def add(commands: Commands) -> None:
     takes_negative(one)
     load, speed = number(0, 1e6, "N"), number(1, 1e5, "rpm")
     options.bearing(one)
-    one.add_argument(
-        "--lubricant",
-        default="vg46",
-        metavar="NAME",
-        help="a file of inputs/lubricants with physical data, or a path (vg46)",
-    )
+    options.lubricant(one)
     one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")
     one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, in place of it")
     one.add_argument(

@@ -70,6 +70,16 @@ def bearing(to: Any) -> None:
     inputs(to)
 
 
+def lubricant(to: Any) -> None:
+    """--lubricant of those who always have one."""
+    to.add_argument(
+        "--lubricant",
+        default="vg46",
+        metavar="NAME",
+        help="a file of inputs/lubricants, or a path (vg46)",
+    )
+
+
 def inputs(to: Any) -> None:
     """--inputs: where to look for a bearing or a lubricant."""
     to.add_argument(
