@@ -50,6 +50,13 @@ def answered(request, tmp_path_factory):
     return own, json.loads((folder / "needs.json").read_text()), folder
 
 
+@pytest.fixture
+def undrawn(monkeypatch):
+    """In the root, without the picture: `answered` has it, and it takes a second."""
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr("raceway.pictures.needs.picture", lambda found, path: None)
+
+
 def figures(folder):
     return scene_parts.figures(Run(folder).summary())
 
@@ -106,9 +113,8 @@ def test_effects_are_those_of_the_runs(answered, tmp_path):
     assert rows["models paper"]["errors"]["torque"] > 0.5  # it has no rolling friction
 
 
-def test_goes_on_without_running_again(answered, capsys, monkeypatch):
+def test_goes_on_without_running_again(answered, capsys, undrawn):
     own, found, folder = answered
-    monkeypatch.chdir(ROOT)
     before = {path: path.stat().st_mtime_ns for path in folder.glob("*/run.yaml")}
     assert len(before) > 5 and (folder / "needs.png").stat().st_size > 20000
     capsys.readouterr()
@@ -119,10 +125,9 @@ def test_goes_on_without_running_again(answered, capsys, monkeypatch):
     assert shlex.split(said.strip().splitlines()[-1]) == words({**found["scene"], **found["words"]})
 
 
-def test_wants_that_forbid_everything(answered, monkeypatch):
+def test_wants_that_forbid_everything(answered, undrawn):
     """Then it is the reference that is picked."""
     own, _, folder = answered
-    monkeypatch.chdir(ROOT)
     tight = ["--want", "torque=1e-9", "capacitance=1e-9", "--keep", *FEW]
     assert main(["needs", "inputs/in.6208", *words(own), *tight, "--out", str(folder)]) == 0
     found = json.loads((folder / "needs.json").read_text())
