@@ -9,6 +9,7 @@ from host import ROOT, frames, succeed
 from raceway import bearing, electrical, many_grooves
 from raceway.electric import films
 from raceway.errors import RunError
+from raceway.export import particles
 
 DECK = ROOT / "docs/decks/in.four_point"
 B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -223,3 +224,24 @@ def test_what_needs_one_groove_says_so(outputs):
         films.of_run(run)
     with pytest.raises(RunError, match="a capacitance by raceway needs rings of one"):
         electrical.over_time(run)
+
+
+def test_main_deck_with_text_dumps(tmp_path):
+    """The main deck makes a deep groove ball bearing one of four points, of the same clearance. A
+    folder of text dumps reads as its record does."""
+    variables = {"four_point": 35, "axial": 1000, "clearance": 2e-6, "passes": 1, "dumps": "yes"}
+    succeed("inputs/in.6208", out=tmp_path, **variables)
+    recorded = raceway.open(tmp_path)
+    assert recorded.settings["clearance_m"] == pytest.approx(2e-6, abs=1e-12)
+    want, sums = recorded.contacts.load(), recorded.tables.totals
+    (tmp_path / "record.nc").unlink()
+    run = raceway.open(tmp_path)
+    assert run.contacts.raceway.equals(want.raceway)
+    for name in ("load", "angle", "capacitance"):
+        found, size = run.contacts[name], np.abs(want[name]).max()
+        assert np.nanmax(np.abs(found - want[name])) < 1e-10 * size
+        assert (found.isnull() == want[name].isnull()).all()
+    assert run.tables.totals["capacitance"].to_numpy() == pytest.approx(sums["capacitance"])
+    assert (run.tables.totals["loaded_balls"] == sums["loaded_balls"].to_numpy()).all()
+    with pytest.raises(RunError, match="an export of balls needs rings of one"):
+        next(particles.frames(run.tables))

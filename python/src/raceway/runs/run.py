@@ -43,9 +43,10 @@ class Run:
     `shift`.
 
     `time` is in s from the start of the measured window, the same values in all of them; `passes`
-    beside it counts ball passes. `ball` is the atom number, `raceway` "inner" or "outer". Where a
-    ball does not touch a raceway, what vanishes with the contact (load, pressure, capacitance ...)
-    is 0 and what it does not have (film, angle ...) NaN.
+    beside it counts ball passes. `ball` is the atom number, `raceway` "inner" or "outer"; where
+    rings have two grooves for a ball, "inner 0", "inner 1", "outer 0" or "outer 1". Where a ball
+    does not touch a raceway, what vanishes with the contact (load, pressure, capacitance ...) is 0
+    and what it does not have (film, angle ...) NaN.
 
     `samples`, a slice without step, keeps to some samples: `blocks` and `bearing` need no more
     memory for a large run, the other datasets do.
@@ -212,10 +213,14 @@ class Run:
         # balls have the first atom numbers; a table may hold others (many bearings) or not all
         # (clearance)
         balls = np.union1d(table["ball"], np.arange(1, self.settings["balls"] + 1))
-        shape = (samples, len(SIDES), len(balls))
+        raceways, raceway = list(SIDES.values()), table["raceway"].to_numpy()
+        if "groove" in table:
+            raceways = [f"{side} {groove}" for side in raceways for groove in (0, 1)]
+            raceway = 2 * raceway + table["groove"].to_numpy()
+        shape = (samples, len(raceways), len(balls))
         place = (
             table["sample"].to_numpy() - first,
-            table["raceway"].to_numpy(),
+            raceway,
             np.searchsorted(balls, table["ball"]),
         )
         flat = np.ravel_multi_index(place, shape, mode="raise")
@@ -225,7 +230,7 @@ class Run:
             )
         data, azimuth = {}, None
         for name in table:
-            if name in ("ball", "raceway", "sample"):
+            if name in ("ball", "raceway", "groove", "sample"):
                 continue
             values = np.full(np.prod(shape), CONTACT[name].absent if name in CONTACT else np.nan)
             values[flat] = table[name]
@@ -235,7 +240,7 @@ class Run:
             else:
                 data[name] = (("time", "raceway", "ball"), values)
         data = self._label(data, np.arange(first, first + samples), CONTACT)
-        data = data.assign_coords(raceway=list(SIDES.values()), ball=balls)
+        data = data.assign_coords(raceway=raceways, ball=balls)
         return self._azimuths(data, azimuth)
 
     def _atoms(self, table, kind):

@@ -31,8 +31,8 @@ DUMPS = {
     "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy")),
 }
 FILES = {"contacts": "contacts.dump", "balls": "balls.dump", "rings": "rings.dat"}
-WHOLE = ("ball", "raceway", "id", "type")
-MOST = {"raceway": OUTER}
+WHOLE = ("ball", "raceway", "groove", "id", "type")
+MOST = {"raceway": OUTER, "groove": 1}
 
 
 class RunTables:
@@ -189,7 +189,11 @@ class RunTables:
 
     def need_one_groove(self, what: str) -> None:
         """Raise `RunError` where rings have two grooves for a ball."""
-        if self.record and len(self.record.raceways) > 2:
+        if self.record:
+            two = len(self.record.raceways) > 2
+        else:
+            two = "groove" in self.settings["contact_columns"].split()
+        if two:
             raise RunError(
                 f"{self.folder} has rings of two grooves for a ball; {what} needs rings of one"
             )
