@@ -19,14 +19,16 @@ struct RacewayContact {
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
   int claim = -1;                  // in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
-  const raceway::RacewayProfile *profile = nullptr;    // where it is not a torus
-  double *kept = nullptr;                              // what the law keeps of it from step to step
-  bool live = false;                                   // surfaces overlap
+  const raceway::RacewayProfile *profile = nullptr;      // where it is not a torus
+  const raceway::BallProfile *ball_profile = nullptr;    // where it is not a sphere
+  double *kept = nullptr;         // what the law keeps of it from step to step
+  bool live = false;              // surfaces overlap
   raceway::ContactState state;    // of this step; beyond the frame only where live
   // where the pair style looks at gaps: rad/s, of the ball about the ring; and without contact the
   // state has frame, overlap and entrainment speed
   double orbit = 0.0;
 
+  bool flawed() const { return profile || ball_profile; }
   raceway::Side side() const { return raceway->groove.side; }
   int groove() const { return raceway->number; }
 };

@@ -40,7 +40,8 @@ inline bool alike(const BearingModel &a, const BearingModel &b)
          detail::all_alike(a.grooves, b.grooves,
                            [](const M::Groove &x, const M::Groove &y) {
                              return x.body == y.body && x.ring == y.ring &&
-                                    x.physics == y.physics && x.profile == y.profile;
+                                    x.physics == y.physics && x.profile == y.profile &&
+                                    x.ball == y.ball;
                            }) &&
          detail::all_alike(a.pockets, b.pockets,
                            [](const M::Pocket &x, const M::Pocket &y) {

@@ -12,6 +12,7 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   place();
   rings.resize(model.rings.size() + model.shafts.size());
   place_shafts();
+  find_ball_profiles();
   with_law(model.parts, [this](auto law) { states_ = decltype(law)::states; });
   if (states_ > 0) {
     kept.resize(n_contacts);
@@ -76,6 +77,27 @@ void BearingBodies::place()
     }
   }
   for (size_t g = 0; g < contact_at.size(); ++g) groove_at[contact_at[g]] = static_cast<int>(g);
+}
+
+void BearingBodies::find_ball_profiles()
+{
+  const auto has = [](const BearingModel::Groove &g) { return g.ball != nullptr; };
+  if (std::none_of(model.grooves.begin(), model.grooves.end(), has)) return;
+  flawed = true;
+  ball_profiles.resize(n_contacts);
+  ball_rows.resize(n_contacts);
+  turns_at.assign(groups.size(), -1);
+  for (size_t k = 0; k < model.grooves.size(); ++k) {
+    const BearingModel::Groove &g = model.grooves[k];
+    if (!g.ball) continue;
+    BallProfiles &p = ball_profiles[contact_at[k] / lanes];
+    p.any = true;
+    p.of[contact_at[k] % lanes] = g.ball;
+    const int group = slot[g.body] / lanes;
+    if (turns_at[group] >= 0) continue;
+    turns_at[group] = static_cast<int>(turns.size());
+    turns.emplace_back(group);
+  }
 }
 
 void BearingBodies::place_shafts()
@@ -248,6 +270,8 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
       one.first->y[i] = one.second.y * c - one.second.x * s;
       one.first->z[i] = one.second.z;
     }
+    if (!turns.empty() && turns_at[at / lanes] >= 0)
+      turns[turns_at[at / lanes]].load(i, g.from, b.turn);
   }
 }
 
@@ -263,6 +287,8 @@ void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &
     b.x = Vec3{x.x[i], x.y[i], x.z[i]} + centre;
     b.v = {v.x[i], v.y[i], v.z[i]};
     if (g.spins) b.w = {w.x[i], w.y[i], w.z[i]};
+    if (!turns.empty() && turns_at[at / lanes] >= 0)
+      b.turn = turns[turns_at[at / lanes]].stored(i, g.from);
   }
 }
 
@@ -307,6 +333,7 @@ void BearingBodies::accept()
   }
   for (RingBody &r : rings) r.from = r.now;
   for (ShaftBend &b : bends) b.from = b.now;
+  for (BallTurns &t : turns) t.accept();
   for (States &s : kept) std::copy(s.now, s.now + states_, s.from);
 }
 

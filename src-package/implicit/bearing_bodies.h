@@ -4,6 +4,7 @@
 #ifndef RACEWAY_BEARING_BODIES_H
 #define RACEWAY_BEARING_BODIES_H
 
+#include "ball_turns.h"
 #include "bearing_model.h"
 #include "kept_follow.h"
 #include "shaft_bend.h"
@@ -85,7 +86,16 @@ class BearingBodies {
   std::vector<int> slot, body_at;    // of a body; of a slot (group 4 k + lane), -1: padding
   std::vector<BodyGroup> groups;
   std::vector<Track> tracks;
-  bool flawed = false;    // some of them have a profile
+  bool flawed = false;    // some of them have a profile, or some of the balls
+  // By group of contacts, and the rows of their depths; empty if no ball has a profile.
+  struct BallProfiles {
+    bool any = false;
+    const BallProfile *of[lanes] = {};
+  };
+  std::vector<BallProfiles> ball_profiles;
+  std::vector<TurnRowT<Lane>> ball_rows;
+  std::vector<BallTurns> turns;    // of groups with such balls
+  std::vector<int> turns_at;       // of a group, -1: none
   std::vector<RailTrack> rail_tracks;
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
   std::vector<int> contact_at;    // of a groove of the model: lanes * group of contacts + lane
@@ -110,6 +120,7 @@ class BearingBodies {
 
  private:
   void place();
+  void find_ball_profiles();
   void place_shafts();
   void find_unknowns();
   void find_unknowns_of(size_t ring);

@@ -77,6 +77,7 @@ double BearingStep::stored_energy()
     if (g.spins) e += 0.5 * g.inertia * dot(g.w, g.w);
     motion += where(g.used, e, 0.0);
   }
+  for (BallTurns &t : bodies_.turns) t.rest();
   double total = sum(motion);
   for (RingBody &r : bodies_.rings) {
     r.now = r.from;

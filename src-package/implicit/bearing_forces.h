@@ -51,7 +51,7 @@ class BearingForces {
   // What contacts keep, after a correction that came from the last evaluation (kept_follow.h).
   // False: it changes by more than a contact's spring does over `exact`, m.
   bool follow(double exact);
-  // How long a step from here may be for the flaws of the raceways, s.
+  // How long a step from here may be for the flaws of raceways and balls, s.
   double longest_step() const;
 
   // Of a ball and a raceway at the start of the step, m; 0 where none touches.
@@ -65,6 +65,7 @@ class BearingForces {
   // flawed: some raceway may have a profile; without one nothing of it is compiled in
   template <class L, bool flawed> RACEWAY_INLINE Failure raceways(const Stage &);
   Failure all_raceways(const Stage &);
+  double longest_step_of_balls() const;
   template <class Family, bool flawed> RACEWAY_INLINE bool raceways_of(const Stage &, Failure &);
   bool dry_raceways(const Stage &, Failure &);
   bool lubricated_raceways(const Stage &, Failure &);
@@ -84,6 +85,7 @@ class BearingForces {
   double power_lost_ = 0.0, contact_energy_ = 0.0;
   int body_ = -1;
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
+  BallSlopesT<Lane> turned_;               // of balls with one
   std::vector<int> touching_, touched_;    // closed pockets now and at the last factorisation
   std::vector<Place> place_;               // lab, by slot; only bodies with pockets
   std::vector<char> in_pocket_;            // groups

@@ -57,7 +57,7 @@ BodyPose BearingInstants::body(int k, int body) const
   const int slot = b_.slot[body], lane = slot % lanes;
   const Bodies &of = bodies_[(k - 1) * b_.groups.size() + slot / lanes];
   const auto pick = [lane](const Vec3L &v) { return Vec3{v.x[lane], v.y[lane], v.z[lane]}; };
-  return {pick(of.x), pick(of.v), pick(of.w)};
+  return {pick(of.x), pick(of.v), pick(of.w), {}};
 }
 
 Failure BearingInstants::pass(double h, double s0, double s1)
@@ -85,6 +85,7 @@ void BearingInstants::keep()
   for (size_t k = 0; k < b_.rings.size(); ++k) ring_end_[k] = b_.rings[k].now;
   bend_end_.clear();
   for (const ShaftBend &b : b_.bends) bend_end_.push_back(b.now);
+  for (BallTurns &t : b_.turns) t.keep();
   kept_end_ = b_.kept;
 }
 
@@ -98,6 +99,7 @@ void BearingInstants::put_back()
   }
   for (size_t k = 0; k < b_.rings.size(); ++k) b_.rings[k].now = ring_end_[k];
   for (size_t k = 0; k < b_.bends.size(); ++k) b_.bends[k].now = bend_end_[k];
+  for (BallTurns &t : b_.turns) t.put_back();
   std::swap(b_.kept, kept_end_);
 }
 
@@ -114,6 +116,10 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
                                Lane(end.v.y / end.frame.r)));
     g.v = g.v_from + (end.v - g.v_from) * s;
     g.w = g.w_from + (end.w - g.w_from) * s;
+  }
+  for (BallTurns &t : b_.turns) {
+    const Motion &end = end_[t.group];
+    t.between(b_.groups[t.group], end.frame, end.v, end.w, h, s);
   }
   for (size_t k = 0; k < b_.rings.size(); ++k)
     b_.rings[k].now = between(b_.rings[k].from, ring_end_[k], h, s);

@@ -40,6 +40,7 @@ struct BearingModel {
     int body, ring;
     const RacewayPhysics *physics;
     const RacewayProfile *profile = nullptr;    // where it is not a torus
+    const BallProfile *ball = nullptr;          // where that is not a sphere
   };
   struct Pocket {    // two bodies that may touch, as spheres
     int a, b;
@@ -63,6 +64,7 @@ struct BearingModel {
 
 struct BodyPose {
   Vec3 x, v, w;
+  Quaternion turn;    // from the own axes of a ball, where that matters
 };
 
 }    // namespace raceway

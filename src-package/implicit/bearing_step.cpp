@@ -49,6 +49,7 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
     std::fill(r.gained, r.gained + RingProgram::N_DOF, 0.0);
   }
   for (ShaftBend &b : bodies_.bends) b.start();
+  for (BallTurns &t : bodies_.turns) t.start();
   for (BearingBodies::States &k : bodies_.kept)
     std::copy(k.from, k.from + bodies_.states(), k.base);
   if (set.dampers_only) {
@@ -126,6 +127,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
     far |= ~(magnitude(g.turn) * beyond_2 <
              largest_turn);    // the base of a second stage goes that far
   }
+  for (BallTurns &t : bodies_.turns) t.move(bodies_.groups[t.group], h);
   for (RingBody &r : bodies_.rings) r.now = moved(r.program, r.base, r.gained, h, s);
   for (ShaftBend &b : bodies_.bends) b.move(h);
   bodies_.carry();
@@ -143,6 +145,7 @@ RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
     g.now = start.drifted(g.v, h, g.turn);
     far |= ~(magnitude(g.turn) < largest_turn);
   }
+  for (BallTurns &t : bodies_.turns) t.coast(bodies_.groups[t.group], h, to_end);
   for (RingBody &r : bodies_.rings)
     r.base = r.now = coasted(r.program, to_end ? r.now : r.from, h, s);
   bodies_.carry();
@@ -207,6 +210,7 @@ RACEWAY_LANES void BearingStep::second_base()
       k.base[m] = k.from[m] + beyond_2 * (k.now[m] - k.from[m]);
     }
   for (ShaftBend &b : bodies_.bends) b.second_base(beyond_2);
+  for (BallTurns &t : bodies_.turns) t.second_base(beyond_2);
   for (RingBody &r : bodies_.rings) {
     r.first = r.now;
     r.base = beyond(r.from, r.now, beyond_2);

@@ -19,7 +19,7 @@ Failure BearingForces::all_raceways(const Stage &stage)
 // At the present state.
 double BearingForces::longest_step() const
 {
-  double longest = HUGE_VAL;
+  double longest = b_.ball_profiles.empty() ? HUGE_VAL : longest_step_of_balls();
   for (const BearingBodies::Track &track : b_.tracks) {
     if (!track.profile) continue;
     const RingPose &ring = b_.rings[track.ring].from;
@@ -32,6 +32,34 @@ double BearingForces::longest_step() const
         longest = std::fmin(longest, track.profile->longest_step(
                                          phi - ring.angle, g.v_from.y[i] / f.r[i] - ring.spin));
       }
+  }
+  return longest;
+}
+
+double BearingForces::longest_step_of_balls() const
+{
+  double longest = HUGE_VAL;
+  int contact = 0;
+  for (const BearingBodies::Track &track : b_.tracks) {
+    const RingPose &ring = b_.rings[track.ring].from;
+    for (int k = track.first; k < track.end; ++k, ++contact) {
+      const BearingBodies::BallProfiles &balls = b_.ball_profiles[contact];
+      if (!balls.any) continue;
+      const BodyGroup &g = b_.groups[k];
+      const Vec3L x = g.from.place();
+      for (int i = 0; i < lanes; ++i) {
+        if (!balls.of[i]) continue;
+        const Vec3 from_ring = Vec3{x.x[i], x.y[i], x.z[i]} + b_.centre - ring.x -
+                               ring.e * track.physics->groove.offset;
+        const GroovePosition p = locate(from_ring, ring.e, track.physics->centre_circle);
+        const Vec3 lab = p.u * p.nu + ring.e * p.ne;
+        const double c = g.from.c[i], s = g.from.s[i];
+        const Vec3 n = {lab.x * c + lab.y * s, lab.y * c - lab.x * s, lab.z};
+        const Quaternion back = b_.turns[b_.turns_at[k]].from[i].back();
+        const Vec3 moves = back(cross(n, BallTurns::rate(g.v_from, g.w_from, g.from, i)));
+        longest = std::fmin(longest, balls.of[i]->longest_step(back(n), moves));
+      }
+    }
   }
   return longest;
 }
@@ -85,6 +113,13 @@ RACEWAY_LANES bool BearingForces::follow(double exact)
         motion[0] -=
             s.slope * dot(s.along, Vec3L::from(g.rhs) - g.now.local(ring_v) -
                                        cross(g.now.local(ring_w), s.lever - s.normal * radius));
+      if (!b_.ball_profiles.empty() && b_.ball_profiles[contact].any) {
+        const TurnRowT<Lane> &depth = b_.ball_rows[contact];
+        const Vec3L w = g.now.local(ring_w);
+        motion[0] -= dot(depth.v, Vec3L::from(g.rhs) - g.now.local(ring_v) -
+                                      cross(w, s.lever - s.normal * radius)) +
+                     dot(depth.w, Vec3L::from(g.rhs + 3) - w);
+      }
       for (int m = 0; m < b_.states(); ++m) {
         Lane change = s.of[m][0] * motion[0];
         for (int i = 1; i < 6; ++i) change += s.of[m][i] * motion[i];

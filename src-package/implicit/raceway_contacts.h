@@ -22,12 +22,18 @@ template <int n>
 static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int group,
                                       const RingBody &ring, double R, const Vec3L &d,
                                       const Vec3L &e, const ScaledSlopes<n> &s,
-                                      const ProfiledContactT<Lane> *on)
+                                      const ProfiledContactT<Lane> *on, const TurnRowT<Lane> *depth)
 {
   Lane row[n][6], column[6][n];    // column[k]: local forces per unit of the ball's k-th velocity
   ball_rows(s, R, row);
   if (on)
     for (int k = 0; k < 3; ++k) row[0][k] -= on->slope * row[1][k];
+  if (depth) {
+    Lane change[6];
+    depth->v.to(change);
+    depth->w.to(change + 3);
+    for (int k = 0; k < 6; ++k) row[0][k] -= change[k];
+  }
   for (int k = 0; k < 6; ++k) {
     Lane motion[n];
     for (int i = 0; i < n; ++i) motion[i] = row[i][k];
@@ -35,6 +41,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     for (int m = 0; m < 6; ++m) {
       Lane a = row[m < 3 ? 0 : 1][m] * column[k][m < 3 ? 0 : 1];
       for (int i = m < 3 ? 1 : 2; i < n; ++i) a += row[i][m] * column[k][i];
+      if (depth && m >= 3) a += row[0][m] * column[k][0];
       g.A[6 * m + k] += a;
     }
   }
@@ -52,6 +59,9 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     m[1] = dot(s.along, v);
     m[2] = dot(s.across, v);
     if (on) m[0] -= on->slope * dot(s.along, motion_of(dof, g.now, e, lever_of(ring, e, d)));
+    if (depth)
+      m[0] -= dot(depth->v, motion_of(dof, g.now, e, lever_of(ring, e, d))) +
+              dot(depth->w, rotation_of(dof, g.now, e));
     if constexpr (n == 6) {
       const Vec3L w = rotation_of(dof, g.now, e);
       m[3] = dot(s.normal, w);
@@ -66,7 +76,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < n; ++i) {
-        if ((i == 0 && k >= 3) || (i >= 3 && k < 3)) continue;    // rows that are 0 there
+        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // rows that are 0 there
         B[k] -= row[i][k] * force[i];
       }
     for (int k = 0; k < 6; ++k)
@@ -115,6 +125,83 @@ static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, c
   }
 }
 
+static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<Lane> &on)
+{
+  on.overlap[i] = one.overlap;
+  on.slope[i] = one.slope;
+  on.bend[i] = one.bend;
+  on.energy[i] = one.energy;
+  on.follows[i] = one.follows;
+  on.cross[i] = one.cross;
+  on.side[i] = one.side;
+}
+
+// The same of balls with profiles, along the row `path` of their azimuth.
+static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int group,
+                                    const RingBody &ring, const Vec3L &d, const Vec3L &e,
+                                    const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,
+                                    const TurnRowT<Lane> &depth, const BallSlopesT<Lane> &b)
+{
+  const Lane cross = h2 * b.cross, side = h2 * (b.side - c.normal * b.bend);
+  const TurnRowT<Lane> path = turn_row(b.path_along, b.path_across, e, c),
+                       approach = {c.u * c.nu + e * c.ne - c.t * slope - depth.v, -depth.w};
+  Lane G[6], t[6];
+  approach.v.to(G);
+  approach.w.to(G + 3);
+  path.v.to(t);
+  path.w.to(t + 3);
+  for (int m = 0; m < 6; ++m)
+    for (int k = 0; k < 6; ++k)
+      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
+  if (!ring.loose) return;
+  const Vec3L lever = lever_of(ring, e, d);
+  const auto changes = [&](const TurnRowT<Lane> &row, int dof) {
+    return dot(row.v, motion_of(dof, g.now, e, lever)) + dot(row.w, rotation_of(dof, g.now, e));
+  };
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    const int u = ring.unknown[dof];
+    if (u < 0) continue;
+    const Lane turned = changes(path, dof), near = changes(approach, dof), force_G = cross * turned,
+               force_t = cross * near + side * turned;
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < 6; ++k) {
+      const Lane both = G[k] * force_G + t[k] * force_t;
+      B[k] -= both;
+      C[k] -= both;
+    }
+    for (int o = 0; o < RingProgram::N_DOF; ++o)
+      if (ring.unknown[o] >= 0)
+        system.D(ring.unknown[o], u) +=
+            sum(changes(approach, o) * force_G + changes(path, o) * force_t);
+  }
+}
+
+// Place of the ring's profile and the balls'.
+static inline void look_at_profiles(const BearingBodies::Track &track,
+                                    const BearingBodies::BallProfiles &balls,
+                                    const BallTurns &turns, const LaneFrame &f,
+                                    const RingPose &ring, const Vec3L &e,
+                                    const ContactStateT<Lane> &c, ProfiledContactT<Lane> &on,
+                                    BallSlopesT<Lane> &turned)
+{
+  const Vec3L u = f.lab(c.u), n = c.u * c.nu + e * c.ne, w = e * c.nu - c.u * c.ne;
+  for (int i = 0; i < lanes; ++i) {
+    const auto one_of = [i](const Vec3L &v) { return Vec3{v.x[i], v.y[i], v.z[i]}; };
+    BallSlopes b;
+    const ProfiledContact one = profiled(
+        track.profile, balls.of[i], *track.physics, std::atan2(u.y[i], u.x[i]) - ring.angle, c.r[i],
+        c.overlap[i], BallTurns::view(turns.now[i], one_of(n), one_of(c.t), one_of(w)), b);
+    put_lane(i, one, on);
+    turned.along[i] = b.along;
+    turned.across[i] = b.across;
+    turned.path_along[i] = b.path_along;
+    turned.path_across[i] = b.path_across;
+    turned.bend[i] = b.bend;
+    turned.cross[i] = b.cross;
+    turned.side[i] = b.side;
+  }
+}
+
 static inline void look_at_profile(const BearingBodies::Track &track, const LaneFrame &f,
                                    const RingPose &ring, const ContactStateT<Lane> &c,
                                    ProfiledContactT<Lane> &on)
@@ -124,13 +211,7 @@ static inline void look_at_profile(const BearingBodies::Track &track, const Lane
     const ProfiledContact one =
         profiled(*track.profile, *track.physics, std::atan2(u.y[i], u.x[i]) - ring.angle, c.r[i],
                  c.overlap[i]);
-    on.overlap[i] = one.overlap;
-    on.slope[i] = one.slope;
-    on.bend[i] = one.bend;
-    on.energy[i] = one.energy;
-    on.follows[i] = one.follows;
-    on.cross[i] = one.cross;
-    on.side[i] = one.side;
+    put_lane(i, one, on);
   }
 }
 
@@ -172,10 +253,16 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       ContactStateT<Lane> c;
       locate(d, r.e, p.centre_circle, c);
       c.overlap = c.s - p.slack;
-      if (flawed && track.profile) {
-        look_at_profile(track, f, ring.now, c, on_);
-        c.overlap = on_.overlap;
-      }
+      const bool balls = flawed && !b_.ball_profiles.empty() && b_.ball_profiles[contact].any;
+      const bool profiled = flawed && (track.profile || balls);
+      TurnRowT<Lane> *depth = nullptr;    // of the balls
+      if (balls) {
+        look_at_profiles(track, b_.ball_profiles[contact], b_.turns[b_.turns_at[k]], f, ring.now,
+                         r.e, c, on_, turned_);
+        depth = &b_.ball_rows[contact];
+        *depth = turn_row(turned_.along, turned_.across, r.e, c);
+      } else if (flawed && track.profile) look_at_profile(track, f, ring.now, c, on_);
+      if (profiled) c.overlap = on_.overlap;
       // what is not a number must not pass for a gap
       LaneMask live = g.used & ~(c.overlap <= -p.reach);
       Lane unused[L::states > 0 ? L::states : 1];
@@ -222,6 +309,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         c.overlap = where(live, c.overlap, 1e-9);
       }
       if (flawed && track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);
+      if (balls) c.overlap_rate -= depth->rate(ball, r, d);
       LawStates<Lane> memory;
       if constexpr (L::states > 0) {
         BearingBodies::States &kept = b_.kept[contact];
@@ -244,6 +332,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         }
       ContactForcesT<Lane> q = assemble<L::couples>(p, r.e, c);
       if (flawed && track.profile) push_along(on_.slope, r.e, c, q);
+      if (balls) push_along(*depth, d, c, q);
       if (offset != 0.0) from_groove(r.e, offset, q);
       for (Vec3L *v : {&q.force, &q.ball_torque, &q.ring_torque})
         *v = {where(live, v->x, 0.0), where(live, v->y, 0.0), where(live, v->z, 0.0)};
@@ -260,7 +349,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       if (stage.evaluate == Evaluate::only) {
         power_lost_ += sum(where(live, L::loss(c), 0.0));
         contact_energy_ += sum(where(live, L::energy(p, c), 0.0));
-        if (flawed && track.profile) contact_energy_ += sum(where(live, on_.energy, 0.0));
+        if (profiled) contact_energy_ += sum(where(live, on_.energy, 0.0));
         continue;
       }
       g.rhs[0] += stage.h * q.force.x;
@@ -276,14 +365,19 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         g.damper += where(live, c.damping, 0.0);
         ring.spring += sum(spring);
       }
-      if (flawed && track.profile) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
+      if (profiled) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
       const auto s = scaled(stage.h, stage.follows(), c, r.e, live, slopes);
       const Vec3L from_ring = offset != 0.0 ? d + r.e * offset : d;
       add_matrix(system_, g, k, ring, p.groove.ball_radius, from_ring, r.e, s,
-                 flawed && track.profile ? &on_ : nullptr);
+                 flawed && track.profile ? &on_ : nullptr, depth);
       if (flawed && track.profile) {
         const Lane h2 = where(live, all_lanes(stage.h * stage.follows()), 0.0);
         add_profile(system_, g, k, ring, from_ring, r.e, c, h2, on_);
+      }
+      if (balls) {
+        const Lane h2 = where(live, all_lanes(stage.h * stage.follows()), 0.0);
+        const Lane slope = track.profile ? on_.slope : Lane{};
+        add_ball_profile(system_, g, k, ring, from_ring, r.e, c, h2, slope, *depth, turned_);
       }
       if constexpr (L::states > 0) {
         KeptSlopes &kept = b_.kept_slopes[contact];

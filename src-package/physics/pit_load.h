@@ -17,6 +17,7 @@ struct PitLoad {
   double energy;        // m^2.5, over K
   double load, side;    // m^1.5, over K: derivatives of the energy in d and in -D
   double dd, dD, DD;    // m^0.5, its second derivatives
+  double wide;          // m^2, what the energy loses as sqrt(e) grows
 };
 
 namespace detail {
@@ -41,7 +42,7 @@ inline PitLoad pit_load(double d, double D, double e)
   const double over = std::fmax(0.0, d - D), rest = std::sqrt(over);
   if (d <= e) {
     const double load = over * rest;
-    return {0.4 * over * load, load, load, 1.5 * rest, -1.5 * rest, 1.5 * rest};
+    return {0.4 * over * load, load, load, 1.5 * rest, -1.5 * rest, 1.5 * rest, 0.0};
   }
   const double root = std::sqrt(d), c = std::sqrt(e), x = c / root, c3 = c * e;
   const double share = 1.5 * x - 0.5 * x * x * x, falls = -0.75 * (x - x * x * x) / d;
@@ -55,10 +56,12 @@ inline PitLoad pit_load(double d, double D, double e)
              (0.75 * c * (d * d - e * e) - 0.5 * c3 * (d - e));
   p.side = at_e * std::sqrt(at_e);
   p.DD = 1.5 * std::sqrt(at_e);
+  p.wide = 0.75 * (d * d - e * e) - 1.5 * e * (d - e);
   if (d > from) {
     const detail::PitIntegrals to(d, D), start(from, D);
     p.energy += 1.5 * c * (to.whole_1 - start.whole_1) - 0.5 * c3 * (to.whole_3 - start.whole_3);
     p.side += 1.5 * (1.5 * c * (to.half_1 - start.half_1) - 0.5 * c3 * (to.half_3 - start.half_3));
+    p.wide += 1.5 * e * (to.whole_3 - start.whole_3) - 1.5 * (to.whole_1 - start.whole_1);
     const double begin = std::sqrt(from - D),
                  logs = std::log((root + rest) / (std::sqrt(from) + begin));
     const double quotient = 2.0 * (1.0 / from - 1.0 / d) / (rest / root + begin / std::sqrt(from));

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact on a raceway with a profile. The law of the contact takes the overlap that is left. Its
-// force acts along G = n - slope t on the ball's centre: the gradient of the stored energy, because
-// the depth changes along the raceway.
+// A contact on a raceway with a profile, or of a ball with one. The law of the contact takes the
+// overlap that is left. Its force acts along G = n - slope t on the ball's centre: the gradient of
+// the stored energy, because the depth changes along the raceway.
 #ifndef RACEWAY_PROFILED_CONTACT_H
 #define RACEWAY_PROFILED_CONTACT_H
 
+#include "ball_profile.h"
 #include "kinematics.h"
-#include "pit_load.h"
-#include "raceway_profile.h"
 
 namespace raceway {
 
@@ -57,6 +56,42 @@ inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p,
   return c;
 }
 
+// The same where the ball, the ring or both have a profile; `view` and b are those of the ball.
+inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *ball,
+                                const Raceway &p, double azimuth, double r, double overlap,
+                                const BallView &view, BallSlopes &b)
+{
+  const double d = ball ? ball->waves(overlap, view, b) : overlap;
+  ProfiledContact c;
+  if (ring) c = profiled(*ring, p, azimuth, r, d);
+  else c.overlap = d;
+  if (ball) c.overlap = ball->pits(c.overlap, view, b, c.energy, c.follows);
+  return c;
+}
+
+// How a number that depends on the direction of the normal in the ball's axes changes: by the
+// velocity v of the ball's centre against the ring's material there, and by the spin w of the ball
+// against the ring. `along` and `across` are its derivatives in the direction.
+template <class T> struct TurnRowT {
+  Vec3T<T> v, w;
+
+  RACEWAY_INLINE T rate(const BallStateT<T> &ball, const RingStateT<T> &ring,
+                        const Vec3T<T> &from_ring) const
+  {
+    return dot(v, ball.v - ring.v - cross(ring.w, from_ring)) + dot(w, ball.w - ring.w);
+  }
+};
+
+using TurnRow = TurnRowT<double>;
+
+template <class T>
+RACEWAY_INLINE TurnRowT<T> turn_row(const T &along, const T &across, const Vec3T<T> &e,
+                                    const GroovePositionT<T> &c)
+{
+  const Vec3T<T> aside = e * c.nu - c.u * c.ne;
+  return {c.t * T(along * c.nu / c.r) + aside * T(across / c.s), c.t * across - aside * along};
+}
+
 // Rate of approach (m/s) along G in place of that along n: v is the velocity of the ball's centre
 // along t against the ring's material there.
 template <class T>
@@ -75,6 +110,17 @@ RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactS
   const T push = c.normal * slope;
   f.force += c.t * push;
   f.ring_torque -= e * T(c.r * push) - c.u * T(c.z * push);
+}
+
+// The same of a ball's profile, with the row of its depth; d is the ball's centre from the ring's.
+template <class T>
+RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,
+                               const ContactStateT<T> &c, ContactForcesT<T> &f)
+{
+  const Vec3T<T> force = depth.v * c.normal, torque = depth.w * c.normal;
+  f.force += force;
+  f.ball_torque += torque;
+  f.ring_torque -= torque + cross(d, force);
 }
 
 }    // namespace raceway

@@ -52,6 +52,16 @@ class NotchPath {
   // The path falls before it turns.
   bool falls() const { return half_ > turns_; }
 
+  // How far (rad) a step may go from an azimuth in the direction of `rate`: up to the edge, and
+  // inside a fifth of its radius.
+  double longest_turn(double azimuth, double rate) const
+  {
+    const double fine = 0.2 * shape_.edge / raceway_;
+    const double x = from_middle(azimuth) * (rate > 0.0 ? 1.0 : -1.0);
+    if (std::fabs(x) < half_angle()) return fine;
+    return std::fmax((x < 0.0 ? -x : 2.0 * M_PI - x) - half_angle(), fine);
+  }
+
   // rad from the middle, -pi to pi
   double from_middle(double azimuth) const
   {
@@ -152,15 +162,7 @@ class RacewayProfile {
   {
     if (rate == 0.0) return HUGE_VAL;
     double angle = HUGE_VAL;
-    for (const NotchPath &n : notches_) {
-      const double fine = 0.2 * n.shape().edge / radius_;
-      const double x = n.from_middle(azimuth) * (rate > 0.0 ? 1.0 : -1.0);
-      if (std::fabs(x) < n.half_angle()) angle = std::fmin(angle, fine);
-      else {
-        const double to_edge = (x < 0.0 ? -x : 2.0 * M_PI - x) - n.half_angle();
-        angle = std::fmin(angle, std::fmax(to_edge, fine));
-      }
-    }
+    for (const NotchPath &n : notches_) angle = std::fmin(angle, n.longest_turn(azimuth, rate));
     for (const Wave &w : waves_) angle = std::fmin(angle, M_PI / (8.0 * w.order));
     for (double spacing : spacings_) angle = std::fmin(angle, spacing);
     return angle / std::fabs(rate);

@@ -52,7 +52,8 @@ BodyPose BearingParts::read_body(int i) const
 {
   const raceway::LabAxes &axes = sources_.axes;
   return {axes.third(Vec3::from(atom->x[i])), axes.third(Vec3::from(atom->v[i])),
-          axes.third(Vec3::from(atom->omega[i]))};
+          axes.third(Vec3::from(atom->omega[i])),
+          sources_.turn ? sources_.turn(i) : raceway::Quaternion()};
 }
 
 BearingParts::RingState BearingParts::read_ring(int i) const
@@ -71,6 +72,7 @@ void BearingParts::write_body(int i, const BodyPose &b) const
   axes.lab(b.x).to(atom->x[i]);
   axes.lab(b.v).to(atom->v[i]);
   axes.lab(b.w).to(atom->omega[i]);
+  if (sources_.turn) sources_.turn(i) = b.turn;
 }
 
 void BearingParts::write_ring(int i, const RingState &r) const

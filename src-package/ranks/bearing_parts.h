@@ -40,8 +40,11 @@ struct BearingSources {
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
   std::function<const raceway::RacewayProfile *(tag_t ring, const raceway::RacewayPhysics *)>
-      profile;                                  // of a raceway, or null; need not be given
-  std::function<RingMotion &(int i)> motion;    // of a ring
+      profile;    // of a raceway, or null; need not be given
+  std::function<const raceway::BallProfile *(tag_t ball, const raceway::RacewayPhysics *)>
+      ball_profile;                                    // likewise
+  std::function<raceway::Quaternion &(int i)> turn;    // of a ball, where it matters
+  std::function<RingMotion &(int i)> motion;           // of a ring
 };
 
 class BearingParts : protected LAMMPS_NS::Pointers {

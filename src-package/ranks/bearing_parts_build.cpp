@@ -203,7 +203,7 @@ static bool before(const BearingModel::Groove &a, const BearingModel::Groove &b)
 int BearingParts::groove_of(const BearingModel &m, int body, int ring, const Piece &p) const
 {
   const BearingModel::Groove wanted = {body, ring, sources_.raceway(p.first, p.second, p.number),
-                                       nullptr};
+                                       nullptr, nullptr};
   return static_cast<int>(std::lower_bound(m.grooves.begin(), m.grooves.end(), wanted, before) -
                           m.grooves.begin());
 }
@@ -318,8 +318,9 @@ void BearingParts::finish(const std::vector<Piece> &pieces,
     const int a = at[k].at(p.a), b = at[k].at(p.b);
     if (p.kind == Piece::groove) {
       const raceway::RacewayPhysics *physics = sources_.raceway(p.first, p.second, p.number);
-      m.grooves.push_back(
-          {a, b, physics, sources_.profile ? sources_.profile(p.b, physics) : nullptr});
+      m.grooves.push_back({a, b, physics,
+                           sources_.profile ? sources_.profile(p.b, physics) : nullptr,
+                           sources_.ball_profile ? sources_.ball_profile(p.a, physics) : nullptr});
     }
     if (p.kind == Piece::pocket) m.pockets.push_back({a, b, p.K, p.radius, p.mass});
     if (p.kind == Piece::seat) {

@@ -48,6 +48,12 @@ void FixBearingImplicit::build()
   sources.profile = [this](tag_t ring, const raceway::RacewayPhysics *p) {
     return pair_->profile(ring, p);
   };
+  if (pair_->balls_turn()) {
+    sources.ball_profile = [this](tag_t ball, const raceway::RacewayPhysics *p) {
+      return pair_->ball_profile(ball, p);
+    };
+    sources.turn = [this](int i) -> raceway::Quaternion & { return pair_->state()->turn(i); };
+  }
   raceway::with_law(pair_->law(), [&](auto law) { sources.states = decltype(law)::states; });
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);

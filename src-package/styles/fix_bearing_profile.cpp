@@ -8,6 +8,7 @@
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -15,6 +16,8 @@ using namespace LAMMPS_NS;
 using bearing::Arguments;
 using bearing::name_of;
 using bearing::text;
+using raceway::BallPitShape;
+using raceway::BallShape;
 using raceway::NotchShape;
 using raceway::PeriodicCurve;
 using raceway::ProfileShape;
@@ -32,24 +35,55 @@ static std::string quoted(const std::string &word)
 }
 
 // fix ID group bearing/profile [groove K] [notch AZIMUTH LENGTH WIDTH|full DEPTH EDGE] ...
-// [wave ORDER AMPLITUDE PHASE] ... [file NAME] ..., or none
+// [wave ORDER AMPLITUDE PHASE] ... [file NAME] ..., or none, or
+// ball [pit AZIMUTH LATITUDE LENGTH WIDTH DEPTH EDGE] ... [wave ORDER AMPLITUDE PHASE] ...|none
 FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   PairBearingHertz::find(lmp, "fix bearing/profile");
   Arguments args(lmp, std::string("fix ") + id + " bearing/profile", narg, arg, 3);
   for (int k = 3; k < narg; ++k) said_ += (k > 3 ? " " : "") + quoted(arg[k]);
+  of_balls_ = args.take("ball");
   if (args.take("none")) {
-    if (args.more()) args.fail("'none' stands alone: a raceway without flaws");
+    if (args.more()) args.fail("'none' stands alone: no flaws");
     return;
   }
+  of_balls_ ? read_ball(args) : read_raceway(args);
+}
+
+void FixBearingProfile::read_raceway(Arguments &args)
+{
   while (args.more()) {
     if (args.take("groove")) groove_ = args.integer("groove", 0, FixBearingState::max_grooves - 1);
     else if (args.take("notch")) shape_.notches.push_back(read_notch(args));
     else if (args.take("wave")) shape_.waves.push_back(read_wave(args));
     else if (args.take("file")) shape_.tables.push_back(read_table(args));
-    else args.unknown("groove, notch, wave, file, none");
+    else args.unknown("groove, notch, wave, file, none, or 'ball' first");
   }
   if (!departs()) args.fail("a profile needs 'notch', 'wave', 'file' or 'none'");
+}
+
+void FixBearingProfile::read_ball(Arguments &args)
+{
+  while (args.more()) {
+    if (args.take("pit")) ball_.pits.push_back(read_pit(args));
+    else if (args.take("wave")) ball_.waves.push_back(read_wave(args));
+    else args.unknown("pit, wave, none");
+  }
+  if (!departs()) args.fail("a profile of balls needs 'pit', 'wave' or 'none'");
+}
+
+int FixBearingProfile::setmask() { return of_balls_ && departs() ? FixConst::PRE_FORCE : 0; }
+
+BallPitShape FixBearingProfile::read_pit(Arguments &args) const
+{
+  BallPitShape n;
+  n.azimuth = args.within("azimuth of the pit (rad)", -7.0, 7.0);
+  n.latitude = args.within("latitude of the pit (rad)", -1.5, 1.5);
+  n.length = args.within("length of the pit (m)", 1e-6, 1.0);
+  n.width = args.within("width of the pit (m)", 1e-6, 1.0);
+  n.depth = args.within("depth of the pit (m)", 1e-9, 1.0);
+  n.edge = args.within("edge of the pit (m)", 1e-7, 1e-2);
+  return n;
 }
 
 NotchShape FixBearingProfile::read_notch(Arguments &args) const
@@ -140,7 +174,39 @@ std::vector<FixBearingProfile::Ring> FixBearingProfile::rings(PairBearingHertz &
   return bearing::gather_all(mine, world);
 }
 
+std::vector<FixBearingProfile::Ball> FixBearingProfile::balls(PairBearingHertz &pair) const
+{
+  std::vector<Ball> mine;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    if (!pair.is_ball_type(atom->type[i]))
+      BRG_ONE(name_of(*this) + ": atom " + std::to_string(atom->tag[i]) + " of group " +
+              group->names[igroup] + " is of type " + std::to_string(atom->type[i]) +
+              ", which no pair_coeff puts on a raceway as a ball");
+    mine.push_back({atom->tag[i], atom->type[i]});
+  }
+  return bearing::gather_all(mine, world);
+}
+
 // What a ball can follow of it.
+void FixBearingProfile::check_notch(const NotchShape &n, const char *what, double rolling) const
+{
+  const double most = std::min(0.5 * n.length, std::sqrt(2.0 * rolling * n.depth));
+  if (!(n.edge < most))
+    BRG_ALL(name_of(*this) + ": edge of the " + what + " (m) is " + text(n.edge) +
+            ", must be below " + text(most) +
+            ": half the length, or where a ball reaches the bottom");
+}
+
+void FixBearingProfile::check_wave(const Wave &w, double radius, double rolling) const
+{
+  const double most = 0.1 * radius * radius / (double(w.order) * w.order * rolling);
+  if (!(w.amplitude < most))
+    BRG_ALL(name_of(*this) + ": amplitude of the wave (m) of order " + std::to_string(w.order) +
+            " is " + text(w.amplitude) + ", must be below " + text(most) +
+            ": a tenth of the ball's curvature");
+}
+
 void FixBearingProfile::check(const RacewayPhysics &p) const
 {
   const double R = p.groove.raceway_radius, rolling = p.rolling_radius(1.0);
@@ -148,18 +214,23 @@ void FixBearingProfile::check(const RacewayPhysics &p) const
     if (!(n.length < M_PI * R))
       BRG_ALL(name_of(*this) + ": length of the notch (m) is " + text(n.length) +
               ", must be below half the raceway's circumference, " + text(M_PI * R));
-    const double most = std::min(0.5 * n.length, std::sqrt(2.0 * rolling * n.depth));
-    if (!(n.edge < most))
-      BRG_ALL(name_of(*this) + ": edge of the notch (m) is " + text(n.edge) + ", must be below " +
-              text(most) + ": half the length, or where a ball reaches the bottom");
+    check_notch(n, "notch", rolling);
   }
-  for (const Wave &w : shape_.waves) {
-    const double most = 0.1 * R * R / (double(w.order) * w.order * rolling);
-    if (!(w.amplitude < most))
-      BRG_ALL(name_of(*this) + ": amplitude of the wave (m) of order " + std::to_string(w.order) +
-              " is " + text(w.amplitude) + ", must be below " + text(most) +
-              ": a tenth of the ball's curvature");
+  for (const Wave &w : shape_.waves) check_wave(w, R, rolling);
+}
+
+void FixBearingProfile::check_ball(const RacewayPhysics &p) const
+{
+  const double R = p.groove.ball_radius, rolling = p.rolling_radius(1.0);
+  for (const BallPitShape &n : ball_.pits) {
+    for (const auto &size : {std::make_pair("length", n.length * (1.0 / std::cos(n.latitude))),
+                             std::make_pair("width", n.width)})
+      if (!(size.second < R))
+        BRG_ALL(name_of(*this) + ": " + size.first + " of the pit (m) is " + text(size.second) +
+                " on the equator, must be below the ball's radius, " + text(R));
+    check_notch(n, "pit", rolling);
   }
+  for (const Wave &w : ball_.waves) check_wave(w, R, rolling);
 }
 
 void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shape,
@@ -182,11 +253,23 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
 void FixBearingProfile::init()
 {
   const std::vector<FixBearingProfile *> all = bearing::fixes_of<FixBearingProfile>(lmp);
-  if (all.front() != this) return;
-  PairBearingHertz &pair = *PairBearingHertz::find(lmp, "fix bearing/profile");
+  if (all.front() == this) {
+    PairBearingHertz &pair = *PairBearingHertz::find(lmp, "fix bearing/profile");
+    add_rings(pair, all);
+    add_balls(pair, all);
+  }
+  const auto first = std::find_if(all.begin(), all.end(), [](const FixBearingProfile *f) {
+    return f->of_balls() && f->departs();
+  });
+  turns_ = first != all.end() && *first == this;
+}
+
+void FixBearingProfile::add_rings(PairBearingHertz &pair,
+                                  const std::vector<FixBearingProfile *> &all) const
+{
   std::map<bearing::tag_t, std::map<const RacewayPhysics *, ProfileShape>> sums;
   for (const FixBearingProfile *f : all) {
-    if (!f->departs()) continue;
+    if (f->of_balls() || !f->departs()) continue;
     const std::vector<Ring> rings = f->rings(pair);
     if (rings.empty())
       BRG_ALL(name_of(*f) + ": missing ring, group " + group->names[f->igroup] + " is empty");
@@ -213,4 +296,66 @@ void FixBearingProfile::init()
   }
   for (const auto &ring : sums)
     for (const auto &one : ring.second) pair.add_profile(ring.first, *one.first, one.second);
+}
+
+void FixBearingProfile::add_balls(PairBearingHertz &pair,
+                                  const std::vector<FixBearingProfile *> &all) const
+{
+  const auto has_pit = [](const NotchShape &n) { return n.width < HUGE_VAL; };
+  const bool ring_pits = std::any_of(all.begin(), all.end(), [&](const FixBearingProfile *f) {
+    return std::any_of(f->shape_.notches.begin(), f->shape_.notches.end(), has_pit);
+  });
+  std::map<bearing::tag_t, std::map<const RacewayPhysics *, BallShape>> sums;
+  for (const FixBearingProfile *f : all) {
+    if (!f->of_balls() || !f->departs()) continue;
+    const std::vector<Ball> balls = f->balls(pair);
+    if (balls.empty())
+      BRG_ALL(name_of(*f) + ": missing ball, group " + group->names[f->igroup] + " is empty");
+    if (ring_pits && !f->ball_.pits.empty())
+      BRG_ALL(name_of(*f) +
+              ": a ball with a pit cannot meet a notch of a raceway that has a width; "
+              "give the notch the width 'full'");
+    for (const Ball &b : balls)
+      for (const RacewayPhysics *p : pair.raceways_under(b.type)) {
+        f->check_ball(*p);
+        BallShape &s = sums[b.tag][p];
+        s.pits.insert(s.pits.end(), f->ball_.pits.begin(), f->ball_.pits.end());
+        s.waves.insert(s.waves.end(), f->ball_.waves.begin(), f->ball_.waves.end());
+        f->check_apart(b.tag, s, p->groove.ball_radius);
+      }
+  }
+  for (const auto &ball : sums)
+    for (const auto &one : ball.second) pair.add_profile(ball.first, *one.first, one.second);
+}
+
+// Two strips of one contact would not add up.
+void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
+                                    double radius) const
+{
+  const std::vector<BallPitShape> &all = shape.pits;
+  for (size_t i = 0; i < all.size(); ++i)
+    for (size_t k = i + 1; k < all.size(); ++k) {
+      const double apart = std::fabs(std::remainder(all[i].azimuth - all[k].azimuth, 2.0 * M_PI)),
+                   far = 0.5 * (all[i].length / std::cos(all[i].latitude) +
+                                all[k].length / std::cos(all[k].latitude));
+      if (apart * radius < far)
+        BRG_ALL(name_of(*this) + ": two pits of ball " + std::to_string(ball) +
+                " have azimuths in common, at " + text(all[i].azimuth) + " and " +
+                text(all[k].azimuth) + " rad; a contact may meet one at a time");
+    }
+}
+
+// Velocity Verlet: over a step a ball turns with the spin that it has in its middle. Balls of a fix
+// bearing/implicit are turned there.
+void FixBearingProfile::pre_force(int)
+{
+  if (!turns_) return;
+  PairBearingHertz &pair = *PairBearingHertz::find(lmp, "fix bearing/profile");
+  const raceway::LabAxes axes = {pair.axis_index()};
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (!pair.is_ball_type(atom->type[i]) || pair.is_implicit(i)) continue;
+    raceway::Quaternion &turn = pair.state()->turn(i);
+    const raceway::Vec3 spin = axes.third(raceway::Vec3::from(atom->omega[i]));
+    turn = (raceway::Quaternion::by(spin * update->dt) * turn).normal();
+  }
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/profile: what the raceways of the rings of a group depart from their torus by.
+// fix bearing/profile: what the raceways of the rings of a group depart from their torus by, or the
+// balls of a group from their sphere.
 #ifdef FIX_CLASS
 FixStyle(bearing/profile,FixBearingProfile)
 #else
 #ifndef LMP_FIX_BEARING_PROFILE_H
 #define LMP_FIX_BEARING_PROFILE_H
 
+#include "../physics/ball_profile.h"
 #include "../physics/contact.h"
 #include "../physics/raceway_profile.h"
 #include "bearing_compat.h"
@@ -23,13 +25,16 @@ class PairBearingHertz;
 class FixBearingProfile : public Fix {
  public:
   FixBearingProfile(class LAMMPS *, int, char **);
-  int setmask() override { return 0; }
+  int setmask() override;
   void init() override;
+  void pre_force(int) override;
 
-  bool departs() const    // from a torus
+  bool departs() const    // from a torus or sphere
   {
-    return !(shape_.notches.empty() && shape_.waves.empty() && shape_.tables.empty());
+    return !(shape_.notches.empty() && shape_.waves.empty() && shape_.tables.empty() &&
+             ball_.pits.empty() && ball_.waves.empty());
   }
+  bool of_balls() const { return of_balls_; }
   const std::string &said() const { return said_; }    // its keywords and values
 
   struct Ring {
@@ -37,18 +42,35 @@ class FixBearingProfile : public Fix {
     int type, turns_alone;    // 1: it spins, and no fix bearing/ring counts its angle
   };
   std::vector<Ring> rings(PairBearingHertz &) const;    // of the group, of all ranks
+  struct Ball {
+    bearing::tag_t tag;
+    int type;
+  };
+  std::vector<Ball> balls(PairBearingHertz &) const;
 
  private:
   raceway::NotchShape read_notch(bearing::Arguments &) const;
+  raceway::BallPitShape read_pit(bearing::Arguments &) const;
   raceway::Wave read_wave(bearing::Arguments &) const;
   raceway::PeriodicCurve read_table(bearing::Arguments &) const;
+  void read_raceway(bearing::Arguments &);
+  void read_ball(bearing::Arguments &);
+  void add_rings(PairBearingHertz &, const std::vector<FixBearingProfile *> &) const;
+  void add_balls(PairBearingHertz &, const std::vector<FixBearingProfile *> &) const;
   void check(const raceway::RacewayPhysics &) const;
+  void check_ball(const raceway::RacewayPhysics &) const;
+  void check_notch(const raceway::NotchShape &, const char *what, double rolling) const;
+  void check_wave(const raceway::Wave &, double radius, double rolling) const;
+  void check_apart(bearing::tag_t ball, const raceway::BallShape &, double radius) const;
   void check_pits(bearing::tag_t ring, const raceway::ProfileShape &,
                   const raceway::RacewayPhysics &) const;
 
   std::string said_;
   int groove_ = 0;
   raceway::ProfileShape shape_;
+  bool of_balls_ = false;
+  raceway::BallShape ball_;
+  bool turns_ = false;    // this fix turns the balls of all
 };
 
 }    // namespace LAMMPS_NS

@@ -175,6 +175,9 @@ int FixBearingState::pack_exchange(int i, double *buf)
   buf[m++] = p.ring.tilt[0];
   buf[m++] = p.ring.tilt[1];
   buf[m++] = p.ring.step;
+  buf[m++] = p.turn.w;
+  p.turn.v.to(buf + m);
+  m += 3;
   buf[m++] = p.saved;
   buf[m++] = p.saved_step;
   for (int k = 0; k < 3; ++k) buf[m++] = p.force[k];
@@ -199,6 +202,9 @@ int FixBearingState::unpack_exchange(int i, double *buf)
   p.ring.tilt[0] = buf[m++];
   p.ring.tilt[1] = buf[m++];
   p.ring.step = buf[m++];
+  p.turn.w = buf[m++];
+  p.turn.v = Vec3::from(buf + m);
+  m += 3;
   p.saved = buf[m++] != 0.0;
   p.saved_step = buf[m++];
   for (int k = 0; k < 3; ++k) p.force[k] = buf[m++];

@@ -2,7 +2,7 @@
 // Internal fix of the bearing pair styles: what a ball or ring carries from step to step beyond
 // position and velocity, across ranks and restarts. Made by the pair style; users need not name it.
 //
-//   ball: what the contact law keeps, by ring and groove
+//   ball: what the contact law keeps, by ring and groove; orientation, if a profile needs it
 //   ring: axis, spin angle, origin, imposed tilt
 //   all:  force and torque at the end of a run
 //
@@ -16,6 +16,7 @@ FixStyle(bearing/state,FixBearingState)
 
 #include "../contacts/ring_motion.h"
 #include "../physics/contact.h"
+#include "../physics/quaternion.h"
 #include "bearing_compat.h"
 
 #include <vector>
@@ -46,6 +47,8 @@ class FixBearingState : public Fix {
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
   double angle(int i) const { return per_atom_[i].ring.angle; }    // rad, of ghosts too
   RingMotion &ring(int i) { return per_atom_[i].ring; }
+  // From the own axes of a ball to those with the bearing axis third.
+  raceway::Quaternion &turn(int i) { return per_atom_[i].turn; }
   // What the contact law keeps of a ball in a groove; new ones start at 0.
   double *kept(int i_ball, bearing::tag_t ring, int groove);
   void forward_axes();    // and angles and owners, of rings to ghosts, once a step
@@ -81,6 +84,7 @@ class FixBearingState : public Fix {
     int kept_groove[max_grooves] = {};
     double kept[max_grooves][room] = {};
     RingMotion ring;
+    raceway::Quaternion turn;
     bool saved = false;    // force and torque below belong to saved_step
     double saved_step = -1.0;
     double force[3] = {}, torque[3] = {};
@@ -88,7 +92,7 @@ class FixBearingState : public Fix {
   };
 
  private:
-  static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 8;
+  static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 8;
 
   void save_forces();
   void check_step();

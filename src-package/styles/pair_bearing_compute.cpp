@@ -20,7 +20,7 @@ void PairBearingHertz::compute(int eflag, int vflag)
   state_->forward_axes();
   if (neighbor->ago == 0 || rebuild_) rebuild_contacts();
   ++fills_;
-  if (profiles_.empty()) smooth_raceway_forces();
+  if (smooth()) smooth_raceway_forces();
   else flawed_raceway_forces();
   sphere_forces(evflag);
   ring_sum_.flush();
@@ -31,16 +31,23 @@ void PairBearingHertz::smooth_raceway_forces()
   with_law(law_, [this](auto law) { raceway_forces<decltype(law), false>(); });
 }
 
-// As touch(), with what the profile leaves of the overlap.
+// As touch(), with what the profiles leave of the overlap.
 bool PairBearingHertz::touch_profile(RacewayContact &c, const Vec3 &d, const Vec3 &e,
-                                     ProfiledContact &on)
+                                     ProfiledContact &on, BallSlopes &turned)
 {
   ContactState &s = c.state;
   locate(d, e, c.raceway->centre_circle, s);
   s.overlap = s.s - c.raceway->slack;
-  const Vec3 u = LabAxes{axis_}.third(s.u);
-  on = profiled(*c.profile, *c.raceway, std::atan2(u.y, u.x) - state_->angle(c.i_ring), s.r,
-                s.overlap);
+  const LabAxes axes = {axis_};
+  const Vec3 u = axes.third(s.u);
+  BallView view;
+  if (c.ball_profile) {
+    const Quaternion to_ball = state_->turn(c.i_ball).back();
+    view = {to_ball(axes.third(s.u * s.nu + e * s.ne)), to_ball(axes.third(s.t)),
+            to_ball(axes.third(e * s.nu - s.u * s.ne))};
+  }
+  on = profiled(c.profile, c.ball_profile, *c.raceway,
+                std::atan2(u.y, u.x) - state_->angle(c.i_ring), s.r, s.overlap, view, turned);
   s.overlap = on.overlap;
   return !(s.overlap <= -c.raceway->reach);
 }
@@ -59,7 +66,7 @@ void PairBearingHertz::look_at_gap(RacewayContact &c)
       ring.v += cross(ring.w, arm);
     }
     const Vec3 d = Vec3::from(atom->x[c.i_ball]) - ring.x;
-    if (!c.profile) {
+    if (!c.flawed()) {
       locate(d, ring.e, c.raceway->centre_circle, s);
       s.overlap = s.s - c.raceway->slack;
     }

@@ -79,7 +79,10 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
     // a ball of another bearing is not in this groove
     if (!(locate(d - e * groove.offset, e, c.raceway->centre_circle).s < groove.groove_radius))
       continue;
-    if (!profiles_.empty()) c.profile = profile(c.ring, c.raceway);
+    if (!smooth()) {
+      c.profile = profile(c.ring, c.raceway);
+      c.ball_profile = ball_profile(c.ball, c.raceway);
+    }
     table_.raceway.push_back(c);
   }
 }

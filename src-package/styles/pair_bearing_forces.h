@@ -22,6 +22,7 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
   BallState ball;
   RingState ring;
   ProfiledContact on;
+  BallSlopes turned;    // of a ball with a profile
   for (bearing::RacewayContact &c : table_.raceway) {
     const RacewayPhysics &p = *c.raceway;
     ball.x = Vec3::from(x[c.i_ball]);
@@ -30,8 +31,8 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     const double offset = p.groove.offset;
     if (offset != 0.0) ring.x += ring.e * offset;
     const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
-    c.live = flawed && c.profile ? touch_profile(c, ball.x - ring.x, ring.e, on)
-                                 : touch(p, ball.x - ring.x, ring.e, c.state);
+    c.live = flawed && c.flawed() ? touch_profile(c, ball.x - ring.x, ring.e, on, turned)
+                                  : touch(p, ball.x - ring.x, ring.e, c.state);
     if (c.live) {
       if (!(c.state.overlap < p.largest_overlap)) lost(c);
       ball.v = Vec3::from(v[c.i_ball]);
@@ -44,6 +45,11 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     if (gaps_) look_at_gap(c);
     if (flawed && c.live && c.profile)
       c.state.overlap_rate -= on.slope * passing_speed(ball, ring, c.state);
+    TurnRow depth;
+    if (flawed && c.live && c.ball_profile) {
+      depth = turn_row(turned.along, turned.across, ring.e, c.state);
+      c.state.overlap_rate -= depth.rate(ball, ring, ball.x - ring.x);
+    }
     if (!c.live) {
       if (keeps) std::fill(c.kept, c.kept + L::states, 0.0);
       continue;
@@ -53,6 +59,7 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     L::act(p, p.law.at(c.state.cos_angle), memory, c.state);
     ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
     if (flawed && c.profile) push_along(on.slope, ring.e, c.state, forces);
+    if (flawed && c.ball_profile) push_along(depth, ball.x - ring.x, c.state, forces);
     if (offset != 0.0) from_groove(ring.e, offset, forces);
     if (keeps) std::copy(after, after + L::states, c.kept);
     if (!std::isfinite(c.state.normal)) lost(c);
@@ -63,7 +70,7 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
       const Vec3 d = ball.x - ring.x;
       // only this rank sees the pair: count it whole (newton = 1)
       ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
-                   eflag_either ? L::energy(p, c.state) + (flawed && c.profile ? on.energy : 0.0)
+                   eflag_either ? L::energy(p, c.state) + (flawed && c.flawed() ? on.energy : 0.0)
                                 : 0.0,
                    0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
     }

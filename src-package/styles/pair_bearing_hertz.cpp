@@ -187,6 +187,14 @@ std::vector<const RacewayPhysics *> PairBearingHertz::raceways_of(int ring_type)
   return list;
 }
 
+std::vector<const RacewayPhysics *> PairBearingHertz::raceways_under(int ball_type) const
+{
+  std::vector<const RacewayPhysics *> list;
+  for (const auto &r : raceways_)
+    if (r.first.ball == ball_type) list.push_back(&r.second);
+  return list;
+}
+
 void PairBearingHertz::add_profile(bearing::tag_t ring, const RacewayPhysics &p,
                                    const ProfileShape &shape)
 {
@@ -197,6 +205,19 @@ const RacewayProfile *PairBearingHertz::profile(bearing::tag_t ring, const Racew
 {
   const auto it = profiles_.find({ring, p});
   return it == profiles_.end() ? nullptr : &it->second;
+}
+
+void PairBearingHertz::add_profile(bearing::tag_t ball, const RacewayPhysics &p,
+                                   const BallShape &shape)
+{
+  ball_profiles_.emplace(std::make_pair(ball, &p), BallProfile(shape, p));
+}
+
+const BallProfile *PairBearingHertz::ball_profile(bearing::tag_t ball,
+                                                  const RacewayPhysics *p) const
+{
+  const auto it = ball_profiles_.find({ball, p});
+  return it == ball_profiles_.end() ? nullptr : &it->second;
 }
 
 bool PairBearingHertz::smooth_friction(double creep)
@@ -243,6 +264,7 @@ void PairBearingHertz::init_style()
   check_ghosts();
   check_cages();
   profiles_.clear();    // fixes bearing/profile give them again
+  ball_profiles_.clear();
   atoms_ = count_atoms();
   put_state_last();
   rebuild_ = true;

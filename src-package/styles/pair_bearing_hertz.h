@@ -72,8 +72,17 @@ class PairBearingHertz : public Pair {
                    const raceway::ProfileShape &);
   const raceway::RacewayProfile *profile(bearing::tag_t ring,
                                          const raceway::RacewayPhysics *) const;
-  // Raceways of a ring type.
+  // And of balls, by ball.
+  void add_profile(bearing::tag_t ball, const raceway::RacewayPhysics &,
+                   const raceway::BallShape &);
+  const raceway::BallProfile *ball_profile(bearing::tag_t ball,
+                                           const raceway::RacewayPhysics *) const;
+  bool balls_turn() const { return !ball_profiles_.empty(); }    // their orientation matters
+  // An atom of a fix bearing/implicit, which advances its state.
+  bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
+  // Raceways of a ring type, and those that balls of a type are on.
   std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
+  std::vector<const raceway::RacewayPhysics *> raceways_under(int ball_type) const;
 
   // The words of pair_style and of every pair_coeff.
   const std::vector<std::vector<std::string>> &said() const { return said_; }
@@ -115,7 +124,8 @@ class PairBearingHertz : public Pair {
   void sphere_forces(bool tally);
   void look_at_gap(bearing::RacewayContact &);
   bool touch_profile(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e,
-                     raceway::ProfiledContact &);
+                     raceway::ProfiledContact &, raceway::BallSlopes &);
+  bool smooth() const { return profiles_.empty() && ball_profiles_.empty(); }
   [[noreturn]] void lost(const bearing::RacewayContact &);
 
   raceway::RacewayPhysics defaults_;
@@ -134,6 +144,8 @@ class PairBearingHertz : public Pair {
 
   std::map<std::pair<bearing::tag_t, const raceway::RacewayPhysics *>, raceway::RacewayProfile>
       profiles_;
+  std::map<std::pair<bearing::tag_t, const raceway::RacewayPhysics *>, raceway::BallProfile>
+      ball_profiles_;
 
   bearing::ContactTable table_;
   bearing::RingSum ring_sum_;

@@ -28,6 +28,8 @@ SCENES = {
         "tilt": "free",
         "flaw_inner": "notch 0.1 3.0e-3 5.0e-4 1.0e-4 5.0e-5 wave 40 1.0e-7 0.5",
         "flaw_outer": "notch 0.15 3.0e-3 full 1.0e-4 5.0e-5",
+        "flaw_ball": "wave 12 2.0e-7 0.2",
+        "flawed_ball": "2 5",
     },
 }
 

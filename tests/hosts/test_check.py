@@ -12,6 +12,7 @@ from raceway.runs.tables import RunTables
 COARSE = {
     **{"passes": 1, "samples": 20, "settle": 1, "tolerance": 1e-7, "load": 2000},
     "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5",  # which the run notes
+    **{"flaw_ball": "wave 2 1.0e-8 0", "flawed_ball": "2 4"},
 }
 
 

@@ -23,6 +23,8 @@ _scenarios = yaml.safe_load((ROOT / "tests" / "scenarios" / "scenarios.yaml").re
 FLAWS = {
     "flaw_inner": "notch -1.3 1.0e-3 5.0e-4 1.0e-4 5.0e-5",
     "flaw_outer": "notch -1.5 1.0e-3 full 1.0e-4 5.0e-5 wave 10 2.0e-7 0",
+    "flaw_ball": "wave 12 2.0e-7 0.2",
+    "flawed_ball": "2 5",
 }
 SCENES = {
     name: {"scene": scene["deck"], **scene.get("variables", {})}

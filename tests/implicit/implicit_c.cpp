@@ -222,7 +222,7 @@ EXPORT(void, lone_ring,
   p.moment[0] = p.moment[1] = Vec3::from(moment);
   p.force[0] = p.force[1] = {1.0, 2.0, 3.0};
   step.set_program(0, p);
-  std::vector<BodyPose> bodies = {{{30e-3, 0, 0}, Vec3(), Vec3()}};
+  std::vector<BodyPose> bodies = {{{30e-3, 0, 0}, Vec3(), Vec3(), {}}};
   std::vector<RingPose> rings(1);
   rings[0].spin = spin;
   step.load(bodies, rings);
@@ -257,7 +257,7 @@ EXPORT(void, old_factors, (double h, double found[9]))
   p.mode[0] = p.mode[1] = p.mode[2] = Freedom::free;
   p.mass = 0.5;
   p.force[0] = p.force[1] = {1.0, 2.0, 3.0};
-  b.load({{{30e-3, 0, 0}, Vec3(), Vec3()}}, std::vector<RingPose>(1));
+  b.load({{{30e-3, 0, 0}, Vec3(), Vec3(), {}}}, std::vector<RingPose>(1));
   RingBody &ring = b.rings[0];
   BodyGroup &g = b.groups[0];
   g.base = g.now = g.from;
@@ -279,12 +279,12 @@ EXPORT(void, old_factors, (double h, double found[9]))
   }
 }
 
-// A ball between its raceways, the outer one with a notch, in a stage of h seconds: the matrix of
-// the linear system and differences of its right-hand side. Rows: the ball's velocity and spin;
-// columns: these, and x, y and spin of the outer ring.
+// A ball on an outer raceway with a notch, or with a pit of its own, in a stage of h seconds: the
+// matrix of the linear system and differences of its right-hand side. Rows: the ball's velocity and
+// spin; columns: these, and x, y and spin of the outer ring.
 EXPORT(void, flawed_system,
-       (const double notch[4], double off_middle, double overlap, double h, double matrix[54],
-        double differences[54], double transposed[18]))
+       (const double notch[4], int of_ball, double off_middle, double overlap, double h,
+        double matrix[54], double differences[54], double transposed[18]))
 {
   RacewayPhysics outer = outer_6208(0.0);
   outer.parts = dry_parts;
@@ -294,7 +294,10 @@ EXPORT(void, flawed_system,
   BearingModel model;
   model.bodies = {{1, 8.17e-3, 6.3e-3, true}};
   model.rings = {{2, 0, {}}};
-  model.grooves = {{0, 0, &outer, &profile}};
+  BallPitShape pit;
+  static_cast<NotchShape &>(pit) = shape;
+  const BallProfile ball({{pit}, {{7, 2e-7, 0.2}}}, outer);
+  model.grooves = {{0, 0, &outer, of_ball ? nullptr : &profile, of_ball ? &ball : nullptr}};
   model.parts = outer.parts;
   BearingBodies b(model);
   BearingSystem system(b);
@@ -303,11 +306,11 @@ EXPORT(void, flawed_system,
   free.mode[0] = free.mode[1] = free.mode[RingProgram::SPIN] = Freedom::free;
   free.mass = 0.3;
   free.inertia = {3e-4, 1.6e-4};
-  const double at = 0.7 + off_middle / 36.6e-3, r = 30.3e-3 + overlap;
+  const double at = 0.7 + off_middle / (of_ball ? 6.3e-3 : 36.6e-3), r = 30.3e-3 + overlap;
   RingPose pose;
   pose.spin = 3.0;
   const Vec3 u = {std::cos(at), std::sin(at), 0.0}, t = {-u.y, u.x, 0.0};
-  b.load({{u * r, t * 2.0 + u * 0.01, {0.0, 0.0, -250.0}}}, {pose});
+  b.load({{u * r, t * 2.0 + u * 0.01, {0.0, 0.0, -250.0}, {}}}, {pose});
   RingBody &ring = b.rings[0];
   BodyGroup &g = b.groups[0];
   Stage stage;
@@ -325,6 +328,10 @@ EXPORT(void, flawed_system,
     g.base = g.from;
     g.now = g.base.drifted(g.v, h, g.turn);
     ring.now = moved(free, ring.base, ring.gained, h, 1.0);
+    for (BallTurns &turns : b.turns) {
+      turns.start();
+      turns.move(g, h);
+    }
     stage.evaluate = what;
     system.start(h, true);
     forces.evaluate(stage);

@@ -295,6 +295,7 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
             for part in lib.call(
                 "flawed_system",
                 notch=np.array([1e-3, width, 1e-4, 5e-5]),
+                of_ball=0,
                 off_middle=off_middle,
                 overlap=overlap,
                 h=1e-5,
@@ -313,6 +314,39 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
     assert transposed[:3, :2] == pytest.approx(force[:, 6:8], abs=1e-12 * stiff)
     if off_middle < 1e-3:
         assert np.abs(want[0, 1]) > 1e-3 * stiff  # the slope counts
+
+
+@pytest.mark.parametrize("width", [5e-3, 3e-4], ids=["wide", "narrow"])
+@pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
+def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
+    """As above, with the ball's spin about the axis in place of its way along the raceway."""
+
+    def found(overlap):
+        return [
+            part.reshape(6, -1)
+            for part in lib.call(
+                "flawed_system",
+                notch=np.array([1e-3, width, 1e-4, 5e-5]),
+                of_ball=1,
+                off_middle=off_middle,
+                overlap=overlap,
+                h=1e-5,
+            )
+        ]
+
+    matrix, differences, transposed = found(2.5e-5)
+    mass, frame, _ = found(-2e-4)  # without contact
+    force, want = matrix - mass, differences - frame
+    stiff, radius = want[0, 0], 6.3e-3
+    for row, unit_row in ((0, 1.0), (1, 1.0), (5, radius)):
+        for column, unit in ((0, 1.0), (5, radius)):
+            off = force[row, column] - want[row, column]
+            assert abs(off) < 5e-5 * stiff * unit_row * unit, (row, column)
+    assert np.abs(force - want)[0, 6:8].max() < 5e-5 * stiff  # x, y of the ring
+    assert np.abs(force[:, 8]).max() < 1e-8 * stiff  # and its spin
+    assert transposed[0, :2] == pytest.approx(force[0, 6:8], abs=1e-12 * stiff)
+    if off_middle < 1e-3:
+        assert np.abs(want[0, 5]) > 1e-3 * stiff * radius  # the slope counts
 
 
 def test_old_factors_stay(lib):

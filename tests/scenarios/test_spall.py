@@ -56,6 +56,28 @@ def test_lines_of_the_envelope(tmp_path, ring, length):
         assert there == pytest.approx(hertz, rel=2e-3) and above > 3, hertz
 
 
+def test_lines_of_a_flawed_ball(tmp_path):
+    """A pit of a ball strikes both raceways in turn, half a turn apart: twice the speed of the ball
+    against the cage, with the cage speed aside, because the load is on one side. At 0.2 % of what
+    the run's own spin of that ball says."""
+    flaw = {"flaw_ball": "pit 0 0 1e-3 1e-3 1e-4 5e-5", "flawed_ball": 3}
+    succeed("inputs/in.6208", out=tmp_path, passes=90, samples=300, record="all", **CASE, **flaw)
+    run = package.open(tmp_path)
+    assert run.flaws == {"ball 3": "pit 0 0 1e-3 1e-3 1e-4 5e-5"}
+    found = envelope.of_run(run, "ay", BAND)
+    cage = float(run.bearing["cage_speed"].mean()) / (2 * np.pi)
+    turns = cage - float(run.balls["omegaz"].sel(ball=3).mean()) / (2 * np.pi)
+    for hertz in (2 * turns, 2 * turns - cage, 2 * turns + cage, 4 * turns):
+        there, above = peak(found, hertz)
+        assert there == pytest.approx(hertz, rel=2e-3) and above > 3, hertz
+    # both strikes are alike: the line at one turn would be the higher one for a single strike
+    once, twice = (
+        found.to_numpy()[np.abs(found["frequency"].to_numpy() - k * turns) < 1.0].max()
+        for k in (1, 2)
+    )
+    assert once < 0.5 * twice
+
+
 @pytest.mark.parametrize("length", [1e-3, 2e-3])
 @pytest.mark.parametrize("raceway, passes", [("outer", 5), ("inner", 12)])
 def test_length_from_a_housing(tmp_path, raceway, passes, length):

@@ -87,6 +87,33 @@ def test_other_orders_move_nothing(tmp_path):
             assert abs(found[speed] - base[speed]) < 5e-3 * AMPLITUDE
 
 
+def test_waves_of_a_ball(tmp_path):
+    """An even order is a ball that is larger and smaller n times a turn against the cage: the ring
+    goes round at n times that speed plus and less the cage speed, and along its axis at n times it.
+    An odd order meets both raceways at once, one high and one low, and moves nothing. The wave is
+    met where the balls' path is, beside the equator. Along the axis the ring still settles, which
+    leaves 5e-3 of the line at any speed."""
+    time, across, along, _, cage, _ = turned(
+        tmp_path, flaw_ball=f"wave 2 {AMPLITUDE} 0.3 wave 3 {AMPLITUDE} 0.3"
+    )
+    run = raceway.open(tmp_path)
+    ball = run.balls.isel(ball=0)
+    x, y, wx, wy, wz = (ball[name].values for name in ("x", "y", "omegax", "omegay", "omegaz"))
+    outward = ((wx * x + wy * y) / np.hypot(x, y)).mean()
+    turns = np.hypot(outward, wz.mean() - cage)
+    angle = float(run.contacts["angle"].mean())
+    # of the contact's normal over the axis that the ball turns about
+    sine = (outward * np.cos(angle) + (wz.mean() - cage) * np.sin(angle)) / turns
+    orbit = 2 * AMPLITUDE / (BALLS * np.cos(angle)) * (1 - sine**2)
+    turn = {n: [n * turns + cage, cage - n * turns] for n in (2, 3)}
+    back = [-speed for speed in turn[2]]
+    found = lines(time, across, [*turn[2], *turn[3], *back])
+    assert [found[speed] for speed in turn[2]] == pytest.approx([orbit, orbit], rel=1e-2)
+    assert max(found[speed] for speed in (*turn[3], *back)) < 1e-3 * orbit
+    pump = lines(time, along, [2 * turns, 3 * turns])
+    assert pump[2 * turns] > orbit and pump[3 * turns] < 1e-2 * pump[2 * turns]
+
+
 @pytest.mark.parametrize("larger", [1e-7, -1e-7])
 def test_a_larger_ball_carries_the_ring_around(tmp_path, larger):
     """A ball of another atom type: the ring's centre goes round with the cage, at 2 dD/(Z cos a).

@@ -39,6 +39,7 @@ RANGES = {  # m, but for the place
 SET_HERE = {
     **OURS,
     **dict.fromkeys(("flaw_inner", "flaw_outer"), "`flaws` says it"),
+    **dict.fromkeys(("flaw_ball", "flawed_ball"), "a data set has no flaws of balls"),
     **dict.fromkeys(("sampling", "oversampling", "passes", "samples"), "`record` says it"),
     **dict.fromkeys(("integrator", "record", "dumps"), "it is always the same"),
     "phase": "`seed` draws it",

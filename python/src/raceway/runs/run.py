@@ -12,7 +12,7 @@ import xarray as xr
 from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.runs.columns import ATOM, BEARING, CONTACT, RING
-from raceway.runs.flaws import by_raceway
+from raceway.runs.flaws import by_part
 from raceway.runs.named import NamedDataset
 from raceway.runs.recorded import Recorded
 from raceway.runs.summary import ring_displacement, summary
@@ -80,7 +80,8 @@ class Run:
         if self.tables.record and self.tables.record.bearing is None:
             return f"<raceway run {self.tables.folder}: {len(self.bearing_numbers)} bearings>"
         settings = self.settings
-        flaws = "".join(f", {side} raceway: {words}" for side, words in self.flaws.items())
+        places = {side: f"{side} raceway" for side in ("inner", "outer")}
+        flaws = "".join(f", {places.get(at, at)}: {words}" for at, words in self.flaws.items())
         state = "" if self.tables.finished else ", not finished"
         return (
             f"<raceway run {self.tables.folder}: {settings['bearing']}, {settings['lubricant']},"
@@ -96,11 +97,12 @@ class Run:
 
     @property
     def flaws(self) -> dict[str, str]:
-        """Words of fix bearing/profile by raceway, "inner" and "outer"; nothing of one without
-        flaws. Raises `RunError` unless one bearing has been chosen."""
+        """Words of fix bearing/profile by raceway, "inner" and "outer", and by ball, "ball 1" for
+        that of atom number 1; nothing of one without flaws. Raises `RunError` unless one bearing
+        has been chosen."""
         if self.tables.record:
             self.tables.record.need_one()
-        return by_raceway(self.settings)
+        return by_part(self.settings)
 
     @cached_property
     def contacts(self) -> xr.Dataset:

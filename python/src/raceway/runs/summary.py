@@ -12,7 +12,7 @@ from typing import Any
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
-from raceway.runs.flaws import by_raceway
+from raceway.runs.flaws import by_part
 from raceway.runs.friction import PARTS, friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.model_range import model_ranges
@@ -43,6 +43,7 @@ TOPICS = {
         row("roughness_m"),
         Row("flaw_inner", "flaws, inner raceway", None, "fix bearing/profile"),
         Row("flaw_outer", "flaws, outer raceway", None, "fix bearing/profile"),
+        Row("flaw_ball", "flaws, balls", None, "fix bearing/profile"),
     ),
     "Inner ring, measured": (
         Row("force_x_N", "force of the balls along x", "N", "mean"),
@@ -154,7 +155,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
     result["warnings"] = _warnings(tables, result)
     ranges = {key: one._asdict() for key, one in model_ranges(tables, result).items()}
     result["model_ranges"] = ranges or None
-    if flaws := by_raceway(settings):
+    if flaws := by_part(settings):
         result["flaws"] = flaws
     if errors := numerical_errors(tables):
         result["numerical_errors"] = errors
@@ -369,6 +370,8 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
         **result,
         **{f"loss_{part}_W": loss or None for part, loss in losses.items()},
         **{f"flaw_{name}": flaws.get(name) for name in NAME.values()},
+        "flaw_ball": "; ".join(f"{at}: {w}" for at, w in flaws.items() if at.startswith("ball"))
+        or None,
     }
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
-from raceway.runs.flaws import by_raceway
+from raceway.runs.flaws import by_ball, by_raceway
 from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
@@ -59,6 +59,9 @@ def variables(tables: RunTables) -> dict[str, str]:
     known = dict(word.split("=", 1) for word in said.split(","))
     for raceway, words in by_raceway(tables.settings).items():
         known[f"flaw_{raceway}"] = words
+    if balls := by_ball(tables.settings):
+        known["flaw_ball"] = next(iter(balls.values()))
+        known["flawed_ball"] = " ".join(map(str, balls))
     return {**known, "passes": f"{tables.settings['passes']:.15g}"}
 
 
