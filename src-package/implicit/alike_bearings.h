@@ -25,14 +25,15 @@ inline bool alike(const BearingModel &a, const BearingModel &b)
                            [](const M::Body &x, const M::Body &y) {
                              return x.mass == y.mass && x.radius == y.radius && x.spins == y.spins;
                            }) &&
-         detail::all_alike(
-             a.rings, b.rings,
-             [](const M::Ring &x, const M::Ring &y) {
-               return x.mover == y.mover && x.on_shaft == y.on_shaft && x.at == y.at &&
-                      detail::all_alike(x.own, y.own, [](const RingValue &v, const RingValue &w) {
-                        return v.which == w.which;
-                      });
-             }) &&
+         detail::all_alike(a.rings, b.rings,
+                           [](const M::Ring &x, const M::Ring &y) {
+                             return x.mover == y.mover && x.on_shaft == y.on_shaft &&
+                                    x.at == y.at && x.holder == y.holder &&
+                                    detail::all_alike(x.own, y.own,
+                                                      [](const RingValue &v, const RingValue &w) {
+                                                        return v.which == w.which;
+                                                      });
+                           }) &&
          detail::all_alike(a.shafts, b.shafts,
                            [](const M::Shaft &x, const M::Shaft &y) {
                              return x.mover == y.mover && x.rings == y.rings;

@@ -12,6 +12,10 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   place();
   rings.resize(model.rings.size() + model.shafts.size());
   place_shafts();
+  for (size_t k = 0; k < model.rings.size(); ++k) {
+    rings[k].holder = model.rings[k].holder;
+    if (rings[k].holder >= 0) rings[rings[k].holder].holds = true;
+  }
   find_ball_profiles();
   with_law(model.parts, [this](auto law) { states_ = decltype(law)::states; });
   if (states_ > 0) {
@@ -295,7 +299,8 @@ void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &
 Vec3 BearingBodies::force_on(const RingBody &r, double s) const
 {
   Vec3 push = r.force + r.program.force_at(s, r.now.angle);
-  if (r.program.supported) push += r.program.support_force(r.now);
+  if (r.program.supported) push += r.program.support_force(held(r));
+  if (r.holds) add_held(r, &push, nullptr);
   if (heavy) push += gravity * r.program.mass;
   return push;
 }
@@ -303,8 +308,22 @@ Vec3 BearingBodies::force_on(const RingBody &r, double s) const
 Vec3 BearingBodies::moment_on(const RingBody &r, double s) const
 {
   Vec3 M = r.moment + r.program.moment_at(s, r.now);
-  if (r.program.supported) M += r.program.support_moment(r.now, r.now.rate[0], r.now.rate[1]);
+  if (r.program.supported) {
+    const RingPose seen = held(r);
+    M += r.program.support_moment(seen, seen.rate[0], seen.rate[1]);
+  }
+  if (r.holds) add_held(r, nullptr, &M);
   return M;
+}
+
+void BearingBodies::add_held(const RingBody &holder, Vec3 *force, Vec3 *moment) const
+{
+  for (const RingBody &r : rings) {
+    if (r.holder < 0 || &rings[r.holder] != &holder) continue;
+    const RingPose seen = held(r);
+    if (force) *force -= r.program.support_force(seen);
+    if (moment) *moment -= r.program.support_moment(seen, seen.rate[0], seen.rate[1]);
+  }
 }
 
 void BearingBodies::load_states(const double *values)

@@ -37,6 +37,8 @@ struct alignas(32) RingBody {
   bool loose = false;                 // some degree of freedom is free
   bool carried = false;               // by a shaft
   bool levered = false;               // by a rigid one, whose unknowns it has
+  int holder = -1;                    // ring that its supports hold it to, -1: the ground
+  bool holds = false;                 // another one
   double at = 0.0;                    // m, a carried ring from the shaft's centre
   double span = 0.0;                  // m, of a shaft: to the farthest of its rings
   double spring = 0.0;                // N/m, sum over contacts; with dampers_only
@@ -52,9 +54,16 @@ class BearingBodies {
   void accept();        // what is now is the start of the next step
   void carry();         // rings to where their shafts are now
   void add_shafts();    // forces and moments of carried rings on their shafts
+  // What the supports of a ring see of it: from its holder, if it has one.
+  RingPose held(const RingBody &r) const
+  {
+    return r.holder < 0 ? r.now : seen_from(r.now, rings[r.holder].now);
+  }
   // N, on a ring at the share s of the host's step: contacts, loads, supports and weight.
   Vec3 force_on(const RingBody &, double s) const;
   Vec3 moment_on(const RingBody &, double s) const;    // N m, likewise
+  // N and N m, of supports that hold other rings to this one.
+  void add_held(const RingBody &, Vec3 *force, Vec3 *moment) const;
 
   // What contacts keep (part.h), groove by groove of the model, `states` numbers each.
   int states() const { return states_; }

@@ -14,13 +14,15 @@ void BearingStep::add_energy(double weight, double s)
     if (r.carried) continue;    // the shaft has its forces
     double push[3], pull[3], v[3];
     r.program.force_at(s, r.now.angle).to(push);
-    r.force.to(pull);
+    Vec3 met_force = r.force, met_moment = r.moment;
+    if (r.holds) bodies_.add_held(r, &met_force, &met_moment);
+    met_force.to(pull);
     r.now.v.to(v);
     for (int k = 0; k < 3; ++k) power += v[k] * (r.program.free(k) ? push[k] : -pull[k]);
     const Vec3 load = r.program.moment_at(s, r.now), W = r.now.across();
     const double w[3] = {W.x, W.y, r.now.spin};
     const double given[3] = {load.x, load.y, dot(load, r.now.e)};
-    const double met[3] = {r.moment.x, r.moment.y, dot(r.moment, r.now.e)};
+    const double met[3] = {met_moment.x, met_moment.y, dot(met_moment, r.now.e)};
     for (int k = 0; k < 3; ++k)
       power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
   }
@@ -36,7 +38,10 @@ void BearingStep::add_energy(double weight, double s)
   }
   if (bodies_.heavy) power += power_of_gravity();
   for (const RingBody &r : bodies_.rings)
-    if (r.program.supported) lost += r.program.support_loss(r.now, r.now.rate[0], r.now.rate[1]);
+    if (r.program.supported) {
+      const RingPose seen = bodies_.held(r);
+      lost += r.program.support_loss(seen, seen.rate[0], seen.rate[1]);
+    }
   pending_.work += weight * power;
   pending_.dissipated += weight * lost;
 }
@@ -88,7 +93,9 @@ double BearingStep::stored_energy()
     for (int k = 0; k < 2; ++k)
       if (r.program.free(RingProgram::TILT + k))
         total += 0.5 * r.program.inertia.transverse * r.now.rate[k] * r.now.rate[k];
-    if (r.program.supported) total += r.program.support_energy(r.now);
+    if (r.program.supported)
+      total += r.program.support_energy(
+          r.holder < 0 ? r.now : seen_from(r.from, bodies_.rings[r.holder].from));
     if (r.program.free(RingProgram::SPIN))
       total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
   }

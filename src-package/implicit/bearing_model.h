@@ -30,6 +30,8 @@ struct BearingModel {
     std::vector<RingValue> own;    // what this ring has for itself
     bool on_shaft = false;         // moves as one body with all rings of its mover
     double at = 0.0;               // m, along that shaft from its centre
+    Tag held_by = 0;               // ring that its supports hold it to, 0: the ground
+    int holder = -1;               // the same, in rings
   };
   struct Shaft {    // rings that move as one body
     int mover;

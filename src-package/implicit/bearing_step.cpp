@@ -152,12 +152,18 @@ RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
   return !any(far);
 }
 
-// 1/s^2, of the supports of a ring.
-static double stiffest(const RingProgram &p)
+// 1/s^2, of the supports of a ring, to another one if it is there. What both have to do with the
+// ground or a third one counts at the holder: a bound.
+static double stiffest(const RingProgram &p, const RingProgram *holder)
 {
   double most = 0.0;
-  for (int k = 0; k < RingProgram::SPIN; ++k)
-    if (p.free(k)) most = std::max(most, p.support[k].stiffness / p.inertia_of(k));
+  for (int k = 0; k < RingProgram::SPIN; ++k) {
+    if (!p.free(k)) continue;
+    double sum = p.support[k].stiffness / p.inertia_of(k);
+    if (holder && holder->free(k))
+      sum += (p.support[k].stiffness + holder->support[k].stiffness) / holder->inertia_of(k);
+    most = std::max(most, sum);
+  }
   return most;
 }
 
@@ -189,7 +195,10 @@ RACEWAY_LANES double BearingStep::stability(double h) const
     largest = std::max(largest, h * h * sum / 3.0);
   }
   for (const RingBody &r : bodies_.rings)
-    if (r.program.supported) largest = std::max(largest, h * h * stiffest(r.program) / 3.0);
+    if (r.program.supported) {
+      const RingProgram *holder = r.holder < 0 ? nullptr : &bodies_.rings[r.holder].program;
+      largest = std::max(largest, h * h * stiffest(r.program, holder) / 3.0);
+    }
   return largest;
 }
 

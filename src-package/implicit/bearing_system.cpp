@@ -64,7 +64,14 @@ void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
       border_.a[f * nf + f] += inertia;
       if (r.program.supported && dof < RingProgram::SPIN) {
         const Support &on = r.program.support[dof];
-        border_.a[f * nf + f] += h * (on.damping + follows * on.stiffness);
+        const double stiff = h * (on.damping + follows * on.stiffness);
+        border_.a[f * nf + f] += stiff;
+        const int u = r.holder < 0 ? -1 : b_.rings[r.holder].unknown[dof];
+        if (u >= 0) {
+          border_.a[f * nf + u] -= stiff;
+          border_.a[u * nf + f] -= stiff;
+          border_.a[u * nf + u] += stiff;
+        }
       }
     }
     if (dof < RingProgram::TILT) {

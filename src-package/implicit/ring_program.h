@@ -38,7 +38,8 @@ struct Unbalance {
   double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, from the ring's angle
 };
 
-// A spring and a damper beside it, from a ring to the ground, where the ring was at the start.
+// A spring and a damper beside it, from a ring to the ground, where the ring was at the start, or
+// to another ring.
 struct Support {
   double stiffness = 0.0, damping = 0.0;    // N/m and N s/m; of a tilt N m/rad and N m s/rad
 };
@@ -188,6 +189,31 @@ inline double verlet_support(const Support &on, double displacement, double behi
   return spring - on.damping * rate;
 }
 
+// What a support between two rings meets of one of them, in one degree of freedom of velocity
+// Verlet. `push` is everything else but `ground`, which holds it to the ground.
+struct SupportEnd {
+  bool free;
+  double displacement, behind, push, inertia;
+  Support ground;
+};
+
+// The same of a support between two rings: dampers, that of the second to the ground too, are
+// implicit in the velocities of both. Force on the first.
+inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
+                             double half)
+{
+  const double spring = -on.stiffness * (held.displacement - holder.displacement);
+  const double a = half / held.inertia, b = holder.free ? half / holder.inertia : 0.0;
+  const double v = held.behind + a * (held.push + spring),
+               u = holder.behind +
+                   b * (holder.push - spring - holder.ground.stiffness * holder.displacement);
+  const double first = a * on.damping, second = b * on.damping,
+               whole = 1.0 + second + b * holder.ground.damping;
+  const double determinant = (1.0 + first) * whole - first * second;
+  const double rate = (v * (whole - second) - u) / determinant;
+  return spring - on.damping * rate;
+}
+
 // As velocity Verlet carries it: the host's atom.
 struct RingAtom : RingPlace {
   Vec3 w;    // rad/s
@@ -211,6 +237,19 @@ struct RingPose : RingPlace {
     rate[1] = w.y - spin * e.y;
   }
 };
+
+// A ring as another one sees it: what supports between the two know of it. Its axis is left alone.
+inline RingPose seen_from(const RingPose &r, const RingPose &from)
+{
+  RingPose s = r;
+  s.x -= from.x - from.origin;
+  s.v -= from.v;
+  for (int k = 0; k < 2; ++k) {
+    s.tilt[k] -= from.tilt[k];
+    s.rate[k] -= from.rate[k];
+  }
+  return s;
+}
 
 // The rotation vector (rad) across the bearing axis that turns it into e.
 inline void tilt_of(const Vec3 &e, double *tilt)

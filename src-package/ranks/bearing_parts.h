@@ -29,8 +29,9 @@ struct BearingSources {
     int i;        // owned atom
     int mover;    // who says how it moves: a number that means the same on all ranks
     std::vector<raceway::RingValue> own;
-    tag_t shaft = 0;    // first ring of the shaft that it is on, 0: of none
-    double at = 0.0;    // m, along the shaft from its centre
+    tag_t shaft = 0;     // first ring of the shaft that it is on, 0: of none
+    double at = 0.0;     // m, along the shaft from its centre
+    tag_t holder = 0;    // ring that its supports hold it to, 0: the ground
   };
   const ContactTable *table = nullptr;
   int states = 0;    // numbers that the law keeps of a contact

@@ -71,8 +71,9 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   };
   for (int i = 0; i < nall; ++i)
     if (sources_.is_ring(atom->type[i])) tell(i);
-  for (const BearingSources::MovedRing &m : sources_.moved)    // a shaft joins its bearings
-    if (m.shaft != 0) nodes.push_back({m.shaft, atom->tag[m.i], comm->me, 1, 0});
+  for (const BearingSources::MovedRing &m : sources_.moved)    // shafts and supports join
+    for (tag_t other : {m.shaft, m.holder})
+      if (other != 0) nodes.push_back({other, atom->tag[m.i], comm->me, 1, 0});
   for (const SphereContact &s : table.sphere)
     if (s.i >= nlocal || s.j >= nlocal) {
       tell(s.i);
@@ -150,6 +151,7 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
       p.number = 1;
       p.K = moved[i]->at;
     }
+    if (ring && moved[i]) p.b = moved[i]->holder;
     if (ring && moved[i])
       for (const raceway::RingValue &v : moved[i]->own) {
         Piece &own = add(i, Piece::value, atom->tag[i], 0);
@@ -221,6 +223,14 @@ static void find_shafts(BearingModel &m)
   }
 }
 
+// Rings that hold others.
+static void find_holders(BearingModel &m)
+{
+  for (BearingModel::Ring &ring : m.rings)
+    for (int k = 0; ring.held_by != 0 && k < static_cast<int>(m.rings.size()); ++k)
+      if (m.rings[k].tag == ring.held_by) ring.holder = k;
+}
+
 // At home: models in the order of names, everything in them in the order of tags.
 void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
 {
@@ -239,7 +249,7 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
     BearingModel &m = parts_[part_of[p.name]].model;
     if (p.kind == Piece::body)
       m.bodies.push_back({p.a, p.mass, p.radius, sources_.is_ball(p.second)});
-    else if (p.kind == Piece::ring) m.rings.push_back({p.a, p.first, {}, p.number == 1, p.K});
+    else if (p.kind == Piece::ring) m.rings.push_back({p.a, p.first, {}, p.number == 1, p.K, p.b});
     else continue;
     if (!p.inside && (!outsider || p.a < outsider->a)) outsider = &p;
   }
@@ -261,6 +271,7 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
         m.rings.begin(), m.rings.end(),
         [](const BearingModel::Ring &a, const BearingModel::Ring &b) { return a.tag < b.tag; });
     find_shafts(m);
+    find_holders(m);
     if (m.bodies.empty())
       BRG_ONE(command_ + ": atom " + std::to_string(m.name()) +
               " of its group is no ball, cage ball or ring of a "

@@ -39,7 +39,8 @@ void FixBearingImplicit::build()
     for (int i = 0; i < atom->nlocal; ++i)
       if (rings_[k]->moves(i))
         sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i),
-                                 rings_[k]->shaft(), rings_[k]->place_on_shaft(i)});
+                                 rings_[k]->shaft(), rings_[k]->place_on_shaft(i),
+                                 rings_[k]->holder()});
   sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
   sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
   sources.raceway = [this](int ball, int ring, int groove) {

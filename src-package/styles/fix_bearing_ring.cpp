@@ -114,14 +114,50 @@ void FixBearingRing::init()
                 world);    // who owns no ring must know
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
+  find_holder();
   if (mass_of_atom() > 0.0)
     for (int i = 0; i < atom->nlocal; ++i)
       if (moves(i)) atom->rmass[i] = mass_of_atom();    // kinetic energy in thermo output
 }
 
+// Of supports to another ring. That ring has a fix of its own, which makes its last half step
+// after the forces of these supports are there.
+void FixBearingRing::find_holder()
+{
+  between_.clear();
+  holder_ = 0;
+  holder_moves_by_ = nullptr;
+  if (settings_.holder.empty()) return;
+  const std::string me = bearing::name_of(*this);
+  const int which = group->find(settings_.holder.c_str());
+  if (which < 0) BRG_ALL(me + ": there is no group '" + settings_.holder + "' to hold to");
+  std::vector<bearing::tag_t> mine;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->mask[i] & group->bitmask[which]) mine.push_back(atom->tag[i]);
+  const std::vector<bearing::tag_t> all = bearing::gather_all(mine, world);
+  if (all.size() != 1)
+    BRG_ALL(me + ": group '" + settings_.holder + "' to hold to has " + std::to_string(all.size()) +
+            " atoms, must have one ring");
+  for (FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
+    if (std::binary_search(f->tags_.begin(), f->tags_.end(), all.front())) holder_moves_by_ = f;
+  const std::string ring = "ring " + std::to_string(all.front());
+  if (!holder_moves_by_ || holder_moves_by_ == this)
+    BRG_ALL(me + ": " + ring + " to hold to needs a fix bearing/ring of its own");
+  if (holder_moves_by_->shaft() != 0)
+    BRG_ALL(me + ": " + ring + " to hold to is on a shaft, must move alone");
+  if (!holder_moves_by_->settings_.holder.empty())
+    BRG_ALL(me + ": " + ring + " to hold to is held to another ring, must be held to the ground");
+  bearing::require_order(lmp, *this, *holder_moves_by_,
+                         "its last half step comes after the supports' forces");
+  holder_ = all.front();
+}
+
 // Driven speeds hold from the first instant; forces of the set-up get the load like any others.
 void FixBearingRing::setup(int vflag)
 {
+  if (holder_moves_by_ && holder_moves_by_->by_another_ != by_another_)
+    BRG_ALL(bearing::name_of(*this) + " and " + bearing::name_of(*holder_moves_by_) +
+            ", whose ring it holds to, need the same integrator");
   find_own_values();
   evaluate(0, RingProgram::N_VALUE);
   before_ = now_;
@@ -241,6 +277,7 @@ void FixBearingRing::begin_step()
 {
   time_ += update->dt;
   reported_ = -1;
+  between_.clear();
   before_ = now_;
   evaluate(0, RingProgram::N_VALUE);
 }

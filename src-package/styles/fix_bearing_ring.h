@@ -10,6 +10,8 @@ FixStyle(bearing/ring,FixBearingRing)
 #include "bearing_compat.h"
 #include "ring_settings.h"
 
+#include <map>
+
 namespace LAMMPS_NS {
 
 class FixBearingShaft;
@@ -40,6 +42,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   virtual double place_on_shaft(int) const { return 0.0; }
   // Itself if it is a shaft that bends, else null.
   virtual FixBearingShaft *bending() { return nullptr; }
+  // Tag of the ring that its supports hold to, 0: the ground.
+  bearing::tag_t holder() const { return holder_; }
   void begin_step();
   // What an atom-style variable gives a ring for itself.
   std::vector<raceway::RingValue> own_values(int i) const;
@@ -87,6 +91,9 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   virtual void coast();
   virtual void add_loads();
   virtual void hold(double half);
+  void find_holder();
+  void hold_between(double half);
+  void add_support(bearing::tag_t ring, const double *on);
   virtual void note_accelerations();
   virtual void make_report();
   virtual void report_loads(int i, double *row) const;
@@ -97,12 +104,16 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
   double time_ = 0.0;
-  Values now_, before_;                  // of all rings; in the step before
-  std::vector<int> own_;                 // which values each ring has for itself
-  std::vector<Values> per_ring_;         // these, by local atom
-  bool called_back_ = false;             // the host moves per_ring_ with the atoms
-  bool by_another_ = false;              // a fix bearing/implicit integrates these rings
-  std::vector<bearing::tag_t> tags_;     // of the rings, rising
+  Values now_, before_;                 // of all rings; in the step before
+  std::vector<int> own_;                // which values each ring has for itself
+  std::vector<Values> per_ring_;        // these, by local atom
+  bool called_back_ = false;            // the host moves per_ring_ with the atoms
+  bool by_another_ = false;             // a fix bearing/implicit integrates these rings
+  std::vector<bearing::tag_t> tags_;    // of the rings, rising
+  bearing::tag_t holder_ = 0;
+  FixBearingRing *holder_moves_by_ = nullptr;
+  // N, the bearing axis third: on rings of this fix, of supports between two rings, this step
+  std::map<bearing::tag_t, raceway::Vec3> between_;
   std::vector<ContactLoad> contacts_;    // of the owned rings of the group, by tag, last step
   std::vector<double> report_;
   bigint reported_ = -1;

@@ -4,8 +4,11 @@
 #include "fix_bearing_ring.h"
 
 #include "../contacts/ring_motion.h"
+#include "../ranks/gather.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 using raceway::RingAtom;
@@ -41,6 +44,7 @@ void FixBearingRing::initial_integrate(int)
   if (by_another_) return;
   time_ += update->dt;
   reported_ = -1;
+  between_.clear();
   kick();
   before_ = now_;
   evaluate(0, RingProgram::N_DOF);
@@ -93,12 +97,73 @@ void FixBearingRing::final_integrate()
 void FixBearingRing::hold(double half)
 {
   if (!settings_.program.supported) return;
+  if (holder_ != 0) return hold_between(half);
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) {
       double on[RingProgram::SPIN];
       support_of(settings_.program, read(i), axes_.third(Vec3::from(atom->f[i])),
                  axes_.third(Vec3::from(atom->torque[i])), half, on);
       axes_.lab(Vec3{on[0], on[1], on[2]}).add_to(atom->f[i]);
+      axes_.lab(Vec3{on[3], on[4], 0.0}).add_to(atom->torque[i]);
+    }
+}
+
+// The same where they hold to another ring. All ranks compute all of them, because the two may be
+// on different ones.
+void FixBearingRing::hold_between(double half)
+{
+  struct End {
+    bearing::tag_t tag;
+    RingAtom at;
+    Vec3 push, moment;
+  };
+  std::vector<End> ends;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i) || atom->tag[i] == holder_)
+      ends.push_back({atom->tag[i], read(i), axes_.third(Vec3::from(atom->f[i])),
+                      axes_.third(Vec3::from(atom->torque[i]))});
+  ends = bearing::gather_all(ends, world);
+  std::sort(ends.begin(), ends.end(), [](const End &a, const End &b) { return a.tag < b.tag; });
+  const auto numbers = [](const End &e, double *moved, double *rate, double *push) {
+    const Vec3 d = e.at.x - e.at.origin, across = e.at.w - e.at.e * dot(e.at.w, e.at.e);
+    const double list[] = {d.x,      d.y,      d.z,      e.at.tilt[0], e.at.tilt[1],
+                           e.at.v.x, e.at.v.y, e.at.v.z, across.x,     across.y,
+                           e.push.x, e.push.y, e.push.z, e.moment.x,   e.moment.y};
+    std::copy(list, list + 5, moved);
+    std::copy(list + 5, list + 10, rate);
+    std::copy(list + 10, list + 15, push);
+  };
+  const auto holder =
+      std::find_if(ends.begin(), ends.end(), [this](const End &e) { return e.tag == holder_; });
+  const RingProgram &p = settings_.program, &other = holder_moves_by_->settings_.program;
+  double at[5], rate[5], push[5], all[5] = {};
+  numbers(*holder, at, rate, push);
+  for (const End &end : ends) {
+    if (end.tag == holder_) continue;
+    double moved[5], behind[5], given[5], on[5];
+    numbers(end, moved, behind, given);
+    for (int k = 0; k < RingProgram::SPIN; ++k) {
+      on[k] = p.free(k) ? verlet_support(p.support[k],
+                                         {true, moved[k], behind[k], given[k], p.inertia_of(k), {}},
+                                         {other.free(k), at[k], rate[k], push[k] + all[k],
+                                          other.inertia_of(k), other.support[k]},
+                                         half)
+                        : 0.0;
+      all[k] -= on[k];
+    }
+    add_support(end.tag, on);
+  }
+  holder_moves_by_->add_support(holder_, all);
+}
+
+// To the ring's force and moment, where it is, and to what is told of it.
+void FixBearingRing::add_support(bearing::tag_t ring, const double *on)
+{
+  const Vec3 force = {on[0], on[1], on[2]};
+  between_[ring] += force;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (atom->tag[i] == ring) {
+      axes_.lab(force).add_to(atom->f[i]);
       axes_.lab(Vec3{on[3], on[4], 0.0}).add_to(atom->torque[i]);
     }
 }

@@ -48,7 +48,10 @@ void FixBearingRing::report_loads(int i, double *row) const
   using namespace bearing::of_fix_ring;
   const RingProgram p = at_end(i);
   axes_.lab(load_of(p, i)).to(row + LOAD_X);
-  if (p.supported) axes_.lab(p.support_force(read(i))).to(row + SUPPORT_X);
+  Vec3 support;
+  if (p.supported && holder_ == 0) support = p.support_force(read(i));
+  if (const auto on = between_.find(atom->tag[i]); on != between_.end()) support += on->second;
+  axes_.lab(support).to(row + SUPPORT_X);
 }
 
 double FixBearingRing::compute_vector(int k) { return reported(0, k); }

@@ -26,7 +26,8 @@ std::string RingWords::known() const
 {
   return std::string("x, y, z, ") + name_of(RingProgram::TILT) + ", " +
          name_of(RingProgram::TILT + 1) +
-         ", spin, mass, inertia, force, moment, rotating, unbalance, support, ramp";
+         ", spin, mass, inertia, force, moment, rotating, unbalance, support, " +
+         (each_ ? "to, " : "") + "ramp";
 }
 
 void RingWords::read_freedom(const std::string &name, int dof)
@@ -100,6 +101,8 @@ bool RingWords::take()
     p.unbalance.phase = args_.number("phase of the unbalance (rad)");
   } else if (args_.take("support")) {
     read_support();
+  } else if (each_ && args_.take("to")) {
+    to_.holder = args_.word("to");
   } else if (args_.take("ramp")) {
     p.ramp = args_.non_negative("ramp time (s)");
   } else {
@@ -116,6 +119,7 @@ void RingWords::check() const
   for (int dof = 0; dof < RingProgram::SPIN; ++dof)
     if ((p.support[dof].stiffness > 0.0 || p.support[dof].damping > 0.0) && !p.free(dof))
       args_.fail(std::string("'support ") + name_of(dof) + "' needs '" + name_of(dof) + " free'");
+  if (!to_.holder.empty() && !p.supported) args_.fail("'to " + to_.holder + "' needs a support");
   for (int k : number_)
     if (p.free(k) && p.mass == 0.0) args_.fail(std::string(name_of(k)) + " free needs 'mass M'");
   for (int k = RingProgram::TILT; k < RingProgram::N_DOF; ++k)

@@ -12,6 +12,7 @@ namespace bearing {
 struct RingSettings {
   raceway::RingProgram program;    // of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
+  std::string holder;    // group of the ring that the supports hold to; empty: the ground
 };
 
 // Reads them, keyword by keyword.
