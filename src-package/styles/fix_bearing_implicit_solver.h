@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The solver of fix bearing/implicit, its settings and the bearings at home here: for the sources of
-// that fix alone, so that no other style depends on them.
+// The solver of fix bearing/implicit, its settings and the bearings at home here: for the sources
+// of that fix alone, so that no other style depends on them.
 #ifndef BEARING_IMPLICIT_SOLVER_H
 #define BEARING_IMPLICIT_SOLVER_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The steps of fix bearing/implicit: bearings of a neighbour build, their state in, substeps, and the
-// state out.
+// The steps of fix bearing/implicit: bearings of a neighbour build, their state in, substeps, and
+// the state out.
 #include "../deck/arguments.h"
 #include "../implicit/alike_bearings.h"
 #include "fix_bearing_cage.h"

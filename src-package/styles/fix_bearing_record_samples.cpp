@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a sample of fix bearing/record has: at the end of a step from what a rank owns, between steps
-// from the homes of the bearings.
+// What a sample of fix bearing/record has: at the end of a step from what a rank owns, between
+// steps from the homes of the bearings.
 #include "contact_context.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
