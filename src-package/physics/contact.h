@@ -16,6 +16,7 @@
 #include "part_hertz.h"
 #include "part_mixed_friction.h"
 #include "part_rolling.h"
+#include "part_slip_slices.h"
 #include "part_spin.h"
 
 namespace raceway {
@@ -25,7 +26,7 @@ using Parts =
     PartList<HertzContactPart, FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart,
              NormalForcePart, FilmBranchPart, ConstantFrictionPart, StribeckFrictionPart,
              TangentialSpringPart, SmoothedFrictionPart, MixedFrictionPart, DifferentialSlipPart,
-             HydrodynamicRollingPart, RollingHysteresisPart, SpinPart, DragPart>;
+             HydrodynamicRollingPart, RollingHysteresisPart, SpinPart, SlipSlicesPart, DragPart>;
 
 template <class... P> using Law = LawOf<Parts, P...>;
 template <class... P> using DryLaw = Law<HertzContactPart, HysteresisPart, NormalForcePart, P...>;
@@ -61,7 +62,8 @@ using DryLaws =
     LawList<DryLaw<>, DryLaw<ConstantFrictionPart, TangentialSpringPart>,
             DryLaw<ConstantFrictionPart, SmoothedFrictionPart>,
             DryLaw<ConstantFrictionPart, DifferentialSlipPart>,
-            DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>>;
+            DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>,
+            DryLaw<ConstantFrictionPart, SlipSlicesPart, RollingHysteresisPart>>;
 using LubricatedLaws =
     LawList<LubricatedLaw<>, LubricatedLaw<ConstantFrictionPart, TangentialSpringPart>,
             LubricatedLaw<ConstantFrictionPart, SmoothedFrictionPart>,
@@ -74,7 +76,9 @@ using GapLaws = LawList<GapLaw<StribeckFrictionPart, TangentialSpringPart>,
                         UniformSlip<GapLaw>>;
 using FullLaws = LawList<FullLaw<>, FullLaw<StribeckFrictionPart, TangentialSpringPart>,
                          FullLaw<StribeckFrictionPart, SmoothedFrictionPart>,
-                         RollingFriction<FullLaw>, UniformSlip<FullLaw>>;
+                         RollingFriction<FullLaw>, UniformSlip<FullLaw>,
+                         FullLaw<MixedFrictionPart, SlipSlicesPart, HydrodynamicRollingPart,
+                                 RollingHysteresisPart, DragPart>>;
 using Laws = decltype(joined(DryLaws(), LubricatedLaws(), GapLaws(), FullLaws()));
 
 namespace detail {

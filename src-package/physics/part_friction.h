@@ -46,6 +46,15 @@ inline std::vector<StateColumn> tangential_columns()
            [](const Raceway &, const ContactState &s) { return friction_power(s); }}};
 }
 
+// The column of all laws of spin.
+inline StateColumn spin_column()
+{
+  return {{"spin_power", "W", "power lost to spin", vanishes},
+          [](const Raceway &, const ContactState &s) { return s.couple_n * s.spin_n; },
+          Needs::nothing,
+          false};
+}
+
 struct ConstantFrictionPart : PartBase {
   static constexpr const char *name = "friction_constant", *slot = "friction";
   struct Parameters {

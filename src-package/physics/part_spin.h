@@ -48,13 +48,7 @@ struct SpinPart : PartBase {
              "couple about the contact normal, where the contact angle makes spin"}};
   }
 
-  static std::vector<StateColumn> columns()
-  {
-    return {{{"spin_power", "W", "power lost to spin", vanishes},
-             [](const Raceway &, const ContactState &s) { return loss(s); },
-             Needs::nothing,
-             false}};
-  }
+  static std::vector<StateColumn> columns() { return {spin_column()}; }
 
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,

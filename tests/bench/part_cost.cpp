@@ -155,6 +155,8 @@ int main()
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart>>("hysteresis in rolling", 8);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart>>("spin", 9);
   report<Slip<HydrodynamicRollingPart, RollingHysteresisPart, SpinPart, DragPart>>("drag", 10);
+  report<FullLaw<MixedFrictionPart, SlipSlicesPart, HydrodynamicRollingPart, RollingHysteresisPart,
+                 DragPart>>("slip and spin in slices, in place of their closed forms", 11);
   report<FullLaw<>>("film of all regimes, in place of the power law", 3, {true});
   report<FullLaw<>>("inlet shear after Gupta, in place of Murch and Wilson", 3,
                     {false, InletShear::gupta});

@@ -50,6 +50,10 @@ def test_models(tmp_path):
     assert raceway.open(tmp_path).settings["models"] == "full"
     succeed("inputs/in.dry", out=tmp_path, models="full", overwrite="yes", **SHORT)
     assert "friction constant 0.1" in commands() and "gap" not in commands()
+    slices = dict(models="full", spin_law="slices", without="spin")
+    succeed("inputs/in.dry", out=tmp_path, overwrite="yes", **slices, **SHORT)
+    assert "slices 1.0e-4 0" in commands() and "heathcote" not in commands()
+    assert "spin_law=slices" in raceway.open(tmp_path).settings["deck_variables"]
 
 
 def test_models_of_an_oil_without_the_numbers(tmp_path):

@@ -14,6 +14,16 @@ EXPORT(void, differential_slip, (double off, SlipLaw *out))
   out->couple = slip_couple(out->root);
   out->root_of_force = force_root(out->secant * off);
 }
+RECORD(SlidingCentre, double along, across, spin, edge, aspect, least;)
+RECORD(SlidingForces, double along, across, moment, couple, slope_along, slope_across, slope_moment,
+       slope_couple;)
+EXPORT(void, slip_slices, (const SlidingCentre *in, SlidingForces *out))
+{
+  const auto f =
+      SlipSlices::forces<true>({in->along, in->across, in->spin, in->edge, in->aspect, in->least});
+  *out = {f.along,       f.across,       f.moment,       f.couple,
+          f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
+}
 EXPORT(double, surface_radius, (double groove, double ball))
 {
   return deformed_radius(groove, ball);
@@ -54,7 +64,7 @@ RECORD(Rolled, double side, overlap, overlap_rate, cos_angle, entrainment, slidi
        eyring, limit;)
 RECORD(Resisted, double load, normal, mu, lambda_, asperity_share, kt, a, b, friction_t, friction_w,
        couple_n, couple_w, slip_couple, rolling_couple, hysteresis_couple, drag, drag_power,
-       friction_power, loss, states[2];)
+       friction_power, loss, states[2], slips[2];)
 
 static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
 {
@@ -65,7 +75,7 @@ static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
   p.ring_roughness = 1e-7;
   p.parts = parts;
   p.of<ConstantFrictionPart>().mu = in.mu;
-  p.of<DifferentialSlipPart>().least = in.least;
+  p.of<DifferentialSlipPart>().least = p.of<SlipSlicesPart>().least = in.least;
   p.of<MixedFrictionPart>().mu_boundary = in.mu_boundary;
   p.of<MixedFrictionPart>().mu_film = in.mu_film;
   p.of<MixedFrictionPart>().traction.stress = in.eyring;
@@ -87,16 +97,21 @@ static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
   c.spin_n = in.spin_n;
   c.roll_w = in.roll_w;
   Resisted out = {};
+  double after[4] = {};
   with_law(parts, [&](auto law) {
     using L = decltype(law);
-    if constexpr (L::states == 2) {
+    if constexpr (L::states == 2 || L::states == 4) {
       const RacewayConstants k = p.law.at(c.cos_angle);
-      L::act(p, k, LawStates<double>{in.dt, before, out.states}, c);
+      L::act(p, k, LawStates<double>{in.dt, before, after}, c);
       out.loss = L::loss(c);
       out.a = k.a * c.root;
       out.b = k.b * c.root;
     }
   });
+  for (int k = 0; k < 2; ++k) {
+    out.states[k] = after[k];
+    out.slips[k] = after[2 + k];
+  }
   out.load = c.load;
   out.normal = c.normal;
   out.mu = c.mu;
@@ -124,6 +139,11 @@ EXPORT(void, slip_of, (const Rolled *in, const double before[2], Resisted *out))
 EXPORT(void, dry_of, (const Rolled *in, const double before[2], Resisted *out))
 {
   using L = DryLaw<ConstantFrictionPart, DifferentialSlipPart, RollingHysteresisPart, SpinPart>;
+  *out = resisted(*in, L::parts, before);
+}
+EXPORT(void, slices_of, (const Rolled *in, const double before[4], Resisted *out))
+{
+  using L = DryLaw<ConstantFrictionPart, SlipSlicesPart, RollingHysteresisPart>;
   *out = resisted(*in, L::parts, before);
 }
 EXPORT(void, all_of, (const Rolled *in, const double before[2], Resisted *out))

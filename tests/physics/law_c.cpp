@@ -89,6 +89,7 @@ Scene scene(unsigned parts, int n)
   }
   s.p.of<HydrodynamicRollingPart>().beta = 0.047;
   s.p.of<DragPart>().share = 0.1;
+  s.p.of<SlipSlicesPart>().share = 0.7;
   s.p.prepare(30.3e-3, 8.17e-3, 0.05);
   // a contact that hardly has load must not part
   const bool light = s.p.has<FilmInGapPart>() && n % 5 == 0;
@@ -105,8 +106,11 @@ Scene scene(unsigned parts, int n)
   s.ball.w = {between(-5.0, 5.0), between(-5.0, 5.0), between(-120.0, -60.0)};
   s.ring.w = {0.0, 0.0, between(0.0, 50.0)};
   // m of a spring, N of differential slip, N of the film's branch, which comes first
-  const double most = s.p.has<DifferentialSlipPart>() ? 20.0 : 1e-7;
+  const bool slides = s.p.has<DifferentialSlipPart>() || s.p.has<SlipSlicesPart>();
+  const double most = slides ? 20.0 : 1e-7;
   for (double &b : s.before) b = between(-most, most);
+  if (s.p.has<SlipSlicesPart>())    // m/s, the last two
+    for (int k = 2; k < most_states; ++k) s.before[k] *= 1e-3;
   if (s.p.has<FilmBranchPart>()) s.before[0] = between(-0.05, 0.05);
   s.dt = between(1e-6, 1e-4);
   s.follows = s.dt;

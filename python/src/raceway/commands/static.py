@@ -137,6 +137,12 @@ def add(commands: Commands) -> None:
         help="paper: as the publication; full: film in the gap, inlet shear, friction torque",
     )
     one.add_argument(
+        "--spin-law",
+        choices=("closed", "slices"),
+        default="closed",
+        help="of the friction torque: closed adds pure spin to slip, slices takes both together",
+    )
+    one.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,
         default="normal",
@@ -159,6 +165,8 @@ def run(arguments: argparse.Namespace) -> None:
         )
     if arguments.lubricant not in (None, "dry") and not arguments.rpm:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
+    if arguments.spin_law != "closed" and arguments.models != "full":
+        arguments.complain("--spin-law: of the friction torque; give --models full")
     if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
         arguments.complain("--temperature: of the lubricant; give --lubricant")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
@@ -177,6 +185,7 @@ def run(arguments: argparse.Namespace) -> None:
         density=arguments.density,
         exact_circle=arguments.exact_circle,
         models=arguments.models,
+        spin_law=arguments.spin_law,
         temperature=arguments.temperature,
         cleanliness=arguments.cleanliness,
     )

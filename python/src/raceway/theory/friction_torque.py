@@ -5,7 +5,8 @@ roll freely, by part, over the speed of the ring.
 rolling     hydrodynamic, 2 f u times the factors of inlet shear and starvation (`rolling`)
 slip        differential slip in free rolling: Eyring's stress with its limit in the film's share of
             the load, Coulomb's with the boundary coefficient in the asperities' (`sliding`)
-spin        about the contact normals, at the raceway that holds the ball less (`spin`)
+spin        about the contact normals, at the raceway that holds the ball less (`spin`); or, with
+            `spin_law` "slices", shared by both, together with slip
 hysteresis  of the steel (`rolling`)
 drag        of the balls in oil and air (`drag`)
 """
@@ -35,6 +36,7 @@ from raceway.theory.lubrication import Lubrication
 from raceway.theory.static import Equilibrium
 
 PARTS = ("rolling", "slip", "spin", "hysteresis", "drag")
+SPIN_LAWS = ("closed", "slices")
 
 
 @dataclass(frozen=True)
@@ -79,9 +81,14 @@ def losses(
     *,
     clearance: float = 0.0,
     surfaces: Surfaces | None = None,
+    spin_law: str = "closed",
 ) -> Losses:
     """`Losses` of an `Equilibrium` with its `Lubrication` and the `Fluid` of it; inner ring at
-    `ring` and balls around it at `orbit` rad/s, clearance in m."""
+    `ring` and balls around it at `orbit` rad/s, clearance in m. `spin_law` "closed" adds Coulomb's
+    moment of pure spin to differential slip, "slices" takes both together over the contact ellipse.
+    ValueError for another law."""
+    if spin_law not in SPIN_LAWS:
+        raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
     sides = [
         _side(bearing, side, contact, film, fluid, clearance, surfaces)
@@ -93,7 +100,17 @@ def losses(
     against = drag.force(
         bearing.ball_radius, speed, fluid.viscosity, fluid.density, surfaces.oil_share
     )
-    turned = _spin(bearing, state, friction, ring, orbit, clearance)
+    both = (state.inner.load > 0) & (state.outer.load > 0)
+    turned = np.zeros((2, bearing.balls))
+    if np.any(both & (np.abs(state.inner.angle) > 1e-6)):
+        rates = _spin_rates(bearing, state, ring, orbit)
+        if spin_law == "closed":
+            turned = np.where(both, _spin(bearing, state, friction, rates, clearance), 0.0)
+        else:
+            for ball in np.flatnonzero(both):
+                slid[:, ball], turned[:, ball] = _together(
+                    bearing, state, films, friction, rates, clearance, ball
+                )
     balls = np.full(bearing.balls, against * speed)
     return Losses(rolled, slid, turned, hysteresis, balls, share, friction)
 
@@ -148,21 +165,12 @@ def _film_slip(fluid, load, speed, h_c, a, b, r_x, r_d):
     return of(brentq(lambda slip: of(slip).force, 0.0, edge, xtol=1e-4 * edge)).power
 
 
-def _spin(bearing, state, friction, ring, orbit, clearance):
-    """Spin power (2, Z): of all rotations of the ball that roll at both raceways, the one that
-    loses least holds it at one raceway and spins at the other."""
-    power = np.zeros((2, bearing.balls))
-    both = (state.inner.load > 0) & (state.outer.load > 0)
-    if not np.any(both & (np.abs(state.inner.angle) > 1e-6)):
-        return power
+def _spin_rates(bearing, state, ring, orbit):
+    """Spin of ball less ring in rad/s at both raceways, (2, Z), for one rotation of the ball that
+    rolls at both; and its change with 1 rad/s of the one rotation that keeps it rolling."""
     inner, outer = state.inner.angle, state.outer.angle
     radius, pitch = bearing.ball_radius, bearing.pitch_radius
-    moments = []
-    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
-        ellipse = hertz.exact(*bearing.effective_radii(side, contact.angle, clearance))
-        moments.append(spin.moment(contact.load, friction[side], contact.a, ellipse.second))
-    # in the cage's frame, (radial, axial): normal spin of ball less ring for two rotations of the
-    # ball that roll on the inner raceway and differ by 1 rad/s in the radial part
+    # in the cage's frame, (radial, axial)
     relative = ring - orbit
     rates = []
     for radial in (0.0, 1.0):
@@ -175,10 +183,52 @@ def _spin(bearing, state, friction, ring, orbit, clearance):
                 radial * np.cos(outer) + (axial + orbit) * np.sin(outer),
             )
         )
-    at, turn = np.array(rates[0]), np.array(rates[1]) - np.array(rates[0])
+    at = np.array(rates[0])
+    return at, np.array(rates[1]) - at
+
+
+def _spin(bearing, state, friction, rates, clearance):
+    """Spin power (2, Z): of all rotations of the ball that roll at both raceways, the one that
+    loses least holds it at one raceway and spins at the other."""
+    moments = []
+    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
+        ellipse = hertz.exact(*bearing.effective_radii(side, contact.angle, clearance))
+        moments.append(spin.moment(contact.load, friction[side], contact.a, ellipse.second))
+    at, turn = rates
     tried = []
     for holds in (INNER, OUTER):
         spins = at - turn * at[holds] / turn[holds]
         tried.append(np.abs(spins) * np.array(moments))
-    best = np.where(tried[0].sum(0) < tried[1].sum(0), tried[0], tried[1])
-    return np.where(both, best, 0.0)
+    return np.where(tried[0].sum(0) < tried[1].sum(0), tried[0], tried[1])
+
+
+def _together(bearing, state, films, friction, rates, clearance, ball):
+    """(slip, spin) of one ball, powers at both raceways: the rotation at which both together lose
+    least is that at which their moments balance. Slip along rolling leaves no force."""
+    at, turn = (one[:, ball] for one in rates)
+    bounds = -at / turn  # without spin at one raceway
+    tried = np.linspace(*bounds, 17)
+    sides = (
+        (INNER, state.inner, films.inner),
+        (OUTER, state.outer, films.outer),
+    )
+
+    def of(side, contact, film, turned):
+        r_x, _ = bearing.effective_radii(side, contact.angle, clearance)
+        r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
+        a, speed = contact.a[ball], film.entrainment[ball]
+        curve = speed / (2 * r_d * np.broadcast_to(r_x, contact.load.shape)[ball])
+        rate = at[side] + turn[side] * turned
+        found = spin.free_slip(
+            contact.load[ball], friction[side][ball], a, contact.b[ball], rate, curve
+        )
+        return np.array([found.power - found.moment * rate, found.moment * rate])
+
+    lost = sum(of(*side, tried).sum(0) for side in sides)
+    best = min(max(int(np.argmin(lost)), 1), len(tried) - 2)
+    before, middle, after = lost[best - 1 : best + 2]
+    bend = before - 2 * middle + after
+    off = 0.5 * (before - after) / bend if bend > 0 else 0.0
+    step = tried[1] - tried[0]
+    least = tried[best] + step * np.clip(off, -1.0, 1.0)
+    return np.array([of(*side, np.array([least]))[:, 0] for side in sides]).T

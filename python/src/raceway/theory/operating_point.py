@@ -137,6 +137,7 @@ def figures(
     density: float | None = None,
     exact_circle: bool = False,
     models: str = "paper",
+    spin_law: str = "closed",
     temperature: float | None = None,
     cleanliness: str = "normal",
 ) -> dict[str, Any]:
@@ -145,7 +146,8 @@ def figures(
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
     (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
     inner ring and the load along x. What is not `held` is free. `models` is one of `MODELS`: "full"
-    has the film in the gap, inlet shear and the friction torque. `temperature` of the lubricant is
+    has the film in the gap, inlet shear and the friction torque, with the `spin_law` of
+    `friction_torque.losses`. `temperature` of the lubricant is
     in degrees C, its file's unless given. `cleanliness` is a word of `cleanliness.CLEANLINESS`.
     Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
     models or another word.
@@ -218,7 +220,9 @@ def figures(
         boundary = inputs.boundary(path)
         result.update(film_factor=film.factor(films.inner.entrainment[top]))
         result.update(
-            _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial)
+            _friction(
+                body, boundary, state, films, fluid, spin, orbit, clearance, load, axial, spin_law
+            )
         )
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
@@ -281,7 +285,7 @@ def _oil(lubricant, folder, temperature):
     return inputs.oil(path, temperature), inputs.fluid(path, temperature)
 
 
-def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial):
+def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial, spin_law):
     """Torque and losses; the makers' torque where the bearing's file has their data."""
     if missing := [name for name, value in fluid._asdict().items() if math.isnan(value)]:
         raise inputs.InputError(
@@ -298,7 +302,15 @@ def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load,
             torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, nu)),
         )
     found = friction_torque.losses(
-        body, state, films, fluid, spin, orbit, clearance=clearance, surfaces=surfaces
+        body,
+        state,
+        films,
+        fluid,
+        spin,
+        orbit,
+        clearance=clearance,
+        surfaces=surfaces,
+        spin_law=spin_law,
     )
     top = int(np.argmax(state.inner.load))
     return dict(

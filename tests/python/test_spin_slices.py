@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Slip and spin together in statics: limits, what it takes off the closed forms, mistakes."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from raceway import friction_torque, inputs, spin
+from raceway.theory.lubrication import lubricate, turning
+from raceway.theory.operating_point import figures
+
+ROOT = Path(__file__).resolve().parents[2]
+OIL = ROOT / "inputs/lubricants/mineral"
+
+
+def losses(bearing, load, axial, law):
+    ring = 50.0
+    state, orbit = turning(bearing, ring, load, axial)
+    films = lubricate(bearing, state, inputs.oil(OIL), ring)
+    fluid = inputs.fluid(OIL)
+    return friction_torque.losses(bearing, state, films, fluid, ring, orbit, spin_law=law)
+
+
+def test_radial_load_has_no_spin(bearing):
+    closed, slices = (losses(bearing, 5000.0, 0.0, law) for law in friction_torque.SPIN_LAWS)
+    assert slices.parts == closed.parts
+
+
+def test_less_than_slip_and_spin_apart(bearing):
+    """Combined load: spin is shared by both raceways, and slip costs less beside it."""
+    closed, slices = (losses(bearing, 2000.0, 10000.0, law) for law in friction_torque.SPIN_LAWS)
+    for part in ("rolling", "hysteresis", "drag"):
+        assert slices.parts[part] == closed.parts[part]
+    apart, together = (sum(one.parts[p] for p in ("slip", "spin")) for one in (closed, slices))
+    assert 0.6 < together / apart < 0.7
+    assert np.all(slices.slip + slices.spin >= 0)
+    assert np.all((slices.spin[:, 0] > 0) & (slices.slip[:, 0] < closed.slip[:, 0]))
+    # no more than the whole spin at either raceway and the slip of both
+    bound = closed.spin.sum(0) + closed.slip.sum(0)
+    assert np.all(slices.spin.sum(0) + slices.slip.sum(0) < bound)
+
+
+def test_free_slip_leaves_no_force():
+    case = dict(load=2000.0, friction=0.05, a=2e-3, b=2.5e-4)
+    rates = np.array([0.0, 5.0, 20.0, 200.0])
+    found = spin.free_slip(**case, spin=rates, curve=1e4, points=24)
+    assert np.abs(found.along).max() < 5e-3 * 0.05 * 2000
+    edge = 1e4 * 4e-6
+    assert found.power[0] == pytest.approx(0.161142 * 0.05 * 2000 * edge, rel=5e-3)
+    pure = spin.with_slip(**case, along=0.0, across=0.0, spin=200.0, points=24)
+    assert found.moment[-1] == pytest.approx(pure.moment, rel=0.02)
+
+
+def test_figures_and_mistakes(bearing):
+    options = dict(load=2000.0, axial=10000.0, rpm=477.5, models="full")
+    closed, slices = (
+        figures("6208", "mineral", ROOT / "inputs", **options, spin_law=law)
+        for law in friction_torque.SPIN_LAWS
+    )
+    assert slices["friction_torque_N_m"] < 0.8 * closed["friction_torque_N_m"]
+    with pytest.raises(ValueError, match="spin law 'open' is none of closed, slices"):
+        losses(bearing, 5000.0, 0.0, "open")
