@@ -261,7 +261,7 @@ tree: setup
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp capacitor_c.cpp circuit_c.cpp)
-build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o)
+build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) build/obj/implicit/contact_lanes.o
 	@echo "  LINK $@"
 	@g++ -shared $(filter %.o,$^) -o $@
 

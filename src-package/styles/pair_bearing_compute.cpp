@@ -28,7 +28,70 @@ void PairBearingHertz::compute(int eflag, int vflag)
 
 void PairBearingHertz::smooth_raceway_forces()
 {
-  with_law(law_, [this](auto law) { raceway_forces<decltype(law), false>(); });
+  with_law(law_, [this](auto law) {
+    using L = decltype(law);
+    if constexpr (in_lanes<L>) forces_in_lanes<L>();
+    else raceway_forces<L, false>();
+  });
+}
+
+// Whether this step moves what the law keeps of a contact. The forces of a set-up belong to a step
+// already made; fixes that advance it themselves are asked for by group.
+bool PairBearingHertz::advances(const RacewayContact &c) const
+{
+  return !update->setupflag && !(atom->mask[c.i_ball] & implicit_bits_);
+}
+
+BallState PairBearingHertz::ball_of(const RacewayContact &c) const
+{
+  return {Vec3::from(atom->x[c.i_ball]), Vec3::from(atom->v[c.i_ball]),
+          Vec3::from(atom->omega[c.i_ball])};
+}
+
+// The ring as its groove moves, which may lie beside the ring's middle plane.
+RingState PairBearingHertz::groove_of(const RacewayContact &c) const
+{
+  RingState ring = {Vec3::from(atom->x[c.i_ring]), Vec3::from(atom->v[c.i_ring]),
+                    Vec3::from(atom->omega[c.i_ring]), state_->axis(c.i_ring)};
+  if (c.raceway->groove.offset != 0.0) {
+    const Vec3 arm = ring.e * c.raceway->groove.offset;
+    ring.x += arm;
+    ring.v += cross(ring.w, arm);
+  }
+  return ring;
+}
+
+void PairBearingHertz::put(const RacewayContact &c, const BallState &ball, const RingState &groove,
+                           int lane, ContactLanes &to) const
+{
+  const auto set = [lane](Vec3T<Lane> &at, const Vec3 &value) {
+    at.x[lane] = value.x;
+    at.y[lane] = value.y;
+    at.z[lane] = value.z;
+  };
+  set(to.ball.x, ball.x - groove.x);
+  set(to.ball.v, ball.v);
+  set(to.ball.w, ball.w);
+  set(to.ring.v, groove.v);
+  set(to.ring.w, groove.w);
+  set(to.ring.e, groove.e);
+  for (int k = 0; k < most_states; ++k) to.before[k][lane] = c.kept[k];
+}
+
+void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &forces,
+                                  double energy_of_profile,
+                                  double (*energy)(const RacewayContact &))
+{
+  if (!std::isfinite(c.state.normal)) lost(c);
+  forces.force.add_to(atom->f[c.i_ball]);
+  forces.ball_torque.add_to(atom->torque[c.i_ball]);
+  ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
+  if (!evflag) return;
+  const Vec3 d = Vec3::from(atom->x[c.i_ball]) - groove_of(c).x;
+  // only this rank sees the pair: count it whole (newton = 1)
+  ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
+               eflag_either ? energy(c) + energy_of_profile : 0.0, 0.0, forces.force.x,
+               forces.force.y, forces.force.z, d.x, d.y, d.z);
 }
 
 // As touch(), with what the profiles leave of the overlap.
@@ -56,24 +119,16 @@ bool PairBearingHertz::touch_profile(RacewayContact &c, const Vec3 &d, const Vec
 void PairBearingHertz::look_at_gap(RacewayContact &c)
 {
   ContactState &s = c.state;
-  const Vec3 v = Vec3::from(atom->v[c.i_ball]), ring_v = Vec3::from(atom->v[c.i_ring]);
+  const BallState ball = ball_of(c);
   if (!c.live) {
-    RingState ring = {Vec3::from(atom->x[c.i_ring]), ring_v, Vec3::from(atom->omega[c.i_ring]),
-                      state_->axis(c.i_ring)};
-    if (c.raceway->groove.offset != 0.0) {
-      const Vec3 arm = ring.e * c.raceway->groove.offset;
-      ring.x += arm;
-      ring.v += cross(ring.w, arm);
-    }
-    const Vec3 d = Vec3::from(atom->x[c.i_ball]) - ring.x;
+    const RingState ring = groove_of(c);
     if (!c.flawed()) {
-      locate(d, ring.e, c.raceway->centre_circle, s);
+      locate(ball.x - ring.x, ring.e, c.raceway->centre_circle, s);
       s.overlap = s.s - c.raceway->slack;
     }
-    find_motions<false>(
-        *c.raceway, {Vec3::from(atom->x[c.i_ball]), v, Vec3::from(atom->omega[c.i_ball])}, ring, s);
+    find_motions<false>(*c.raceway, ball, ring, s);
   }
-  c.orbit = dot(v - ring_v, s.t) / s.r;
+  c.orbit = dot(ball.v - Vec3::from(atom->v[c.i_ring]), s.t) / s.r;
 }
 
 void PairBearingHertz::sphere_forces(bool tally)

@@ -6,6 +6,7 @@
 #include "fix_bearing_state.h"
 
 #include <algorithm>
+#include <functional>
 
 using namespace LAMMPS_NS;
 using namespace raceway;
@@ -59,6 +60,12 @@ void PairBearingHertz::rebuild_contacts()
             [](const SphereContact &a, const SphereContact &b) {
               return a.tag_i != b.tag_i ? a.tag_i < b.tag_i : a.tag_j < b.tag_j;
             });
+  by_raceway_.resize(table_.raceway.size());
+  for (size_t k = 0; k < by_raceway_.size(); ++k) by_raceway_[k] = static_cast<int>(k);
+  std::stable_sort(by_raceway_.begin(), by_raceway_.end(), [this](int a, int b) {
+    return std::less<const RacewayPhysics *>()(table_.raceway[a].raceway,
+                                               table_.raceway[b].raceway);
+  });
   add_raceway_contacts();
   rebuild_ = false;
   ++builds_;

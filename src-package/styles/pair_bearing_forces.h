@@ -6,19 +6,25 @@
 
 #include "pair_bearing_hertz.h"
 
+#include "../implicit/contact_lanes.h"
+#include "../implicit/lanes_apart.h"
 #include "fix_bearing_state.h"
 
 #include <algorithm>
 
 namespace LAMMPS_NS {
 
+// Room for four contacts side by side, and for the lanes that stand idle.
+struct PairBearingHertz::InLanes {
+  raceway::ContactLanes four;
+  raceway::ContactState state[raceway::lanes];
+  raceway::ContactForces force[raceway::lanes];
+};
+
 template <class L, bool flawed> void PairBearingHertz::raceway_forces()
 {
   using namespace raceway;
-  double **x = atom->x, **v = atom->v, **w = atom->omega, **f = atom->f, **torque = atom->torque;
-  // the forces of a set-up belong to a step already made: they must not advance what contacts keep
-  const bool advance = !update->setupflag;
-  const double dt = advance ? update->dt : 0.0;
+  double **x = atom->x, **v = atom->v, **w = atom->omega;
   BallState ball;
   RingState ring;
   ProfiledContact on;
@@ -30,7 +36,7 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     ring.e = state_->axis(c.i_ring);
     const double offset = p.groove.offset;
     if (offset != 0.0) ring.x += ring.e * offset;
-    const bool keeps = L::states > 0 && advance && !(atom->mask[c.i_ball] & implicit_bits_);
+    const bool keeps = L::states > 0 && advances(c);
     c.live = flawed && c.flawed() ? touch_profile(c, ball.x - ring.x, ring.e, on, turned)
                                   : touch(p, ball.x - ring.x, ring.e, c.state);
     if (c.live) {
@@ -55,25 +61,74 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
       continue;
     }
     double after[L::states > 0 ? L::states : 1];
-    const LawStates<double> memory = {keeps ? dt : 0.0, c.kept, after};
+    const LawStates<double> memory = {keeps ? update->dt : 0.0, c.kept, after};
     L::act(p, p.law.at(c.state.cos_angle), memory, c.state);
     ContactForces forces = assemble<L::couples>(p, ring.e, c.state);
     if (flawed && c.profile) push_along(on.slope, ring.e, c.state, forces);
     if (flawed && c.ball_profile) push_along(depth, ball.x - ring.x, c.state, forces);
     if (offset != 0.0) from_groove(ring.e, offset, forces);
     if (keeps) std::copy(after, after + L::states, c.kept);
-    if (!std::isfinite(c.state.normal)) lost(c);
-    forces.force.add_to(f[c.i_ball]);
-    forces.ball_torque.add_to(torque[c.i_ball]);
-    ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
-    if (evflag) {
-      const Vec3 d = ball.x - ring.x;
-      // only this rank sees the pair: count it whole (newton = 1)
-      ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
-                   eflag_either ? L::energy(p, c.state) + (flawed && c.flawed() ? on.energy : 0.0)
-                                : 0.0,
-                   0.0, forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
+    add_forces(c, forces, flawed && c.flawed() ? on.energy : 0.0, law_energy<L>);
+  }
+}
+
+template <class L> double PairBearingHertz::law_energy(const bearing::RacewayContact &c)
+{
+  return L::energy(*c.raceway, c.state);
+}
+
+// Of the contacts of one raceway that touch, four at a time. Forces are added in the table's order.
+template <class L> void PairBearingHertz::forces_in_lanes()
+{
+  using namespace raceway;
+  using bearing::RacewayContact;
+  std::vector<RacewayContact> &table = table_.raceway;
+  found_.resize(table.size());
+  if (!in_lanes_) in_lanes_ = std::make_shared<InLanes>();
+  ContactLanes &four = in_lanes_->four;
+  int count = 0, at[lanes];
+  const auto act = [&] {
+    if (count == 0) return;
+    RacewayContact &first = table[at[0]];
+    for (int i = count; i < lanes; ++i) put(first, ball_of(first), groove_of(first), i, four);
+    const bool keeps = advances(first);
+    four.dt = keeps ? update->dt : 0.0;
+    act_in_lanes(*first.raceway, four);
+    ContactState *states[lanes];
+    ContactForces *forces[lanes];
+    for (int i = 0; i < lanes; ++i) {
+      states[i] = i < count ? &table[at[i]].state : &in_lanes_->state[i];
+      forces[i] = i < count ? &found_[at[i]] : &in_lanes_->force[i];
     }
+    lanes_apart(four.state, states);
+    lanes_apart(four.forces, forces);
+    const double offset = first.raceway->groove.offset;
+    for (int i = 0; i < count; ++i) {
+      if (offset != 0.0) from_groove(state_->axis(table[at[i]].i_ring), offset, *forces[i]);
+      table[at[i]].live = four.live[i];
+      for (int k = 0; keeps && k < L::states; ++k) table[at[i]].kept[k] = four.after[k][i];
+    }
+    count = 0;
+  };
+  for (const int n : by_raceway_) {
+    RacewayContact &c = table[n];
+    const BallState ball = ball_of(c);
+    const RingState groove = groove_of(c);
+    c.live = touch(*c.raceway, ball.x - groove.x, groove.e, c.state);
+    if (!c.live) continue;
+    if (!(c.state.overlap < c.raceway->largest_overlap)) lost(c);
+    if (count == lanes ||
+        (count > 0 && (table[at[0]].raceway != c.raceway || advances(table[at[0]]) != advances(c))))
+      act();
+    put(c, ball, groove, count, four);
+    at[count++] = n;
+  }
+  act();
+  for (size_t n = 0; n < table.size(); ++n) {
+    RacewayContact &c = table[n];
+    if (gaps_) look_at_gap(c);
+    if (c.live) add_forces(c, found_[n], 0.0, law_energy<L>);
+    else if (advances(c)) std::fill(c.kept, c.kept + L::states, 0.0);
   }
 }
 

@@ -13,10 +13,14 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #include "../ranks/ring_sum.h"
 
 #include <map>
+#include <memory>
 #include <set>
 
 namespace bearing {
 class Arguments;
+}
+namespace raceway {
+struct ContactLanes;
 }
 
 namespace LAMMPS_NS {
@@ -121,6 +125,15 @@ class PairBearingHertz : public Pair {
   void smooth_raceway_forces();
   void flawed_raceway_forces();
   template <class L, bool flawed> void raceway_forces();
+  template <class L> void forces_in_lanes();
+  template <class L> static double law_energy(const bearing::RacewayContact &);
+  bool advances(const bearing::RacewayContact &) const;
+  raceway::BallState ball_of(const bearing::RacewayContact &) const;
+  raceway::RingState groove_of(const bearing::RacewayContact &) const;
+  void put(const bearing::RacewayContact &, const raceway::BallState &, const raceway::RingState &,
+           int lane, raceway::ContactLanes &) const;
+  void add_forces(const bearing::RacewayContact &, const raceway::ContactForces &,
+                  double energy_of_profile, double (*energy)(const bearing::RacewayContact &));
   void sphere_forces(bool tally);
   void look_at_gap(bearing::RacewayContact &);
   bool touch_profile(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e,
@@ -148,6 +161,10 @@ class PairBearingHertz : public Pair {
       ball_profiles_;
 
   bearing::ContactTable table_;
+  std::vector<int> by_raceway_;    // places in the table
+  std::vector<raceway::ContactForces> found_;
+  struct InLanes;
+  std::shared_ptr<InLanes> in_lanes_;
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
   bearing::ValidityCheck validity_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Every compiled contact law behind a C interface, for test_physics_laws.py: its slopes in duals
 // and by differences, its values one by one and four side by side.
+#include "../../src-package/implicit/contact_lanes.h"
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/part_table.h"
 #include "../exports.h"
@@ -237,6 +238,60 @@ template <class L> int bit_differences(const Scene &s)
   return different;
 }
 
+void put(const Vec3 &from, int lane, Vec3T<Lane> &to)
+{
+  to.x[lane] = from.x;
+  to.y[lane] = from.y;
+  to.z[lane] = from.z;
+}
+
+// Of four contacts of one raceway, the last of which may be open, at once and one by one: number of
+// values that differ in their bits.
+template <class L> int lane_differences(unsigned parts, int n)
+{
+  const int each = 2, open = 3;    // every other scene is on the other raceway
+  Scene s[lanes];
+  ContactLanes four;
+  four.dt = scene(parts, n).dt;
+  for (int i = 0; i < lanes; ++i) {
+    s[i] = scene(parts, n + each * i);
+    if (L::decides && i == open) {    // within reach, and no film is as thick
+      const double away = n % 2 ? 50e-6 : -50e-6;
+      s[i].ball.x = s[i].ball.x + s[i].ball.x * (away / norm(s[i].ball.x));
+    }
+    put(s[i].ball.x, i, four.ball.x);
+    put(s[i].ball.v, i, four.ball.v);
+    put(s[i].ball.w, i, four.ball.w);
+    put(s[i].ring.v, i, four.ring.v);
+    put(s[i].ring.w, i, four.ring.w);
+    put(s[i].ring.e, i, four.ring.e);
+    for (int k = 0; k < L::states; ++k) four.before[k][i] = s[i].before[k];
+  }
+  const RacewayPhysics &p = s[0].p;
+  act_in_lanes(p, four);
+  int different = 0;
+  for (int i = 0; i < lanes; ++i) {
+    ContactState c;
+    const bool near = touch(p, s[i].ball.x, s[i].ring.e, c);
+    const bool live = near && !approach<L>(p, s[i].ball, s[i].ring, c);
+    different += !near || live != bool(four.live[i]) || live != !(L::decides && i == open);
+    different += c.overlap != four.state.overlap[i];
+    if (!live) continue;
+    double after[L::states];
+    L::act(p, p.law.at(c.cos_angle), LawStates<double>{four.dt, s[i].before, after}, c);
+    const ContactForces f = assemble<L::couples>(p, s[i].ring.e, c);
+    const Vec3 *one[] = {&f.force, &f.ball_torque, &f.ring_torque};
+    const Vec3T<Lane> *all[] = {&four.forces.force, &four.forces.ball_torque,
+                                &four.forces.ring_torque};
+    for (int k = 0; k < 3; ++k)
+      different +=
+          (one[k]->x != all[k]->x[i]) + (one[k]->y != all[k]->y[i]) + (one[k]->z != all[k]->z[i]);
+    for (int k = 0; k < L::states; ++k) different += after[k] != four.after[k][i];
+    different += c.load != four.state.load[i] || c.mu != four.state.mu[i];
+  }
+  return different;
+}
+
 }    // namespace
 
 EXPORT(int, laws, ()) { return static_cast<int>(compiled_laws().size()); }
@@ -275,5 +330,15 @@ EXPORT(int, law_bits, (int law, int sample))
     using L = decltype(l);
     if constexpr (!L::explicit_step) different = bit_differences<L>(scene(parts, sample));
   });
+  return different;
+}
+
+// -1: not one of the laws that explicit steps take in lanes
+EXPORT(int, law_lanes, (int law, int sample))
+{
+  const unsigned parts = compiled_laws()[law];
+  int different = -1;
+  with_law(parts, LawsInLanes(),
+           [&](auto l) { different = lane_differences<decltype(l)>(parts, sample); });
   return different;
 }
