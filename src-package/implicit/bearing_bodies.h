@@ -22,6 +22,7 @@ struct alignas(32) BodyGroup {    // four bodies side by side
   // the linear system: block, right-hand side, columns of the links (bearing_system.h)
   Lane A[36], rhs[6], link[2][6];
   Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; with dampers_only
+  Lane stiffness = {};              // N/m, of the stiffest contact with a raceway
   bool spins;
   bool coupled = false;    // to the border
   bool linked = false;

@@ -32,6 +32,9 @@ struct alignas(32) ContactLook {
   Lane orbit;       // rad/s, of the ball about the ring's axis; the surfaces need not touch
 };
 
+// m, overlap that an open contact is taken to have where its derivatives are asked for
+static constexpr double barely_touching = 1e-9;
+
 // What is evaluated.
 struct Stage {
   double h = 0.0;               // s, its length
@@ -39,6 +42,9 @@ struct Stage {
   Evaluate evaluate = Evaluate::only;
   ContactLook *looks = nullptr;    // by group of contacts, with `only`: they and forces on rings
   bool gaps = false;               // look at surfaces that do not touch, too
+  // m, gaps of balls and of cage balls that count as touching in the derivatives: a body that rests
+  // would leap from its groove else
+  double close = 0.0, close_cage = 0.0;
 
   double follows() const { return dampers_only ? 0.0 : h; }    // s, positions follow velocities
 };

@@ -82,6 +82,10 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
   Stage stage;
   stage.h = h;
   stage.dampers_only = set.dampers_only;
+  if (!set.dampers_only) {
+    stage.close = set.newton;
+    stage.close_cage = set.newton / set.cage_correction();
+  }
   if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
   for (int n = 1; n <= set.corrections; ++n) {
     stage.evaluate = fresh ? Evaluate::derivatives : Evaluate::residual;
@@ -100,11 +104,14 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
     ++o.corrections;
     o.last = apply(h, set, o);
     if (!(o.last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
+    // a contact that opens and closes in turn is met half-way
+    if (n > 2 && o.last > 0.5 * before) halve();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
     if (o.last <= set.newton && forces_.follow(set.newton)) return true;
 
-    // derivatives of the last correction will do as long as each is a tenth of the one before
-    fresh = !(o.last < 0.1 * before);
+    // derivatives of the last correction will do for a small rest, as long as each correction is a
+    // tenth of the one before; farther off a contact may open or close
+    fresh = !(o.last < 0.1 * before && o.last < 3.0 * set.newton);
     before = o.last;
   }
   if (set.corrections > 1) return failed(o, Failure::not_converged).solved();
@@ -239,14 +246,32 @@ static RACEWAY_INLINE Lane across(const Vec3L &v)
   return where(magnitude(v.x) > magnitude(v.z), magnitude(v.x), magnitude(v.z));
 }
 
+// N/m, of a ball and a raceway at the last derivatives.
+RACEWAY_LANES double BearingStep::largest_stiffness() const
+{
+  Lane most = {};
+  for (const BodyGroup &g : bodies_.groups) most = where(g.stiffness > most, g.stiffness, most);
+  return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+}
+
+// Contacts are as stiff as the cube root of their load; a fifth is a hundredth of the load.
+static constexpr double light = 0.2, least_count = 0.1;
+
 RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
 {
   const bool drift = set.dampers_only, one = set.order == 1;
   const double share = drift ? 1.0 : one ? 0.5 : gamma_2;
+  const double full = drift ? 0.0 : light * largest_stiffness();
   Lane off = {};
   for (const BodyGroup &g : bodies_.groups) {
     const Vec3L dv = drift ? g.v : g.v - (one ? g.v_from : g.v_first);
-    const Lane worse = across(dv) * (g.spins ? 1.0 : set.cage_error());
+    Lane counts = all_lanes(g.spins ? 1.0 : set.cage_error());
+    if (g.spins && full > 0.0) {
+      const Lane share_of_full = g.stiffness * (1.0 / full);
+      counts = where(share_of_full < 1.0, share_of_full, 1.0);
+      counts = where(counts < least_count, least_count, counts);
+    }
+    const Lane worse = across(dv) * counts;
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
@@ -308,6 +333,21 @@ RACEWAY_LANES double BearingStep::apply(double h, const Settings &set, Outcome &
       largest = std::max(largest, std::fabs(dv));
     }
   return finite ? h * largest : HUGE_VAL;
+}
+
+// Takes half of the last correction back.
+RACEWAY_LANES void BearingStep::halve()
+{
+  for (BodyGroup &g : bodies_.groups) {
+    for (Lane &one : g.rhs) one *= 0.5;
+    g.v -= Vec3L::from(g.rhs);
+    if (g.spins) g.w -= Vec3L::from(g.rhs + 3);
+  }
+  system_.halve();
+  for (size_t f = 0; f < bodies_.free.size(); ++f)
+    bodies_.rings[bodies_.free[f].ring].gained[bodies_.free[f].dof] -= system_.y(f);
+  for (ShaftBend &b : bodies_.bends)
+    for (int k = 0; k < b.size(); ++k) b.gained[k] -= system_.y(b.unknown + k);
 }
 
 Failure BearingStep::accept()

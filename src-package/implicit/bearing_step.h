@@ -23,6 +23,9 @@
 // ball may be late in meeting a groove. A cage ball may be off by a multiple of that: its contacts
 // are soft, and where the cage drives balls its vibration would set the step.
 //
+// A ball that carries less than a hundredth of the largest load counts for less, down to a tenth,
+// by the stiffness of its contacts: balls without load rattle by nanometres that no load feels.
+//
 // A relative tolerance is a share of the largest overlap of a ball and a raceway at the start of
 // the step, where that is more than the tolerance in m. It follows from the state alone, so a
 // restart repeats its bits.
@@ -120,7 +123,9 @@ class BearingStep {
   double stability(double h) const;
   double lever(const BearingBodies::Free &) const;
   double apply(double h, const Settings &, Outcome &);
+  void halve();
   void second_base();
+  double largest_stiffness() const;
   double error(double h, const Settings &) const;
   void add_energy(double weight, double s);
   double power_of_gravity() const;

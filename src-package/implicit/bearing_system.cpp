@@ -42,7 +42,7 @@ RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
     for (int m = 0; m < 3; ++m) g.A[7 * m] = g.mass;
     for (int m = 3; m < 6; ++m) g.A[7 * m] = g.inertia;
     g.coupled = g.linked = false;
-    g.spring = g.damper = Lane{};
+    g.spring = g.damper = g.stiffness = Lane{};
   }
   if (!fresh) return;
   for (RingBody &r : b_.rings) r.spring = 0.0;

@@ -34,6 +34,11 @@ class BearingSystem {
   void add_rings(double h, double follows, double s, bool fresh);
   void factor();
   void solve();    // corrections: BodyGroup::rhs and y()
+  void halve()     // those of the border
+  {
+    for (double &one : y_) one *= 0.5;
+    for (double &one : motions_apart_) one *= 0.5;
+  }
 
   struct alignas(32) Column {
     Lane a[6];

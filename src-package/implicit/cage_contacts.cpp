@@ -63,10 +63,12 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
       const Vec3L u = radial * (1.0 / r), dv = g.v - f.local(ring.now.v) - cross(f.local(spin), d);
       for (size_t rail = 0; rail < track.rails->size(); ++rail) {
         const double K = (*track.stiffness)[rail];
-        const RailContactT<Lane> c =
+        RailContactT<Lane> c =
             rail_contact((*track.rails)[rail], K, r, z, dot(dv, u), dot(dv, e), g.radius, g.mass);
         const LaneMask live = g.used & ~(c.h.force <= 0.0);
-        if (!any(live)) continue;
+        LaneMask close = live;
+        if (fresh) close |= g.used & (c.overlap <= 0.0) & (c.overlap > -stage.close_cage);
+        if (!any(close)) continue;
         const Vec3L n = u * c.nr + e * c.ne;
         const Vec3L force = n * where(live, c.h.force, 0.0);
         ring.force_lanes -= f.lab(force);
@@ -82,12 +84,17 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
         g.rhs[1] += h * force.y;
         g.rhs[2] += h * force.z;
         if (!fresh) continue;
-        const Lane a = where(live, h * c.h.damping + springs * c.h.stiffness, 0.0);
+        if (any(close & ~live)) {
+          const auto barely = damped_hertz(K, all_lanes(barely_touching), Lane{}, g.mass);
+          c.h.growth = where(live, c.h.growth, barely.growth);
+          c.h.damping = where(live, c.h.damping, barely.damping);
+        }
+        const Lane a = where(close, h * c.h.damping + springs * c.h.growth, 0.0);
         if (stage.dampers_only) {
           g.spring += where(live, c.h.stiffness, 0.0);
           g.damper += where(live, c.h.damping, 0.0);
         }
-        const Lane a_spin = where(live, h * c.h.damping, 0.0);
+        const Lane a_spin = where(close, h * c.h.damping, 0.0);
         add_dyad(g.A, a, n, n);
         if (!ring.loose) continue;
         g.coupled = true;
@@ -163,7 +170,7 @@ Failure BearingForces::pockets(const Stage &stage)
         g.damper[lane] += c.damping;
       }
     }
-    const double stiffness = h * c.damping + h * stage.follows() * c.stiffness;
+    const double stiffness = h * c.damping + h * stage.follows() * c.growth;
     if (fresh && !system_.links().add(a, b, local[0], local[1], stiffness)) {
       body_ = p.a;
       return Failure::overlinked;

@@ -265,6 +265,9 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       if (profiled) c.overlap = on_.overlap;
       // what is not a number must not pass for a gap
       LaneMask live = g.used & ~(c.overlap <= -p.reach);
+      const bool derive = stage.evaluate == Evaluate::derivatives;
+      LaneMask close = live;
+      if (derive && !L::decides) close = g.used & ~(c.overlap <= -p.reach - stage.close);
       Lane unused[L::states > 0 ? L::states : 1];
       if constexpr (L::states > 0)
         if (stage.evaluate != Evaluate::only) {
@@ -272,7 +275,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
             b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
           KeptSlopes &slopes = b_.kept_slopes[contact];
           slopes.live = LaneMask{};
-          if (stage.evaluate == Evaluate::derivatives)
+          if (derive)
             for (auto &of_one : slopes.of) std::fill(of_one, of_one + 6, Lane{});
         }
       if (stage.looks) {
@@ -285,7 +288,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
           look_at_gap(p, {d, g.v, g.w}, f, velocity, spin, r, c, -apart,
                       stage.looks[contact].state);
       };
-      if (!any(live)) {
+      if (!any(close)) {
         look_at_gaps();
         continue;
       }
@@ -294,7 +297,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
           if (live[i] && !(c.overlap[i] < p.largest_overlap)) body_ = b_.body_at[lanes * k + i];
         return Failure::outside_groove;
       }
-      c.overlap = where(live, c.overlap, 1e-9);
+      c.overlap = where(live, c.overlap, barely_touching);
       r.v = f.local(velocity);
       r.w = f.local(spin);
       const BallStateT<Lane> ball = {d, g.v, g.w};
@@ -302,11 +305,13 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       if constexpr (L::decides) {
         live &= ~open;
         if (stage.looks) stage.looks[contact].live = live;
-        if (!any(live)) {
+        const Lane beyond = L::beyond(p, c);
+        close = derive ? close & ~(beyond <= -stage.close) : live;
+        if (!any(close)) {
           look_at_gaps();
           continue;
         }
-        c.overlap = where(live, c.overlap, 1e-9);
+        c.overlap = where(live, c.overlap, Lane(c.overlap - beyond + barely_touching));
       }
       if (flawed && track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);
       if (balls) c.overlap_rate -= depth->rate(ball, r, d);
@@ -321,8 +326,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       // set and read in the same stages, which the compiler does not see
       if constexpr (L::states > 0)
         for (auto &of_one : slopes.state) std::fill(of_one, of_one + L::motions, Lane{});
-      if (stage.evaluate == Evaluate::derivatives)
-        act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
+      if (derive) act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
       else L::act(p, p.law.at(c.cos_angle), memory, c);
       if constexpr (L::states > 0)
         if (stage.evaluate != Evaluate::only) {
@@ -358,15 +362,16 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       g.rhs[3] += stage.h * q.ball_torque.x;
       g.rhs[4] += stage.h * q.ball_torque.y;
       g.rhs[5] += stage.h * q.ball_torque.z;
-      if (stage.evaluate != Evaluate::derivatives) continue;
+      if (!derive) continue;
+      const Lane stiffness = where(live, c.stiffness, 0.0);
+      g.stiffness = where(stiffness > g.stiffness, stiffness, g.stiffness);
       if (stage.dampers_only) {
-        const Lane spring = where(live, c.stiffness, 0.0);
-        g.spring += spring;
+        g.spring += stiffness;
         g.damper += where(live, c.damping, 0.0);
-        ring.spring += sum(spring);
+        ring.spring += sum(stiffness);
       }
       if (profiled) slopes.of[0][0] += stage.follows() * c.stiffness * on_.follows;
-      const auto s = scaled(stage.h, stage.follows(), c, r.e, live, slopes);
+      const auto s = scaled(stage.h, stage.follows(), c, r.e, close, slopes);
       const Vec3L from_ring = offset != 0.0 ? d + r.e * offset : d;
       add_matrix(system_, g, k, ring, p.groove.ball_radius, from_ring, r.e, s,
                  flawed && track.profile ? &on_ : nullptr, depth);

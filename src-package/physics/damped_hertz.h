@@ -11,6 +11,7 @@ namespace raceway {
 template <class T> struct DampedHertzT {
   T stiffness = T();    // N/m, dF/d(overlap) of the spring
   T damping = T();      // N s/m
+  T growth = T();       // N/m, of the force with the overlap: damping grows with it, too
   T force = T();        // N, >= 0 (no adhesion)
 };
 using DampedHertz = DampedHertzT<double>;
@@ -27,6 +28,8 @@ RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T 
   h.stiffness = 1.5 * K * root;
   h.damping = 2.0 * square_root(T(h.stiffness * m));
   const T f = K * overlap * root + h.damping * overlap_rate;
+  const T closing = where(overlap_rate > 0.0, overlap_rate, 0.0);
+  h.growth = h.stiffness + where(overlap > 0.0, T(0.25 * h.damping * closing / overlap), 0.0);
   h.force = where(f > 0.0, f, 0.0);
   return h;
 }

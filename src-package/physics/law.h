@@ -73,6 +73,15 @@ template <class All, class... P> struct LawOf {
     return some;
   }
 
+  // m, overlap past the place where the load begins, by the part that knows
+  template <class Physics, class T>
+  static RACEWAY_INLINE T beyond(const Physics &p, const ContactStateT<T> &c)
+  {
+    T result = c.overlap;
+    (measure<P>(p, c, result), ...);
+    return result;
+  }
+
   // J, stored
   template <class Physics, class T>
   static RACEWAY_INLINE Value<T> energy(const Physics &p, const ContactStateT<T> &c)
@@ -97,6 +106,11 @@ template <class All, class... P> struct LawOf {
   {
     if constexpr (detail::Decides<Part>::value)
       some = some | Part::misses(p.template of<Part>(), p, k, c);
+  }
+  template <class Part, class Physics, class T>
+  static RACEWAY_INLINE void measure(const Physics &p, const ContactStateT<T> &c, T &beyond)
+  {
+    if constexpr (detail::Decides<Part>::value) beyond = Part::beyond(p.template of<Part>(), c);
   }
   template <class Part, class Physics, class T>
   static RACEWAY_INLINE void one(const Physics &p, const RacewayConstantsT<Value<T>> &k,

@@ -79,7 +79,13 @@ struct FilmInGapPart : PartBase {
                      p.factors.of(ln_u);
       c.h_edge = where(own.share * film < p.reach, film, p.reach / own.share);
     }
-    return c.overlap + own.share * c.h_edge <= 0.0;
+    return beyond(own, c) <= 0.0;
+  }
+  // m, overlap past the place where the load begins, once misses() has looked for it
+  template <class T>
+  static RACEWAY_INLINE T beyond(const Parameters &own, const ContactStateT<T> &c)
+  {
+    return c.overlap + own.share * c.h_edge;
   }
 
   template <class T>

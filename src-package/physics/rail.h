@@ -47,7 +47,8 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
 // z, moving at vr, ve against the ring. Without a branch, so that a loop over many balls becomes
 // vector code; without contact the force is 0.
 template <class T> struct RailContactT {
-  T nr, ne;    // rail -> ball
+  T nr, ne;     // rail -> ball
+  T overlap;    // m
   DampedHertzT<T> h;
 };
 using RailContact = RailContactT<double>;
@@ -59,10 +60,11 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
 {
   RailContactT<T> c;
   const T dr = r - rail.circle, dz = z - rail.offset, s = square_root(T(dr * dr + dz * dz));
-  const T inverse = 1.0 / s, gap = radius + rail.tube - s;
+  const T inverse = 1.0 / s, overlap = radius + rail.tube - s;
   c.nr = dr * inverse;
   c.ne = dz * inverse;
-  c.h = damped_hertz(K, T(where(gap > 0.0, gap, 0.0)), T(-(vr * c.nr + ve * c.ne)), mass);
+  c.overlap = overlap;
+  c.h = damped_hertz(K, T(where(overlap > 0.0, overlap, 0.0)), T(-(vr * c.nr + ve * c.ne)), mass);
   return c;
 }
 
