@@ -105,7 +105,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
     o.last = apply(h, set, o);
     if (!(o.last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
     // a contact that opens and closes in turn is met half-way
-    if (n > 2 && o.last > 0.5 * before) halve();
+    if (n > 2 && o.last > 0.7 * before) halve();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
     if (o.last <= set.newton && forces_.follow(set.newton)) return true;
 

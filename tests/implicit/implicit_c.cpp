@@ -353,3 +353,62 @@ EXPORT(void, flawed_system,
     }
   }
 }
+
+// A ball that goes round on an outer raceway with nothing but its inertia, `gap` (m) away from it
+// at the start, in steps of h seconds: corrections and estimated error of each, and its overlap
+// after it. Another ball, which the raceway carries with `heavy` (m) of overlap, goes round with it
+// if that is above 0.
+EXPORT(void, resting,
+       (double speed, double gap, double heavy, double newton, double h, int n, double *corrections,
+        double *error, double *overlap))
+{
+  RacewayPhysics outer = outer_6208(0.0);
+  outer.parts = dry_parts;
+  outer.of<HysteresisPart>().alpha_e = 0.0;
+  BearingModel model;
+  model.bodies = {{1, 8.17e-3, 6.3e-3, true}};
+  model.rings = {{2, 0, {}}};
+  model.grooves = {{0, 0, &outer}};
+  model.parts = outer.parts;
+  std::vector<BodyPose> bodies = {{{30.3e-3 - gap, 0.0, 0.0}, {0.0, speed, 0.0}, Vec3()}};
+  if (heavy > 0.0) {
+    model.bodies.push_back({3, 8.17e-3, 6.3e-3, true});
+    model.grooves.push_back({1, 0, &outer});
+    bodies.push_back({{-30.3e-3 - heavy, 0.0, 0.0}, Vec3(), Vec3()});
+  }
+  BearingStep step(model);
+  std::vector<RingPose> rings(1);
+  step.load(bodies, rings);
+  BearingStep::Settings set;
+  set.newton = newton;
+  set.corrections = 30;
+  for (int k = 0; k < n; ++k) {
+    const BearingStep::Outcome o = step.step(set, h, 0.0, 1.0);
+    corrections[k] = o.solved() ? o.corrections : HUGE_VAL;
+    error[k] = o.error;
+    step.accept();
+    step.store(bodies, rings);
+    overlap[k] = std::hypot(bodies[0].x.x, bodies[0].x.y) - 30.3e-3;
+  }
+}
+
+// Corrections of a step of h seconds in which a ball comes near a cage ball ahead of it, HUGE_VAL
+// without a solution.
+EXPORT(void, meeting, (double gap, double speed, double h, double newton, double *corrections))
+{
+  BearingModel model;
+  model.bodies = {{1, 8.17e-3, 6.3e-3, true}, {2, 3.5e-4, 4.19e-3, false}};
+  model.rings = {{3, 0, {}}};
+  const double reach = 6.3e-3 + 4.19e-3;
+  model.pockets = {{0, 1, 1.3e9, reach, 3.4e-4}};
+  const double angle = 2.0 * std::asin(0.5 * (reach + gap) / 30.3e-3), c = std::cos(angle),
+               s = std::sin(angle);
+  BearingStep step(model);
+  const double r = 30.3e-3;
+  step.load({{{r, 0.0, 0.0}, {0.0, speed, 0.0}, Vec3()}, {{r * c, r * s, 0.0}, Vec3(), Vec3()}},
+            std::vector<RingPose>(1));
+  BearingStep::Settings set;
+  set.newton = newton;
+  const BearingStep::Outcome o = step.step(set, h, 0.0, 1.0);
+  *corrections = o.solved() ? o.corrections : HUGE_VAL;
+}

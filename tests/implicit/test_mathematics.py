@@ -356,3 +356,41 @@ def test_old_factors_stay(lib):
     assert found.reshape(3, 3) == pytest.approx(
         np.array([[1.0, 2.0, 3.0]] * 3) * h / 0.5, rel=1e-14
     )
+
+
+def resting(lib, steps=1, **words):
+    """Corrections, estimated error (m) and overlap (m) of each step of a ball on a raceway."""
+    found = np.zeros((3, steps))
+    lib.call("resting", n=steps, corrections=found[0], error=found[1], overlap=found[2], **words)
+    return found
+
+
+def test_a_ball_that_rests_stays(lib):
+    """A ball of 8 g that goes round at 2 rad/s is pressed on its raceway by 1 mN, into an overlap
+    of 1 nm. It starts a nanometre away. The tolerance is 5 nm, a step a few of its periods of
+    vibration. One correction a stage brings it there: no leap from the raceway and back."""
+    scene = dict(speed=2 * 30.3e-3, gap=1e-9, heavy=0.0, h=4e-3, steps=10)
+    corrections, _, overlap = resting(lib, newton=5e-9, **scene)
+    assert corrections.tolist() == [2] * 10
+    exact = resting(lib, newton=1e-13, **scene)[2][-1]
+    assert 0 < exact < 2e-9
+    assert overlap[-1] == pytest.approx(exact, rel=1e-6)
+
+
+def test_a_light_ball_counts_a_tenth(lib):
+    """A ball without load beside one in an overlap of 0.1 um, and the same ball alone."""
+    scene = dict(speed=30.0, gap=1e-6, newton=1e-9, h=1e-7)
+    alone, beside = (resting(lib, heavy=heavy, **scene)[1][0] for heavy in (0.0, 1e-7))
+    assert alone > 1e-11
+    assert beside == pytest.approx(0.1 * alone, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "gap, speed, h", [(1e-8, 3e-4, 2e-4), (6e-8, 1e-3, 1e-3), (6.5e-8, 1e-2, 3e-5)]
+)
+def test_a_contact_that_opens_and_closes_in_turn_is_met_half_way(lib, gap, speed, h):
+    """A ball reaches a cage ball in a step. Whole corrections go round in circles between the open
+    and the closed contact."""
+    corrections = np.zeros(1)
+    lib.call("meeting", gap=gap, speed=speed, h=h, newton=1e-9, corrections=corrections)
+    assert corrections[0] <= 16

@@ -40,7 +40,7 @@ RECORD(Elliptic, double K, E, D;)
 RECORD(Hertz, double kappa, Ebar, Fbar, R, K, a, b, p;)
 RECORD(Radii, double x, y;)
 RECORD(SpringForce, double ft, fw;)
-RECORD(CageContact, double stiffness, damping, force;)
+RECORD(CageContact, double stiffness, damping, growth, force;)
 RECORD(RailSeat, double circle, tube, offset;)
 RECORD(RollingSpeeds, double orbit, spin;)
 
@@ -297,6 +297,7 @@ EXPORT(void, cage_contact, (double K, double overlap, double rate, double m, Cag
   const DampedHertz h = damped_hertz(K, overlap, rate, m);
   out->stiffness = h.stiffness;
   out->damping = h.damping;
+  out->growth = h.growth;
   out->force = h.force;
 }
 

@@ -23,6 +23,16 @@ def test_stiffness_is_the_slope_of_the_spring(physics):
     assert contact(physics, overlap).stiffness == pytest.approx(slope, rel=bound)
 
 
+def test_growth_is_the_slope_of_the_force_of_a_closing_contact(physics):
+    overlap, rate, h = 2e-6, 0.01, 1e-9
+    up, down = (contact(physics, overlap + off, rate).force for off in (h, -h))
+    # truncation: of the powers 3/2 and 1/4 the latter has the larger one, (h/overlap)^2 7/32
+    bound = 7 / 32 * (h / overlap) ** 2 + 1e-15 * overlap / h
+    assert contact(physics, overlap, rate).growth == pytest.approx((up - down) / (2 * h), rel=bound)
+    # one that opens keeps to its spring
+    assert contact(physics, overlap, -rate).growth == contact(physics, overlap).stiffness
+
+
 def test_damping_is_critical(physics):
     c = contact(physics, 2e-6)
     # m x'' + c x' + k x = 0 has a double root: no discriminant
@@ -44,5 +54,5 @@ def test_no_adhesion(physics):
 
 def test_nothing_at_first_touch(physics):
     c = contact(physics, 0.0, 1.0)
-    assert [c.stiffness, c.damping, c.force] == [0, 0, 0]
+    assert [c.stiffness, c.damping, c.growth, c.force] == [0, 0, 0, 0]
     assert np.isfinite(contact(physics, 1e-30, 1.0).force)
