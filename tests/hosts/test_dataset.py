@@ -20,7 +20,7 @@ flaws:
   none:
   outer: {length: 1.0e-3}
 conditions: {load: 500, rpm: 10000, lubricant: vg46, seed: 3}
-record: {seconds: 0.01, rates: [12000, 48000]}
+record: {seconds: 0.01, rates: [12000, 48000], files: [mat, parquet]}
 """
 
 
@@ -76,6 +76,21 @@ def test_rates_hold_the_same_signal(made):
     own = np.fft.rfft(slow)[: len(low)] / len(slow)
     # the ends differ, since a record is no whole number of periods
     assert np.abs(own - low).max() < 0.1 * np.abs(low).max()
+
+
+def test_parquet_is_the_same_signal(made):
+    table = pd.read_parquet(made / "set/48k/0002.parquet", engine="pyarrow")
+    assert list(table) == ["time_s", "acceleration_m_s2"]
+    values = signal_of(made, 2, 48000)["X002_DE_time"].ravel()
+    assert (table["acceleration_m_s2"] == values).all()
+    assert table["time_s"].to_numpy() == pytest.approx(np.arange(480) / 48000, abs=1e-15)
+
+
+def test_parquet_without_its_library(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    assert dataset(tmp_path) == 1
+    assert "pip install 'raceway[parquet]'" in capsys.readouterr().err
+    assert not (tmp_path / "set").exists()
 
 
 def test_card(made):

@@ -17,13 +17,14 @@ Simulated vibration of a bearing {bearing}, with labels. Made by `raceway datase
 ## Files
 
 - `labels.csv`: a row for each record. Lengths are in m, loads in N, speeds in rpm.
-- {folders}: the signals, MATLAB version 5.
+- {folders}: the signals, {kinds}.
 - `dataset.json`: what was asked for.
 - `runs/`: variables and figures of each run.
 
 A `.mat` file of record 12 has `X012_DE_time`, N x 1, and `X012RPM`, named as those of the bearing
 data center of Case Western Reserve University. Beside them are `fault`, `fault_size_m`, `load_N`,
-`sampling_Hz` and `unit`. The signal is the acceleration of the housing along {axis}, in m/s^2. The
+`sampling_Hz` and `unit`. A `.parquet` file has `time_s` and `acceleration_m_s2`. The signal is the
+acceleration of the housing along {axis}, in m/s^2. The
 load points along -y unless `load_azimuth` says otherwise.
 
 | class | records | rms, least to most (m/s^2) |
@@ -58,6 +59,8 @@ sidebands follow from that. No blow, line, jitter or sideband was put in by hand
 {floor}
 """
 
+KINDS = {"mat": "MATLAB version 5 (`.mat`)", "parquet": "Apache Parquet (`.parquet`)"}
+
 
 def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
     """Text of README.md for the records of `table` (rows of labels.csv), of `wanted` ones."""
@@ -81,6 +84,7 @@ def card(spec: Spec, table: pd.DataFrame, wanted: int) -> str:
         wanted=wanted,
         seconds=spec.seconds,
         folders=", ".join(f"`{rate / 1000:g}k/`" for rate in spec.rates),
+        kinds=" and ".join(KINDS[kind] for kind in spec.files),
         axis=spec.axis,
         classes="\n".join(classes),
         housing="".join(

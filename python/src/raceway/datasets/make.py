@@ -6,12 +6,13 @@ The folder holds
     dataset.json     what was asked for: files of another one are refused
     README.md        the card
     labels.csv       a row for each record
-    48k/0001.mat     signals, a folder for each rate
+    48k/0001.mat     signals, a folder for each rate; or .parquet, or both
     runs/0001/       the run: its variables, its figures, `label.json` once its files are written
 
 A record is whole when `label.json` is there, which is written last.
 """
 
+import importlib.util
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -44,6 +45,8 @@ def make(
     large. Raises `RacewayError` for a folder of another data set, and where runs fail.
     """
     folder, wanted = Path(folder), records(spec)
+    if "parquet" in spec.files and importlib.util.find_spec("pyarrow") is None:
+        raise SpecError("record: files are parquet, which needs: pip install 'raceway[parquet]'")
     _claim(spec, folder)
     by_name = {one.point.name: one for one in wanted}
     missing = []
@@ -88,14 +91,14 @@ def _claim(spec, folder):
     files.whole(path, lambda part: part.write_text(asked))
 
 
-def file_of(rate: int, record: Record) -> str:
-    """Path of a record's file in the folder.
+def file_of(rate: int, record: Record, kind: str = "mat") -> str:
+    """Path of a record's file of a `kind` in the folder.
 
     >>> from raceway.sweeps.points import Point
     >>> file_of(48000, Record(7, Point("0007", {}), {}, 1797.0))
     '48k/0007.mat'
     """
-    return f"{rate / 1000:g}k/{record.point.name}.mat"
+    return f"{rate / 1000:g}k/{record.point.name}.{kind}"
 
 
 def _whole(folder, one, spec):
@@ -103,7 +106,11 @@ def _whole(folder, one, spec):
     return (
         state(where, one.point.variables)[0] == FINISHED
         and mapping(where / LABEL, json.loads) is not None
-        and all((folder / file_of(rate, one)).exists() for rate in spec.rates)
+        and all(
+            (folder / file_of(rate, one, kind)).exists()
+            for rate in spec.rates
+            for kind in spec.files
+        )
     )
 
 
@@ -120,10 +127,14 @@ def _write(one: Record, spec: Spec, folder: Path, keep: bool) -> None:
         values = heard[first : first + round(spec.seconds * rate)]
         if len(values) < round(spec.seconds * rate):
             raise RacewayError(f"{where}: {len(values)} samples at {rate} Hz are too few")
-        path = folder / file_of(rate, one)
-        files.folder(path.parent)
-        content = _matlab(one, spec, rate, values)
-        files.whole(path, lambda part, content=content: _save(part, content))
+        for kind in spec.files:
+            path = folder / file_of(rate, one, kind)
+            files.folder(path.parent)
+            write = {"mat": _save_matlab, "parquet": _save_parquet}[kind]
+            files.whole(
+                path,
+                lambda part, write=write, rate=rate, values=values: write(part, one, rate, values),
+            )
         if rate == max(spec.rates):
             label = _label(one, spec, run, values)
     files.whole(where / LABEL, lambda part: part.write_text(json.dumps(label, indent=2)))
@@ -132,12 +143,17 @@ def _write(one: Record, spec: Spec, folder: Path, keep: bool) -> None:
         (where / "restart").unlink(missing_ok=True)
 
 
-def _save(path, content):
+def _save_matlab(path, one, rate, values):
     with open(path, "wb") as file:  # a name would get .mat at its end
-        io.savemat(file, content, oned_as="column", do_compression=True)
+        io.savemat(file, _matlab(one, rate, values), oned_as="column", do_compression=True)
 
 
-def _matlab(one: Record, spec: Spec, rate: int, values: np.ndarray) -> Mapping[str, Any]:
+def _save_parquet(path, one, rate, values):
+    table = pd.DataFrame({"time_s": np.arange(len(values)) / rate, "acceleration_m_s2": values})
+    table.to_parquet(path, engine="pyarrow", index=False)
+
+
+def _matlab(one: Record, rate: int, values: np.ndarray) -> Mapping[str, Any]:
     """Variables of a .mat file. `X001_DE_time` and `X001RPM` are named as those of Case Western
     Reserve University, drive end; the others say the rest."""
     stem = f"X{one.number:03d}"
@@ -175,7 +191,7 @@ def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, A
         "rms_m_s2": float(np.std(values)),
         "peak_m_s2": float(np.abs(values - values.mean()).max()),
         "kurtosis": float(stats.kurtosis(values, fisher=False)),
-        **{f"file_{rate // 1000}k": file_of(rate, one) for rate in spec.rates},
+        **{f"file_{rate // 1000}k": file_of(rate, one, spec.files[0]) for rate in spec.rates},
     }
 
 

@@ -28,6 +28,7 @@ FLAWS: dict[str, dict[str, Any]] = {
     "both": {**NOTCH, "place": 6},
     "waviness": {"amplitude": None},
 }
+FILES = ("mat", "parquet")  # kinds of files that a signal can be written as
 FLAW_WORDS = ("length", "width", "depth", "edge", "place", "amplitude")
 RANGES = {  # m, but for the place
     "length": (1e-5, 1e-2),
@@ -63,6 +64,7 @@ class Spec(NamedTuple):
     rates: list[int]  # Hz
     noise: float  # m/s^2
     axis: str  # x or y
+    files: list[str]  # of FILES
 
     @property
     def run_rate(self) -> int:
@@ -101,8 +103,14 @@ def _spec(data, known):
     whole = {"title", "bearing", "deck", "flaws", "conditions", "record"}
     data = _section("the file", data, whole, needed=whole - {"deck"})
     record = _section(
-        "record", data["record"], {"seconds", "rates", "noise", "axis"}, {"seconds", "rates"}
+        "record",
+        data["record"],
+        {"seconds", "rates", "noise", "axis", "files"},
+        {"seconds", "rates"},
     )
+    for kind in (kinds := _list(record.get("files", "mat"))):
+        if kind not in FILES:
+            raise SpecError(f"record: files is '{kind}', must be one or more of {', '.join(FILES)}")
     rates = [int(_number("rates (Hz)", rate, 1000, 1e5)) for rate in _list(record["rates"])]
     if any(max(rates) * OVERSAMPLING % rate for rate in rates):
         raise SpecError(f"record: rates {rates} must divide {OVERSAMPLING} times the largest")
@@ -133,6 +141,7 @@ def _spec(data, known):
         rates=rates,
         noise=_number("noise (m/s^2)", record.get("noise", 0), 0, 1e4),
         axis=axis,
+        files=kinds,
     )
 
 
