@@ -26,8 +26,8 @@ RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
   const auto put = [&to](int one, size_t k, const auto &a) {
     memcpy(reinterpret_cast<char *>(to[one]) + k * sizeof(double), &a, sizeof a);
   };
-  size_t k = 0;
-  for (; k + lanes <= numbers; k += lanes) {
+  constexpr size_t in_fours = numbers / lanes * lanes;
+  for (size_t k = 0; k < in_fours; k += lanes) {
     const Lane a = lane(k), b = lane(k + 1), c = lane(k + 2), d = lane(k + 3);
     const Lane ab_02 = __builtin_shuffle(a, b, LaneMask{0, 4, 2, 6}),
                ab_13 = __builtin_shuffle(a, b, LaneMask{1, 5, 3, 7}),
@@ -38,7 +38,7 @@ RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
     put(2, k, __builtin_shuffle(ab_02, cd_02, LaneMask{2, 3, 6, 7}));
     put(3, k, __builtin_shuffle(ab_13, cd_13, LaneMask{2, 3, 6, 7}));
   }
-  for (; k < numbers; ++k)
+  for (size_t k = in_fours; k < numbers; ++k)
     for (int i = 0; i < lanes; ++i) put(i, k, double(lane(k)[i]));
 }
 
