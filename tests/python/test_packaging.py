@@ -35,7 +35,7 @@ def test_lock_has_everything():
     asked = [need for extra in PROJECT["optional-dependencies"].values() for need in extra]
     for need in asked:
         name, bound, version = re.fullmatch(
-            r"([\w-]+)(?:\[\w+\])?(?:([=>]=)([\d.]+))?", need
+            r"([\w-]+)(?:\[[\w,]+\])?(?:([=>]=)([\d.]+))?", need
         ).groups()
         if name == "raceway":
             continue

@@ -18,7 +18,7 @@ def points(tmp_path, text):
 
 def test_deck_variables():
     assert VARIABLES["load"] == "5000" and VARIABLES["lubricant"] == "mineral"
-    assert VARIABLES["ramp"] == "3.0e-3" and VARIABLES["tolerance"] == "1e-9"  # of the modules
+    assert VARIABLES["ramp"] == "3.0e-3" and VARIABLES["tolerance"] == "0"  # of the modules
 
 
 def test_points(tmp_path):

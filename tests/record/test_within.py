@@ -210,4 +210,4 @@ def test_the_main_deck_is_accurate_enough(tmp_path):
     for name in ("load", "h_min", "h_c", "lambda", "pressure", "entrainment", "capacitance"):
         assert share(name, found, truth, loaded) < 1e-3, name
     for name in ("friction", "friction_power"):
-        assert share(name, found, truth, loaded) < 5e-3, name
+        assert share(name, found, truth, loaded) < 1e-2, name
