@@ -12,7 +12,9 @@ namespace raceway {
 using LawsInLanes =
     LawList<RollingFriction<LubricatedLaw>, RollingFriction<GapLaw>, RollingFriction<FullLaw>,
             FullLaw<MixedFrictionPart, SlipSlicesPart, HydrodynamicRollingPart,
-                    RollingHysteresisPart, DragPart>>;
+                    RollingHysteresisPart, DragPart>,
+            LubricatedLaw<StribeckFrictionPart, SmoothedFrictionPart>,
+            DryLaw<ConstantFrictionPart, SmoothedFrictionPart>>;
 
 namespace detail {
 template <class... L> constexpr bool among(unsigned parts, LawList<L...>)

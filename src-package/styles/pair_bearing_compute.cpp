@@ -78,20 +78,12 @@ void PairBearingHertz::put(const RacewayContact &c, const BallState &ball, const
   for (int k = 0; k < most_states; ++k) to.before[k][lane] = c.kept[k];
 }
 
-void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &forces,
-                                  double energy_of_profile,
-                                  double (*energy)(const RacewayContact &))
+void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &forces, double energy)
 {
-  if (!std::isfinite(c.state.normal)) lost(c);
-  forces.force.add_to(atom->f[c.i_ball]);
-  forces.ball_torque.add_to(atom->torque[c.i_ball]);
-  ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
-  if (!evflag) return;
   const Vec3 d = Vec3::from(atom->x[c.i_ball]) - groove_of(c).x;
   // only this rank sees the pair: count it whole (newton = 1)
-  ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1,
-               eflag_either ? energy(c) + energy_of_profile : 0.0, 0.0, forces.force.x,
-               forces.force.y, forces.force.z, d.x, d.y, d.z);
+  ev_tally_xyz(c.i_ball, c.i_ring, atom->nlocal, 1, eflag_either ? energy : 0.0, 0.0,
+               forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
 }
 
 // As touch(), with what the profiles leave of the overlap.
@@ -113,22 +105,6 @@ bool PairBearingHertz::touch_profile(RacewayContact &c, const Vec3 &d, const Vec
                 std::atan2(u.y, u.x) - state_->angle(c.i_ring), s.r, s.overlap, view, turned);
   s.overlap = on.overlap;
   return !(s.overlap <= -c.raceway->reach);
-}
-
-// Place and motion of a ball on a raceway, whether they touch or not.
-void PairBearingHertz::look_at_gap(RacewayContact &c)
-{
-  ContactState &s = c.state;
-  const BallState ball = ball_of(c);
-  if (!c.live) {
-    const RingState ring = groove_of(c);
-    if (!c.flawed()) {
-      locate(ball.x - ring.x, ring.e, c.raceway->centre_circle, s);
-      s.overlap = s.s - c.raceway->slack;
-    }
-    find_motions<false>(*c.raceway, ball, ring, s);
-  }
-  c.orbit = dot(ball.v - Vec3::from(atom->v[c.i_ring]), s.t) / s.r;
 }
 
 void PairBearingHertz::sphere_forces(bool tally)

@@ -21,6 +21,35 @@ struct PairBearingHertz::InLanes {
   raceway::ContactForces force[raceway::lanes];
 };
 
+template <class L>
+inline void PairBearingHertz::add_forces(const bearing::RacewayContact &c,
+                                         const raceway::ContactForces &forces,
+                                         double energy_of_profile)
+{
+  if (!std::isfinite(c.state.normal)) lost(c);
+  forces.force.add_to(atom->f[c.i_ball]);
+  forces.ball_torque.add_to(atom->torque[c.i_ball]);
+  ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
+  if (evflag) tally(c, forces, L::energy(*c.raceway, c.state) + energy_of_profile);
+}
+
+// As touch(); where gaps are looked at the frame is set in any case.
+inline bool PairBearingHertz::find_place(bearing::RacewayContact &c, const raceway::Vec3 &d,
+                                         const raceway::Vec3 &e) const
+{
+  const raceway::RacewayPhysics &p = *c.raceway;
+  if (!gaps_) return touch(p, d, e, c.state);
+  locate(d, e, p.centre_circle, c.state);
+  c.state.overlap = c.state.s - p.slack;
+  return !(c.state.overlap <= -p.reach);
+}
+
+inline double PairBearingHertz::orbit_of(const bearing::RacewayContact &c) const
+{
+  using raceway::Vec3;
+  return dot(Vec3::from(atom->v[c.i_ball]) - Vec3::from(atom->v[c.i_ring]), c.state.t) / c.state.r;
+}
+
 template <class L, bool flawed> void PairBearingHertz::raceway_forces()
 {
   using namespace raceway;
@@ -38,17 +67,18 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     if (offset != 0.0) ring.x += ring.e * offset;
     const bool keeps = L::states > 0 && advances(c);
     c.live = flawed && c.flawed() ? touch_profile(c, ball.x - ring.x, ring.e, on, turned)
-                                  : touch(p, ball.x - ring.x, ring.e, c.state);
-    if (c.live) {
-      if (!(c.state.overlap < p.largest_overlap)) lost(c);
+                                  : find_place(c, ball.x - ring.x, ring.e);
+    if (c.live || gaps_) {
+      if (c.live && !(c.state.overlap < p.largest_overlap)) lost(c);
       ball.v = Vec3::from(v[c.i_ball]);
       ball.w = Vec3::from(w[c.i_ball]);
       ring.v = Vec3::from(v[c.i_ring]);
       ring.w = Vec3::from(w[c.i_ring]);
       if (offset != 0.0) ring.v += cross(ring.w, ring.e * offset);
-      c.live = !approach<L>(p, ball, ring, c.state);
+      if (c.live) c.live = !approach<L>(p, ball, ring, c.state);
+      else find_motions<false>(p, ball, ring, c.state);
+      if (gaps_) c.orbit = orbit_of(c);
     }
-    if (gaps_) look_at_gap(c);
     if (flawed && c.live && c.profile)
       c.state.overlap_rate -= on.slope * passing_speed(ball, ring, c.state);
     TurnRow depth;
@@ -68,13 +98,8 @@ template <class L, bool flawed> void PairBearingHertz::raceway_forces()
     if (flawed && c.ball_profile) push_along(depth, ball.x - ring.x, c.state, forces);
     if (offset != 0.0) from_groove(ring.e, offset, forces);
     if (keeps) std::copy(after, after + L::states, c.kept);
-    add_forces(c, forces, flawed && c.flawed() ? on.energy : 0.0, law_energy<L>);
+    add_forces<L>(c, forces, flawed && c.flawed() ? on.energy : 0.0);
   }
-}
-
-template <class L> double PairBearingHertz::law_energy(const bearing::RacewayContact &c)
-{
-  return L::energy(*c.raceway, c.state);
 }
 
 // Of the contacts of one raceway that touch, four at a time. Forces are added in the table's order.
@@ -114,8 +139,12 @@ template <class L> void PairBearingHertz::forces_in_lanes()
     RacewayContact &c = table[n];
     const BallState ball = ball_of(c);
     const RingState groove = groove_of(c);
-    c.live = touch(*c.raceway, ball.x - groove.x, groove.e, c.state);
-    if (!c.live) continue;
+    c.live = find_place(c, ball.x - groove.x, groove.e);
+    if (gaps_) c.orbit = orbit_of(c);
+    if (!c.live) {
+      if (gaps_) find_motions<false>(*c.raceway, ball, groove, c.state);
+      continue;
+    }
     if (!(c.state.overlap < c.raceway->largest_overlap)) lost(c);
     if (count == lanes ||
         (count > 0 && (table[at[0]].raceway != c.raceway || advances(table[at[0]]) != advances(c))))
@@ -126,8 +155,7 @@ template <class L> void PairBearingHertz::forces_in_lanes()
   act();
   for (size_t n = 0; n < table.size(); ++n) {
     RacewayContact &c = table[n];
-    if (gaps_) look_at_gap(c);
-    if (c.live) add_forces(c, found_[n], 0.0, law_energy<L>);
+    if (c.live) add_forces<L>(c, found_[n], 0.0);
     else if (advances(c)) std::fill(c.kept, c.kept + L::states, 0.0);
   }
 }

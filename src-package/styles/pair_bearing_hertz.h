@@ -126,16 +126,18 @@ class PairBearingHertz : public Pair {
   void flawed_raceway_forces();
   template <class L, bool flawed> void raceway_forces();
   template <class L> void forces_in_lanes();
-  template <class L> static double law_energy(const bearing::RacewayContact &);
   bool advances(const bearing::RacewayContact &) const;
   raceway::BallState ball_of(const bearing::RacewayContact &) const;
   raceway::RingState groove_of(const bearing::RacewayContact &) const;
   void put(const bearing::RacewayContact &, const raceway::BallState &, const raceway::RingState &,
            int lane, raceway::ContactLanes &) const;
+  template <class L>
   void add_forces(const bearing::RacewayContact &, const raceway::ContactForces &,
-                  double energy_of_profile, double (*energy)(const bearing::RacewayContact &));
+                  double energy_of_profile);
+  void tally(const bearing::RacewayContact &, const raceway::ContactForces &, double energy);
   void sphere_forces(bool tally);
-  void look_at_gap(bearing::RacewayContact &);
+  bool find_place(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e) const;
+  double orbit_of(const bearing::RacewayContact &) const;
   bool touch_profile(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e,
                      raceway::ProfiledContact &, raceway::BallSlopes &);
   bool smooth() const { return profiles_.empty() && ball_profiles_.empty(); }
