@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts of one raceway, four at a time, at given motions and without derivatives: what an
-// explicit step asks for. For laws that cost more than what it takes to put contacts side by side.
+// Contacts of balls with one groove, four at a time and without derivatives: what the host's step
+// asks for.
 // A lane has the bits that a contact alone has.
 #ifndef RACEWAY_CONTACT_LANES_H
 #define RACEWAY_CONTACT_LANES_H
@@ -9,38 +9,33 @@
 
 namespace raceway {
 
-using LawsInLanes =
-    LawList<RollingFriction<LubricatedLaw>, RollingFriction<GapLaw>, RollingFriction<FullLaw>,
-            FullLaw<MixedFrictionPart, SlipSlicesPart, HydrodynamicRollingPart,
-                    RollingHysteresisPart, DragPart>,
-            LubricatedLaw<StribeckFrictionPart, SmoothedFrictionPart>,
-            DryLaw<ConstantFrictionPart, SmoothedFrictionPart>>;
-
-namespace detail {
-template <class... L> constexpr bool among(unsigned parts, LawList<L...>)
-{
-  return ((L::parts == parts) || ...);
-}
-}    // namespace detail
-template <class L> constexpr bool in_lanes = detail::among(L::parts, LawsInLanes());
-
-// Set by whoever has contacts: ball with its place from the ring's centre, ring, and what the law
-// keeps. Lanes that are not used may be anything that could touch: those of another contact.
+// Contacts of up to four balls with one groove. A lane without a ball takes one that another lane
+// has, and places of its own for what is found.
 struct ContactLanes {
-  BallStateT<Lane> ball;
-  RingStateT<Lane> ring;
-  Lane before[most_states];
-  double dt = 0.0;
+  struct Ball {
+    const double *x, *v, *w;    // three numbers each
+  };
 
-  // found; what the law does not set stays as it is
-  LaneMask live;    // they touch
-  ContactStateT<Lane> state;
-  ContactForcesT<Lane> forces;
-  Lane after[most_states];
+  // set by whoever has contacts
+  Ball ball[lanes];
+  RingState groove;
+  double dt = 0.0;        // s, over which the law moves what it keeps
+  double *kept[lanes];    // that
+  ContactState *state[lanes];
+  ContactForces *force[lanes];
+
+  bool live[lanes];    // found: they touch
+
+  // kept for its memory: what the law does not set stays as it is
+  ContactStateT<Lane> all;
 };
 
-// Pre-condition: the law is one of LawsInLanes.
-void act_in_lanes(const RacewayPhysics &p, ContactLanes &contacts);
+// Which of them may touch. The place of every contact is set then, and if `motions` the motions of
+// those that do not touch.
+void find_places(const RacewayPhysics &, ContactLanes &, bool motions);
+// What law and kinematics make of contacts that may touch: states, forces, and with dt > 0 what is
+// kept.
+void act_in_lanes(const RacewayPhysics &, ContactLanes &);
 
 }    // namespace raceway
 

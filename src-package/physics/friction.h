@@ -34,24 +34,26 @@ inline int regime(const StribeckCurve &c, double lambda)
 // xi is the spring's elongation (m) and is set back where the contact slides, so that the spring
 // force plus the dashpot equals the cap. The contact frame turns with the ball's azimuth, hence xi
 // needs no transport. Returns the force of the raceway on the ball along -t, -w through ft, fw.
-struct TangentialSpring {
-  double k = 0.0;    // N/m
-  double c = 0.0;    // N s/m
+template <class T> struct TangentialSpringT {
+  T k = T();    // N/m
+  T c = T();    // N s/m
 };
+using TangentialSpring = TangentialSpringT<double>;
 
-inline void tangential_force(const TangentialSpring &s, double cap, double vt, double vw,
-                             double *xi, double &ft, double &fw)
+template <class T>
+RACEWAY_INLINE void tangential_force(const TangentialSpringT<T> &s, const T &cap, const T &vt,
+                                     const T &vw, T *xi, T &ft, T &fw)
 {
   ft = s.k * xi[0] + s.c * vt;
   fw = s.k * xi[1] + s.c * vw;
-  const double f2 = ft * ft + fw * fw;
-  if (f2 > cap * cap) {
-    const double scale = cap / std::sqrt(f2);
-    ft *= scale;
-    fw *= scale;
-    xi[0] = (ft - s.c * vt) / s.k;
-    xi[1] = (fw - s.c * vw) / s.k;
-  }
+  const T f2 = ft * ft + fw * fw;
+  const auto slides = f2 > cap * cap;
+  if (!any(slides)) return;
+  const T scale = cap / square_root(f2);
+  ft = where(slides, T(ft * scale), ft);
+  fw = where(slides, T(fw * scale), fw);
+  xi[0] = where(slides, T((ft - s.c * vt) / s.k), xi[0]);
+  xi[1] = where(slides, T((fw - s.c * vw) / s.k), xi[1]);
 }
 
 // Coulomb's law smoothed over a sliding speed v_0:  f = mu N s/sqrt(|s|^2 + v_0^2).

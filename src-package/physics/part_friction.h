@@ -150,15 +150,17 @@ struct TangentialSpringPart : PartBase {
 
   static std::vector<StateColumn> columns() { return tangential_columns(); }
 
-  static inline void act(const Parameters &own, const Raceway &, const RacewayConstants &,
-                         const LawStates<double> &m, ContactState &c)
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
+                                 const RacewayConstantsT<Value<T>> &, const LawStates<T> &m,
+                                 ContactStateT<T> &c)
   {
     c.kt = own.kt_ratio * c.stiffness;
-    c.ct = own.ct_factor * std::sqrt(c.kt);
+    c.ct = own.ct_factor * square_root(c.kt);
     m.after[0] = m.before[0] + m.dt * c.sliding_t;
     m.after[1] = m.before[1] + m.dt * c.sliding_w;
-    tangential_force({c.kt, c.ct}, c.mu * c.normal, c.sliding_t, c.sliding_w, m.after, c.friction_t,
-                     c.friction_w);
+    tangential_force(TangentialSpringT<T>{c.kt, c.ct}, T(c.mu * c.normal), c.sliding_t, c.sliding_w,
+                     m.after, c.friction_t, c.friction_w);
   }
 
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)

@@ -3,6 +3,7 @@
 #include "pair_bearing_forces.h"
 
 #include "../deck/arguments.h"
+#include "../implicit/contact_lanes.h"
 #include "../physics/damped_hertz.h"
 #include "fix_bearing_state.h"
 
@@ -13,6 +14,14 @@ using namespace raceway;
 using bearing::RacewayContact;
 using bearing::SphereContact;
 using bearing::text;
+
+// Room for four contacts side by side, and for what lanes without a contact find.
+struct PairBearingHertz::InLanes {
+  ContactLanes four;
+  ContactState state;
+  ContactForces force;
+  double kept[most_states];
+};
 
 void PairBearingHertz::compute(int eflag, int vflag)
 {
@@ -26,13 +35,60 @@ void PairBearingHertz::compute(int eflag, int vflag)
   ring_sum_.flush();
 }
 
+// Contacts of one groove are looked at four at a time, and then those that touch. Forces are added
+// in the table's order.
+template <class L> void PairBearingHertz::smooth_forces()
+{
+  std::vector<RacewayContact> &table = table_.raceway;
+  found_.resize(table.size());
+  if (!in_lanes_) in_lanes_ = std::make_shared<InLanes>();
+  ContactLanes &four = in_lanes_->four;
+  const int end = static_cast<int>(table.size());
+  for (int first = 0, next; first < end; first = next) {
+    RacewayContact &of_all = table[by_groove_[first]];
+    for (next = first + 1; next < end && same_groove(of_all, table[by_groove_[next]]);) ++next;
+    const RacewayPhysics &p = *of_all.raceway;
+    four.groove = groove_of(of_all);
+    four.dt = advances(of_all) ? update->dt : 0.0;
+    for (int n = first; n < next; n += lanes) {
+      const int count = std::min(lanes, next - n);
+      for (int i = 0; i < count; ++i) put(by_groove_[n + i], i);
+      fill_up(count);
+      find_places(p, four, gaps_);
+      for (int i = 0; i < count; ++i) table[by_groove_[n + i]].live = four.live[i];
+    }
+    int count = 0, at[lanes];
+    const auto act = [&] {
+      if (count == 0) return;
+      fill_up(count);
+      act_in_lanes(p, four);
+      for (int i = 0; i < count; ++i) table[at[i]].live = four.live[i];
+      count = 0;
+    };
+    for (int n = first; n < next; ++n) {
+      const int row = by_groove_[n];
+      if (!table[row].live) continue;
+      put(row, count);
+      at[count++] = row;
+      if (count == lanes) act();
+    }
+    act();
+  }
+  for (size_t n = 0; n < table.size(); ++n) {
+    RacewayContact &c = table[n];
+    if (gaps_) c.orbit = orbit_of(c);
+    if (c.live) {
+      if (!(c.state.overlap < c.raceway->largest_overlap)) lost(c);
+      add_forces<L>(c, found_[n], 0.0);
+    } else if (advances(c)) {
+      std::fill(c.kept, c.kept + L::states, 0.0);
+    }
+  }
+}
+
 void PairBearingHertz::smooth_raceway_forces()
 {
-  with_law(law_, [this](auto law) {
-    using L = decltype(law);
-    if constexpr (in_lanes<L>) forces_in_lanes<L>();
-    else raceway_forces<L, false>();
-  });
+  with_law(law_, [this](auto law) { smooth_forces<decltype(law)>(); });
 }
 
 // Whether this step moves what the law keeps of a contact. The forces of a set-up belong to a step
@@ -61,21 +117,28 @@ RingState PairBearingHertz::groove_of(const RacewayContact &c) const
   return ring;
 }
 
-void PairBearingHertz::put(const RacewayContact &c, const BallState &ball, const RingState &groove,
-                           int lane, ContactLanes &to) const
+// A row of the table into a lane.
+void PairBearingHertz::put(int row, int lane)
 {
-  const auto set = [lane](Vec3T<Lane> &at, const Vec3 &value) {
-    at.x[lane] = value.x;
-    at.y[lane] = value.y;
-    at.z[lane] = value.z;
-  };
-  set(to.ball.x, ball.x - groove.x);
-  set(to.ball.v, ball.v);
-  set(to.ball.w, ball.w);
-  set(to.ring.v, groove.v);
-  set(to.ring.w, groove.w);
-  set(to.ring.e, groove.e);
-  for (int k = 0; k < most_states; ++k) to.before[k][lane] = c.kept[k];
+  RacewayContact &c = table_.raceway[row];
+  ContactLanes &four = in_lanes_->four;
+  four.ball[lane] = {atom->x[c.i_ball], atom->v[c.i_ball], atom->omega[c.i_ball]};
+  four.kept[lane] = c.kept;
+  four.state[lane] = &c.state;
+  four.force[lane] = &found_[row];
+}
+
+// The lanes from `count` on have the ball of the first one, and find nothing for anybody.
+void PairBearingHertz::fill_up(int count)
+{
+  InLanes &room = *in_lanes_;
+  for (int i = count; i < lanes; ++i) {
+    room.four.ball[i] = room.four.ball[0];
+    std::copy(room.four.kept[0], room.four.kept[0] + most_states, room.kept);
+    room.four.kept[i] = room.kept;
+    room.four.state[i] = &room.state;
+    room.four.force[i] = &room.force;
+  }
 }
 
 void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &forces, double energy)

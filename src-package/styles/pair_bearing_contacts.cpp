@@ -60,11 +60,12 @@ void PairBearingHertz::rebuild_contacts()
             [](const SphereContact &a, const SphereContact &b) {
               return a.tag_i != b.tag_i ? a.tag_i < b.tag_i : a.tag_j < b.tag_j;
             });
-  by_raceway_.resize(table_.raceway.size());
-  for (size_t k = 0; k < by_raceway_.size(); ++k) by_raceway_[k] = static_cast<int>(k);
-  std::stable_sort(by_raceway_.begin(), by_raceway_.end(), [this](int a, int b) {
-    return std::less<const RacewayPhysics *>()(table_.raceway[a].raceway,
-                                               table_.raceway[b].raceway);
+  by_groove_.resize(table_.raceway.size());
+  for (size_t k = 0; k < by_groove_.size(); ++k) by_groove_[k] = static_cast<int>(k);
+  std::stable_sort(by_groove_.begin(), by_groove_.end(), [this](int a, int b) {
+    const RacewayContact &one = table_.raceway[a], &other = table_.raceway[b];
+    if (one.i_ring != other.i_ring) return one.i_ring < other.i_ring;
+    return one.groove() < other.groove();
   });
   add_raceway_contacts();
   rebuild_ = false;

@@ -20,7 +20,6 @@ namespace bearing {
 class Arguments;
 }
 namespace raceway {
-struct ContactLanes;
 }
 
 namespace LAMMPS_NS {
@@ -124,13 +123,17 @@ class PairBearingHertz : public Pair {
   void add_raceway_contacts();
   void smooth_raceway_forces();
   void flawed_raceway_forces();
-  template <class L, bool flawed> void raceway_forces();
-  template <class L> void forces_in_lanes();
+  template <class L> void smooth_forces();
+  template <class L> void flawed_forces();
   bool advances(const bearing::RacewayContact &) const;
   raceway::BallState ball_of(const bearing::RacewayContact &) const;
   raceway::RingState groove_of(const bearing::RacewayContact &) const;
-  void put(const bearing::RacewayContact &, const raceway::BallState &, const raceway::RingState &,
-           int lane, raceway::ContactLanes &) const;
+  bool same_groove(const bearing::RacewayContact &a, const bearing::RacewayContact &b) const
+  {
+    return a.raceway == b.raceway && a.i_ring == b.i_ring && advances(a) == advances(b);
+  }
+  void put(int row, int lane);
+  void fill_up(int count);
   template <class L>
   void add_forces(const bearing::RacewayContact &, const raceway::ContactForces &,
                   double energy_of_profile);
@@ -163,7 +166,7 @@ class PairBearingHertz : public Pair {
       ball_profiles_;
 
   bearing::ContactTable table_;
-  std::vector<int> by_raceway_;    // places in the table
+  std::vector<int> by_groove_;    // places in the table
   std::vector<raceway::ContactForces> found_;
   struct InLanes;
   std::shared_ptr<InLanes> in_lanes_;

@@ -238,13 +238,6 @@ template <class L> int bit_differences(const Scene &s)
   return different;
 }
 
-void put(const Vec3 &from, int lane, Vec3T<Lane> &to)
-{
-  to.x[lane] = from.x;
-  to.y[lane] = from.y;
-  to.z[lane] = from.z;
-}
-
 // Of four contacts of one raceway, the last of which may be open, at once and one by one: number of
 // values that differ in their bits.
 template <class L> int lane_differences(unsigned parts, int n)
@@ -252,42 +245,51 @@ template <class L> int lane_differences(unsigned parts, int n)
   const int each = 2, open = 3;    // every other scene is on the other raceway
   Scene s[lanes];
   ContactLanes four;
-  four.dt = scene(parts, n).dt;
+  ContactState states[lanes];
+  ContactForces forces[lanes];
+  double kept[lanes][most_states], x[lanes][3], v[lanes][3], w[lanes][3];
   for (int i = 0; i < lanes; ++i) {
     s[i] = scene(parts, n + each * i);
     if (L::decides && i == open) {    // within reach, and no film is as thick
       const double away = n % 2 ? 50e-6 : -50e-6;
       s[i].ball.x = s[i].ball.x + s[i].ball.x * (away / norm(s[i].ball.x));
     }
-    put(s[i].ball.x, i, four.ball.x);
-    put(s[i].ball.v, i, four.ball.v);
-    put(s[i].ball.w, i, four.ball.w);
-    put(s[i].ring.v, i, four.ring.v);
-    put(s[i].ring.w, i, four.ring.w);
-    put(s[i].ring.e, i, four.ring.e);
-    for (int k = 0; k < L::states; ++k) four.before[k][i] = s[i].before[k];
+    s[i].ball.x.to(x[i]);
+    s[i].ball.v.to(v[i]);
+    s[i].ball.w.to(w[i]);
+    std::copy(s[i].before, s[i].before + most_states, kept[i]);
+    four.ball[i] = {x[i], v[i], w[i]};
+    four.kept[i] = kept[i];
+    four.state[i] = &states[i];
+    four.force[i] = &forces[i];
   }
   const RacewayPhysics &p = s[0].p;
-  act_in_lanes(p, four);
+  const RingState &ring = s[0].ring;
+  four.groove = ring;
+  four.dt = s[0].dt;
   int different = 0;
+  find_places(p, four, true);
   for (int i = 0; i < lanes; ++i) {
     ContactState c;
-    const bool near = touch(p, s[i].ball.x, s[i].ring.e, c);
-    const bool live = near && !approach<L>(p, s[i].ball, s[i].ring, c);
-    different += !near || live != bool(four.live[i]) || live != !(L::decides && i == open);
-    different += c.overlap != four.state.overlap[i];
+    different += !four.live[i] || !touch(p, s[i].ball.x, ring.e, c);
+  }
+  act_in_lanes(p, four);
+  for (int i = 0; i < lanes; ++i) {
+    ContactState c;
+    const bool near = touch(p, s[i].ball.x, ring.e, c);
+    const bool live = near && !approach<L>(p, s[i].ball, ring, c);
+    different += !near || live != four.live[i] || live != !(L::decides && i == open);
+    different += c.overlap != states[i].overlap;
     if (!live) continue;
-    double after[L::states];
+    double after[most_states];
     L::act(p, p.law.at(c.cos_angle), LawStates<double>{four.dt, s[i].before, after}, c);
-    const ContactForces f = assemble<L::couples>(p, s[i].ring.e, c);
+    const ContactForces f = assemble<L::couples>(p, ring.e, c);
     const Vec3 *one[] = {&f.force, &f.ball_torque, &f.ring_torque};
-    const Vec3T<Lane> *all[] = {&four.forces.force, &four.forces.ball_torque,
-                                &four.forces.ring_torque};
+    const Vec3 *all[] = {&forces[i].force, &forces[i].ball_torque, &forces[i].ring_torque};
     for (int k = 0; k < 3; ++k)
-      different +=
-          (one[k]->x != all[k]->x[i]) + (one[k]->y != all[k]->y[i]) + (one[k]->z != all[k]->z[i]);
-    for (int k = 0; k < L::states; ++k) different += after[k] != four.after[k][i];
-    different += c.load != four.state.load[i] || c.mu != four.state.mu[i];
+      different += (one[k]->x != all[k]->x) + (one[k]->y != all[k]->y) + (one[k]->z != all[k]->z);
+    for (int k = 0; k < L::states; ++k) different += after[k] != kept[i][k];
+    different += c.load != states[i].load || c.mu != states[i].mu;
   }
   return different;
 }
@@ -338,7 +340,6 @@ EXPORT(int, law_lanes, (int law, int sample))
 {
   const unsigned parts = compiled_laws()[law];
   int different = -1;
-  with_law(parts, LawsInLanes(),
-           [&](auto l) { different = lane_differences<decltype(l)>(parts, sample); });
+  with_law(parts, [&](auto l) { different = lane_differences<decltype(l)>(parts, sample); });
   return different;
 }

@@ -254,7 +254,7 @@ EXPORT(double, friction_regime, (double lambda_1, double lambda_2, double Lambda
 EXPORT(void, friction_spring,
        (double k, double c, double cap, double vt, double vw, double xi[2], SpringForce *out))
 {
-  tangential_force({k, c}, cap, vt, vw, xi, out->ft, out->fw);
+  tangential_force(TangentialSpring{k, c}, cap, vt, vw, xi, out->ft, out->fw);
 }
 
 // ---- groove.h
