@@ -81,6 +81,7 @@ class BearingStep {
   {
   }
   BearingStep(const BearingStep &) = delete;    // its pieces refer to one another
+  const BearingModel &model() const { return bodies_.model; }
 
   void load(const std::vector<BodyPose> &b, const std::vector<RingPose> &r) { bodies_.load(b, r); }
   void store(std::vector<BodyPose> &b, std::vector<RingPose> &r) const { bodies_.store(b, r); }

@@ -171,8 +171,11 @@ raceway::Vec3 FixBearingImplicit::gravity()
 void FixBearingImplicit::setup(int)
 {
   build_ = -1;
+  solver_->parts.clear();
+  solver_->steps.clear();    // what moves the rings may have changed
   substeps_ = corrections_ = refused_ = time_ = worst_ = 0.0;
   solver_->energy = BearingStep::Energy();
   begun_ = false;
+  stored_before_ = 0.0;
   smallest_ = HUGE_VAL;
 }

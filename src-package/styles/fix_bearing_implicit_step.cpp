@@ -59,7 +59,17 @@ void FixBearingImplicit::build()
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.parts.clear();
+  // A solver knows nothing of the steps before, so it serves a bearing that is made of the same
+  // things on. An account of the energy begins with a solver.
+  std::vector<std::unique_ptr<BearingStep>> earlier;
+  if (!energy_wanted_) earlier.swap(all.steps);
   all.steps.clear();
+  const auto made = [&earlier](const BearingModel &of, size_t likely) {
+    const auto fits = [&](const auto &one) { return one && alike(one->model(), of); };
+    if (likely < earlier.size() && fits(earlier[likely])) return std::move(earlier[likely]);
+    const auto found = std::find_if(earlier.begin(), earlier.end(), fits);
+    return found == earlier.end() ? nullptr : std::move(*found);
+  };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
   // One solver for all bearings that are alike stays in the caches. An account of the energy and
   // instants stay with a bearing after its step, so there each has its own.
@@ -81,11 +91,15 @@ void FixBearingImplicit::build()
     of.parts = pair_->law();
     for (BearingModel::Shaft &one : of.shafts)
       if (const FixBearingShaft *bends = rings_[one.mover]->bending()) one.modes = &bends->modes();
-    all.steps.push_back(std::make_unique<BearingStep>(of));
+    std::unique_ptr<BearingStep> step = made(of, all.steps.size());
+    if (!step) {
+      step = std::make_unique<BearingStep>(of);
+      step->keep_energy(energy_wanted_);
+      step->instants().want({instants_.number, instants_.capacitor});
+    }
+    all.steps.push_back(std::move(step));
     all.parts.push_back({all.steps.back().get(), 0.0, {}});
     kind.push_back({p, all.steps.back().get()});
-    all.steps.back()->keep_energy(energy_wanted_);
-    all.steps.back()->instants().want({instants_.number, instants_.capacitor});
   }
 }
 
