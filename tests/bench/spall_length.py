@@ -4,7 +4,7 @@ blow; writes docs/performance/spall_length.rst.
 
     .venv/bin/python tests/bench/spall_length.py [--print]     --print: leave the page alone
 
-Exit code 1 when raceway.spall is more than 10 % off.
+Exit code 1 when raceway.spall is more than 5 % off.
 """
 
 import sys
@@ -32,7 +32,8 @@ SCENES = (  # bearing, N, rpm, kg of the inner ring (inputs/bearings)
 )
 LENGTHS = (1e-3, 2e-3)  # m
 SIDES = {"outer": (OUTER, 8), "inner": (INNER, 16)}  # and ball passes
-ALLOWED = 0.1
+EDGE = 5e-5  # m
+ALLOWED = 0.05
 WAYS = ("half-way", "static rate", "two masses", "the ball's own fall")
 PAGE = """\
 Length of a spall
@@ -52,8 +53,8 @@ medians over the balls that pass under the load, in mm:
 * *the ball's own fall*: how far the ball has fallen when it strikes, from the record.
   No sensor has that.
 
-The largest error of *two masses* is {error:.1f} %. Short spalls are worse: a sample is a
-larger part of them.
+All but the first know the edge's radius, 0.05 mm: a ball that keeps its load is heard that much
+before the middle. The largest error of *two masses* is {error:.1f} %.
 """
 
 
@@ -74,7 +75,8 @@ def at_static_rate(bearing, raceway, seconds, spin, load):
     curve = (1 if raceway == OUTER else -1) * bearing.pitch_radius * (orbit / speed) ** 2
     away = np.maximum(on - lost, 0.0)
     drop = without.shift[0] + share * lost / rolling * away + 0.5 * curve * away**2
-    return np.where(on > lost, on + np.sqrt(2 * rolling * np.maximum(drop, 0.0)), 2 * on)
+    flown = on + np.sqrt(2 * rolling * np.maximum(drop, 0.0))
+    return np.where(on > lost, flown, 2 * (on + EDGE))
 
 
 def by_own_fall(run, side, raceway, found, spin):
@@ -97,7 +99,7 @@ def by_own_fall(run, side, raceway, found, spin):
         ball = np.argmin(np.abs(np.angle(np.exp(1j * way[start]))))
         gone = np.flatnonzero(load[start:stop, ball] == 0)
         if not len(gone):  # it kept its load
-            lengths.append(2 * speed * (blow - entry))
+            lengths.append(2 * (speed * (blow - entry) + EDGE))
             continue
         back = start + gone[0] + np.argmax(load[start + gone[0] :, ball] > 0)
         fall = abs(radius[back, ball] - radius[start, ball]) + overlap[start, ball]
@@ -113,7 +115,7 @@ def main() -> int:
             for side, (raceway, passes) in SIDES.items():
                 for length in LENGTHS:
                     folder = Path(place) / f"{name}_{load}_{side}_{length}"
-                    flaw = {f"flaw_{side}": f"notch {-np.pi / 2} {length} full 1e-3 5e-5"}
+                    flaw = {f"flaw_{side}": f"notch {-np.pi / 2} {length} full 1e-3 {EDGE}"}
                     words = dict(bearing=name, load=load, rpm=rpm, passes=passes, **MODE, **flaw)
                     succeed("inputs/in.6208", out=folder, timeout=1200, **words)
                     run, spin = Run(folder), rpm * np.pi / 30
@@ -122,7 +124,7 @@ def main() -> int:
                     read = (
                         kinematics.spall_length(bearing, spin, found.seconds),
                         at_static_rate(*given),
-                        spall.length(*given, mass, heard=OUTER),
+                        spall.length(*given, mass, heard=OUTER, edge=EDGE),
                         by_own_fall(run, side, raceway, found, spin),
                     )
                     medians = [float(np.median(one)) for one in read]

@@ -81,29 +81,51 @@ def test_lines_of_a_flawed_ball(tmp_path):
 @pytest.mark.parametrize("length", [1e-3, 2e-3])
 @pytest.mark.parametrize("raceway, passes", [("outer", 5), ("inner", 12)])
 def test_length_from_a_housing(tmp_path, raceway, passes, length):
-    """What an accelerometer on the housing hears, over 1 and 2 mm: 5 %. Half-way is 8 % to 70 % too
+    """What an accelerometer on the housing hears, over 1 and 2 mm: 3 %. Half-way is 5 % to 70 % too
     long, because the ball loses its load and flies."""
-    flaw = {f"flaw_{raceway}": f"notch {-np.pi / 2} {length} full 1e-3 5e-5"}
-    succeed("inputs/in.6208", out=tmp_path, passes=passes, **HOUSED, **flaw)
-    run = package.open(tmp_path)
-    bearing, spin = run.tables.geometry, HOUSED["rpm"] * np.pi / 30
+    found, half_way = lengths_from_a_housing(tmp_path, raceway, passes, length)
+    assert found == pytest.approx(length, rel=0.03)
+    assert 1.05 * length < half_way < 1.7 * length
+
+
+@pytest.mark.parametrize(
+    "raceway, length, more",
+    [
+        ("outer", 1e-3, dict(load=1000, rpm=3000)),  # nearly loses its load, and bounces
+        ("outer", 1e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2)),  # keeps it
+        ("inner", 2e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2)),  # the worst of the page
+    ],
+)
+def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more):
+    """The runs of docs/performance/spall_length that are hardest to read: 3 %."""
+    passes = {"outer": 5, "inner": 16}[raceway]
+    found, _ = lengths_from_a_housing(tmp_path, raceway, passes, length, **more)
+    assert found == pytest.approx(length, rel=0.03)
+
+
+def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **more):
+    """Medians of `spall.length` and of the half-way rule, m."""
+    edge, words = 5e-5, {**HOUSED, **more}
+    flaw = {f"flaw_{raceway}": f"notch {-np.pi / 2} {length} full 1e-3 {edge}"}
+    succeed("inputs/in.6208", out=folder, passes=passes, **words, **flaw)
+    run = package.open(folder)
+    bearing, spin = run.tables.geometry, words["rpm"] * np.pi / 30
     seconds = passages.of_run(run, raceway).strong.seconds
-    side = {"inner": INNER, "outer": OUTER}[raceway]
-    found = spall.length(bearing, side, seconds, spin, HOUSED["load"], RING_MASS, heard=OUTER)
-    assert np.median(found) == pytest.approx(length, rel=0.05)
-    half_way = np.median(kinematics.spall_length(bearing, spin, seconds))
-    assert 1.08 * length < half_way < 1.7 * length
+    assert len(seconds) >= 2
+    side, load = {"inner": INNER, "outer": OUTER}[raceway], words["load"]
+    found = spall.length(bearing, side, seconds, spin, load, mass, heard=OUTER, edge=edge)
+    return np.median(found), np.median(kinematics.spall_length(bearing, spin, seconds))
 
 
 def test_length_from_a_contact_load(tmp_path):
     """Of the balls that keep their load over 1 mm: 5 %."""
-    length = 1e-3
+    length, edge = 1e-3, 2e-5
     succeed(
         "inputs/in.6208",
         out=tmp_path,
         passes=2,
         samples=4000,
-        flaw_outer=notch(length, edge=2e-5),
+        flaw_outer=notch(length, edge),
         **CASE,
     )
     run = package.open(tmp_path)
@@ -118,5 +140,6 @@ def test_length_from_a_contact_load(tmp_path):
     seconds = every.seconds[every.dip > 0.9 * every.dip.max()]
     assert len(seconds) == 2
     spin = RPM * np.pi / 30
-    found = spall.length(run.tables.geometry, OUTER, seconds, spin, 2000, 0.2, clearance=10e-6)
+    more = dict(edge=edge, clearance=10e-6)
+    found = spall.length(run.tables.geometry, OUTER, seconds, spin, 2000, 0.2, **more)
     assert found == pytest.approx(length, rel=0.05)

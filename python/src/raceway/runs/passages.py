@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Balls that pass a spall, in an acceleration or a contact load: entry and blow of each.
 
-A ball loses load from the entry on, as the square of the way (low frequencies). It strikes half-way
-or later (a sharp bend, high frequencies). The time between is what `spall.length` and
-`kinematics.spall_length` make a length of (Sawalha and Randall, Mech. Syst. Signal Process. 25
-(2011) 846).
+A ball loses load from the entry on, as the square of the way and, by damping, as the way itself
+(low frequencies). It strikes half-way or later (a sharp bend, high frequencies). The time between
+is what `spall.length` and `kinematics.spall_length` make a length of (Sawalha and Randall, Mech.
+Syst. Signal Process. 25 (2011) 846).
 """
 
 from typing import NamedTuple
@@ -24,6 +24,8 @@ SHARP, ABOVE = 4.0, 1.5  # times the sharpest bend of that quiet time: a blow, i
 ONSET = 0.2  # of the sharpest bend of a passage: its first blow
 STRONG = 0.7  # of the deepest dip of all: those under the load
 LEAST, FAINT = 0.02, 0.02  # of the largest value before the blow, and bend: no longer at rest
+CALM = (0.3, 0.6)  # of the time from entry to the strong bends: no blow yet
+JUMP, FAINTEST = 3.0, 0.12  # times the largest jump of calm, of all: a blow begins
 REACH = 6.0  # times the time from first notice to there: where the entry is looked for
 FOLDS = 4  # samples in a bin of the folded record
 FEWEST = 32  # samples around a blow
@@ -62,10 +64,11 @@ def find(
 
     A passage is the time `reach_s` before to `reach_s` after a blow, half a period unless given.
     The first quarter of the time before the blow must be quiet, along a straight line. The entry is
-    where a square begins that is fitted up to a `share` of the first peak. A contact load bends
-    sooner than an acceleration: take a `share` of 0.1, and a reach of three times the time from
-    entry to blow. Passages without a blow that stands out, or whose entry is lost in noise, are
-    left out.
+    where a line and a square begin that are fitted up to a `share` of the first peak. The blow is
+    where the second derivative jumps: the begin of a rounding, if the edge is rounded. A contact
+    load bends sooner than an acceleration: take a `share` of 0.1, and a reach of three times the
+    time from entry to blow. Passages without a blow that stands out, or whose entry is lost in
+    noise, are left out.
 
     Raises `ValueError` for a reach below 16 samples or above half a period, values shorter than a
     period, and a share outside 0 to 1.
@@ -119,7 +122,7 @@ def _passage(values, turn, share):
     floor = bend[quiet].max()
     if not bend.max() > SHARP * floor:
         return None
-    blow, middle = _first(turn, max(ONSET * bend.max(), ABOVE * floor))
+    blow = int(np.argmax(bend > max(ONSET * bend.max(), ABOVE * floor)))
     size = np.abs(away[: blow + 1])
     # the square's own bend is constant: it shows beside ringing that is larger than the dip
     notices = [
@@ -133,40 +136,49 @@ def _passage(values, turn, share):
         top += 1
     end = start + int(np.argmax(size[start : top + 1] >= share * size[top]))
     entry = _entry(values, start, end, _ringing(values[blow:]))
-    return None if entry is None else (entry, middle, size[top])
+    return None if entry is None else (entry, _begin(turn, entry, blow), size[top])
 
 
-def _first(turn, least):
-    """(first index where |`turn`| is above `least`, middle of that bend): an edge that is rounded
-    spreads the blow of a ball that keeps its load over as much."""
-    first = int(np.argmax(np.abs(turn) > least))
-    away = np.flatnonzero(turn[first:] * np.sign(turn[first]) <= least)
-    last = first + (int(away[0]) if len(away) else len(turn) - first)
-    weight = np.abs(turn[first:last])
-    return first, float(np.arange(first, last) @ weight / weight.sum())
+def _begin(turn, entry, blow):
+    """Where the blow begins whose strong bends start at the index `blow`: where `turn` jumps more
+    than before. A rounded edge makes a weak bend first, and the ringing bends without a jump."""
+    jump = np.abs(np.diff(turn, prepend=turn[0]))
+    first, last = (max(int(entry + part * (blow - entry)), 0) for part in CALM)
+    after = int(2 * blow - entry)
+    least = max(JUMP * jump[first : last + 1].max(), FAINTEST * jump[first : after + 1].max())
+    sudden = np.flatnonzero(jump[last : blow + 1] > least)
+    return (last + sudden[0] if len(sudden) else blow) + 0.5  # between this value and the next
 
 
 def _entry(values, start, end, ringing):
-    """Where a square begins on top of a line and of a `ringing` (rad a sample) that dies down,
-    least squares up to the index `end`, near `start`; or None."""
+    """Where a line and a square of the same sign begin on top of a line and of a `ringing` (rad a
+    sample) that dies down, least squares up to the index `end`, near `start`; or None."""
     if end - start < 1:
         return None
     place = np.arange(end + 1) - float(end)
     place = place[max(0, end - int(4 * np.pi / ringing + REACH * (end - start))) :]
     rest = [np.ones_like(place), place, *_waves(place, ringing)]
     values = values[-len(place) + end + 1 : end + 1]
-    # what the rest leaves of the values, and of a square, by its begin
+    # what the rest leaves of the values, and of a line and a square, by their begin
     base = np.linalg.qr(np.transpose(rest))[0]
     left = values - base @ (base.T @ values)
 
     def miss(entry):
-        shape = np.maximum(place - entry, 0.0) ** 2
-        shape = shape - base @ (base.T @ shape)
-        return -((shape @ left) ** 2) / (shape @ shape)  # what the square explains
+        on = np.maximum(place - entry, 0.0)
+        line, square = (one - base @ (base.T @ one) for one in (on, on**2))
+        ll, ls, ss, lv, sv = line @ line, line @ square, square @ square, line @ left, square @ left
+        a, b = ss * lv - ls * sv, ll * sv - ls * lv
+        if a * b > 0:  # a damper adds to its spring
+            return -(a * lv + b * sv) / (ll * ss - ls**2)
+        return -(sv**2) / ss
 
-    first = -REACH * (end - start)
-    found = optimize.minimize_scalar(miss, bounds=(first, -1.0), method="bounded")
-    return float(end + found.x) if found.x > first + 1 else None
+    first = -int(REACH * (end - start))
+    tried = np.arange(first, 0)
+    best = tried[np.argmin([miss(one) for one in tried])]
+    if best == first:
+        return None
+    found = optimize.minimize_scalar(miss, bounds=(best - 1, min(best + 1, -1)), method="bounded")
+    return float(end + found.x)
 
 
 def _waves(place, ringing):

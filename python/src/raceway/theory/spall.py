@@ -4,8 +4,8 @@
 A ball that keeps its load strikes half-way, where the near flank of its path meets the far one
 (`kinematics.spall_length`). One that loses its load flies on and strikes the far flank later. Here
 ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
-spring that stands for the other balls. The path over the spall is that of a rigid ball on two sharp
-edges (docs/theory, Flaws of a raceway). The spall lies on the load line and is deeper than the ball
+spring that stands for the other balls. The path over the spall is that of a rigid ball on two edges
+(docs/theory, Flaws of a raceway). The spall lies on the load line and is deeper than the ball
 reaches. Film, friction and what carries the outer ring are left out.
 """
 
@@ -32,6 +32,7 @@ def seconds_to_blow(
     ring_mass: float,
     *,
     heard: int | None = None,
+    edge: float = 0.0,
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
@@ -41,9 +42,11 @@ def seconds_to_blow(
     `spin` of the inner ring in rad/s; radial `load` in N; `ring_mass` in kg of the inner ring and
     of what turns with it, which the load pushes after the ball; diametral `clearance` in m;
     `ball_density` in kg/m^3. `heard` is the raceway whose ring has the sensor, the spall's own
-    unless given: to the other one the ball must fly back. Raises `ValueError` for a length or mass
-    that is not positive and for lengths above 0.4 of the distance of two balls, `NoEquilibrium`
-    where nothing carries the load without that ball.
+    unless given: to the other one the ball must fly back. `edge` is the radius of the spall's edges
+    in m: a ball that keeps its load begins to rise that much before the middle. Raises `ValueError`
+    for a length or mass that is not positive, an edge above half a length, and for lengths above
+    0.4 of the distance of two balls, `NoEquilibrium` where nothing carries the load without that
+    ball.
 
     A 6208 at 1500 rpm and 2 kN keeps its load over 1 mm, not over 2 mm:
 
@@ -56,6 +59,10 @@ def seconds_to_blow(
     w = np.atleast_1d(np.asarray(lengths, float))
     if not (np.all(w > 0) and ring_mass > 0):
         raise ValueError(f"lengths {lengths} m and ring_mass {ring_mass} kg must be positive")
+    if not 0 <= edge <= 0.5 * w.min():
+        raise ValueError(
+            f"edge {edge:g} m must be 0 m to half the shortest length, {0.5 * w.min():g} m"
+        )
     if w.max() > longest(bearing, raceway):
         raise ValueError(
             f"length {w.max():g} m must be at most {longest(bearing, raceway):g} m, {LONGEST} of"
@@ -87,13 +94,12 @@ def seconds_to_blow(
 
     ring, ring_v, ball, ball_v = (np.zeros(len(w)) for _ in range(4))  # m outwards, m/s
     lost, struck = np.zeros(len(w), bool), np.zeros(len(w), bool)
-    blow = 0.5 * w / speed  # of a ball that keeps its load
+    turns = 0.5 * w - edge  # m from the entry: the path begins to turn up
+    blow = turns / speed  # of a ball that keeps its load
     found = np.zeros(len(w), bool)
 
     def loads(time):
-        on = speed * time
-        # over the near flank, then over the far one
-        drop = np.minimum(on, np.maximum(w - on, 0.0)) ** 2 / (2 * rolling)
+        drop = _drop(speed * time, w, edge, rolling)
         overlap = [rest[INNER] + ring - ball, rest[OUTER] + ball]
         overlap[raceway] = overlap[raceway] - drop
         return [hertz.load(K[side], overlap[side]) for side in (INNER, OUTER)]
@@ -111,7 +117,7 @@ def seconds_to_blow(
         new = struck & ~found & (both[heard] > 0)
         blow[new] = n * step
         found |= new
-        lost |= both[raceway] == 0
+        lost |= (both[raceway] == 0) & (speed * n * step < turns)
     return blow
 
 
@@ -124,6 +130,7 @@ def length(
     ring_mass: float,
     *,
     heard: int | None = None,
+    edge: float = 0.0,
     clearance: float = 0.0,
     ball_density: float = 7800.0,
 ) -> Floats:
@@ -139,12 +146,23 @@ def length(
     >>> print((1e3 * length(paper, INNER, time, **case)).round(2))
     [1. 2.]
     """
-    table = longest(bearing, raceway) * np.linspace(0, 1, LENGTHS + 1)
-    more = {"heard": heard, "clearance": clearance, "ball_density": ball_density}
+    table = np.linspace(2 * edge, longest(bearing, raceway), LENGTHS + 1)
+    more = {"heard": heard, "edge": edge, "clearance": clearance, "ball_density": ball_density}
     times = seconds_to_blow(bearing, raceway, table[1:], spin, load, ring_mass, **more)
     times = np.maximum.accumulate(np.concatenate([[0.0], times]))
     wanted = np.asarray(seconds, float)
     return np.where(wanted > 0, np.interp(wanted, times, table, right=np.nan), np.nan)
+
+
+def _drop(on, w, edge, rolling):
+    """How far (m) a rigid ball has fallen `on` m after the entry."""
+    half, curve = 0.5 * w, rolling + edge
+    off = np.minimum(np.abs(on - half), half)  # from the middle
+    flank = (half - off) ** 2 / (2 * curve)
+    if edge == 0:
+        return flank
+    steepest = (half - edge) / curve
+    return np.where(off > edge, flank, 0.5 * steepest * (half - off**2 / edge))
 
 
 def longest(bearing: Bearing, raceway: int) -> float:
