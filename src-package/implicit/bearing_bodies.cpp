@@ -13,6 +13,8 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   rings.resize(model.rings.size() + model.shafts.size());
   place_shafts();
   for (size_t k = 0; k < model.rings.size(); ++k) {
+    rings[k].empty = std::none_of(tracks.begin(), tracks.end(),
+                                  [k](const Track &t) { return t.ring == static_cast<int>(k); });
     rings[k].holder = model.rings[k].holder;
     if (rings[k].holder >= 0) rings[rings[k].holder].holds = true;
   }
@@ -257,10 +259,13 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
         shaft_of(rings[first.ring].from, first.at, Deflection(*first.station, b.from));
   }
   // balls circle the ring that is not free, the last one if there is a choice
-  centre = rings.front().from.x;
-  for (const RingBody &r : rings)
-    if (!r.carried && !r.program.free(0) && !r.program.free(1) && !r.program.free(2))
-      centre = r.from.x;
+  bool found = false;
+  for (const RingBody &r : rings) {
+    if (r.empty) continue;
+    const bool stays = !r.carried && !r.program.free(0) && !r.program.free(1) && !r.program.free(2);
+    if (stays || !found) centre = r.from.x;
+    found = true;
+  }
   int last = 0;
   for (size_t at = 0; at < body_at.size(); ++at) {
     if (body_at[at] >= 0) last = body_at[at];

@@ -40,6 +40,7 @@ struct alignas(32) RingBody {
   bool levered = false;               // by a rigid one, whose unknowns it has
   int holder = -1;                    // ring that its supports hold it to, -1: the ground
   bool holds = false;                 // another one
+  bool empty = false;                 // without a raceway: a housing
   double at = 0.0;                    // m, a carried ring from the shaft's centre
   double span = 0.0;                  // m, of a shaft: to the farthest of its rings
   double spring = 0.0;                // N/m, sum over contacts; with dampers_only

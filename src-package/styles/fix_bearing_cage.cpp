@@ -77,9 +77,10 @@ void FixBearingCage::init()
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }
 void FixBearingCage::pre_neighbor() { find_balls(); }
 
-// The ring whose centre is nearest, within two pitch radii, carries the cage ball: local indices
-// hold until the next build. Only rings in a slab about the ball are looked at, across the
-// direction in which they are spread out most.
+// The ring whose pitch circle is nearest, within two pitch radii of its centre, carries the cage
+// ball: the centre of a housing may be nearer than that of the ring. Local indices hold until the
+// next build. Only rings in a slab about the ball are looked at, across the direction in which they
+// are spread out most.
 void FixBearingCage::find_balls()
 {
   cage_.balls.clear();
@@ -99,17 +100,20 @@ void FixBearingCage::find_balls()
     if (hi[k] - lo[k] > hi[along] - lo[along]) along = k;
   std::sort(rings.begin(), rings.end(), [&](int a, int b) { return x[a][along] < x[b][along]; });
   const double reach = 2.0 * pitch_;
+  const int axis = pair_->axis_index();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     int nearest = -1;
-    double best = reach * reach;
+    double best = HUGE_VAL;
     auto j = std::lower_bound(rings.begin(), rings.end(), x[i][along] - reach,
                               [&](int ring, double value) { return x[ring][along] < value; });
     for (; j != rings.end() && x[*j][along] < x[i][along] + reach; ++j) {
       const Vec3 d = Vec3::from(x[i]) - Vec3::from(x[*j]);
-      const double r2 = dot(d, d);
-      if (r2 < best || (r2 == best && nearest >= 0 && atom->tag[*j] < atom->tag[nearest])) {
-        best = r2;
+      const double r2 = dot(d, d), axial = x[i][axis] - x[*j][axis];
+      if (!(r2 < reach * reach)) continue;
+      const double off = std::hypot(std::sqrt(std::fmax(0.0, r2 - axial * axial)) - pitch_, axial);
+      if (off < best || (off == best && atom->tag[*j] < atom->tag[nearest])) {
+        best = off;
         nearest = *j;
       }
     }

@@ -10,7 +10,7 @@ rank.
 import re
 
 import pytest
-from host import BOX, frames, liggghts, succeed
+from host import BOX, ROOT, frames, liggghts, succeed
 
 DECK = "tests/implicit/in.ranks"
 TWO = {"bearings": 2, "xhi": 0.18}
@@ -154,6 +154,7 @@ def test_models_full_or_flaws(scene, tmp_path):
         "flaw": {
             "flaw": "notch -1.4 3.0e-3 full 1.0e-5 5.0e-5 wave 40 2.0e-7 0.5",
             "flaw_ball": "ball pit 0.9 0.05 2.0e-3 1.0e-3 1.0e-5 1.0e-4 wave 7 2.0e-7 0",
+            "housing": 1,
         },
     }[scene]
     words = dict(kept, **({"models": "full", "lubricant": "mineral"} if scene == "full" else {}))
@@ -172,6 +173,23 @@ def test_models_full_or_flaws(scene, tmp_path):
         **{"from": tmp_path / "two/restart.22"},
     )
     assert last(tmp_path / "resumed") == last(tmp_path / "one")
+
+
+def test_a_fixed_housing_is_the_ground(tmp_path):
+    """On the pitch circle, nearer to some cage balls than their ring is: the same bits."""
+    held = (ROOT / "tests/hosts/bits.housing.1").read_text().split("fix housing")[0]
+    text = (ROOT / DECK).read_text()
+    for name, words in (
+        ("ground", held.replace(" to housing", "")),
+        ("housing", held + "fix housing housing bearing/ring\n"),
+    ):
+        deck = tmp_path / f"in.{name}"
+        deck.write_text(text.replace("include tests/hosts/bits.housing.${housing}", words))
+        succeed(deck, out=tmp_path / name, housing=int(name == "housing"))
+    ground, housing = (frames(tmp_path / name / "balls.dump") for name in ("ground", "housing"))
+    assert ground == {
+        step: [row for row in rows if not row.startswith("21 ")] for step, rows in housing.items()
+    }
 
 
 def test_only_dampers_implicit(tmp_path):
