@@ -6,25 +6,33 @@ namespace raceway {
 
 // What loads and drives put in and contacts took out at the end of a stage, times its weight in
 // seconds.
-void BearingStep::add_energy(double weight, double s)
+void BearingStep::add_energy(const Stage &stage, double weight, double s)
 {
-  forces_.evaluate(Stage());
-  double power = 0.0;
+  system_.start(stage.h, false);
+  forces_.evaluate(stage);
+  system_.add_rings(stage.h, stage.follows(), s, false);
+  double power = -power_of_residual(stage.h);
+  // what is free goes half the way with the velocity before, if dampers alone are implicit
+  const double old_share = stage.dampers_only ? 0.5 : 0.0;
   for (const RingBody &r : bodies_.rings) {
     if (r.carried) continue;    // the shaft has its forces
-    double push[3], pull[3], v[3];
+    double push[3], pull[3], v[3], way[3];
     r.program.force_at(s, r.now.angle).to(push);
     Vec3 met_force = r.force, met_moment = r.moment;
     if (r.holds) bodies_.add_held(r, &met_force, &met_moment);
     met_force.to(pull);
     r.now.v.to(v);
-    for (int k = 0; k < 3; ++k) power += v[k] * (r.program.free(k) ? push[k] : -pull[k]);
-    const Vec3 load = r.program.moment_at(s, r.now), W = r.now.across();
+    (r.now.v + (r.from.v - r.now.v) * old_share).to(way);
+    for (int k = 0; k < 3; ++k) power += r.program.free(k) ? push[k] * way[k] : -pull[k] * v[k];
+    const Vec3 load = r.program.moment_at(s, r.now), W = r.now.across(),
+               before = r.from.across() - W;
     const double w[3] = {W.x, W.y, r.now.spin};
+    const double turn[3] = {W.x + before.x * old_share, W.y + before.y * old_share,
+                            r.now.spin + (r.from.spin - r.now.spin) * old_share};
     const double given[3] = {load.x, load.y, dot(load, r.now.e)};
     const double met[3] = {met_moment.x, met_moment.y, dot(met_moment, r.now.e)};
     for (int k = 0; k < 3; ++k)
-      power += w[k] * (r.program.free(RingProgram::TILT + k) ? given[k] : -met[k]);
+      power += r.program.free(RingProgram::TILT + k) ? given[k] * turn[k] : -met[k] * w[k];
   }
   double lost = forces_.power_lost();
   for (ShaftBend &b : bodies_.bends) {
@@ -32,11 +40,11 @@ void BearingStep::add_energy(double weight, double s)
     const std::vector<double> &loads = b.loads(shaft.program, shaft.now, s);
     for (int k = 0; k < b.size(); ++k) {
       const double v = b.now.rate[k];
-      power += loads[k] * v;
+      power += loads[k] * (v + (b.from.rate[k] - v) * old_share);
       lost += b.modes->damping[k % b.modes->size()] * v * v;
     }
   }
-  if (bodies_.heavy) power += power_of_gravity();
+  if (bodies_.heavy) power += power_of_gravity(old_share);
   for (const RingBody &r : bodies_.rings)
     if (r.program.supported) {
       const RingPose seen = bodies_.held(r);
@@ -46,17 +54,43 @@ void BearingStep::add_energy(double weight, double s)
   pending_.dissipated += weight * lost;
 }
 
-// W, on bodies and on what is free of the rings.
-double BearingStep::power_of_gravity() const
+// W, of what the last correction of a stage of h seconds left unsolved. Corrections end when places
+// are known. Friction at these velocities then differs from the friction that moved the bodies. A
+// drive must put in what that one took: a share of the losses, which are small beside the power
+// that goes to and fro between ring and balls. Bodies and what is free of the rings have the same
+// power, but for the slip at contacts.
+double BearingStep::power_of_residual(double h) const
+{
+  Lane of_bodies = {};
+  for (const BodyGroup &g : bodies_.groups) {
+    Lane p = dot(Vec3L::from(g.rhs), g.v);
+    if (g.spins) p += dot(Vec3L::from(g.rhs + 3), g.w);
+    of_bodies += where(g.used, p, 0.0);
+  }
+  double power = sum(of_bodies);
+  for (size_t f = 0; f < bodies_.free.size(); ++f) {
+    const RingPose &r = bodies_.rings[bodies_.free[f].ring].now;
+    const double rates[] = {r.v.x, r.v.y, r.v.z, r.rate[0], r.rate[1], r.spin};
+    power += system_.y(f) * rates[bodies_.free[f].dof];
+  }
+  for (const ShaftBend &b : bodies_.bends)
+    for (int k = 0; k < b.size(); ++k) power += system_.y(b.unknown + k) * b.now.rate[k];
+  return power / h;
+}
+
+// W, on bodies and on what is free of the rings, with that share of the velocities before.
+double BearingStep::power_of_gravity(double old_share) const
 {
   const double fall[] = {bodies_.gravity.x, bodies_.gravity.y, bodies_.gravity.z};
   Lane of_bodies = {};
   for (const BodyGroup &g : bodies_.groups)
-    of_bodies += where(g.used, g.mass * dot(g.v, g.now.local(bodies_.gravity)), 0.0);
+    of_bodies +=
+        where(g.used,
+              g.mass * dot(g.v + (g.v_from - g.v) * old_share, g.now.local(bodies_.gravity)), 0.0);
   double power = sum(of_bodies);
   for (const RingBody &r : bodies_.rings) {
     double v[3];
-    r.now.v.to(v);
+    (r.now.v + (r.from.v - r.now.v) * old_share).to(v);
     for (int k = 0; k < 3; ++k)
       if (r.program.free(k)) power += r.program.mass * fall[k] * v[k];
   }

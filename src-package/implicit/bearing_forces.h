@@ -9,8 +9,8 @@
 namespace raceway {
 
 enum class Evaluate {
-  only,          // forces on rings, power, energy; the linear system is left alone
-  residual,      // and the right-hand side of the linear system
+  only,          // forces on rings, power, energy; without looks the right-hand side, too
+  residual,      // forces on rings, the right-hand side of the linear system
   derivatives    // and its matrix
 };
 

@@ -57,18 +57,18 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
     if (!coast(0.5 * h, middle, false)) return failed(o, Failure::turned_too_far);
     if (!solve_stage(set, h, middle, o)) return o;
     o.stability = stability(h);
-    if (keep_energy_) add_energy(h, middle);
+    if (keep_energy_) add_energy({h, true}, h, middle);
     if (!coast(0.5 * h, s1, true)) return failed(o, Failure::turned_too_far);
   } else if (set.order == 1) {
     if (!solve_stage(set, h, s1, o)) return o;
-    if (keep_energy_) add_energy(h, s1);
+    if (keep_energy_) add_energy({h}, h, s1);
   } else {
     const double stage = gamma_2 * h;
     if (!solve_stage(set, stage, s0 + gamma_2 * (s1 - s0), o)) return o;
-    if (keep_energy_) add_energy((1.0 - gamma_2) * h, s0 + gamma_2 * (s1 - s0));
+    if (keep_energy_) add_energy({stage}, (1.0 - gamma_2) * h, s0 + gamma_2 * (s1 - s0));
     second_base();
     if (!solve_stage(set, stage, s1, o)) return o;
-    if (keep_energy_) add_energy(stage, s1);
+    if (keep_energy_) add_energy({stage}, stage, s1);
   }
   o.error = error(h, set);
   o.failure = Failure::none;

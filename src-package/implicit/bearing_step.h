@@ -128,8 +128,9 @@ class BearingStep {
   void second_base();
   double largest_stiffness() const;
   double error(double h, const Settings &) const;
-  void add_energy(double weight, double s);
-  double power_of_gravity() const;
+  void add_energy(const Stage &, double weight, double s);
+  double power_of_residual(double h) const;
+  double power_of_gravity(double old_share) const;
   double stored_energy();
 
   BearingBodies bodies_;

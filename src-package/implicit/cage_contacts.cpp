@@ -78,7 +78,6 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
           const Lane spring = c.h.stiffness / 1.5 * overlap, rate = -dot(dv, n);
           power_lost_ += sum(where(live, (c.h.force - spring) * rate, 0.0));
           contact_energy_ += sum(where(live, 0.4 * spring * overlap, 0.0));
-          continue;
         }
         g.rhs[0] += h * force.x;
         g.rhs[1] += h * force.y;
@@ -151,9 +150,9 @@ Failure BearingForces::pockets(const Stage &stage)
       const double spring = c.stiffness / 1.5 * overlap;
       power_lost_ += (c.force - spring) * rate;
       contact_energy_ += 0.4 * spring * overlap;
-      continue;
+    } else {
+      touching_.push_back(static_cast<int>(i));
     }
-    touching_.push_back(static_cast<int>(i));
     Vec3 local[2];
     for (int k = 0; k < 2; ++k) {
       const int slot = k == 0 ? a : b, lane = slot % lanes;

@@ -354,7 +354,6 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         power_lost_ += sum(where(live, L::loss(c), 0.0));
         contact_energy_ += sum(where(live, L::energy(p, c), 0.0));
         if (profiled) contact_energy_ += sum(where(live, on_.energy, 0.0));
-        continue;
       }
       g.rhs[0] += stage.h * q.force.x;
       g.rhs[1] += stage.h * q.force.y;

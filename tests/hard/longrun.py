@@ -11,7 +11,6 @@ from hard.harness import BALLS, Course, run
 PER_PASS = 12  # samples
 PASS = 2 * np.pi / (BALLS * 0.5 * 50 * (1 - 6.3 / 30.3))  # s, kinematic
 SAMPLE = PASS / PER_PASS
-FINE_ENERGY = "energy yes tolerance 1e-10 largest 2e-5"  # words of the fix for the energy balance
 SETTLED = 10  # ball passes before the first second that counts
 
 
@@ -65,11 +64,21 @@ def drifts(course):
     return found
 
 
-def energy(course):
-    """(work put in, the integrator's own loss) in J from the line ENERGY that report.implicit
-    prints; None without it.
+class Account(NamedTuple):
+    """Energies since the start, J."""
 
-    The only place that knows of the energy columns of fix bearing/implicit: f_ID[7] and so on.
-    """
-    line = re.search(r"^ENERGY work (\S+) own (\S+)", course.text, re.MULTILINE)
-    return tuple(map(float, line.groups())) if line else None
+    work: float  # of loads and drives
+    own: float  # what the integrator itself lost
+    dissipated: float  # in contacts
+    stored: float  # growth, in motion and springs
+
+    @property
+    def figure(self):
+        """The integrator's own loss over the dissipation."""
+        return self.own / self.dissipated
+
+
+def account(course):
+    """The `Account` of a course, from the line ENERGY that report.implicit prints."""
+    line = r"^ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)"
+    return Account(*map(float, re.search(line, course.text, re.MULTILINE).groups()))
