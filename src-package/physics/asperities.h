@@ -13,10 +13,10 @@ struct Asperities {
   double b = 2.1, c = 0.85;    // of a composite roughness of 0.1 um
 };
 
-// 1 without a film.
-template <class T> RACEWAY_INLINE T asperity_share(const Asperities &own, const T &lambda)
+// Of ln Lambda; 1 without a film.
+template <class T> RACEWAY_INLINE T asperity_share(const Asperities &own, const T &ln_lambda)
 {
-  return exponential(T(-own.b * exponential(T(own.c * logarithm(lambda)))));
+  return exponential(T(-own.b * exponential(T(own.c * ln_lambda))));
 }
 
 }    // namespace raceway

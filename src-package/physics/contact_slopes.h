@@ -32,6 +32,8 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
   x.cos_angle = c.cos_angle;
   x.entrainment = c.entrainment;
   x.h_edge = c.h_edge;
+  x.ln_speed = c.ln_speed;
+  x.film_factor = c.film_factor;
   x.overlap = c.overlap;
   x.overlap.d[0] = B() + follows;
   x.overlap_rate = c.overlap_rate;
@@ -62,6 +64,9 @@ RACEWAY_INLINE void act_with_slopes(const RacewayPhysics &p, const LawStates<B> 
   c.damping = x.damping;
   c.normal = held(x.normal);
   c.film_load = x.film_load;
+  c.ln_speed = x.ln_speed;
+  c.ln_film_load = x.ln_film_load;
+  c.film_factor = x.film_factor;
   c.h_c = x.h_c;
   c.h_min = x.h_min;
   c.lambda = x.lambda;

@@ -22,12 +22,14 @@ template <class T> struct ContactStateT : GroovePositionT<Value<T>> {
   T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
   T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; if the law has couples
   // what parts leave for one another and for output
-  T root = T();                               // sqrt(m), of the compression
-  T load = T();                               // N, Q, elastic
-  Plain stiffness = Plain();                  // N/m, dQ/d(overlap)
-  Plain damping = Plain();                    // N s/m, C
-  T normal = T();                             // N, max(0, Q + C d(overlap)/dt)
-  Plain film_load = Plain();                  // N, at which the film is taken
+  T root = T();                 // sqrt(m), of the compression
+  T load = T();                 // N, Q, elastic
+  Plain stiffness = Plain();    // N/m, dQ/d(overlap)
+  Plain damping = Plain();      // N s/m, C
+  T normal = T();               // N, max(0, Q + C d(overlap)/dt)
+  Plain film_load = Plain();    // N, at which the film is taken
+  // logarithms of the entrainment speed (m/s) and of film_load; the factors of the film
+  Plain ln_speed = Plain(), ln_film_load = Plain(), film_factor = Plain();
   Plain h_edge = Plain(), h_c = Plain();      // m, central film, where it begins and here
   Plain h_min = Plain(), lambda = Plain();    // m; film parameter
   Plain film_energy = Plain();                // J, of the film in the gap

@@ -60,15 +60,25 @@ struct DifferentialSlipPart : PartBase {
 
     // secants in the plane: each direction shares the friction that the other uses
     const B alone = slip_secant(off_t), cross = alone * off_w;
-    const B sharing = square_root(B(1.0 + cross * cross)), secant_t = alone / sharing;
-    const B secant_w =
-        1.0 / square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
-    const T cap = c.mu * c.normal;
-    const T ct = cap * B(secant_t / width) + none, cw = cap * B(secant_w / width) + none;
+    const B sharing = square_root(B(1.0 + cross * cross));
+    // m/s, mu N over the secants: known before mu N is
+    const B speed_t = width * sharing / alone;
+    const B speed_w =
+        width * square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
+    const T cap = c.mu * c.normal, some = cap + none;
+    const T ct = some * B(1.0 / speed_t), cw = some * B(1.0 / speed_w);
 
     c.kt = own.kt_ratio * c.stiffness;
     const B spring = m.dt * c.kt;
-    const T left_t = left_of(spring, ct, m.stage), left_w = left_of(spring, cw, m.stage);
+    T left_t, left_w;
+    if (m.stage) {
+      left_t = ct / (ct + spring);
+      left_w = cw / (cw + spring);
+    } else {
+      const T part = -spring / some;
+      left_t = left_of(part, speed_t);
+      left_w = left_of(part, speed_w);
+    }
     T ft = m.before[0] * left_t + ct * along * (1.0 - left_t);
     T fw = m.before[1] * left_w + cw * c.sliding_w * (1.0 - left_w);
     const B most = held(cap), size2 = held(ft) * held(ft) + held(fw) * held(fw);
@@ -92,12 +102,11 @@ struct DifferentialSlipPart : PartBase {
   }
 
  private:
-  // Of a force after a time dt (LawStates); spring = dt k_t. Where next to nothing is left, and a
-  // contact may have no load, without a derivative.
-  template <class T> static RACEWAY_INLINE T left_of(const Value<T> &spring, const T &c, bool stage)
+  // Of a force after a time dt, part = -dt k_t/(mu N). Where next to nothing is left, and a contact
+  // may have no load, without a derivative.
+  template <class T> static RACEWAY_INLINE T left_of(const T &part, const Value<T> &speed)
   {
-    if (stage) return c / (c + spring);
-    const T x = -spring / c;
+    const T x = part * speed;
     return exponential(T(where(x < -100.0, -100.0, x)));
   }
   static constexpr double none = 1e-200;    // keeps 0/0 out of a contact without load or friction

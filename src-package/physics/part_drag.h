@@ -61,6 +61,10 @@ struct DragPart : PartBase {
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
+    if (own.prefactor == 0.0) {
+      c.drag = c.drag_power = B();
+      return;
+    }
     // of the ball's centre against the ring, along t
     const B v = held(c.sliding_t) - p.groove.ball_radius * held(c.roll_w);
     const B re = own.reynolds * magnitude(v);

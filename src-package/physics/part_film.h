@@ -120,9 +120,19 @@ struct FilmThicknessPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    const FilmPointT<Value<T>> at = film_point(c.entrainment, c.film_load);
+    using B = Value<T>;
+    const bool in_gap = p.reach > 0.0;    // then the part of the film in the gap found all these
+    if (!in_gap) {
+      const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
+      c.ln_speed = at.ln_speed;
+      c.ln_film_load = at.ln_load;
+    }
+    const FilmPointT<B> at = {c.ln_speed, c.ln_film_load};
     c.h_min = film_thickness(k.film.min, at);
-    if (p.factors.any) c.h_min = c.h_min * film_factor(p, k, c, at);
+    if (p.factors.any) {
+      if (!in_gap || p.factors.by_pressure) c.film_factor = film_factor(p, k, c, at);
+      c.h_min = c.h_min * c.film_factor;
+    }
     c.lambda = c.h_min * p.inverse_roughness;
   }
 };

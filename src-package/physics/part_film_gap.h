@@ -67,16 +67,17 @@ struct FilmInGapPart : PartBase {
   static RACEWAY_INLINE auto misses(const Parameters &own, const Raceway &p,
                                     const RacewayConstantsT<T> &k, ContactStateT<T> &c)
   {
+    c.ln_speed = logarithm(c.entrainment);
+    if (p.factors.any && !p.factors.by_pressure) c.film_factor = p.factors.of(c.ln_speed);
     if (own.all_regimes) {    // its film has no end: it counts up to the reach
       c.h_edge = where(c.entrainment > resting, T() + own.widest(p), 0.0);
     } else if (p.factors.by_pressure) {
       const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;
       c.h_edge = where(own.share * film < p.reach, film, own.widest(p));
     } else {
-      const T ln_u = logarithm(c.entrainment);
-      const T film = exponential(T(k.film.central.lnA + k.film.central.p * ln_u +
-                                   k.film.central.m * std::log(cut))) *
-                     p.factors.of(ln_u);
+      T film = exponential(
+          T(k.film.central.lnA + k.film.central.p * c.ln_speed + k.film.central.m * std::log(cut)));
+      if (p.factors.any) film = film * c.film_factor;
       c.h_edge = where(own.share * film < p.reach, film, p.reach / own.share);
     }
     return beyond(own, c) <= 0.0;
@@ -104,6 +105,7 @@ struct FilmInGapPart : PartBase {
       c.h_c = g.thickness;
       const B Q = held(c.load);
       c.film_load = where(Q > cut, Q, cut);
+      c.ln_film_load = logarithm(c.film_load);
       return;
     }
     const B film = own.share * c.h_edge, exponent = -k.film.central.m;
@@ -114,6 +116,7 @@ struct FilmInGapPart : PartBase {
     c.h_c = c.h_edge * g.thinning;
     const B Q = held(c.load);
     c.film_load = where(Q > cut, Q, cut);
+    c.ln_film_load = std::log(cut) + g.ln_load;
     c.film_energy = own.share * exponent / (1.0 - exponent) *
                     where(Q > cut, B(c.h_c * Q - c.h_edge * cut), 0.0);
   }

@@ -77,7 +77,11 @@ struct MixedFrictionPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    c.asperity_share = raceway::asperity_share(own.asperities, c.lambda);
+    // from the film's law: lambda itself comes later
+    Value<T> ln_lambda = ln_film_thickness(k.film.min, {c.ln_speed, c.ln_film_load});
+    if (p.factors.any) ln_lambda = ln_lambda + logarithm(c.film_factor);
+    c.asperity_share =
+        raceway::asperity_share(own.asperities, Value<T>(ln_lambda + p.ln_inverse_roughness));
     if (own.traction.asked()) {
       const Value<T> mu_film = coefficient(own, p, k, c);
       c.mu = mu_film + (own.mu_boundary - mu_film) * c.asperity_share;

@@ -26,13 +26,20 @@ struct HydrodynamicRollingPart : PartBase {
   static constexpr bool needs_film = true, couples = true;
   struct Parameters {
     double beta = 0.0, conductivity = 0.14, starvation = 1.0;    // 1/K, W/(m K), 1
-    double ln_heating = 0.0;                                     // derived
+    // derived
+    double ln_heating = 0.0;
+    double of_film = 0.0;    // not 0: inlet shear over the factor of the film, which has the same
     RollingConstants force;
+    RollingShapeT<double> radial{};    // at no contact angle
     void prepare(const Raceway &p)
     {
       const double eta = p.model.lubricant.viscosity;
       ln_heating = std::log(beta * eta / conductivity);
       force = {eta, p.material.Eprime(), p.transverse_radius()};
+      radial = rolling_shape(force, p.rolling_radius(1.0));
+      const bool same =
+          p.factors.inlet_shear == InletShear::murch && ln_heating == p.factors.ln_loading;
+      of_film = same ? 1.0 / p.factors.starvation : 0.0;
     }
   };
 
@@ -62,13 +69,17 @@ struct HydrodynamicRollingPart : PartBase {
 
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,
-                                 const RacewayConstantsT<Value<T>> &, const LawStates<T> &,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
-    const B radius = p.rolling_radius(c.cos_angle), ln_u = logarithm(c.entrainment);
-    const B f = rolling_force(own.force, ln_u, logarithm(held(c.load)), logarithm(radius));
-    const B couple = 2.0 * own.starvation * f * radius * inlet_shear(own.ln_heating, ln_u);
+    const B radius = p.rolling_radius(c.cos_angle);
+    const B root = k.K * k.unit * held(c.root);    // cubic, of the load
+    const B f =
+        rolling_force(shape(own, p, c.cos_angle, radius), c.ln_speed, B(held(c.load)), root);
+    const B shear = own.of_film > 0.0 ? B(own.of_film * c.film_factor)
+                                      : inlet_shear(own.ln_heating, c.ln_speed);
+    const B couple = 2.0 * own.starvation * f * radius * shear;
     const T against = B(couple * detail::over_rolling(held(c.roll_w), radius)) * c.roll_w;
     c.rolling_couple = held(against);
     c.couple_w += against;
@@ -77,6 +88,19 @@ struct HydrodynamicRollingPart : PartBase {
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
     return c.rolling_couple * held(c.roll_w);
+  }
+
+ private:
+  // Radial ones are exact, as the constants of a raceway are.
+  template <class B>
+  static RACEWAY_INLINE RollingShapeT<B> shape(const Parameters &own, const Raceway &p,
+                                               const B &cos_angle, const B &radius)
+  {
+    const auto oblique = 1.0 - cos_angle >= 1e-12;
+    if (any(oblique))
+      return rolling_shape(own.force, B(where(oblique, radius, p.rolling_radius(1.0))));
+    const B n = B();
+    return {n + own.radial.rigid, n + own.radial.elastic, n + own.radial.mean};
   }
 };
 

@@ -26,8 +26,9 @@ struct Raceway {
   double overlap_limit = 0.0;                                        // of the ball's radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
-  double ball_mass = 0.0;                                            // kg
-  double pitch_radius = 0.0;                                         // m
+  double ln_inverse_roughness = 0.0;    // of 1/m; minus infinity without a roughness
+  double ball_mass = 0.0;               // kg
+  double pitch_radius = 0.0;            // m
   double reach = 0.0;    // m, gap at which a contact begins; 0 unless a part of the law asks for it
 
   // What sets the largest overlap, for messages.
@@ -60,6 +61,7 @@ struct Raceway {
                                 widest_overlap(law.radial().a, groove.groove_radius));
     roughness = composite_roughness(ring_roughness, ball_roughness);
     inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
+    ln_inverse_roughness = std::log(inverse_roughness);
     ball_mass = mass;
     pitch_radius = pitch;
     factors.prepare(model.lubricant.viscosity);

@@ -27,17 +27,29 @@ struct RollingConstants {
   }
 };
 
-// f, N. ln_u, ln_q and ln_x are the logarithms of u (m/s), Q (N) and R_x (m).
+// What the geometry of a contact makes of the law, SI: with v = u^(1/12)
+//   f = rigid Q^(1/3) v^8 ((1 - elastic v) v^9/(v^9 + mean Q) + elastic v).
+template <class T> struct RollingShapeT {
+  T rigid, elastic, mean;
+};
 template <class T>
-RACEWAY_INLINE T rolling_force(const RollingConstants &k, const T &ln_u, const T &ln_q,
-                               const T &ln_x)
+RACEWAY_INLINE RollingShapeT<T> rolling_shape(const RollingConstants &k, const T &rolling_radius)
 {
-  const T u = k.speed + ln_u - ln_x, unit = k.modulus + 2.0 * ln_x, w = ln_q - unit;
+  const T ln_x = logarithm(rolling_radius), u = k.speed - ln_x, unit = k.modulus + 2.0 * ln_x;
   const T r = k.transverse - ln_x;
-  const T rigid = 2.9766 * exponential(T(0.3316 * r + w * (1.0 / 3.0) + u * (2.0 / 3.0)));
-  const T elastic = rigid * (7.5826 / 2.9766) * exponential(T(0.0739 * r + u * (1.0 / 12.0)));
-  const T mean = 0.5549 * exponential(T(-0.6029 * r + w - 0.75 * u));
-  return exponential(unit) * ((rigid - elastic) / (1.0 + mean / 6.6) + elastic);
+  return {2.9766 * exponential(T(0.3316 * r + unit * (2.0 / 3.0) + u * (2.0 / 3.0))),
+          (7.5826 / 2.9766) * exponential(T(0.0739 * r + u * (1.0 / 12.0))),
+          (0.5549 / 6.6) * exponential(T(-0.6029 * r - unit - 0.75 * u))};
+}
+
+// f, N. ln_u: of u (m/s); root: Q^(1/3) (N^(1/3)).
+template <class T>
+RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T &load,
+                               const T &root)
+{
+  const T v = exponential(T(ln_u * (1.0 / 12.0))), v2 = v * v, v4 = v2 * v2, v8 = v4 * v4;
+  const T v9 = v8 * v, elastic = k.elastic * v;
+  return k.rigid * root * v8 * ((1.0 - elastic) * v9 / (v9 + k.mean * load) + elastic);
 }
 
 // 1 without heating: ln_heating = ln(beta eta/k_f) is minus infinity then.

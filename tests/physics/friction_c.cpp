@@ -30,7 +30,7 @@ EXPORT(double, surface_radius, (double groove, double ball))
 }
 EXPORT(double, asperities, (double b, double c, double Lambda))
 {
-  return asperity_share(Asperities{b, c}, Lambda);
+  return asperity_share(Asperities{b, c}, logarithm(Lambda));
 }
 EXPORT(double, film_coefficient,
        (double viscosity, double pressure_viscosity, double stress, double limit, double pressure,
@@ -46,7 +46,7 @@ EXPORT(double, rolling_resistance,
        (double viscosity, double modulus, double Rx, double Ry, double speed, double load))
 {
   const RollingConstants k(viscosity, modulus, Ry);
-  return rolling_force(k, logarithm(speed), logarithm(load), logarithm(Rx));
+  return rolling_force(rolling_shape(k, Rx), logarithm(speed), load, std::cbrt(load));
 }
 EXPORT(double, inlet_heating, (double heating, double speed))
 {

@@ -125,6 +125,8 @@ template <class T> void take_motions(const ContactState &c, ContactStateT<T> &x)
   x.cos_angle = c.cos_angle;
   x.entrainment = c.entrainment;
   x.h_edge = c.h_edge;
+  x.ln_speed = c.ln_speed;
+  x.film_factor = c.film_factor;
   x.overlap = c.overlap;
   x.overlap_rate = c.overlap_rate;
   x.sliding_t = c.sliding_t;
