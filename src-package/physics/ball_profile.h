@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a ball departs from its sphere by: pits and waviness, in the ball's own axes. A direction
+// What a ball departs from its sphere by, in its own axes: pits, waviness and tables. A direction
 // from the ball's centre has an azimuth about the third axis and a latitude from the equator.
 //
 // A contact sees the depth at the direction of its normal, as a raceway sees that at the ball's
 // azimuth (raceway_profile.h). The path over a pit is the same: what counts is the effective
 // radius along rolling. A wave is a spherical harmonic,
 //   depth = A cos(n azimuth + phase) cos^n(latitude),
-// smooth everywhere, and A cos(n azimuth + phase) on the equator.
+// smooth everywhere, and A cos(n azimuth + phase) on the equator. A table is measured along the
+// equator and fades as cos^2(latitude), so its slope is zero at the poles; the path over it is that
+// over a table of a raceway.
 //
 // A pit that the contact ellipse is wider than takes a strip of it from y1 to y2, counted from the
 // middle of the ellipse. Its share of the load is half the difference of those of two pits in the
@@ -27,6 +29,7 @@ struct BallPitShape : NotchShape {
 struct BallShape {
   std::vector<BallPitShape> pits;
   std::vector<Wave> waves;
+  std::vector<PeriodicCurve> tables;    // depth along the equator, m
 };
 
 // The depth at a direction, and how it changes with the direction: along rolling and across
@@ -34,7 +37,7 @@ struct BallShape {
 template <class T> struct BallSlopesT {
   T along = T(), across = T();              // m/rad, of the depth
   T path_along = T(), path_across = T();    // of the azimuth in the ball's axes
-  T bend = T();                             // m, second derivative of the waves in the azimuth
+  T bend = T();                 // m, second derivative of waves and tables in the azimuth
   T cross = T(), side = T();    // N, N m: stiffness between approach and azimuth, and in it
 };
 using BallSlopes = BallSlopesT<double>;
@@ -55,10 +58,15 @@ class BallProfile {
     for (const BallPitShape &s : shape.pits)
       pits_.push_back({NotchPath(s, radius_ * std::cos(s.latitude), p.rolling_radius(1.0)),
                        s.latitude, s.width});
+    for (const PeriodicCurve &t : shape.tables) {
+      tables_.push_back(rolled(t, radius_, p.rolling_radius(1.0)));
+      spacings_.push_back(t.spacing());
+    }
   }
 
-  // What is left of the overlap. Waves come off before a raceway's profile, pits after it.
-  double waves(double overlap, const BallView &view, BallSlopes &b) const
+  // What is left of the overlap. Waves and tables come off before a raceway's profile, pits after
+  // it.
+  double all_round(double overlap, const BallView &view, BallSlopes &b) const
   {
     const Place at(view);
     b = BallSlopes();
@@ -74,6 +82,15 @@ class BallProfile {
       b.along += round * at.path_along + up * at.up_along;
       b.across += round * at.path_across + up * at.up_across;
       b.bend -= order * order * depth;
+    }
+    for (const PeriodicCurve &table : tables_) {
+      const CurveAt at_equator = table.at(at.azimuth);
+      const double fade = at.cosine * at.cosine, round = at_equator.slope * fade,
+                   up = -2.0 * at.cosine * at.sine * at_equator.value;
+      overlap -= at_equator.value * fade;
+      b.along += round * at.path_along + up * at.up_along;
+      b.across += round * at.path_across + up * at.up_across;
+      b.bend += at_equator.bend * fade;
     }
     return overlap;
   }
@@ -103,6 +120,7 @@ class BallProfile {
     double angle = HUGE_VAL;
     for (const Pit &p : pits_) angle = std::fmin(angle, p.path.longest_turn(azimuth, rate));
     for (const Wave &w : waves_) angle = std::fmin(angle, M_PI / (8.0 * w.order));
+    for (double spacing : spacings_) angle = std::fmin(angle, spacing);
     return rate == 0.0 ? most : std::fmin(most, angle / std::fabs(rate));
   }
 
@@ -168,6 +186,8 @@ class BallProfile {
 
   double radius_, ellipse_, stiffness_;    // m, sqrt(m), N/m^1.5
   std::vector<Wave> waves_;
+  std::vector<PeriodicCurve> tables_;    // paths
+  std::vector<double> spacings_;         // rad, of the tables as they were given
   std::vector<Pit> pits_;
 };
 

@@ -61,7 +61,7 @@ inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *b
                                 const Raceway &p, double azimuth, double r, double overlap,
                                 const BallView &view, BallSlopes &b)
 {
-  const double d = ball ? ball->waves(overlap, view, b) : overlap;
+  const double d = ball ? ball->all_round(overlap, view, b) : overlap;
   ProfiledContact c;
   if (ring) c = profiled(*ring, p, azimuth, r, d);
   else c.overlap = d;

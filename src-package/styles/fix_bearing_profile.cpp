@@ -36,7 +36,8 @@ static std::string quoted(const std::string &word)
 
 // fix ID group bearing/profile [groove K] [notch AZIMUTH LENGTH WIDTH|full DEPTH EDGE] ...
 // [wave ORDER AMPLITUDE PHASE] ... [file NAME] ..., or none, or
-// ball [pit AZIMUTH LATITUDE LENGTH WIDTH DEPTH EDGE] ... [wave ORDER AMPLITUDE PHASE] ...|none
+// ball [pit AZIMUTH LATITUDE LENGTH WIDTH DEPTH EDGE] ... [wave ORDER AMPLITUDE PHASE] ...
+// [file NAME] ...|none
 FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   PairBearingHertz::find(lmp, "fix bearing/profile");
@@ -67,9 +68,10 @@ void FixBearingProfile::read_ball(Arguments &args)
   while (args.more()) {
     if (args.take("pit")) ball_.pits.push_back(read_pit(args));
     else if (args.take("wave")) ball_.waves.push_back(read_wave(args));
-    else args.unknown("pit, wave, none");
+    else if (args.take("file")) ball_.tables.push_back(read_table(args));
+    else args.unknown("pit, wave, file, none");
   }
-  if (!departs()) args.fail("a profile of balls needs 'pit', 'wave' or 'none'");
+  if (!departs()) args.fail("a profile of balls needs 'pit', 'wave', 'file' or 'none'");
 }
 
 int FixBearingProfile::setmask() { return of_balls_ && departs() ? FixConst::PRE_FORCE : 0; }
@@ -321,6 +323,7 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
         BallShape &s = sums[b.tag][p];
         s.pits.insert(s.pits.end(), f->ball_.pits.begin(), f->ball_.pits.end());
         s.waves.insert(s.waves.end(), f->ball_.waves.begin(), f->ball_.waves.end());
+        s.tables.insert(s.tables.end(), f->ball_.tables.begin(), f->ball_.tables.end());
         f->check_apart(b.tag, s, p->groove.ball_radius);
       }
   }

@@ -32,7 +32,7 @@ class FixBearingProfile : public Fix {
   bool departs() const    // from a torus or sphere
   {
     return !(shape_.notches.empty() && shape_.waves.empty() && shape_.tables.empty() &&
-             ball_.pits.empty() && ball_.waves.empty());
+             ball_.pits.empty() && ball_.waves.empty() && ball_.tables.empty());
   }
   bool of_balls() const { return of_balls_; }
   const std::string &said() const { return said_; }    // its keywords and values

@@ -129,8 +129,10 @@ def test_energy(tmp_path, mover, flaw):
 
 
 def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
-    """A pit that the ellipse reaches over, off its middle, and a wave: the spin pays for the fall.
-    Both integrators take the same path."""
+    """A pit that the ellipse reaches over, off its middle, a wave and a table, met off the equator:
+    the spin pays for the fall. Both integrators take the same path."""
+    azimuth = np.arange(4000) * 2 * np.pi / 4000
+    np.savetxt(tmp_path / "table.txt", np.c_[azimuth, 2e-7 * np.sin(7 * azimuth)])
     steps = {
         "verlet": dict(step=1e-7, steps=60000, every=200),
         "implicit": dict(
@@ -143,8 +145,10 @@ def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
             tmp_path / mover,
             "none",
             mover,
-            flaw_ball="ball pit -1.8 0.02 1e-3 4e-4 1e-3 5e-5 wave 9 2e-7 0.3",
+            flaw_ball="ball pit -1.8 0.02 1e-3 4e-4 1e-3 5e-5 wave 9 2e-7 0.3"
+            f" file {tmp_path}/table.txt",
             turning=80,
+            tumbling=10,
             speed=0,
             azimuth=BOTTOM,
             sink=7.2e-7,
@@ -214,6 +218,25 @@ def test_table(tmp_path):
     assert found["slot"]["drop"].max() == pytest.approx(length**2 / (8 * ROLLING), rel=0.02)
 
 
+def test_table_of_a_ball(tmp_path):
+    """A wave given by its points, of a ball that turns in its place."""
+    azimuth = np.arange(4000) * 2 * np.pi / 4000
+    np.savetxt(tmp_path / "wave.txt", np.c_[azimuth, 3e-7 * np.cos(12 * azimuth)])
+    wave, table = (
+        rolled(
+            tmp_path / name,
+            "none",
+            flaw_ball=f"ball {words}",
+            turning=20,
+            **{**SLOW, **dict(azimuth=BOTTOM, speed=0)},
+            **QUICK["verlet"],
+        )["drop"]
+        for name, words in (("wave", "wave 12 3e-7 0"), ("file", f"file {tmp_path}/wave.txt"))
+    )
+    assert np.ptp(wave) > 6e-7  # twice the amplitude
+    assert np.abs(wave - table).max() < 3e-3 * np.ptp(wave)
+
+
 @pytest.mark.parametrize(
     "words, says",
     [
@@ -245,14 +268,15 @@ def test_mistakes_are_named(tmp_path, words, says):
 @pytest.mark.parametrize(
     "words, says",
     [
-        ("notch 0 1e-3 full 1e-4 1e-5", "known: pit, wave, none"),
+        ("notch 0 1e-3 full 1e-4 1e-5", "known: pit, wave, file, none"),
         ("pit 0 2 1e-3 1e-3 1e-4 1e-5", "latitude of the pit (rad) is 2"),
         ("pit 0 0 1e-2 1e-3 1e-4 1e-5", "length of the pit (m) is 0.01 on the equator"),
         ("pit 0 0 1e-3 1e-3 1e-4 1e-3", "edge of the pit (m) is 0.001, must be below 0.0005"),
         ("pit 0 0 1e-3 1e-3 1e-4 1e-5 pit 0.1 0 1e-3 1e-3 1e-4 1e-5", "azimuths in common"),
         ("wave 500 1e-5 0", "amplitude of the wave (m) of order 500 is 1e-05, must be below"),
         ("none wave 9 1e-6 0", "'none' stands alone"),
-        ("", "needs 'pit', 'wave' or 'none'"),
+        ("file nowhere.txt", "cannot read 'nowhere.txt'"),
+        ("", "needs 'pit', 'wave', 'file' or 'none'"),
     ],
 )
 def test_mistakes_of_balls_are_named(tmp_path, words, says):
