@@ -13,11 +13,17 @@ using raceway::Column;
 
 // ---- compute bearing/ball, beside the columns of its two contacts
 namespace of_ball {
-enum { AZIMUTH, ORBIT, N };
+enum { AZIMUTH, ORBIT, TURN_W, TURN_X, TURN_Y, TURN_Z, N };
 const Column list[N] = {
     {"azimuth", "rad", "azimuth of the ball about the bearing's axis, from the lab's x"},
     {"orbit", "rad/s", "speed of the ball's centre about the ring's axis"},
+    {"turn_w", "", "turn of the ball since the start, a unit quaternion: cosine of half the angle"},
+    {"turn_x", "",
+     "component along x of that quaternion's vector: sine of half the angle times axis"},
+    {"turn_y", "", "component along y of that quaternion's vector"},
+    {"turn_z", "", "component along z of that quaternion's vector"},
 };
+inline bool needs_turn(int k) { return k >= TURN_W; }
 }    // namespace of_ball
 
 // ---- compute bearing/ring

@@ -3,14 +3,17 @@
 
 #include "../contacts/bearing_columns.h"
 #include "contact_context.h"
+#include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 using namespace raceway;
 using bearing::RacewayContact;
 namespace of_ball = bearing::of_ball;
 
-// compute ID group bearing/ball azimuth|orbit|inner_ATTRIBUTE|outer_ATTRIBUTE ...
+// compute ID group bearing/ball ATTRIBUTE|inner_ATTRIBUTE|outer_ATTRIBUTE ...
 ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
     BRG_COMPUTE_BASE, pair_(PairBearingHertz::find(lmp, "compute bearing/ball"))
 {
@@ -18,12 +21,10 @@ ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
                           BRG_COMPUTE_FIRST);
   do {
     const std::string name = args.word("a ball attribute");
-    if (name == of_ball::list[of_ball::AZIMUTH].name) {
-      columns_.push_back({azimuth, nullptr});
-      continue;
-    }
-    if (name == of_ball::list[of_ball::ORBIT].name) {
-      columns_.push_back({orbit, nullptr});
+    const auto own = std::find_if(of_ball::list, of_ball::list + of_ball::N,
+                                  [&name](const raceway::Column &c) { return name == c.name; });
+    if (own != of_ball::list + of_ball::N) {
+      columns_.push_back({static_cast<int>(own - of_ball::list), false, nullptr});
       continue;
     }
     const bool is_inner = name.compare(0, 6, "inner_") == 0,
@@ -32,11 +33,12 @@ ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
         is_inner || is_outer ? bearing::find_contact_column(name.substr(6)) : nullptr;
     if (!a)
       args.fail("unknown attribute '" + name +
-                "'; known: azimuth, orbit, and with inner_ or outer_ before it: " +
+                "'; known: azimuth, orbit, turn_w, turn_x, turn_y, turn_z, and with inner_ or "
+                "outer_ before it: " +
                 bearing::contact_column_names());
     if (a->needs_film() && !pair_->lubricated())
       args.fail("attribute '" + name + "' needs a lubricant: use pair_style bearing/ehd");
-    columns_.push_back({is_inner ? inner : outer, a});
+    columns_.push_back({-1, is_inner, a});
     needed_.push_back(a);
   } while (args.more());
   peratom_flag = 1;
@@ -54,6 +56,10 @@ void ComputeBearingBall::init()
   const std::string name = std::string("compute ") + id + " bearing/ball";
   pair_ = PairBearingHertz::find(lmp, name);
   context_ = bearing::context_of(lmp, *pair_, needed_, name);
+  for (const Column &c : columns_)
+    if (c.own >= 0 && of_ball::needs_turn(c.own) && !pair_->balls_turn())
+      BRG_ALL(name + ": attribute '" + of_ball::list[c.own].name +
+              "' needs a fix bearing/profile with a profile of balls, which follows how they turn");
 }
 
 // 0 where the ball does not touch that raceway, and for atoms that are no balls.
@@ -83,13 +89,10 @@ void ComputeBearingBall::compute_peratom()
       double &v = array_[c.i_ball][k];
       if (columns_[k].attribute == nullptr && v != 0.0 && c.side() == Side::inner)
         continue;    // seen from outside
-      if (columns_[k].kind == azimuth) {
-        v = bearing::azimuth(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
-                             context_.axis);
-      } else if (columns_[k].kind == orbit) {
-        v = bearing::orbit_of(*atom, *pair_, c);
+      if (columns_[k].own >= 0) {
+        v = own_value(columns_[k].own, c);
       } else if ((c.live || columns_[k].attribute->needs_surroundings()) &&
-                 (columns_[k].kind == inner) == (c.side() == Side::inner)) {
+                 columns_[k].inner == (c.side() == Side::inner)) {
         v = columns_[k].attribute->value(view);
       }
       if (k == 0) vector_[c.i_ball] = v;
@@ -97,18 +100,25 @@ void ComputeBearingBall::compute_peratom()
   }
 }
 
+double ComputeBearingBall::own_value(int own, const RacewayContact &c) const
+{
+  if (own == of_ball::AZIMUTH)
+    return bearing::azimuth(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
+                            context_.axis);
+  if (own == of_ball::ORBIT) return bearing::orbit_of(*atom, *pair_, c);
+  const Quaternion turn = pair_->state()->turn(c.i_ball);
+  double vector[3];
+  LabAxes{pair_->axis_index()}.lab(turn.v).to(vector);
+  return own == of_ball::TURN_W ? turn.w : vector[own - of_ball::TURN_X];
+}
+
 std::vector<bearing::ColumnList::Item> ComputeBearingBall::columns() const
 {
   std::vector<Item> list;
   for (const Column &c : columns_) {
-    const raceway::Column &is =
-        c.attribute ? c.attribute->is
-                    : of_ball::list[c.kind == azimuth ? of_ball::AZIMUTH : of_ball::ORBIT];
-    list.push_back({(c.kind == inner   ? "inner_"
-                     : c.kind == outer ? "outer_"
-                                       : "") +
-                        std::string(is.name),
-                    is.format});
+    const raceway::Column &is = c.attribute ? c.attribute->is : of_ball::list[c.own];
+    const std::string before = !c.attribute ? "" : c.inner ? "inner_" : "outer_";
+    list.push_back({before + is.name, is.format});
   }
   return list;
 }

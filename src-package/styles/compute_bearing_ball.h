@@ -21,11 +21,12 @@ class ComputeBearingBall : public Compute, public bearing::ColumnList {
   std::vector<Item> columns() const override;
 
  private:
-  enum Kind { azimuth, orbit, inner, outer };
   struct Column {
-    Kind kind;
+    int own;                                    // of the ball itself, -1: of a contact
+    bool inner;                                 // of that with the inner raceway
     const bearing::ContactColumn *attribute;    // of a contact
   };
+  double own_value(int own, const bearing::RacewayContact &) const;
 
   class PairBearingHertz *pair_;
   std::vector<Column> columns_;

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from host import ROOT, liggghts, succeed
+from host import ROOT, frames, liggghts, succeed
 
 DECK = "tests/scenarios/in.flaw"
 RACEWAY, BALL, ORBIT = 36.6e-3, 6.3e-3, 30.3e-3  # m
@@ -158,6 +158,42 @@ def test_energy_of_a_ball_that_turns_over_its_own_flaws(tmp_path):
         assert np.abs(b["energy"] - b["energy"][0]).max() < 1e-6 * b["spin"].min()
         drops.append(b["drop"])
     assert np.abs(drops[1] - drops[0]).max() < 1e-3 * np.ptp(drops[0])
+
+
+@pytest.mark.parametrize("mover", ["moving nve/sphere", "all bearing/implicit"])
+def test_orientation_of_a_ball(tmp_path, mover):
+    """Columns of compute bearing/ball, of a ball that keeps its spin: the closed form."""
+    deck, spin, step = tmp_path / "in.turn", np.array([300.0, 0.0, 400.0]), 1e-6
+    names = "turn_w turn_x turn_y turn_z"
+    deck.write_text(
+        (ROOT / DECK)
+        .read_text()
+        .replace(
+            "timestep ${step}",
+            f"compute o balls bearing/ball {names}\n"
+            "dump o balls custom 1000 ${out}/turn.dump id c_o[1] c_o[2] c_o[3] c_o[4]\n"
+            'dump_modify o ${b_format} "%d %.17g %.17g %.17g %.17g"\ntimestep ${step}',
+        )
+    )
+    out = tmp_path / "out"
+    far = "ball pit 0 1.4 1e-4 1e-4 1e-4 1e-5"  # never met
+    words = dict(flaw_ball=far, turning=spin[2], tumbling=spin[0], step=step, steps=5000)
+    succeed(deck, out=out, mover=mover, azimuth=BOTTOM, speed=0, **words)
+    found = frames(out / "turn.dump")
+    assert len(found) == 6
+    for at, (row,) in found.items():
+        half = 0.5 * np.linalg.norm(spin) * step * at
+        want = [np.cos(half), *(np.sin(half) * spin / np.linalg.norm(spin))]
+        assert list(map(float, row.split()[1:])) == pytest.approx(want, abs=1e-9)
+
+
+def test_orientation_needs_a_profile_of_balls(tmp_path):
+    deck = tmp_path / "in.turn"
+    ask = "compute o balls bearing/ball turn_w\nvariable o equal c_o[1]\ntimestep ${step}"
+    deck.write_text((ROOT / DECK).read_text().replace("timestep ${step}", ask))
+    failed = liggghts(deck, out=tmp_path / "out", steps=10)
+    assert failed.code != 0
+    assert "attribute 'turn_w' needs a fix bearing/profile with a profile of balls" in failed.error
 
 
 @pytest.mark.parametrize("latitude, share", [(0.0, 1.0), (0.5, 0.0)])
