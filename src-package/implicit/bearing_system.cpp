@@ -150,6 +150,23 @@ RACEWAY_LANES void BearingSystem::factor_groups()
   }
 }
 
+// Takes the bodies out of the border, once B has what their blocks and links make of it.
+RACEWAY_LANES void BearingSystem::condense_groups()
+{
+  const size_t nf = b_.columns;
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    const BodyGroup &g = b_.groups[k];
+    if (!g.coupled) continue;
+    const int n = g.spins ? 6 : 3;
+    for (int i : b_.columns_of_group[k])
+      for (int j : b_.columns_of_group[k]) {
+        Lane s = {};
+        for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * B_[k * nf + j].a[m];
+        D(i, j) -= sum(where(g.used, s, 0.0));
+      }
+  }
+}
+
 void BearingSystem::factor()
 {
   const int nf = b_.columns;
@@ -176,17 +193,7 @@ void BearingSystem::factor()
     for (int f = 0; f < nf; ++f)
       condense_links([&](int group) { return B_[group * nf + f].a; }, true);
   }
-  for (size_t k = 0; k < b_.groups.size(); ++k) {
-    const BodyGroup &g = b_.groups[k];
-    if (!g.coupled) continue;
-    const int n = g.spins ? 6 : 3;
-    for (int i : b_.columns_of_group[k])
-      for (int j : b_.columns_of_group[k]) {
-        Lane s = {};
-        for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * B_[k * nf + j].a[m];
-        D(i, j) -= sum(where(g.used, s, 0.0));
-      }
-  }
+  condense_groups();
   if (!b_.bends.empty()) {
     lift_.find(b_);
     lift_.add_matrix(corner_apart_, border_.a);

@@ -55,6 +55,7 @@ class BearingSystem {
   void resize();
   void add_bends(double h, double follows, double s, bool fresh);
   void factor_groups();
+  void condense_groups();
   template <class ColumnOf> void condense_links(ColumnOf column, bool mark);
 
   BearingBodies &b_;
