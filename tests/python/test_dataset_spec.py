@@ -64,6 +64,17 @@ def test_waves_of_both_raceways(tmp_path):
     assert words["flaw_inner"] != words["flaw_outer"]
 
 
+def test_a_pit_of_one_ball(tmp_path):
+    data = {**GOOD, "flaws": {"ball": {"length": 7e-4}}}
+    found = [one.point.variables for one in records(read(tmp_path, data))]
+    for words in found:
+        kind, azimuth, *rest = words["flaw_ball"].split()
+        assert kind == "pit" and abs(float(azimuth)) <= np.pi
+        assert rest == ["0", "0.0007", "0.0007", "0.0003", "5e-05"]
+        assert 1 <= int(words["flawed_ball"]) <= 9
+    assert len({words["flaw_ball"] for words in found}) == len(found) == 4
+
+
 def test_examples_can_be_used(capsys):
     for name, count in (("small", 4), ("spalls", 40), ("classes", 40), ("classes_elsewhere", 14)):
         path = ROOT / f"inputs/datasets/{name}.yaml"
@@ -89,6 +100,7 @@ def test_examples_can_be_used(capsys):
         ({**GOOD, "flaws": {"inner": {"length": "wide"}}}, "is 'wide', must be a number"),
         ({**GOOD, "flaws": {"inner": {"length": 1e-3, "place": 6}}}, "'place' is unknown"),
         ({**GOOD, "flaws": {"inner": {"length": 1e-3, "width": 2}}}, "must be round or full"),
+        ({**GOOD, "flaws": {"ball": {"length": 1e-3, "width": "full"}}}, "'width' is unknown"),
         (changed("record", rates=[44100, 48000]), "must divide 4 times the largest"),
         (changed("record", rates=[]), "an empty list"),
         (changed("record", seconds=0), "seconds is 0, must be 0.001 to 10000"),

@@ -49,7 +49,7 @@ sidebands follow from that. No blow, line, jitter or sideband was put in by hand
 - Rings are rigid between their contacts. Shaft, seals and other machines make no sound.
 - Raceways and balls are perfect but for the flaw. Bearing data: `inputs/bearings/{bearing}`.
 - Waviness has the orders Z - 1 and Z + 1 on both raceways.
-- Speed and load are constant. A seed draws where balls and flaws of the inner raceway start.
+- Speed and load are constant. A seed draws where balls and flaws that turn start.
 - {noise}
 - Records are at {oversampling} times the fastest rate, then filtered: flat to 0.4 of the
   rate of a file, 80 dB down from half of it on.

@@ -185,6 +185,8 @@ def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, A
         **{name: value for name, value in one.labels.items() if name not in (*FLAW_WORDS, "flaw")},
         "words_inner": one.point.variables.get("flaw_inner", "none"),
         "words_outer": one.point.variables.get("flaw_outer", "none"),
+        "words_ball": one.point.variables.get("flaw_ball", "none"),
+        "flawed_ball": one.point.variables.get("flawed_ball"),
         "phase_rad": float(one.point.variables["phase"]),
         "cage_order": cage,
         **{f"{line}_Hz": places[line, 1][1] for line in ("FTF", "BPFO", "BPFI", "BSF")},

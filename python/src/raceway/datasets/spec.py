@@ -21,11 +21,13 @@ OVERSAMPLING = 4  # samples of a run for each of the fastest file
 GUARD = 64  # samples of the slowest file at each end, which the filter spoils
 # what a flaw may say: {word: its default, None where it must be given}; lists are swept
 NOTCH: dict[str, Any] = {"length": None, "width": "round", "depth": 3e-4, "edge": 5e-5}
+PIT = {name: default for name, default in NOTCH.items() if name != "width"}  # round
 FLAWS: dict[str, dict[str, Any]] = {
     "none": {},
     "inner": NOTCH,
     "outer": {**NOTCH, "place": 6},
     "both": {**NOTCH, "place": 6},
+    "ball": PIT,
     "waviness": {"amplitude": None},
 }
 FILES = ("mat", "parquet")  # kinds of files that a signal can be written as
@@ -39,8 +41,7 @@ RANGES = {  # m, but for the place
 }
 SET_HERE = {
     **OURS,
-    **dict.fromkeys(("flaw_inner", "flaw_outer"), "`flaws` says it"),
-    **dict.fromkeys(("flaw_ball", "flawed_ball"), "a data set has no flaws of balls"),
+    **dict.fromkeys(("flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"), "`flaws` says it"),
     **dict.fromkeys(("sampling", "oversampling", "passes", "samples"), "`record` says it"),
     **dict.fromkeys(("integrator", "record", "dumps"), "it is always the same"),
     "phase": "`seed` draws it",
@@ -204,8 +205,9 @@ def _word(name, given):
 def records(spec: Spec) -> list[Record]:
     """The `Record`s that `spec` asks for, in its order: every flaw under all conditions.
 
-    A seed draws the first ball's azimuth, where a flaw of the inner raceway starts, and the phases
-    of waves. Raises `RacewayError` for a bearing that there is not.
+    A seed draws the first ball's azimuth, where a flaw of the inner raceway or of a ball starts,
+    which ball has it, and the phases of waves. Raises `RacewayError` for a bearing that there is
+    not.
     """
     path = catalogue.find("bearings", spec.bearing)
     bearing, angle = inputs.bearing(path), inputs.nominal_angle(path)
@@ -247,7 +249,7 @@ def azimuth(place: float) -> float:
 
 
 def _words_of(kind, flaw, bearing: Bearing, turned, draw):
-    """Words of fix bearing/profile for both raceways."""
+    """Words of fix bearing/profile for both raceways, or for a ball on the equator that rolls."""
     if kind == "none":
         return {}
     if kind == "waviness":
@@ -257,6 +259,12 @@ def _words_of(kind, flaw, bearing: Bearing, turned, draw):
                 for order in (bearing.balls - 1, bearing.balls + 1)
             )
             for name in ("inner", "outer")
+        }
+    if kind == "ball":
+        size = f"{flaw['length']:g}"
+        return {
+            "flaw_ball": f"pit {turned:.9g} 0 {size} {size} {flaw['depth']:g} {flaw['edge']:g}",
+            "flawed_ball": str(draw.integers(1, int(bearing.balls) + 1)),
         }
     width = f"{flaw['length']:g}" if flaw["width"] == "round" else "full"
     rest = f"{flaw['length']:g} {width} {flaw['depth']:g} {flaw['edge']:g}"
