@@ -44,8 +44,9 @@ template <class T> RACEWAY_INLINE T slip_secant(const T &off)
   return where(q < 0.0, beyond, where(q > 1.0, beyond, inside));
 }
 
-// t0 of a force, in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. From a polynomial in
-// sqrt(1 - F), within 1e-3, a step of four terms of the inverse of Taylor's series leaves rounding.
+// t0 of a force, in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. From a polynomial
+// in sqrt(1 - F), within 1e-3, a step of four terms of the inverse of Taylor's series leaves
+// rounding.
 template <class T> RACEWAY_INLINE T force_root(const T &force)
 {
   constexpr double least = 1e-24;    // of 1 - F, where x divides

@@ -13,8 +13,8 @@
 // |f| < 0.1716, by its series to f^21 (remainder below 2e-18). Minus infinity below the smallest
 // normal number; no meaning for x < 0 or infinity.
 //
-// Rough ones, for the start of an iteration: logarithm within 3e-4; exponential within 2e-3 of 1
-// for -1 <= x <= 0, and below -1 that of -1.
+// Rough ones, for the start of an iteration: logarithm within 3e-4; exponential within 2 % for
+// -1 <= x <= 0, and below -1 that of -1.
 //
 // Not a number gives not a number.
 #ifndef RACEWAY_EXP_LOG_H

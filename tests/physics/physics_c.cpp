@@ -123,17 +123,22 @@ static void put(const ContactState &c, State *out)
   out->friction_w = c.friction_w;
 }
 
-// logarithm or exponential of n numbers, one by one and four side by side
-EXPORT(void, elementary,
-       (double exponential_wanted, double n, const double *x, double *one, double *four))
+// One of the functions of exp_log.h, of n numbers, one by one and four side by side.
+template <class T> static T elementary_of(int which, const T &x)
+{
+  return which == 0   ? exponential(x)
+         : which == 1 ? logarithm(x)
+         : which == 2 ? rough_exponential(x)
+                      : rough_logarithm(x);
+}
+EXPORT(void, elementary, (double which, double n, const double *x, double *one, double *four))
 {
   const int count = int(n);
-  for (int i = 0; i < count; ++i)
-    one[i] = exponential_wanted != 0.0 ? exponential(x[i]) : logarithm(x[i]);
+  for (int i = 0; i < count; ++i) one[i] = elementary_of(int(which), x[i]);
   for (int i = 0; i < count; i += lanes) {
     Lane v = all_lanes(1.0);
     for (int k = 0; k < lanes && i + k < count; ++k) v[k] = x[i + k];
-    v = exponential_wanted != 0.0 ? exponential(v) : logarithm(v);
+    v = elementary_of(int(which), v);
     for (int k = 0; k < lanes && i + k < count; ++k) four[i + k] = v[k];
   }
 }

@@ -46,6 +46,9 @@ RACEWAY = dict(
 )
 OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_roughness=30e-9)
 
+# of exp_log.h, in the order of physics_c.cpp
+ELEMENTARY = ("exponential", "logarithm", "rough_exponential", "rough_logarithm")
+
 
 class Physics(Library):
     """The library; what is called often has a method."""
@@ -55,11 +58,11 @@ class Physics(Library):
         self.record("RacewayInput", RACEWAY)  # the same names on both sides
 
     def elementary(self, name, x):
-        """`exponential` or `logarithm` of an array: (one by one, four side by side)."""
+        """A function of `ELEMENTARY` of an array: (one by one, four side by side)."""
         one, four = np.full(len(x), np.nan), np.full(len(x), np.nan)
         self.call(
             "elementary",
-            exponential_wanted=name == "exponential",
+            which=ELEMENTARY.index(name),
             n=len(x),
             x=x,
             one=one,

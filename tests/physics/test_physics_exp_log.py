@@ -56,6 +56,20 @@ def test_last_place(physics, name, exact):
     assert max(miss) < UNITS
 
 
+def test_rough_ones(physics):
+    """As near as the head of the file says, and exact at 0 and 1."""
+    x = np.append(np.linspace(-1, 0, 2001), -1e3)
+    one, four = physics.elementary("rough_exponential", x)
+    assert np.abs(one[:-1] / np.exp(x[:-1]) - 1).max() < 0.02
+    assert one[-1] == one[0] and one[-2] == 1
+    assert one.tobytes() == four.tobytes()
+    x = np.append(np.geomspace(1e-6, 1e6, 20001), 1.0)
+    one, four = physics.elementary("rough_logarithm", x)
+    assert np.abs(one - np.log(x)).max() < 3e-4
+    assert one[-1] == 0
+    assert one.tobytes() == four.tobytes()
+
+
 @pytest.mark.parametrize("name", ["exponential", "logarithm"])
 def test_lanes_have_the_bits_of_one_number(physics, name):
     x = numbers()[name]
