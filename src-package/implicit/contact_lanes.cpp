@@ -4,6 +4,8 @@
 #include "lane_frame.h"
 #include "lanes_apart.h"
 
+#include <algorithm>
+
 namespace raceway {
 
 namespace {
@@ -47,16 +49,22 @@ template <class L> RACEWAY_INLINE void act_as(const RacewayPhysics &p, ContactLa
   const RingStateT<Lane> ring = rings(x);
   ContactStateT<Lane> &c = x.all;
   LaneMask live = place(p, ball.x, ring.e, c);
-  const auto open = approach<L>(p, ball, ring, c);
+  find_motions<L::couples>(p, ball, ring, c);
+  const RacewayConstantsT<Lane> constants = p.law.at(c.cos_angle);
   const Lane overlap = c.overlap;
   if constexpr (L::decides) {
-    live &= ~open;
+    live &= ~L::misses(p, constants, c);
+    if (!any(live)) {
+      std::fill(x.live, x.live + lanes, false);
+      if (x.gaps) lanes_apart(c, x.state);
+      return;
+    }
     c.overlap = where(live, overlap, 1e-9);    // any that has a load
   }
   Lane before[L::states > 0 ? L::states : 1], after[L::states > 0 ? L::states : 1];
   for (int k = 0; k < L::states; ++k)
     before[k] = Lane{x.kept[0][k], x.kept[1][k], x.kept[2][k], x.kept[3][k]};
-  L::act(p, p.law.at(c.cos_angle), LawStates<Lane>{x.dt, before, after}, c);
+  L::act(p, constants, LawStates<Lane>{x.dt, before, after}, c);
   ContactForcesT<Lane> forces = assemble<L::couples>(p, ring.e, c);
   if (p.groove.offset != 0.0) from_groove(ring.e, p.groove.offset, forces);
   c.overlap = overlap;
@@ -69,12 +77,12 @@ template <class L> RACEWAY_INLINE void act_as(const RacewayPhysics &p, ContactLa
 }
 }    // namespace
 
-RACEWAY_LANES void find_places(const RacewayPhysics &p, ContactLanes &x, bool motions)
+RACEWAY_LANES void find_places(const RacewayPhysics &p, ContactLanes &x)
 {
   ContactStateT<Lane> &c = x.all;
   const LaneMask live = place(p, places(x), in_all(x.groove.e), c);
   for (int i = 0; i < lanes; ++i) x.live[i] = live[i];
-  if (!motions || !any(~live)) return;
+  if (!x.gaps || !any(~live)) return;
   find_motions<false>(p, balls(x), rings(x), c);
   lanes_apart(c, x.state);
 }

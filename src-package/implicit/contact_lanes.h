@@ -21,6 +21,7 @@ struct ContactLanes {
   RingState groove;
   double dt = 0.0;        // s, over which the law moves what it keeps
   double *kept[lanes];    // that
+  bool gaps = false;      // places and motions of balls that do not touch are wanted
   ContactState *state[lanes];
   ContactForces *force[lanes];
 
@@ -30,11 +31,10 @@ struct ContactLanes {
   ContactStateT<Lane> all;
 };
 
-// Which of them may touch. The place of every contact is set then, and if `motions` the motions of
-// those that do not touch.
-void find_places(const RacewayPhysics &, ContactLanes &, bool motions);
-// What law and kinematics make of contacts that may touch: states, forces, and with dt > 0 what is
-// kept.
+// Which of them may touch.
+void find_places(const RacewayPhysics &, ContactLanes &);
+// What law and kinematics make of contacts: states, forces, and with dt > 0 what is kept. Only of
+// contacts that touch this has a meaning. Those of a law without a reach must be near.
 void act_in_lanes(const RacewayPhysics &, ContactLanes &);
 
 }    // namespace raceway

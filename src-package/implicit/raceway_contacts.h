@@ -228,6 +228,11 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
+// Slopes are set and read in the same stages, which the compiler does not see.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &stage)
 {
   int contact = 0;
@@ -323,7 +328,6 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
                      : LawStates<Lane>{stage.h, kept.base, kept.now, !stage.dampers_only};
       }
       ContactSlopesT<Lane, L::motions> slopes;
-      // set and read in the same stages, which the compiler does not see
       if constexpr (L::states > 0)
         for (auto &of_one : slopes.state) std::fill(of_one, of_one + L::motions, Lane{});
       if (derive) act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
@@ -398,6 +402,9 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
   }
   return Failure::none;
 }
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 // Of the family's law that the bearing has, if it has one; else false.
 template <class Family, bool flawed>

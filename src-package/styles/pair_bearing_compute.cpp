@@ -35,14 +35,14 @@ void PairBearingHertz::compute(int eflag, int vflag)
   ring_sum_.flush();
 }
 
-// Contacts of one groove are looked at four at a time, and then those that touch. Forces are added
-// in the table's order.
+// Contacts of one groove that may touch, four at a time. Forces are added in the table's order.
 template <class L> void PairBearingHertz::smooth_forces()
 {
   std::vector<RacewayContact> &table = table_.raceway;
   found_.resize(table.size());
   if (!in_lanes_) in_lanes_ = std::make_shared<InLanes>();
   ContactLanes &four = in_lanes_->four;
+  four.gaps = gaps_;
   const int end = static_cast<int>(table.size());
   for (int first = 0, next; first < end; first = next) {
     RacewayContact &of_all = table[by_groove_[first]];
@@ -50,29 +50,21 @@ template <class L> void PairBearingHertz::smooth_forces()
     const RacewayPhysics &p = *of_all.raceway;
     four.groove = groove_of(of_all);
     four.dt = advances(of_all) ? update->dt : 0.0;
-    for (int n = first; n < next; n += lanes) {
-      const int count = std::min(lanes, next - n);
-      for (int i = 0; i < count; ++i) put(by_groove_[n + i], i);
-      fill_up(count);
-      find_places(p, four, gaps_);
-      for (int i = 0; i < count; ++i) table[by_groove_[n + i]].live = four.live[i];
+    if (L::decides) {    // a law with a reach: those that touched before come first
+      near_.clear();
+      for (const bool touched : {true, false})
+        for (int n = first; n < next; ++n)
+          if (table[by_groove_[n]].live == touched) near_.push_back(by_groove_[n]);
+    } else {
+      find_near(first, next);
     }
-    int count = 0, at[lanes];
-    const auto act = [&] {
-      if (count == 0) return;
-      fill_up(count);
+    const int n = static_cast<int>(near_.size());
+    for (int k = 0; k < n; k += lanes) {
+      const int count = std::min(lanes, n - k);
+      take(&near_[k], count);
       act_in_lanes(p, four);
-      for (int i = 0; i < count; ++i) table[at[i]].live = four.live[i];
-      count = 0;
-    };
-    for (int n = first; n < next; ++n) {
-      const int row = by_groove_[n];
-      if (!table[row].live) continue;
-      put(row, count);
-      at[count++] = row;
-      if (count == lanes) act();
+      for (int i = 0; i < count; ++i) table[near_[k + i]].live = four.live[i];
     }
-    act();
   }
   for (size_t n = 0; n < table.size(); ++n) {
     RacewayContact &c = table[n];
@@ -117,27 +109,41 @@ RingState PairBearingHertz::groove_of(const RacewayContact &c) const
   return ring;
 }
 
-// A row of the table into a lane.
-void PairBearingHertz::put(int row, int lane)
+// Of the contacts of one groove, places `first` to `end` of by_groove_, those that may touch.
+void PairBearingHertz::find_near(int first, int end)
 {
-  RacewayContact &c = table_.raceway[row];
+  near_.clear();
   ContactLanes &four = in_lanes_->four;
-  four.ball[lane] = {atom->x[c.i_ball], atom->v[c.i_ball], atom->omega[c.i_ball]};
-  four.kept[lane] = c.kept;
-  four.state[lane] = &c.state;
-  four.force[lane] = &found_[row];
+  for (int n = first; n < end; n += lanes) {
+    const int count = std::min(lanes, end - n);
+    take(&by_groove_[n], count);
+    find_places(*table_.raceway[by_groove_[n]].raceway, four);
+    for (int i = 0; i < count; ++i) {
+      table_.raceway[by_groove_[n + i]].live = four.live[i];
+      if (four.live[i]) near_.push_back(by_groove_[n + i]);
+    }
+  }
 }
 
-// The lanes from `count` on have the ball of the first one, and find nothing for anybody.
-void PairBearingHertz::fill_up(int count)
+// Rows of the table into the lanes. Those that are left have the ball of the first one, and find
+// nothing for anybody.
+void PairBearingHertz::take(const int *rows, int count)
 {
   InLanes &room = *in_lanes_;
+  ContactLanes &four = room.four;
+  for (int i = 0; i < count; ++i) {
+    RacewayContact &c = table_.raceway[rows[i]];
+    four.ball[i] = {atom->x[c.i_ball], atom->v[c.i_ball], atom->omega[c.i_ball]};
+    four.kept[i] = c.kept;
+    four.state[i] = &c.state;
+    four.force[i] = &found_[rows[i]];
+  }
   for (int i = count; i < lanes; ++i) {
-    room.four.ball[i] = room.four.ball[0];
-    std::copy(room.four.kept[0], room.four.kept[0] + most_states, room.kept);
-    room.four.kept[i] = room.kept;
-    room.four.state[i] = &room.state;
-    room.four.force[i] = &room.force;
+    four.ball[i] = four.ball[0];
+    std::copy(four.kept[0], four.kept[0] + most_states, room.kept);
+    four.kept[i] = room.kept;
+    four.state[i] = &room.state;
+    four.force[i] = &room.force;
   }
 }
 

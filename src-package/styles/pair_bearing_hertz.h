@@ -132,8 +132,8 @@ class PairBearingHertz : public Pair {
   {
     return a.raceway == b.raceway && a.i_ring == b.i_ring && advances(a) == advances(b);
   }
-  void put(int row, int lane);
-  void fill_up(int count);
+  void find_near(int first, int end);
+  void take(const int *rows, int count);
   template <class L>
   void add_forces(const bearing::RacewayContact &, const raceway::ContactForces &,
                   double energy_of_profile);
@@ -166,7 +166,7 @@ class PairBearingHertz : public Pair {
       ball_profiles_;
 
   bearing::ContactTable table_;
-  std::vector<int> by_groove_;    // places in the table
+  std::vector<int> by_groove_, near_;    // places in the table: all, some of one groove
   std::vector<raceway::ContactForces> found_;
   struct InLanes;
   std::shared_ptr<InLanes> in_lanes_;

@@ -270,7 +270,7 @@ template <class L> int lane_differences(unsigned parts, int n)
   four.groove = ring;
   four.dt = s[0].dt;
   int different = 0;
-  find_places(p, four, true);
+  find_places(p, four);
   for (int i = 0; i < lanes; ++i) {
     ContactState c;
     different += !four.live[i] || !touch(p, s[i].ball.x, ring.e, c);
