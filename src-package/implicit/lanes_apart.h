@@ -18,12 +18,12 @@ RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
                 "the same numbers in the same order");
   constexpr size_t numbers = sizeof(One) / sizeof(double);
   const char *from = reinterpret_cast<const char *>(&four);
-  const auto lane = [from](size_t k) {
+  const auto lane = [from](size_t k) __attribute__((always_inline)) {
     Lane a;
     memcpy(&a, from + k * sizeof a, sizeof a);
     return a;
   };
-  const auto put = [&to](int one, size_t k, const auto &a) {
+  const auto put = [&to](int one, size_t k, const auto &a) __attribute__((always_inline)) {
     memcpy(reinterpret_cast<char *>(to[one]) + k * sizeof(double), &a, sizeof a);
   };
   constexpr size_t in_fours = numbers / lanes * lanes;
