@@ -65,7 +65,7 @@ void PairBearingHertz::rebuild_contacts()
   std::stable_sort(by_groove_.begin(), by_groove_.end(), [this](int a, int b) {
     const RacewayContact &one = table_.raceway[a], &other = table_.raceway[b];
     if (one.i_ring != other.i_ring) return one.i_ring < other.i_ring;
-    return one.groove() < other.groove();
+    return std::less<const RacewayPhysics *>()(one.raceway, other.raceway);
   });
   add_raceway_contacts();
   rebuild_ = false;
