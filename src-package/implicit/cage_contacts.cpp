@@ -49,6 +49,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
   const bool fresh = stage.evaluate == Evaluate::derivatives;
   const double h = stage.h;
   const double springs = h * stage.follows();
+  const double margin = fresh ? stage.close_cage : 0.0;
   for (const BearingBodies::RailTrack &track : b_.rail_tracks) {
     RingBody &ring = b_.rings[track.ring];
     const Vec3 centre = ring.now.x - b_.centre, spin = ring.now.angular_velocity();
@@ -60,6 +61,10 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
       const Lane z = dot(d, e);
       const Vec3L radial = d - e * z;
       const Lane r = norm(radial);
+      // most cage balls touch no rail most of the time
+      LaneMask near = {};
+      for (const Rail &rail : *track.rails) near |= may_touch(rail, r, z, g.radius, margin);
+      if (!any(near & g.used)) continue;
       const Vec3L u = radial * (1.0 / r), dv = g.v - f.local(ring.now.v) - cross(f.local(spin), d);
       for (size_t rail = 0; rail < track.rails->size(); ++rail) {
         const double K = (*track.stiffness)[rail];

@@ -68,6 +68,17 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
   return c;
 }
 
+// False for a cage ball that is farther than `margin` (m) from the rail: without the root, and never
+// false by rounding where rail_contact() finds an overlap.
+template <class T>
+RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
+                              double margin)
+{
+  const T dr = r - rail.circle, dz = z - rail.offset;
+  const T reach = (radius + (rail.tube + margin)) * (1.0 + 1.0e-12);
+  return dr * dr + dz * dz < reach * reach;
+}
+
 }    // namespace raceway
 
 #endif

@@ -150,10 +150,15 @@ std::string NetcdfFile::wait()
   return count(then);
 }
 
+std::string NetcdfFile::hand_over()
+{
+  const std::string why = flush();
+  return why.empty() ? wait() : why;
+}
+
 std::string NetcdfFile::settle()
 {
-  std::string why = flush();
-  if (why.empty()) why = wait();
+  std::string why = hand_over();
   if (why.empty()) why = count(written_);
   if (why.empty() && fsync(file_) != 0) why = strerror(errno);
   return why;
@@ -162,8 +167,7 @@ std::string NetcdfFile::settle()
 std::string NetcdfFile::close()
 {
   if (file_ < 0) return "";
-  std::string why = flush();
-  if (why.empty()) why = wait();
+  std::string why = hand_over();
   if (why.empty()) why = count(written_);
   if (::close(file_) != 0 && why.empty()) why = strerror(errno);
   file_ = -1;

@@ -41,8 +41,9 @@ class NetcdfFile {
   }
 
   bool full() const { return filled_ == batch_; }
-  std::string flush();     // send the batch so far; complaints about the one before
-  std::string settle();    // flush, count everything and wait until it is on the disk
+  std::string flush();        // send the batch so far; complaints about the one before
+  std::string hand_over();    // flush and wait until the system has everything
+  std::string settle();       // flush, count everything and wait until it is on the disk
   std::string close();
   std::string put_fixed(int variable, double value);    // a scalar without time, at once
 

@@ -149,7 +149,11 @@ void FixBearingRecord::setup(int)
   if (update->ntimestep % nevery == 0) sample(false);
 }
 
-void FixBearingRecord::end_of_step() { sample(true); }
+void FixBearingRecord::end_of_step()
+{
+  sample(true);
+  if (update->ntimestep == update->laststep) stop_clocks();
+}
 
 void FixBearingRecord::check_time_step() const
 {

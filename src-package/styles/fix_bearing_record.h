@@ -51,12 +51,14 @@ class FixBearingRecord : public Fix {
   void flush();
   std::string gather(const std::vector<double> &said, size_t samples);
   void refuse(const std::string &complaint) const;    // if there is one
+  void refuse_write(const std::string &complaint) const;
   double time_of(double step) const;
   struct Spent {
     double wall = 0.0, processor = 0.0;       // s, of this rank
     double steps = 0.0, evaluations = 0.0;    // of the integrator, a bearing
   };
   void start_clocks();
+  void stop_clocks();
   Spent made() const;    // in the present run
   Spent spent_now() const;
 

@@ -22,11 +22,19 @@ void FixBearingRecord::start_clocks()
   running_ = true;
 }
 
-void FixBearingRecord::post_run()
+// From the first sample until the system has the last one. What makes files safe against a loss of
+// power takes milliseconds at the end of any run and says nothing of the next longer one.
+void FixBearingRecord::stop_clocks()
 {
   flush();
+  if (file_) refuse_write(file_->file().hand_over());
   spent_ = spent_now();
   running_ = false;
+}
+
+void FixBearingRecord::post_run()
+{
+  if (running_) stop_clocks();
   if (comm->me != 0) return;
   const bool done = update->ntimestep == update->laststep;    // not stopped by a signal
   std::string why;
@@ -34,7 +42,7 @@ void FixBearingRecord::post_run()
     why = file_->file().put_fixed(file_->finished(), done);
     if (why.empty()) why = file_->file().settle();
   }
-  if (!why.empty()) BRG_ONE(command_ + ": " + path_ + ": " + why);
+  refuse_write(why);
   const double time = time_of(last_step_);
   if (done)
     refuse(bearing::write_run_yaml(

@@ -30,7 +30,12 @@ void FixBearingRecord::flush()
     why = gather(said, samples);
   }
   rows_.clear();
-  if (!why.empty()) BRG_ONE(command_ + ": " + path_ + ": " + why);
+  refuse_write(why);
+}
+
+void FixBearingRecord::refuse_write(const std::string &complaint) const
+{
+  if (!complaint.empty()) BRG_ONE(command_ + ": " + path_ + ": " + complaint);
 }
 
 // What the ranks know of the same samples, put together by the first.

@@ -319,6 +319,11 @@ EXPORT(double, rail_spring, (const RailSeat *rail, double ball, double pitch, do
 {
   return rail_stiffness({rail->circle, rail->tube, rail->offset}, ball, pitch, Eprime);
 }
+EXPORT(double, rail_may_touch,
+       (const RailSeat *rail, double r, double z, double ball, double margin))
+{
+  return may_touch({rail->circle, rail->tube, rail->offset}, r, z, ball, margin);
+}
 
 // ---- ring_body.h
 EXPORT(void, ring_momentum,
