@@ -129,14 +129,14 @@ void FixBearingCage::find_balls()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// All cage balls on one rail after the other: plain loops over arrays, so that square roots run
-// side by side.
+// All cage balls on one rail after the other, four side by side. Most of them touch no rail most
+// of the time, which then costs a comparison.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();
   double **x = atom->x, **v = atom->v, **f = atom->f;
   const size_t n = cage_.balls.size();
-  for (std::vector<double> *a : {&r_, &z_, &vr_, &ve_, &mass_, &radius_, &fr_, &fe_}) a->resize(n);
+  fours_.resize((n + lanes - 1) / lanes);
   for (size_t i = 0; i < n; ++i) {
     CageRails::Ball &ball = cage_.balls[i];
     if (ball.claim < 0)
@@ -147,43 +147,62 @@ void FixBearingCage::pre_force(int)
     // velocity of the ball against the ring, radial and axial: all that a frictionless torus feels
     const Vec3 dv = Vec3::from(v[ball.i]) - Vec3::from(v[ball.i_ring]) -
                     cross(Vec3::from(atom->omega[ball.i_ring]), d);
-    z_[i] = dot(d, e);
-    r_[i] = dot(d, d) - z_[i] * z_[i];
-    ve_[i] = dot(dv, e);
-    vr_[i] = dot(dv, d) - ve_[i] * z_[i];
-    mass_[i] = atom->rmass[ball.i];
-    radius_[i] = atom->radius[ball.i];
-    fr_[i] = fe_[i] = 0.0;
+    Four &four = fours_[i / lanes];
+    const size_t k = i % lanes;
+    const double z = dot(d, e), ve = dot(dv, e);
+    four.z[k] = z;
+    four.r[k] = dot(d, d) - z * z;
+    four.ve[k] = ve;
+    four.vr[k] = dot(dv, d) - ve * z;
+    four.mass[k] = atom->rmass[ball.i];
+    four.radius[k] = atom->radius[ball.i];
   }
+  if (n % lanes > 0) fours_.back().spare(static_cast<int>(n % lanes));
+  force_sum_ = force_max_ = 0.0;
+  find_forces();
   for (size_t i = 0; i < n; ++i) {
-    r_[i] = std::sqrt(r_[i]);
-    vr_[i] /= r_[i];
-  }
-  double sum = 0.0, most = 0.0;
-  for (size_t k = 0; k < cage_.rails.size(); ++k) {
-    const Rail rail = cage_.rails[k];
-    const double K = cage_.stiffness[k];
-    for (size_t i = 0; i < n; ++i) {
-      const RailContact c =
-          rail_contact(rail, K, r_[i], z_[i], vr_[i], ve_[i], radius_[i], mass_[i]);
-      const double force = c.h.force;
-      fr_[i] += force * c.nr;
-      fe_[i] += force * c.ne;
-      sum += force;
-      most = force > most ? force : most;
-    }
-  }
-  force_sum_ = sum;
-  force_max_ = most;
-  for (size_t i = 0; i < n; ++i) {
-    if (fr_[i] == 0.0 && fe_[i] == 0.0) continue;
+    const Four &four = fours_[i / lanes];
+    const size_t k = i % lanes;
+    if (four.fr[k] == 0.0 && four.fe[k] == 0.0) continue;
     const CageRails::Ball &ball = cage_.balls[i];
     const Vec3 e = pair_->state()->axis(ball.i_ring);
     const Vec3 d = Vec3::from(x[ball.i]) - Vec3::from(x[ball.i_ring]);
-    const Vec3 force = (d - e * z_[i]) * (fr_[i] / r_[i]) + e * fe_[i];
+    const Vec3 force = (d - e * four.z[k]) * (four.fr[k] / four.r[k]) + e * four.fe[k];
     force.add_to(f[ball.i]);
     pair_->ring_sum().add(ball.claim, -force, -cross(d, force));
   }
+}
+
+// Lanes from `first` on have no ball: they are as the one before, but far from any rail.
+void FixBearingCage::Four::spare(int first)
+{
+  constexpr double far = 1.0e30;    // m^2: r is a square here
+  for (int k = first; k < lanes; ++k) {
+    for (Lane *a : {&z, &vr, &ve, &mass, &radius}) (*a)[k] = (*a)[first - 1];
+    r[k] = far;
+  }
+}
+
+RACEWAY_LANES void FixBearingCage::find_forces()
+{
+  for (Four &four : fours_) {
+    four.r = square_root(four.r);
+    four.vr /= four.r;
+    four.fr = four.fe = Lane{};
+  }
+  for (size_t k = 0; k < cage_.rails.size(); ++k)
+    for (Four &four : fours_) {
+      if (!any(may_touch(cage_.rails[k], four.r, four.z, four.radius, 0.0))) continue;
+      const RailContactT<Lane> c = rail_contact(cage_.rails[k], cage_.stiffness[k], four.r, four.z,
+                                                four.vr, four.ve, four.radius, four.mass);
+      const Lane force = c.h.force;
+      four.fr += force * c.nr;
+      four.fe += force * c.ne;
+      for (int i = 0; i < lanes; ++i) {
+        force_sum_ += force[i];
+        force_max_ = force[i] > force_max_ ? force[i] : force_max_;
+      }
+    }
 }
 
 double FixBearingCage::compute_scalar() { return compute_vector(bearing::of_fix_cage::SUM); }

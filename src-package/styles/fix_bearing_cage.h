@@ -39,8 +39,13 @@ class FixBearingCage : public Fix {
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
   bool seats_ = true;    // default pair of rails, placed from the cage balls
   double pitch_ = 0.0;
-  // per cage ball: position and velocity in the ring (radial, axial), mass, radius, rail force
-  std::vector<double> r_, z_, vr_, ve_, mass_, radius_, fr_, fe_;
+  // Four cage balls: place and velocity in the ring (radial, axial), mass, radius, rail force.
+  struct alignas(32) Four {
+    raceway::Lane r, z, vr, ve, mass, radius, fr, fe;
+    void spare(int first);
+  };
+  void find_forces();
+  std::vector<Four> fours_;
   double force_sum_ = 0.0, force_max_ = 0.0;    // of the last step, this rank
 };
 
