@@ -36,6 +36,8 @@ class FixBearingImplicit : public Fix {
   void initial_integrate(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
+  // Of all ranks: bearings, where those on one shaft are one. Each has its own internal steps.
+  double systems() const;
 
   // Bearings between host steps: asked for in another fix's setup(), there after every step.
   void want_instants(const bearing::Instants &, const std::string &command);

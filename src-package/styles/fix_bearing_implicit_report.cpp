@@ -22,6 +22,13 @@ double FixBearingImplicit::compute_scalar()
   return compute_vector(bearing::of_fix_implicit::MEAN_STEP);
 }
 
+double FixBearingImplicit::systems() const
+{
+  double n = static_cast<double>(solver_->parts.size());
+  MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_DOUBLE, MPI_SUM, world);
+  return n;
+}
+
 // Over all bearings since the start of the run (bearing::of_fix_implicit); energies are 0 unless
 // asked for.
 double FixBearingImplicit::compute_vector(int k)

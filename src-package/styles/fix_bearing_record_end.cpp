@@ -64,11 +64,16 @@ FixBearingRecord::Spent FixBearingRecord::made() const
   const std::vector<FixBearingImplicit *> implicit = bearing::fixes_of<FixBearingImplicit>(lmp);
   if (implicit.empty())
     s.steps = s.evaluations = static_cast<double>(update->ntimestep - update->firststep);
-  const double bearings = std::max<double>(1.0, layout_.bearings.size());
+  double systems = 0.0;
   for (FixBearingImplicit *f : implicit) {
-    const double steps = f->compute_vector(STEPS) / bearings;
+    const double steps = f->compute_vector(STEPS);
     s.steps += steps;
     s.evaluations += steps * f->compute_vector(CORRECTIONS);
+    systems += f->systems();
+  }
+  if (systems > 0.0) {
+    s.steps /= systems;
+    s.evaluations /= systems;
   }
   return s;
 }

@@ -7,6 +7,7 @@ The shaft lies along z, its bearings at 0 and 0.2 m. `data` of a run are columns
 
 import numpy as np
 import pytest
+import yaml
 from host import succeed
 from raceway import many_grooves, shaft, static
 from raceway.theory.beam import Section, Steel
@@ -255,7 +256,11 @@ def test_integrators_agree(tmp_path, law):
 def test_within_a_step(tmp_path):
     """Samples inside long steps: rings stay on the shaft, and accelerations are those of the
     velocities."""
-    swing(tmp_path, **WITHIN, words=LOADED)
+    text = succeed(DECK, out=tmp_path, **WITHIN, words=LOADED).text
+    said = yaml.safe_load((tmp_path / "run.yaml").read_text())
+    # both bearings are one system: its internal steps are those of each
+    (steps,) = numbers_of(text, "STEPS")
+    assert said["step_s"] == pytest.approx(said["simulated_s"] / steps, rel=1e-9)
     ring = rings_follow(tmp_path)
     apart = ring["x"][:, 1] - ring["x"][:, 0]
     assert apart == pytest.approx(0.2 * ring["tilt_2"][:, 0], rel=0, abs=1e-12)
