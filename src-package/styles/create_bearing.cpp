@@ -81,13 +81,10 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
       args.fail("gothic_arch " + text(std::fabs(r->groove.offset)) +
                 " m must be smaller than the groove radius less that of the ball, " +
                 text(r->groove.groove_radius - R) + " m");
-  const bool arch = in->groove.offset != 0.0 || out->groove.offset != 0.0;
-  if (arch && p.seat)
-    args.fail("'seat' needs raceways of one groove: a ball in a Gothic arch starts in the middle");
   Groove inner = in->groove, outer = out->groove;
   inner.ball_radius = outer.ball_radius = R;
   const double Ri = inner.middle_radius(), Re = outer.middle_radius();
-  if (arch) p.cosine = 0.5 * (inner.middle_cosine() + outer.middle_cosine());
+  p.cosine = 0.5 * (inner.middle_cosine() + outer.middle_cosine());
   if (Ri >= Re)
     args.fail("two rings at odds: inner raceway radius " + text(Ri) +
               " m is not smaller than the outer one, " + text(Re) + " m");
@@ -102,15 +99,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
   if (clearance > 2.0 * (in->groove.groove_radius - R + out->groove.groove_radius - R))
     args.fail("clearance " + text(clearance) +
               " m is so large that the grooves do not hold the balls: rings at odds?");
-  if (p.seat) {
-    // the line through both centres of curvature is inclined by the contact angle (docs/theory)
-    const double in_gap = in->groove.groove_radius - R, out_gap = out->groove.groove_radius - R;
-    p.cosine = std::min(1.0, 1.0 - 0.5 * clearance / (in_gap + out_gap));
-    const double sine = std::sqrt(1.0 - p.cosine * p.cosine);
-    p.pitch = Re - out->groove.groove_radius + out_gap * p.cosine;
-    p.ball_z = p.seat * out_gap * sine;
-    p.inner_z = p.seat * (in_gap + out_gap) * sine;
-  }
+  if (p.seat) seat(args, inner, outer, clearance, p);
   if (p.balls > 1) {
     const double apart = 2.0 * p.pitch * std::sin(3.14159265358979323846 / p.balls);
     if (apart < 2.0 * R)
@@ -135,6 +124,34 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
       args.fail("the bearing (radius " + text(reach) +
                 " m) does not fit into the box in direction " + "xyz"[k] + ": " + text(lo[k]) +
                 " to " + text(hi[k]) + " m");
+}
+
+// The inner ring is pushed along the axis until the grooves that then carry, one of each ring, are
+// in contact. Of two grooves of a ring it is that with its centre ahead for the inner ring and
+// behind for the outer one. With preload all grooves are in contact already, and it stays.
+void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
+                         double clearance, Plan &p)
+{
+  const double in_gap = inner.slack(), out_gap = outer.slack(), gaps = in_gap + out_gap;
+  const double in_offset = std::fabs(inner.offset), out_offset = std::fabs(outer.offset);
+  // the line through both centres of curvature is inclined by the contact angle (docs/theory)
+  const double arches =
+      (in_gap * (1.0 - inner.middle_cosine()) + out_gap * (1.0 - outer.middle_cosine())) / gaps;
+  const double cosine = std::min(1.0, 1.0 - arches - 0.5 * clearance / gaps);
+  const double sine = std::sqrt(1.0 - cosine * cosine);
+  const double way = gaps * sine - (in_offset + out_offset);
+  if (way < 0.0) return;
+  const double room = 1.0 + 1e-9;    // equal angles without clearance, to rounding
+  if (in_gap * sine * room < in_offset || out_gap * sine * room < out_offset)
+    args.fail("'seat': a ball would lie in both grooves of one ring and one of the other; their "
+              "contact angles are " +
+              text(std::acos(inner.middle_cosine())) + " and " +
+              text(std::acos(outer.middle_cosine())) +
+              " rad: make them equal, or the clearance larger than " + text(clearance) + " m");
+  p.cosine = cosine;
+  p.pitch = outer.centre_circle() + out_gap * cosine;
+  p.ball_z = p.seat * (out_gap * sine - out_offset);
+  p.inner_z = p.seat * way;
 }
 
 void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)

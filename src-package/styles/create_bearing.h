@@ -41,6 +41,8 @@ class CreateBearing : public bearing::CommandBase {
 
   Plan parse(bearing::Arguments &);
   void check(bearing::Arguments &, const PairBearingHertz &, Plan &);
+  static void seat(bearing::Arguments &, const raceway::Groove &inner, const raceway::Groove &outer,
+                   double clearance, Plan &);
   void place(const Plan &, const PairBearingHertz &);
   void add(int type, const raceway::Vec3 &x, double radius, double mass, const raceway::Vec3 &v,
            const raceway::Vec3 &w);

@@ -178,9 +178,15 @@ DECKS = {
         FOUR_POINT + "set type 1 diameter 12.95e-3\nrun 0\n",
         r"pair_coeff 1 3: gothic_arch 0.0001 m must be smaller than .* 7.7e-05 m",
     ),
-    "seat in an arch": (
-        BOX + STYLE + INNER.strip() + ARCH + OUTER + CREATE.strip() + " seat plus\n",
-        r"create_bearing: 'seat' needs raceways of one groove",
+    "seat on three points": (
+        BOX
+        + STYLE
+        + INNER.strip()
+        + ARCH
+        + OUTER.replace("36.6", "36.622")
+        + CREATE.strip()
+        + " seat plus\n",
+        r"create_bearing: 'seat': a ball would lie in both grooves of one ring",
     ),
     "surroundings of an arch": (
         FOUR_POINT

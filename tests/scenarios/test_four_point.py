@@ -131,6 +131,46 @@ def test_tilted_ring_with_both_integrators(tmp_path):
     assert np.abs(one - other).max() < 1e-3 * np.abs(one).max()
 
 
+def seated(folder, way, extra):
+    """Where create_bearing puts ball 1 and the inner ring, (x, y, z) each, m."""
+    folder.mkdir()
+    dump = "dump all all custom 1 ${out}/all.dump id x y z"
+    dump += '\ndump_modify all format "%d %.15g %.15g %.15g"'
+    changes = {
+        "diameter 12.6e-3\n": f"diameter 12.6e-3 seat {way}\n",
+        "-2.0e-6": extra,
+        "run 1600": f"{dump}\nrun 0",
+    }
+    turned(folder, changes)
+    (rows,) = frames(folder / "all.dump").values()
+    at = {int(tag): np.array(place, float) for tag, *place in map(str.split, rows)}
+    return at[1], at[10]
+
+
+@pytest.mark.parametrize("way, sign", [("plus", 1), ("minus", -1)])
+def test_seat_is_where_the_smallest_thrust_puts_it(tmp_path, way, sign):
+    ball, ring = seated(tmp_path / "clearance", way, "+5.0e-6")
+    rows = many_grooves.four_point(B6208, np.radians(35), clearance=10e-6)
+    side = int(sign > 0)  # that carries, of the outer ring; statics names the one at +z first
+    found = []
+    for thrust in (1.0, 0.125):
+        rest = many_grooves.equilibrium(rows, (0, 0, sign * thrust), held=STRAIGHT)
+        found.append(np.append(rest.place[:3], rest.rows[0].outer.angle[side, 0]))
+    *place, angle = (4 * found[1] - found[0]) / 3  # they yield as load^(2/3)
+    assert sign * place[2] > 5e-6
+    assert ring == pytest.approx(place, abs=1e-9)
+    # on the line of both contacts
+    body = rows[0].bearing
+    gap, centre = body.groove_gap(1), rows[0].outer[side]
+    at = [body.groove_circle(1, 10e-6) + gap * np.cos(angle), 0, centre + gap * np.sin(angle)]
+    assert ball == pytest.approx(at, abs=1e-9)
+
+
+def test_seat_of_a_preloaded_bearing_is_the_middle(tmp_path):
+    ball, ring = seated(tmp_path / "preload", "plus", "-2.0e-6")
+    assert ring.tolist() == [0, 0, 0] and ball[2] == 0
+
+
 # ---- outputs
 WET = {
     "pair_style bearing/hertz": (
