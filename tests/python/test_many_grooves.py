@@ -81,9 +81,9 @@ def test_two_points_are_an_angular_contact():
     start = (body.groove_gap(INNER) + body.groove_gap(OUTER)) * np.sin(ANGLE)
     assert found.place[2] == pytest.approx(one.shift[2] - start, rel=1e-6)
     (row,) = found.rows
-    assert np.all(row.inner.load[1] == 0) and np.all(row.outer.load[0] == 0)
-    assert row.inner.load[0] == pytest.approx(one.inner.load, rel=1e-8)
-    assert row.outer.angle[1] == pytest.approx(one.outer.angle, abs=1e-8)
+    assert np.all(row.inner.load[0] == 0) and np.all(row.outer.load[1] == 0)
+    assert row.inner.load[1] == pytest.approx(one.inner.load, rel=1e-8)
+    assert row.outer.angle[0] == pytest.approx(one.outer.angle, abs=1e-8)
     assert one.inner.angle[0] > ANGLE
 
 
@@ -103,7 +103,7 @@ def test_reversal_switches_grooves_without_a_jump():
     soft = 1 / np.array([one.stiffness[2, 2] for one in rests])
     step = thrust[1] - thrust[0]
     assert np.diff(z) == pytest.approx(step * (soft[1:] + soft[:-1]) / 2, rel=0.02)
-    first = np.array([share(one, 0) for one in rests])
+    first = np.array([share(one, 1) for one in rests])
     assert first[32] == pytest.approx(0.5, abs=1e-9)
     assert first[0] == 0.0 and first[-1] == 1.0
     assert np.all(np.diff(first) >= -1e-12) and np.abs(np.diff(first)).max() < 0.08

@@ -39,6 +39,7 @@ NAMES = {
     "film_regimes": "theory.film_regimes",
     "film_voltage": "theory.film_voltage",
     "fits": "theory.fits",
+    "four_point": "theory.four_point",
     "friction_torque": "theory.friction_torque",
     "groove_width": "theory.groove_width",
     "heat": "theory.heat",

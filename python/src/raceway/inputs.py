@@ -80,9 +80,13 @@ def _matches(path, pattern):
     return dict(match.groups() for match in map(pattern.match, lines) if match)
 
 
-def bearing(path: FilePath) -> Bearing:
-    """`Bearing` of a file of inputs/bearings. Raises `InputError`."""
+def bearing(path: FilePath, four_point: bool = False) -> Bearing:
+    """`Bearing` of a file of inputs/bearings. One of four points is accepted where `four_point`
+    says so; its radii are those of one groove a ring (`many_grooves.four_point` makes two of each).
+    Raises `InputError`."""
     known = values(path)
+    if "four_point" in known and not four_point:
+        raise InputError(f"{path}: a four-point contact bearing; this needs one groove a ring")
     data = _numbers(path, "balls", "ball_diameter")
     if "pitch_diameter" in known:
         data |= _radii(path)
@@ -105,6 +109,17 @@ def nominal_angle(path: FilePath) -> float:
     if "contact_angle" not in values(path):
         return 0.0
     return math.radians(_numbers(path, "contact_angle")["contact_angle"])
+
+
+def four_point_angle(path: FilePath) -> float | None:
+    """Angle (rad) at which balls in the middle are in contact with both grooves of each ring, of a
+    file of inputs/bearings; None of a bearing with one groove a ring. Raises `InputError`."""
+    if "four_point" not in values(path):
+        return None
+    angle = _numbers(path, "four_point")["four_point"]
+    if not 5 <= angle <= 60:
+        raise InputError(f"{path}: four_point = {angle:g} degrees must lie between 5 and 60")
+    return math.radians(angle)
 
 
 def _radii(path):
@@ -146,7 +161,7 @@ def ratings(path: FilePath) -> life.Ratings | None:
     for name, value in numbers.items():
         if not 0 < value < math.inf:
             raise InputError(f"{path}: {name} = {value:g} N must be above 0")
-    estimate = life.ratings(*numbers.values(), 2 * bearing(path).pitch_radius)
+    estimate = life.ratings(*numbers.values(), 2 * bearing(path, True).pitch_radius)
     if "fatigue_load_limit" in values(path):
         limit = _numbers(path, "fatigue_load_limit")["fatigue_load_limit"]
         if not 0 < limit < numbers["basic_static_load"]:
@@ -172,7 +187,7 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
 def shoulders(path: FilePath) -> Shoulders:
     """`Shoulders` of a file of inputs/bearings, NaN for what it does not say. Raises `InputError`
     for a diameter that is none."""
-    data = bearing(path)
+    data = bearing(path, True)
     bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
     found = {}
     for name, bottom in bottoms.items():

@@ -20,7 +20,8 @@ from raceway.theory.static import Equilibrium, equilibrium
 
 
 class Film(NamedTuple):
-    """One raceway's films, arrays (Z,) of one value a ball; zero where there is no contact."""
+    """One raceway's films, arrays of one value a ball (Z,), or of two grooves (2, Z), as
+    `static.Contacts`; zero where there is no contact."""
 
     entrainment: Floats  # m/s
     h_min: Floats  # m
@@ -34,7 +35,7 @@ class Lubrication(NamedTuple):
 
     inner: Film
     outer: Film
-    ball: Floats  # (Z,), F: inner and outer in series (eq 12)
+    ball: Floats  # (Z,), F: inner and outer in series (eq 12), grooves of a ring beside each other
     total: float  # F: all balls in parallel (eq 12), no background
 
 
@@ -64,13 +65,13 @@ def lubricate(
         _film(bearing, side, contact, oil, spin, clearance, factor)
         for side, contact in ((INNER, state.inner), (OUTER, state.outer))
     ]
-    ball = capacitance.ball(sides[INNER].capacitance, sides[OUTER].capacitance)
+    ball = capacitance.ball(*(np.atleast_2d(side.capacitance).sum(0) for side in sides))
     return Lubrication(*sides, ball, float(np.sum(ball)))
 
 
 def _film(bearing, side, contact, oil, spin, clearance, factor):
     live = contact.load > 0
-    values = np.zeros((5, len(live)))
+    values = np.zeros((5, *live.shape))
     angle = contact.angle[live]
     r_x, r_y = bearing.effective_radii(side, angle, clearance)
     speed = kinematics.entrainment(bearing, spin, angle)
@@ -102,15 +103,20 @@ def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float:
 
 
 def turning(
-    bearing: Bearing, spin: float, *loads: float, **options: Any
+    bearing: Bearing,
+    spin: float,
+    *loads: float,
+    rest: Callable[..., Equilibrium] = equilibrium,
+    **options: Any,
 ) -> tuple[Equilibrium, float]:
     """(`Equilibrium`, orbital speed in rad/s) with the centrifugal load of balls that roll at
-    `spin` rad/s of the inner ring; loads and options as `static.equilibrium`'s. The contact angles
-    decide the speed and the speed the angles.
+    `spin` rad/s of the inner ring; loads and options as those of `rest`, which is
+    `static.equilibrium` or `four_point.equilibrium`. The contact angles decide the speed and the
+    speed the angles.
     """
     speed = spin * kinematics.frequencies(bearing).cage
     for _ in range(30):
-        state = equilibrium(bearing, *loads, orbital_speed=speed, **options)
+        state = rest(bearing, *loads, orbital_speed=speed, **options)
         before, speed = speed, orbit(bearing, state, spin)
         if abs(speed - before) <= 1e-9 * abs(spin):
             break

@@ -19,8 +19,8 @@ from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.theory import circle, contact_law, hertz
 from raceway.theory.bearing import INNER, OUTER, Bearing
-from raceway.theory.small_motion import condensed
-from raceway.theory.static import STRAIGHT, imposed
+from raceway.theory.small_motion import Linear, condensed
+from raceway.theory.static import STRAIGHT, Contacts, contacts, imposed
 
 RENEWALS, STEPS = 60, 400  # of contact stiffness, and of Newton's method with each
 EXACT = 1e-9  # of the loads, what may be left of the balance
@@ -40,18 +40,14 @@ class Row:
     phase: float = 0.0  # rad, azimuth of the first ball
 
 
-class Grooves(NamedTuple):
-    """Contacts of a row with the grooves of one ring, (grooves, Z)."""
-
-    load: Floats  # N
-    angle: Floats  # rad, positive where the inner ring is pushed to +z
-
-
 class Carried(NamedTuple):
-    """A row in balance."""
+    """A row in balance: contacts by groove and ball, (grooves, Z)."""
 
-    inner: Grooves
-    outer: Grooves
+    inner: Contacts
+    outer: Contacts
+    azimuth: Floats  # (Z,), rad, of the balls
+    # of the balls about their rest, for `small_motion.response`: inner grooves, then outer ones
+    linear: Linear
 
 
 @dataclass(frozen=True)
@@ -66,9 +62,9 @@ class Rest:
 
 
 def four_point(bearing: Bearing, angle: float, clearance: float = 0.0) -> list[Row]:
-    """The row of a four-point contact bearing: two grooves a ring, which balls meet at `angle`
-    (rad) when nothing pushes. Of `bearing` it has balls, pitch and groove radii. `clearance` is
-    diametral, m; negative is preload on all four points.
+    """The row of a four-point contact bearing: two grooves a ring, that at -z first, which balls
+    meet at `angle` (rad) when nothing pushes. Of `bearing` it has balls, pitch and groove radii.
+    `clearance` is diametral, m; negative is preload on all four points.
 
     Raises `ValueError` for an angle that is not above 0 and below a right one.
     """
@@ -77,7 +73,7 @@ def four_point(bearing: Bearing, angle: float, clearance: float = 0.0) -> list[R
     gap = [bearing.groove_gap(side) for side in (INNER, OUTER)]
     inside = bearing.pitch_radius + gap[INNER] * np.cos(angle) - bearing.inner_groove
     outside = bearing.pitch_radius - gap[OUTER] * np.cos(angle) + bearing.outer_groove
-    both = [(size * np.sin(angle), -size * np.sin(angle)) for size in gap]
+    both = [(-size * np.sin(angle), size * np.sin(angle)) for size in gap]
     shape = replace(bearing, inner_radius=float(inside), outer_radius=float(outside))
     return [Row(shape, 0.0, *both, clearance=clearance)]
 
@@ -118,7 +114,7 @@ def equilibrium(
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
     >>> rest = equilibrium(four_point(b, 0.61), (0.0, 0.0, 1000.0))
     >>> (rest.rows[0].inner.load[:, 0] / rest.rows[0].inner.load.max()).round(6).tolist()
-    [1.0, 0.0]
+    [0.0, 1.0]
     """
     if held is None:
         held = STRAIGHT if moment is None else {}
@@ -156,13 +152,13 @@ class _Row:
     def angles(self, ball, place):
         """Of all contacts, loaded or not: an angle that came with the load would not settle."""
         sides = ([], [])
-        for side, _, _, _, _, angle in self.contacts(ball, place):
+        for side, *_, angle in self.contacts(ball, place):
             sides[side].append(angle)
         return [np.array(one) for one in sides]
 
     def contacts(self, ball, place):
-        """(side, groove, load (Z,), slope along its line (Z,), energy (Z,), derivatives of the
-        distance (Z, 7), (Z, 7, 7), angle (Z,)) of every groove."""
+        """(side, `contact_law.Response` (Z,), distance (Z,), its derivatives (Z, 7), (Z, 7, 7),
+        angle (Z,)) of every groove."""
         bearing, result = self.row.bearing, []
         for k, offset in enumerate(self.row.inner):
             lever = self.row.at + offset
@@ -187,14 +183,14 @@ class _Row:
         for side, k, distance, slope, curve, angle in result:
             law = contact_law.hertzian(self.stiffness[side][k])
             found = law(distance - bearing.groove_gap(side))
-            yield side, k, found, slope, curve, angle
+            yield side, found, distance, slope, curve, angle
 
     def sums(self, ball, place):
         """(energy, gradient (Z, 7), Hessian (Z, 7, 7), balls on the inner ring (Z,))."""
         energy = -self.centrifugal * (ball[:, 0] - self.start[:, 0]).sum()
         gradient, hessian = np.zeros((len(ball), 7)), np.zeros((len(ball), 7, 7))
         gradient[:, 0], carried = -self.centrifugal, np.zeros(len(ball), bool)
-        for side, _, found, slope, curve, _ in self.contacts(ball, place):
+        for side, found, _, slope, curve, _ in self.contacts(ball, place):
             energy += found.energy.sum()
             gradient += found.load[:, None] * slope
             hessian += found.slope[:, None, None] * slope[:, :, None] * slope[:, None, :]
@@ -204,10 +200,18 @@ class _Row:
         return energy, gradient, hessian, carried
 
     def carried(self, ball, place):
-        sides = ([], [])
-        for side, _, found, _, _, angle in self.contacts(ball, place):
-            sides[side].append((found.load, np.where(found.load > 0, angle, 0.0)))
-        return Carried(*(Grooves(*map(np.array, zip(*one))) for one in sides))
+        _, _, hessian, loaded = self.sums(ball, place)
+        sides, approach, along = ([], []), [], []
+        for side, found, distance, slope, _, angle in self.contacts(ball, place):
+            sides[side].append((distance, found.load, np.where(found.load > 0, angle, 0.0)))
+            approach.append(slope)
+            along.append(found.slope)
+        linear = Linear(hessian, np.array(approach), np.array(along), loaded)
+        both = (
+            contacts(self.row.bearing, side, *map(np.array, zip(*one)), self.row.clearance)
+            for side, one in enumerate(sides)
+        )
+        return Carried(*both, self.azimuth, linear)
 
 
 class _Ring:

@@ -8,6 +8,7 @@ key.
 
 import math
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,16 @@ from numpy.typing import ArrayLike
 from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.rows import Row, lines, row
-from raceway.theory import clearance, friction_torque, life, makers, ring_response, validity
+from raceway.theory import (
+    clearance,
+    friction_torque,
+    life,
+    makers,
+    many_grooves,
+    ring_response,
+    validity,
+)
+from raceway.theory import four_point as contacts_of_grooves
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
@@ -37,6 +47,7 @@ TOPICS = {
         Row("moment_x_N_m", "moment about x", "N m"),
         Row("moment_y_N_m", "moment about y", "N m"),
         row("clearance_m"),
+        Row("four_point_rad", "contact angle of four points", "°", "of balls in the middle"),
         row("rpm"),
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
         Row("centrifugal_N", "centrifugal load of a ball", "N", "m r omega^2"),
@@ -120,6 +131,16 @@ COLUMNS = (  # of the table of balls: key, heading, SI unit
     ("lambda_outer", "lambda out.", ""),
     ("capacitance_F", "C", "F"),
 )
+CONTACT_COLUMNS = (  # of the table of contacts with two grooves a ring
+    ("azimuth_rad", "azimuth, °", "deg"),
+    ("raceway", "contact", None),
+    ("q_N", "Q", "N"),
+    ("angle_rad", "angle, °", "deg"),
+    ("p_Pa", "p", "Pa"),
+    ("h_min_m", "h_min", "m"),
+    ("lambda", "lambda", ""),
+    ("capacitance_F", "C", "F"),
+)
 
 
 def figures(
@@ -140,6 +161,7 @@ def figures(
     spin_law: str = "closed",
     temperature: float | None = None,
     cleanliness: str = "normal",
+    four_point: float | None = None,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
@@ -147,18 +169,29 @@ def figures(
     (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
     inner ring and the load along x. What is not `held` is free. `models` is one of `MODELS`: "full"
     has the film in the gap, inlet shear and the friction torque, with the `spin_law` of
-    `friction_torque.losses`. `temperature` of the lubricant is
-    in degrees C, its file's unless given. `cleanliness` is a word of `cleanliness.CLEANLINESS`.
-    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
+    `friction_torque.losses`. `temperature` of the lubricant is in degrees C, its file's unless
+    given. `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a
+    four-point contact bearing with that angle, as its file may, too. Each of `balls` then has a
+    list of `contacts`.
+
+    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file, and for four points
+    with `exact_circle` or the models "full", which need one groove a ring; `ValueError` for other
     models or another word.
     """
     path = catalogue.find("bearings", bearing, folder)
     if models not in MODELS:
         raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
-    body, (oil, fluid) = inputs.bearing(path), _oil(lubricant, folder, temperature)
+    body, (oil, fluid) = inputs.bearing(path, four_point=True), _oil(lubricant, folder, temperature)
     spin, held = rpm * math.pi / 30, held or {}
     density = float(inputs.values(path).get("ball_density", 7800.0)) if density is None else density
+    if four_point is None:
+        four_point = inputs.four_point_angle(path)
+    find: dict[str, Any] = {"finite_shift": exact_circle}
+    if four_point is not None:
+        body, find = _four_point(path, body, four_point, clearance, models, exact_circle)
     film = FilmInGap(fluid, spin) if models == "full" and oil is not None and spin else None
+    if film is not None:
+        find["film"] = film
     state, orbit = turning(
         body,
         spin,
@@ -169,8 +202,7 @@ def figures(
         clearance=clearance,
         phase=phase,
         ball_density=density,
-        finite_shift=exact_circle,
-        film=film,
+        **find,
     )
     result = dict(
         bearing=path.name,
@@ -186,6 +218,7 @@ def figures(
         moment_y_N_m=moment[1],
         clearance_m=clearance,
         rpm=rpm,
+        four_point_rad=four_point,
         orbital_speed_rad_s=orbit,
         exact_circle=exact_circle,
         centrifugal_N=4
@@ -198,7 +231,7 @@ def figures(
     )
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
     result.update(_loads(state))
-    result.update(_life(path, body, state, rpm, fluid, cleanliness))
+    result.update(_life(path, body, state, rpm, fluid, cleanliness, four_point))
     films = None
     if oil is not None and spin:
         films = lubricate(body, state, oil, spin, clearance, film and film.factor)
@@ -208,13 +241,13 @@ def figures(
             pressure_viscosity_per_Pa=oil.pressure_viscosity,
             permittivity=oil.permittivity,
             roughness_m=oil.roughness,
-            entrainment_speed_m_s=films.inner.entrainment[top],
-            h_min_m=films.inner.h_min[top],
-            h_c_m=films.inner.h_c[top],
+            entrainment_speed_m_s=films.inner.entrainment.flat[top],
+            h_min_m=films.inner.h_min.flat[top],
+            h_c_m=films.inner.h_c.flat[top],
             capacitance_F=films.total,
             capacitance_top_F=films.ball.max(),
         )
-        result["lambda"] = films.inner.ratio[top]
+        result["lambda"] = films.inner.ratio.flat[top]
         result.update(_damping(body, state, films, oil, models, clearance))
     if film is not None:
         boundary = inputs.boundary(path)
@@ -226,7 +259,8 @@ def figures(
         )
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
-    result["balls"] = _balls(state, films)
+    of_balls = _balls if four_point is None else _balls_in_grooves
+    result["balls"] = of_balls(state, films)
     return result
 
 
@@ -242,37 +276,48 @@ def _warnings(figures, body, shoulders, state, films):
         if len(ratios):
             found["thick_film"] = np.concatenate(thick).max()
             found["lambda"], found["conducts"] = ratios.max(), ratios.min()
-    return validity.doubts(found) + validity.past_shoulder(
-        body,
-        shoulders,
-        tuple(side.angle[live] for side, live in zip(sides, loaded)),
-        tuple(side.a[live] for side, live in zip(sides, loaded)),
-    )
+    angle = tuple(side.angle[live] for side, live in zip(sides, loaded))
+    semi_axis = tuple(side.a[live] for side, live in zip(sides, loaded))
+    texts = validity.doubts(found) + validity.past_shoulder(body, shoulders, angle, semi_axis)
+    if figures["four_point_rad"] is not None:
+        texts += validity.past_middle(body, figures["four_point_rad"], angle, semi_axis)
+    return texts
 
 
 def table(result: Mapping[str, Any]) -> str:
     """The mapping of `figures` as text: a topic a block, then a row a ball."""
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
-    filled["angle_max_rad"] = math.degrees(filled["angle_max_rad"])
+    for key in ("angle_max_rad", "four_point_rad"):
+        filled[key] = None if filled[key] is None else math.degrees(filled[key])
     if not filled["rpm"]:
         filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
-    shown = [
-        (key, heading, unit)
-        for key, heading, unit in COLUMNS
-        if result["balls"][0].get(key) is not None
-    ]
-    rows = [["ball", *(heading for _, heading, _ in shown)]]
-    for number, ball in enumerate(result["balls"], 1):
-        rows.append([str(number), *(_cell(ball[key], unit) for key, _, unit in shown)])
-    widths = [max(map(len, column)) for column in zip(*rows)]
-    block = [
-        "  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows
-    ]
+    block = _table_of_balls(result["balls"])
     text = [*lines(filled, TOPICS), "", "Balls", *block]
     if result["warnings"]:
         text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
     return "\n".join(text)
+
+
+def _table_of_balls(balls):
+    """A row a ball; of two grooves a ring, a row for each that is loaded."""
+    if "contacts" in balls[0]:
+        columns = CONTACT_COLUMNS
+        found = [
+            (str(number), ball | one)
+            for number, ball in enumerate(balls, 1)
+            for one in ball["contacts"]
+            if one["q_N"] > 0
+        ]
+    else:
+        columns = COLUMNS
+        found = [(str(number), ball) for number, ball in enumerate(balls, 1)]
+    shown = [column for column in columns if found and found[0][1].get(column[0]) is not None]
+    rows = [["ball", *(heading for _, heading, _ in shown)]]
+    for number, one in found:
+        rows.append([number, *(_cell(one[key], unit) for key, _, unit in shown)])
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
 
 
 def _oil(lubricant, folder, temperature):
@@ -283,6 +328,17 @@ def _oil(lubricant, folder, temperature):
     if inputs.values(path).get("film") == "dry":
         return None, None
     return inputs.oil(path, temperature), inputs.fluid(path, temperature)
+
+
+def _four_point(path, body, angle, clearance, models, exact_circle):
+    """(`Bearing`, options of `turning`) of the bearing with two grooves a ring."""
+    if inputs.nominal_angle(path):
+        raise inputs.InputError(f"{path}: four points need a bearing of contact_angle 0")
+    for asked, what in ((models == "full", "models full"), (exact_circle, "an exact circle")):
+        if asked:
+            raise inputs.InputError(f"{what}: only of one groove a ring, not of four points")
+    (row,) = many_grooves.four_point(body, angle, clearance)
+    return row.bearing, {"rest": partial(contacts_of_grooves.equilibrium, angle=angle)}
 
 
 def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial, spin_law):
@@ -321,10 +377,13 @@ def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load,
     )
 
 
-def _life(path, body, state, rpm, fluid, cleanliness):
-    """Static safety, and the life of a bearing whose file states its load ratings."""
+def _life(path, body, state, rpm, fluid, cleanliness, four_point):
+    """Static safety, and the life of a bearing whose file states its load ratings; not those of a
+    deep groove bearing for one of four points."""
     pressure = max(state.inner.pressure.max(), state.outer.pressure.max())
     result = dict(static_safety=life.static_safety(pressure))
+    if four_point != inputs.four_point_angle(path):
+        return result
     stated = inputs.minimum_load(path)
     if stated is not None and rpm and fluid is not None and not math.isnan(fluid.kinematic):
         factor, mean = stated
@@ -338,10 +397,11 @@ def _life(path, body, state, rpm, fluid, cleanliness):
         rated,
         state.inner.load,
         state.outer.load,
-        angle=nominal,
+        angle=nominal if four_point is None else four_point,
         rpm=rpm,
         viscosity=viscosity,
         cleanliness=cleanliness,
+        grooves=1 if four_point is None else 2,
     )
     result.update(equivalent_load_N=found.equivalent, life_reference_Mrev=found.reference)
     if rpm:
@@ -394,7 +454,9 @@ def _damping(body, state, films, oil, models, play):
 
 
 def _loads(state):
-    live = (state.inner.load > 0) & (state.outer.load > 0)
+    live = np.logical_and(
+        *(np.atleast_2d(one.load > 0).any(0) for one in (state.inner, state.outer))
+    )
     angles = np.abs(
         np.concatenate([side.angle[side.load > 0] for side in (state.inner, state.outer)])
     )
@@ -434,6 +496,42 @@ def _balls(state, films):
     ]
 
 
+def _balls_in_grooves(state, films):
+    films = (None, None, None) if films is None else films
+    balls = []
+    for ball, azimuth in enumerate(state.azimuth):
+        one = {"azimuth_rad": float(azimuth)}
+        if films[2] is not None:
+            one["capacitance_F"] = float(films[2][ball])
+        one["contacts"] = [
+            _contact(name, (groove, ball), side, film)
+            for names, side, film in zip(
+                contacts_of_grooves.NAMES, (state.inner, state.outer), films
+            )
+            for groove, name in enumerate(names)
+        ]
+        balls.append(one)
+    return balls
+
+
+def _contact(name, place, side, film):
+    values = {
+        "q_N": side.load,
+        "angle_rad": side.angle,
+        "p_Pa": side.pressure,
+        "a_m": side.a,
+        "b_m": side.b,
+    }
+    if film is not None:
+        values |= {
+            "h_min_m": film.h_min,
+            "h_c_m": film.h_c,
+            "lambda": film.ratio,
+            "capacitance_F": film.capacitance,
+        }
+    return {"raceway": name} | {key: float(value[place]) for key, value in values.items()}
+
+
 def _rounded(values):
     """Without what rounding left of components that are zero by symmetry: 1e-9 of the largest."""
     return np.where(np.abs(values) > 1e-9 * np.abs(values).max(), values, 0.0)
@@ -444,6 +542,8 @@ def _plain(value):
 
 
 def _cell(value, unit):
+    if unit is None:
+        return value
     if unit == "deg":
         return f"{math.degrees(value) + 0.0:.3f}"
     return prefixed(value, unit) if value else "-"

@@ -31,7 +31,7 @@ LAWS = {
 
 
 class Dampers(NamedTuple):
-    """Beside the springs of the contacts, (2, Z)."""
+    """Beside the springs of the contacts, (2, Z), or (4, Z) with two grooves a ring."""
 
     damping: Floats  # N s/m
     stiffening: Floats  # N/m
@@ -63,17 +63,18 @@ def dampers(
     """
     if models not in LAWS:
         raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
-    result = np.zeros((2, 2, bearing.balls))
+    sides = []
     for side, contact, film in (
         (INNER, state.inner, films.inner),
         (OUTER, state.outer, films.outer),
     ):
         live = contact.load > 0
-        load = contact.load[live]
-        result[0, side, live] = damping.hysteretic(load)
+        load, result = contact.load[live], np.zeros((2, *live.shape))
+        sides.append(result.reshape(2, -1, bearing.balls))
+        result[0, live] = damping.hysteretic(load)
         if models == "paper":
             floor = np.maximum(film.h_min[live], oil.roughness)
-            result[0, side, live] += damping.film(
+            result[0, live] += damping.film(
                 oil.viscosity, contact.a[live], bearing.ball_radius, floor
             )
             continue
@@ -83,9 +84,9 @@ def dampers(
             1.5 * load / elastic, film.h_c[live], elastic, contact.b[live], film.entrainment[live]
         )
         turn = (frequency * one.time) ** 2
-        result[0, side, live] += one.stiffness * one.time / (1 + turn)
-        result[1, side, live] = one.stiffness * turn / (1 + turn)
-    return Dampers(*result)
+        result[0, live] += one.stiffness * one.time / (1 + turn)
+        result[1, live] = one.stiffness * turn / (1 + turn)
+    return Dampers(*np.concatenate(sides, axis=1))
 
 
 def over_pass(at: Callable[[float], Response], balls: int, phases: int = PHASES) -> OverPass:

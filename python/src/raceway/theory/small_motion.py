@@ -21,7 +21,8 @@ class Linear(NamedTuple):
     """Balls of a ring at rest. Derivatives are taken in the seven of `circle`, the ball first."""
 
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
-    approach: Floats  # (2, Z, 7), of the overlaps at the inner and the outer raceway
+    # of the overlaps at the inner and the outer raceway, (2, Z, 7); (4, Z, 7) of two grooves each
+    approach: Floats
     along: Floats  # (2, Z), N/m: of the contacts along their lines, 1.5 Q over the compression
     loaded: Floats  # (Z,), bool: balls with an inner contact, the others hold no ring
 

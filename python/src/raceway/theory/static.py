@@ -41,7 +41,8 @@ STRAIGHT = {"rx": 0.0, "ry": 0.0}
 
 
 class Contacts(NamedTuple):
-    """One raceway's contacts, arrays of one value a ball; zero load where there is none."""
+    """One raceway's contacts, arrays of one value a ball (Z,), or of a raceway with two grooves
+    (2, Z), the groove with its centre at the smaller z first; zero load where there is none."""
 
     # m, of the rigid bodies: negative where a film bridges a gap, and minus the play of a ball that
     # its centrifugal load holds on the outer raceway; zero of a ball that nothing holds
@@ -127,6 +128,32 @@ def equilibrium(
     return _state(balance, balance.find())
 
 
+def contacts(
+    bearing: Bearing,
+    raceway: int,
+    distance: Floats,
+    load: Floats,
+    angle: Floats,
+    clearance: float = 0.0,
+    *,
+    held: bool = False,
+) -> Contacts:
+    """`Contacts` of balls `distance` (m) from the centres of curvature, under `load` (N) at `angle`
+    (rad), arrays of one shape; `held` where balls without load have a place, too. Raises
+    `NoEquilibrium` when the balls are forced out of their grooves."""
+    ellipse = hertz.exact(*bearing.effective_radii(raceway, angle, clearance))
+    modulus, groove = bearing.effective_modulus, bearing.groove(raceway)
+    a, b = hertz.semi_axes(ellipse, modulus, load)
+    if np.any(a >= groove) or np.any((load > 0) & (np.cos(angle) <= 0)):
+        raise NoEquilibrium(
+            f"the load forces balls out of the {('inner', 'outer')[raceway]} groove: contact "
+            f"angle {np.degrees(np.abs(angle).max()):.0f} degrees, contact half-width "
+            f"{a.max():.2g} m in a groove of radius {groove:g} m"
+        )
+    overlap = np.where((load > 0) | held, distance - bearing.groove_gap(raceway), 0.0)
+    return Contacts(overlap, load, angle, a, b, hertz.pressure(ellipse, modulus, load))
+
+
 def imposed(held: Mapping[str, float]) -> Floats:
     """(5,) places in m and rad that `held` imposes, NaN where free. Raises `ValueError` for an
     unknown degree of freedom and a value that is not finite."""
@@ -160,21 +187,15 @@ def _state(balance, place):
         raise NoEquilibrium("no ball carries: nothing says where the ring sits")
     sides = []
     for side in (INNER, OUTER):
-        ellipse, modulus = balance.ellipse(side, angle[side]), bearing.effective_modulus
-        a, b = hertz.semi_axes(ellipse, modulus, load[side])
-        if np.any(a >= bearing.groove(side)) or np.any(
-            (load[side] > 0) & (np.cos(angle[side]) <= 0)
-        ):
-            raise NoEquilibrium(
-                f"the load forces balls out of the {('inner', 'outer')[side]} groove: contact "
-                f"angle {np.degrees(np.abs(angle[side]).max()):.0f} degrees, contact half-width "
-                f"{a.max():.2g} m in a groove of radius {bearing.groove(side):g} m"
-            )
-        placed = (load[side] > 0) | (balance.centrifugal > 0)
-        overlap = np.where(placed, touch.distance[side] - balance.gap[side], 0.0)
         sides.append(
-            Contacts(
-                overlap, load[side], angle[side], a, b, hertz.pressure(ellipse, modulus, load[side])
+            contacts(
+                bearing,
+                side,
+                touch.distance[side],
+                load[side],
+                angle[side],
+                balance.clearance,
+                held=balance.centrifugal > 0,
             )
         )
     gradient, hessian, _ = balance.derivatives(place)

@@ -90,3 +90,27 @@ def past_shoulder(
                 f" the groove; its shoulder is at {math.degrees(edge):.1f}°"
             )
     return texts
+
+
+def past_middle(
+    bearing: Bearing,
+    free: float,
+    angle: tuple[np.ndarray, np.ndarray],
+    semi_axis: tuple[np.ndarray, np.ndarray],
+) -> list[str]:
+    """As `past_shoulder`, for the edge between the two grooves of a ring of a four-point contact
+    bearing: `free` is the contact angle (rad) of a ball in the middle. The edge lies at the angle
+    asin((r_c - R_b) sin(free)/r_c) up the groove."""
+    texts = []
+    for side, (alpha, a) in enumerate(zip(angle, semi_axis)):
+        groove = bearing.groove(side)
+        edge = math.asin(bearing.groove_gap(side) * math.sin(free) / groove)
+        if len(alpha) == 0:
+            continue
+        reach = float(np.min(np.abs(alpha) - np.arcsin(np.minimum(a / groove, 1.0))))
+        if reach < edge:
+            texts.append(
+                f"the contact ellipse of the {('inner', 'outer')[side]} raceway reaches down to"
+                f" {math.degrees(reach):.1f}°; its grooves meet at {math.degrees(edge):.1f}°"
+            )
+    return texts

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway static` of four-point contact bearings against the statics of one groove a ring."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from raceway import inputs, life, lubrication, many_grooves, operating_point, ring_response
+from raceway.cli import main
+from raceway.theory.small_motion import response
+
+ROOT = Path(__file__).resolve().parents[2]
+ANGLE, PLAY, RPM = np.radians(35), 20e-6, 1000.0
+OF_6208 = inputs.bearing(ROOT / "inputs/bearings/6208")
+OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
+
+
+def body():
+    """One groove of each ring of the four-point contact bearing."""
+    return many_grooves.four_point(OF_6208, ANGLE, PLAY)[0].bearing
+
+
+def thrust():
+    """(`static.Equilibrium`, films) of `body` under 1 kN along z."""
+    spin = RPM * np.pi / 30
+    held = {"x": 0.0, "y": 0.0, "rx": 0.0, "ry": 0.0}
+    state, _ = lubrication.turning(
+        body(), spin, 0.0, 1000.0, held=held, clearance=PLAY, ball_density=7800.0
+    )
+    return state, lubrication.lubricate(body(), state, OIL, spin, PLAY)
+
+
+def figures(**options):
+    common = {"held": {"rx": 0.0, "ry": 0.0}, "clearance": PLAY, "four_point": ANGLE}
+    return operating_point.figures("6208", "mineral", ROOT / "inputs", **(common | options))
+
+
+def grooves(found, key):
+    """(raceway, groove, ball)"""
+    balls = [[one[key] for one in ball["contacts"]] for ball in found["balls"]]
+    return np.array(balls).T.reshape(2, 2, -1)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_thrust_is_that_of_an_angular_contact(way):
+    """It presses on one groove of each ring: all figures are those of a bearing with that one."""
+    found = figures(axial=way * 1000.0, rpm=RPM)
+    state, films = thrust()
+    load = grooves(found, "q_N")
+    inner, outer = (1, 0) if way > 0 else (0, 1)
+    assert not load[0, 1 - inner].any() and not load[1, 1 - outer].any()
+    assert load[0, inner] == pytest.approx(state.inner.load, rel=1e-7)
+    for key, side, groove, want in (
+        ("angle_rad", 1, outer, way * state.outer.angle),
+        ("p_Pa", 0, inner, state.inner.pressure),
+        ("h_min_m", 1, outer, films.outer.h_min),
+        ("lambda", 0, inner, films.inner.ratio),
+    ):
+        assert grooves(found, key)[side, groove] == pytest.approx(want, rel=1e-7)
+    assert found["capacitance_F"] == pytest.approx(films.total, rel=1e-7)
+    assert found["stiffness_z_N_m"] == pytest.approx(state.stiffness[2, 2], rel=1e-6)
+    beside = ring_response.dampers(body(), state, films, OIL, clearance=PLAY)
+    want = response(state.linear, beside.damping).damping
+    assert found["damping_z_N_s_m"] == pytest.approx(want[2, 2], rel=1e-6)
+    start = sum(body().groove_gap(side) for side in (0, 1)) * np.sin(ANGLE)
+    assert found["shift_z_m"] == pytest.approx(way * (state.shift[2] - start), rel=1e-6)
+
+
+def test_radial_load_is_carried_by_four_points():
+    found = figures(load=2000.0, clearance=0.0, rpm=RPM)
+    load, angle, electric = (grooves(found, key) for key in ("q_N", "angle_rad", "capacitance_F"))
+    assert (load > 0).all(1).any()
+    assert load[:, 0] == pytest.approx(load[:, 1], rel=1e-9)
+    azimuth = np.array([ball["azimuth_rad"] for ball in found["balls"]])
+    carried = (load[0] * np.cos(angle[0]) * np.cos(azimuth)).sum()
+    assert carried == pytest.approx(2000.0, rel=1e-9)
+    ring = electric.sum(1)  # grooves of a ring are beside each other
+    live = ring.min(0) > 0
+    ball = np.where(live, ring.prod(0) / np.where(live, ring.sum(0), 1.0), 0.0)
+    assert [one["capacitance_F"] for one in found["balls"]] == pytest.approx(ball, rel=1e-9)
+    assert found["loaded_balls"] == live.sum()
+    assert found["shift_z_m"] == 0 and found["residual_N"] < 1e-6
+
+
+@pytest.fixture
+def stated(tmp_path):
+    """A bearing whose file says that it is one of four points, with its ratings."""
+    text = (ROOT / "inputs/bearings/6208").read_text()
+    path = tmp_path / "QJ"
+    path.write_text(text + "variable four_point index 35\n")
+    assert inputs.ratings(path) is not None
+    return str(path)
+
+
+def test_life_of_a_bearing_that_its_file_rates(stated):
+    assert "life_reference_Mrev" not in figures(axial=1000.0)  # those of a deep groove bearing
+    found = operating_point.figures(
+        stated, held={"rx": 0.0, "ry": 0.0}, clearance=PLAY, axial=1000.0, rpm=RPM
+    )
+    state, _ = thrust()
+    rated = inputs.ratings(Path(stated))
+    want = life.reference(body(), rated.dynamic, state.inner.load, state.outer.load, ANGLE)
+    assert found["life_reference_Mrev"] == pytest.approx(want, rel=1e-6)
+    # two grooves alike: twice the risk
+    both = operating_point.figures(stated, held={"rx": 0.0, "ry": 0.0}, load=2000.0)
+    load = grooves(both, "q_N")
+    one = life.reference(body(), rated.dynamic, load[0, 0], load[1, 0], ANGLE)
+    assert both["life_reference_Mrev"] == pytest.approx(one * 2**-0.9, rel=1e-6)
+
+
+def test_ellipse_over_the_middle(stated):
+    def warned(load):
+        text = figures(load=load, clearance=0.0, four_point=np.radians(10))["warnings"]
+        return any("its grooves meet at" in one for one in text)
+
+    assert warned(5000.0) and not warned(50.0)
+
+
+def test_command(capsys, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    arguments = ["static", "--axial", "1000", "--four-point", "35"]
+    assert main(arguments) == 0
+    text = capsys.readouterr().out
+    assert "contact angle of four points              35 °" in text
+    rows = text.split("\nBalls\n")[1].splitlines()
+    assert len(rows) == 19 and len({len(row) for row in rows}) == 1
+    assert main([*arguments, "--json"]) == 0
+    contacts = json.loads(capsys.readouterr().out)["balls"][0]["contacts"]
+    assert [one["raceway"] for one in contacts] == ["inner 0", "inner 1", "outer 0", "outer 1"]
+
+
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (["--four-point", "80"], "must lie from 5 to 60 degrees"),
+        (["--four-point", "35", "--models", "full"], "--four-point: without --models full"),
+        (["--four-point", "35", "--exact-circle"], "--four-point: without --models full"),
+    ],
+)
+def test_wrong_command_line(capsys, arguments, said):
+    with pytest.raises(SystemExit):
+        main(["static", "--axial", "100", *arguments])
+    assert said in capsys.readouterr().err
+
+
+def test_bad_files(stated):
+    with pytest.raises(inputs.InputError, match="models full: only of one groove a ring"):
+        operating_point.figures(stated, axial=100.0, models="full")
+    with pytest.raises(inputs.InputError, match="four points need a bearing of contact_angle 0"):
+        operating_point.figures("7208", None, ROOT / "inputs", axial=100.0, four_point=ANGLE)
+    path = Path(stated)
+    with pytest.raises(inputs.InputError, match="a four-point contact bearing; this needs one"):
+        inputs.bearing(path)
+    path.write_text(path.read_text().replace("four_point index 35", "four_point index 2"))
+    with pytest.raises(inputs.InputError, match="four_point = 2 degrees must lie between 5 and 60"):
+        operating_point.figures(stated, axial=100.0)
