@@ -25,6 +25,18 @@ struct SampledFilm {
   double thickness = 0.0;      // m
   double roughness = 0.0;      // m, composite
   double paths = 0.0;          // m, resistivity of the oil over the film's resistance
+
+  // Another film between the same ball and ring: of two it is the thinner one that fails.
+  void add(const SampledFilm &beside)
+  {
+    if (!(beside.capacitance > 0.0)) return;
+    if (!(capacitance > 0.0 && thickness <= beside.thickness)) {
+      thickness = beside.thickness;
+      roughness = beside.roughness;
+    }
+    capacitance += beside.capacitance;
+    paths += beside.paths;
+  }
 };
 struct SampledBall {
   SampledFilm film[2];    // inner, outer

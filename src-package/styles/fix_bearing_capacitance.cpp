@@ -156,10 +156,10 @@ void FixBearingCapacitance::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
   planned_ = -1;
   filled_ = -1;
-  const std::string who = std::string("fix ") + id + " bearing/capacitance: ";
-  if (model_.surrounded()) refuse_arches(who + "'surroundings'");
-  if (ask_.any()) refuse_arches(who + "'resistivity', 'frequency' or 'strength'");
-  if (model_.surrounded()) check_shoulders();
+  if (model_.surrounded()) {
+    refuse_arches(std::string("fix ") + id + " bearing/capacitance: 'surroundings'");
+    check_shoulders();
+  }
 }
 
 // Atom types of the balls of the group, on any rank.
@@ -372,8 +372,8 @@ FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const
     if (!ask_.any()) continue;
     balls_.push_back({});
     for (const Row *one = first; one != row; ++one)
-      balls_.back().film[static_cast<int>(one->side)] =
-          sampled_film(model_, one->of, one->area, one->roughness);
+      balls_.back().film[static_cast<int>(one->side)].add(
+          sampled_film(model_, one->of, one->area, one->roughness));
   }
   if (ask_.any()) t.figures = film_figures(ask_, balls_, background_);
   t.plates.all += background_;

@@ -60,7 +60,6 @@ void FixBearingCircuit::init()
   cap_ = k < 0 ? nullptr : dynamic_cast<FixBearingCapacitance *>(modify->fix[k]);
   if (!cap_)
     BRG_ALL(bearing::name_of(*this) + ": there is no fix bearing/capacitance '" + cap_id_ + "'");
-  cap_->refuse_arches(bearing::name_of(*this) + ": the circuit");
 }
 
 void FixBearingCircuit::setup(int)
@@ -157,6 +156,18 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_at(int instant)
   return balls_of(tags, std::move(rows));
 }
 
+void FixBearingCircuit::Film::add(const Film &beside)
+{
+  if (!(beside.capacitance > 0.0)) return;
+  if (!(capacitance > 0.0 && thickness - rough <= beside.thickness - beside.rough)) {
+    thickness = beside.thickness;
+    rough = beside.rough;
+  }
+  capacitance += beside.capacitance;
+  metal += beside.metal;
+  area += beside.area;
+}
+
 // Balls by tag, from what the ranks know of their films.
 std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vector<tag_t> &tags,
                                                                  std::vector<Row> mine) const
@@ -179,7 +190,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vect
     ring[row.side] = row.ring;
     const size_t k = std::lower_bound(tags.begin(), tags.end(), row.ball) - tags.begin();
     balls[k].azimuth = row.azimuth;    // about the outer ring, the last one
-    if (row.film.capacitance > 0.0) balls[k].film[row.side] = row.film;
+    balls[k].film[row.side].add(row.film);
   }
   return balls;
 }

@@ -44,6 +44,9 @@ class FixBearingCircuit : public Fix {
     double rough = 0.0;    // m, that the surfaces' roughness takes
     double metal = 0.0;    // S, of asperities
     double area = 0.0;     // m^2, of the contact ellipse, where an arc asks for it
+
+    // Another film between the same ball and ring: the one that is locally thinner fails.
+    void add(const Film &beside);
   };
   struct Ball {
     double tag = 0.0, azimuth = 0.0;    // rad

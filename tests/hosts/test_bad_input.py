@@ -194,16 +194,6 @@ DECKS = {
         r"fix c bearing/capacitance: 'surroundings' needs raceways of one groove; pair_coeff 1 3"
         r" has 'gothic_arch'",
     ),
-    "film figures of an arch": (
-        FOUR_POINT + "fix c balls bearing/capacitance 10 permittivity 2.2 strength 1e7\nrun 0\n",
-        r"'resistivity', 'frequency' or 'strength' needs raceways of one groove",
-    ),
-    "circuit of an arch": (
-        FOUR_POINT
-        + "fix c balls bearing/capacitance 10 permittivity 2.2\n"
-        + "fix v balls bearing/circuit 10 c source 1e6 voltage constant 10\nrun 0\n",
-        r"fix v bearing/circuit: the circuit needs raceways of one groove",
-    ),
     "two outer rings": (
         DRY + "create_atoms 4 single 1e-6 0 0 units box\nset type 4 diameter 2e-4\nrun 0\n",
         r"sits in the grooves of two outer rings",

@@ -6,10 +6,15 @@ import numpy as np
 import pytest
 import raceway
 from host import ROOT, frames, succeed
-from raceway import bearing, electrical, many_grooves
-from raceway.electric import films
+from raceway import bearing, electrical, many_grooves, whole_capacitance
+from raceway.electric import circuit
+from raceway.electric.breakdown import Breakdown
+from raceway.electric.leak import Leak
+from raceway.electric.outer import Motor
+from raceway.electric.waveforms import Sine
 from raceway.errors import RunError
 from raceway.export import particles
+from raceway.runs.columns import _TABLES
 
 DECK = ROOT / "docs/decks/in.four_point"
 B6208 = bearing.Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -181,7 +186,10 @@ WET = {
     "run 1600": """compute ball balls bearing/ball inner_load inner_groove
 compute ring inner bearing/ring balls contacts load capacitance
 compute total all bearing/total
-fix cap balls bearing/capacitance 1 permittivity 2.2 contacts ${out}/cap.dat
+fix cap balls bearing/capacitance 1 permittivity 2.2 resistivity 1e9 frequency 2e4 strength 3e7 &
+  contacts ${out}/cap.dat file ${out}/figures.dat
+fix circuit balls bearing/circuit 1 cap motor 50e-12 1e-9 voltage sine 300 200 breakdown 30e6 &
+  resistivity 1e9 arc 0.5 stray 1e-12 events ${out}/events.txt
 fix record all bearing/record 1 ${out}
 run 400
 dump balls balls custom 1 ${out}/balls.dump id c_ball[1] c_ball[2] f_cap[1] f_cap[2] f_cap[3]
@@ -191,8 +199,14 @@ variable contacts equal c_total[1]
 variable loaded equal c_total[2]
 variable largest equal c_total[3]
 fix total all print 1 "${contacts} ${loaded} ${largest}" file ${out}/total.txt screen no title ""
+fix said all print 1 "CIRCUIT" file ${out}/circuit.txt screen no title ""
 run 1""",
 }
+SOLVED = ("driving_voltage", "bearing_capacitance", "threshold_voltage", "leak_heat", "current")
+OF_CIRCUIT = [row["name"] for row in _TABLES["fix_circuit"]]
+WET["run 1600"] = WET["run 1600"].replace(
+    "CIRCUIT", " ".join(f"$(f_circuit[{k}])" for k in range(1, len(OF_CIRCUIT) + 1))
+)
 
 
 def last(path):
@@ -258,12 +272,57 @@ def test_record(outputs):
     assert run.settings["clearance_m"] == pytest.approx(-4e-6, abs=1e-12)
 
 
+PARTS = ("a", "b", "h_c", "capacitance")
+
+
+def test_grooves_of_a_ring_are_parallel_films(outputs):
+    """Film figures of the fix from the contacts of the record: capacitances and conductances of the
+    two grooves of a ring add up, and the thinner film fails."""
+    folder, loads = outputs
+    assert ((loads > 0).sum(axis=1) == 2).any()
+    with open(folder / "figures.dat") as file:
+        names = file.readline().lstrip("# ").split()
+    found = dict(zip(names, np.loadtxt(folder / "figures.dat")[-1]))
+    now = raceway.open(folder).contacts.isel(time=-1)
+    a, b, h, each = (now[name].to_numpy().reshape(2, 2, 9) for name in PARTS)
+    electric, thickness = each.sum(axis=1), np.fmin.reduce(h, axis=1)
+    conducts = np.nan_to_num(np.pi * a * b / h).sum(axis=1) / 1e9
+    live = (electric > 0).all(axis=0)
+    total = electric[:, live].sum(axis=0)
+    limit = 3e7 * thickness[:, live] * total / electric[::-1, live]
+    assert found["threshold_voltage"] == pytest.approx(limit.min(), rel=1e-9)
+    leak = 1 / (1 / (1 / conducts[:, live]).sum(axis=0)).sum()
+    assert found["leak"] == pytest.approx(leak, rel=1e-9)
+    films = conducts[:, live] + 2j * np.pi * 2e4 * electric[:, live]
+    impedance = 1 / (1 / (1 / films).sum(axis=0)).sum()
+    assert found["impedance"] == pytest.approx(abs(impedance), rel=1e-9)
+    assert found["phase"] == pytest.approx(np.angle(impedance), rel=1e-9)
+    over = electrical.over_time(raceway.open(folder))
+    series = electric[0, live] * electric[1, live] / total
+    assert over["bearing"].values[-1] == pytest.approx(series.sum(), rel=1e-9)
+
+
+def test_circuit_of_the_fix_is_that_of_python(outputs):
+    folder, _ = outputs
+    data, events = circuit.run(
+        raceway.open(folder),
+        Motor(Sine(300.0, 200.0), 50e-12, 1e-9),
+        Breakdown(30e6, arc=0.5),
+        Leak(1e9),
+        stray=1e-12,
+    )
+    assert data.sizes["raceway"] == 2 and len(events) > 0
+    found = dict(zip(OF_CIRCUIT, np.loadtxt(folder / "circuit.txt")))
+    now = data.isel(time=-1)
+    assert found["discharges"] == events["discharge"].nunique()
+    for name in SOLVED:
+        assert found[name] == pytest.approx(float(now[name]), rel=1e-5), name
+
+
 def test_what_needs_one_groove_says_so(outputs):
     run = raceway.open(outputs[0])
-    with pytest.raises(RunError, match="rings of two grooves for a ball; a circuit needs"):
-        films.of_run(run)
-    with pytest.raises(RunError, match="a capacitance by raceway needs rings of one"):
-        electrical.over_time(run)
+    with pytest.raises(RunError, match="rings of two grooves for a ball; the whole capacitance"):
+        whole_capacitance.over_time(run)
 
 
 def test_main_deck_with_text_dumps(tmp_path):

@@ -105,7 +105,6 @@ def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
         )
     if run.settings["lubricant"] == "dry":
         raise RunError(f"{run.tables.folder}: a dry run has no films")
-    run.tables.need_one_groove("a circuit")
     return of_dataset(
         run.contacts,
         leak,
@@ -127,7 +126,8 @@ def of_dataset(
     balls: xr.Dataset | None = None,
     name: str = "the dataset",
 ) -> Films:
-    """The films of a dataset with dimensions time, raceway and ball, as `run.contacts` is.
+    """The films of a dataset with dimensions time, raceway and ball, as `run.contacts` is. Those of
+    a ball with two grooves of a ring are one film: side by side, the thinner one fails.
 
     `permittivity` (1) is that of the lubricant at rest, `roughness` (m) that of both surfaces.
     `balls` has the azimuths of balls without contact; without it `contacts` has the azimuths. The
@@ -139,14 +139,19 @@ def of_dataset(
     capacitance = _column(contacts, (TOTAL, PLATES), name)
     if not np.isfinite(capacitance).all():
         raise RunError(f"{name}: a capacitance is not a number")
+    thickness = _column(contacts, (APART, FILM), name)
     conductance, metallic = np.zeros_like(capacitance), None
     if leak is not None:
         conductance, metallic = leak.of(capacitance, contacts, permittivity, name)
+    if capacitance.shape[1] == 4:  # inner 0, inner 1, outer 0, outer 1
+        thickness = np.fmin.reduce(_by_ring(np.where(capacitance > 0, thickness, np.nan)), axis=2)
+        capacitance, conductance = (_by_ring(one).sum(2) for one in (capacitance, conductance))
+        metallic = None if metallic is None else _by_ring(metallic).max(2)
     azimuth, line = (_angle(contacts, balls, angle) for angle in ANGLES)
     return Films(
         contacts["time"].to_numpy(),
         capacitance + stray,
-        _column(contacts, (APART, FILM), name),
+        thickness,
         conductance,
         azimuth,
         line,
@@ -156,6 +161,11 @@ def of_dataset(
         metallic,
         _hertz_area(contacts),
     )
+
+
+def _by_ring(values):
+    """(n, 2, 2, Z): ring, then groove."""
+    return values.reshape(len(values), 2, 2, -1)
 
 
 def _hertz_area(contacts):
@@ -178,7 +188,10 @@ def _angle(contacts, balls, name):
     if name not in contacts.coords:
         return np.full((contacts.sizes["time"], contacts.sizes["ball"]), np.nan)
     both = contacts[name].transpose("time", "raceway", "ball").to_numpy()
-    return np.where(np.isnan(both[:, 0]), both[:, 1], both[:, 0])
+    found = both[:, 0]
+    for other in range(1, both.shape[1]):
+        found = np.where(np.isnan(found), both[:, other], found)
+    return found
 
 
 def _between(values, points):

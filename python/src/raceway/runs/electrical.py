@@ -14,14 +14,16 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
     """Dataset: `contact` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time),
     capacitances in F.
 
-    Inner and outer contact of a ball are in series, balls in parallel, `background` (F) beside them
-    when asked (eq 12). `run` from `raceway.open`; it needs memory for all samples of the run.
-    Raises `RunError` for a run without film, or with rings of two grooves.
+    Inner and outer contact of a ball are in series, grooves of a ring and balls in parallel,
+    `background` (F) beside them when asked (eq 12). `run` from `raceway.open`; it needs memory for
+    all samples of the run. Raises `RunError` for a run without film.
     """
     need_film(run, "capacitance")
-    run.tables.need_one_groove("a capacitance by raceway")
     contact = run.contacts["capacitance"].drop_vars(("azimuth", "from_load_line"))
-    inner, outer = (contact.sel(raceway=side, drop=True) for side in ("inner", "outer"))
+    of_ring = [
+        contact.isel(raceway=contact.raceway.str.startswith(side)) for side in ("inner", "outer")
+    ]
+    inner, outer = (one.sum("raceway", skipna=False) for one in of_ring)
     one = inner.copy(data=capacitance.ball(inner.to_numpy(), outer.to_numpy()))
     data = xr.Dataset(
         {"contact": contact, "one_ball": one, "bearing": one.sum("ball") + background}
