@@ -19,6 +19,7 @@ BEARINGS = ROOT / "inputs" / "bearings"
 TYPES = {
     "deep_groove": "deep groove ball bearing",
     "angular_contact": "angular contact ball bearing",
+    "four_point": "four-point contact ball bearing",
 }
 # column of a table: variable, factor to SI, what and unit
 STATED = {
@@ -47,7 +48,8 @@ def files() -> dict[str, str]:
 
 def _text(kind, row, sources):
     source = row["source"]
-    angle = float(row.get("contact_angle") or 0)
+    four_point = row.get("four_point")
+    angle = float(four_point or row.get("contact_angle") or 0)
     bore, outside, width = (1e-3 * float(row[name]) for name in ("bore", "outside", "width"))
     stated = bool(row.get("ball"))
     pitch = 1e-3 * float(row["pitch"]) if row.get("pitch") else (bore + outside) / 2
@@ -61,6 +63,7 @@ def _text(kind, row, sources):
             pitch,
             math.radians(angle),
             sources[source]["dynamic_factor"],
+            rows=2 if four_point else 1,
         )
     sizes = " x ".join(row[name] for name in ("bore", "outside", "width"))
     lines = [
@@ -81,7 +84,8 @@ def _text(kind, row, sources):
         _line("outer_conformity", 0.53, "usual value"),
     ]
     if angle:
-        lines.append(_line("contact_angle", f"{angle:g}", f"degrees, nominal; {source}"))
+        name = "four_point" if four_point else "contact_angle"
+        lines.append(_line(name, f"{angle:g}", f"degrees, nominal; {source}"))
     lines += [
         _line("pocket_play", _metres(round(0.01 * ball, 5)), "m, along the pitch circle; estimate"),
         _line("bore_diameter", _metres(bore), "m; ISO 15"),

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from raceway import inputs, listing, load_rating, static
+from raceway import four_point as four_points
+from raceway import inputs, listing, load_rating, many_grooves, static
 
 ROOT = Path(__file__).resolve().parents[2]
 BEARINGS = ROOT / "inputs" / "bearings"
@@ -21,7 +22,7 @@ def table(name):
     return list(csv.DictReader((ROOT / f"inputs/catalogue/{name}.csv").read_text().splitlines()))
 
 
-DEEP, ANGULAR = table("deep_groove"), table("angular_contact")
+DEEP, ANGULAR, FOUR_POINT = map(table, ("deep_groove", "angular_contact", "four_point"))
 
 
 def numbers(row, *names):
@@ -35,7 +36,7 @@ def test_files_are_those_of_the_tables():
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     files = module.files()
-    assert len(files) == len(DEEP) + len(ANGULAR)
+    assert len(files) == len(DEEP) + len(ANGULAR) + len(FOUR_POINT)
     for name, text in files.items():
         assert (BEARINGS / name).read_text() == text, "run `make bearings`"
 
@@ -70,9 +71,15 @@ def test_columns_of_a_table_belong_together():
         )
         found = width / 2 + (bore + outside) / 4 * math.tan(math.radians(angle))
         assert centre == pytest.approx(found, abs=0.5)
-    for rows in (DEEP, ANGULAR):
+    for row in FOUR_POINT:
+        bore, outside, high, static_load, fatigue = numbers(
+            row, "bore", "outside", "outer_shoulder", "static", "fatigue"
+        )
+        assert (bore + outside) / 2 < high < outside
+        assert 22.5 < static_load / fatigue < 26.5
+    for rows in (DEEP, ANGULAR, FOUR_POINT):
         for one, other in zip(rows, rows[1:]):
-            if one["name"][:2] == other["name"][:2] and one["bore"] != other["bore"]:
+            if one["name"][:3] == other["name"][:3] and one["bore"] != other["bore"]:
                 assert float(one["mass"]) < float(other["mass"])
     for row in (*DEEP, *ANGULAR):
         if row["f0"]:
@@ -90,9 +97,12 @@ def test_ratings_of_the_balls(name):
     and the 6306 of Jablonka et al. have larger balls than their catalogues' ratings."""
     one = listing.entry(BEARINGS / name)
     balls = (one.balls, one.ball_diameter_m, one.pitch_diameter_m)
-    angle = math.radians(one.contact_angle_deg)
-    assert load_rating.dynamic(*balls, angle) == pytest.approx(one.dynamic_load_N, rel=0.10)
-    assert load_rating.static(*balls, angle) == pytest.approx(one.static_load_N, rel=0.06)
+    angle, rows = math.radians(one.contact_angle_deg), 2 if name.startswith("QJ") else 1
+    dynamic = load_rating.dynamic(*balls, angle, rows=rows)
+    assert dynamic == pytest.approx(one.dynamic_load_N, rel=0.10)
+    assert load_rating.static(*balls, angle, rows=rows) == pytest.approx(
+        one.static_load_N, rel=0.06
+    )
 
 
 def test_contact_angles_of_a_size_have_the_same_balls():
@@ -150,6 +160,13 @@ def test_balls_that_a_maker_states(name):
         assert 1e3 * one.pitch_diameter_m == pytest.approx(pitch, rel=0.015)
 
 
+@pytest.mark.parametrize("size", [7, 8, 9, 10])
+def test_balls_of_four_points_are_those_of_angular_contact_bearings(size):
+    """SKF's ratings of the QJ 2 as two rows give the diameters that GMN states for the 72C."""
+    one = listing.entry(BEARINGS / f"QJ2{size:02}")
+    assert 1e3 * one.ball_diameter_m == pytest.approx(GMN[f"72{size:02}C"][0], abs=0.001)
+
+
 def test_6305_of_another_program():
     """7 balls of 11.5 mm on 43.5 mm in ISO/TS 16281's reference (see test_published_bearings)."""
     one = listing.entry(BEARINGS / "6305")
@@ -162,10 +179,15 @@ def test_every_bearing_carries_a_load(name):
     """0.1 C0 radially, and as much axially where the balls have a contact angle: its balls carry
     the load below the pressure of C0."""
     path = BEARINGS / name
-    data, rated = inputs.bearing(path), inputs.ratings(path)
+    data, rated = inputs.bearing(path, four_point=True), inputs.ratings(path)
     inputs.shoulders(path), inputs.boundary(path)
     load = 0.1 * rated.static if rated else 1000.0
     axial = load if inputs.nominal_angle(path) else 0.0
-    state = static.equilibrium(data, load, axial)
+    if four_point := inputs.four_point_angle(path):
+        axial, (row,) = load, many_grooves.four_point(data, four_point)
+        held = {"rx": 0.0, "ry": 0.0}
+        state = four_points.equilibrium(row.bearing, load, axial, angle=four_point, held=held)
+    else:
+        state = static.equilibrium(data, load, axial)
     assert -state.force == pytest.approx([load, 0.0, axial], abs=1e-6 * load)
     assert 0.5e9 < np.max(state.inner.pressure) < 3.0e9

@@ -67,7 +67,7 @@ def test_all_are_listed_by_bore(capsys):
 def test_search(capsys):
     assert names(capsys, "--bore", "40", "--contact-angle", "0") == ["6008", "6208", "6308"]
     assert names(capsys, "--outside", "62", "--series", "6") == ["6305", "6206", "6007"]
-    assert names(capsys, "--width", "27") == ["6310"]
+    assert names(capsys, "--width", "27") == ["6310", "QJ310"]
     assert names(capsys, "angular", "JTEKT", "--series", "7208") == ["7208A", "7208B", "7208C"]
     assert names(capsys, "FARAH") == ["6208"]
     assert names(capsys, "--series", "63", "--dynamic-load-above", "55300") == ["6310"]

@@ -74,7 +74,9 @@ def entry(path: Path) -> Entry:
         name=path.name,
         title=path.read_text().partition("\n")[0].lstrip("# "),
         **{field: stated.get(field) for field in STATED},
-        contact_angle_deg=round(math.degrees(inputs.nominal_angle(path)), 9),
+        contact_angle_deg=round(
+            math.degrees(inputs.four_point_angle(path) or inputs.nominal_angle(path)), 9
+        ),
         balls=bearing.balls,
         ball_diameter_m=bearing.ball_diameter,
         pitch_diameter_m=pitch,

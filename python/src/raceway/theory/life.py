@@ -89,8 +89,8 @@ def reference(
     """L_10r in 1e6 revolutions, from the loads (N) of the `inner` and `outer` contacts (..., Z) of
     one or many positions of the balls; the inner ring turns (ISO/TS 16281, eqs 20 to 22).
 
-    With two `grooves` a ring the loads are (2, ..., Z). Each groove is then a raceway that may
-    fail, and all of them add up as the standard adds an inner and an outer one: our reading of it.
+    With two `grooves` a ring the loads are (2, ..., Z). They count as two rows: `dynamic` is that
+    of both, and raceways of all rows add up. Makers rate four-point contact bearings so.
 
     Raises `ValueError` for a load below 0 or none at all.
 
@@ -109,7 +109,7 @@ def reference(
         np.mean(raceways[0] ** 3, axis=1) ** (1 / 3),
         np.mean(raceways[1] ** (10 / 3), axis=1) ** 0.3,
     )
-    rated = ball_ratings(bearing, dynamic, angle)
+    rated = ball_ratings(bearing, dynamic / grooves**0.7, angle)
     risks = [((q / c) ** (10 / 3)).sum() for c, q in zip(rated, equivalent)]
     return float(sum(risks) ** (-9 / 10))
 

@@ -59,16 +59,17 @@ def static_factor(ball: float, pitch: float, angle: float = 0.0) -> float:
     return float(np.interp(_ratio(ball, pitch, angle), _STEP * np.arange(len(_F0)), _F0))
 
 
-def static(number: int, ball: float, pitch: float, angle: float = 0.0) -> float:
+def static(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows: int = 1) -> float:
     """C_0 in N, the radial load rating (ISO 76:2006, eq 1); arguments as `dynamic`."""
     factor = static_factor(ball, pitch, angle)
-    return factor * number * (1e3 * ball) ** 2 * math.cos(angle)
+    return rows * factor * number * (1e3 * ball) ** 2 * math.cos(angle)
 
 
-def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0) -> float:
-    """C in N, the radial load rating of one row (ISO 281:2007, eqs 1 and 2) of `number` balls on a
-    `pitch` circle; diameters in m, nominal contact `angle` in rad. Raises `ValueError` outside the
-    table of f_c.
+def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0, *, rows: int = 1) -> float:
+    """C in N, the radial load rating of `rows` (ISO 281:2007, eqs 1 and 2) of `number` balls each
+    on a `pitch` circle; diameters in m, nominal contact `angle` in rad. Four points count as two
+    rows, as in the makers' factors for their equivalent load. Raises `ValueError` outside the table
+    of f_c.
 
     CWRU's 6205:
 
@@ -79,7 +80,7 @@ def dynamic(number: int, ball: float, pitch: float, angle: float = 0.0) -> float
     factor = float(np.interp(ratio, _STEP * np.arange(1, len(_FC) + 1), _FC))
     size = 1e3 * ball
     size = size**1.8 if size <= LARGE else 3.647 * size**1.4
-    return MATERIAL * factor * math.cos(angle) ** 0.7 * number ** (2 / 3) * size
+    return MATERIAL * factor * (rows * math.cos(angle)) ** 0.7 * number ** (2 / 3) * size
 
 
 def number(static_rating: float, ball: float, pitch: float, angle: float = 0.0) -> int:
@@ -98,8 +99,10 @@ def balls(
     pitch: float,
     angle: float = 0.0,
     dynamic_factor: float = 1.0,
+    *,
+    rows: int = 1,
 ) -> Balls:
-    """The `Balls` of a bearing with these ratings (N) on a `pitch` circle (m).
+    """The `Balls` of a row of a bearing with these ratings (N) on a `pitch` circle (m).
 
     For each number, C_0 gives the diameter. The number is that with which C by ISO 281, times the
     maker's `dynamic_factor`, comes nearest. The diameter is then rounded: to the nearest multiple
@@ -118,12 +121,12 @@ def balls(
         low, high = 0.011 * pitch / math.cos(angle), min(largest, 0.39 * pitch / math.cos(angle))
 
         def excess(ball, count=count):
-            return static(count, ball, pitch, angle) - static_rating
+            return static(count, ball, pitch, angle, rows=rows) - static_rating
 
         if low >= high or excess(low) > 0 or excess(high) < 0:
             continue
         ball = brentq(excess, low, high, xtol=1e-9)
-        rating = dynamic_factor * dynamic(count, ball, pitch, angle)
+        rating = dynamic_factor * dynamic(count, ball, pitch, angle, rows=rows)
         found[abs(math.log(rating / dynamic_rating))] = Balls(count, ball)
     if not found:
         raise ValueError(
