@@ -112,9 +112,11 @@ void BearingBodies::place_shafts()
     const int shaft = static_cast<int>(model.rings.size() + s);
     const ShaftModes *modes = model.shafts[s].modes;
     if (modes) {
+      rings[shaft].bend = static_cast<int>(bends.size());
       bends.emplace_back();
       ShaftBend &b = bends.back();
       b.modes = modes;
+      b.centre = &modes->station(0.0);
       b.shaft = shaft;
       for (BendState *state : {&b.from, &b.base, &b.now, &b.first}) state->resize(modes->size());
       b.gained.assign(b.size(), 0.0);

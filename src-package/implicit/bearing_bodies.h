@@ -39,6 +39,7 @@ struct alignas(32) RingBody {
   bool carried = false;               // by a shaft
   bool levered = false;               // by a rigid one, whose unknowns it has
   int holder = -1;                    // ring that its supports hold it to, -1: the ground
+  int bend = -1;                      // of a shaft that bends: in BearingBodies::bends
   bool holds = false;                 // another one
   bool empty = false;                 // without a raceway: a housing
   double at = 0.0;                    // m, a carried ring from the shaft's centre
@@ -56,9 +57,11 @@ class BearingBodies {
   void accept();        // what is now is the start of the next step
   void carry();         // rings to where their shafts are now
   void add_shafts();    // forces and moments of carried rings on their shafts
-  // What the supports of a ring see of it: from its holder, if it has one.
+  // What the supports of a ring see of it: from its holder, if it has one; of a shaft that bends,
+  // its centre.
   RingPose held(const RingBody &r) const
   {
+    if (r.bend >= 0) return bends[r.bend].bent_centre(r.now);
     return r.holder < 0 ? r.now : seen_from(r.now, rings[r.holder].now);
   }
   // N, on a ring at the share s of the host's step: contacts, loads, supports and weight.

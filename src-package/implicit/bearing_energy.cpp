@@ -118,8 +118,9 @@ double BearingStep::stored_energy()
   }
   for (BallTurns &t : bodies_.turns) t.rest();
   double total = sum(motion);
-  for (RingBody &r : bodies_.rings) {
-    r.now = r.from;
+  for (RingBody &r : bodies_.rings) r.now = r.from;
+  for (ShaftBend &b : bodies_.bends) b.now = b.from;
+  for (const RingBody &r : bodies_.rings) {
     double v[3];
     r.now.v.to(v);
     for (int k = 0; k < 3; ++k)
@@ -127,14 +128,11 @@ double BearingStep::stored_energy()
     for (int k = 0; k < 2; ++k)
       if (r.program.free(RingProgram::TILT + k))
         total += 0.5 * r.program.inertia.transverse * r.now.rate[k] * r.now.rate[k];
-    if (r.program.supported)
-      total += r.program.support_energy(
-          r.holder < 0 ? r.now : seen_from(r.from, bodies_.rings[r.holder].from));
+    if (r.program.supported) total += r.program.support_energy(bodies_.held(r));
     if (r.program.free(RingProgram::SPIN))
       total += 0.5 * r.program.inertia.axial * r.now.spin * r.now.spin;
   }
-  for (ShaftBend &b : bodies_.bends) {
-    b.now = b.from;
+  for (const ShaftBend &b : bodies_.bends) {
     total += strain_energy(*b.modes, b.now);
     for (int k = 0; k < b.size(); ++k)
       total += 0.5 * b.modes->mass[k % b.modes->size()] * b.now.rate[k] * b.now.rate[k];

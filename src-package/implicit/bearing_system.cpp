@@ -127,6 +127,30 @@ void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
       row[tilt] -= g;
       border_.a[tilt * nf + u] += g;
     }
+    if (fresh && shaft.program.supported) add_supports(b, h, follows);
+  }
+}
+
+// Of a shaft that bends: its centre moves with its own degrees of freedom, which add_rings() has,
+// and with the modes.
+void BearingSystem::add_supports(const ShaftBend &b, double h, double follows)
+{
+  const int nf = b_.unknowns, n = b.modes->size(), tilt = RingProgram::TILT;
+  const RingBody &shaft = b_.rings[b.shaft];
+  for (int dof : {0, 1, tilt, tilt + 1}) {
+    const Support &on = shaft.program.support[dof];
+    const double stiff = h * (on.damping + follows * on.stiffness);
+    if (stiff == 0.0) continue;
+    // a tilt about the first axis counts against the slope in the second plane
+    const double sign = dof == tilt ? -1.0 : 1.0;
+    const int own = shaft.unknown[dof], first = b.unknown + (dof == 0 || dof == tilt + 1 ? 0 : n);
+    const std::vector<double> &share = dof < tilt ? b.centre->moved : b.centre->tilted;
+    for (int k = 0; k < n; ++k) {
+      border_.a[own * nf + first + k] += sign * stiff * share[k];
+      border_.a[(first + k) * nf + own] += sign * stiff * share[k];
+      for (int j = 0; j < n; ++j)
+        border_.a[(first + k) * nf + first + j] += stiff * share[k] * share[j];
+    }
   }
 }
 

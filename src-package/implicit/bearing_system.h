@@ -54,6 +54,7 @@ class BearingSystem {
  private:
   void resize();
   void add_bends(double h, double follows, double s, bool fresh);
+  void add_supports(const ShaftBend &, double h, double follows);
   void factor_groups();
   void condense_groups();
   template <class ColumnOf> void condense_links(ColumnOf column, bool mark);

@@ -16,6 +16,7 @@ const std::vector<double> &ShaftBend::forces(const RingProgram &p, const RingPos
   own_forces(*modes, now, rigid, forces_);
   loads(p, rigid, s);
   for (int k = 0; k < size(); ++k) forces_[k] += contacts[k] + loads_[k];
+  if (p.supported) add_supports(*centre, p, bent_centre(rigid), forces_);
   return forces_;
 }
 

@@ -41,8 +41,9 @@ struct ShaftBend {
     const ShaftModes::Station *station;
   };
   const ShaftModes *modes = nullptr;
-  int shaft = -1;      // in BearingBodies::rings
-  int unknown = -1;    // of the first mode
+  const ShaftModes::Station *centre = nullptr;    // of mass
+  int shaft = -1;                                 // in BearingBodies::rings
+  int unknown = -1;                               // of the first mode
   std::vector<Seat> seats;
   BendProgram program;
   BendState from, base, now, first;
@@ -50,8 +51,13 @@ struct ShaftBend {
   std::vector<double> contacts;    // N, by mode, of the bearings
 
   int size() const { return 2 * modes->size(); }    // unknowns
-  // N, by mode: of the loads, and of contacts, loads, springs, dampers and the spin of the rigid
-  // shaft. Valid until the next call: every correction asks, and memory is kept for it.
+  // Where the centre of mass has bent to: what supports hold.
+  RingPose bent_centre(const RingPose &shaft) const
+  {
+    return carried(shaft, 0.0, shaft.origin, Deflection(*centre, now));
+  }
+  // N, by mode: of the loads, and of contacts, loads, supports, springs, dampers and the spin of
+  // the rigid shaft. Valid until the next call: every correction asks, and memory is kept for it.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
   void start();                       // a step, from `from`

@@ -123,6 +123,14 @@ inline void add_to_modes(const ShaftModes::Station &s, const Vec3 &e, const Vec3
   }
 }
 
+// The same of the supports at a station, which is there.
+inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, const RingPose &there,
+                         std::vector<double> &of)
+{
+  add_to_modes(s, there.e, p.support_force(there),
+               p.support_moment(there, there.rate[0], there.rate[1]), of);
+}
+
 // About the centre of the rigid shaft, with its axis e: what a ring with the axis `own` gets. What
 // turns the ring about its own axis turns the shaft about its.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const Vec3 &force,

@@ -68,6 +68,11 @@ class FixBearingShaft : public FixBearingRing {
   raceway::RingAtom seat(const raceway::RingAtom &shaft, double at,
                          const raceway::Vec3 &origin) const;
   raceway::Deflection deflection(double at) const;
+  // Of the shaft there: what supports hold of it.
+  raceway::RingAtom at_centre(const raceway::RingAtom &shaft) const
+  {
+    return shaft_.of_file ? seat(shaft, 0.0, shaft.origin) : shaft;
+  }
   void load_modes(double at, const raceway::Vec3 &force, const raceway::Vec3 &moment);
   std::vector<double> forces_on_modes(const std::vector<Ring> &, const raceway::RingPose &) const;
   void check_stations() const;

@@ -102,7 +102,7 @@ void FixBearingShaft::hold(double half)
   if (!settings_.program.supported) return;
   const Whole w = whole();
   double on[RingProgram::SPIN];
-  support_of(settings_.program, w.shaft, w.push, w.moment, half, on);
+  support_of(settings_.program, at_centre(w.shaft), w.push, w.moment, half, on);
   add_to_first(w.shaft, {on[0], on[1], on[2]}, {on[3], on[4], 0.0});
 }
 
@@ -118,14 +118,15 @@ void FixBearingShaft::note_accelerations()
 {
   const Whole w = whole();
   const RingProgram p = at_end(now_);
-  const RingPose shaft = pose_of(w.shaft);
+  const RingPose shaft = pose_of(w.shaft), held = pose_of(at_centre(w.shaft));
   // not from the torques of the atoms: gravity there pulls at the rings
   Vec3 moment = w.contact[1] + p.moment_at(1.0, shaft);
-  if (p.supported) moment += p.support_moment(shaft, shaft.rate[0], shaft.rate[1]);
+  if (p.supported) moment += p.support_moment(held, held.rate[0], held.rate[1]);
   std::vector<double> on_modes;
   if (bending()) {
     moment += moment_of_modes(modes(), bend_, shaft.spin);
     on_modes = forces_on_modes(w.rings, shaft);
+    if (p.supported) add_supports(modes().station(0.0), p, held, on_modes);
   }
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) {
@@ -160,7 +161,7 @@ void FixBearingShaft::make_report()
   axes_.lab(w.contact[1]).to(r + MX);
   r[TORQUE] = dot(w.contact[1], shaft.e);
   axes_.lab(p.force_at(1.0, shaft.angle)).to(r + LOAD_X);
-  if (p.supported) axes_.lab(p.support_force(shaft)).to(r + SUPPORT_X);
+  if (p.supported) axes_.lab(p.support_force(pose_of(at_centre(w.shaft)))).to(r + SUPPORT_X);
   axes_.lab(p.acceleration(w.push)).to(r + AX);
   report_.insert(report_.end(), r, r + N);
 }

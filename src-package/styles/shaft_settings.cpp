@@ -71,7 +71,6 @@ void ShaftSettings::read_file(const Arguments &args, RingProgram &p, MPI_Comm wo
   for (int dof : {0, 1, int(RingProgram::TILT), int(RingProgram::TILT + 1)})
     if (!p.free(dof))
       args.fail("a flexible shaft needs its displacements across and its tilts 'free'");
-  if (p.supported) args.fail("a flexible shaft takes no 'support'");
   of_file = std::make_shared<BendingShaft>(read_bending_shaft(args, file, world));
   p.mass = of_file->mass;
   p.inertia = of_file->inertia;

@@ -4,6 +4,8 @@
 The shaft lies along z from 0 to 0.3 m, its bearings at 0 and 0.2 m.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 import pytest
 from host import succeed
@@ -166,9 +168,23 @@ def test_deflection_is_that_of_the_beam(resting):
 
 
 # ---- against the equations of a free shaft
-def in_the_air(found, time, spin):
-    """(times, 2 (2 + n)) coordinates of the free shaft with loads, from rest: place, slope and
-    modes in the plane of y, then in that of z."""
+class Support(NamedTuple):
+    """Of the centre of mass, alike in both planes."""
+
+    stiffness: float = 0.0  # N/m
+    damping: float = 0.0  # N s/m
+    tilt_stiffness: float = 0.0  # N m/rad
+    tilt_damping: float = 0.0  # N m s/rad
+
+    def words(self, *names):
+        """Of a deck; `names` of two displacements and two tilts."""
+        pairs = [self[:2], self[:2], self[2:], self[2:]]
+        return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
+
+
+def in_the_air(found, time, spin, support):
+    """(2 (2 + n),) coordinates of the shaft with loads after `time` s from rest, and their rates:
+    place, slope and modes in the plane of y, then in that of z."""
     from scipy.integrate import solve_ivp
 
     body, n = found.body, len(found.mass) + 2
@@ -192,33 +208,54 @@ def in_the_air(found, time, spin):
     gyroscopic = np.zeros((2 * n, 2 * n))
     gyroscopic[1:n, n + 1 :], gyroscopic[n + 1 :, 1:n] = found.gyroscopic, -found.gyroscopic
 
+    def held(q, v):
+        """Force of the support on all coordinates."""
+        moved, tilted = at(body.centre)
+        return np.concatenate(
+            [
+                -moved * (support.stiffness * moved @ x + support.damping * moved @ u)
+                - tilted * (support.tilt_stiffness * tilted @ x + support.tilt_damping * tilted @ u)
+                for x, u in zip(np.split(q, 2), np.split(v, 2))
+            ]
+        )
+
     def motion(t, state):
         q, v = np.split(state, 2)
         own = stiffness * q + damping * v + spin * gyroscopic @ v
-        return np.concatenate([v, (force(t) - own) / mass])
+        return np.concatenate([v, (force(t) + held(q, v) - own) / mass])
 
     start = np.zeros(4 * n)
     end = solve_ivp(motion, (0.0, time), start, "DOP853", rtol=1e-10, atol=1e-16).y[:, -1]
-    return end[: 2 * n]
+    return np.split(end, 2)
 
 
-def test_in_the_air(tmp_path, damped):
-    """Loads, a moment, a turning force and an unbalance on the modes of a shaft along x."""
+@pytest.mark.parametrize("support", [Support(), Support(4e6, 60.0, 3e4, 2.0)])
+def test_in_the_air(tmp_path, damped, support):
+    """Loads, a moment, a turning force and an unbalance on the modes of a shaft along x, without
+    supports and with supports of its centre."""
     spin, time = 2000.0, 2e-3
     wanted = ["2", "3", "7", "8", "27"] + [str(k) for k in range(28, 34)]
     rings = [f"f_s[2][{k}]" for k in (2, 3, 7, 8, 28, 29, 30, 31)]
+    rings += ["f_s[22]", "f_s[23]"]
     values = " ".join(f"$({one})" for one in (*(f"f_s[{k}]" for k in wanted), *rings))
+    held = support.words("y", "z", "ry", "rz") if any(support) else ""
     text = small(
         tmp_path,
         "fix move all bearing/implicit tolerance 1e-13 largest 1e-6\n"
         f"fix s inner bearing/shaft flexible {damped} y free z free ry free rz free "
         f"spin speed {spin} load 0.3 0 5 2 moment 0 0.2 0.1 rotating 4 900 0.3 "
-        f'unbalance 0.12 1e-5 0.7\ntimestep 1e-6\nrun {round(time / 1e-6)}\nprint "END {values}"\n',
+        f"unbalance 0.12 1e-5 0.7 {held}\n"
+        f'timestep 1e-6\nrun {round(time / 1e-6)}\nprint "END {values}"\n',
     ).text
     y, z, tilt_y, tilt_z, strain, *rest = numbers_of(text)
-    modes, ring = np.reshape(rest[:6], (3, 2)).T, rest[6:]
+    modes, ring, forces = np.reshape(rest[:6], (3, 2)).T, rest[6:-2], rest[-2:]
     found = reduced(damping=0.02)
-    one, other = np.split(in_the_air(found, time, spin), 2)
+    place, rate = (np.split(half, 2) for half in in_the_air(found, time, spin, support))
+    one, other = place
+    centre = np.array([1.0, 0.0, *found.shape[:, node(found.z, found.body.centre), 0]])
+    for force, q, v in zip(forces, place, rate):
+        want = -support.stiffness * centre @ q - support.damping * centre @ v
+        assert force == pytest.approx(want, rel=2e-3)
     assert [y, tilt_z] == pytest.approx(one[:2], rel=1e-3)
     assert [z, tilt_y] == pytest.approx([other[0], -other[1]], rel=1e-3)
     assert modes[0] == pytest.approx(one[2:5], rel=0, abs=2e-3 * np.abs(one[2]))
@@ -237,7 +274,38 @@ def test_in_the_air(tmp_path, damped):
     assert bend_tilt_y == pytest.approx(-found.shape[:, at, 1] @ other[2:], rel=2e-3)
 
 
+def test_held_in_the_middle(tmp_path):
+    """A thin shaft whose middle stiff supports hold: each half vibrates as a cantilever does."""
+    thin, end = Section(0.2, 0.006), 0.1
+    z, pieces = beam.divided([thin], np.linspace(0.0, 0.2, 21))
+    kept = [0, 10, 20]
+    found = shaft_bending.bending(z, beam_motion.matrices(z, pieces), kept, 2, kept)
+    bending_file.write(tmp_path / "thin.modes", found)
+    support = Support(stiffness=1e9, tilt_stiffness=1e6)
+    step, steps = 5e-5, 120
+    text = small(
+        tmp_path,
+        "fix move all bearing/implicit tolerance 1e-12 largest 1e-6\n"
+        f"fix s inner bearing/shaft flexible {tmp_path / 'thin.modes'} y free z free ry free "
+        f"rz free spin fixed load 0 0 1 0 load 0.2 0 1 0 {support.words('y', 'z', 'ry', 'rz')}\n"
+        "variable y equal f_s[2][2]\n"
+        f'fix say all print 1 "END ${{y}}"\ntimestep {step}\nrun {steps}\n',
+    ).text
+    y = np.array([float(line.split()[1]) for line in text.splitlines() if line[:4] == "END "])
+    found = frequencies_of(y[None], step, 2)[-1] * 2 * np.pi
+    bending = beam.STEEL.young * beam.second_moment(thin)
+    line = beam.STEEL.density * beam.area(thin)
+    exact = 1.875104**2 * np.sqrt(bending / line) / end**2
+    assert found == pytest.approx(exact, rel=5e-3)  # thin: shear has 2e-3 of it
+    phase = found * step * np.arange(len(y))
+    parts = np.column_stack([np.ones_like(y), np.cos(phase), np.sin(phase)])
+    rest = np.linalg.lstsq(parts, y)[0][0]  # what it swings about
+    assert rest == pytest.approx(end**3 / (3 * bending), rel=5e-3)
+
+
 # ---- a shaft that does not bend
+ACROSS = Support(2e6, 100.0, 1e4, 5.0).words("x", "y", "rx", "ry")
+HELD = f"{ACROSS} support z 1e6 10"
 LOADED = "load 0.12 -100 -800 0 load 0.3 20 50 30 unbalance 0.12 1e-4 0.4 ramp 1e-3"
 
 
@@ -271,12 +339,12 @@ def test_stiff_is_rigid(tmp_path):
 
 # ---- balances
 def test_energy(tmp_path, damped):
-    """Work of loads is in motion, springs, the bent shaft and heat."""
+    """Work of loads is in motion, springs, supports, the bent shaft and heat."""
     _, energy = swing(
         tmp_path,
         **ENERGY,
         freedoms=f"{TILTING} 200 z free",
-        words=f"flexible {damped} {LOADED}",
+        words=f"flexible {damped} {LOADED} {HELD}",
     )
     assert energy["work"] > 1e-3 and energy["dissipated"] > 0.0
     assert abs(energy["lost"]) < 1e-3 * energy["work"]
@@ -284,7 +352,7 @@ def test_energy(tmp_path, damped):
 
 def test_within_a_step(tmp_path, damped):
     """Samples inside long steps: accelerations of rings are those of their velocities."""
-    swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED}", clearance=PRELOAD)
+    swing(tmp_path, **WITHIN, words=f"flexible {damped} {LOADED} {ACROSS}", clearance=PRELOAD)
     rings_follow(tmp_path)
 
 
@@ -293,7 +361,7 @@ def test_within_a_step(tmp_path, damped):
 def whole(tmp_path_factory, damped):
     """(folder, variables) on one rank."""
     folder = tmp_path_factory.mktemp("whole")
-    variables = {**BITS, "every": 10, "words": f"flexible {damped} {LOADED}"}
+    variables = {**BITS, "every": 10, "words": f"flexible {damped} {LOADED} {HELD}"}
     succeed(DECK, out=folder, **variables, steps=60)
     return folder, variables
 
@@ -347,7 +415,6 @@ FREE = "y free z free ry free rz free spin speed 100"
         ("FILE mass 4", "mass, inertia and centre of a flexible shaft are those of"),
         ("FILE centre 0.1", "mass, inertia and centre of a flexible shaft are those of"),
         ("FILE ry fixed", "needs its displacements across and its tilts 'free'"),
-        ("FILE support y 1e6 10", "a flexible shaft takes no 'support'"),
         ("FILE load 0.25 0 1 0", "a load is at 0.25 m, and"),
         ("FILE unbalance 0.05 1e-5 0", "an unbalance is at 0.05 m, and"),
         ("nowhere", "cannot read 'nowhere'"),
