@@ -55,11 +55,12 @@ bool Arguments::next_is_number() const
   return more() && parse(words_[next_], value);
 }
 
-double Arguments::number(const std::string &what)
+double Arguments::number(const std::string &what) { return number_in(word(what), what); }
+
+double Arguments::number_in(const std::string &word, const std::string &what) const
 {
-  const std::string s = word(what);
   double value;
-  if (!parse(s, value)) fail(what + " must be a number, not '" + s + "'");
+  if (!parse(word, value)) fail(what + " must be a number, not '" + word + "'");
   return value;
 }
 

@@ -26,8 +26,9 @@ class Arguments : protected LAMMPS_NS::Pointers {
   const std::string &next() const { return words_[next_]; }    // not consumed; there is one
   std::string word(const std::string &what);                   // next word; error if there is none
   double number(const std::string &what);
-  double positive(const std::string &what);        // > 0
-  double non_negative(const std::string &what);    // >= 0
+  double number_in(const std::string &word, const std::string &what) const;    // of any word
+  double positive(const std::string &what);                                    // > 0
+  double non_negative(const std::string &what);                                // >= 0
   double within(const std::string &what, double lo, double hi);
   int integer(const std::string &what, int lo, int hi);
   int choice(const std::string &what, const std::vector<std::string> &allowed);

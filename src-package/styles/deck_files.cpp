@@ -6,10 +6,12 @@
 #include "../deck/column_list.h"
 #include "../deck/folder_lock.h"
 #include "../deck/restart_sum.h"
+#include "../deck/variable_table.h"
 #include "record_settings.h"
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -17,7 +19,8 @@ using namespace LAMMPS_NS;
 namespace fs = std::filesystem;
 using bearing::agree;
 using bearing::Arguments;
-using bearing::text;
+using bearing::check_range;
+using bearing::VariableTable;
 
 // Of UTF-8: editors put it in front, the host takes it for a command.
 static bool starts_with_mark(const fs::path &file)
@@ -41,15 +44,27 @@ static std::set<std::string> variables_of(const fs::path &file)
   return names;
 }
 
+static std::string joined(const std::vector<std::string> &names)
+{
+  std::string list;
+  for (const std::string &name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
 void BearingInput::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_input", narg, arg, 0);
   const std::string folder = args.word("folder"), name = args.word("name");
   std::vector<std::string> keys;
+  std::unique_ptr<VariableTable> table;
   const bool included = args.take("set");
-  if (included || args.take("needs"))
+  if (included && args.take("table")) {
+    table = std::make_unique<VariableTable>(lmp, args, args.word("table of variables"));
+    keys = table->missing();
+  } else if (included || args.take("needs")) {
     while (args.more()) keys.push_back(args.word("name of a variable"));
-  if (args.more()) args.unknown("needs, set");
+  }
+  if (args.more()) args.unknown("needs, set, table");
   const fs::path file = fs::path(folder) / name;
   std::string complaint;
   if (comm->me == 0) {
@@ -63,24 +78,24 @@ void BearingInput::command(int narg, char **arg)
       std::set<std::string> names;
       for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
         names.insert(it->path().filename().string());
-      std::string list;
-      for (const std::string &n : names) list += (list.empty() ? "" : ", ") + n;
+      const std::string list = joined({names.begin(), names.end()});
       complaint = "there is no '" + name + "' in folder " + folder + "; there is: " +
                   (list.empty()
                        ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
                        : list);
     } else {
       const std::set<std::string> set = variables_of(file);
-      std::string missing;
+      std::vector<std::string> missing;
       for (std::string &key : keys)
-        if (!set.count(key) && input->variable->find(&key[0]) < 0)
-          missing += (missing.empty() ? "" : ", ") + key;
-      if (!missing.empty()) complaint = "'" + file.string() + "' has no variable " + missing;
+        if (!set.count(key) && input->variable->find(&key[0]) < 0) missing.push_back(key);
+      if (!missing.empty())
+        complaint = "'" + file.string() + "' has no variable " + joined(missing);
     }
   }
   complaint = agree(complaint, world);
   if (!complaint.empty()) args.fail(complaint);
   if (!included) input->one(("include " + file.string()).c_str());
+  if (table) table->check();
 }
 
 void BearingOutput::command(int narg, char **arg)
@@ -117,32 +132,13 @@ void BearingRange::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_range", narg, arg, 0);
   const std::string name = args.word("name");
-  const std::string value = args.word("value of " + name);
-  if (args.take("one_of")) {
-    std::string list;
-    bool known = false;
-    while (args.more()) {
-      const std::string word = args.word("a value of " + name);
-      known = known || word == value;
-      list += (list.empty() ? "" : ", ") + word;
-    }
-    if (!known) args.fail(name + " is '" + value + "', must be one of " + list);
-    return;
-  }
-  const double lo = args.number("lowest " + name), hi = args.number("highest " + name);
-  const bool whole = args.take("whole"), or_more = args.take("or");
-  const double also = or_more ? args.number("another value of " + name) : lo;
-  const std::string advice = args.take("advice") ? " (" + args.word("advice") + ")" : "";
-  if (args.more()) args.unknown("whole, or, advice");
-  Arguments given(lmp, "bearing_range", {value});
-  const double v = given.number(name);
-  // what else C reads as a number, the host's formulas do not
-  if (value.find_first_not_of("0123456789.eE+-") != std::string::npos || value[0] == '+')
-    args.fail(name + " must be a number like 5000 or 5.0e3, not '" + value + "'");
-  if (or_more && v == also) return;
-  if (!(v >= lo && v <= hi) || (whole && v != std::floor(v)))
-    args.fail(name + " is " + text(v) + ", must be " + (whole ? "a whole number " : "") + "from " +
-              text(lo) + " to " + text(hi) + (or_more ? ", or " + text(also) : "") + advice);
+  if (name != "table" || args.left() > 1)
+    return check_range(args, name, args.word("value of " + name));
+  const std::string file = args.word("table of variables");
+  const VariableTable table(lmp, args, file);
+  const std::string missing = joined(table.missing());
+  if (!missing.empty()) args.fail("the deck has no variable " + missing + ", see '" + file + "'");
+  table.check();
 }
 
 // A string variable; one of that name and style gets the new value

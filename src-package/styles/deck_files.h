@@ -25,7 +25,8 @@ namespace LAMMPS_NS {
 
 // bearing_input FOLDER NAME [needs KEY ...]: include FOLDER/NAME, which must set these variables;
 // if it is not there, say what is. With `set` for `needs` it has been included, and only the
-// variables are checked: those as well that files set which it includes.
+// variables are checked: those as well that files set which it includes. After `set table FILE`
+// they are those of a table (deck/variable_table.h), with their defaults and ranges.
 class BearingInput : public bearing::CommandBase {
  public:
   explicit BearingInput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
@@ -42,6 +43,7 @@ class BearingOutput : public bearing::CommandBase {
 
 // bearing_range NAME VALUE LO HI [whole] [or V] [advice TEXT]: stop with a message unless LO <=
 // VALUE <= HI (and it is a whole number), or VALUE = V; TEXT says what to do.
+// bearing_range table FILE: the same of all variables of a table, after setting its defaults.
 class BearingRange : public bearing::CommandBase {
  public:
   explicit BearingRange(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

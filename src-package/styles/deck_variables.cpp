@@ -38,10 +38,10 @@ Names words_after(const char *option, const char *other)
 }
 
 // What a deck may take from the command line: variables of the styles that keep a value of -var,
-// and the two of bearing_host.
+// those of tables (deck/variable_table.h), and the two of bearing_host.
 void collect(const fs::path &path, Names &names)
 {
-  static const Names styles = {"index", "string", "loop", "uloop", "universe", "world"};
+  static const Names styles = {"index", "string", "loop", "uloop", "universe", "world", "needed"};
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);

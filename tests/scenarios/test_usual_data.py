@@ -32,7 +32,7 @@ def folder(tmp_path, usual):
     """An inputs folder with the bearing `mine`."""
     own = tmp_path / "inputs"
     own.mkdir()
-    for name in ("modules", "integrators", "lubricants", "models", "housings"):
+    for name in ("modules", "variables", "integrators", "lubricants", "models", "housings"):
         (own / name).symlink_to(ROOT / "inputs" / name)
     (own / "bearings").mkdir()
     lines = [f"variable {name} index {value!r}" for name, value in usual.items()]

@@ -12,7 +12,8 @@ from typing import NamedTuple
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 
-INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
+# in a deck, and in a table of inputs/variables, which has no default of those that it needs
+INDEX = re.compile(r"^\s*variable\s+(\w+)\s+(?:index\s+(\S+)|needed\b)", re.MULTILINE)
 # what a value may be: nothing that a deck, a shell or a path could take for more
 WORD = re.compile(r"[A-Za-z0-9_.+-]+")
 OURS = {
@@ -39,7 +40,8 @@ class Point(NamedTuple):
 
 def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
-    lines of the deck at path `deck` and of the `modules`, `integrators` and `housings` beside it.
+    lines of the deck at path `deck` and of the `modules`, `variables`, `integrators` and `housings`
+    beside it. The default is empty where the deck has it from its data files.
     Where the files of a folder differ, the default is that of the file which the deck takes. Raises
     `TableError` when the deck cannot be read.
     """
@@ -48,6 +50,7 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
     _add_variables(found, deck)
     for folder, choice in (
         ("modules", None),
+        ("variables", None),
         ("integrators", "integrator"),
         ("housings", "housing"),
     ):

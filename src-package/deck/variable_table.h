@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Tables of a deck's variables (inputs/variables): defaults, units and what a value may be.
+#ifndef BEARING_VARIABLE_TABLE_H
+#define BEARING_VARIABLE_TABLE_H
+
+#include "arguments.h"
+
+namespace bearing {
+
+// Of one value: LO HI [whole] [or V] [advice TEXT], or one_of WORD ...; the words that `args` has
+// left. Stops the run with a message that names the value as `label`.
+void check_range(Arguments &args, const std::string &label, const std::string &value);
+
+class VariableTable : protected LAMMPS_NS::Pointers {
+ public:
+  // Of a file with a row `variable NAME index DEFAULT|needed [unit U] [range ...|one_of ...]` for
+  // each variable; an error of the command `args` if there is no such file. On all ranks.
+  VariableTable(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::string &file);
+
+  std::vector<std::string> missing() const;    // those needed that the deck does not have
+  void check() const;    // set defaults where there is no variable yet, and check all
+
+ private:
+  struct Row {
+    std::string name, label, value;    // value: the default, empty where it is needed
+    std::vector<std::string> range;
+  };
+  std::vector<Row> rows_;
+
+  Row read(const std::string &line, const std::string &place) const;
+  bool there(const std::string &name) const;
+};
+
+}    // namespace bearing
+
+#endif
