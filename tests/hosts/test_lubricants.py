@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A lubricant in a deck: the host's own arithmetic gives what `raceway.inputs` gives."""
+"""A lubricant in a deck: bearing_derive gives what `raceway.inputs` gives."""
 
 import subprocess
 from pathlib import Path
@@ -42,7 +42,7 @@ def test_a_deck_has_the_same_fluid(host, name):
         ran = deck(host, name, "-var", "temperature", str(warm))
         said = dict(line.split() for line in ran.stdout.splitlines() if len(line.split()) == 2)
         for field, value in inputs.fluid(OILS / name, warm)._asdict().items():
-            assert float(said[field]) == pytest.approx(value, rel=1e-13), field
+            assert float(said[field]) == pytest.approx(value, rel=1e-14), field
 
 
 def test_a_deck_refuses_a_temperature():

@@ -123,7 +123,7 @@ def four_point_angle(path: FilePath) -> float | None:
 
 
 def _radii(path):
-    """Raceways and grooves from the usual data, as inputs/modules/bearing.usual has them (m)."""
+    """Raceways and grooves from the usual data, as bearing_derive usual_data has them (m)."""
     pitch, ball, inner, outer = _numbers(
         path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
     ).values()

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A bearing from its usual data; the radii are those of raceway.inputs. SI units.
+//
+// The pitch diameter is that of the balls' centres when they are in contact with both raceways at
+// the contact angle. So at an angle above 0 the clearance follows from it.
+#ifndef RACEWAY_USUAL_DATA_H
+#define RACEWAY_USUAL_DATA_H
+
+#include <cmath>
+
+namespace raceway {
+
+struct UsualData {
+  double balls, ball_diameter, pitch_diameter;
+  double contact_angle;    // rad
+
+  // Radius of a raceway at the bottom of a groove of radius `groove`.
+  double inner_radius(double groove) const { return 0.5 * pitch_diameter - groove + reach(groove); }
+  double outer_radius(double groove) const { return 0.5 * pitch_diameter + groove - reach(groove); }
+  // Of the cage balls that leave a ball `play` along the pitch circle.
+  double cage_ball_diameter(double play) const
+  {
+    return 2.0 * pitch_diameter * std::sin(0.5 * M_PI / balls) - ball_diameter - play;
+  }
+
+ private:
+  double reach(double groove) const
+  {
+    return (groove - 0.5 * ball_diameter) * std::cos(contact_angle);
+  }
+};
+
+// The inner ring as a hollow cylinder, its shoulders 0.18 ball diameters above the bottom of the
+// groove: an estimate.
+struct RingCylinder {
+  double bore_diameter, width, outer_radius;
+
+  static double shoulder(double inner_radius, double ball_diameter)
+  {
+    return inner_radius + 0.18 * ball_diameter;
+  }
+  double mass(double density) const
+  {
+    return density * M_PI * (outer_radius * outer_radius - bore2()) * width;
+  }
+  // about its axis and across it, of a mass
+  double inertia(double mass) const { return 0.5 * mass * (outer_radius * outer_radius + bore2()); }
+  double inertia_t(double mass) const { return 0.5 * inertia(mass) + mass * width * width / 12.0; }
+
+ private:
+  double bore2() const { return 0.25 * bore_diameter * bore_diameter; }
+};
+
+}    // namespace raceway
+
+#endif

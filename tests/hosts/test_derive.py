@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""bearing_derive: a deck's variables from others have the numbers of Python's laws."""
+
+import math
+
+import pytest
+from host import ROOT, run
+from raceway import inputs
+from raceway.theory import makers, many_grooves
+
+BEARINGS, OILS = ROOT / "inputs/bearings", ROOT / "inputs/lubricants"
+DATA = "variable inputs index inputs\ninclude ${inputs}/modules/bearing_data\n"
+
+
+def derived(tmp_path, deck, names, host="liggghts", **values):
+    """{name: value} of variables after a deck."""
+    path = tmp_path / "in.deck"
+    path.write_text(deck + "".join(f'print "IS {name} ${{{name}}}"\n' for name in names))
+    done = run(path, host=host, **values)
+    assert done.code == 0, done.text[-1000:]
+    return dict(line.split(None, 2)[1:] for line in done.text.splitlines() if line[:3] == "IS ")
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+@pytest.mark.parametrize("name", ["7208", "6303"])
+def test_usual_data(tmp_path, host, name):
+    radii = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
+    ring = ("inner_mass", "inner_inertia", "inner_inertia_t")
+    found = derived(tmp_path, DATA, (*radii, *ring), host, bearing=name)
+    found = {key: float(value) for key, value in found.items()}
+    data, file = inputs.bearing(BEARINGS / name), inputs.values(BEARINGS / name)
+    for key in radii:
+        assert found[key] == pytest.approx(getattr(data, key), rel=2e-15), key
+    bore, width = float(file["bore_diameter"]) / 2, float(file["bearing_width"])
+    shoulder = data.inner_radius + 0.18 * data.ball_diameter
+    mass = 7800 * math.pi * (shoulder**2 - bore**2) * width
+    squares = shoulder**2 + bore**2
+    ring = {
+        "inner_mass": mass,
+        "inner_inertia": mass * squares / 2,
+        "inner_inertia_t": mass * (3 * squares + width**2) / 12,
+    }
+    assert found == pytest.approx(found | ring, rel=1e-14)
+
+
+def test_what_is_given_outright_stays(tmp_path):
+    found = derived(
+        tmp_path, DATA, ("inner_mass", "inner_inertia"), bearing="7208", inner_mass="0.250"
+    )
+    own = derived(tmp_path, DATA, ("inner_mass", "inner_inertia"), bearing="7208")
+    assert found["inner_mass"] == "0.250"
+    share = 0.25 / float(own["inner_mass"])
+    assert float(found["inner_inertia"]) == pytest.approx(
+        share * float(own["inner_inertia"]), rel=1e-14
+    )
+
+
+def test_four_point(tmp_path):
+    deck = DATA + "variable b_outer_raceway equal ${outer_radius}+0.5*${clearance}\n"
+    deck += "bearing_derive four_point\n"
+    names = [f"b_{side}_{what}" for side in ("inner", "outer") for what in ("raceway", "arch")]
+    found = derived(tmp_path, deck, names, bearing=6208, four_point=35, clearance=4e-6)
+    row = many_grooves.four_point(inputs.bearing(BEARINGS / "6208"), math.radians(35))[0]
+    for side, play in (("inner", 0.0), ("outer", 2e-6)):
+        radius = getattr(row.bearing, f"{side}_radius")
+        assert float(found[f"b_{side}_raceway"]) == pytest.approx(radius + play, rel=2e-15)
+        word, offset = found[f"b_{side}_arch"].split()
+        assert word == "gothic_arch"
+        assert float(offset) == pytest.approx(max(getattr(row, side)), rel=4e-15)
+    plain = derived(tmp_path, deck, names[::2], bearing=6208, four_point=0)
+    assert plain["b_inner_raceway"] == inputs.values(BEARINGS / "6208")["inner_radius"]
+
+
+@pytest.mark.parametrize("rpm", [477.5, 9549])
+def test_starvation(tmp_path, rpm):
+    deck = DATA + "bearing_input inputs/lubricants vg46\nbearing_derive starvation\n"
+    found = derived(tmp_path, deck, ["b_phi_rs"], bearing=6205, temperature=20, rpm=rpm)
+    oil = inputs.fluid(OILS / "vg46", 20.0)
+    wanted = makers.skf(inputs.boundary(BEARINGS / "6205"), 1.0, 0.0, rpm, oil.kinematic).starvation
+    assert wanted < 0.99
+    assert float(found["b_phi_rs"]) == pytest.approx(float(wanted), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "deck, says",
+    [
+        (
+            "bearing_derive archimedes",
+            "law is 'archimedes', must be one of: four_point",
+        ),
+        ("bearing_derive vogel now", "unknown keyword or one argument too many: 'now'"),
+        ("bearing_derive four_point", "has no variable four_point that is one number"),
+        (
+            "variable kinematic_viscosity_100 index 50\nbearing_input inputs/lubricants vg46",
+            "bearing_derive: kinematic viscosity 46 mm2/s at 40 C and 50 at 100 C: must fall",
+        ),
+        (
+            "variable oil_density_40 index 8k\nbearing_input inputs/lubricants vg100",
+            "bearing_derive: oil_density_40 must be a number, not '8k'",
+        ),
+    ],
+)
+def test_refused(tmp_path, deck, says):
+    path = tmp_path / "in.deck"
+    path.write_text(f"variable inputs index inputs\n{deck}\n")
+    done = run(path)
+    assert done.code != 0 and says in done.error, done.text[-1000:]
