@@ -81,6 +81,7 @@ bench: build
 	.venv/bin/python tests/bench/capacitance_error.py
 	.venv/bin/python tests/bench/noise_floor.py
 	.venv/bin/python tests/bench/spall_length.py
+	.venv/bin/python tests/bench/shaft.py
 	.venv/bin/python tests/bench/all_bearings.py
 
 # Names, units and meanings of all output columns, from the tables in C++.
