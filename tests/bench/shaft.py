@@ -37,10 +37,10 @@ Speed against error of a shaft
 
 Written by ``tests/bench/shaft.py`` (``make bench``), {date}.
 
-Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust and
-belt pull. The table has real-time factors: simulated over wall time, one core, with a record of
-loads and films every {sample:g} ms. Figures are medians of {rounds} rounds. A ball passes in 5.6 ms.
-The reference has a tolerance of 0.1 nm. Errors are shares of the largest load:
+Two 6208s carry the motor shaft of :doc:`../tutorial_shafts` at 3000 rpm, with unbalance, thrust
+and belt pull. A ball passes in 5.6 ms. The table has real-time factors: simulated over wall time,
+one core, with a record of loads and films every {sample:g} ms. Figures are medians of {rounds}
+rounds. The reference has a tolerance of 0.1 nm. Errors are shares of the largest load:
 
 * *mean of a ball*: the worst of the balls, its load averaged over {measure:g} s;
 * *mean of the largest*: of the largest load of an instant;
@@ -48,10 +48,10 @@ The reference has a tolerance of 0.1 nm. Errors are shares of the largest load:
 
 """
 TAIL = """
-Ten times real time with loads to 1e-3 was asked for. Two ways were tried, and neither has it. Larger
-tolerances lose the loads of single instants first, then the means. Backward Euler with one step in
-0.1 or 0.2 ms loses the means, too. Balls that carry little set the step. They vibrate on the outer
-raceway as they enter and leave the load.
+Ten times real time with loads to 1e-3 was asked for. Two ways were tried, and neither has it.
+Larger tolerances lose the loads of single instants first, then the means. Backward Euler with one
+step in 0.1 or 0.2 ms loses the means, too. Balls that carry little set the step. They vibrate on
+the outer raceway as they enter and leave the load.
 
 """
 
