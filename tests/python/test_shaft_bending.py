@@ -130,12 +130,12 @@ def test_steady_loads_at_kept_places(rotor):
 def test_file(tmp_path, capsys):
     """The words of the file, numbers to the last digit, and where its stations are."""
     file = tmp_path / "motor.modes"
-    words = ["--modes", "3", "--damping", "0.02", "--places", "0.1", "0.27"]
+    words = ["--modes", "3", "--damping", "0.02", "--places", "0.27", "--kept", "0.1"]
     assert main(["shaft", str(MOTOR), "--reduced", str(file), *words]) == 0
     case = shaft_file.read(MOTOR)
     rest = shaft.rest(case.shaft, case.seats, case.loads, speed=case.rpm * np.pi / 30)
     want = shaft_motion.bending(
-        case.shaft, rest, case.loads, modes=3, damping=0.02, places=[0.1, 0.27]
+        case.shaft, rest, case.loads, modes=3, damping=0.02, kept=[0.1], places=[0.27]
     )
     title, *lines = file.read_text().splitlines()
     assert title == "raceway-shaft 1" and "units m kg s N rad" in lines
@@ -146,7 +146,7 @@ def test_file(tmp_path, capsys):
             rows.setdefault(name, []).append([float(one) for one in numbers])
     assert rows["mass"] == [[want.body.mass]] and rows["centre"] == [[want.body.centre]]
     assert rows["inertia"] == [[want.body.axial, want.body.transverse]]
-    assert rows["modes"] == [[7]]  # three kept places and three modes
+    assert rows["modes"] == [[9]]  # bearings, a load, 0.1 m, and three modes
     assert np.array_equal(rows["modal_mass"][0], want.mass)
     assert np.array_equal(rows["modal_stiffness"][0], want.stiffness)
     ratio = want.damping / (2 * np.sqrt(want.mass * want.stiffness))
@@ -154,7 +154,7 @@ def test_file(tmp_path, capsys):
     assert np.array_equal(rows["gyroscopic"], want.gyroscopic)
     stations = np.array(rows["station"])
     assert np.array_equal(stations[:, 0], want.z)
-    assert np.array_equal(stations[:, 1:].reshape(-1, 7, 2).swapaxes(0, 1), want.shape)
+    assert np.array_equal(stations[:, 1:].reshape(-1, 9, 2).swapaxes(0, 1), want.shape)
     for place in (0.03, 0.33, 0.39, 0.1, 0.27, want.body.centre):
         assert np.abs(want.z - place).min() < 1e-9
     with pytest.raises(ValueError, match="0.5 m is not on the shaft"):

@@ -55,6 +55,7 @@ NAMES = {
     "ring_response": "theory.ring_response",
     "many_grooves": "theory.many_grooves",
     "rolling": "theory.rolling",
+    "rotor_matrices": "theory.rotor_matrices",
     "shaft": "theory.shaft",
     "shaft_bending": "theory.shaft_bending",
     "shaft_motion": "theory.shaft_motion",
@@ -94,6 +95,7 @@ NAMES = {
     "export": "export",
     "inputs": "inputs",
     "listing": "listing",
+    "ross_file": "ross_file",
     "shaft_file": "shaft_file",
     "units": "units",
 }

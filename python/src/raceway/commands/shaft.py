@@ -14,13 +14,16 @@ DESCRIPTION = """\
 A shaft on several ball bearings at rest, from theory: loads and tilt of every bearing, its
 rating life, displacements of the shaft. And what it is as a rigid body, and its natural frequencies
 on the bearings' stiffness at rest. The shaft is a Timoshenko beam, each bearing the statics of
-`raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst)."""
+`raceway static`. The file names sections, bearings and loads in SI units (docs/shaft.rst).
+
+A rotor of ROSS (.toml), or its matrices (.npz), has --reduced and what it is as a free body."""
 EXAMPLES = """\
 examples:
   raceway shaft inputs/shafts/motor
   raceway shaft inputs/shafts/motor --json
   raceway shaft inputs/shafts/motor --out build/motor.png
   raceway shaft inputs/shafts/motor --reduced build/motor.modes --places 0.1 0.27
+  raceway shaft rotor.toml --reduced build/rotor.modes
 
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 SHOWN = 6  # natural frequencies in the table
@@ -36,7 +39,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    one.add_argument("file", metavar="FILE", help="YAML file of the shaft")
+    one.add_argument("file", metavar="FILE", help="YAML file of the shaft, or a rotor of ROSS")
     one.add_argument(
         "--inputs",
         metavar="DIR",
@@ -70,6 +73,15 @@ def add(commands: Commands) -> None:
         help="damping ratio of every elastic mode (0)",
     )
     reduced.add_argument(
+        "--kept",
+        type=float,
+        nargs="+",
+        default=[],
+        metavar="Z",
+        help="places that bend as the whole shaft under steady loads, m: besides bearings and loads"
+        " of a YAML file, instead of the bearings of a rotor of ROSS",
+    )
+    reduced.add_argument(
         "--places",
         type=float,
         nargs="+",
@@ -83,11 +95,15 @@ def add(commands: Commands) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures and draw when asked. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
-    from raceway import shaft_file
+    from raceway import ross_file, shaft_file
     from raceway.errors import RacewayError
     from raceway.theory import shaft
 
     _check(arguments)
+    if ross_file.is_ross(arguments.file):
+        from raceway.commands import ross_rotor
+
+        return ross_rotor.run(arguments)
     case = shaft_file.read(arguments.file, arguments.inputs)
     speed = case.rpm * math.pi / 30
     try:
@@ -126,6 +142,7 @@ def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
             case.loads,
             modes=arguments.modes,
             damping=arguments.damping,
+            kept=arguments.kept,
             places=arguments.places,
         )
         bending_file.write(arguments.reduced, found)
@@ -184,12 +201,7 @@ def figures(case: Any, rest: Any, folder: str | None, cleanliness: str) -> dict[
         z_m=rest.z.tolist(),
         place=rest.place.tolist(),
         residual=rest.residual,
-        rigid=dict(
-            mass_kg=rigid.mass,
-            centre_m=rigid.centre,
-            axial_kg_m2=rigid.axial,
-            transverse_kg_m2=rigid.transverse,
-        ),
+        rigid=rigid_figures(rigid),
         frequencies_Hz=(frequencies / (2 * math.pi)).tolist(),
     )
 
@@ -227,11 +239,28 @@ def table(result: dict[str, Any]) -> str:
             *_block(rows),
             "",
             f"Natural frequencies at {result['rpm']:g} rpm: {first}",
-            f"Rigid body: mass {body['mass_kg']:.4g} kg,"
-            f" centre at {prefixed(body['centre_m'], 'm')},"
-            f" inertia {body['axial_kg_m2']:.4g} about the axis, {body['transverse_kg_m2']:.4g}"
-            " kg m2 across it",
+            rigid_line(body),
         ]
+    )
+
+
+def rigid_figures(rigid: Any) -> dict[str, float]:
+    """Figures by name in SI units of a `beam_motion.Rigid`."""
+    return dict(
+        mass_kg=rigid.mass,
+        centre_m=rigid.centre,
+        axial_kg_m2=rigid.axial,
+        transverse_kg_m2=rigid.transverse,
+    )
+
+
+def rigid_line(body: dict[str, float]) -> str:
+    """The mapping of `rigid_figures` as a line of text."""
+    return (
+        f"Rigid body: mass {body['mass_kg']:.4g} kg,"
+        f" centre at {prefixed(body['centre_m'], 'm')},"
+        f" inertia {body['axial_kg_m2']:.4g} about the axis, {body['transverse_kg_m2']:.4g}"
+        " kg m2 across it"
     )
 
 

@@ -58,7 +58,7 @@ def bending(
     import scipy.linalg
 
     body = beam_motion.rigid(z, whole)
-    one, other = _planes(len(z))
+    one, other = planes(len(z))
     mass, stiffness = one.T @ whole.mass @ one, one.T @ whole.stiffness @ one
     basis = _craig_bampton(mass, stiffness, kept, modes)
     few = [basis.T @ matrix @ basis for matrix in (stiffness, mass)]
@@ -87,9 +87,9 @@ def bending(
     )
 
 
-def _planes(nodes: int) -> tuple[Floats, Floats]:
-    """(5 N, 2 N) matrices that put displacement and slope of a plane into the freedoms of `beam`:
-    the plane of x, where the slope is ry, and that of y, where it is -rx."""
+def planes(nodes: int) -> tuple[Floats, Floats]:
+    """(5 N, 2 N) matrices, N = `nodes`, that put displacement and slope of a plane into the
+    freedoms of `beam`: the plane of x, where the slope is ry, and that of y, where it is -rx."""
     one, other = np.zeros((FREEDOMS * nodes, 2 * nodes)), np.zeros((FREEDOMS * nodes, 2 * nodes))
     for k in range(nodes):
         one[FREEDOMS * k, 2 * k] = one[FREEDOMS * k + 4, 2 * k + 1] = 1.0

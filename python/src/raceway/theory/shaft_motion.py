@@ -42,25 +42,26 @@ def bending(
     *,
     modes: int = 4,
     damping: float = 0.0,
+    kept: Sequence[float] = (),
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """How `shaft` bends: kept are its bearings and the places of `loads` across it.
+    """How `shaft` bends: its bearings, the places of `loads` across it, and `kept` (m) are kept.
 
     `modes` in a plane and the `damping` ratio are those of `shaft_bending.bending`. Stations are
-    the nodes of `rest`, the centre of mass, and `places` (m). Raises `ValueError` for a place off
-    the shaft and for too many modes.
+    the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises `ValueError` for a
+    place off the shaft and for too many modes.
     """
     centre = rigid(shaft, rest).centre
-    stations = [*rest.z, centre, *places]
-    z, whole = nodes(shaft, rest, [centre, *places])
+    stations = [*rest.z, centre, *kept, *places]
+    z, whole = nodes(shaft, rest, [centre, *kept, *places])
 
     def node(place):
         return int(np.argmin(np.abs(z - place)))
 
     across = [one.at for one in loads if any(one.force[:2]) or any(one.moment)]
-    kept = {node(place) for place in (*(one.seat.at for one in rest.bearings), *across)}
+    held = {node(place) for place in (*(one.seat.at for one in rest.bearings), *across, *kept)}
     return shaft_bending.bending(
-        z, whole, sorted(kept), modes, sorted({node(place) for place in stations}), damping
+        z, whole, sorted(held), modes, sorted({node(place) for place in stations}), damping
     )
 
 

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway shaft` of a rotor of ROSS: how it bends, and what it is as a free body."""
+
+import argparse
+import json
+import math
+from typing import Any
+
+import numpy as np
+
+from raceway import bending_file, ross_file
+from raceway.commands import shaft
+from raceway.errors import RacewayError
+from raceway.theory import beam_motion, rotor_matrices, shaft_bending
+from raceway.units import prefixed
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the figures, and write the file of `arguments.reduced`. Raises `RacewayError`."""
+    if arguments.out:
+        raise RacewayError("--out draws a shaft at rest on its bearings: a rotor of ROSS has none")
+    rotor, bearings = ross_file.read(arguments.file)
+    if arguments.reduced:
+        kept = arguments.kept or bearings
+        if not kept:
+            raise RacewayError(
+                f"{arguments.file} has no bearings: --kept Z ... says where they will be"
+            )
+        try:
+            found = rotor_matrices.bending(
+                rotor,
+                kept,
+                modes=arguments.modes,
+                damping=arguments.damping,
+                places=arguments.places,
+            )
+            bending_file.write(arguments.reduced, found)
+        except (ValueError, OSError) as error:
+            raise RacewayError(f"{arguments.file}: {error}") from None
+    result = figures(rotor, bearings)
+    print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
+
+
+def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:
+    """Figures by name in SI units: nodes, bearings left out, the rigid body, and the frequencies of
+    bending in a plane, free and still."""
+    import scipy.linalg
+
+    plane = shaft_bending.planes(len(rotor.z))[0]
+    mass, stiffness = (plane.T @ one @ plane for one in (rotor.whole.mass, rotor.whole.stiffness))
+    squares = scipy.linalg.eigh(stiffness, mass, eigvals_only=True)[2:]  # not the rigid motions
+    return dict(
+        nodes_m=rotor.z.tolist(),
+        bearings_m=bearings,
+        rigid=shaft.rigid_figures(beam_motion.rigid(rotor.z, rotor.whole)),
+        frequencies_Hz=(np.sqrt(squares) / (2 * math.pi)).tolist(),
+    )
+
+
+def table(result: dict[str, Any]) -> str:
+    """The mapping of `figures` as text."""
+    z = result["nodes_m"]
+    left_out = ", ".join(prefixed(one, "m") for one in result["bearings_m"])
+    first = ", ".join(prefixed(one, "Hz") for one in result["frequencies_Hz"][: shaft.SHOWN])
+    return "\n".join(
+        [
+            f"Rotor: {len(z)} nodes from {prefixed(z[0], 'm')} to {prefixed(z[-1], 'm')}"
+            + (f", without its bearings at {left_out}" if left_out else ""),
+            f"Frequencies of bending, free and still: {first}",
+            shaft.rigid_line(result["rigid"]),
+        ]
+    )

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A rotor of ROSS as a file: what `Rotor.save` writes (.toml, read by ROSS), or its matrices (.npz,
+read without ROSS)."""
+
+import zipfile
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.theory import rotor_matrices
+
+SUFFIXES = (".toml", ".npz")
+NEEDED, OTHER = ("M", "K", "G", "z"), ("C",)
+WRITE = "numpy.savez(FILE, M=r.M0, K=r.K0, C=r.C0, G=r.G0, z=r.nodes_pos) of a rotor r"
+
+
+class Read(NamedTuple):
+    """What a file has."""
+
+    rotor: rotor_matrices.Rotor
+    bearings: list[float]  # m, places of the rotor's own, which are left out; an .npz has none
+
+
+def is_ross(path: FilePath) -> bool:
+    """Whether `path` ends as a rotor of ROSS does; a shaft's YAML file ends otherwise."""
+    return Path(path).suffix in SUFFIXES
+
+
+def read(path: FilePath) -> Read:
+    """The rotor of the file at `path`. Raises `RacewayError` for a file that is none, for a .toml
+    without ROSS installed, and for a rotor that `rotor_matrices.rotor` refuses."""
+    try:
+        return _toml(path) if Path(path).suffix == ".toml" else _npz(path)
+    except ValueError as error:
+        raise RacewayError(f"{path}: {error}") from None
+
+
+def of_ross(rotor: Any) -> Read:
+    """A ROSS `rotor` without its bearings. Raises `ValueError` for one that
+    `rotor_matrices.rotor` refuses."""
+    places = np.asarray(rotor.nodes_pos, float)
+    return Read(
+        rotor_matrices.rotor(places, rotor.M0, rotor.K0, rotor.G0, rotor.C0),
+        sorted({float(places[one.n]) for one in rotor.bearing_elements}),
+    )
+
+
+def _toml(path):
+    try:
+        import ross
+    except ImportError as error:
+        raise RacewayError(
+            f"{path}: ROSS does not load ({error}): pip install ross-rotordynamics 'plotly<7', or"
+            f" write the matrices where ROSS is: {WRITE}, FILE ending in .npz"
+        ) from None
+    if not Path(path).is_file():
+        raise RacewayError(f"cannot read {path}: there is no such file")
+    try:
+        loaded = ross.Rotor.load(str(path))
+    except (OSError, KeyError, TypeError, ValueError, AttributeError) as error:
+        raise RacewayError(f"{path}: ROSS cannot read it: {error!r}") from None
+    return of_ross(loaded)
+
+
+def _npz(path):
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            if not isinstance(file, np.lib.npyio.NpzFile):
+                raise ValueError("is no .npz file")
+            data = {name: file[name] for name in file.files}
+    except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
+        raise RacewayError(f"cannot read {path}: {error}; {WRITE} writes it") from None
+    known = (*NEEDED, *OTHER)
+    if wrong := [name for name in data if name not in known]:
+        raise ValueError(f"unknown '{wrong[0]}'; known: {', '.join(known)}; {WRITE} writes it")
+    if lacks := [name for name in NEEDED if name not in data]:
+        raise ValueError(f"has no {', '.join(lacks)}; {WRITE} writes it")
+    for name, one in data.items():
+        if one.dtype.kind not in "fiu":
+            raise ValueError(f"'{name}' is of {one.dtype}, must be real numbers")
+    names = dict(M="mass", K="stiffness", C="damping", G="gyroscopic", z="z")
+    return Read(rotor_matrices.rotor(**{names[name]: one for name, one in data.items()}), [])
