@@ -237,7 +237,7 @@ class SurroundedRaceway {
                                   ? shoulder_.reach(T(where(oblique, magnitude(c.ne), 0.0)),
                                                     T(where(oblique, magnitude(c.nu), 1.0)))
                                   : of_upright<T>();
-    const bool leans = any(r.near.reach < r.far.reach);
+    const bool leans = any((r.near.reach < r.far.reach) | (r.far.reach < r.near.reach));
     T G = T(), near = T(), far = T(), wider = T() + 1.0;
     if (any(live)) {
       const LoadedGapT<T> loaded(s, T(where(live, c.root, 1e-4)), f.ln_load, h, ln_film);

@@ -11,6 +11,12 @@
 // the contact ellipse the groove is that parabola already. What the arc adds there comes off:
 // 4 R_b q_a - a of the first term and (q_a/q)^2 of the second, q the tangent in S, q_a =
 // tan(a/(4 R_b)), a the semi-axis across.
+//
+// Of two grooves of a ring each ends at the other one, in the ring's middle plane. Seen from a ball
+// in that plane its shoulder is at tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1 -
+// cos alpha_0)), with the distance G of its centres from the plane and the contact angle alpha_0
+// there. Its other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term of 0.09
+// is of sides that are twice as long and begin at the bottom, and is left out.
 #ifndef RACEWAY_GROOVE_SHOULDER_H
 #define RACEWAY_GROOVE_SHOULDER_H
 
@@ -46,21 +52,28 @@ class GrooveShoulder {
   // depth (m) at the shoulder; pre-condition 0 < depth < ball radius
   GrooveShoulder(const Groove &g, double depth, double pitch_radius) :
       radius_(g.ball_radius),
-      curved_((g.side == Side::inner ? 0.09 : -0.09) * g.ball_radius / pitch_radius)
+      curved_((g.side == Side::inner ? 0.09 : -0.09) * g.ball_radius / pitch_radius),
+      ends_in_the_middle_(g.offset != 0.0)
   {
     const double cosine = 1.0 - depth / g.groove_radius;
-    const double across = g.groove_radius * std::sqrt(1.0 - cosine * cosine),
-                 down = g.ball_radius - depth;
+    double across = g.groove_radius * std::sqrt(1.0 - cosine * cosine),
+           down = g.ball_radius - depth;
+    if (ends_in_the_middle_) {
+      curved_ = 0.0;
+      across -= std::fabs(g.offset);
+      down += g.slack() * (1.0 - g.middle_cosine());
+    }
     quarter_ = half_tangent(across / (down + std::hypot(across, down)));
   }
 
   // sine and cosine (0 or more) of the contact angle. A shoulder that the contact has passed is at
-  // less than 0.
+  // less than 0. Of two grooves of a ring the far side ends at the other one.
   template <class T> RACEWAY_INLINE GrooveReachT<T> reach(const T &sine, const T &cosine) const
   {
     const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,
             curved = curved_ * cosine;
-    const T near = (quarter_ - lean) / (1.0 + both), far = (quarter_ + lean) / (1.0 - both);
+    const T near = (quarter_ - lean) / (1.0 + both);
+    const T far = ends_in_the_middle_ ? lean : T((quarter_ + lean) / (1.0 - both));
     return {{radius_ * (4.0 * near + curved), 1.0 / near},
             {radius_ * (4.0 * far + curved), 1.0 / far}};
   }
@@ -79,6 +92,7 @@ class GrooveShoulder {
 
  private:
   double radius_ = 0.0, curved_ = 0.0;
+  bool ends_in_the_middle_ = false;
   double quarter_ = 0.0;    // tan(theta_b/4)
 };
 

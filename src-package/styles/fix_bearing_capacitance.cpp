@@ -156,10 +156,7 @@ void FixBearingCapacitance::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
   planned_ = -1;
   filled_ = -1;
-  if (model_.surrounded()) {
-    refuse_arches(std::string("fix ") + id + " bearing/capacitance: 'surroundings'");
-    check_shoulders();
-  }
+  if (model_.surrounded()) check_shoulders();
 }
 
 // Atom types of the balls of the group, on any rank.
@@ -170,16 +167,6 @@ std::vector<int> FixBearingCapacitance::ball_types() const
     if (covers(i)) there[atom->type[i]] = 1;
   MPI_Allreduce(MPI_IN_PLACE, there.data(), atom->ntypes + 1, MPI_INT, MPI_MAX, world);
   return there;
-}
-
-void FixBearingCapacitance::refuse_arches(const std::string &what) const
-{
-  const std::vector<int> there = ball_types();
-  for (int ball = 1; ball <= atom->ntypes; ++ball)
-    for (int ring = 1; ring <= atom->ntypes; ++ring)
-      if (there[ball] && pair_->raceway(ball, ring, 1))
-        BRG_ALL(what + " needs raceways of one groove; pair_coeff " + std::to_string(ball) + " " +
-                std::to_string(ring) + " has 'gothic_arch'");
 }
 
 // Of the raceways that balls of the group may run on.
@@ -291,7 +278,7 @@ void FixBearingCapacitance::sample(bool between)
       const FilmCapacitorT<double> q = capacitor(c);
       const int s = c.side() == Side::inner ? 0 : 1;
       per_ball_[c.i_ball][s] += q.capacitance;
-      if (model_.surrounded()) per_ball_[c.i_ball][3 + s] = q.total();
+      if (model_.surrounded()) per_ball_[c.i_ball][3 + s] += q.total();
       mine_.push_back(row_of(within_, c.ball, *c.raceway, c.live, c.state.load, c.state, q));
     }
   for (int i = 0; i < atom->nlocal; ++i)

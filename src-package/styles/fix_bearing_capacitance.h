@@ -45,9 +45,6 @@ class FixBearingCapacitance : public Fix {
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // the words of its command after N
-  // Error that begins with `what` if a ball of the group meets a ring with two grooves; after its
-  // init().
-  void refuse_arches(const std::string &what) const;
   // Of a contact in the table of the pair style; without contact what surrounds it, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 

@@ -188,12 +188,6 @@ DECKS = {
         + " seat plus\n",
         r"create_bearing: 'seat': a ball would lie in both grooves of one ring",
     ),
-    "surroundings of an arch": (
-        FOUR_POINT
-        + "fix c balls bearing/capacitance 10 permittivity 2.2 surroundings flooded\nrun 0\n",
-        r"fix c bearing/capacitance: 'surroundings' needs raceways of one groove; pair_coeff 1 3"
-        r" has 'gothic_arch'",
-    ),
     "two outer rings": (
         DRY + "create_atoms 4 single 1e-6 0 0 units box\nset type 4 diameter 2e-4\nrun 0\n",
         r"sits in the grooves of two outer rings",

@@ -21,7 +21,7 @@ RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ba
        ball_poisson, ring_young, ring_poisson, ellipse, film, viscosity, pressure_viscosity,
        damper_full_axis, damper_rolling_radius, friction, mu, mu_boundary, mu_full, lambda_1,
        lambda_2, hysteresis, ring_roughness, ball_roughness, film_floor, tangential_ratio,
-       tangential_zeta, pitch_radius, ball_mass, overlap_limit;)
+       tangential_zeta, pitch_radius, ball_mass, overlap_limit, offset;)
 
 RECORD(FilmLaws, double min_lnA, min_p, min_m, central_lnA, central_p, central_m;)
 RECORD(Constants, double K, a, b, p, min_lnA, min_p, min_m, central_lnA, central_p, central_m,
@@ -47,7 +47,7 @@ RECORD(RollingSpeeds, double orbit, spin;)
 static RacewayPhysics raceway_from(const RacewayInput &in)
 {
   RacewayPhysics p;
-  p.groove = {Side(int(in.side)), in.raceway_radius, in.groove_radius, in.ball_radius};
+  p.groove = {Side(int(in.side)), in.raceway_radius, in.groove_radius, in.ball_radius, in.offset};
   p.material = {in.ball_young, in.ball_poisson, in.ring_young, in.ring_poisson};
   p.model.ellipse = Ellipse(int(in.ellipse));
   p.model.film = FilmModel(int(in.film));

@@ -43,6 +43,7 @@ RACEWAY = dict(
     pitch_radius=PITCH,
     ball_mass=BALL_MASS,
     overlap_limit=0.1,
+    offset=0.0,
 )
 OIL = dict(viscosity=0.04, pressure_viscosity=15e-9, ring_roughness=40e-9, ball_roughness=30e-9)
 

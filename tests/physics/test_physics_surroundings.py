@@ -10,6 +10,7 @@ from raceway.theory.bearing import Bearing
 from raceway.theory.groove_width import HalfWidths
 from scipy.constants import epsilon_0
 from scipy.integrate import quad
+from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
 ALL, DRY, CAVITATED = 1, 2, 3  # Surroundings
@@ -419,3 +420,59 @@ def test_four_side_by_side_are_one_by_one(physics, side, changes):
         **changes,
     )
     assert np.isfinite(values).all() and (values[2:] > 0).all()
+
+
+# ---- two grooves a ring
+def arch(physics, side, free, bottom):
+    """One groove of a 6208's ring with two: a ball in the middle is in contact at the angle `free`
+    (rad), as far out as with one groove of the radius `bottom` (m)."""
+    gap, way = 6.552e-3 - BALL, -1 if side == INNER else 1
+    radius = bottom + way * gap * (1 - np.cos(free))
+    return physics.raceway(side=side, raceway_radius=radius, offset=gap * np.sin(free), **OIL)
+
+
+def rigid_flank(side, free, bottom, play, shoulder):
+    """I (m) between a rigid ball in the middle and one flank of an arch, from the edge between the
+    grooves to the shoulder of that radius (m). Planes through the bearing's axis, and a parabola
+    along rolling in each direction from the ball's centre."""
+    groove, gap = 6.552e-3, 6.552e-3 - BALL
+    centre = np.array([-gap * np.cos(free), gap * np.sin(free)])  # of the groove, from the ball
+    if play:  # the ball moves away from the raceway by the play at its contact
+        centre *= 1 - play / gap
+    pitch = bottom + (BALL if side == INNER else -BALL)
+    # down: towards the raceway
+    height = pitch - shoulder if side == INNER else shoulder - pitch
+
+    def wall(angle):
+        """Distance of the groove from the ball's centre in a direction `angle` from straight down,
+        towards the flank."""
+        line = np.array([np.cos(angle), -np.sin(angle)])
+        along = line @ centre
+        return along + np.sqrt(along**2 + groove**2 - centre @ centre)
+
+    def past(angle):
+        return wall(angle) * np.cos(angle) - height
+
+    def strip(angle):
+        ratio = BALL * np.cos(angle) / pitch
+        r_x = BALL * (1 - ratio if side == INNER else 1 + ratio)
+        return np.pi * np.sqrt(2 * r_x / (wall(angle) - BALL)) * BALL
+
+    edge = brentq(past, 1e-3, 1.5)
+    return quad(strip, 0.0, edge, points=[free], limit=200)[0]
+
+
+@pytest.mark.parametrize(
+    "side, bottom, shoulder", [(INNER, 24.0e-3, 26.3e-3), (OUTER, 36.6e-3, 34.3e-3)]
+)
+@pytest.mark.parametrize("free", np.radians([20.0, 35.0]))
+@pytest.mark.parametrize("play", [2e-6, 10e-6])
+def test_a_flank_of_two_grooves(physics, side, bottom, shoulder, free, play):
+    """Without contact, from the edge between the grooves to the shoulder."""
+    raceway = arch(physics, side, free, bottom)
+    named = {"inner_shoulder": 2 * shoulder} if side == INNER else {"outer_shoulder": 2 * shoulder}
+    outside = capacitors(
+        physics, raceway, [-play], cos_angle=np.cos(free), surroundings=DRY, **named
+    )[3]
+    exact = rigid_flank(side, free, bottom, play, shoulder)
+    assert outside / epsilon_0 == pytest.approx(exact, rel=0.01)

@@ -329,10 +329,17 @@ def test_main_deck_with_text_dumps(tmp_path):
     """The main deck makes a deep groove ball bearing one of four points, of the same clearance. A
     folder of text dumps reads as its record does."""
     variables = {"four_point": 35, "axial": 1000, "clearance": 2e-6, "passes": 1, "dumps": "yes"}
+    variables["surroundings"] = "flooded"
     succeed("inputs/in.6208", out=tmp_path, **variables)
     recorded = raceway.open(tmp_path)
     assert recorded.settings["clearance_m"] == pytest.approx(2e-6, abs=1e-12)
     want, sums = recorded.contacts.load(), recorded.tables.totals
+    # all of the gap beside both grooves of a ring, also of those that carry nothing
+    whole = want["capacitance_total"].to_numpy()
+    assert (whole > 0).all() and (want["load"].to_numpy() == 0).any()
+    inner, outer = whole.reshape(len(whole), 2, 2, -1).sum(axis=2).transpose(1, 0, 2)
+    series = (inner * outer / (inner + outer)).sum(axis=1)
+    assert sums["capacitance_total"].to_numpy() == pytest.approx(series, rel=1e-12)
     (tmp_path / "record.nc").unlink()
     run = raceway.open(tmp_path)
     assert run.contacts.raceway.equals(want.raceway)
