@@ -30,8 +30,7 @@ ENVIRONMENT = dict(
 # A box for one 6208 around the origin, four atom types, nothing in it.
 BOX = """
 units si
-bearing_host host host_name
-include inputs/modules/host.${host}
+bearing_host host host_name spheres b_format
 atom_modify map array sort 0 0.0
 boundary f f f
 newton off

@@ -3,6 +3,7 @@
 #ifndef BEARING_STYLES_H
 #define BEARING_STYLES_H
 
+#include "../styles/bearing_case.h"
 #include "../styles/bearing_derive.h"
 #include "../styles/compute_bearing_ball.h"
 #include "../styles/compute_bearing_contact.h"
@@ -57,6 +58,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingRange>("bearing_range");
   add.template command<BearingHost>("bearing_host");
   add.template command<BearingResume>("bearing_resume");
+  add.template command<BearingCase>("bearing_case");
   add.template command<BearingDerive>("bearing_derive");
   add.template command<BearingVariables>("bearing_variables");
   add.template command<BearingForget>("bearing_forget");

@@ -145,15 +145,37 @@ void four_point(Deck &deck)
   deck.set("b_outer_arch", "gothic_arch " + written(outer.offset()));
 }
 
+// The time in which one ball moves to the position of the next, and that in which the run settles.
+// Of the two the bits of a run depend, so the mean diameter is rounded as it is written.
+void ball_pass(Deck &deck)
+{
+  deck.set("b_pitch", 0.5 * (deck.number("inner_radius") + deck.number("b_outer_raceway")));
+  const double cosine = std::cos((deck.number("contact_angle") + deck.number("four_point")) * M_PI /
+                                 180),
+               share = 1 - 0.5 * deck.number("ball_diameter") * cosine / deck.number("b_pitch");
+  deck.set("b_pass_time", 2 * M_PI / (deck.number("balls") * 0.5 * deck.number("b_omega") * share));
+  deck.set("b_settle_time", deck.number("settle") * deck.number("b_pass_time") + 1.0e-2);
+}
+
+// Samples of a host step, unless the user says: ten, five, two or one, so that a ball pass is a
+// whole number of steps and at least twenty. A step that is given has one.
+void samples_within(Deck &deck)
+{
+  const double asked = deck.number("within"), samples = deck.number("samples");
+  double chosen = 1.0;
+  for (const double n : {2.0, 5.0, 10.0})
+    if (samples >= 20.0 * n && std::fmod(samples, n) == 0.0) chosen = n;
+  deck.set("b_within", asked != 0.0 ? asked : deck.number("step") == 0.0 ? chosen : 1.0);
+}
+
 }    // namespace
 
 void BearingDerive::command(int narg, char **arg)
 {
-  static const std::map<std::string, void (*)(Deck &)> laws = {{"four_point", four_point},
-                                                               {"starvation", starvation},
-                                                               {"usual_data", usual_data},
-                                                               {"vogel", vogel},
-                                                               {"walther", walther}};
+  static const std::map<std::string, void (*)(Deck &)> laws = {
+      {"ball_pass", ball_pass},   {"samples_within", samples_within}, {"four_point", four_point},
+      {"starvation", starvation}, {"usual_data", usual_data},         {"vogel", vogel},
+      {"walther", walther}};
   Arguments args(lmp, "bearing_derive", narg, arg, 0);
   std::vector<std::string> names;
   for (const auto &law : laws) names.push_back(law.first);

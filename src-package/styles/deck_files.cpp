@@ -8,6 +8,7 @@
 #include "../deck/restart_sum.h"
 #include "../deck/variable_table.h"
 #include "record_settings.h"
+#include "spheres.h"
 
 #include <filesystem>
 #include <fstream>
@@ -160,9 +161,15 @@ void BearingHost::command(int narg, char **arg)
   Arguments args(lmp, "bearing_host", narg, arg, 0);
   const std::string kind = args.word("variable for the kind of host"),
                     name = args.word("variable for its name");
-  if (args.more()) args.unknown("none, the command ends here");
+  const bool spheres = args.take("spheres");
+  const std::string format = spheres ? args.word("variable for the format of a line") : "";
+  if (args.more()) args.unknown("spheres");
   suggest(input->variable, kind, BRG_HOST_KIND);
   suggest(input->variable, name, BRG_HOST_NAME);
+  if (!spheres) return;
+  suggest(input->variable, format, bearing::line_format());
+  input->one((std::string("atom_style ") + bearing::sphere_style()).c_str());
+  input->one(bearing::ghost_velocities());
 }
 
 void BearingWords::command(int narg, char **arg)

@@ -51,7 +51,8 @@ class BearingRange : public bearing::CommandBase {
 };
 
 // bearing_host KIND NAME: set the string variables KIND to liggghts or lammps and NAME to the
-// host's name and version, unless they are there already (-var).
+// host's name and version, unless they are there already (-var). With `spheres FORMAT` set up atoms
+// that are spheres, and FORMAT to what dump_modify has before the format of a line.
 class BearingHost : public bearing::CommandBase {
  public:
   explicit BearingHost(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -6,7 +6,7 @@ import math
 import pytest
 from host import ROOT, run
 from raceway import inputs
-from raceway.theory import makers, many_grooves
+from raceway.theory import kinematics, makers, many_grooves
 
 BEARINGS, OILS = ROOT / "inputs/bearings", ROOT / "inputs/lubricants"
 DATA = "variable inputs index inputs\ninclude ${inputs}/modules/bearing_data\n"
@@ -81,12 +81,40 @@ def test_starvation(tmp_path, rpm):
     assert float(found["b_phi_rs"]) == pytest.approx(float(wanted), rel=1e-14)
 
 
+@pytest.mark.parametrize("name, four_point", [("7208", 0), ("6208", 35)])
+def test_ball_pass(tmp_path, name, four_point):
+    """Balls roll without slip."""
+    deck = DATA + "variable b_outer_raceway equal ${outer_radius}+0.5*${clearance}\n"
+    deck += "variable b_omega equal 2*PI*${rpm}/60\nbearing_derive ball_pass\n"
+    given = dict(bearing=name, four_point=four_point, rpm=1500, settle=2)
+    found = derived(tmp_path, deck, ("b_pass_time", "b_settle_time"), **given)
+    data = inputs.bearing(BEARINGS / name)
+    angle = math.radians(four_point) + inputs.nominal_angle(BEARINGS / name)
+    passed = 2 * math.pi / (50 * math.pi * kinematics.frequencies(data, angle).outer)
+    assert float(found["b_pass_time"]) == pytest.approx(passed, rel=1e-13)
+    assert float(found["b_settle_time"]) == pytest.approx(2 * passed + 0.01, rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    "samples, step, within, wanted",
+    [
+        *((200, 0, 0, 10), (210, 0, 0, 10), (205, 0, 0, 5), (202, 0, 0, 2), (203, 0, 0, 1)),
+        *((190, 0, 0, 5), (98, 0, 0, 2), (38, 0, 0, 1), (200, 1e-5, 0, 1), (200, 1e-5, 4, 4)),
+    ],
+)
+def test_samples_within(tmp_path, samples, step, within, wanted):
+    """As many as divide a pass, with at least twenty steps a pass."""
+    given = dict(samples=samples, step=step, within=within)
+    found = derived(tmp_path, "bearing_derive samples_within\n", ["b_within"], **given)
+    assert found == {"b_within": str(wanted)}
+
+
 @pytest.mark.parametrize(
     "deck, says",
     [
         (
             "bearing_derive archimedes",
-            "law is 'archimedes', must be one of: four_point",
+            "law is 'archimedes', must be one of: ball_pass",
         ),
         ("bearing_derive vogel now", "unknown keyword or one argument too many: 'now'"),
         ("bearing_derive four_point", "has no variable four_point that is one number"),

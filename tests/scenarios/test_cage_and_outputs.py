@@ -44,7 +44,7 @@ variable bare equal f_cap
 variable pe equal c_energy
 """
     measure = (ROOT / "inputs" / "modules" / "measure").read_text()
-    here = "include ${inputs}/modules/dumps.${dumps}"
+    here = "bearing_case dumps "
     head, tail = measure.split(here)
     marker = (
         'fix totals all print ${b_every} "${live} ${loaded} ${inner_load} ${outer_load} ${pressure}'
