@@ -51,7 +51,7 @@ MAIN_DECK = {
         {"bearing": "9999"},
         (
             r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6000, 6001,"
-            r" .*, 7210C, harris209"
+            r" .*, QJ310, harris209"
         ),
     ),
     "unknown integrator": (
