@@ -30,9 +30,7 @@ def test_a_ball_that_touches_is_never_left_out(physics, margin):
                 distance = reach * (1 + sign * share)
                 r = rail.circle + distance * np.cos(angle)
                 z = rail.offset + distance * np.sin(angle)
-                near = physics.call(
-                    "rail_may_touch", rail=rail, r=r, z=z, ball=BALL, margin=margin
-                )
+                near = physics.call("rail_may_touch", rail=rail, r=r, z=z, ball=BALL, margin=margin)
                 assert near == touches or share == 1e-12
 
 
