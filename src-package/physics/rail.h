@@ -68,8 +68,8 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
   return c;
 }
 
-// False for a cage ball that is farther than `margin` (m) from the rail: without the root, and never
-// false by rounding where rail_contact() finds an overlap.
+// Not so for a cage ball farther than `margin` (m) from the rail: without the root, and never denied
+// by rounding where rail_contact() finds an overlap.
 template <class T>
 RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
                               double margin)
