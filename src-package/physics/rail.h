@@ -68,8 +68,8 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
   return c;
 }
 
-// Not so for a cage ball farther than `margin` (m) from the rail: without the root, and never denied
-// by rounding where rail_contact() finds an overlap.
+// Whether a cage ball may be within `margin` (m) of the rail, without the root. Rounding never
+// denies it where rail_contact() finds an overlap.
 template <class T>
 RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
                               double margin)
