@@ -14,6 +14,7 @@ from raceway.files import FilePath
 
 # in a deck, and in a table of inputs/variables, which has no default of those that it needs
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+(?:index\s+(\S+)|needed\b)", re.MULTILINE)
+TABLE = re.compile(r"/variables/(\w+)")
 # what a value may be: nothing that a deck, a shell or a path could take for more
 WORD = re.compile(r"[A-Za-z0-9_.+-]+")
 OURS = {
@@ -40,24 +41,28 @@ class Point(NamedTuple):
 
 def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
-    lines of the deck at path `deck` and of the `modules`, `variables`, `integrators` and `housings`
-    beside it. The default is empty where the deck has it from its data files.
+    lines of the deck at path `deck` and of the `modules`, `integrators` and `housings` beside it,
+    and of the tables in `variables` that these name. The default is empty where the deck has it
+    from its data files.
     Where the files of a folder differ, the default is that of the file which the deck takes. Raises
     `TableError` when the deck cannot be read.
     """
     deck = Path(deck)
     found: dict[str, str] = {}
-    _add_variables(found, deck)
+    tables = _add_variables(found, deck)
     for folder, choice in (
         ("modules", None),
-        ("variables", None),
         ("integrators", "integrator"),
         ("housings", "housing"),
     ):
         taken = found.get(choice or "")
         paths = sorted((deck.parent / folder).glob("*"), key=lambda p: (p.name != taken, p.name))
         for path in paths:
-            _add_variables(found, path)
+            tables += _add_variables(found, path)
+    for name in dict.fromkeys(tables):
+        table = deck.parent / "variables" / name
+        if table.is_file():  # a deck elsewhere has its modules elsewhere, too
+            _add_variables(found, table)
     if not found:
         raise TableError(
             f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary"
@@ -66,6 +71,7 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
 
 
 def _add_variables(found, path):
+    """Adds those of a file to `found`; returns the names of the tables that it names."""
     try:
         text = path.read_text()
     except (OSError, UnicodeDecodeError) as error:
@@ -75,6 +81,7 @@ def _add_variables(found, path):
     for name, default in INDEX.findall(text):
         if not name.startswith("b_"):  # of the modules themselves
             found.setdefault(name, default)
+    return TABLE.findall(text)
 
 
 def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:
