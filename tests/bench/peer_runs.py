@@ -241,6 +241,7 @@ def raceway(name, **variables):
         rpm=SPEED * 30 / np.pi,
         passes=8,
         out=OUT / name,
+        overwrite="yes",
         **variables,
     )
     run = RunTables(ROOT / OUT / name)
