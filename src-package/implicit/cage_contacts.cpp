@@ -61,7 +61,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
       const Lane z = dot(d, e);
       const Vec3L radial = d - e * z;
       const Lane r = norm(radial);
-      // most cage balls touch no rail most of the time
+      // four that touch no rail are done here
       LaneMask near = {};
       for (const Rail &rail : *track.rails) near |= may_touch(rail, r, z, g.radius, margin);
       if (!any(near & g.used)) continue;

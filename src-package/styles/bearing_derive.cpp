@@ -146,7 +146,7 @@ void four_point(Deck &deck)
 }
 
 // The time in which one ball moves to the position of the next, and that in which the run settles.
-// Of the two the bits of a run depend, so the mean diameter is rounded as it is written.
+// The bits of a run depend on both, so the mean diameter is rounded as it is written.
 void ball_pass(Deck &deck)
 {
   deck.set("b_pitch", 0.5 * (deck.number("inner_radius") + deck.number("b_outer_raceway")));

@@ -129,8 +129,8 @@ void FixBearingCage::find_balls()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// All cage balls on one rail after the other, four side by side. Most of them touch no rail most
-// of the time, which then costs a comparison.
+// All cage balls on one rail after the other, four side by side. Four that touch no rail cost a
+// comparison.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();

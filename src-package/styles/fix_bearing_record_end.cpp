@@ -22,8 +22,8 @@ void FixBearingRecord::start_clocks()
   running_ = true;
 }
 
-// From the first sample until the system has the last one. What makes files safe against a loss of
-// power takes milliseconds at the end of any run and says nothing of the next longer one.
+// From the first sample until the system has the last one. The time until files are safe against a
+// loss of power is not in it: it is the disk's, and for a long record as long again.
 void FixBearingRecord::stop_clocks()
 {
   flush();
