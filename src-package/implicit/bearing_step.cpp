@@ -75,16 +75,44 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
   return o;
 }
 
+// kg m^1.5/N, mass over stiffness of the slowest contact of a ball and a cage ball
+static double slowest_contact(const BearingModel &model)
+{
+  double slowest = 0.0;
+  for (const BearingModel::Pocket &p : model.pockets) slowest = std::max(slowest, p.mass / p.K);
+  return slowest;
+}
+
+BearingStep::BearingStep(const BearingModel &model) :
+    bodies_(model), system_(bodies_), forces_(bodies_, system_), instants_(bodies_, forces_),
+    slowest_(slowest_contact(model))
+{
+}
+
+// What counts of a cage ball's last correction in a stage of h seconds. It is ten times finer than
+// the error. What it leaves of a contact force throws the cage ball as far as the square of the
+// stage. So it is finer still where the stage is longer than an impact with that overlap, which
+// lasts half a period of the contact.
+double BearingStep::cage_correction(const Settings &set, double h) const
+{
+  if (!(set.cage > 10.0)) return 1.0;
+  const double stiffness = 1.5 * std::sqrt(set.cage * set.newton);    // over K
+  const double pi = std::acos(-1.0), lasts2 = pi * pi * slowest_ / stiffness;
+  const double finer = h * h > lasts2 ? 10.0 * h * h / lasts2 : 10.0;
+  return set.cage > finer ? finer / set.cage : 1.0;
+}
+
 bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &o)
 {
   double before = HUGE_VAL;
   bool fresh = true;
+  const double cage_counts = cage_correction(set, h);
   Stage stage;
   stage.h = h;
   stage.dampers_only = set.dampers_only;
   if (!set.dampers_only) {
     stage.close = set.newton;
-    stage.close_cage = set.newton / set.cage_correction();
+    stage.close_cage = set.newton / cage_counts;
   }
   if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
   for (int n = 1; n <= set.corrections; ++n) {
@@ -102,7 +130,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
     if (fresh) system_.factor();
     system_.solve();
     ++o.corrections;
-    o.last = apply(h, set, o);
+    o.last = apply(h, cage_counts, o);
     if (!(o.last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
     // a contact that opens and closes in turn is met half-way
     if (n > 2 && o.last > 0.7 * before) halve();
@@ -299,7 +327,7 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
 
 // Adds the correction; returns its size, m: largest over balls across the raceways, over the rings
 // and over the modes of shafts.
-RACEWAY_LANES double BearingStep::apply(double h, const Settings &set, Outcome &o)
+RACEWAY_LANES double BearingStep::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {};
   bool finite = true;
@@ -315,7 +343,7 @@ RACEWAY_LANES double BearingStep::apply(double h, const Settings &set, Outcome &
         if (bad[i]) o.body = bodies_.body_at[lanes * k + i];
     }
     if (g.spins) g.w += Vec3L::from(g.rhs + 3);
-    const Lane worse = across(dv) * (g.spins ? 1.0 : set.cage_correction());
+    const Lane worse = across(dv) * (g.spins ? 1.0 : cage_counts);
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));

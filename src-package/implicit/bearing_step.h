@@ -50,10 +50,7 @@ class BearingStep {
     double relative = 0.0;    // newton is at least this share of the largest overlap; 0: not asked
     int corrections = 8;      // most of a stage
 
-    // over cage: what counts of a cage ball's error, and of its last correction, which is solved
-    // ten times finer
-    double cage_error() const { return 1.0 / cage; }
-    double cage_correction() const { return cage > 10.0 ? 10.0 / cage : 1.0; }
+    double cage_error() const { return 1.0 / cage; }    // what counts of a cage ball's error
     // The same for bodies whose largest overlap this is, m. A cage ball may be off as far as
     // before, but for the tolerance of the others.
     Settings at(double overlap) const;
@@ -76,10 +73,7 @@ class BearingStep {
     double stored = 0.0;        // J, now: motion and contact springs
   };
 
-  explicit BearingStep(const BearingModel &model) :
-      bodies_(model), system_(bodies_), forces_(bodies_, system_), instants_(bodies_, forces_)
-  {
-  }
+  explicit BearingStep(const BearingModel &);
   BearingStep(const BearingStep &) = delete;    // its pieces refer to one another
   const BearingModel &model() const { return bodies_.model; }
 
@@ -123,7 +117,8 @@ class BearingStep {
   bool coast(double h, double s, bool to_end);
   double stability(double h) const;
   double lever(const BearingBodies::Free &) const;
-  double apply(double h, const Settings &, Outcome &);
+  double cage_correction(const Settings &, double h) const;
+  double apply(double h, double cage_counts, Outcome &);
   void halve();
   void second_base();
   double largest_stiffness() const;
@@ -137,6 +132,7 @@ class BearingStep {
   BearingSystem system_;
   BearingForces forces_;
   BearingInstants instants_;
+  const double slowest_;
   bool keep_energy_ = false;
   Energy energy_, pending_;
   struct {
