@@ -110,6 +110,60 @@ def test_samples_within(tmp_path, samples, step, within, wanted):
 
 
 @pytest.mark.parametrize(
+    "contact_angle, four_point, axial, seat",
+    [
+        *((0, 0, 0, "none"), (0, 0, 9, "none"), (40, 0, 0, "plus"), (40, 0, 9, "plus")),
+        *((40, 0, -9, "minus"), (0, 35, 0, "none"), (0, 35, 9, "plus"), (0, 35, -9, "minus")),
+    ],
+)
+def test_start(tmp_path, contact_angle, four_point, axial, seat):
+    """A thrust decides the side; four points without one are concentric."""
+    given = dict(contact_angle=contact_angle, four_point=four_point, axial=axial, rpm=1500)
+    found = derived(tmp_path, "bearing_derive start\n", ("b_omega", "b_seat"), **given)
+    assert found["b_seat"] == seat
+    assert float(found["b_omega"]) == pytest.approx(50 * math.pi, rel=1e-14)
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+@pytest.mark.parametrize(
+    "azimuth, axial, moment, held",
+    [(-math.pi / 2, 0, 0, ("fixed", "fixed")), (2.2, -5, 3, ("free", "free"))],
+)
+def test_loads(tmp_path, host, azimuth, axial, moment, held):
+    given = dict(load=2000, load_azimuth=azimuth, axial=axial, moment_x=0, moment_y=moment)
+    names = ("b_load_x", "b_load_y", "b_z", "b_tilt")
+    found = derived(tmp_path, "bearing_derive loads\n", names, host, **given)
+    force = 2000 * math.cos(azimuth), 2000 * math.sin(azimuth)
+    assert [float(found[key]) for key in names[:2]] == pytest.approx(force, rel=1e-14, abs=2e-12)
+    assert (found["b_z"], found["b_tilt"]) == held
+    if not axial:
+        assert found["b_load_x"] == "0"  # along -y nothing is left along x
+
+
+def test_measurement(tmp_path):
+    given = dict(passes=3, samples=40, keep=7, b_within=2, b_every=5)
+    names = ("b_samples", "b_steps", "b_keep_steps", "b_rows")
+    found = derived(tmp_path, "bearing_derive measurement\n", names, **given)
+    assert [int(found[name]) for name in names] == [120, 300, 20, 15]
+    own = derived(tmp_path, "bearing_derive measurement\n", names, b_samples=8, **given)
+    assert own["b_steps"] == "20"  # an integrator that counts samples itself
+
+
+@pytest.mark.parametrize(
+    "samples, within, says",
+    [
+        (41, 3, "host steps of the measurement is 13.6667, must be a whole number from 1 to 2e+09"),
+        (10**10, 1, "is 1e+10, must be a whole number from 1 to 2e+09 (fewer passes or samples;"),
+    ],
+)
+def test_steps_that_are_no_steps(tmp_path, samples, within, says):
+    path = tmp_path / "in.deck"
+    path.write_text("bearing_derive measurement\n")
+    done = run(path, passes=1, samples=samples, keep=0, b_within=within, b_every=1)
+    assert done.code != 0 and says in done.error, done.text[-1000:]
+
+
+@pytest.mark.parametrize(
     "deck, says",
     [
         (
@@ -125,6 +179,12 @@ def test_samples_within(tmp_path, samples, step, within, wanted):
         (
             "variable oil_density_40 index 8k\nbearing_input inputs/lubricants vg100",
             "bearing_derive: oil_density_40 must be a number, not '8k'",
+        ),
+        (
+            "variable bearing index 7208\nvariable four_point index 35\n"
+            + DATA
+            + "bearing_derive four_point",
+            "contact_angle (degrees) is 40, must be from 0 to 0 (four_point has its own)",
         ),
     ],
 )

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What follows from the data of a bearing or an oil.
+#include "../physics/gothic_arch.h"
+#include "../physics/oil_data.h"
+#include "../physics/starvation.h"
+#include "../physics/usual_data.h"
+#include "derive_laws.h"
+
+using bearing::DeckValues;
+
+namespace {
+
+constexpr double degree = M_PI / 180.0;
+
+void usual_data(DeckValues &deck)
+{
+  const double ball = deck.number("ball_diameter");
+  const raceway::UsualData data = {deck.number("balls"), ball, deck.number("pitch_diameter"),
+                                   deck.number("contact_angle") * degree};
+  if (deck.number("contact_angle") != 0.0)
+    deck.range("clearance", deck.word("clearance"),
+               {"0", "0", "advice", "it follows from the contact angle"});
+  deck.suggest("inner_groove", deck.number("inner_conformity") * ball);
+  deck.suggest("outer_groove", deck.number("outer_conformity") * ball);
+  deck.suggest("inner_radius", data.inner_radius(deck.number("inner_conformity") * ball));
+  deck.suggest("outer_radius", data.outer_radius(deck.number("outer_conformity") * ball));
+  deck.suggest("cage_ball_diameter", data.cage_ball_diameter(deck.number("pocket_play")));
+  const raceway::RingCylinder ring = {
+      deck.number("bore_diameter"), deck.number("bearing_width"),
+      raceway::RingCylinder::shoulder(deck.number("inner_radius"), ball)};
+  deck.suggest("inner_mass", ring.mass(deck.number("ball_density")));
+  deck.suggest("inner_inertia", ring.inertia(deck.number("inner_mass")));
+  deck.suggest("inner_inertia_t", ring.inertia_t(deck.number("inner_mass")));
+  deck.set("b_usual", 1.0);
+}
+
+// The temperature has its range here, as in Python.
+raceway::OilData oil_data(const DeckValues &deck)
+{
+  deck.range("temperature", deck.word("temperature"), {"-40", "200"});
+  return {deck.number("oil_density_40"), deck.number("oil_density_slope"),
+          deck.number("pressure_viscosity_40"), deck.number("pressure_viscosity_100"),
+          deck.number("permittivity_40")};
+}
+
+void suggest_oil(DeckValues &deck, const raceway::OilAtTemperature &oil)
+{
+  deck.suggest("viscosity", oil.viscosity);
+  deck.suggest("pressure_viscosity", oil.pressure_viscosity);
+  deck.suggest("temperature_viscosity", oil.temperature_viscosity);
+  deck.suggest("oil_density", oil.density);
+  deck.suggest("permittivity", oil.permittivity);
+}
+
+void walther(DeckValues &deck)
+{
+  const double low = deck.number("kinematic_viscosity_40"),
+               high = deck.number("kinematic_viscosity_100"), at = deck.number("temperature");
+  if (!(low > high && high > 0.3))
+    deck.fail("kinematic viscosity " + bearing::text(low) + " mm2/s at 40 C and " +
+              bearing::text(high) + " at 100 C: must fall and stay above 0.3");
+  suggest_oil(deck, at_temperature(oil_data(deck), raceway::walther(low, high, at), at));
+}
+
+void vogel(DeckValues &deck)
+{
+  const raceway::OilData oil = oil_data(deck);
+  const double at = deck.number("temperature");
+  suggest_oil(deck, at_temperature(oil,
+                                   raceway::vogel(deck.number("vogel_viscosity"),
+                                                  deck.number("vogel_slope"),
+                                                  deck.number("vogel_temperature"), oil, at),
+                                   at));
+}
+
+// 1 for a bearing whose file does not have its boundary dimensions
+void starvation(DeckValues &deck)
+{
+  deck.suggest("bore_diameter", 0.0);
+  deck.suggest("outside_diameter", 0.0);
+  const double bore = 1.0e3 * deck.number("bore_diameter"),
+               outside = 1.0e3 * deck.number("outside_diameter"),
+               kinematic = 1.0e6 * deck.number("viscosity") / deck.number("oil_density");
+  deck.set("b_phi_rs", outside > bore
+                           ? raceway::skf_starvation(bore, outside, kinematic, deck.number("rpm"))
+                           : 1.0);
+}
+
+// With `four_point` 0 one groove a ring. b_four_point is what a run notes of it.
+void four_point(DeckValues &deck)
+{
+  const double angle = deck.number("four_point") * degree,
+               ball_radius = 0.5 * deck.number("ball_diameter");
+  const raceway::GothicArch inner = {deck.number("inner_groove") - ball_radius, angle},
+                            outer = {deck.number("outer_groove") - ball_radius, angle};
+  deck.set("b_four_point", "");
+  if (angle == 0.0) {
+    deck.set("b_inner_raceway", deck.word("inner_radius"));
+    deck.set("b_inner_arch", "");
+    deck.set("b_outer_arch", "");
+    return;
+  }
+  deck.range("contact_angle (degrees)", deck.word("contact_angle"),
+             {"0", "0", "advice", "four_point has its own"});
+  deck.set("b_four_point", ",four_point=" + deck.word("four_point"));
+  deck.set("b_inner_raceway", DeckValues::written(deck.number("inner_radius") - inner.depth()));
+  deck.set("b_inner_arch", "gothic_arch " + DeckValues::written(inner.offset()));
+  deck.set("b_outer_raceway",
+           deck.number("outer_radius") + 0.5 * deck.number("clearance") + outer.depth());
+  deck.set("b_outer_arch", "gothic_arch " + DeckValues::written(outer.offset()));
+}
+
+}    // namespace
+
+bearing::DeriveLaws bearing::data_laws()
+{
+  return {{"four_point", four_point},
+          {"starvation", starvation},
+          {"usual_data", usual_data},
+          {"vogel", vogel},
+          {"walther", walther}};
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The laws of bearing_derive.
+#ifndef BEARING_DERIVE_LAWS_H
+#define BEARING_DERIVE_LAWS_H
+
+#include "deck_values.h"
+
+#include <map>
+
+namespace bearing {
+
+typedef std::map<std::string, void (*)(DeckValues &)> DeriveLaws;
+
+DeriveLaws data_laws();    // of bearings and oils
+DeriveLaws run_laws();     // of loads, motion, steps and samples
+
+}    // namespace bearing
+
+#endif

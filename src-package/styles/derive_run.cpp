@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What follows from how a deck's user loads and turns a bearing, and samples its motion.
+#include "derive_laws.h"
+
+#include <algorithm>
+
+using bearing::DeckValues;
+
+namespace {
+
+// The speed, and where the rings start: with a contact angle, or four points and a thrust, balls
+// are in contact with both raceways on the side that the thrust pushes to.
+void start(DeckValues &deck)
+{
+  deck.set("b_omega", 2 * M_PI * deck.number("rpm") / 60);
+  const bool angle = deck.number("contact_angle") > 0.0, four = deck.number("four_point") > 0.0;
+  const double axial = deck.number("axial");
+  deck.set("b_seat", (angle || four) && axial < 0.0   ? "minus"
+                     : angle || (four && axial > 0.0) ? "plus"
+                                                      : "none");
+}
+
+// The radial load, to 15 digits: along -y nothing is left along x. The ring is held along its axis
+// without an axial load, and its tilts are held without a moment.
+void loads(DeckValues &deck)
+{
+  const double azimuth = deck.number("load_azimuth"), load = deck.number("load");
+  const auto part = [load](double share) {
+    return std::floor(1.0e15 * share + 0.5) / 1.0e15 * load;
+  };
+  deck.set("b_load_x", part(std::cos(azimuth)));
+  deck.set("b_load_y", part(std::sin(azimuth)));
+  const bool tilts = deck.number("moment_x") != 0.0 || deck.number("moment_y") != 0.0;
+  deck.set("b_z", deck.number("axial") != 0.0 ? "free" : "fixed");
+  deck.set("b_tilt", tilts ? "free" : "fixed");
+}
+
+// The time in which one ball moves to the position of the next, and that in which the run settles.
+// The bits of a run depend on both, so the mean diameter is rounded as it is written.
+void ball_pass(DeckValues &deck)
+{
+  deck.set("b_pitch", 0.5 * (deck.number("inner_radius") + deck.number("b_outer_raceway")));
+  const double cosine = std::cos((deck.number("contact_angle") + deck.number("four_point")) * M_PI /
+                                 180),
+               share = 1 - 0.5 * deck.number("ball_diameter") * cosine / deck.number("b_pitch");
+  deck.set("b_pass_time", 2 * M_PI / (deck.number("balls") * 0.5 * deck.number("b_omega") * share));
+  deck.set("b_settle_time", deck.number("settle") * deck.number("b_pass_time") + 1.0e-2);
+}
+
+// Samples of a host step, unless the user says: ten, five, two or one, so that a ball pass is a
+// whole number of steps and at least twenty. A step that is given has one.
+void samples_within(DeckValues &deck)
+{
+  const double asked = deck.number("within"), samples = deck.number("samples");
+  double chosen = 1.0;
+  for (const double n : {2.0, 5.0, 10.0})
+    if (samples >= 20.0 * n && std::fmod(samples, n) == 0.0) chosen = n;
+  deck.set("b_within", asked != 0.0 ? asked : deck.number("step") == 0.0 ? chosen : 1.0);
+}
+
+// Host steps of the measurement, between restart files, and between rows of the progress table.
+void measurement(DeckValues &deck)
+{
+  const double within = deck.number("b_within"), every = deck.number("b_every");
+  deck.set("b_keep_steps", std::ceil(deck.number("keep") / within) * every);
+  deck.suggest("b_samples", deck.number("passes") * deck.number("samples"));
+  deck.set("b_steps", deck.number("b_samples") * every / within);
+  deck.range("host steps of the measurement", deck.word("b_steps"),
+             {"1", "2.0e9", "whole", "advice", "fewer passes or samples; within must divide them"});
+  deck.set("b_rows", std::ceil(deck.number("b_steps") / 20));
+}
+
+}    // namespace
+
+bearing::DeriveLaws bearing::run_laws()
+{
+  return {{"ball_pass", ball_pass},
+          {"loads", loads},
+          {"measurement", measurement},
+          {"samples_within", samples_within},
+          {"start", start}};
+}
