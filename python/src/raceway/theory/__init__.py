@@ -2,4 +2,4 @@
 """Bearings without a run: one topic a module, formulas on numbers or arrays in SI units.
 
 On them stand the statics of a whole bearing (`static`), its film (`lubrication`) and its figures
-(`operating_point`)."""
+(`operating_point`, as text `operating_table`)."""

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The figures of `operating_point` as text."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from raceway.rows import Row, lines, row
+from raceway.units import prefixed
+
+TOPICS = {
+    "Operating point": (
+        row("bearing"),
+        row("lubricant"),
+        Row("temperature_C", "temperature", "°C", "of the lubricant"),
+        row("models"),
+        row("load_N", "along x"),
+        Row("axial_N", "axial load", "N", "along z"),
+        Row("moment_x_N_m", "moment about x", "N m"),
+        Row("moment_y_N_m", "moment about y", "N m"),
+        row("clearance_m"),
+        Row("four_point_rad", "contact angle of four points", "°", "of balls in the middle"),
+        row("rpm"),
+        Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
+        Row("centrifugal_N", "centrifugal load of a ball", "N", "m r omega^2"),
+    ),
+    "Inner ring": (
+        Row("shift_x_m", "displacement along x", "m", "Harris ch. 7"),
+        Row("shift_y_m", "displacement along y", "m", "Harris ch. 7"),
+        row("shift_z_m", "Harris ch. 7"),
+        row("tilt_x_rad", "Harris ch. 7"),
+        row("tilt_y_rad", "Harris ch. 7"),
+        row("load_parameter"),
+        Row("stiffness_x_N_m", "stiffness along x", "N/m", "d(load)/d(displacement)"),
+        Row("stiffness_z_N_m", "stiffness along z", "N/m", "the others held"),
+        Row("stiffness_ry_N_m_rad", "tilting stiffness about y", "N m/rad", "the others held"),
+    ),
+    "What holds the ring": (
+        Row("support_x_N", "force along x", "N"),
+        Row("support_y_N", "force along y", "N"),
+        Row("support_z_N", "force along z", "N"),
+        Row("support_rx_N_m", "moment about x", "N m"),
+        Row("support_ry_N_m", "moment about y", "N m"),
+    ),
+    "Loads and pressures": (
+        Row("loaded_balls", "balls loaded on both raceways", "", "N_l of eq 12"),
+        row("q_inner_max_N"),
+        row("q_outer_max_N"),
+        row("p_max_inner_Pa"),
+        row("p_max_outer_Pa"),
+        Row("angle_max_rad", "largest contact angle", "°", "of loaded balls"),
+    ),
+    "Rating life": (
+        Row("static_safety", "static safety", "", "(4.2 GPa/p)^3, ISO 76"),
+        Row("equivalent_load_N", "equivalent load", "N", "ISO/TS 16281"),
+        Row("life_reference_Mrev", "reference life, 10^6 turns", "", "ISO/TS 16281"),
+        Row("life_reference_h", "reference life, hours", "", "90 % survive"),
+        Row("viscosity_ratio", "viscosity ratio kappa", "", "ISO 281"),
+        Row("life_factor", "life modification factor", "", "a_ISO of ISO 281"),
+        Row("life_modified_h", "modified reference life, hours", "", "a_ISO L_10r"),
+        Row("minimum_load_N", "minimum radial load", "N", "SKF's k_r, formula from memory"),
+    ),
+    "Damping of the ring": (
+        Row("damping_x_N_s_m", "damping along x", "N s/m", "slow motion, the others held"),
+        Row("damping_z_N_s_m", "damping along z", "N s/m", "slow motion, the others held"),
+        Row("damping_law", "law of the contacts", None),
+    ),
+    "Film at the largest inner load": (
+        row("viscosity_Pa_s"),
+        row("entrainment_speed_m_s", "U_r of eq 6, rolling"),
+        row("h_min_m"),
+        row("h_c_m"),
+        row("lambda"),
+        Row("film_factor", "factor of inlet shear", "", "Murch-Wilson"),
+        Row("asperity_share", "load share of asperities", "", "Zhou-Hoeprich"),
+    ),
+    "Friction torque": (
+        Row("friction_torque_N_m", "of the inner ring", "N m", "power over speed"),
+        Row("torque_skf_N_m", "SKF, oil to the middle of a ball", "N m", "10000 EN 2013"),
+        Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
+        Row("loss_rolling_W", "hydrodynamic rolling", "W", "Biboulet-Houpert"),
+        Row("loss_slip_W", "differential slip", "W", "Heathcote"),
+        Row("loss_spin_W", "spin", "W"),
+        Row("loss_hysteresis_W", "hysteresis", "W"),
+        Row("loss_drag_W", "drag of the balls", "W"),
+    ),
+    "Capacitance": (
+        row("capacitance_F"),
+        row("capacitance_top_F"),
+    ),
+}
+COLUMNS = (  # of the table of balls: key, heading, SI unit
+    ("azimuth_rad", "azimuth, °", "deg"),
+    ("q_inner_N", "Q inner", "N"),
+    ("q_outer_N", "Q outer", "N"),
+    ("angle_inner_rad", "angle in., °", "deg"),
+    ("angle_outer_rad", "angle out., °", "deg"),
+    ("p_inner_Pa", "p inner", "Pa"),
+    ("p_outer_Pa", "p outer", "Pa"),
+    ("h_min_inner_m", "h_min in.", "m"),
+    ("lambda_inner", "lambda in.", ""),
+    ("h_min_outer_m", "h_min out.", "m"),
+    ("lambda_outer", "lambda out.", ""),
+    ("capacitance_F", "C", "F"),
+)
+CONTACT_COLUMNS = (  # of the table of contacts with two grooves a ring
+    ("azimuth_rad", "azimuth, °", "deg"),
+    ("raceway", "contact", None),
+    ("q_N", "Q", "N"),
+    ("angle_rad", "angle, °", "deg"),
+    ("p_Pa", "p", "Pa"),
+    ("h_min_m", "h_min", "m"),
+    ("lambda", "lambda", ""),
+    ("capacitance_F", "C", "F"),
+)
+
+
+def table(result: Mapping[str, Any]) -> str:
+    """The mapping of `figures` as text: a topic a block, then a row a ball."""
+    filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
+    filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
+    for key in ("angle_max_rad", "four_point_rad"):
+        filled[key] = None if filled[key] is None else math.degrees(filled[key])
+    if not filled["rpm"]:
+        filled.update(orbital_speed_rad_s=None, centrifugal_N=None)
+    block = _table_of_balls(result["balls"])
+    text = [*lines(filled, TOPICS), "", "Balls", *block]
+    if result["warnings"]:
+        text += ["", "Warnings", *(f"  {one}" for one in result["warnings"])]
+    return "\n".join(text)
+
+
+def _table_of_balls(balls):
+    """A row a ball; of two grooves a ring, a row for each that is loaded."""
+    if "contacts" in balls[0]:
+        columns = CONTACT_COLUMNS
+        found = [
+            (str(number), ball | one)
+            for number, ball in enumerate(balls, 1)
+            for one in ball["contacts"]
+            if one["q_N"] > 0
+        ]
+    else:
+        columns = COLUMNS
+        found = [(str(number), ball) for number, ball in enumerate(balls, 1)]
+    shown = [column for column in columns if found and found[0][1].get(column[0]) is not None]
+    rows = [["ball", *(heading for _, heading, _ in shown)]]
+    for number, one in found:
+        rows.append([number, *(_cell(one[key], unit) for key, _, unit in shown)])
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    return ["  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows]
+
+
+def _cell(value, unit):
+    if unit is None:
+        return value
+    if unit == "deg":
+        return f"{math.degrees(value) + 0.0:.3f}"
+    return prefixed(value, unit) if value else "-"
