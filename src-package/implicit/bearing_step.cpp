@@ -35,7 +35,7 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
 {
   const Settings set = asked.relative > 0.0 ? asked.at(forces_.largest_overlap()) : asked;
   Outcome o;
-  o.tolerance = set.newton;
+  o.tolerance = set.error * set.newton;
   pending_ = Energy();
   present_ = {h, s0, s1};
   for (BodyGroup &g : bodies_.groups) {

@@ -48,9 +48,11 @@ class BearingStep {
     double newton = 1e-7;     // m, what the last correction of a stage may move
     double cage = 1.0;        // so many times as far may a cage ball be off as a ball or ring
     double relative = 0.0;    // newton is at least this share of the largest overlap; 0: not asked
+    double error = 1.0;       // over newton: the estimated error that a step may make
     int corrections = 8;      // most of a stage
 
-    double cage_error() const { return 1.0 / cage; }    // what counts of a cage ball's error
+    // what counts of a cage ball's error
+    double cage_error() const { return cage > error ? error / cage : 1.0; }
     // The same for bodies whose largest overlap this is, m. A cage ball may be off as far as
     // before, but for the tolerance of the others.
     Settings at(double overlap) const;
@@ -59,7 +61,7 @@ class BearingStep {
     Failure failure = Failure::not_converged;
     int body = -1;    // that the failure is about, or -1
     int corrections = 0;
-    double tolerance = 0.0;     // m, what `newton` was
+    double tolerance = 0.0;     // m, what the estimated error may be
     double error = HUGE_VAL;    // m, estimated
     double stability = 0.0;     // h^2 over the largest that is allowed; grows like h^2
     double last = HUGE_VAL;     // m, last correction

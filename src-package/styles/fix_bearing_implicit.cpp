@@ -16,8 +16,8 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::BearingStep;
 
-// fix ID group bearing/implicit [solve all|damping] [tolerance T] [relative R] [cage_tolerance TC]
-// [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
+// fix ID group bearing/implicit [solve all|damping] [tolerance T] [relative R] [error E]
+// [cage_tolerance TC] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}, {}, {}})
@@ -31,6 +31,8 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
       cage = args.within("tolerance of cage balls (m)", 1e-13, 1e-3);
     else if (args.take("relative"))
       settings.relative = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
+    else if (args.take("error"))
+      settings.error = args.within("error of a step over the tolerance", 1.0, 100.0);
     else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
     else if (args.take("order")) settings.order = args.integer("order", 1, 2);
     else if (args.take("corrections"))
@@ -41,11 +43,15 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
     else
       args.unknown(
-          "solve, tolerance, relative, cage_tolerance, order, corrections, largest, creep, energy");
+          "solve, tolerance, relative, error, cage_tolerance, order, corrections, largest, creep, "
+          "energy");
   }
   if (settings.dampers_only && settings.relative > 0.0)
     args.fail("relative is " + text(settings.relative) +
               ", must be 0 with 'solve damping', whose tolerance is how far a ball may move");
+  if (settings.dampers_only && settings.error > 1.0)
+    args.fail("error is " + text(settings.error) +
+              ", must be 1 with 'solve damping', which estimates none");
   if (tolerance_ == 0.0) tolerance_ = settings.dampers_only ? 1e-7 : 1e-9;
   settings.newton = tolerance_;
   if (cage > 0.0 && cage < tolerance_)
