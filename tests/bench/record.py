@@ -10,15 +10,14 @@ formed within a round; the median counts. Exit code 1 when one misses its limit.
 
 import re
 import statistics
-import subprocess
 import sys
 import tempfile
 from datetime import date
 from pathlib import Path
 
+from deck_runs import ROOT, cost, factor, run_deck
 from machine import machine
 
-ROOT = Path(__file__).resolve().parents[2]
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}  # rpm: least real-time factor of the main deck
 # Outputs of the main deck, with one sample a host step and with ten.
 TEXT = {"record": "none", "dumps": "yes", "within": 1}
@@ -70,36 +69,12 @@ recording takes. At most {many_cost} is asked for.
 """
 
 
-def liggghts(deck, folder, **variables):
-    """Run a deck into `folder`; what it printed."""
-    words = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none", "-var", "out", folder]
-    for name, value in variables.items():
-        words += ["-var", name, str(value)]
-    done = subprocess.run(
-        [str(word) for word in words],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        errors="replace",
-        check=False,
-    )
-    if done.returncode:
-        sys.exit(f"{deck} failed:\n{done.stdout[-2000:]}")
-    return done.stdout
-
-
 def main_deck(folder, rpm, output):
     """(s a sample, real-time factor) of a run of the main deck."""
     passes = TEXT_PASSES if output == "text" else PASSES
     output = {**OUTPUTS[output], "overwrite": "yes"}
-    liggghts("inputs/in.6208", folder, rpm=rpm, passes=passes, **output)
-    said = dict(
-        line.split(": ", 1)
-        for line in (folder / "run.yaml").read_text().splitlines()
-        if ": " in line
-    )
-    wall = float(said["wall_s"])
-    return wall / (200 * passes), float(said["simulated_s"]) / wall
+    run_deck("inputs/in.6208", out=folder, rpm=rpm, passes=passes, **output)
+    return cost(folder)["wall_s"] / (200 * passes), factor(folder)
 
 
 def many(folder, record):
@@ -109,7 +84,7 @@ def many(folder, record):
     line = "fix record all bearing/record ${every} ${out} overwrite yes\n" if record else ""
     deck = folder / "in.many"
     deck.write_text(text.replace("timestep ${dt}", line + "timestep ${dt}"))
-    printed = liggghts(deck, folder / "run", bearings=MANY, columns=10)
+    printed = run_deck(deck, out=folder / "run", bearings=MANY, columns=10)
     return float(re.findall(r"Loop time of (\S+)", printed)[-1])
 
 

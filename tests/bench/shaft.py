@@ -7,7 +7,6 @@ are compared with those of a run with a tolerance of 0.1 nm at the same instants
 
 import re
 import statistics
-import subprocess
 import sys
 import tempfile
 from datetime import date
@@ -15,9 +14,9 @@ from pathlib import Path
 
 import numpy as np
 import xarray as xr
+from deck_runs import ROOT, factor, run_deck
 from machine import machine
 
-ROOT = Path(__file__).resolve().parents[2]
 ROUNDS = 3
 SETTLE, MEASURE, SAMPLE = 0.06, 0.06, 2e-4  # s
 REFERENCE = ("tolerance 1e-10", 5e-5)
@@ -88,23 +87,10 @@ def simulated(control, step, cage, folder):
     """(real-time factor, loads of every contact (samples, raceways, balls), N)."""
     file = folder / "in.shaft"
     file.write_text(deck(control, step, cage, folder / "run"))
-    done = subprocess.run(
-        [ROOT / "build" / "liggghts", "-in", file, "-log", "none"],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        errors="replace",
-        check=False,
-    )
-    if done.returncode:
-        sys.exit(f"{control}, {step} s failed:\n{done.stdout[-2000:]}")
+    run_deck(file)
     with xr.open_dataset(folder / "run" / "record.nc", decode_times=False) as record:
         loads = np.nan_to_num(record["load"].values)
-    said = (folder / "run" / "run.yaml").read_text()
-    wall, time = (
-        float(re.search(rf"^{n}: (\S+)", said, re.M)[1]) for n in ("wall_s", "simulated_s")
-    )
-    return time / wall, loads
+    return factor(folder / "run"), loads
 
 
 def errors(loads, truth):

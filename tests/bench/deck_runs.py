@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Decks as a user runs them, and what their folders say of the cost."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def run_deck(deck, **variables):
+    """What a deck with `-var` of these printed. Ends the program if the deck fails."""
+    words = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none"]
+    for name, value in variables.items():
+        words += ["-var", name, str(value)]
+    done = subprocess.run(
+        [str(word) for word in words],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        check=False,
+    )
+    if done.returncode:
+        sys.exit(f"{deck} failed:\n{done.stdout[-2000:]}")
+    return done.stdout
+
+
+def cost(folder):
+    """{"wall_s", "simulated_s", "evaluations", ...: number} of a finished run."""
+    found = {}
+    for line in (folder / "run.yaml").read_text().splitlines():
+        name, _, value = line.partition(": ")
+        try:
+            found[name] = float(value)
+        except ValueError:
+            continue
+    return found
+
+
+def factor(folder):
+    """How much faster than real time a run was."""
+    found = cost(folder)
+    return found["simulated_s"] / found["wall_s"]

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Speed and error of the main deck with its record: models, speeds, integrators; writes
+docs/performance/main_deck.rst.
+
+    .venv/bin/python tests/bench/main_deck.py [ROUNDS]
+
+All settings take turns in every round; medians count. Errors are against the same deck at a fine
+tolerance.
+"""
+
+import statistics
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from deck_runs import ROOT, cost, factor, run_deck
+from machine import machine
+
+MODELS = ("paper", "full")
+ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # rpm: real-time factor
+REFERENCE = {"implicit": 1e-10, "damping": 1e-9}  # tolerance, m
+HIGH_SPEED = 9549.0  # rpm, from which on damping has a row: below, its steps are too short
+SAMPLES = 200  # a ball pass
+TIMED, COMPARED = 40, 4  # ball passes
+LEAST = 0.01  # of the largest load: contacts with less are left out of the film's error
+HEADS = (
+    "models",
+    "rpm",
+    "integrator",
+    "real-time factor",
+    "asked for",
+    "nothing written",
+    "evaluations a ball pass",
+    "loads, one instant",
+    "films, one instant",
+    "largest load, mean",
+    "least film, mean",
+    "cage speed, mean",
+    "friction power, mean",
+)
+PAGE = """\
+The main deck: speed and error
+==============================
+
+Written by ``tests/bench/main_deck.py`` (``make bench``), {today}.
+
+The main deck as it stands, at 5 kN, with {samples} samples in a ball pass. Speeds are real-time
+factors over {timed} ball passes, with the whole record and with nothing written, medians of
+{rounds} rounds. Times end when the system has the last sample.
+
+Errors are relative, over {compared} ball passes. The reference has a tolerance of 0.1 nm, for cage
+balls too, and with *damping* 1 nm. Loads are compared contact by contact, over the largest load.
+Films count for contacts with at least 1 % of the largest load. Means are over the {compared} ball
+passes. With ``full`` the motion of the cage is chaotic: there means are what repeats.
+
+.. list-table::
+   :header-rows: 1
+
+{table}
+
+What the asked factor leaves
+----------------------------
+
+A real-time factor fixes the time for a sample. A sample of a record needs one evaluation of all
+contacts, its columns and the file. The steps need their own evaluations. All in microseconds a
+sample, with the faster integrator:
+
+.. list-table::
+   :header-rows: 1
+
+{budget}
+
+{machine}
+"""
+
+
+class Scene(NamedTuple):
+    """A setting of the main deck."""
+
+    models: str
+    rpm: float
+    integrator: str
+
+
+def integrators(rpm):
+    """Those that are measured at a speed."""
+    return [name for name in REFERENCE if name == "implicit" or rpm >= HIGH_SPEED]
+
+
+def played(scene, folder, **more):
+    """Run it into `folder`."""
+    run_deck(
+        "inputs/in.6208",
+        out=folder,
+        overwrite="yes",
+        models=scene.models,
+        rpm=scene.rpm,
+        integrator=scene.integrator,
+        **more,
+    )
+    return folder
+
+
+def recorded(folder):
+    """What is compared of a run: (loads, films, {name: mean})."""
+    with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
+        inner = record.bearing_load_inner
+        means = {
+            "largest load": inner,
+            "least film": record.bearing_h_min,
+            "cage speed": record.bearing_cage_speed,
+            "friction power": record.bearing_friction_power,
+        }
+        return (
+            np.nan_to_num(record["load"].values),
+            record["h_min"].values,
+            {name: float(values.mean()) for name, values in means.items()},
+        )
+
+
+def errors(found, truth):
+    """Loads and films of one instant, then the means."""
+    largest = truth[0].max()
+    both = (found[0] > LEAST * largest) & (truth[0] > LEAST * largest)
+    return [
+        np.abs(found[0] - truth[0]).max() / largest,
+        np.abs(found[1][both] / truth[1][both] - 1).max(),
+        *(abs(found[2][name] / mean - 1) for name, mean in truth[2].items()),
+    ]
+
+
+def listed(rows):
+    """Rows of a list-table."""
+    cells = ("\n     - ".join(map(str, row)) for row in rows)
+    return "\n".join(f"   * - {row}" for row in cells)
+
+
+def compared(scene, folder):
+    """Errors of a scene against itself at a fine tolerance."""
+    fine = REFERENCE[scene.integrator]
+    truth = recorded(played(scene, folder, passes=COMPARED, tolerance=fine, cage_tolerance=fine))
+    return errors(recorded(played(scene, folder, passes=COMPARED)), truth)
+
+
+def measured(scenes, folder, rounds):
+    """({(scene, record): real-time factor}, {scene: evaluations})"""
+    speeds, evaluations = {}, {}
+    for number in range(rounds):
+        print(f"round {number + 1} of {rounds}", flush=True)
+        for scene in scenes:
+            for record in ("all", "none"):
+                played(scene, folder, passes=TIMED, record=record)
+                speeds.setdefault((scene, record), []).append(factor(folder))
+                evaluations[scene] = cost(folder)["evaluations"]
+    medians = {key: statistics.median(found) for key, found in speeds.items()}
+    return medians, evaluations
+
+
+def main():
+    """Measure, print, write."""
+    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 5
+    scenes = [Scene(m, rpm, i) for m in MODELS for rpm in ASKED for i in integrators(rpm)]
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name) / "run"
+        wrong = {scene: compared(scene, folder) for scene in scenes}
+        speeds, evaluations = measured(scenes, folder, rounds)
+        simulated = {}
+        for rpm in ASKED:
+            played(Scene("paper", rpm, "implicit"), folder, passes=COMPARED)
+            simulated[rpm] = cost(folder)["simulated_s"] / (COMPARED * SAMPLES)
+    rows = [HEADS]
+    for scene in scenes:
+        rows.append(
+            (
+                f"``{scene.models}``",
+                f"{scene.rpm:g}",
+                scene.integrator,
+                f"{speeds[scene, 'all']:.3g}",
+                f"{ASKED[scene.rpm]:g}",
+                f"{speeds[scene, 'none']:.3g}",
+                f"{evaluations[scene] / TIMED:.0f}",
+                *(f"{error:.0e}" for error in wrong[scene]),
+            )
+        )
+    budget = [("models", "rpm", "asked factor leaves", "whole", "steps", "record", "by")]
+    for models in MODELS:
+        for rpm in ASKED:
+            best = max(
+                (Scene(models, rpm, i) for i in integrators(rpm)), key=lambda s: speeds[s, "all"]
+            )
+            whole, steps = (1e6 * simulated[rpm] / speeds[best, r] for r in ("all", "none"))
+            left = 1e6 * simulated[rpm] / ASKED[rpm]
+            times = (f"{value:.1f}" for value in (left, whole, steps, whole - steps))
+            budget.append((f"``{models}``", f"{rpm:g}", *times, best.integrator))
+    page = PAGE.format(
+        today=date.today(),
+        samples=SAMPLES,
+        timed=TIMED,
+        rounds=rounds,
+        compared=COMPARED,
+        table=listed(rows),
+        budget=listed(budget),
+        machine="\n".join(f"- {fact}" for fact in machine()),
+    )
+    (ROOT / "docs" / "performance" / "main_deck.rst").write_text(page)
+    print(page)
+
+
+if __name__ == "__main__":
+    main()
