@@ -239,7 +239,7 @@ def full(folder, case, truth=None):
     there already is not run again."""
     film = "full_dry" if case["variables"].get("lubricant") == "dry" else "full"
     words = {"step": 5e-7, "after": 0, "last": None, **case.get("full", {})}
-    own = case.get("control", "") + " cage_tolerance 1e-7"
+    own = case.get("control", "") + " cage_tolerance 1e-6"
     found = run(folder, case, film=film, control=own)
     substeps = round(float(case["variables"].get("sample", 1e-4)) / float(words["step"]))
     if truth is None:
