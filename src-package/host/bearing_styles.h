@@ -5,11 +5,13 @@
 
 #include "../styles/bearing_case.h"
 #include "../styles/bearing_derive.h"
+#include "../styles/bearing_fleet.h"
 #include "../styles/compute_bearing_ball.h"
 #include "../styles/compute_bearing_contact.h"
 #include "../styles/compute_bearing_ring.h"
 #include "../styles/compute_bearing_total.h"
 #include "../styles/create_bearing.h"
+#include "../styles/deck_columns.h"
 #include "../styles/deck_files.h"
 #include "../styles/deck_variables.h"
 #include "../styles/fix_bearing_cage.h"
@@ -51,6 +53,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<CreateBearing>("create_bearing");
   add.template command<BearingInput>("bearing_input");
   add.template command<BearingColumns>("bearing_columns");
+  add.template command<BearingDump>("bearing_dump");
   add.template command<BearingStep>("bearing_step");
   add.template command<BearingWords>("bearing_words");
   add.template command<BearingParts>("bearing_parts");
@@ -60,6 +63,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingResume>("bearing_resume");
   add.template command<BearingCase>("bearing_case");
   add.template command<BearingDerive>("bearing_derive");
+  add.template command<BearingFleet>("bearing_fleet");
   add.template command<BearingVariables>("bearing_variables");
   add.template command<BearingForget>("bearing_forget");
 }

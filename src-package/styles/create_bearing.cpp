@@ -12,21 +12,41 @@ using bearing::text;
 
 // create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
 // [cage_density RHO]
-//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus]
+//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [groups yes|no]
+//   [resumed yes|no]
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
   if (!domain->box_exist)
     args.fail("the simulation box does not exist yet: create_box comes first");
-  if (modify->nfix_restart_peratom)
-    args.fail("comes before read_restart, not after: the restart file has the bearing");
   PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");
   if (!atom->radius_flag || !atom->rmass_flag)
     args.fail("needs atom_style sphere (granular in LIGGGHTS)");
   Plan plan = parse(args);
-  check(args, pair, plan);
-  place(plan, pair);
-  if (plan.cage_type) pair.expect_sphere(plan.ball_type, plan.cage_type);
+  if (!plan.resumed) {
+    if (modify->nfix_restart_peratom)
+      args.fail("comes before read_restart, not after: the restart file has the bearing");
+    check(args, pair, plan);
+    place(plan, pair);
+    if (plan.cage_type) pair.expect_sphere(plan.ball_type, plan.cage_type);
+  } else if (atom->natoms == 0) {
+    args.fail("'resumed yes' needs the atoms of a restart file: read_restart comes first");
+  }
+  if (plan.groups) make_groups(plan);
+}
+
+// Bearings of several commands share them.
+void CreateBearing::make_groups(const Plan &p)
+{
+  const auto add = [this](const char *name, int type) {
+    if (type) input->one(("group " + std::string(name) + " type " + std::to_string(type)).c_str());
+  };
+  add("balls", p.ball_type);
+  add("cage", p.cage_type);
+  add("inner", p.inner_type);
+  add("outer", p.outer_type);
+  add("moving", p.ball_type);
+  add("moving", p.cage_type);
 }
 
 CreateBearing::Plan CreateBearing::parse(Arguments &args)
@@ -52,7 +72,14 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     } else if (args.take("seat")) {
       static const int way[] = {0, 1, -1};
       p.seat = way[args.choice("seat", {"none", "plus", "minus"})];
-    } else args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed, seat");
+    } else if (args.take("groups")) {
+      p.groups = args.choice("groups", {"no", "yes"}) == 1;
+    } else if (args.take("resumed")) {
+      p.resumed = args.choice("resumed", {"no", "yes"}) == 1;
+    } else {
+      args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed, seat, "
+                   "groups, resumed");
+    }
   }
   if (p.balls == 0) args.fail("'balls Z' is missing");
   if (p.ball_radius == 0.0) args.fail("'diameter D' is missing");

@@ -37,6 +37,8 @@ class CreateBearing : public bearing::CommandBase {
     double pitch = 0.0;                    // m, of the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, along the axis
     double cosine = 1.0;                   // of the contact angle
+    bool groups = false;                   // make them
+    bool resumed = false;                  // the atoms are there, from a restart file
   };
 
   Plan parse(bearing::Arguments &);
@@ -44,6 +46,7 @@ class CreateBearing : public bearing::CommandBase {
   static void seat(bearing::Arguments &, const raceway::Groove &inner, const raceway::Groove &outer,
                    double clearance, Plan &);
   void place(const Plan &, const PairBearingHertz &);
+  void make_groups(const Plan &);
   void add(int type, const raceway::Vec3 &x, double radius, double mass, const raceway::Vec3 &v,
            const raceway::Vec3 &w);
 

@@ -3,7 +3,6 @@
 
 #include "../deck/agree.h"
 #include "../deck/arguments.h"
-#include "../deck/column_list.h"
 #include "../deck/folder_lock.h"
 #include "../deck/restart_sum.h"
 #include "../deck/variable_table.h"
@@ -161,15 +160,20 @@ void BearingHost::command(int narg, char **arg)
   Arguments args(lmp, "bearing_host", narg, arg, 0);
   const std::string kind = args.word("variable for the kind of host"),
                     name = args.word("variable for its name");
-  const bool spheres = args.take("spheres");
+  const bool bearings = args.take("bearings"), spheres = bearings || args.take("spheres");
   const std::string format = spheres ? args.word("variable for the format of a line") : "";
-  if (args.more()) args.unknown("spheres");
+  if (args.more()) args.unknown("spheres, bearings");
   suggest(input->variable, kind, BRG_HOST_KIND);
   suggest(input->variable, name, BRG_HOST_NAME);
   if (!spheres) return;
   suggest(input->variable, format, bearing::line_format());
+  if (bearings) input->one("units si");
   input->one((std::string("atom_style ") + bearing::sphere_style()).c_str());
   input->one(bearing::ghost_velocities());
+  if (!bearings) return;
+  // what the styles need, and no cut through a bearing along its axis
+  for (const char *command : {"atom_modify map array sort 0 0.0", "newton off", "processors * * 1"})
+    input->one(command);
 }
 
 void BearingWords::command(int narg, char **arg)
@@ -231,46 +235,6 @@ void BearingResume::command(int narg, char **arg)
   }
   input->one(("variable " + name + " delete").c_str());
   input->one(("variable " + name + " index " + (asked && there ? "yes" : "no")).c_str());
-}
-
-// Of a compute: c_ID[k]. Of a fix: what `fix print` puts a number in place of.
-static const bearing::ColumnList *find_list(LAMMPS *lmp, Arguments &args, const std::string &id,
-                                            bool &compute)
-{
-  const int c = lmp->modify->find_compute(id.c_str()), f = lmp->modify->find_fix(id.c_str());
-  compute = c >= 0;
-  if (c < 0 && f < 0) args.fail("there is no compute or fix '" + id + "'");
-  const auto *list = compute ? dynamic_cast<const bearing::ColumnList *>(lmp->modify->compute[c])
-                             : dynamic_cast<const bearing::ColumnList *>(lmp->modify->fix[f]);
-  if (!list)
-    args.fail((compute ? "compute '" : "fix '") + id + "' is of style " +
-              (compute ? lmp->modify->compute[c]->style : lmp->modify->fix[f]->style) +
-              ", must be a compute bearing/contact, bearing/ball or bearing/ring or a fix "
-              "bearing/ring or bearing/shaft");
-  return list;
-}
-
-void BearingColumns::command(int narg, char **arg)
-{
-  Arguments args(lmp, "bearing_columns", narg, arg, 0);
-  const std::string id = args.word("ID of a compute or fix");
-  const std::string stem = args.more() ? args.word("stem of the variables' names") : id;
-  if (args.more()) args.unknown("none, the command ends here");
-  bool compute;
-  const bearing::ColumnList *list = find_list(lmp, args, id, compute);
-  const std::vector<bearing::ColumnList::Item> items = list->columns();
-  std::string names = compute ? "" : "# step time", formats;
-  std::string values = compute ? "" : "$(step) $(step*dt)";
-  for (size_t n = 0; n < items.size(); ++n) {
-    const char *gap = n ? " " : "";
-    const std::string at = items.size() > 1 ? "[" + std::to_string(n + 1) + "]" : "";
-    names += (compute ? gap : " ") + items[n].name;
-    values += compute ? gap + ("c_" + id) + at : " $(f_" + id + at + ")";
-    formats += gap + items[n].format;
-  }
-  replace(input->variable, stem + "_columns", '"' + names + '"');
-  replace(input->variable, stem + "_values", compute ? values : '"' + values + '"');
-  if (compute) replace(input->variable, stem + "_format", '"' + formats + '"');
 }
 
 void BearingStep::command(int narg, char **arg)

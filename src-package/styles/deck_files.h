@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_columns,
-// bearing_step, bearing_words, bearing_parts: a deck's data files, result folder, numbers, host,
-// restart file, the columns of its dumps, the number of its step, variables of several words and
-// parts of a model, with errors that help before anything runs.
+// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_step,
+// bearing_words, bearing_parts: a deck's data files, result folder, numbers, host, restart file,
+// the number of its step, variables of several words and parts of a model, with errors that help
+// before anything runs.
 #ifdef COMMAND_CLASS
 // clang-format off
 CommandStyle(bearing_input,BearingInput)
@@ -10,7 +10,6 @@ CommandStyle(bearing_output,BearingOutput)
 CommandStyle(bearing_range,BearingRange)
 CommandStyle(bearing_host,BearingHost)
 CommandStyle(bearing_resume,BearingResume)
-CommandStyle(bearing_columns,BearingColumns)
 CommandStyle(bearing_step,BearingStep)
 CommandStyle(bearing_words,BearingWords)
 CommandStyle(bearing_parts,BearingParts)
@@ -52,7 +51,8 @@ class BearingRange : public bearing::CommandBase {
 
 // bearing_host KIND NAME: set the string variables KIND to liggghts or lammps and NAME to the
 // host's name and version, unless they are there already (-var). With `spheres FORMAT` set up atoms
-// that are spheres, and FORMAT to what dump_modify has before the format of a line.
+// that are spheres, and FORMAT to what dump_modify has before the format of a line. `bearings` for
+// `spheres` adds what decks of bearings begin with.
 class BearingHost : public bearing::CommandBase {
  public:
   explicit BearingHost(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
@@ -65,16 +65,6 @@ class BearingHost : public bearing::CommandBase {
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
-  void command(int, char **);
-};
-
-// bearing_columns ID [STEM]: for a dump of the compute ID, set the string variables STEM_columns to
-// the names of its columns, STEM_values to the words c_ID[1] c_ID[2] ... and STEM_format to their
-// format. Names and format stand in quotes, so that each is one word. For `fix print` of a fix:
-// STEM_columns is a title and STEM_values a line, with step and time first.
-class BearingColumns : public bearing::CommandBase {
- public:
-  explicit BearingColumns(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

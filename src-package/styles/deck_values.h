@@ -19,6 +19,7 @@ class DeckValues : protected LAMMPS_NS::Pointers {
     return buf;
   }
 
+  bool there(const std::string &name) const { return input->variable->find(letters(name)) >= 0; }
   std::string word(const std::string &name) const
   {
     const char *value = there(name) ? input->variable->retrieve(letters(name)) : nullptr;
@@ -26,6 +27,13 @@ class DeckValues : protected LAMMPS_NS::Pointers {
     return value;
   }
   double number(const std::string &name) const { return args_.number_in(word(name), name); }
+  // With all digits, where word() has fifteen
+  double formula(const std::string &name) const
+  {
+    const int k = input->variable->find(letters(name));
+    return k >= 0 && input->variable->equalstyle(k) ? input->variable->compute_equal(k)
+                                                    : number(name);
+  }
   // Stops unless the value is in the range, in the words of bearing_range.
   void range(const std::string &label, const std::string &value,
              const std::vector<std::string> &range) const
@@ -34,10 +42,11 @@ class DeckValues : protected LAMMPS_NS::Pointers {
     check_range(words, label, value);
   }
   // An index variable, unless there is a variable of that name.
-  void suggest(const std::string &name, double value)
+  void suggest(const std::string &name, const std::string &value)
   {
-    if (!there(name)) make(name, "index", written(value));
+    if (!there(name)) make(name, "index", value);
   }
+  void suggest(const std::string &name, double value) { suggest(name, written(value)); }
   void set(const std::string &name, double value) { make(name, "equal", written(value)); }
   void set(const std::string &name, std::string words) { make(name, "string", words); }
   [[noreturn]] void fail(const std::string &why) const { args_.fail(why); }
@@ -46,7 +55,6 @@ class DeckValues : protected LAMMPS_NS::Pointers {
   const Arguments &args_;
 
   static char *letters(const std::string &name) { return const_cast<char *>(name.c_str()); }
-  bool there(const std::string &name) const { return input->variable->find(letters(name)) >= 0; }
   void make(const std::string &name, const std::string &style, const std::string &value)
   {
     char *words[] = {letters(name), letters(style), letters(value)};

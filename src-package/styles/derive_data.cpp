@@ -31,7 +31,7 @@ void usual_data(DeckValues &deck)
   deck.suggest("inner_mass", ring.mass(deck.number("ball_density")));
   deck.suggest("inner_inertia", ring.inertia(deck.number("inner_mass")));
   deck.suggest("inner_inertia_t", ring.inertia_t(deck.number("inner_mass")));
-  deck.set("b_usual", 1.0);
+  deck.set("b_usual", deck.word("bearing"));    // whose data they are
 }
 
 // The temperature has its range here, as in Python.

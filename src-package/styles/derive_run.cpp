@@ -9,9 +9,14 @@ using bearing::DeckValues;
 namespace {
 
 // The speed, and where the rings start: with a contact angle, or four points and a thrust, balls
-// are in contact with both raceways on the side that the thrust pushes to.
+// are in contact with both raceways on the side that the thrust pushes to. A contact angle is one
+// of the usual data of a bearing.
 void start(DeckValues &deck)
 {
+  if (deck.number("contact_angle") != 0.0)
+    if (!deck.there("b_usual") || deck.word("b_usual") != deck.word("bearing"))
+      deck.range("contact_angle", deck.word("contact_angle"),
+                 {"0", "0", "advice", "needs a bearing by its usual data, as 7208"});
   deck.set("b_omega", 2 * M_PI * deck.number("rpm") / 60);
   const bool angle = deck.number("contact_angle") > 0.0, four = deck.number("four_point") > 0.0;
   const double axial = deck.number("axial");
@@ -59,10 +64,13 @@ void samples_within(DeckValues &deck)
 }
 
 // Host steps of the measurement, between restart files, and between rows of the progress table.
+// b_sampling and b_housing are what a run notes, unless integrator and housing have said more.
 void measurement(DeckValues &deck)
 {
   const double within = deck.number("b_within"), every = deck.number("b_every");
   deck.set("b_keep_steps", std::ceil(deck.number("keep") / within) * every);
+  deck.suggest("b_sampling", "samples=" + deck.word("samples"));
+  deck.suggest("b_housing", "housing=" + deck.word("housing"));
   deck.suggest("b_samples", deck.number("passes") * deck.number("samples"));
   deck.set("b_steps", deck.number("b_samples") * every / within);
   deck.range("host steps of the measurement", deck.word("b_steps"),
@@ -70,11 +78,21 @@ void measurement(DeckValues &deck)
   deck.set("b_rows", std::ceil(deck.number("b_steps") / 20));
 }
 
+// Of the kind of bearings number b_q of `kinds`: its four atom types, and whether it is built.
+void kind(DeckValues &deck)
+{
+  const int kinds = static_cast<int>(deck.number("kinds")),
+            q = static_cast<int>(deck.number("b_q")), only = static_cast<int>(deck.number("only"));
+  for (int k = 1; k <= 4; ++k) deck.set("b_t" + std::to_string(k), 4.0 * (q - 1) + k);
+  deck.set("b_wanted", only == 0 || (only - 1) % kinds + 1 == q ? 1.0 : 0.0);
+}
+
 }    // namespace
 
 bearing::DeriveLaws bearing::run_laws()
 {
   return {{"ball_pass", ball_pass},
+          {"kind", kind},
           {"loads", loads},
           {"measurement", measurement},
           {"samples_within", samples_within},

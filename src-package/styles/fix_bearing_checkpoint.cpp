@@ -4,6 +4,7 @@
 #include "../deck/arguments.h"
 #include "../deck/restart_sum.h"
 #include "fix_bearing_capacitance.h"
+#include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "output.h"
 
@@ -89,7 +90,7 @@ std::string whole(double n) { return std::to_string(static_cast<long long>(n)); 
 }    // namespace
 
 // fix ID group bearing/checkpoint N FILE [restart M] [resume yes|no] [last yes|no] [settings TEXT]
-// [mean V] ... [count K V1 ... VK] [files F1 F2 ...]
+// [mean V] ... [count K V1 ... VK] [balance RING] [files F1 F2 ...]
 FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), command_(std::string("fix ") + id + " bearing/checkpoint")
 {
@@ -107,9 +108,10 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     else if (args.take("count"))
       for (int n = args.integer("number of counters", 1, 100); n > 0; --n)
         counters_.push_back(DrivenValue::read(args, "count"));
+    else if (args.take("balance")) ring_id_ = args.word("ID of a fix bearing/ring");
     else if (args.take("files"))
       while (args.more()) files_.push_back(args.word("file"));
-    else args.unknown("restart, resume, last, settings, mean, count, files");
+    else args.unknown("restart, resume, last, settings, mean, count, balance, files");
   }
   for (int k = 0; k < modify->nfix; ++k)
     if (const Fix *f = modify->fix[k])
@@ -117,14 +119,14 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
         args.fail(std::string("fix ") + f->id + " is of this style already: the host keeps one " +
                   "kind of restart files");
   if (means_.empty()) means_.emplace_back();    // of nothing: counters come second
-  sums_.assign(means_.size(), 0.0);
+  sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
   seen_.assign(files_.size(), -1.0);
   restart_global = 1;
-  vector_flag = 1;
+  scalar_flag = vector_flag = 1;
   size_vector = static_cast<int>(means_.size() + counters_.size());
-  extvector = 0;
+  extscalar = extvector = 0;
   global_freq = 1;
   // the host writes under a name of its own; publish() gives the whole file its name
   const std::string n =
@@ -147,6 +149,7 @@ void FixBearingCheckpoint::init()
       v.check(lmp, command_);
       reads = reads || v.is_variable();
     }
+  if (!ring_id_.empty()) find_ring();
   if (reads)
     for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp))
       bearing::require_order(lmp, *f, *this,
@@ -157,6 +160,15 @@ void FixBearingCheckpoint::init()
   if (!resumed_ && comm->me == 0 && !begun_)
     unlink(file_.c_str());    // of a run that this one replaces
   begun_ = true;
+}
+
+void FixBearingCheckpoint::find_ring()
+{
+  const int k = modify->find_fix(ring_id_.c_str());
+  ring_ = k < 0 ? nullptr : dynamic_cast<FixBearingRing *>(modify->fix[k]);
+  if (!ring_)
+    BRG_ALL(command_ + ": balance: there is no fix bearing/ring or bearing/shaft '" + ring_id_ +
+            "'");
 }
 
 // Before the first step: what the set-up of a continued run wrote is in the files already. Later: a
@@ -170,6 +182,12 @@ void FixBearingCheckpoint::initial_integrate(int)
 void FixBearingCheckpoint::end_of_step()
 {
   for (size_t k = 0; k < means_.size(); ++k) sums_[k] += means_[k].now(lmp);
+  if (ring_) {
+    const FixBearingRing::Balance now = ring_->balance();
+    double *to = &sums_[means_.size()];
+    for (const raceway::Vec3 &v : {now.load, now.left})
+      for (double component : {v.x, v.y, v.z}) *to++ += component;
+  }
   samples_ += 1.0;
   if (comm->me == 0) watch_files();
   int signal = caught;
@@ -275,6 +293,14 @@ void FixBearingCheckpoint::watch_files()
   }
 }
 
+// The share of the mean load on the ring that its contacts do not carry
+double FixBearingCheckpoint::compute_scalar()
+{
+  if (ring_id_.empty() || samples_ == 0.0) return 0.0;
+  const double *of = &sums_[means_.size()];
+  return std::hypot(of[3], of[4], of[5]) / std::hypot(of[0], of[1], of[2]);
+}
+
 // Means over the samples, then counters, both over all parts of a run that was stopped and
 // continued
 double FixBearingCheckpoint::compute_vector(int n)
@@ -292,7 +318,7 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
   std::vector<double> data = {update->atime,
                               static_cast<double>(update->atimestep),
                               samples_,
-                              static_cast<double>(means_.size()),
+                              static_cast<double>(sums_.size()),
                               static_cast<double>(counters_.size()),
                               static_cast<double>(files_.size())};
   data.insert(data.end(), sums_.begin(), sums_.end());
@@ -317,10 +343,10 @@ void FixBearingCheckpoint::restart(char *buf)
 {
   double head[6];
   memcpy(head, buf, sizeof head);
-  if (head[3] != means_.size() || head[4] != counters_.size() || head[5] != files_.size())
-    BRG_ALL(command_ + ": the restart file was written with " + whole(head[3]) + " means, " +
+  if (head[3] != sums_.size() || head[4] != counters_.size() || head[5] != files_.size())
+    BRG_ALL(command_ + ": the restart file was written with " + whole(head[3]) + " sums, " +
             whole(head[4]) + " counters and " + whole(head[5]) + " files, not " +
-            std::to_string(means_.size()) + ", " + std::to_string(counters_.size()) + " and " +
+            std::to_string(sums_.size()) + ", " + std::to_string(counters_.size()) + " and " +
             std::to_string(files_.size()));
   const char *rest = buf + sizeof head;
   for (std::vector<double> *to : {&sums_, &before_, &length_}) {

@@ -18,6 +18,8 @@ FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 
 namespace LAMMPS_NS {
 
+class FixBearingRing;
+
 class FixBearingCheckpoint : public Fix {
  public:
   FixBearingCheckpoint(class LAMMPS *, int, char **);
@@ -27,6 +29,7 @@ class FixBearingCheckpoint : public Fix {
   void initial_integrate(int) override;
   void end_of_step() override;
   void post_run() override;
+  double compute_scalar() override;
   double compute_vector(int) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
@@ -37,6 +40,7 @@ class FixBearingCheckpoint : public Fix {
   void cut_files();
   void watch_files();
   [[noreturn]] void stop();
+  void find_ring();
 
   std::string command_, file_, part_, settings_;
   int every_restart_ = 0;
@@ -48,7 +52,9 @@ class FixBearingCheckpoint : public Fix {
   std::vector<bearing::DrivenValue> means_;       // averaged over samples
   std::vector<bearing::DrivenValue> counters_;    // each starts from 0 with every run
   double samples_ = 0.0;
-  std::vector<double> sums_;      // of the means
+  std::string ring_id_;    // of a fix bearing/ring whose balance is averaged; empty: none
+  FixBearingRing *ring_ = nullptr;
+  std::vector<double> sums_;      // of the means, then of load and what is left (N) of the ring
   std::vector<double> before_;    // counters of the runs before this one
   // rank 0: the host has written part_, which is not published yet
   bool written_ = false;

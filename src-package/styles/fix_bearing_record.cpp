@@ -21,12 +21,11 @@ static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
 // A note becomes an attribute of the file. Names that scipy's reader of netCDF has for itself would
 // break it.
-static std::string note_name(Arguments &args, const char *what)
+static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
       "filename",  "fp",    "use_mmap", "mode", "version_byte",    "maskandscale",  "dimensions",
       "variables", "close", "flush",    "sync", "createDimension", "createVariable"};
-  const std::string name = args.word(what);
   const bool word = std::isalpha(static_cast<unsigned char>(name[0])) &&
                     std::all_of(name.begin(), name.end(),
                                 [](unsigned char c) { return std::isalnum(c) || c == '_'; });
@@ -36,12 +35,11 @@ static std::string note_name(Arguments &args, const char *what)
   if (std::find(std::begin(taken), std::end(taken), name) != std::end(taken))
     args.fail(std::string(what) + " is '" + name +
               "', which readers of netCDF keep for themselves");
-  return name;
 }
 
 // fix ID group bearing/record N FOLDER [content all|summary|none] [contacts all|usual|none|NAME
 // ...] [within M] [single yes|no] [overwrite yes|no] [number NAME VALUE] [goal NAME VALUE]
-// [text NAME VALUE]
+// [text NAME VALUE]; for NAME VALUE also NAME=VARIABLE ...
 FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/record")),
     command_(std::string("fix ") + id + " bearing/record")
@@ -86,15 +84,11 @@ void FixBearingRecord::read_options(Arguments &args)
     } else if (args.take("overwrite")) {
       overwrite_ = args.choice("overwrite", {"no", "yes"}) == 1;
     } else if (args.take("number")) {
-      const std::string name = note_name(args, "name of a number");
-      notes_.push_back(NetcdfHeader::attribute(name, args.number(name)));
+      read_notes(args, Note::number);
     } else if (args.take("goal")) {
-      const std::string name = note_name(args, "name of a number");
-      notes_.push_back(NetcdfHeader::attribute(name, args.number(name)));
-      notes_.back().changes = true;
+      read_notes(args, Note::goal);
     } else if (args.take("text")) {
-      const std::string name = note_name(args, "name of a text");
-      notes_.push_back(NetcdfHeader::attribute(name, args.word(name)));
+      read_notes(args, Note::text);
     } else {
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
@@ -107,6 +101,32 @@ void FixBearingRecord::read_options(Arguments &args)
   columns_.erase(std::remove_if(columns_.begin(), columns_.end(),
                                 [](const bearing::ContactColumn *c) { return c->names_it; }),
                  columns_.end());
+}
+
+// NAME VALUE, or NAME=VARIABLE as often as wanted: what the deck's variable is now.
+void FixBearingRecord::read_notes(Arguments &args, Note kind)
+{
+  const char *what = kind == Note::text ? "name of a text" : "name of a number";
+  do {
+    std::string name = args.word(what), value;
+    const size_t equals = name.find('=');
+    const bool of_deck = equals != std::string::npos;
+    if (of_deck) {
+      std::string variable = name.substr(equals + 1);
+      name.erase(equals);
+      const char *now = input->variable->find(&variable[0]) < 0
+                            ? nullptr
+                            : input->variable->retrieve(&variable[0]);
+      if (!now) args.fail(name + ": there is no variable '" + variable + "' that is one word");
+      value = now;
+    }
+    check_note(args, what, name);
+    if (!of_deck) value = args.word(name);
+    if (kind == Note::text) notes_.push_back(NetcdfHeader::attribute(name, value));
+    else notes_.push_back(NetcdfHeader::attribute(name, args.number_in(value, name)));
+    notes_.back().changes = kind == Note::goal;
+    if (!of_deck) return;
+  } while (args.more() && args.next().find('=') != std::string::npos);
 }
 
 int FixBearingRecord::setmask() { return END_OF_STEP | POST_RUN; }

@@ -35,7 +35,9 @@ class FixBearingRecord : public Fix {
   double memory_usage() override;
 
  private:
+  enum class Note { number, goal, text };
   void read_options(class bearing::Arguments &);
+  void read_notes(class bearing::Arguments &, Note);
   void check_path();
   void open();
   void find_integrators();

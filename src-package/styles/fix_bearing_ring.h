@@ -45,6 +45,11 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // Tag of the ring that its supports hold to, 0: the ground.
   bearing::tag_t holder() const { return holder_; }
   void begin_step();
+  // Of its first ring, along what is free of it (N): the load, and what contacts leave of it.
+  struct Balance {
+    raceway::Vec3 load, left;
+  };
+  Balance balance();
   // What an atom-style variable gives a ring for itself.
   std::vector<raceway::RingValue> own_values(int i) const;
   // Of this step for a ring with these values.

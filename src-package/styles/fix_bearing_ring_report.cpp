@@ -71,6 +71,19 @@ double FixBearingRing::reported(int row, int k)
   return report_[row * bearing::of_fix_ring::N + k];
 }
 
+FixBearingRing::Balance FixBearingRing::balance()
+{
+  using namespace bearing::of_fix_ring;
+  const auto along_free = [this](int first) {
+    const Vec3 all =
+        axes_.third({reported(0, first), reported(0, first + 1), reported(0, first + 2)});
+    const auto free = [this](int k) { return settings_.program.free(k) ? 1.0 : 0.0; };
+    return Vec3{free(0) * all.x, free(1) * all.y, free(2) * all.z};
+  };
+  const Vec3 load = along_free(LOAD_X);
+  return {load, load + along_free(FX)};
+}
+
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
 {
   // its motion and what it meets; the load is what the deck gave

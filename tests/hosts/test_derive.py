@@ -119,6 +119,7 @@ def test_samples_within(tmp_path, samples, step, within, wanted):
 def test_start(tmp_path, contact_angle, four_point, axial, seat):
     """A thrust decides the side; four points without one are concentric."""
     given = dict(contact_angle=contact_angle, four_point=four_point, axial=axial, rpm=1500)
+    given |= {"bearing": "mine", "b_usual": "mine"}
     found = derived(tmp_path, "bearing_derive start\n", ("b_omega", "b_seat"), **given)
     assert found["b_seat"] == seat
     assert float(found["b_omega"]) == pytest.approx(50 * math.pi, rel=1e-14)
@@ -141,10 +142,12 @@ def test_loads(tmp_path, host, azimuth, axial, moment, held):
 
 
 def test_measurement(tmp_path):
-    given = dict(passes=3, samples=40, keep=7, b_within=2, b_every=5)
+    given = dict(passes=3, samples=40, keep=7, b_within=2, b_every=5, housing="none")
     names = ("b_samples", "b_steps", "b_keep_steps", "b_rows")
-    found = derived(tmp_path, "bearing_derive measurement\n", names, **given)
+    notes = ("b_sampling", "b_housing")
+    found = derived(tmp_path, "bearing_derive measurement\n", (*names, *notes), **given)
     assert [int(found[name]) for name in names] == [120, 300, 20, 15]
+    assert [found[name] for name in notes] == ["samples=40", "housing=none"]
     own = derived(tmp_path, "bearing_derive measurement\n", names, b_samples=8, **given)
     assert own["b_steps"] == "20"  # an integrator that counts samples itself
 
@@ -159,8 +162,21 @@ def test_measurement(tmp_path):
 def test_steps_that_are_no_steps(tmp_path, samples, within, says):
     path = tmp_path / "in.deck"
     path.write_text("bearing_derive measurement\n")
-    done = run(path, passes=1, samples=samples, keep=0, b_within=within, b_every=1)
+    done = run(path, passes=1, samples=samples, keep=0, b_within=within, b_every=1, housing="none")
     assert done.code != 0 and says in done.error, done.text[-1000:]
+
+
+@pytest.mark.parametrize(
+    "only, wanted", [(0, (1, 1, 1)), (1, (1, 0, 0)), (5, (0, 1, 0)), (6, (0, 0, 1))]
+)
+def test_kind(tmp_path, only, wanted):
+    """Lubricants take turns: bearing 5 of three kinds has the second."""
+    names = [f"b_t{k}" for k in (1, 2, 3, 4)]
+    for q, built in enumerate(wanted, start=1):
+        given = dict(b_q=q, kinds=3, only=only)
+        found = derived(tmp_path, "bearing_derive kind\n", (*names, "b_wanted"), **given)
+        assert [int(found[name]) for name in names] == [4 * q - 3, 4 * q - 2, 4 * q - 1, 4 * q]
+        assert int(found["b_wanted"]) == built
 
 
 @pytest.mark.parametrize(
@@ -172,6 +188,11 @@ def test_steps_that_are_no_steps(tmp_path, samples, within, says):
         ),
         ("bearing_derive vogel now", "unknown keyword or one argument too many: 'now'"),
         ("bearing_derive four_point", "has no variable four_point that is one number"),
+        (
+            "variable contact_angle index 30\nvariable bearing index 6208\n"
+            "variable b_usual index 7208\nbearing_derive start",
+            "contact_angle is 30, must be from 0 to 0 (needs a bearing by its usual data, as 7208)",
+        ),
         (
             "variable kinematic_viscosity_100 index 50\nbearing_input inputs/lubricants vg46",
             "bearing_derive: kinematic viscosity 46 mm2/s at 40 C and 50 at 100 C: must fall",

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Words that say at once what decks said in many lines: bearing_host ... bearings, create_bearing
+... groups and resumed, bearing_dump, fix bearing/checkpoint ... balance."""
+
+import re
+
+import numpy as np
+import pytest
+from host import BOX, run, succeed
+
+HOSTS = pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
+SPHERES = """units si
+bearing_host host host_name spheres b_format
+atom_modify map array sort 0 0.0
+boundary f f f
+newton off
+"""
+RACEWAYS = """pair_style bearing/hertz friction constant 0.1
+pair_coeff 1 3 inner 24.0e-3 6.552e-3
+pair_coeff 1 4 outer 36.6e-3 6.552e-3
+pair_coeff 1 2 sphere 210e9 0.3 3.3e9 0.41
+"""
+CREATE = "create_bearing 1 2 3 4 balls 9 diameter 12.6e-3 cage 8.38e-3 speed 50 0"
+GROUPS = """group balls type 1
+group cage type 2
+group inner type 3
+group outer type 4
+group moving type 1 2
+"""
+MOVE = """fix rails cage bearing/cage 4
+fix move all bearing/implicit
+fix inner inner bearing/ring mass 0.2 x free y free spin speed 50 force 300 -400 0 ramp 1e-3
+timestep 1e-4
+"""
+LAST = 'write_dump all custom OUT id x y vx modify ${b_format} "%d %.17g %.17g %.17g" sort id\n'
+
+
+def given(tmp_path, name, text, **words):
+    deck = tmp_path / f"in.{name}"
+    deck.write_text(text.replace("OUT", str(tmp_path / name)))
+    succeed(deck, **words)
+    return (tmp_path / name).read_text()
+
+
+@HOSTS
+def test_what_decks_of_bearings_begin_with(tmp_path, host):
+    assert SPHERES in BOX
+    short = "bearing_host host host_name bearings b_format\nboundary f f f\n"
+    rest = RACEWAYS + CREATE + "\n" + GROUPS + MOVE + "run 5\n" + LAST
+    long = given(tmp_path, "long", BOX + rest, host=host)
+    assert given(tmp_path, "short", BOX.replace(SPHERES, short) + rest, host=host) == long
+
+
+COUNT = "".join(
+    f'variable n equal count({name})\nprint "COUNT {name} ${{n}}"\n'
+    for name in ("balls", "cage", "inner", "outer", "moving")
+)
+
+
+@HOSTS
+def test_groups(tmp_path, host):
+    deck = tmp_path / "in.groups"
+    deck.write_text(BOX + RACEWAYS + CREATE + " groups yes\n" + COUNT)
+    found = dict(re.findall(r"^COUNT (\w+) (\d+)$", succeed(deck, host=host).text, re.M))
+    assert found == {"balls": "9", "cage": "9", "inner": "1", "outer": "1", "moving": "18"}
+    # several bearings share them
+    more = CREATE.replace("1 2 3 4", "1 none 3 4").replace(" cage 8.38e-3", "")
+    small = more.replace("balls 9", "balls 5") + " centre 0 0 0.03 groups yes\n"
+    deck.write_text(BOX + RACEWAYS + CREATE + " groups yes\n" + small + COUNT)
+    found = dict(re.findall(r"^COUNT (\w+) (\d+)$", succeed(deck, host=host).text, re.M))
+    assert found == {"balls": "14", "cage": "9", "inner": "2", "outer": "2", "moving": "23"}
+
+
+@HOSTS
+@pytest.mark.parametrize("resumed", ["no", "yes"])
+def test_one_command_for_new_and_resumed_runs(tmp_path, host, resumed):
+    """The run of ten steps, and its second half from a restart file."""
+    new = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
+    halves = f"run 5\nwrite_restart {tmp_path}/re\nrun 5\n"
+    whole = given(tmp_path, "whole", new + halves + LAST, host=host)
+    if resumed == "no":
+        again = new + "run 10\n"
+    else:
+        begin = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
+        again = begin + f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"
+        again += "neigh_modify delay 0 every 20 check yes\n"
+        again += f"{CREATE} groups yes resumed {resumed}\n{MOVE}run 5\n"
+    assert given(tmp_path, "again", again + LAST, host=host) == whole
+
+
+BY_HAND = """
+bearing_columns contact
+bearing_columns inner
+dump contacts balls local 2 OUT.contacts ${contact_values}
+dump_modify contacts append APPEND ${b_format} ${contact_format}
+fix rings all print 2 ${inner_values} FILE OUT.rings screen no title TITLE
+"""
+AT_ONCE = """
+bearing_dump contacts balls 2 OUT.contacts contact append APPEND columns names
+bearing_dump rings all 2 OUT.rings inner append APPEND
+print "NAMES ${names}"
+"""
+
+
+@HOSTS
+def test_dump(tmp_path, host):
+    """A file begun and continued has the bytes of the host's own commands."""
+    first = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
+    first += "compute contact balls bearing/contact ball load\n"
+    said = {}
+    for name, text in (("hand", BY_HAND), ("once", AT_ONCE)):
+        new = (
+            text.replace("APPEND", "no")
+            .replace("FILE", "file")
+            .replace("TITLE", "${inner_columns}")
+        )
+        more = text.replace("APPEND", "yes").replace("FILE", "append").replace("TITLE", "none")
+        end = "run 4\nundump contacts\nunfix rings\n"
+        deck = tmp_path / f"in.{name}"
+        deck.write_text((first + new + end + more + end).replace("OUT", str(tmp_path / name)))
+        said[name] = succeed(deck, host=host).text
+    assert re.findall(r"^NAMES (.*)$", said["once"], re.M) == ["ball load"] * 2
+    for kind in ("contacts", "rings"):
+        once = (tmp_path / f"once.{kind}").read_bytes()
+        assert len(once) > 500 and once == (tmp_path / f"hand.{kind}").read_bytes()
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        ("d all 0 f contact", "steps between samples is 0, must be"),
+        ("d all 1 f nothing", "there is no compute or fix 'nothing'"),
+        ("d all 1 f contact sort", "unknown keyword or one argument too many: 'sort'"),
+        ("d all 1 f contact append maybe", "append is 'maybe', must be one of: no, yes"),
+    ],
+)
+def test_dump_refused(tmp_path, words, says):
+    deck = tmp_path / "in.bad"
+    compute = "compute contact all bearing/contact ball load\n"
+    deck.write_text(f"{BOX}{RACEWAYS}{CREATE}\n{compute}bearing_dump {words}\n")
+    done = run(deck)
+    assert done.code != 0 and "bearing_dump" in done.error and says in done.error, done.error
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        ("groups maybe", "groups is 'maybe', must be one of: no, yes"),
+        ("resumed 1", "resumed is '1', must be one of: no, yes"),
+        ("resumed yes", "'resumed yes' needs the atoms of a restart file: read_restart comes"),
+    ],
+)
+def test_create_refused(tmp_path, words, says):
+    deck = tmp_path / "in.bad"
+    deck.write_text(f"{BOX}{RACEWAYS}{CREATE} {words}\n")
+    done = run(deck)
+    assert done.code != 0 and "create_bearing" in done.error and says in done.error, done.error
+
+
+@HOSTS
+def test_balance(tmp_path, host):
+    """Share of the mean load that contacts do not carry, along what is free: y alone here."""
+    deck = tmp_path / "in.balance"
+    text = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE.replace("x free y free", "y free")
+    text += "".join(f"variable b{k} equal f_inner[{k}]\n" for k in (12, 19))
+    text += f"fix keep all bearing/checkpoint 2 {tmp_path}/re mean v_b12 mean v_b19 balance inner\n"
+    text += 'run 40\nprint "IS $(f_keep) $(f_keep[1]) $(f_keep[2])"\n'
+    deck.write_text(text)
+    share, force, load = map(
+        float, re.findall(r"^IS (.*)$", succeed(deck, host=host).text, re.M)[-1].split()
+    )
+    assert load == pytest.approx(-400, rel=0.1) and 1e-4 < share < 0.5
+    assert share == pytest.approx(np.abs((force + load) / load), rel=1e-12)
