@@ -171,3 +171,33 @@ def test_balance(tmp_path, host):
     )
     assert load == pytest.approx(-400, rel=0.1) and 1e-4 < share < 0.5
     assert share == pytest.approx(np.abs((force + load) / load), rel=1e-12)
+
+
+def test_balance_of_a_resumed_run(tmp_path):
+    """Over all samples, before and after."""
+    begin = BOX + RACEWAYS + CREATE + " groups yes\n"
+    again = BOX[: BOX.index("region")].replace("boundary f f f\n", "")
+    again += f"read_restart {tmp_path}/re\nneighbor 2.0e-3 bin\n"
+    again += f"neigh_modify delay 0 every 20 check yes\n{CREATE} groups yes resumed yes\n"
+    keep = f"fix keep all bearing/checkpoint 2 {tmp_path}/re last yes balance inner "
+    said = []
+    for first, words, steps in (
+        (begin, "", 40),
+        (begin, "", 20),
+        (again, "resume yes", 20),
+    ):
+        deck = tmp_path / "in.part"
+        deck.write_text(f'{first}{MOVE}{keep}{words}\nrun {steps}\nprint "IS $(f_keep)"\n')
+        said += re.findall(r"^IS (.*)$", succeed(deck).text, re.M)
+    whole, half, resumed = said
+    assert whole == resumed != half
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps"])
+def test_main_deck_that_has_not_settled(tmp_path, host):
+    given = {"passes": 1, "samples": 20, "rpm": 20000, "settle": 0, "inner_mass": 200}
+    done = run("inputs/in.6208", host=host, out=tmp_path / "run", **given)
+    says = (
+        r"share of the load that contacts do not carry is \S+, must be from 0 to 0.05 \(not settled"
+    )
+    assert done.code != 0 and re.search(says, done.error), done.text[-1000:]
