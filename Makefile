@@ -72,6 +72,7 @@ bench: build
 	.venv/bin/python tests/bench/many.py
 	.venv/bin/python tests/bench/peers.py
 	.venv/bin/python tests/hard/table.py
+	.venv/bin/python tests/hard/table_speed.py
 	.venv/bin/python tests/hard/table_full.py
 	.venv/bin/python tests/hard/table_relative.py
 	.venv/bin/python tests/bench/record.py

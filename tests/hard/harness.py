@@ -311,6 +311,23 @@ def _judge_averages(found, truth, bound):
     return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound)
 
 
+def least_room(course, truths, case):
+    """The `Verdict` nearest to its bound, by all references of the case; `truths` are the courses
+    of those that are runs."""
+    verdicts = [
+        judge_statics(course, case)
+        if kind == "statics"
+        else judge(course, truths[kind], case, words)
+        for kind, words in case["references"].items()
+    ]
+    return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound)
+
+
+def truths_of(folder, case):
+    """{kind: `Course`} of the references that are runs."""
+    return {kind: reference(kind, folder, case) for kind in case["references"] if kind != "statics"}
+
+
 def judge_statics(found, case):
     """`Verdict` of the largest difference from static loads over the largest of them."""
     picked, loads = statics(found, case)

@@ -33,7 +33,6 @@ HEAD = [
     "bound",
     "whole course",
     "mean internal step (s)",
-    "simulated over wall time",
     "remark",
 ]
 
@@ -50,7 +49,7 @@ def rows_of(name, folder):
     print(name, found.error, flush=True)
     misses = case.get("misses", {})
     if found.error:
-        return [[name, case["scene"], "", "refused", "", "", "", "", found.error]], []
+        return [[name, case["scene"], "", "refused", "", "", "", found.error]], []
     for kind, words in case["references"].items():
         whole = own = ""
         if kind == "statics":
@@ -84,7 +83,6 @@ def rows_of(name, folder):
                 number(verdict.bound),
                 whole,
                 number(found.step),
-                f"{found.simulated / found.wall:.2g}",
                 "; ".join(remark),
             ]
         )
@@ -207,8 +205,7 @@ the first sample. Remarks have the largest differences of cage speed and film.
 
 Quasi-static cases are compared with statics, transients on their whole course with the peak. A
 chaotic case, up to a whirl of the ring (:ref:`known-limits`), is compared by averages over time
-with their statistical error. Wall time includes the output of every sample, on a shared virtual
-core.
+with their statistical error. :doc:`hard_cases_speed` has the speeds.
 """.splitlines(),
         "",
         *list_table(HEAD, rows),

@@ -15,7 +15,7 @@ TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
 from hard import harness  # noqa: E402
-from hard.harness import CASES, judge, judge_statics, reference  # noqa: E402
+from hard.harness import CASES, least_room, truths_of  # noqa: E402
 from hard.table import list_table, number  # noqa: E402
 
 TARGET = TESTS.parent / "docs/performance/relative_tolerance.rst"
@@ -33,17 +33,11 @@ def corrections(course):
 def by_smoothed_friction(name, folder):
     """(course, verdict with the least room) by share."""
     case = CASES[name]
-    truths = {k: reference(k, folder, case) for k in case["references"] if k != "statics"}
+    truths = truths_of(folder, case)
     for share in SHARES:
         words = f"{case.get('control', '')} relative {share}"
         course = harness.run(folder, case, control=words)
-        verdicts = [
-            judge_statics(course, case)
-            if kind == "statics"
-            else judge(course, truths[kind], case, words)
-            for kind, words in case["references"].items()
-        ]
-        yield course, max(verdicts, key=lambda one: one.figure / one.bound)
+        yield course, least_room(course, truths, case)
 
 
 def by_full(name, folder):

@@ -19,6 +19,7 @@ from hard.harness import (
     reference,
     run,
 )
+from hard.speed import nearest
 
 
 def marked(*keys, name, key):
@@ -75,6 +76,18 @@ def test_figure(courses, name, kind):
     )
     print(f"{name}, {kind}: {verdict}")
     assert verdict.good, str(verdict)
+
+
+@pytest.mark.parametrize("name", [name for name, case in CASES.items() if "fast" in case])
+def test_fast_words(courses, tmp_path, name):
+    """The words that are faster hold the case's bounds, in host steps of a sample and in long ones,
+    and take at least 1.5 times longer internal steps."""
+    case = CASES[name]
+    truths = {kind: courses(name, kind) for kind in case["references"] if kind != "statics"}
+    verdict, step = nearest(tmp_path, case, case["fast"], truths)
+    print(f"{name}, {case['fast']}: {verdict}, internal step {step:.2e} s")
+    assert verdict.good, str(verdict)
+    assert step > 1.5 * courses(name, "default").step
 
 
 @pytest.mark.parametrize("name", CASES)

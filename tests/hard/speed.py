@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How fast the hard cases run in host steps that are as long as their drives allow, with a record
+and with nothing written; what the control takes of the period of what rings."""
+
+import re
+import statistics
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from host import liggghts
+
+from hard.harness import DECK, coarse, first_samples, judge, least_room, run
+
+RUNS = 3  # of which the median counts
+# m, rising: the coarsest that holds the bounds says how many steps a period they need
+TOLERANCES = (1e-9, 2e-9, 5e-9, 1e-8, 2e-8, 5e-8, 1e-7, 2e-7)
+
+
+class Speed(NamedTuple):
+    factor: float  # simulated over wall time of the host's loop: set-up is not in it
+    step: float  # s, mean internal
+
+
+def speed(folder, case, writes, control=None):
+    """The `Speed` with output `writes` (record or nothing), in the host steps of `large`."""
+    samples, sample = case["variables"]["samples"], float(case["variables"]["sample"])
+    within = case["large"]["factor"]
+    variables = {
+        **case["variables"],
+        "control": case.get("control", "") if control is None else control,
+        "samples": samples // within,
+        "sample": sample * within,
+        "within": within,
+        "writes": writes,
+    }
+    walls = []
+    for _ in range(RUNS):
+        outcome = liggghts(DECK, out=folder, **variables)
+        assert outcome.code == 0, outcome.error
+        walls.append(float(re.findall(r"Loop time of (\S+) on", outcome.text)[-1]))
+    step = float(re.search(r"CONTROL mean (\S+)", outcome.text)[1])
+    return Speed(variables["samples"] * variables["sample"] / statistics.median(walls), step)
+
+
+def resonance(folder):
+    """Shortest period of a ball on the springs of its two contacts in the record of the last run,
+    s."""
+    with xr.open_dataset(Path(folder) / "record" / "record.nc") as record:
+        load, overlap = record["load"].values, record["overlap"].values
+        mass = float(record["ball_mass"].values.flat[0])
+        raceways = record["load"].dims.index("raceway")
+    closed = (load > 0) & (overlap > 0)
+    stiffness = np.divide(1.5 * load, overlap, out=np.zeros_like(load), where=closed)
+    return 2 * np.pi * np.sqrt(mass / stiffness.sum(axis=raceways).max())
+
+
+def nearest(folder, case, control, truths):
+    """(`Verdict` nearest to its bound, mean internal step in s) of these words, in host steps of a
+    sample and in those of `large`; the step is that of the latter. None: it stopped."""
+    case = dict(case, control=control)
+    found, long = run(folder, case), coarse(folder, case)
+    if found.error or long.error:
+        return None
+    factor = case["large"]["factor"]
+    truth = first_samples(truths["verlet"], factor * (len(long.load) - 1))
+    verdicts = [
+        least_room(found, truths, case),
+        judge(long, truth, case, case["large"], factor),
+    ]
+    return max(verdicts, key=lambda verdict: verdict.figure / verdict.bound), long.step
+
+
+def coarsest(folder, case, truths):
+    """(tolerance in m, mean internal step in s) of the coarsest of `TOLERANCES` up to which all
+    bounds hold."""
+    held = None
+    for tolerance in TOLERANCES:
+        found = nearest(folder, case, f"tolerance {tolerance}", truths)
+        if found is None or not found[0].good:
+            break
+        held = tolerance, found[1]
+    return held

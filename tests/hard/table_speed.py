@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Times the hard cases with a record and with nothing written, and writes
+docs/performance/hard_cases_speed.rst.
+
+    python tests/hard/table_speed.py
+"""
+
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS))  # as pytest.ini does
+
+from hard.harness import CASES, truths_of  # noqa: E402
+from hard.speed import RUNS, coarsest, nearest, resonance, speed  # noqa: E402
+from hard.table import list_table, number  # noqa: E402
+
+TARGET = TESTS.parent / "docs/performance/hard_cases_speed.rst"
+HEAD = ["case", "host step (s)", "samples in it", "with a record", "nothing written"]
+SLOW = [
+    "case",
+    "contact resonance (s)",
+    "steps a period, default",
+    "coarsest tolerance that holds (m)",
+    "steps a period there",
+    "words",
+    "steps a period with them",
+    "figure",
+    "bound",
+    "with a record",
+    "nothing written",
+]
+
+
+def times(name, folder):
+    """(row of the first table, `Speed` without output, period of the resonance in s)."""
+    case, within = CASES[name], CASES[name]["large"]["factor"]
+    record = speed(folder, case, "record")
+    period = resonance(folder)
+    nothing = speed(folder, case, "nothing")
+    host_step = within * float(case["variables"]["sample"])
+    factors = [f"{one.factor:.2g}" for one in (record, nothing)]
+    return [name, number(host_step), str(within), *factors], nothing, period
+
+
+def fast(name, folder):
+    """(`Speed` with a record and with nothing written) with the words that are faster."""
+    words = CASES[name]["fast"]
+    return [speed(folder, CASES[name], writes, words) for writes in ("record", "nothing")]
+
+
+def needs(name, folder, default, period, faster):
+    """Row of the second table."""
+    case = CASES[name]
+    truths = truths_of(folder, case)
+    tolerance, step = coarsest(folder, case, truths)
+    verdict, _ = nearest(folder, case, case["fast"], truths)
+    return [
+        name,
+        number(period),
+        f"{period / default.step:.1f}",
+        number(tolerance),
+        f"{period / step:.1f}",
+        f"*{case['fast']}*",
+        f"{period / faster[1].step:.1f}",
+        number(verdict.figure) + ("" if verdict.good else " **misses**"),
+        number(verdict.bound),
+        *(f"{one.factor:.2g}" for one in faster),
+    ]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        timed = {name: times(name, folder) for name in CASES}
+        faster = {name: fast(name, folder) for name in CASES if "fast" in CASES[name]}
+        print("timed", flush=True)
+        slow = [needs(name, folder, *timed[name][1:], faster[name]) for name in faster]
+    below = sum(nothing.factor < 1 for _, nothing, _ in timed.values())
+    text = [
+        ".. written by tests/hard/table_speed.py; do not edit",
+        "",
+        "Speed of the hard cases",
+        "=======================",
+        "",
+        *f"""\
+The scenes of :doc:`hard_cases` in long host steps: as long as their loads and motions allow. That
+page has the errors of these host steps. *With a record* is :doc:`../fix_bearing_record` with the
+samples of that page, taken within the host steps. *Nothing written* is the same motion without
+output. A factor is simulated over wall time of the host's loop, without set-up. It is the median of
+{RUNS} runs on a shared virtual core. Written on {date.today()}: without output {below} of
+{len(timed)} are slower than real time at the default words.
+""".splitlines(),
+        "",
+        *list_table(HEAD, [row for row, _, _ in timed.values()]),
+        "Where vibration sets the step",
+        "-----------------------------",
+        "",
+        *"""\
+Balls between two loaded contacts ring. *Contact resonance* is the shortest period of a ball on the
+springs of its two contacts in the run. The default tolerance follows this motion with more steps
+than the bounds need. *Coarsest tolerance* is the largest of a series of which all smaller ones hold
+every bound too: 1, 2, 5, 10, 20, 50, 100 and 200 nm. The series was run with a host step a sample,
+and with the host steps above. The steps a period are those of the latter. Steps as long as the
+period damp the vibration. The loads stay within the bound.
+
+*Words* are those of :doc:`../fix_bearing_implicit` that hold the same bounds faster. The figure is
+the one with the least room to its bound, of both lengths of host steps.
+""".splitlines(),
+        "",
+        *list_table(SLOW, slow),
+    ]
+    TARGET.write_text("\n".join(text))
+    print(TARGET)
+
+
+if __name__ == "__main__":
+    main()
