@@ -110,7 +110,7 @@ def test_name(name):
 def test_the_list_is_complete():
     """All formulas and all that reads a run, but for the parts that only these two use."""
     parts = {
-        "theory": {"balance", "circle", "seat", "validity"},
+        "theory": {"balance", "circle", "operating_balls", "seat", "validity"},
         "runs": {
             "around",
             "flaws",

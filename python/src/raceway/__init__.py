@@ -52,6 +52,7 @@ NAMES = {
     "lubrication": "theory.lubrication",
     "makers": "theory.makers",
     "operating_point": "theory.operating_point",
+    "operating_table": "theory.operating_table",
     "ring_response": "theory.ring_response",
     "many_grooves": "theory.many_grooves",
     "rolling": "theory.rolling",

@@ -21,7 +21,8 @@ from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 FINER = 0.1  # of the tolerance; velocity Verlet: half the step
 MORE = 2  # samples for one
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
-TOLERANCES = ("tolerance", "relative_tolerance")
+TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
+OF_IMPLICIT = (*TOLERANCES, "step_error")
 # cost and settings: no figures
 LEFT_OUT = (
     *("wall_s", "real_time_factor", "processor_s", "evaluations"),
@@ -75,13 +76,13 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
                 finer[name] = f"{FINER * float(own[name]):.15g}"
     else:
         finer["step"] = f"{0.5 * tables.settings['step_s']:.15g}"
-        for name in TOLERANCES:
+        for name in OF_IMPLICIT:
             finer.pop(name, None)
     # integrator vibration has a step for each sample: more of them are a finer step, too
     count = "oversampling" if "oversampling" in own else "samples"
     sampled = {**own, count: f"{MORE * int(float(own[count]))}"}
     if own["integrator"] not in IMPLICIT:
-        for name in TOLERANCES:
+        for name in OF_IMPLICIT:
             sampled.pop(name, None)
     return {"integration": finer, "sampling": sampled}
 

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Figures of single balls at an operating point, SI."""
 
+from typing import Any
+
 import numpy as np
 
 from raceway.theory import four_point
+from raceway.theory.lubrication import Lubrication
+from raceway.theory.static import Equilibrium
 
 
-def balls(state, films):
+def balls(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
     """A mapping a ball: loads, angles, pressures and axes, with `films` (or None) these, too."""
     columns = {"azimuth_rad": state.azimuth}
     for name, side in (("inner", state.inner), ("outer", state.outer)):
@@ -32,7 +36,7 @@ def balls(state, films):
     ]
 
 
-def balls_in_grooves(state, films):
+def balls_in_grooves(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
     """With two grooves a ring: a mapping a ball, with a list of `contacts`."""
     films = (None, None, None) if films is None else films
     found = []
