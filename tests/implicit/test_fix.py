@@ -306,12 +306,12 @@ def test_coarse_cage_balls_leave_unloaded_balls_at_rest(tmp_path):
 
 
 def test_an_error_may_be_larger_than_corrections(tmp_path):
-    """A step may make 2.5 times the error that corrections leave, which the deck takes with the
-    models `full`: a sixth of the evaluations less at high speed, figures within 0.1 %."""
+    """A step may make 2.5 times the error that corrections leave: with the models `full` a sixth of
+    the evaluations less at high speed, figures within 0.1 %."""
     found = []
     for share in (1, 2.5):
         out = tmp_path / str(share)
-        succeed("inputs/in.6208", out=out, models="full", rpm=9549, b_error_share=share)
+        succeed("inputs/in.6208", out=out, models="full", rpm=9549, step_error=share)
         found.append(summary(RunTables(out)))
     fine, coarse = found
     assert coarse["evaluations"] < 5 / 6 * fine["evaluations"]
