@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run larger than memory should need: simulates a 6208 until its record holds 2 GB, and the same
-ball passes as text, looks at both in every way the package has, and writes seconds and memory to
-docs/performance/large_runs.rst.
+"""A run larger than memory should need: simulates a 6208 until its record holds 2 GB, looks at it
+in every way the package has, and writes seconds and memory to docs/performance/large_runs.rst.
 
-    .venv/bin/python tests/bench/large_runs.py [GIGABYTES [FOLDER]]
+    .venv/bin/python tests/bench/large_runs.py [--text] [GIGABYTES [FOLDER]]
 
-FOLDER (default build/run/large) needs three times as much; runs that are there and large enough are
-used again, and those made here are left for that. Exit code 1 when anything fails, needs 1 GB of
-memory, or takes longer than LONGEST in a record.
+With --text the same ball passes are written as text, too, and looked at in the same ways: that
+takes a quarter of an hour. FOLDER (default build/run/large) needs three times as much; runs that
+are there and large enough are used again, and those made here are left for that. Exit code 1 when
+anything fails, needs 1 GB of memory, or takes longer than LONGEST in a record.
 """
 
 import subprocess
@@ -78,7 +78,7 @@ def passes_of(folder):
     return int(float(said["passes"])) if "wall_s" in said else 0
 
 
-def simulate(folder, size):
+def simulate(folder, size, formats):
     """Make the runs unless they are there; the length is judged from a short one."""
     record = folder / "record" / "record.nc"
     if not (passes_of(folder / "record") and record.stat().st_size >= size):
@@ -86,7 +86,7 @@ def simulate(folder, size):
         per_pass = record.stat().st_size / 4
         run_deck(folder / "record", int(1.01 * size / per_pass) + 1, FORMATS["record"])
     passes = passes_of(folder / "record")
-    if passes_of(folder / "text") != passes:
+    if "text" in formats and passes_of(folder / "text") != passes:
         run_deck(folder / "text", passes, FORMATS["text"])
     return passes
 
@@ -114,17 +114,19 @@ def measure(folder, task, middle):
 
 def main():
     """Simulate, measure, print, write."""
-    gigabytes = float(sys.argv[1]) if len(sys.argv) > 1 else 2.0
-    folder = Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "build" / "run" / "large").resolve()
-    passes = simulate(folder, gigabytes * 1e9)
+    words = [word for word in sys.argv[1:] if word != "--text"]
+    formats = [name for name in FORMATS if name == "record" or "--text" in sys.argv]
+    gigabytes = float(words[0]) if words else 2.0
+    folder = Path(words[1] if len(words) > 1 else ROOT / "build" / "run" / "large").resolve()
+    passes = simulate(folder, gigabytes * 1e9, formats)
     size = {
         name: (folder / kind / name).stat().st_size / 1e9
-        for kind, names in FILES.items()
-        for name in names
+        for kind in formats
+        for name in FILES[kind]
     }
     rows = []
     for name, task in TASKS.items():
-        rows.append((name, *(measure(folder / kind, task, passes * 100) for kind in FORMATS)))
+        rows.append((name, *(measure(folder / kind, task, passes * 100) for kind in formats)))
         said = "".join(f"{seconds:8.1f} s{memory:8.0f} MB" for seconds, memory in rows[-1][1:])
         print(f"{name:<52}{said}", flush=True)
     lines = [
@@ -143,17 +145,18 @@ def main():
     lines += [
         "",
         *"""\
-The same run as a record and as text. Each task runs in a process of its own. Seconds are without
-loading the package, which the first row has. Files are in the page cache or not, as it happens.
-Memory is the largest resident size of the process.
+Each task runs in a process of its own. Seconds are without loading the package, which the first row
+has. Files are in the page cache or not, as it happens. Memory is the largest resident size of the
+process. ``--text`` adds columns of the same run as text, which takes up to a hundred times as long:
+35 s for all figures and 100 s for the largest loads on 2026-11-21.
 """.splitlines(),
         "",
         ".. list-table::",
         "   :header-rows: 1",
-        "   :widths: 40 15 15 15 15",
+        f"   :widths: 40{' 15' * 2 * len(formats)}",
         "",
         "   * - task",
-        *(f"     - {kind}, {what}" for kind in FORMATS for what in ("seconds", "memory (MB)")),
+        *(f"     - {kind}, {what}" for kind in formats for what in ("seconds", "memory (MB)")),
     ]
     for name, *found in rows:
         lines.append(f"   * - {name.replace('`', '``')}")
@@ -163,7 +166,7 @@ Memory is the largest resident size of the process.
     (ROOT / "docs" / "performance" / "large_runs.rst").write_text(text)
     worst = max(memory for _, *found in rows for _, memory in found)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
-    slow = [name for name, (seconds, _), _ in rows if seconds > LONGEST.get(name, 1e9)]
+    slow = [name for name, (seconds, _), *_ in rows if seconds > LONGEST.get(name, 1e9)]
     print("longer in a record than asked for:", ", ".join(slow) or "nothing")
     return int(worst >= LIMIT or bool(slow))
 
