@@ -56,7 +56,7 @@ run: build
 
 build: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	@$(MAKE) --no-print-directory -s -j2 build/liggghts build/lammps build/raceway_plugin.so build/libraceway_physics.so build/columns
+	@$(MAKE) --no-print-directory -s -j2 build/libraceway_physics.so build/liggghts build/lammps build/raceway_plugin.so build/columns
 
 test: build sanitized tree lint
 	@$(MAKE) --no-print-directory docs
