@@ -60,8 +60,10 @@ build: setup
 
 test: build sanitized tree lint
 	@$(MAKE) --no-print-directory docs
-	.venv/bin/python docs/try_examples.py
-	.venv/bin/python -m pytest tests -n $(shell nproc) --dist loadfile
+	@examples=0; .venv/bin/python docs/try_examples.py || examples=1; \
+	echo ".venv/bin/python -m pytest tests"; \
+	.venv/bin/python -m pytest tests -n $(shell nproc) --dist loadfile && \
+	{ [ $$examples = 0 ] || { echo "an example of docs failed, see above"; exit 1; }; }
 
 bench: build
 	@$(MAKE) --no-print-directory -s $(BENCH_STAMP)

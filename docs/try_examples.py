@@ -81,6 +81,17 @@ def session(page):
         )
 
 
+def not_printed(block, output):
+    """The first line of a transcript that is not in the output, in its place; or nothing."""
+    printed = (line.rstrip() for line in output.splitlines())
+    for line in block.splitlines():
+        if line.strip() in ("", "...") or line.startswith("$ "):
+            continue
+        if line.rstrip() not in printed:
+            return f"{block}\nnot printed: {line}"
+    return None
+
+
 def run_session(page, folder):
     """Run the blocks of a page in `folder`; what each said when it failed, or nothing.
 
@@ -109,15 +120,10 @@ def run_session(page, folder):
             errors="replace",
         )
         if transcript:
-            printed = iter(done.stdout.splitlines())
-            failed = not all(
-                line.rstrip() in (other.rstrip() for other in printed)
-                for line in block.splitlines()
-                if line.strip() not in ("", "...") and not line.startswith("$ ")
-            )
+            failed = not_printed(block, done.stdout)
         else:
-            failed = done.returncode != 0
-        yield f"{page.name} {kind} block {number}", failed and f"{block}\n{done.stdout[-1200:]}"
+            failed = done.returncode != 0 and block
+        yield f"{page.name} {kind} block {number}", failed and f"{failed}\n{done.stdout[-1200:]}"
 
 
 def key(line):
