@@ -6,8 +6,8 @@ build/tree/lmp_raceway.
 
 apt runs with a private configuration under build/source: sources of its own, derived from those of
 the machine, and its own folders; nothing of the user's is touched. What is there already is neither
-fetched nor built again. It is not built for speed: the host without optimisation, Raceway with
-little, which takes a compiler a fraction of the time.
+fetched nor built again. It is built without optimisation, which takes a compiler a fraction of the
+time.
 """
 
 import json
@@ -23,7 +23,7 @@ sys.path.insert(0, str(INSTALLER.parent))
 import liggghts_tree  # noqa: E402
 import source_tree  # noqa: E402
 
-LEVELS = ("OPTIMISE_HOST=-O0", "OPTIMISE=-O1 -DRACEWAY_ONE_TARGET")
+LEVELS = ("OPTIMISE_HOST=-O0", "OPTIMISE=-O0 -DRACEWAY_ONE_TARGET")
 
 
 def run(*command, quiet=True, **kwargs):

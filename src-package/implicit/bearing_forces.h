@@ -77,6 +77,7 @@ class BearingForces {
   bool lubricated_raceways(const Stage &, Failure &);
   bool gap_raceways(const Stage &, Failure &);
   bool full_raceways(const Stage &, Failure &);
+  bool narrow_raceways(const Stage &, Failure &);
   bool flawed_raceways(const Stage &, Failure &);
   bool flawed_gap_raceways(const Stage &, Failure &);
   void rails(const Stage &);

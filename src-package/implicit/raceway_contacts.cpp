@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is asked of all raceways of a bearing, whatever the law of their contacts.
 #include "bearing_forces.h"
+#include "instruction_set.h"
 
 #include <algorithm>
 
@@ -10,6 +11,9 @@ Failure BearingForces::all_raceways(const Stage &stage)
 {
   Failure failure = Failure::none;
   if (b_.flawed) flawed_raceways(stage, failure) || flawed_gap_raceways(stage, failure);
+#ifdef RACEWAY_TWO_TARGETS
+  else if (!wide_lanes()) narrow_raceways(stage, failure);
+#endif
   else
     dry_raceways(stage, failure) || lubricated_raceways(stage, failure) ||
         gap_raceways(stage, failure) || full_raceways(stage, failure);

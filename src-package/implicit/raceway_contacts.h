@@ -3,8 +3,8 @@
 // is a list of parts (physics/contact.h); nothing here knows what is in it.
 //
 // Compiled for a family of laws at a time, each in a file of its own: together they would take a
-// compiler minutes and gigabytes. For the same reason raceways with profiles are compiled for one
-// instruction set.
+// compiler minutes and gigabytes. For the same reason raceways with profiles, and any raceway for
+// processors without AVX2, are compiled without forced inlining.
 #ifndef RACEWAY_RACEWAY_CONTACTS_H
 #define RACEWAY_RACEWAY_CONTACTS_H
 

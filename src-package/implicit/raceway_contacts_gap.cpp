@@ -4,7 +4,7 @@
 
 namespace raceway {
 
-RACEWAY_LANES bool BearingForces::gap_raceways(const Stage &stage, Failure &failure)
+RACEWAY_WIDE bool BearingForces::gap_raceways(const Stage &stage, Failure &failure)
 {
   return raceways_of<GapLaws, false>(stage, failure);
 }

@@ -4,7 +4,7 @@
 
 namespace raceway {
 
-RACEWAY_LANES bool BearingForces::lubricated_raceways(const Stage &stage, Failure &failure)
+RACEWAY_WIDE bool BearingForces::lubricated_raceways(const Stage &stage, Failure &failure)
 {
   return raceways_of<LubricatedLaws, false>(stage, failure);
 }

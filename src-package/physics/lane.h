@@ -9,24 +9,31 @@
 #ifndef RACEWAY_LANE_H
 #define RACEWAY_LANE_H
 
+#include "targets.h"
+
 #include <cmath>
 
 // A function that takes a Lane must be compiled for the instruction set of its caller, so it is
 // never called. A function that calls such functions is compiled for several instruction sets; the
 // best one is chosen at run time. Without fused multiply-add, so all give the same bits.
 //
-// For one instruction set both are plain functions, which compile several times faster: sanitizers,
-// which do not know the mechanism, and builds that are not for speed (RACEWAY_ONE_TARGET).
+// Functions with the laws of contacts in them are large, and what is for processors without AVX2
+// takes a compiler three quarters of the time. So these are compiled for AVX2 alone (RACEWAY_WIDE),
+// and once more in a file for one target; instruction_set.h tells which to call.
+//
+// For one target all are plain functions, which compile several times faster: sanitizers, which do
+// not know the mechanism, and builds that are not for speed (targets.h).
 #if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_INLINE inline
-#define RACEWAY_LANES
 #else
 #define RACEWAY_INLINE __attribute__((always_inline)) inline
-#if defined(__x86_64__)
+#endif
+#if defined(RACEWAY_TWO_TARGETS) && !defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_LANES __attribute__((target_clones("avx2", "default")))
+#define RACEWAY_WIDE __attribute__((target("avx2")))
 #else
 #define RACEWAY_LANES
-#endif
+#define RACEWAY_WIDE
 #endif
 
 namespace raceway {

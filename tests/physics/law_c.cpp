@@ -2,6 +2,7 @@
 // Every compiled contact law behind a C interface, for test_physics_laws.py: its slopes in duals
 // and by differences, its values one by one and four side by side.
 #include "../../src-package/implicit/contact_lanes.h"
+#include "../../src-package/implicit/instruction_set.h"
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/part_table.h"
 #include "../exports.h"
@@ -345,3 +346,14 @@ EXPORT(int, law_lanes, (int law, int sample))
   with_law(parts, [&](auto l) { different = lane_differences<decltype(l)>(parts, sample); });
   return different;
 }
+
+// Of the processor, and of the code for contacts.
+EXPORT(int, has_avx2, ())
+{
+#ifdef __x86_64__
+  return __builtin_cpu_supports("avx2") != 0;
+#else
+  return 1;    // there is one compilation, which counts as that
+#endif
+}
+EXPORT(int, takes_avx2, ()) { return wide_lanes(); }

@@ -64,7 +64,9 @@ def touched(tmp_path_factory):
     shutil.copytree(ROOT / "build" / "obj", tree / "build" / "obj")
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
     targets = ["build/liggghts", "build/libraceway_physics.so", "build/columns"]
-    run(["make", "-s", "-j2", "OPTIMISE=-O1 -DRACEWAY_ONE_TARGET", *targets], tree)
+    # nice: ranks of other tests wait for each other while a compiler has their core
+    nice = ["nice", "-n", "19", "make", "-s", "-j2"]
+    run([*nice, "OPTIMISE=-O0 -DRACEWAY_ONE_TARGET", *targets], tree)
     before = (tree / COLUMNS).read_text()
     (tree / COLUMNS).write_text(run(["build/columns"], tree))
     assert (tree / COLUMNS).read_text() != before

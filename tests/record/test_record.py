@@ -235,12 +235,13 @@ def test_resume(ranks, tmp_path):
     whole, parts = tmp_path / "whole", tmp_path / "parts"
     for folder in (whole, parts):
         folder.mkdir()
-        again = f"restart 7000 {folder / 'restart'}.*\n"
-        succeed(small(folder, more=again), ranks=ranks)
+        again = f"restart 1400 {folder / 'restart'}.*\n"
+        deck = SMALL.replace("run 20000", "run 4000")
+        succeed(small(folder, deck=deck, more=again), ranks=ranks)
     deck = re.sub(r"(?s)boundary.*?create_box[^\n]*", "newton off\nREAD", SMALL)
-    deck = deck.replace("READ", f"read_restart {parts}/restart.7000")
+    deck = deck.replace("READ", f"read_restart {parts}/restart.1400")
     deck = re.sub(r"(?s)pair_style.*?create_bearing[^\n]*", "", deck)
-    deck = deck.replace("run 20000", "run 20000 upto")
+    deck = deck.replace("run 20000", "run 4000 upto")
     succeed(small(parts, deck=deck), ranks=ranks)
     assert (parts / "run/record.nc").read_bytes() == (whole / "run/record.nc").read_bytes()
 

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Processors without AVX2 take contacts with other code, made from the same formulas: same bits.
+
+The variable RACEWAY_NARROW_LANES asks for that code where there is AVX2 (docs/design).
+"""
+
+import ctypes
+import os
+import subprocess
+import sys
+
+import host
+import pytest
+
+LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
+
+
+def takes_avx2(**environment):
+    """What a process with these variables does."""
+    ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
+    done = subprocess.run(
+        [sys.executable, "-c", ask],
+        env=dict(os.environ, **environment),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return int(done.stdout)
+
+
+def test_the_variable_is_heeded():
+    has = ctypes.CDLL(str(LIBRARY)).has_avx2()
+    assert takes_avx2() == has
+    assert takes_avx2(RACEWAY_NARROW_LANES="1") == 0
+
+
+@pytest.mark.parametrize("integrator, step", [("implicit", 0), ("verlet", 2e-6)])
+@pytest.mark.parametrize(
+    "models, lubricant", [("paper", "mineral"), ("full", "vg46"), ("paper", "dry")]
+)
+def test_same_bits(models, lubricant, integrator, step, tmp_path, monkeypatch):
+    records = []
+    for name in ("wide", "narrow"):
+        if name == "narrow":
+            monkeypatch.setitem(host.ENVIRONMENT, "RACEWAY_NARROW_LANES", "1")
+        host.succeed(
+            "inputs/in.6208",
+            out=tmp_path / name,
+            models=models,
+            lubricant=lubricant,
+            integrator=integrator,
+            step=step,
+            rpm=4000,
+            passes=1,
+            settle=0.2,
+            samples=50,
+        )
+        records.append((tmp_path / name / "record.nc").read_bytes())
+    assert records[0] == records[1]
