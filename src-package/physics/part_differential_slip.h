@@ -11,8 +11,7 @@
 #ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
 #define RACEWAY_PART_DIFFERENTIAL_SLIP_H
 
-#include "differential_slip.h"
-#include "part_friction.h"
+#include "slip_parameters.h"
 
 namespace raceway {
 
@@ -20,25 +19,14 @@ struct DifferentialSlipPart : PartBase {
   static constexpr const char *name = "differential_slip", *slot = "tangential";
   static constexpr int states = 2;    // N, forces along t and w
   static constexpr bool couples = true;
-  struct Parameters {
-    double least = 1e-4;                  // m/s, of s_e: towards rest the law is Coulomb's
-    double kt_ratio = 0.0, lift = 0.0;    // derived; 1/m, 1/(2 R_d)
-    void prepare(const Raceway &p)
-    {
-      kt_ratio = tangential_ratio(p.material.ball_young, p.material.ball_poisson,
-                                  p.material.ring_young, p.material.ring_poisson);
-      lift = 0.5 / deformed_radius(p.groove.groove_radius, p.groove.ball_radius);
-    }
-  };
+  using Parameters = SlipParameters;
 
   static std::vector<Keyword<Parameters>> keywords()
   {
-    using P = Parameter<Parameters>;
     return {{"heathcote",
              "",
              true,
-             {P::positive("S_LEAST", "least width of the differential slip (m/s)",
-                          [](Raceway &, Parameters &own) -> double & { return own.least; })},
+             {least_slip_width<Parameters>()},
              nullptr,
              "after friction: differential slip in series with the tangential spring"}};
   }

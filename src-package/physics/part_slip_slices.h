@@ -14,8 +14,7 @@
 #ifndef RACEWAY_PART_SLIP_SLICES_H
 #define RACEWAY_PART_SLIP_SLICES_H
 
-#include "differential_slip.h"
-#include "part_friction.h"
+#include "slip_parameters.h"
 #include "slip_slices.h"
 
 namespace raceway {
@@ -24,27 +23,16 @@ struct SlipSlicesPart : PartBase {
   static constexpr const char *name = "slip_slices", *slot = "tangential";
   static constexpr int states = 4;    // N, forces along t and w; m/s, slips
   static constexpr bool couples = true;
-  struct Parameters {
-    double least = 1e-4, share = 1.0;     // m/s, of s_e: towards rest the law is Coulomb's
-    double kt_ratio = 0.0, lift = 0.0;    // derived; 1/m, 1/(2 R_d)
-    void prepare(const Raceway &p)
-    {
-      kt_ratio = tangential_ratio(p.material.ball_young, p.material.ball_poisson,
-                                  p.material.ring_young, p.material.ring_poisson);
-      lift = 0.5 / deformed_radius(p.groove.groove_radius, p.groove.ball_radius);
-    }
+  struct Parameters : SlipParameters {
+    double share = 1.0;
   };
 
   static std::vector<Keyword<Parameters>> keywords()
   {
-    using P = Parameter<Parameters>;
     return {{"slices",
              "",
              true,
-             {P::positive("S_LEAST", "least width of the differential slip (m/s)",
-                          [](Raceway &, Parameters &own) -> double & { return own.least; }),
-              P::within("SHARE", "friction in spin over that in slip", 0.0, 1.0,
-                        [](Raceway &, Parameters &own) -> double & { return own.share; })},
+             {least_slip_width<Parameters>(), share_of_spin<Parameters>()},
              nullptr,
              "after friction, in place of heathcote and spin: slip and spin together, over slices "
              "of the contact ellipse"}};

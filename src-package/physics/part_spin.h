@@ -13,6 +13,7 @@
 #define RACEWAY_PART_SPIN_H
 
 #include "part_differential_slip.h"
+#include "slip_parameters.h"
 
 namespace raceway {
 
@@ -38,12 +39,10 @@ struct SpinPart : PartBase {
 
   static std::vector<Keyword<Parameters>> keywords()
   {
-    using P = Parameter<Parameters>;
     return {{"spin",
              "",
              true,
-             {P::within("SHARE", "friction in spin over that in slip", 0.0, 1.0,
-                        [](Raceway &, Parameters &own) -> double & { return own.share; })},
+             {share_of_spin<Parameters>()},
              nullptr,
              "couple about the contact normal, where the contact angle makes spin"}};
   }
