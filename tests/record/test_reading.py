@@ -8,9 +8,11 @@ import shutil
 import numpy as np
 import pytest
 import raceway
+import xarray as xr
 from host import ROOT, succeed
 from raceway.cli import main as command
 from raceway.errors import RunError
+from raceway.runs.record import Record
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 from recorded_runs import MAIN, SMALL, small
@@ -123,6 +125,21 @@ def test_read_when_used(both):
     contacts = raceway.open(both[0]).contacts
     assert not contacts["load"].variable._in_memory
     assert float(contacts["load"].max()) > 2000
+
+
+@pytest.mark.parametrize("name", ["load", "ring_fx", "bearing_capacitance", "cage_vx", "time"])
+def test_samples_here_and_there(both, name):
+    """What an index picks of the file is what it picks of the values."""
+    record = Record(both[0])
+    with xr.open_dataset(both[0] / "record.nc", engine="scipy") as data:
+        values = data[name].to_numpy().astype(float)
+    rest = (slice(None),) * (values.ndim - 1)
+    some = (5, np.int64(5), np.array([3, 1, 9]), np.array([], int))
+    steps = ((None, None, 7), (10, 2, -3), (4, 4, 2), (-3, None, 2))
+    for time in (*some, *(slice(*step) for step in steps)):
+        np.testing.assert_array_equal(record.pick(name, (time, *rest)), values[time])
+    with pytest.raises(IndexError):
+        record.pick(name, (len(values), *rest))
 
 
 def test_universe(both):

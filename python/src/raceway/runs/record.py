@@ -135,12 +135,23 @@ class Record:
         if isinstance(time, slice) and time.step in (None, 1):
             values = self.read([name], time.start or 0, time.stop)[name]
         else:
-            rows = np.memmap(self.path, self._row, "r", self._begin, (len(self),))
-            values = np.array(rows[name][(slice(None), *self._parts(name))][time], dtype=float)
+            values = self._scattered(name, np.arange(len(self))[time])
         for axis, one in reversed(list(enumerate(key[1:]))):
             at = axis + (0 if isinstance(time, (int, np.integer)) else 1)
             values = values[(slice(None),) * at + (one,)]
         return values
+
+    def _scattered(self, name, samples):
+        """A variable at samples here and there: nothing between them is read or mapped."""
+        kind, offset = self._row.fields[name][:2]
+        rows = np.empty((np.size(samples), kind.itemsize), np.uint8)
+        with open(self.path, "rb", buffering=0) as file:
+            for row, sample in zip(rows, np.ravel(samples).tolist(), strict=True):
+                file.seek(self._begin + sample * self.record_bytes + offset)
+                if file.readinto(row) != row.nbytes:
+                    raise RunError(f"{self.path} ends before its sample {sample + 1}")
+        found = rows.view(kind.base).reshape((*np.shape(samples), *kind.shape))
+        return found[(..., *self._parts(name))].astype(float)
 
     @cached_property
     def raceways(self) -> list[str]:
