@@ -224,10 +224,18 @@ class Record:
         samples = len(values[0])
         ids = np.concatenate([part[1] for part in parts]).astype(int)
         kinds = np.concatenate([np.broadcast_to(kind, len(tags)) for kind, tags, _ in parts])
-        table = pd.DataFrame({"id": np.tile(ids, samples), "type": np.tile(kinds, samples)})
-        for k, name in enumerate(MOTION):
-            table[name] = np.concatenate([part[2][k] for part in parts], axis=1).ravel()
-        table["sample"] = np.repeat(np.arange(start, start + samples), len(ids))
+        motion = {
+            name: np.concatenate([part[2][k] for part in parts], axis=1).ravel()
+            for k, name in enumerate(MOTION)
+        }
+        table = pd.DataFrame(
+            {
+                "id": np.tile(ids, samples),
+                "type": np.tile(kinds, samples),
+                **motion,
+                "sample": np.repeat(np.arange(start, start + samples), len(ids)),
+            }
+        )
         table.attrs.update(first=start, samples=samples)
         return table
 

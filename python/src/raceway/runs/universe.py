@@ -33,6 +33,7 @@ except ImportError:
 NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
 # atoms of consecutive frames read together: neighbours in time are what an analysis asks for next
 ROWS = 5000
+FEW = 8  # one frame alone takes about as long as a part of those read together
 
 
 class RunReader(ReaderBase):
@@ -64,7 +65,7 @@ class RunReader(ReaderBase):
                 f"{self._tables.folder}: no sample from number {first} on that both dumps have"
                 " complete"
             )
-        self._loaded = None
+        self._loaded, self._asked = (0, 0), 0
         atoms, _ = self._table("balls", 0, 1)
         self.ids, self.types = atoms["id"].to_numpy(int), atoms["type"].to_numpy(int)
         self.n_atoms = len(atoms)
@@ -88,11 +89,11 @@ class RunReader(ReaderBase):
         if not 0 <= frame < self.n_frames:
             # MDAnalysis ends an iteration on this
             raise OSError(f"no frame {frame} of {self.n_frames}")
-        part, data = frame // self._together, self.ts.data
-        if self._loaded != part:
-            self._load(part)
-        here = frame - part * self._together
-        self.ts.frame = frame
+        data = self.ts.data
+        if not self._loaded[0] <= frame < self._loaded[1]:
+            self._load(*self._together_with(frame))
+        self._asked = self.ts.frame = frame
+        here = frame - self._loaded[0]
         for name, values in self._atoms.items():
             data[name] = values[here]
         data["sample"] = self._tables.first + frame
@@ -109,8 +110,15 @@ class RunReader(ReaderBase):
         table, steps = self._tables.frames(name, first + start, first + stop)
         return table.sort_values(["sample", "id" if name == "balls" else "ball"]), steps
 
-    def _load(self, part):
-        start, stop = part * self._together, min((part + 1) * self._together, self.n_frames)
+    def _together_with(self, frame):
+        """(start, stop) of the frames to read with one: its neighbours, unless frames are asked
+        for here and there."""
+        if abs(frame - self._asked) > max(1, self._together // FEW):
+            return frame, frame + 1
+        start = frame // self._together * self._together
+        return start, min(start + self._together, self.n_frames)
+
+    def _load(self, start, stop):
         table, self._steps = self._table("balls", start, stop)
         if len(table) != (stop - start) * self.n_atoms or not np.array_equal(
             table["id"].to_numpy(int), np.tile(self.ids, stop - start)
@@ -132,19 +140,18 @@ class RunReader(ReaderBase):
             np.searchsorted(self.ids, contacts["ball"]),
             contacts["raceway"].to_numpy(int),
         )
+        sides = [(word, raceway == side) for side, word in enumerate(("inner", "outer"))]
+        places = {word: (frame[there], atom[there]) for word, there in sides}
         for name in contacts:
             if name in ("ball", "raceway", "sample"):
                 continue
-            for side, word in enumerate(("inner", "outer")):
-                values = np.full(
-                    (stop - start, self.n_atoms),
-                    CONTACT[name].absent if name in CONTACT else np.nan,
-                )
-                values[frame[raceway == side], atom[raceway == side]] = contacts[name][
-                    raceway == side
-                ]
+            column = contacts[name].to_numpy()
+            absent = CONTACT[name].absent if name in CONTACT else np.nan
+            for word, there in sides:
+                values = np.full((stop - start, self.n_atoms), absent)
+                values[places[word]] = column[there]
                 self._atoms[f"{name}_{word}"] = values
-        self._loaded = part
+        self._loaded = start, stop
 
 
 def universe(tables: RunTables) -> MDAnalysis.Universe:
