@@ -18,6 +18,8 @@ SHELL := /bin/bash
 .PHONY: run build test bench columns bearings docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv libngspice0
+# a browser opens the pages of `raceway report`
+test: PACKAGES += chromium
 CXX_MPI := mpicxx.openmpi
 # -g1: functions and lines in a backtrace; all of -g takes a compiler a sixth longer.
 # Bits must not depend on what the compiler fuses or on the building machine: no contraction, no -march=native.
