@@ -8,13 +8,29 @@ using raceway::Validity;
 
 namespace bearing {
 
-void ValidityCheck::look(const ContactTable &table, bool film)
+void ValidityCheck::look(const ContactTable &table, const int *mask, bool film)
 {
-  for (const RacewayContact &c : table.raceway)
-    if (c.live && c.state.compression > 0.0)
-      found_.note(static_cast<double>(c.ball), c.raceway->law.at(c.state.cos_angle),
-                  c.state.compression, c.state.film_load, c.state.entrainment, c.state.lambda,
-                  film);
+  for (const RacewayContact &c : table.raceway) {
+    if (!c.live || !(c.state.compression > 0.0)) continue;
+    found_.note(static_cast<double>(c.ball), c.raceway->law.at(c.state.cos_angle),
+                c.raceway->model.film, c.state.compression, c.state.film_load, c.state.entrainment,
+                c.state.lambda, film);
+    if (!shoulders_.empty()) look_at_shoulders(c, mask[c.i_ball]);
+  }
+}
+
+void ValidityCheck::look_at_shoulders(const RacewayContact &c, int mask)
+{
+  const raceway::Groove &g = c.raceway->groove;
+  for (const OfGroup &of : shoulders_) {
+    const bool inner = g.side == raceway::Side::inner;
+    if (!(mask & of.groupbit) ||
+        !((inner ? of.model.inner_shoulder : of.model.outer_shoulder) > 0.0))
+      continue;
+    const double a = c.raceway->law.at(c.state.cos_angle).a * std::sqrt(c.state.compression);
+    found_.note_reach(static_cast<double>(c.ball), g, of.model.groove_depth(g), c.state.cos_angle,
+                      a);
+  }
 }
 
 void ValidityCheck::report(LAMMPS *lmp, bool capacitance)

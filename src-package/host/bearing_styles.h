@@ -65,6 +65,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingDerive>("bearing_derive");
   add.template command<BearingFleet>("bearing_fleet");
   add.template command<BearingVariables>("bearing_variables");
+  add.template command<BearingGiven>("bearing_given");
   add.template command<BearingForget>("bearing_forget");
 }
 

@@ -3,12 +3,14 @@
 //
 // Refused: a contact ellipse as wide as the groove is, or an overlap beyond the limit of the deck.
 // Warned of: a pressure that leaves dents, a film thicker than the contact is long, a film
-// parameter beyond any bearing, a capacitance of a film that conducts.
+// parameter beyond any bearing, a capacitance of a film that conducts, Hamrock and Dowson's film
+// outside their fit, a contact ellipse past the shoulder of its groove.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
 
 #include "raceway_law.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -23,7 +25,7 @@ inline double widest_overlap(double a, double groove_radius)
 }
 
 struct Validity {
-  enum Doubt { PRESSURE, THICK_FILM, LAMBDA, CONDUCTS, N };
+  enum Doubt { PRESSURE, THICK_FILM, LAMBDA, CONDUCTS, FILM_FIT, SHOULDER, N };
 
   struct Rule {
     const char *name, *value, *unit, *limit;    // `value` beyond `bound` is in doubt
@@ -32,7 +34,8 @@ struct Validity {
   };
   // ISO 76: the largest pressure at the basic static load rating of ball bearings, with a dent of
   // 1e-4 of the ball diameter. Films of bearings have Lambda below 10; below 1 asperities touch
-  // all the time, and a contact is no capacitor. Python and the pages read these rules too
+  // all the time, and a contact is no capacitor. Hamrock and Dowson 1977 (J. Lubr. Technol. 99, 264,
+  // abstract) varied the ellipticity from one to eight. Python and the pages read these rules too
   // (`make columns`).
   static const Rule &rule(int doubt)
   {
@@ -42,7 +45,11 @@ struct Validity {
          "an elastohydrodynamic film is much thinner, at most", 1.0, false},
         {"lambda", "film parameter Lambda", "", "films of bearings reach", 1e3, false},
         {"conducts", "film parameter Lambda beside a capacitance", "",
-         "asperities conduct and a capacitance means little below", 1.0, true}};
+         "asperities conduct and a capacitance means little below", 1.0, true},
+        {"film_fit", "ellipticity of a contact with Hamrock and Dowson's film", "",
+         "their fit goes to", 8.0, false},
+        {"shoulder", "reach of a contact ellipse over that of its groove", "",
+         "the groove ends at its shoulder,", 1.0, false}};
     return rules[doubt];
   }
   static bool worse(int doubt, double value, double than)
@@ -58,8 +65,8 @@ struct Validity {
     for (int k = 0; k < N; ++k) worst[k] = rule(k).below ? HUGE_VAL : 0.0;
   }
 
-  void note(double ball_id, const RacewayConstants &k, double compression, double load,
-            double entrainment, double lambda, bool film)
+  void note(double ball_id, const RacewayConstants &k, FilmModel law, double compression,
+            double load, double entrainment, double lambda, bool film)
   {
     const double root = std::sqrt(compression);
     keep(PRESSURE, k.p * root, ball_id);
@@ -68,6 +75,15 @@ struct Validity {
     keep(THICK_FILM, h_c / (k.b * root), ball_id);
     keep(LAMBDA, lambda, ball_id);
     keep(CONDUCTS, lambda, ball_id);
+    if (law == FilmModel::hamrock_dowson) keep(FILM_FIT, k.a / k.b, ball_id);
+  }
+
+  // A groove of that depth (m) ends at the angle theta from its bottom, cos theta = 1 - depth/r_c.
+  // An ellipse of the semi-axis a (m) across reaches to the contact angle plus asin(a/r_c).
+  void note_reach(double ball_id, const Groove &g, double depth, double cos_angle, double a)
+  {
+    const double reach = std::acos(cos_angle) + std::asin(std::min(a / g.groove_radius, 1.0));
+    keep(SHOULDER, reach / std::acos(1.0 - depth / g.groove_radius), ball_id);
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "../deck/agree.h"
 #include "../deck/arguments.h"
+#include "deck_values.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -38,11 +39,13 @@ Names words_after(const char *option, const char *other)
 }
 
 // What a deck may take from the command line: variables of the styles that keep a value of -var,
-// those of tables (deck/variable_table.h), and the two of bearing_host.
-void collect(const fs::path &path, Names &names)
+// those of tables (deck/variable_table.h), and the two of bearing_host. False: the file cannot be
+// read.
+bool collect(const fs::path &path, Names &names)
 {
   static const Names styles = {"index", "string", "loop", "uloop", "universe", "world", "needed"};
   std::ifstream file(path);
+  if (!file) return false;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
     std::string command, first, second;
@@ -50,6 +53,7 @@ void collect(const fs::path &path, Names &names)
     if (command == "variable" && styles.count(second)) names.insert(first);
     if (command == "bearing_host") names.insert({first, second});
   }
+  return true;
 }
 
 // Of all files in a folder; the error when it cannot be read.
@@ -108,6 +112,28 @@ void BearingVariables::command(int narg, char **arg)
   }
   complaint = bearing::agree(complaint, world);
   if (!complaint.empty()) args.fail(complaint);
+}
+
+void BearingGiven::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing_given", narg, arg, 0);
+  std::string name = args.word("variable");
+  Names tables;
+  while (args.more()) tables.insert(args.word("table of variables"));
+  std::string all, complaint;
+  if (comm->me == 0) {
+    Names names;
+    for (const std::string &table : tables)
+      if (!collect(table, names)) complaint = "cannot read table '" + table + "'";
+    for (std::string given : words_after("-var", "-v")) {
+      const char *value = names.count(given) ? input->variable->retrieve(&given[0]) : nullptr;
+      if (value) all += (all.empty() ? "" : ",") + given + "=" + value;
+    }
+  }
+  complaint = bearing::agree(complaint, world);
+  if (!complaint.empty()) args.fail(complaint);
+  all = bearing::agree(all, world);
+  bearing::DeckValues(lmp, args).set(name, all.empty() ? "none" : all);
 }
 
 void BearingForget::command(int narg, char **arg)

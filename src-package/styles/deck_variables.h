@@ -2,6 +2,7 @@
 #ifdef COMMAND_CLASS
 // clang-format off
 CommandStyle(bearing_variables,BearingVariables)
+CommandStyle(bearing_given,BearingGiven)
 CommandStyle(bearing_forget,BearingForget)
 // clang-format on
 #else
@@ -17,6 +18,14 @@ namespace LAMMPS_NS {
 class BearingVariables : public bearing::CommandBase {
  public:
   explicit BearingVariables(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+};
+
+// bearing_given NAME TABLE ...: set the string variable NAME to what -var gave of the variables of
+// the TABLEs, name=value joined by commas, or none. With it a run can be repeated.
+class BearingGiven : public bearing::CommandBase {
+ public:
+  explicit BearingGiven(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

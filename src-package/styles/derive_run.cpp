@@ -40,7 +40,8 @@ void loads(DeckValues &deck)
   deck.set("b_tilt", tilts ? "free" : "fixed");
 }
 
-// The time in which one ball moves to the position of the next, and that in which the run settles.
+// The time in which one ball moves to the position of the next, and that in which the run settles:
+// what the ring needs to come to rest, or a longer ramp, and ball passes under the whole load.
 // The bits of a run depend on both, so the mean diameter is rounded as it is written.
 void ball_pass(DeckValues &deck)
 {
@@ -49,7 +50,8 @@ void ball_pass(DeckValues &deck)
                                  180),
                share = 1 - 0.5 * deck.number("ball_diameter") * cosine / deck.number("b_pitch");
   deck.set("b_pass_time", 2 * M_PI / (deck.number("balls") * 0.5 * deck.number("b_omega") * share));
-  deck.set("b_settle_time", deck.number("settle") * deck.number("b_pass_time") + 1.0e-2);
+  deck.set("b_settle_time", deck.number("settle") * deck.number("b_pass_time") +
+                                std::max(1.0e-2, deck.number("ramp")));
 }
 
 // Samples of a host step, unless the user says: ten, five, two or one, so that a ball pass is a

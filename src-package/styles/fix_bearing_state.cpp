@@ -84,7 +84,7 @@ void FixBearingState::setup(int)
 void FixBearingState::end_of_step()
 {
   if (update->ntimestep % nevery) return;
-  pair_->validity().look(pair_->table(), pair_->lubricated());
+  pair_->validity().look(pair_->table(), atom->mask, pair_->lubricated());
   if (update->ntimestep % (100 * nevery) == 0) check_step();
 }
 
@@ -118,7 +118,7 @@ void FixBearingState::save_forces()
 void FixBearingState::post_run()
 {
   save_forces();
-  pair_->validity().look(pair_->table(), pair_->lubricated());
+  pair_->validity().look(pair_->table(), atom->mask, pair_->lubricated());
   pair_->validity().report(lmp, !bearing::fixes_of<FixBearingCapacitance>(lmp).empty());
 }
 

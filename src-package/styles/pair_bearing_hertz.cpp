@@ -258,8 +258,11 @@ void PairBearingHertz::init_style()
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
       implicit_bits_ |= modify->fix[k]->groupbit;
   gaps_ = false;
-  for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp))
+  validity_.forget_shoulders();
+  for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp)) {
     gaps_ = gaps_ || f->model().surrounded();
+    validity_.add_shoulders(f->groupbit, f->model());
+  }
   check_rings();
   check_ghosts();
   check_cages();

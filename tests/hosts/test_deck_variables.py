@@ -27,6 +27,35 @@ def test_unknown(tmp_path, host, ranks, name, nearest):
     assert not (tmp_path / "run").exists()
 
 
+DECKS = ["in.axial", "in.dry", "in.many", "in.nocage", "in.preload", "paper/in.printed"]
+
+
+@pytest.mark.parametrize("deck", DECKS)
+def test_unknown_in_every_deck(tmp_path, deck):
+    done = run(f"inputs/{deck}", out=tmp_path / "run", clearence=1e-5)
+    assert done.code != 0
+    assert "-var clearence: the deck has no such variable, nearest is 'clearance'" in done.text
+
+
+@pytest.mark.parametrize("host", HOSTS)
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_given(tmp_path, host, ranks):
+    """A run notes what -var gave of the data of a bearing and a lubricant, and nothing else."""
+    own = dict(ball_poisson=0.29, inner_mass=2, viscosity=0.05, out=tmp_path, **SHORT)
+    succeed("inputs/in.6208", host=host, ranks=ranks, **own)
+    said = raceway.open(tmp_path).settings["given_data"]
+    assert sorted(said.split(",")) == ["ball_poisson=0.29", "inner_mass=2", "viscosity=0.05"]
+    succeed("inputs/in.6208", host=host, out=tmp_path, overwrite="yes", **SHORT)
+    assert raceway.open(tmp_path).settings["given_data"] == "none"
+
+
+def test_given_of_no_table(tmp_path):
+    deck = tmp_path / "in.deck"
+    deck.write_text("bearing_given all nowhere\n")
+    done = run(deck)
+    assert done.code != 0 and "bearing_given: cannot read table 'nowhere'" in done.text
+
+
 @pytest.mark.parametrize("host", HOSTS)
 def test_known(tmp_path, host):
     """Of the deck, of a module, of an integrator, of bearing_host."""

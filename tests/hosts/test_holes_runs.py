@@ -12,6 +12,8 @@ import time
 import pytest
 from host import ENVIRONMENT, HOSTS, ROOT, liggghts, run, succeed
 from hosts.kills import start
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
 
 SMALLEST = (ROOT / "docs" / "decks" / "in.smallest").read_text()
 EHD = (ROOT / "docs" / "decks" / "in.ehd").read_text()
@@ -137,6 +139,37 @@ def test_pressure_beyond_iso_76(tmp_path):
     end = succeed("inputs/in.dry", out=tmp_path, load=6e4, **SHORT)
     (what, value), *more = doubts(end.text)
     assert not more and what.startswith("Hertz pressure") and 4.2e9 < float(value) < 8e9
+
+
+def test_an_ellipse_past_its_shoulder(tmp_path):
+    """As `raceway summary` says, where the deck knows the shoulders."""
+    words = dict(out=tmp_path, load=1.5e5, **SHORT)
+    found = dict(doubts(succeed("inputs/in.6208", **words).text))
+    (name,) = (one for one in found if one.startswith("reach of a contact ellipse"))
+    said = " ".join(summary(RunTables(tmp_path))["warnings"])
+    up, edge = re.search(r"reaches ([0-9.]+)° .*? shoulder is at ([0-9.]+)°", said).groups()
+    assert float(found[name]) > 1
+    assert float(found[name]) == pytest.approx(float(up) / float(edge), rel=0.05)
+    unknown = dict(inner_shoulder_diameter=0, outer_shoulder_diameter=0, overwrite="yes")
+    text = succeed("inputs/in.6208", **unknown, **words).text
+    assert "reach of a contact ellipse" not in text and "Hertz pressure" in text
+
+
+@pytest.mark.parametrize("law, warned", [("hamrock", True), ("masjedi", False)])
+def test_a_film_outside_its_fit(tmp_path, law, warned):
+    """The ellipse of a 6208 is about nine times as long as wide."""
+    deck = tmp_path / "in.law"
+    deck.write_text(re.sub("lubricant 0.040", f"film {law} lubricant 0.040", EHD))
+    found = dict(doubts(succeed(deck, out=tmp_path).text))
+    (value,) = [float(v) for k, v in found.items() if k.startswith("ellipticity")] or [0.0]
+    assert 8 < value < 11 if warned else value == 0.0
+
+
+@pytest.mark.parametrize("ramp", [0, 0.1])
+def test_a_ramp_longer_than_the_settling(tmp_path, ramp):
+    """The load was measured while it grew."""
+    succeed("inputs/in.6208", out=tmp_path, ramp=ramp, **SHORT)
+    assert summary(RunTables(tmp_path))["force_y_N"] == pytest.approx(5000, rel=1e-2)
 
 
 def test_a_film_thicker_than_its_contact_is_long(tmp_path):

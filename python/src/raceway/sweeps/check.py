@@ -32,19 +32,12 @@ LEFT_OUT = (
 )
 # a repeat whose settings are others is another run: a value came by -var that the run does not note
 SAME = (
-    "balls",
-    "ball_diameter_m",
-    "inner_radius_m",
-    "outer_radius_m",
-    "inner_groove_m",
-    "outer_groove_m",
-    "ball_young_Pa",
-    "cage_ball_diameter_m",
-    "viscosity_Pa_s",
-    "pressure_viscosity_per_Pa",
-    "permittivity",
-    "roughness_m",
-    "flaws",
+    *("load_N", "rpm", "load_azimuth_rad", "axial_N", "moment_x_N_m", "moment_y_N_m"),
+    *("unbalance_kg_m", "clearance_m", "balls", "ball_diameter_m", "inner_radius_m"),
+    *("outer_radius_m", "inner_groove_m", "outer_groove_m", "inner_shoulder_diameter_m"),
+    *("outer_shoulder_diameter_m", "cage_ball_diameter_m", "ball_mass_kg", "ball_young_Pa"),
+    *("ball_poisson", "viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity"),
+    *("roughness_m", "flaws"),
 )
 
 
@@ -57,7 +50,9 @@ def variables(tables: RunTables) -> dict[str, str]:
             f"{tables.folder} does not say the deck's variables: only runs of inputs/in.6208 with a"
             " record can be repeated"
         )
-    known = dict(word.split("=", 1) for word in said.split(","))
+    given = str(tables.settings.get("given_data", "none"))  # of a bearing's or a lubricant's data
+    words = said.split(",") + ([] if given == "none" else given.split(","))
+    known = dict(word.split("=", 1) for word in words)
     for raceway, words in by_raceway(tables.settings).items():
         known[f"flaw_{raceway}"] = words
     if balls := by_ball(tables.settings):
