@@ -219,7 +219,7 @@ def test_a_summary_has_the_figures(tmp_path):
     run = raceway.open(tmp_path / "run")
     figures = run.summary()
     assert figures["q_max_N"] == pytest.approx(2407, rel=1e-3)
-    with pytest.raises(RunError, match="has no column load"):
+    with pytest.raises(RunError, match="holds no contacts"):
         _ = run.tables.contacts
     with pytest.raises(RunError, match="no balls"):
         _ = run.balls

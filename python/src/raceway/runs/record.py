@@ -176,8 +176,9 @@ class Record:
     # ---- as tables -------------------------------------------------------------------------------
     def contacts(self, start: int, stop: int) -> pd.DataFrame:
         """A row per contact and sample: `DataFrame`; with `groove` where rings have two."""
+        self.need_contacts()
         if "load" not in self.contact_columns:
-            raise RunError(f"{self.path} has no column load: record the contacts as well")
+            raise RunError(f"{self.path} has no column load: record it with the other contacts")
         data = self.read(self.contact_columns, start, stop)
         live = data["load"].transpose(0, 2, 1) > 0
         sample, ball, place = np.nonzero(live)
@@ -275,6 +276,14 @@ class Record:
         if self.bearing is None:
             raise RunError(
                 f"{self.path} has {len(self.bearings)} bearings: choose one, run.select(number)"
+            )
+
+    def need_contacts(self) -> None:
+        """Raise `RunError` where the record has no columns of contacts."""
+        if not self.contact_columns:
+            raise RunError(
+                f"{self.path} holds no contacts: record them with -var record all, in a deck of"
+                " one's own with 'contacts usual' of fix bearing/record"
             )
 
     # ---- what was run ----------------------------------------------------------------------------
