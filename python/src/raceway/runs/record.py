@@ -242,6 +242,7 @@ class Record:
 
     def rings(self, start: int, stop: int) -> pd.DataFrame:
         """A row per sample: step, time and what the inner ring does, `DataFrame`."""
+        self.need_one()
         inner = int(np.flatnonzero(self.fixed("ring_raceway") == 0)[0])
         names = [name for name in self.variables if name.startswith("ring_") and self._timed(name)]
         data = self.read(["step", "time", *names], start, stop)
@@ -275,7 +276,8 @@ class Record:
         """Raise `RunError` unless the record is of one bearing or one has been chosen."""
         if self.bearing is None:
             raise RunError(
-                f"{self.path} has {len(self.bearings)} bearings: choose one, run.select(number)"
+                f"{self.path} has {len(self.bearings)} bearings: choose one with --bearing NUMBER,"
+                " in Python run.select(number)"
             )
 
     def need_contacts(self) -> None:

@@ -18,6 +18,7 @@ from raceway.runs.dump import Index, blocks, first_steps, frames, read_dump, rea
 from raceway.runs.record import Record, there
 from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings, the_end
 from raceway.runs.steps import Steps
+from raceway.runs.told import Told
 from raceway.runs.totals import pairs, totals
 from raceway.theory.bearing import OUTER, Bearing
 
@@ -55,7 +56,7 @@ class RunTables:
         if self.record is None and bearing not in (None, 1):
             raise RunError(f"{self.folder} has one bearing, not {bearing}")
         self.settings = (
-            {**self.record.settings(), **the_end(self.folder)}
+            Told({**self.record.settings(), **the_end(self.folder)}, (self.record.need_one,))
             if self.record
             else settings(self.folder)
         )
