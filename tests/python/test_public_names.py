@@ -124,6 +124,7 @@ def test_the_list_is_complete():
             "settings",
             "steps",
             "tables",
+            "text",
             "told",
             "totals",
             "universe",

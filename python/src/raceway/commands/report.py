@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.report import of_run, of_sweep  # matplotlib takes a while
 
     folder = Path(arguments.folder)
-    if (folder / "run.yaml").exists():
+    if any((folder / name).exists() for name in ("run.yaml", "record.nc")):
         page = of_run.page(one_run.tables(arguments))
     elif any(folder.glob("*/point.yaml")):
         if arguments.bearing is not None:

@@ -99,8 +99,13 @@ def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
     """
     if run.settings["lubricant"] == "dry":
         raise RunError(f"{run.tables.folder}: a dry run has no films")
+    contacts = run.contacts
+    if contacts.sizes["time"] < 2:
+        raise RunError(
+            f"{run.tables.folder}: films over time need 2 samples, not {contacts.sizes['time']}"
+        )
     return of_dataset(
-        run.contacts,
+        contacts,
         leak,
         stray,
         permittivity=run.settings["permittivity"],

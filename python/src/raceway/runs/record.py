@@ -49,9 +49,11 @@ class Record:
                 }
                 self._row = _row(file)
                 self._begin = _begin(file)
-        except (OSError, TypeError, ValueError, KeyError, IndexError) as error:
+        except OSError as error:
+            raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
+        except (TypeError, ValueError, KeyError, IndexError):  # what scipy makes of such bytes
             raise RunError(
-                f"cannot read {self.path}: {getattr(error, 'strerror', None) or error}"
+                f"cannot read {self.path}: it is cut short or damaged, or no record at all"
             ) from None
         if missing := {"time", "ball", "ring_bearing"} - set(self.variables):
             raise RunError(f"{self.path} has no variable {' '.join(sorted(missing))}")
@@ -166,6 +168,7 @@ class Record:
 
     def blocks(self, start: int, stop: int | None) -> Iterator[tuple[int, int]]:
         """(start, stop) of pieces of a few MB."""
+        self.need_samples()
         stop = len(self) if stop is None else min(stop, len(self))
         if start >= stop:
             raise RunError(f"{self.path} holds {len(self)} samples, none from number {start} on")
@@ -279,6 +282,11 @@ class Record:
                 f"{self.path} has {len(self.bearings)} bearings: choose one with --bearing NUMBER,"
                 " in Python run.select(number)"
             )
+
+    def need_samples(self) -> None:
+        """Raise `RunError` where the header counts no sample."""
+        if not len(self):
+            raise RunError(f"{self.path} holds no sample: its run has just begun or was stopped")
 
     def need_contacts(self) -> None:
         """Raise `RunError` where the record has no columns of contacts."""

@@ -79,6 +79,8 @@ class Run:
     def __repr__(self):
         if self.tables.record and self.tables.record.bearing is None:
             return f"<raceway run {self.tables.folder}: {len(self.bearing_numbers)} bearings>"
+        if self.tables.record and not len(self.tables.record):
+            return f"<raceway run {self.tables.folder}: no sample yet>"
         settings = self.settings
         places = {side: f"{side} raceway" for side in ("inner", "outer")}
         flaws = "".join(f", {places.get(at, at)}: {words}" for at, words in self.flaws.items())

@@ -8,6 +8,7 @@ import numpy as np
 import yaml
 
 from raceway.errors import RunError
+from raceway.runs.text import need_text
 
 WORDS = ("bearing", "lubricant", "host", "integrator", "contact_columns", "ball_columns")
 NUMBERS = (
@@ -83,6 +84,7 @@ def settings(folder: Path) -> dict[str, Any]:
     lubricant = LUBRICANT if data.get("lubricant") not in (*NO_LUBRICANT, None) else ()
     needed = (*WORDS, *NUMBERS, *lubricant)
     if missing := [key for key in needed if key not in data]:
+        need_text(folder)
         begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
         raise RunError(f"{begun}{path} has no {', '.join(missing)}")
     for key in (key for key in WORDS if not isinstance(data[key], str)):

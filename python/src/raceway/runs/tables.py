@@ -18,6 +18,7 @@ from raceway.runs.dump import Index, blocks, first_steps, frames, read_dump, rea
 from raceway.runs.record import Record, there
 from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings, the_end
 from raceway.runs.steps import Steps
+from raceway.runs.text import FILES, need_text
 from raceway.runs.told import Told
 from raceway.runs.totals import pairs, totals
 from raceway.theory.bearing import OUTER, Bearing
@@ -31,7 +32,6 @@ DUMPS = {
     ),
     "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy")),
 }
-FILES = {"contacts": "contacts.dump", "balls": "balls.dump", "rings": "rings.dat"}
 WHOLE = ("ball", "raceway", "groove", "id", "type")
 MOST = {"raceway": OUTER, "groove": 1}
 
@@ -56,7 +56,10 @@ class RunTables:
         if self.record is None and bearing not in (None, 1):
             raise RunError(f"{self.folder} has one bearing, not {bearing}")
         self.settings = (
-            Told({**self.record.settings(), **the_end(self.folder)}, (self.record.need_one,))
+            Told(
+                {**self.record.settings(), **the_end(self.folder)},
+                (self.record.need_one, self.record.need_samples),
+            )
             if self.record
             else settings(self.folder)
         )
@@ -88,11 +91,11 @@ class RunTables:
         """Raise `RunError` for a run that has not come to its end."""
         if self.record:
             self.record.need_one()
+        path = self.folder / "run.yaml"
+        if not path.exists():
+            raise RunError(f"{path} is missing: it says whether the run has finished, and its cost")
         if missing := [key for key in AT_THE_END if key not in self.settings]:
-            raise RunError(
-                f"run has not finished: {self.folder / 'run.yaml'} has no"
-                f" {' and no '.join(missing)}"
-            )
+            raise RunError(f"run has not finished: {path} has no {' and no '.join(missing)}")
 
     @property
     def geometry(self) -> Bearing:
@@ -137,6 +140,7 @@ class RunTables:
         """A row per sample: where the inner ring is and how it moves."""
         if self.record:
             return self.record.rings(self.first, self._end_of_samples())
+        need_text(self.folder)
         table = read_table(self.folder / "rings.dat")
         self._need(table, ("time", "x", "y"), "rings.dat")
         # counted from the start of the window, like the dumps; the first row may be a later sample
@@ -313,6 +317,7 @@ class RunTables:
         one."""
         if self.record:
             return range(len(self.record))
+        need_text(self.folder)
         if name not in self._indices:
             self._indices[name] = Index(self.folder / DUMPS[name][0])
         return self._indices[name]
@@ -323,6 +328,7 @@ class RunTables:
 
     def _columns(self, name):
         """(file, names of its columns)"""
+        need_text(self.folder)
         file, key, needed = DUMPS[name]
         columns = self.settings[key].split()
         if twice := sorted({column for column in columns if columns.count(column) > 1}):
