@@ -121,6 +121,7 @@ def test_the_list_is_complete():
             "named",
             "recorded",
             "run",
+            "same_run",
             "settings",
             "steps",
             "tables",

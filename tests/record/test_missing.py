@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a record does not hold is said in a line, with how to get it."""
 
+import re
 import shutil
 import warnings
 
@@ -37,6 +38,8 @@ def copied(folder, to, **changes):
     content = bytearray((to / "record.nc").read_bytes())
     if "samples" in changes:
         content[4:8] = changes["samples"].to_bytes(4, "big")  # netCDF classic
+        text = (to / "run.yaml").read_text()
+        (to / "run.yaml").write_text(re.sub("simulated_s: .*", "simulated_s: 0", text))
     (to / "record.nc").write_bytes(content[: changes.get("cut")])
     return to
 

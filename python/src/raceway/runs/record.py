@@ -55,7 +55,7 @@ class Record:
             raise RunError(
                 f"cannot read {self.path}: it is cut short or damaged, or no record at all"
             ) from None
-        if missing := {"time", "ball", "ring_bearing"} - set(self.variables):
+        if missing := {"time", "ball", "ring_bearing", "finished"} - set(self.variables):
             raise RunError(f"{self.path} has no variable {' '.join(sorted(missing))}")
         self.bearings = self._fixed["bearing"].tolist()
         if bearing is None and len(self.bearings) == 1:

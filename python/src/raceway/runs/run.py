@@ -51,9 +51,9 @@ class Run:
     `samples`, a slice without step, keeps to some samples: `blocks` and `bearing` need no more
     memory for a large run, the other datasets do.
 
-    Raises `RunError` when the folder has no `run.yaml` or a broken one; the datasets do when their
-    file is broken, and warn when it ends inside a frame. A run that is still going can be read as
-    far as it is.
+    Raises `RunError` when the folder has no `run.yaml` or a broken one, or a record that is of
+    another run; the datasets do when their file is broken, and warn when it ends inside a frame. A
+    run that is still going can be read as far as it is.
     """
 
     def __init__(

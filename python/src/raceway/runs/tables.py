@@ -16,7 +16,8 @@ from raceway.errors import RunError, RunWarning
 from raceway.files import FilePath
 from raceway.runs.dump import Index, blocks, first_steps, frames, read_dump, read_table
 from raceway.runs.record import Record, there
-from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings, the_end
+from raceway.runs.same_run import need_same_run
+from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, said, settings, the_end
 from raceway.runs.steps import Steps
 from raceway.runs.text import FILES, need_text
 from raceway.runs.told import Told
@@ -44,8 +45,8 @@ class RunTables:
     run larger than memory. The other is `blocks`. A run that is still going, or was stopped, can be
     read as far as it is; `finished` tells.
 
-    Raises `RunError` when the folder has no `run.yaml` or a broken one; so do the tables when their
-    file is broken.
+    Raises `RunError` when the folder has no `run.yaml` or a broken one, or a record that is of
+    another run than its `run.yaml`; so do the tables when their file is broken.
     """
 
     def __init__(
@@ -55,15 +56,14 @@ class RunTables:
         self.record = Record(folder, bearing) if there(folder) else None
         if self.record is None and bearing not in (None, 1):
             raise RunError(f"{self.folder} has one bearing, not {bearing}")
-        self.settings = (
-            Told(
-                {**self.record.settings(), **the_end(self.folder)},
-                (self.record.need_one, self.record.need_samples),
-            )
-            if self.record
-            else settings(self.folder)
-        )
+        self.settings = self._of_record(self.record) if self.record else settings(self.folder)
         self.first, self.stop = _window(samples)
+
+    def _of_record(self, record):
+        beside = said(self.folder)
+        end = the_end(self.folder, beside)
+        need_same_run(record, beside)
+        return Told({**record.settings(), **end}, (record.need_one, record.need_samples))
 
     def window(self, samples: slice) -> "RunTables":
         """The same run with other `samples`."""
