@@ -106,6 +106,8 @@ def test_mistakes(checked, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(ROOT)
     assert main(["check", str(checked), "--program", "nowhere/liggghts"]) == 1
     assert "there is no program 'nowhere/liggghts'" in capsys.readouterr().err
+    assert main(["check", str(checked), "--deck", "inputs/in.nowhere"]) == 1
+    assert "--deck inputs/in.nowhere: there is no such file" in capsys.readouterr().err
     own = tmp_path / "own"
     succeed("inputs/in.6208", out=own, ball_young=200e9, **COARSE)
     for name, value in (("ball_young", "190e9"), ("ball_poisson", "0.2"), ("load", "100")):

@@ -207,7 +207,7 @@ def test_many(tmp_path, capsys):
         run.summary()
     words = ["spectrum", str(tmp_path / "run"), "--signal", "y"]
     assert command(words) == 1
-    assert "has 4 bearings: give --bearing N" in capsys.readouterr().err
+    assert "has 4 bearings: choose one with --bearing NUMBER" in capsys.readouterr().err
     assert command([*words, "--bearing", "5"]) == 1
     assert "has the bearings 1 to 4, not 5" in capsys.readouterr().err
     assert command([*words, "--bearing", "3"]) == 1
@@ -219,7 +219,7 @@ def test_a_summary_has_the_figures(tmp_path):
     run = raceway.open(tmp_path / "run")
     figures = run.summary()
     assert figures["q_max_N"] == pytest.approx(2407, rel=1e-3)
-    with pytest.raises(RunError, match="has no column load"):
+    with pytest.raises(RunError, match="holds no contacts"):
         _ = run.tables.contacts
     with pytest.raises(RunError, match="no balls"):
         _ = run.balls

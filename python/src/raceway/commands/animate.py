@@ -4,7 +4,7 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands, options
+from raceway.commands import Commands, one_run
 from raceway.commands.quantity import number
 
 DESCRIPTION = """\
@@ -33,7 +33,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    options.run_folder(one)
+    one_run.add(one)
     one.add_argument(
         "--colour", choices=COLOURS, default="load", help="of the balls (default: %(default)s)"
     )
@@ -78,12 +78,11 @@ def run(arguments: argparse.Namespace) -> None:
     """Write the animation and print its path."""
     # matplotlib takes longer to load than --help to print
     from raceway.pictures.animation import animation
-    from raceway.runs.tables import RunTables
 
     out = Path(arguments.out or Path(arguments.folder) / "animation.gif")
     print(
         animation(
-            RunTables(arguments.folder),
+            one_run.tables(arguments),
             out,
             arguments.colour,
             arguments.passes,

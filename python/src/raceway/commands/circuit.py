@@ -5,7 +5,7 @@ import argparse
 import json
 from pathlib import Path
 
-from raceway.commands import Commands, options
+from raceway.commands import Commands, one_run
 from raceway.commands.quantity import number, takes_negative
 
 DESCRIPTION = """\
@@ -40,10 +40,7 @@ def add(commands: Commands) -> None:
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     takes_negative(one)
-    options.run_folder(one)
-    one.add_argument(
-        "--bearing", type=_whole, metavar="N", help="one of many bearings in the folder"
-    )
+    one_run.add(one)
     _outer(one)
     _voltage(one)
     one.add_argument(
@@ -151,7 +148,6 @@ def _voltage(one):
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures and write what is asked for."""
-    import raceway
     from raceway.electric import circuit, circuit_figures
     from raceway.electric.breakdown import Breakdown
     from raceway.electric.leak import Leak
@@ -167,9 +163,7 @@ def run(arguments: argparse.Namespace) -> None:
         )
     if arguments.resistivity is not None or arguments.metal is not None:
         leak = Leak(arguments.resistivity, arguments.metal, arguments.metal_share)
-    opened = raceway.open(arguments.folder)
-    if arguments.bearing is not None:
-        opened = opened.select(arguments.bearing)
+    opened = one_run.opened(arguments)
     try:  # a ValueError: what goes with nothing, or not with the run
         result = circuit.run(
             opened,

@@ -4,7 +4,7 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands, options
+from raceway.commands import Commands, one_run
 from raceway.commands.quantity import number
 
 DESCRIPTION = """\
@@ -36,7 +36,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    options.run_folder(one)
+    one_run.add(one)
     one.add_argument(
         "--format",
         choices=("vtk", "xyz", "spice"),
@@ -68,20 +68,18 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.resistivity is not None:
         arguments.complain("--resistivity goes with --format spice")
     from raceway.export import ovito, paraview
-    from raceway.runs.tables import RunTables
 
     write = {"vtk": paraview.write, "xyz": ovito.write}[arguments.format]
-    print(write(RunTables(arguments.folder), out, arguments.every))
+    print(write(one_run.tables(arguments), out, arguments.every))
 
 
 def _element(arguments, out):
-    import raceway
     from raceway.electric import spice
     from raceway.electric.films import of_run
     from raceway.electric.leak import Leak
 
     leak = Leak(arguments.resistivity) if arguments.resistivity else None
-    films = of_run(raceway.open(arguments.folder), leak)
+    films = of_run(one_run.opened(arguments), leak)
     return spice.write(films.every(arguments.every or 1), out)
 
 

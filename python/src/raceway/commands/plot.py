@@ -4,7 +4,7 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands, options
+from raceway.commands import Commands, one_run
 
 KINDS = ("overview", "polar", "waterfall", "bearing", "motion")
 DESCRIPTION = """\
@@ -32,7 +32,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    options.run_folder(one)
+    one_run.add(one)
     one.add_argument(
         "--kind", choices=KINDS, default="overview", help="what to draw (default: %(default)s)"
     )
@@ -44,9 +44,7 @@ def run(arguments: argparse.Namespace) -> None:
     """Draw the picture and print its path."""
     from importlib import import_module  # matplotlib takes longer to load than a summary to compute
 
-    from raceway.runs.tables import RunTables
-
     draw = getattr(import_module(f"raceway.pictures.{arguments.kind}"), arguments.kind)
     out = Path(arguments.out or Path(arguments.folder) / f"{arguments.kind}.png")
-    draw(RunTables(arguments.folder), out)
+    draw(one_run.tables(arguments), out)
     print(out)

@@ -6,6 +6,7 @@ import shlex
 import shutil
 import signal
 import sys
+from pathlib import Path
 
 from raceway.errors import RacewayError
 
@@ -25,8 +26,11 @@ def program(text: str) -> list[str]:
 
 
 def command(arguments: argparse.Namespace) -> list[str]:
-    """Program, options and deck. Raises `RacewayError` when there is no such program."""
-    return [*program(arguments.program), "-in", arguments.deck]
+    """Program, options and deck. Raises `RacewayError` when one of both is not there."""
+    words = program(arguments.program)
+    if not Path(arguments.deck).is_file():
+        raise RacewayError(f"--deck {arguments.deck}: there is no such file")
+    return [*words, "-in", arguments.deck]
 
 
 def end_on_signals() -> None:

@@ -4,7 +4,7 @@
 import argparse
 from pathlib import Path
 
-from raceway.commands import Commands
+from raceway.commands import Commands, one_run
 from raceway.errors import RacewayError
 
 DESCRIPTION = """\
@@ -30,7 +30,8 @@ def add(commands: Commands) -> None:
     )
     one.add_argument("folder", metavar="DIR", help="folder of the run or of the sweep")
     one.add_argument("--out", metavar="HTML", help="where to put it (default: DIR/report.html)")
-    one.set_defaults(command=run)
+    one_run.add_number(one)
+    one.set_defaults(command=run, complain=one.error)
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -38,9 +39,11 @@ def run(arguments: argparse.Namespace) -> None:
     from raceway.report import of_run, of_sweep  # matplotlib takes a while
 
     folder = Path(arguments.folder)
-    if (folder / "run.yaml").exists():
-        page = of_run.page(folder)
+    if any((folder / name).exists() for name in ("run.yaml", "record.nc")):
+        page = of_run.page(one_run.tables(arguments))
     elif any(folder.glob("*/point.yaml")):
+        if arguments.bearing is not None:
+            arguments.complain(f"--bearing: of a run, and {folder} holds a sweep")
         page = of_sweep.page(folder)
     else:
         raise RacewayError(f"{folder} holds no run (run.yaml) and no sweep (*/point.yaml)")

@@ -8,9 +8,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raceway.commands import Commands, options
+from raceway.commands import Commands, one_run
 from raceway.commands.quantity import number
-from raceway.errors import RacewayError
 from raceway.units import prefixed
 
 if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
@@ -50,7 +49,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    options.run_folder(one)
+    one_run.add(one)
     one.add_argument(
         "--signal",
         default="shift",
@@ -83,9 +82,6 @@ def add(commands: Commands) -> None:
         metavar=("LOW", "HIGH"),
         help="of the envelope, hertz (default: the most impulsive one)",
     )
-    one.add_argument(
-        "--bearing", type=_number, metavar="N", help="one of many bearings in the folder"
-    )
     one.add_argument("--json", action="store_true", help="a JSON list instead of a table")
     one.add_argument(
         "--kind",
@@ -103,7 +99,6 @@ def add(commands: Commands) -> None:
 
 def run(arguments: argparse.Namespace) -> None:
     """Print the lines of the run and draw them when asked."""
-    import raceway
     from raceway.runs import envelope
     from raceway.runs.spectrum import lines, of_run
 
@@ -111,13 +106,7 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.complain("--band: of an envelope; give --envelope")
     if arguments.band and not arguments.band[0] < arguments.band[1]:
         arguments.complain(f"--band: {arguments.band[0]:g} Hz must be below {arguments.band[1]:g}")
-    opened = raceway.open(arguments.folder)
-    if arguments.bearing is not None:
-        opened = opened.select(arguments.bearing)
-    elif len(opened.bearing_numbers) > 1:
-        raise RacewayError(
-            f"{arguments.folder} has {len(opened.bearing_numbers)} bearings: give --bearing N"
-        )
+    opened = one_run.opened(arguments)
     if arguments.kind == "time":
         _over_time(arguments, opened)
         return
@@ -204,12 +193,4 @@ def _count(text):
     return value
 
 
-def _number(text):
-    value = int(text)
-    if value < 1:
-        raise ValueError
-    return value
-
-
-_number.__name__ = "number from 1 on"
 _count.__name__ = "number from 1 to 50"  # what argparse calls it in its error

@@ -4,7 +4,7 @@
 import argparse
 import json
 
-from raceway.commands import Commands, options
+from raceway.commands import Commands, one_run
 
 EXAMPLES = """\
 examples:
@@ -26,7 +26,7 @@ def add(commands: Commands) -> None:
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    options.run_folder(one)
+    one_run.add(one)
     one.add_argument(
         "--json", action="store_true", help="one JSON object in SI units instead of a table"
     )
@@ -36,9 +36,8 @@ def add(commands: Commands) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures."""
     from raceway.runs.summary import summary, table
-    from raceway.runs.tables import RunTables
 
-    figures = summary(RunTables(arguments.folder))
+    figures = summary(one_run.tables(arguments))
     print(
         json.dumps(figures, indent=2, ensure_ascii=False, allow_nan=False)
         if arguments.json

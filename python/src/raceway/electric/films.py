@@ -97,16 +97,15 @@ def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
     `leak` makes them conduct; `stray` (F) is added to every film. Raises `RunError` for a run that
     lacks what is needed.
     """
-    record = run.tables.record
-    if record and record.bearing is None:
-        raise RunError(
-            f"{run.tables.folder} holds {len(run.bearing_numbers)} bearings: take one of them"
-            " (run.select, --bearing)"
-        )
     if run.settings["lubricant"] == "dry":
         raise RunError(f"{run.tables.folder}: a dry run has no films")
+    contacts = run.contacts
+    if contacts.sizes["time"] < 2:
+        raise RunError(
+            f"{run.tables.folder}: films over time need 2 samples, not {contacts.sizes['time']}"
+        )
     return of_dataset(
-        run.contacts,
+        contacts,
         leak,
         stray,
         permittivity=run.settings["permittivity"],

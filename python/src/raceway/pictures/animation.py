@@ -69,6 +69,8 @@ def _window(tables, passes, frames):
     """(the part of the run `tables` needed, the samples to draw)."""
     each, there = tables.settings["samples_per_pass"], tables.index("balls")
     have = min(len(there), len(tables.index("contacts"))) - tables.first
+    if have < 1:
+        raise RunError(f"{tables.folder} holds no sample to draw")
     wanted = int(round((min(have / each, 4.0) if passes is None else passes) * each))
     if not 1 <= wanted <= have:
         raise RunError(

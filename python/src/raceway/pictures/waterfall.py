@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from raceway.arrays import Floats, Integers
+from raceway.errors import RunError
 from raceway.files import FilePath
 from raceway.pictures import style
 from raceway.pictures.page import head
@@ -31,6 +32,8 @@ def waterfall(tables: RunTables, path: FilePath) -> None:
     need(tables, "capacitance", "the waterfall")
     tables = shown(tables)
     samples, psi, each = bands(tables)
+    if len(samples) < 2:
+        raise RunError(f"{tables.folder}: a picture over time needs 2 samples, not {len(samples)}")
     total = tables.bearing_capacitance[samples - tables.first]
     factor, unit = axis(np.nanmax(each, initial=0.0), "F")
     times = tables.passes(samples)

@@ -36,9 +36,8 @@ CHARTS = {
 }
 
 
-def page(folder: Path) -> Page:
-    """The page of the run in `folder`. Raises `RunError` for one that is broken or not finished."""
-    tables = RunTables(folder)
+def page(tables: RunTables) -> Page:
+    """The page of the run `tables`. Raises `RunError` for one that is broken or not finished."""
     figures = summary(tables)
     result = Page(title(tables))
     result.text(f"A run of {figures['host']}, written by raceway report.")

@@ -49,11 +49,13 @@ class Record:
                 }
                 self._row = _row(file)
                 self._begin = _begin(file)
-        except (OSError, TypeError, ValueError, KeyError, IndexError) as error:
+        except OSError as error:
+            raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
+        except (TypeError, ValueError, KeyError, IndexError):  # what scipy makes of such bytes
             raise RunError(
-                f"cannot read {self.path}: {getattr(error, 'strerror', None) or error}"
+                f"cannot read {self.path}: it is cut short or damaged, or no record at all"
             ) from None
-        if missing := {"time", "ball", "ring_bearing"} - set(self.variables):
+        if missing := {"time", "ball", "ring_bearing", "finished"} - set(self.variables):
             raise RunError(f"{self.path} has no variable {' '.join(sorted(missing))}")
         self.bearings = self._fixed["bearing"].tolist()
         if bearing is None and len(self.bearings) == 1:
@@ -166,6 +168,7 @@ class Record:
 
     def blocks(self, start: int, stop: int | None) -> Iterator[tuple[int, int]]:
         """(start, stop) of pieces of a few MB."""
+        self.need_samples()
         stop = len(self) if stop is None else min(stop, len(self))
         if start >= stop:
             raise RunError(f"{self.path} holds {len(self)} samples, none from number {start} on")
@@ -176,8 +179,9 @@ class Record:
     # ---- as tables -------------------------------------------------------------------------------
     def contacts(self, start: int, stop: int) -> pd.DataFrame:
         """A row per contact and sample: `DataFrame`; with `groove` where rings have two."""
+        self.need_contacts()
         if "load" not in self.contact_columns:
-            raise RunError(f"{self.path} has no column load: record the contacts as well")
+            raise RunError(f"{self.path} has no column load: record it with the other contacts")
         data = self.read(self.contact_columns, start, stop)
         live = data["load"].transpose(0, 2, 1) > 0
         sample, ball, place = np.nonzero(live)
@@ -241,6 +245,7 @@ class Record:
 
     def rings(self, start: int, stop: int) -> pd.DataFrame:
         """A row per sample: step, time and what the inner ring does, `DataFrame`."""
+        self.need_one()
         inner = int(np.flatnonzero(self.fixed("ring_raceway") == 0)[0])
         names = [name for name in self.variables if name.startswith("ring_") and self._timed(name)]
         data = self.read(["step", "time", *names], start, stop)
@@ -274,7 +279,21 @@ class Record:
         """Raise `RunError` unless the record is of one bearing or one has been chosen."""
         if self.bearing is None:
             raise RunError(
-                f"{self.path} has {len(self.bearings)} bearings: choose one, run.select(number)"
+                f"{self.path} has {len(self.bearings)} bearings: choose one with --bearing NUMBER,"
+                " in Python run.select(number)"
+            )
+
+    def need_samples(self) -> None:
+        """Raise `RunError` where the header counts no sample."""
+        if not len(self):
+            raise RunError(f"{self.path} holds no sample: its run has just begun or was stopped")
+
+    def need_contacts(self) -> None:
+        """Raise `RunError` where the record has no columns of contacts."""
+        if not self.contact_columns:
+            raise RunError(
+                f"{self.path} holds no contacts: record them with -var record all, in a deck of"
+                " one's own with 'contacts usual' of fix bearing/record"
             )
 
     # ---- what was run ----------------------------------------------------------------------------

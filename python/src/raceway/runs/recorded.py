@@ -100,6 +100,7 @@ class Recorded:
     @property
     def contacts(self) -> xr.Dataset:
         """Dataset (time, raceway, ball)."""
+        self.record.need_contacts()
         names = [name for name in self.record.contact_columns if name != "azimuth"]
         data = self._labelled(self._file[names])
         if "azimuth" in self.record.contact_columns:

@@ -51,9 +51,9 @@ class Run:
     `samples`, a slice without step, keeps to some samples: `blocks` and `bearing` need no more
     memory for a large run, the other datasets do.
 
-    Raises `RunError` when the folder has no `run.yaml` or a broken one; the datasets do when their
-    file is broken, and warn when it ends inside a frame. A run that is still going can be read as
-    far as it is.
+    Raises `RunError` when the folder has no `run.yaml` or a broken one, or a record that is of
+    another run; the datasets do when their file is broken, and warn when it ends inside a frame. A
+    run that is still going can be read as far as it is.
     """
 
     def __init__(
@@ -79,6 +79,8 @@ class Run:
     def __repr__(self):
         if self.tables.record and self.tables.record.bearing is None:
             return f"<raceway run {self.tables.folder}: {len(self.bearing_numbers)} bearings>"
+        if self.tables.record and not len(self.tables.record):
+            return f"<raceway run {self.tables.folder}: no sample yet>"
         settings = self.settings
         places = {side: f"{side} raceway" for side in ("inner", "outer")}
         flaws = "".join(f", {places.get(at, at)}: {words}" for at, words in self.flaws.items())

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """`run.yaml`: what a run says of itself."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,7 @@ import numpy as np
 import yaml
 
 from raceway.errors import RunError
+from raceway.runs.text import need_text
 
 WORDS = ("bearing", "lubricant", "host", "integrator", "contact_columns", "ball_columns")
 NUMBERS = (
@@ -83,6 +85,7 @@ def settings(folder: Path) -> dict[str, Any]:
     lubricant = LUBRICANT if data.get("lubricant") not in (*NO_LUBRICANT, None) else ()
     needed = (*WORDS, *NUMBERS, *lubricant)
     if missing := [key for key in needed if key not in data]:
+        need_text(folder)
         begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
         raise RunError(f"{begun}{path} has no {', '.join(missing)}")
     for key in (key for key in WORDS if not isinstance(data[key], str)):
@@ -125,13 +128,23 @@ class _Loader(yaml.BaseLoader):
         return super().construct_mapping(node, deep)
 
 
-def the_end(folder: Path) -> dict[str, float]:
-    """What `run.yaml` says of the end of a run, as far as it is there. Raises `RunError`."""
+def said(folder: Path) -> dict[str, Any]:
+    """What `run.yaml` beside a record says, all as text; nothing where it is not there, or not
+    whole because the run is writing it. Raises `RunError` when it cannot be read."""
     path = folder / "run.yaml"
     if not path.exists():
         return {}
     try:
-        data = yaml.load(path.read_text(), Loader=_Loader) or {}
-        return {key: float(data[key]) for key in (*AT_THE_END, *COST) if key in data}
-    except (OSError, UnicodeDecodeError, TypeError, ValueError, yaml.YAMLError) as error:
+        data = yaml.load(path.read_text(), Loader=_Loader)
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise RunError(f"cannot read {path}: {error}") from None
+    return data if isinstance(data, dict) else {}
+
+
+def the_end(folder: Path, said: Mapping[str, Any]) -> dict[str, float]:
+    """What `run.yaml` in `folder` has `said` of the end of a run, as far as it is there. Raises
+    `RunError`."""
+    try:
+        return {key: float(said[key]) for key in (*AT_THE_END, *COST) if key in said}
+    except (TypeError, ValueError) as error:
+        raise RunError(f"cannot read {folder / 'run.yaml'}: {error}") from None

@@ -115,9 +115,11 @@ def summary(tables: RunTables) -> dict[str, Any]:
     none. `warnings` is a list of texts: what is beyond validity (`theory.validity`).
 
     Reads the files once, in blocks: memory does not grow with the run. Raises `RunError` when the
-    run has not finished, a file is broken or no ball ever touched a raceway.
+    run has not finished, a file is broken, there is no sample after the start or no ball ever
+    touched a raceway.
     """
     tables.need_finished()
+    _need_window(tables)
     settings = tables.settings
     result = {
         key: settings.get(key)
@@ -160,6 +162,15 @@ def summary(tables: RunTables) -> dict[str, Any]:
     if errors := numerical_errors(tables):
         result["numerical_errors"] = errors
     return result
+
+
+def _need_window(tables):
+    count = len(tables.rings)
+    if not (tables.rings["sample"] > 0).any():
+        raise RunError(
+            f"{tables.source['rings']} holds {count} sample{'s' * (count != 1)}: figures are means"
+            " over the samples after the start, and there is none"
+        )
 
 
 def identity(tables: RunTables) -> list[float]:

@@ -16,8 +16,11 @@ from raceway.errors import RunError, RunWarning
 from raceway.files import FilePath
 from raceway.runs.dump import Index, blocks, first_steps, frames, read_dump, read_table
 from raceway.runs.record import Record, there
-from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings, the_end
+from raceway.runs.same_run import need_same_run
+from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, said, settings, the_end
 from raceway.runs.steps import Steps
+from raceway.runs.text import FILES, need_text
+from raceway.runs.told import Told
 from raceway.runs.totals import pairs, totals
 from raceway.theory.bearing import OUTER, Bearing
 
@@ -30,7 +33,6 @@ DUMPS = {
     ),
     "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy")),
 }
-FILES = {"contacts": "contacts.dump", "balls": "balls.dump", "rings": "rings.dat"}
 WHOLE = ("ball", "raceway", "groove", "id", "type")
 MOST = {"raceway": OUTER, "groove": 1}
 
@@ -43,8 +45,8 @@ class RunTables:
     run larger than memory. The other is `blocks`. A run that is still going, or was stopped, can be
     read as far as it is; `finished` tells.
 
-    Raises `RunError` when the folder has no `run.yaml` or a broken one; so do the tables when their
-    file is broken.
+    Raises `RunError` when the folder has no `run.yaml` or a broken one, or a record that is of
+    another run than its `run.yaml`; so do the tables when their file is broken.
     """
 
     def __init__(
@@ -54,12 +56,14 @@ class RunTables:
         self.record = Record(folder, bearing) if there(folder) else None
         if self.record is None and bearing not in (None, 1):
             raise RunError(f"{self.folder} has one bearing, not {bearing}")
-        self.settings = (
-            {**self.record.settings(), **the_end(self.folder)}
-            if self.record
-            else settings(self.folder)
-        )
+        self.settings = self._of_record(self.record) if self.record else settings(self.folder)
         self.first, self.stop = _window(samples)
+
+    def _of_record(self, record):
+        beside = said(self.folder)
+        end = the_end(self.folder, beside)
+        need_same_run(record, beside)
+        return Told({**record.settings(), **end}, (record.need_one, record.need_samples))
 
     def window(self, samples: slice) -> "RunTables":
         """The same run with other `samples`."""
@@ -87,11 +91,11 @@ class RunTables:
         """Raise `RunError` for a run that has not come to its end."""
         if self.record:
             self.record.need_one()
+        path = self.folder / "run.yaml"
+        if not path.exists():
+            raise RunError(f"{path} is missing: it says whether the run has finished, and its cost")
         if missing := [key for key in AT_THE_END if key not in self.settings]:
-            raise RunError(
-                f"run has not finished: {self.folder / 'run.yaml'} has no"
-                f" {' and no '.join(missing)}"
-            )
+            raise RunError(f"run has not finished: {path} has no {' and no '.join(missing)}")
 
     @property
     def geometry(self) -> Bearing:
@@ -136,6 +140,7 @@ class RunTables:
         """A row per sample: where the inner ring is and how it moves."""
         if self.record:
             return self.record.rings(self.first, self._end_of_samples())
+        need_text(self.folder)
         table = read_table(self.folder / "rings.dat")
         self._need(table, ("time", "x", "y"), "rings.dat")
         # counted from the start of the window, like the dumps; the first row may be a later sample
@@ -312,6 +317,7 @@ class RunTables:
         one."""
         if self.record:
             return range(len(self.record))
+        need_text(self.folder)
         if name not in self._indices:
             self._indices[name] = Index(self.folder / DUMPS[name][0])
         return self._indices[name]
@@ -322,6 +328,7 @@ class RunTables:
 
     def _columns(self, name):
         """(file, names of its columns)"""
+        need_text(self.folder)
         file, key, needed = DUMPS[name]
         columns = self.settings[key].split()
         if twice := sorted({column for column in columns if columns.count(column) > 1}):

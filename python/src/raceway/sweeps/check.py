@@ -91,6 +91,7 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
     `RacewayError` when a repeat fails or is not the same run.
     """
     tables = RunTables(folder)
+    variables(tables)  # a run without them cannot be repeated, whatever its figures
     figures, errors = summary(tables), {}
     for name, words in repeats(tables).items():
         place = Path(folder) / "check" / name

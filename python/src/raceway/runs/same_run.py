@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Whether a record and the `run.yaml` beside it are of one run: both note what was set."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from raceway.errors import RunError
+from raceway.runs.record import Record
+
+DIGITS = 1e-14  # run.yaml has 15 of a number
+VARIABLES = "deck_variables"  # of other texts YAML may have taken quotation marks
+
+
+def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
+    """Raise `RunError` where the `record` contradicts what `run.yaml` has `said`, texts by name: a
+    number, the variables of the deck or, of a run that has ended, its length."""
+    for key, own in record.attrs.items():
+        if key not in said:
+            continue
+        if key == VARIABLES and own != said[key]:
+            own, other = own.split(","), str(said[key]).split(",")
+            _refuse(record, key, *(_without(*two) for two in ((own, other), (other, own))))
+        if isinstance(own, float) and not _close(own, said[key]):
+            _refuse(record, key, f"{own:g}", said[key])
+    # before its end a record may hold more than the run.yaml of a run before it in the deck
+    if "simulated_s" in said and record.fixed("finished") and len(record):
+        last, known = float(record.pick("time", (len(record) - 1,))), float(said["simulated_s"])
+        if abs(last - known) > 0.5 * record.attrs["sample_s"]:
+            _refuse(record, "simulated_s", f"{last:g}", f"{known:g}")
+
+
+def _close(own, text):
+    try:
+        return math.isclose(own, float(text), rel_tol=DIGITS) or math.isnan(own)
+    except (TypeError, ValueError):
+        return False
+
+
+def _without(words, others):
+    return ",".join(word for word in words if word not in others) or "another"
+
+
+def _refuse(record, key, own, other):
+    raise RunError(
+        f"{record.path} is of another run than run.yaml: {key} is {own} in the record, {other} in"
+        " run.yaml"
+    )

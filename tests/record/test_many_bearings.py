@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A record of several bearings: what is of one asks which, and commands take its number."""
+
+import json
+import re
+
+import pytest
+import raceway
+from host import ROOT, succeed
+from raceway import electrical, losses, regimes, spectrum
+from raceway.cli import main
+from raceway.errors import RunError
+
+WHICH = (
+    r"record.nc has 2 bearings: choose one with --bearing NUMBER, in Python run.select\(number\)"
+)
+COMMANDS = [
+    "summary",
+    "plot --out OUT.png",
+    "plot --kind polar --out OUT.png",
+    "plot --kind waterfall --out OUT.png",
+    "plot --kind bearing --out OUT.png",
+    "plot --kind motion --out OUT.png",
+    "report --out OUT.html",
+    "animate --frames 2 --passes 0.1 --out OUT.gif",
+    "export --format vtk --out OUT",
+    "export --format xyz --out OUT",
+    "export --format spice --out OUT",
+    "circuit --floating 10",
+    "spectrum --signal y",
+    "electric",
+]
+
+
+@pytest.fixture(scope="module")
+def many(tmp_path_factory):
+    """inputs/in.many with two bearings and a record."""
+    folder = tmp_path_factory.mktemp("many")
+    text = (ROOT / "inputs" / "in.many").read_text()
+    line = "fix rec all bearing/record ${b_every} ${out}\n"
+    (folder / "in.many").write_text(text.replace("timestep ${b_dt}", line + "timestep ${b_dt}"))
+    succeed(folder / "in.many", out=folder / "run", bearings=2, columns=2, time=6e-3, ramp=1e-3)
+    return folder / "run"
+
+
+def command(text, folder, out):
+    name, *more = text.replace("OUT", str(out)).split()
+    return [name, str(folder), *more]
+
+
+@pytest.mark.parametrize("text", COMMANDS)
+def test_commands_ask_which(many, text, tmp_path, capsys):
+    assert main(command(text, many, tmp_path / "out")) == 1
+    said = capsys.readouterr().err
+    assert re.search(WHICH, said) and said.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "wanted",
+    [
+        lambda run: run.rings,
+        lambda run: run.tables.rings,
+        lambda run: run.bearing,
+        lambda run: run.flaws,
+        losses.losses,
+        losses.losses_around,
+        lambda run: spectrum.of_run(run, "y"),
+        regimes.shares,
+        electrical.over_time,
+        electrical.by_raceway,
+    ],
+)
+def test_python_asks_which(many, wanted):
+    with pytest.raises(RunError, match=WHICH):
+        wanted(raceway.open(many))
+
+
+def test_all_bearings_together_have_contacts(many):
+    assert raceway.open(many).contacts.sizes["ball"] == 18
+
+
+@pytest.mark.parametrize("text", COMMANDS)
+def test_commands_take_a_number(many, text, tmp_path, capsys):
+    assert main([*command(text, many, tmp_path / "out"), "--bearing", "3"]) == 1
+    assert "has the bearings 1 to 2, not 3" in capsys.readouterr().err
+    done = main([*command(text, many, tmp_path / "out"), "--bearing", "2"])
+    said = capsys.readouterr().err
+    assert done == 0 or "has 7 samples: a spectrum needs 32" in said
+
+
+def test_figures_are_those_of_the_number(many, capsys):
+    for number in (1, 2):
+        assert main(["summary", str(many), "--json", "--bearing", str(number)]) == 0
+        figures = json.loads(capsys.readouterr().out)
+        assert figures["q_max_N"] == raceway.open(many).select(number).summary()["q_max_N"]
+
+
+def test_mistakes(many, tmp_path, capsys):
+    assert main(["check", str(many)]) == 1
+    assert "does not say the deck's variables" in capsys.readouterr().err
+    (tmp_path / "point").mkdir()
+    (tmp_path / "point" / "point.yaml").write_text("load: 1\n")
+    for words in (["report", str(tmp_path), "--bearing", "1"], ["summary", "x", "--bearing", "0"]):
+        with pytest.raises(SystemExit) as stop:
+            main(words)
+        assert stop.value.code == 2 and "--bearing" in capsys.readouterr().err

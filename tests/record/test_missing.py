@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What a record does not hold is said in a line, with how to get it."""
+
+import re
+import shutil
+import warnings
+
+import pytest
+import raceway
+from host import succeed
+from raceway.cli import main
+from raceway.errors import RunError
+from recorded_runs import MAIN, small
+
+NO_CONTACTS = "record.nc holds no contacts: record them with -var record all"
+
+
+@pytest.fixture(scope="module")
+def sums(tmp_path_factory):
+    """The main deck with a record of sums alone."""
+    folder = tmp_path_factory.mktemp("sums") / "run"
+    succeed(out=folder, **{**MAIN, "record": "summary", "dumps": "no"})
+    return folder
+
+
+@pytest.fixture(scope="module")
+def motion_alone(tmp_path_factory):
+    """docs/decks/in.smallest with a record that has balls and no contacts."""
+    folder = tmp_path_factory.mktemp("motion")
+    succeed(small(folder, "contacts none"))
+    return folder / "run"
+
+
+def copied(folder, to, **changes):
+    """A copy of a run's folder; `samples` are those that its record counts, `cut` is how many of
+    its bytes are left."""
+    shutil.copytree(folder, to)
+    content = bytearray((to / "record.nc").read_bytes())
+    if "samples" in changes:
+        content[4:8] = changes["samples"].to_bytes(4, "big")  # netCDF classic
+        text = (to / "run.yaml").read_text()
+        (to / "run.yaml").write_text(re.sub("simulated_s: .*", "simulated_s: 0", text))
+    (to / "record.nc").write_bytes(content[: changes.get("cut")])
+    return to
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["export", "--format", "spice"],
+        ["circuit", "--floating", "10"],
+        ["plot", "--kind", "polar"],
+        ["animate"],
+    ],
+)
+def test_a_command_that_needs_contacts(sums, words, capsys):
+    name, *more = words
+    assert main([name, str(sums), *more]) == 1
+    said = capsys.readouterr().err
+    assert NO_CONTACTS in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize("folder", ["sums", "motion_alone"])
+def test_contacts_in_python(folder, request):
+    run = raceway.open(request.getfixturevalue(folder))
+    for wanted in (
+        lambda: run.contacts,
+        lambda: next(run.blocks("contacts")),
+        lambda: run.tables.contacts,
+    ):
+        with pytest.raises(RunError, match=NO_CONTACTS):
+            wanted()
+
+
+def test_what_else_the_record_holds_is_there(sums, motion_alone):
+    assert raceway.open(sums).rings.sizes["time"] == 41
+    assert raceway.open(motion_alone).balls.sizes["ball"] == 9
+
+
+@pytest.mark.parametrize("kept", [0, 3, 100, 3000, 9000, 20000, -1])
+def test_a_record_cut_short(sums, kept, tmp_path, capsys):
+    folder = copied(sums, tmp_path / "run", cut=kept)
+    assert main(["summary", str(folder)]) == 1
+    said = capsys.readouterr().err
+    assert f"cannot read {folder}/record.nc: it is cut short or damaged" in said
+    assert said.count("\n") == 1
+
+
+@pytest.mark.parametrize("words", [[], ["record", "none"]], ids=["deck of one's own", "main deck"])
+def test_nothing_was_recorded(words, tmp_path, capsys):
+    folder = tmp_path / "run"
+    if words:
+        succeed(out=folder, **{**MAIN, "record": "none", "dumps": "no"})
+    else:
+        succeed(small(tmp_path, "content none"))
+    for command in (["summary"], ["plot", "--kind", "motion"], ["animate"], ["report"]):
+        assert main([command[0], str(folder), *command[1:]]) == 1
+        said = capsys.readouterr().err
+        assert "holds neither record.nc nor contacts.dump, balls.dump, rings.dat" in said
+        assert "-var record all makes a record" in said and "column" not in said
+
+
+def test_run_yaml_is_gone(sums, tmp_path, capsys):
+    folder = copied(sums, tmp_path / "run")
+    (folder / "run.yaml").unlink()
+    for command in ("summary", "report"):
+        assert main([command, str(folder)]) == 1
+        assert f"{folder}/run.yaml is missing" in capsys.readouterr().err
+    assert raceway.open(folder).rings.sizes["time"] == 41
+
+
+@pytest.mark.parametrize(
+    "samples, said",
+    [
+        (0, "holds no sample: its run has just begun"),
+        (1, "holds 1 sample: figures are means over"),
+    ],
+)
+@pytest.mark.parametrize("deck", ["sums", "motion_alone"])
+def test_hardly_a_sample(deck, samples, said, tmp_path, request, capsys):
+    folder = copied(request.getfixturevalue(deck), tmp_path / "run", samples=samples)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        run = raceway.open(folder)
+        assert str(folder) in repr(run)
+        with pytest.raises(RunError, match=said):
+            run.summary()
+    for command in ("summary", "plot", "report"):
+        assert main([command, str(folder)]) == 1
+        assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("samples", [0, 1])
+def test_too_few_samples_for_a_command(samples, tmp_path, capsys):
+    succeed(out=tmp_path / "all", **{**MAIN, "dumps": "no"})
+    folder = copied(tmp_path / "all", tmp_path / "run", samples=samples)
+    commands = [["circuit", "--floating", "10"], ["export", "--format", "spice"]]
+    commands += [["plot", "--kind", "waterfall"], *([["animate"]] if samples == 0 else [])]
+    for name, *more in commands:
+        assert main([name, str(folder), *more]) == 1
+        said = capsys.readouterr().err
+        assert "sample" in said and said.count("\n") == 1
