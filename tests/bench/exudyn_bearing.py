@@ -3,9 +3,10 @@
 
 Settings: stiffness (N/m^exponent), exponent, damping (N s/m), friction, zone (m/s, sliding speed
 from which friction is full), load (N, towards -y), speed (rad/s), step, ramp, settle and window
-(s), samples. Prints one JSON line: wall seconds of the time loop, simulated seconds, and for each
-sample of the window the ring's place (m), the balls' places (m) and inner loads (N); or the error
-with which the solver stopped and the time (s) it had reached.
+(s), period of the samples (s; a multiple of step), folder for the files of its sensors, or "" for
+none: then only the clock counts. Prints one JSON line: wall seconds of the time loop, simulated
+seconds, and for each sample of the window the ring's place (m), the balls' places (m) and inner
+loads (N); or the error with which the solver stopped and the time (s) it had reached.
 """
 
 import json
@@ -75,27 +76,38 @@ def model(case):
     return system, made["innerRingBallContacts"], [*made["objectsBalls"], ring]
 
 
+def sensors(system, contacts, bodies, folder):
+    """(files of the contacts' forces, files of the bodies' places); none without a folder."""
+    kinds, files = exu.OutputVariableType, ([], [])
+    if not folder:
+        return files
+    for n in contacts:
+        files[0].append(f"{folder}/force{n}.txt")
+        system.AddSensor(
+            SensorObject(objectNumber=n, fileName=files[0][-1], outputVariableType=kinds.Force)
+        )
+    for n in bodies:
+        files[1].append(f"{folder}/place{n}.txt")
+        system.AddSensor(
+            SensorBody(bodyNumber=n, fileName=files[1][-1], outputVariableType=kinds.Position)
+        )
+    return files
+
+
+def table(file):
+    """Rows (time, x, y, z) that a sensor wrote."""
+    return np.loadtxt(file, delimiter=",", comments="#")
+
+
 def run(case):
     """The result described above, as a dict."""
     system, contacts, bodies = model(case)
-    kinds = exu.OutputVariableType
-    forces = [
-        system.AddSensor(
-            SensorObject(objectNumber=n, storeInternal=True, outputVariableType=kinds.Force)
-        )
-        for n in contacts
-    ]
-    places = [
-        system.AddSensor(
-            SensorBody(bodyNumber=n, storeInternal=True, outputVariableType=kinds.Position)
-        )
-        for n in bodies
-    ]
+    forces, places = sensors(system, contacts, bodies, case["folder"])
     system.Assemble()
     end = case["settle"] + case["window"]
     settings = exu.SimulationSettings()
     settings.solutionSettings.writeSolutionToFile = False
-    settings.solutionSettings.sensorsWritePeriod = case["window"] / case["samples"]
+    settings.solutionSettings.sensorsWritePeriod = case["period"]
     settings.timeIntegration.endTime = end
     settings.timeIntegration.numberOfSteps = round(end / case["step"])
     settings.timeIntegration.newton.absoluteTolerance = (
@@ -113,9 +125,12 @@ def run(case):
         reached = system.systemData.GetTime()
         return {"error": f"{type(error).__name__}: {error}", "reached": reached}
     wall = time.perf_counter() - start
-    load = np.linalg.norm([system.GetSensorStoredData(n)[:, 1:] for n in forces], axis=2).T
-    place = np.array([system.GetSensorStoredData(n)[:, 1:3] for n in places]).swapaxes(0, 1)
-    late = system.GetSensorStoredData(places[0])[:, 0] > case["settle"]
+    if not case["folder"]:
+        return {"wall": wall, "simulated": end}
+    system.Reset()  # closes the files
+    load = np.linalg.norm([table(file)[:, 1:] for file in forces], axis=2).T
+    place = np.array([table(file)[:, 1:3] for file in places]).swapaxes(0, 1)
+    late = table(places[0])[:, 0] > case["settle"] + case["period"] / 2
     return {
         "wall": wall,
         "simulated": end,

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs of a 6208 in stock LIGGGHTS, Exudyn and Raceway, judged by the exact static load; for
-peers.py."""
+peers.py.
+
+Runs with `output` write what a user would look at, at samples PERIOD apart where nothing else is
+said. Without, they write nothing, and only their cost counts.
+"""
 
 import json
 import re
@@ -10,15 +14,18 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+import xarray as xr
+from deck_runs import cost as told_cost
 from raceway import hertz, static
 from raceway.runs.dump import frames
-from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 ROOT = Path(__file__).resolve().parents[2]
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
+PERIOD = 1.76e-4  # s between samples, about 200 a ball pass
+PASSES = 8  # ball passes that Raceway runs
 NAMES = (
     "balls",
     "ball_diameter",
@@ -48,6 +55,10 @@ BOTH_ALIKE = 2**1.5 * IN_SERIES  # of two like contacts that together are as sti
 SPHERE_ON_PLANE = 2 / 3 * BEARING.effective_modulus * BEARING.ball_radius**0.5
 
 
+PITCH = (DATA["inner_radius"] + DATA["outer_radius"]) / 2
+PASS = 4 * np.pi / (BEARING.balls * SPEED * (1 - DATA["ball_diameter"] / (2 * PITCH)))  # s
+
+
 class Sample(NamedTuple):
     """One instant: the inner ring's shift (2,) and the balls' places (n, 2) in m, their inner loads
     (n,) in N."""
@@ -64,11 +75,12 @@ class Outcome(NamedTuple):
     cost: float  # wall s per simulated s
     step: float  # s
     simulated: float  # s
-    same_shift: float
-    low: float
-    high: float
-    same_load: float
-    left: int  # balls still there
+    same_shift: float = np.nan
+    low: float = np.nan
+    high: float = np.nan
+    same_load: float = np.nan
+    left: int = BEARING.balls  # balls still there
+    loads: np.ndarray | None = None  # N (samples, balls), on the inner ring
 
 
 class Failure(Exception):
@@ -121,7 +133,14 @@ def judge(samples, cost, step, simulated):
         high - 1,
         np.median(part) - 1 if part else np.nan,
         len(samples[-1].balls),
+        whole(samples),
     )
+
+
+def whole(samples):
+    """Loads (samples, balls) in N, None where balls were lost."""
+    loads = [sample.load for sample in samples]
+    return np.array(loads) if len({len(row) for row in loads}) == 1 else None
 
 
 def host(program, deck, **variables):
@@ -147,9 +166,10 @@ def loop_time(text):
     return float(re.findall(r"Loop time of (\S+) on", text)[-1])
 
 
-def cylinders(young):
-    """Smooth cylinders, the ring at the exact shift."""
-    step, steps, every = 1e-6, 500_000, 1000
+def cylinders(young, step=1e-6, output=True):
+    """Smooth cylinders, the ring at the exact shift; a ball has 0.1 s to settle."""
+    every = round(PERIOD / step)
+    steps = 2000 * every
     text = host(
         "liggghts",
         DECKS / "in.cylinders",
@@ -158,12 +178,16 @@ def cylinders(young):
         dt=step,
         shift=exact_shift(),
         young=young,
+        write=int(output),
         out=OUT / "cylinders",
     )
+    cost = loop_time(text) / (steps * step)
+    if not output:
+        return Outcome(cost, step, steps * step)
     shift = np.array([0, -exact_shift()])
     rows = [f.values for f in frames(ROOT / OUT / "cylinders.dump", ("id", "x", "y", "fx", "fy"))]
-    samples = [Sample(shift, r[:, 1:3], np.hypot(r[:, 3], r[:, 4])) for r in rows[20:]]
-    return judge(samples, loop_time(text) / (steps * step), step, steps * step)
+    samples = [Sample(shift, r[:, 1:3], np.hypot(r[:, 3], r[:, 4])) for r in rows]
+    return judge(samples[round(0.1 / PERIOD) :], cost, step, steps * step)
 
 
 def tori(mesh, steps, edges, step=4e-7):
@@ -192,7 +216,7 @@ def tori(mesh, steps, edges, step=4e-7):
     return judge(samples[len(samples) // 5 :], loop_time(text) / (steps * step), step, steps * step)
 
 
-def exudyn(stiffness, exponent, friction, step):
+def exudyn(stiffness, exponent, friction, step, output=True):
     """Exudyn's bearing under the load; damping and sliding speed of full friction as in its own
     bearing test."""
     case = {
@@ -205,10 +229,13 @@ def exudyn(stiffness, exponent, friction, step):
         "speed": SPEED,
         "step": step,
         "ramp": 3e-3,
-        "settle": 0.02,
-        "window": 0.07,
-        "samples": 400,
+        # whole periods: then all steps that divide one have their samples at the same times
+        "settle": 114 * PERIOD,
+        "window": 400 * PERIOD,
+        "period": PERIOD,
+        "folder": str(ROOT / OUT / "exudyn") if output else "",
     }
+    (ROOT / OUT / "exudyn").mkdir(parents=True, exist_ok=True)
     done = subprocess.run(
         [sys.executable, Path(__file__).with_name("exudyn_bearing.py"), json.dumps(case)],
         text=True,
@@ -220,46 +247,70 @@ def exudyn(stiffness, exponent, friction, step):
     found = json.loads(done.stdout.splitlines()[-1])
     if "error" in found:
         raise Failure(f"{found['error']} after {found['reached'] * 1e3:.2f} ms")
+    cost = found["wall"] / found["simulated"]
+    if not output:
+        return Outcome(cost, step, found["simulated"])
     samples = [
         Sample(*map(np.array, sample))
         for sample in zip(found["shift"], found["balls"], found["loads"])
     ]
     return judge(
-        [Sample(s.shift[:2], s.balls, s.load) for s in samples],
-        found["wall"] / found["simulated"],
-        case["step"],
-        found["simulated"],
+        [Sample(s.shift[:2], s.balls, s.load) for s in samples], cost, step, found["simulated"]
     )
 
 
-def raceway(name, **variables):
-    """Raceway's main deck under the load."""
+def raceway(name, output=True, **variables):
+    """Raceway's main deck under the load, as it stands."""
     host(
         "build/liggghts",
         "inputs/in.6208",
         load=LOAD,
         rpm=SPEED * 30 / np.pi,
-        passes=8,
+        passes=PASSES,
         out=OUT / name,
+        record="all" if output else "none",
         overwrite="yes",
         **variables,
     )
-    run = RunTables(ROOT / OUT / name)
-    inner = run.contacts[run.contacts["raceway"] == INNER]
-    place = run.rings.set_index("sample")
-    samples = []
-    for n, rows in inner.groupby("sample"):
-        if n in place.index:
-            azimuth = rows["azimuth"].to_numpy()
-            samples.append(
-                Sample(
-                    place.loc[n, ["x", "y"]].to_numpy(float),
-                    np.stack([np.cos(azimuth), np.sin(azimuth)], 1),
-                    rows["load"].to_numpy(),
-                )
-            )
-    told = run.settings
-    outcome = judge(
-        samples, told["wall_s"] / told["simulated_s"], told["step_s"], told["simulated_s"]
+    told = told_cost(ROOT / OUT / name)
+    price, step, simulated = (
+        told["wall_s"] / told["simulated_s"],
+        told["step_s"],
+        told["simulated_s"],
     )
-    return outcome._replace(left=BEARING.balls)
+    if not output:
+        return Outcome(price, step, simulated)
+    return judge(recorded(ROOT / OUT / name), price, step, simulated)
+
+
+def precision(name, output=True, **variables):
+    """Raceway with film, friction and cage from a fixed time on, so that settings can be compared
+    ball by ball."""
+    text = host(
+        "build/liggghts",
+        "tests/bench/in.precision",
+        load=LOAD,
+        speed=SPEED,
+        passes=PASSES,
+        record="netcdf" if output else "none",
+        out=OUT / name,
+        **variables,
+    )
+    rate, step = map(float, re.search(r"RESULT rate (\S+) step (\S+)", text).groups())
+    simulated = PASSES * PASS
+    if control := re.search(r"CONTROL mean (\S+)", text):
+        step = float(control.group(1))
+    if not output:
+        return Outcome(1 / rate, step, simulated)
+    return judge(recorded(ROOT / OUT / name / "record"), 1 / rate, step, simulated)
+
+
+def recorded(folder):
+    """Samples of a record of Raceway."""
+    with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
+        load = np.nan_to_num(record["load"].sel(raceway="inner").values)
+        inner = list(record["ring_raceway"].values).index(INNER)
+        ring, ball = (
+            np.stack([record[f"{of}_{x}"].values for x in "xy"], -1) for of in ("ring", "ball")
+        )
+    return [Sample(*sample) for sample in zip(ring[:, inner], ball, load)]

@@ -3,24 +3,29 @@
 docs/performance/peers.rst.
 
 Stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in tests/bench/peers), Exudyn's
-ball bearing, and Raceway for comparison. All take turns in every round, so that a drift of the
-machine hits them alike.
+ball bearing, and Raceway for comparison: its implicit step, and velocity Verlet with the friction
+that suits it. What converges first tries a list of settings and runs at the best. Then all take
+turns in every round, with their output and without, so that a drift of the machine hits them alike.
 """
 
 import statistics
 import sys
 from datetime import date
+from functools import partial
 from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 import torus_stl
 from machine import machine
+from peer_choice import ALLOWED, Peer, Setting, choose
 from peer_runs import (
     BEARING,
     BOTH_ALIKE,
     DECKS,
     LOAD,
     OUT,
+    PASS,
+    PERIOD,
     ROOT,
     SPEED,
     SPHERE_ON_PLANE,
@@ -31,10 +36,12 @@ from peer_runs import (
     exact_shift,
     exudyn,
     host,
+    precision,
     raceway,
     tori,
 )
 from raceway.theory.bearing import INNER, OUTER
+from work_precision import SPRING
 
 ROUNDS = 3
 MESHES = {"180x8": (180, 8), "360x16": (360, 16), "720x32": (720, 32)}
@@ -45,30 +52,81 @@ FITTED = BEARING.young * BOTH_ALIKE / SPHERE_ON_PLANE
 SHARP, SMOOTH = "curvature 0.25", "curvature 20 curvature_tolerant yes"
 # On the tori a ball passes two to four facets, whatever their size; with longer steps balls fly off
 # in that time.
-SCENES = [  # name, call
-    ("stock LIGGGHTS, smooth cylinders", lambda: cylinders(BEARING.young)),
-    (
-        f"the same, modulus raised to {FITTED / 1e9:.0f} GPa to fit the exact stiffness",
-        lambda: cylinders(FITTED),
-    ),
-    ("stock LIGGGHTS, STL tori, 180 by 8 facets a ring", lambda: tori("180x8", 16000, SHARP)),
-    ("STL tori, 360 by 16 facets", lambda: tori("360x16", 8000, SHARP)),
-    ("STL tori, 720 by 32 facets", lambda: tori("720x32", 4000, SHARP, step=2e-7)),
-    ("STL tori, 360 by 16 facets, edges switched off", lambda: tori("360x16", 8000, SMOOTH)),
+SCENES = [  # name, call with output or without
+    ("stock LIGGGHTS, smooth cylinders", partial(cylinders, BEARING.young)),
+    ("stock LIGGGHTS, STL tori, 180 by 8 facets a ring", partial(tori, "180x8", 16000, SHARP)),
+    ("STL tori, 360 by 16 facets", partial(tori, "360x16", 8000, SHARP)),
+    ("STL tori, 720 by 32 facets", partial(tori, "720x32", 4000, SHARP, step=2e-7)),
+    ("STL tori, 360 by 16 facets, edges switched off", partial(tori, "360x16", 8000, SMOOTH)),
     (
         "Exudyn, linear contact of its own bearing test (5e6 N/m)",
-        lambda: exudyn(5e6, 1.0, 0.2, 1e-4),
+        partial(exudyn, 5e6, 1.0, 0.2, PERIOD / 2),
     ),
     (
         f"Exudyn, linear contact of {SECANT:.3g} N/m, exact at the largest load",
-        lambda: exudyn(SECANT, 1.0, 0.1, 1e-5),
+        partial(exudyn, SECANT, 1.0, 0.1, PERIOD / 16),
     ),
-    (
+    ("Raceway, dry, with cage: the main deck", partial(raceway, "dry", lubricant="dry")),
+]
+WITHOUT = {name for name, _ in SCENES if "STL" not in name}  # run without output too
+
+
+def fixed(call, divisor):
+    """A step that divides the time between samples."""
+    return Setting(f"{PERIOD / divisor * 1e6:.3g} µs", partial(call, step=PERIOD / divisor))
+
+
+def verlet(step):
+    """Raceway's contacts with velocity Verlet and the friction spring."""
+    run = partial(precision, "verlet", integrator="verlet", friction=SPRING, step=step)
+    return Setting(f"{step * 1e6:.3g} µs", run)
+
+
+def implicit(steps, tolerance):
+    """Raceway's implicit step: host steps a ball pass, tolerance (m). The record has 200 samples a
+    ball pass whatever the step."""
+    words = f"{steps} host steps a ball pass, {float(tolerance) * 1e9:g} nm"
+    return Setting(
+        words,
+        partial(
+            precision,
+            "implicit",
+            # the deck rounds it down to a whole number in a sample
+            step=1.001 * PASS / steps,
+            samples=steps,
+            within=200 // steps,
+            control=f"tolerance {tolerance}",
+        ),
+    )
+
+
+STIFFENED = partial(cylinders, FITTED)
+EXPONENT = partial(exudyn, BOTH_ALIKE, 1.5, 0.0)
+PEERS = [  # what converges
+    Peer(
+        "stock LIGGGHTS, smooth cylinders, modulus raised to "
+        f"{FITTED / 1e9:.0f} GPa to fit the exact stiffness",
+        [fixed(STIFFENED, n) for n in (352, 176, 88, 64, 56, 44)],
+        fixed(STIFFENED, 704),
+    ),
+    Peer(
         "Exudyn, exponent 1.5, exact stiffness given, no friction",
-        lambda: exudyn(BOTH_ALIKE, 1.5, 0.0, 1e-5),
+        [fixed(EXPONENT, n) for n in (32, 16, 8, 4, 2, 1)],
+        fixed(EXPONENT, 64),
     ),
-    ("Raceway, dry, with cage", lambda: raceway("dry", lubricant="dry")),
-    ("Raceway, film, cage, capacitance", lambda: raceway("film")),
+    Peer(
+        "Raceway, velocity Verlet with friction spring: film, cage",
+        [verlet(step) for step in (4e-7, 8e-7, 1.2e-6, 1.4e-6, 1.6e-6)],
+        verlet(2e-7),
+    ),
+    Peer(
+        "Raceway, implicit: film, cage",
+        [implicit(n, tol) for n in (200, 20, 10) for tol in ("1e-9", "1e-8", "1e-7")],
+        Setting(
+            "1600 host steps a ball pass, 0.1 nm",
+            partial(precision, "implicit", step=PASS / 1600, control="tolerance 1e-10"),
+        ),
+    ),
 ]
 ATTEMPTS = [  # what was tried, call; run once
     (
@@ -112,21 +170,43 @@ def number(value):
     return f"{value:.0f}" if value >= 100 else f"{value:.2g}"
 
 
-def row(name, outcomes):
-    """Lines of one row of the table."""
-    if any(isinstance(o, Failure) for o in outcomes):
-        why = next(o for o in outcomes if isinstance(o, Failure))
-        return [f"   * - {name}", "     -", "     -", f"     - failed: {why}", "     -", "     -"]
-    costs, o = [each.cost for each in outcomes], outcomes[-1]
-    lost = f"; {o.left} balls left" if o.left < BEARING.balls else ""
-    return [
-        f"   * - {name}",
-        f"     - {number(o.step * 1e6)}",
-        f"     - {number(o.simulated * 1e3)}",
-        f"     - {number(statistics.median(costs))} ({number(min(costs))} to {number(max(costs))})",
-        f"     - {percent(o.same_shift)} ({percent(o.low)} to {percent(o.high)}){lost}",
-        f"     - {percent(o.same_load)}",
-    ]
+def spread(outcomes):
+    """Median and range of the costs."""
+    costs = [each.cost for each in outcomes]
+    return f"{number(statistics.median(costs))} ({number(min(costs))} to {number(max(costs))})"
+
+
+def row(name, outcomes, bare):
+    """Lines of one row of the table; `bare` are the runs without output."""
+    for why in (each for each in outcomes + bare if isinstance(each, Failure)):
+        cells = ["", "", f"failed: {why}", "", "", ""]
+        break
+    else:
+        o = outcomes[-1]
+        lost = f"; {o.left} balls left" if o.left < BEARING.balls else ""
+        cells = [
+            number(o.step * 1e6),
+            number(o.simulated * 1e3),
+            spread(outcomes),
+            spread(bare) if bare else "not run",
+            f"{percent(o.same_shift)} ({percent(o.low)} to {percent(o.high)}){lost}",
+            percent(o.same_load),
+        ]
+    return [f"   * - {name}", *(f"     - {cell}".rstrip() for cell in cells)]
+
+
+def tried_rows(peer, choice):
+    """Lines of the table of settings that a peer tried."""
+    lines = []
+    for one in choice.tried:
+        worth = f"{one.error:.0e}" if np.isfinite(one.error) else "stopped"
+        if np.isfinite(one.cost) and not np.isfinite(one.error):
+            worth = "balls lost, or samples at other times"
+        price = number(one.cost) if np.isfinite(one.cost) else ""
+        words = one.words + (", **taken**" if one.words == choice.setting.words else "")
+        cells = (peer.name, words, worth, price)
+        lines += [f"   {'*' if k == 0 else ' '} - {cell}".rstrip() for k, cell in enumerate(cells)]
+    return lines
 
 
 def exudyn_version():
@@ -136,25 +216,31 @@ def exudyn_version():
         return "not installed"
 
 
-def page(rounds, attempts):
-    """The page's text: peers/page.txt with what was measured."""
+def page(rounds, choices, attempts):
+    """The page's text: peers/page.txt with what was measured; `rounds` are {(name, output): its
+    outcomes}."""
     facts = [*machine(), f"Exudyn {exudyn_version()} from PyPI, one thread"]
+    names = dict.fromkeys(name for name, _ in rounds)
     table = [
         line
-        for k, (name, _) in enumerate(SCENES)
-        for line in row(name, [each[k] for each in rounds])
+        for name in names
+        for line in row(name, rounds[name, True], rounds.get((name, False), []))
     ]
+    chosen = [line for peer, choice in zip(PEERS, choices) for line in tried_rows(peer, choice)]
     tried = [f"- {name}: {end}" for (name, _), end in zip(ATTEMPTS, attempts)]
     return (
         (ROOT / DECKS / "page.txt")
         .read_text()
         .format(
             date=date.today(),
-            rounds=len(rounds),
+            rounds=len(next(iter(rounds.values()))),
             facts="\n".join(f"- {fact}" for fact in facts),
             load=LOAD,
             speed=SPEED,
             table="\n".join(table),
+            chosen="\n".join(chosen),
+            finest="\n".join(f"- {peer.name}: {peer.finest.words}" for peer in PEERS),
+            allowed=ALLOWED,
             tried="\n".join(tried),
             shift=exact_shift() * 1e6,
             sphere=SPHERE_ON_PLANE / 1e10,
@@ -182,17 +268,25 @@ def main():
                 ROOT / OUT / f"{ring}-{name}.stl",
                 torus_stl.triangles(BEARING, side, around, across, REACH),
             )
-    rounds = []
+    choices = []
+    for peer in PEERS:
+        choices.append(choose(peer))
+        print(peer.name, *choices[-1].tried, "taken:", choices[-1].setting.words, flush=True)
+    calls = SCENES + [(p.name, choice.setting.call) for p, choice in zip(PEERS, choices)]
+    bare = WITHOUT | {peer.name for peer in PEERS}
+    rounds = {}
     for number in range(count):
-        rounds.append([])
-        for name, call in SCENES:
-            rounds[-1].append(measured(call))
-            print(f"round {number + 1} of {count}: {name}: {rounds[-1][-1]}", flush=True)
+        for name, call in calls:
+            for output in (True, False) if name in bare else (True,):
+                ended = measured(partial(call, output=output) if name in bare else call)
+                rounds.setdefault((name, output), []).append(ended)
+                said = ended if isinstance(ended, Failure) else f"{ended.cost:.4g}"
+                print(f"round {number + 1} of {count}: {name}, output {output}: {said}", flush=True)
     attempts = []
     for name, call in ATTEMPTS:
         attempts.append(attempt(call))
         print(f"{name}: {attempts[-1]}", flush=True)
-    text = page(rounds, attempts)
+    text = page(rounds, choices, attempts)
     (ROOT / "docs" / "performance" / "peers.rst").write_text(text)
     print(text)
 

@@ -44,6 +44,15 @@ STYLE = {
     "Verlet, history spring": ("#009e73", "v"),
     "dampers implicit": ("#cc79a7", "D"),
 }
+# friction that suits Verlet: a spring with history, where the smoothed law is a stiff damper
+SPRING = "tangential 0.8235 0.3"
+# steps of Verlet (s) by rad/s: the longest that a clearance bears, and shorter ones
+SAME_STEPS = {50.0: (1.6e-7, 8e-8, 4e-8), 1000.0: (2e-6, 1e-6, 5e-7)}
+SPRING_STEPS = {
+    5.0: (1e-6, 8e-7, 4e-7),
+    50.0: (1.6e-6, 1.4e-6, 1e-6, 5e-7),
+    1000.0: (3e-6, 2e-6, 1e-6, 5e-7),
+}
 # real-time factors asked for at 1e-3 and 1e-2
 TARGETS = {5.0: (150, 300), 50.0: (20, 40), 1000.0: (1.5, 10)}
 
@@ -161,16 +170,15 @@ def settings(speed):
             dict(step=sample, control=f"tolerance {tolerance}"),
             "same",
         )
-    if speed >= 50:
-        for step in (1.6e-7, 8e-8, 4e-8) if speed == 50 else (2e-6, 1e-6, 5e-7):
-            yield ("Verlet, same friction", "", dict(step=step, integrator="verlet"), "same")
-        for step in (1.2e-6, 1e-6, 5e-7) if speed == 50 else (3e-6, 2e-6, 1e-6, 5e-7):
-            yield (
-                "Verlet, history spring",
-                "against itself",
-                dict(step=step, integrator="verlet", friction="tangential 0.8235 0.3"),
-                "history",
-            )
+    for step in SAME_STEPS.get(speed, ()):
+        yield ("Verlet, same friction", "", dict(step=step, integrator="verlet"), "same")
+    for step in SPRING_STEPS.get(speed, ()):
+        yield (
+            "Verlet, history spring",
+            "against itself",
+            dict(step=step, integrator="verlet", friction=SPRING),
+            "history",
+        )
 
 
 def references(scene, speed):
@@ -182,16 +190,14 @@ def references(scene, speed):
         step=1e-5 if speed < 50 else 2e-6 if speed < 1000 else 1e-7,
         control="tolerance 1e-10",
     )
+    spring = recorded(
+        **scene, step=2e-7 if speed < 50 else 1e-7, integrator="verlet", friction=SPRING
+    )
     if speed < 50:
         other = recorded(**scene, step=5e-6, control="tolerance 1e-10 order 1")
-        return {"same": fine}, error(other, fine)
+        return {"same": fine, "history": spring}, error(other, fine)
     verlet = recorded(**scene, step=2.5e-8, integrator="verlet")
-    return {
-        "same": verlet,
-        "history": recorded(
-            **scene, step=1e-7, integrator="verlet", friction="tangential 0.8235 0.3"
-        ),
-    }, error(fine, verlet)
+    return {"same": verlet, "history": spring}, error(fine, verlet)
 
 
 def measure(speed, clearance):
@@ -258,46 +264,57 @@ def table(rows):
     return lines + [""]
 
 
+def fastest(rows, limit, method=None):
+    """(real-time factor, setting) of the fastest row of a method, or of Raceway's implicit ones,
+    with at most this error; (nan, "none") without one."""
+    fitting = [
+        (1 / r[4], f"{r[0]}: {r[1]}")
+        for r in rows
+        if r[3] and r[3] <= limit and (r[0] == method if method else "Verlet" not in r[0])
+    ]
+    return max(fitting, default=(np.nan, "none"))
+
+
 def targets(results):
     """Best real-time factor at an error of at most 1e-3 and 1e-2 for each scene, against what was
-    asked for."""
+    asked for and against Verlet."""
     head = (
         "rad/s",
         "P_d/D",
         "at most 1e-3",
-        "by",
+        "over Verlet with the friction spring, 1e-3",
+        "over Verlet with the same friction, 1e-3",
         "asked for",
+        "by",
         "at most 1e-2",
-        "by",
         "asked for",
-        "over Verlet, 1e-3",
+        "by",
     )
     body = []
     for (speed, ratio), (rows, _) in results.items():
-
-        def best(limit, rows=rows, verlet=False):
-            fitting = [
-                (1 / r[4], f"{r[0]}: {r[1]}")
-                for r in rows
-                if r[3]
-                and r[3] <= limit
-                and r[0].startswith("Verlet, same") == verlet
-                and "history" not in r[0]
-            ]
-            return max(fitting, default=(np.nan, "none"))
-
-        fine, coarse, verlet = best(1e-3), best(1e-2), best(1e-3, verlet=True)
+        fine, coarse = fastest(rows, 1e-3), fastest(rows, 1e-2)
+        over = (
+            fine[0] / fastest(rows, 1e-3, method)[0]
+            for method in ("Verlet, history spring", "Verlet, same friction")
+        )
         body.append(
             (
                 f"{speed:g}",
                 f"{ratio:g}",
                 f"{fine[0]:.3g}",
-                fine[1],
+                *(
+                    "not run"
+                    if np.isnan(value)
+                    else f"{value:.0f}"
+                    if value >= 10
+                    else f"{value:.2g}"
+                    for value in over
+                ),
                 f"{TARGETS[speed][0]:g}",
+                fine[1],
                 f"{coarse[0]:.3g}",
-                coarse[1],
                 f"{TARGETS[speed][1]:g}",
-                f"{fine[0] / verlet[0]:.3g}",
+                coarse[1],
             )
         )
     lines = [".. list-table::", "   :header-rows: 1", ""]
@@ -330,7 +347,7 @@ def draw(results):
     for ax in axes[:, 0]:
         ax.set_ylabel("error")
     handles, labels = axes[1, 1].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="upper center", ncol=4, frameon=False)
+    figure.legend(handles, labels, loc="upper center", ncol=5, frameon=False)
     figure.tight_layout(rect=(0, 0, 1, 0.96))
     figure.savefig(PICTURE, dpi=110)
 
@@ -366,6 +383,15 @@ scene take turns. Measured on {date.today()}:
             "The table has real-time factors (simulated over wall time) of"
             " :doc:`../fix_bearing_implicit` in this run."
         ),
+        "",
+        *"""\
+Velocity Verlet is compared twice, each time at the fastest step with an error of at most 1e-3. The
+first ratio is the fair one. Verlet then has the friction that suits it: a spring with history,
+against a reference of its own. The second is with the smoothed friction of the implicit step. At
+low sliding speed that law is a stiff damper. At 50 rad/s it makes steps of Verlet ten to twenty
+times shorter. At 5 rad/s they would be nanoseconds, and that was not run. At 1000 rad/s it is not
+stiff, and Verlet is about as fast with either.
+""".splitlines(),
         "",
     ] + targets(results)
     lines += [

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Numerical error and error of the model on one diagram; writes docs/performance/model_error.rst
+and its diagram.
+
+    .venv/bin/python tests/bench/model_error.py
+
+Every set of models runs over tolerances, as `raceway needs` measures it: against every part of the
+model with a fine integration. Its numerical error alone is against the same set at that fineness.
+"""
+
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+from typing import NamedTuple
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from deck_runs import ROOT, run_deck  # noqa: E402
+from machine import machine  # noqa: E402
+from raceway.runs.run import Run  # noqa: E402
+from raceway.sweeps.scene_parts import FINER, REFERENCE, figures  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+
+from hard.table import list_table  # noqa: E402
+
+PAGE = ROOT / "docs/performance/model_error.rst"
+PICTURE = ROOT / "docs/images/model_error.png"
+SCENES = {
+    "5 kN, 477.5 rpm": {"load": 5000, "rpm": 477.5},
+    "1 kN, 3000 rpm": {"load": 1000, "rpm": 3000},
+}
+SAME = {"passes": 1, "settle": 1, "surroundings": "flooded", "overwrite": "yes"}
+MODELS = {"paper": ("#0072b2", "o"), "film": ("#d55e00", "s"), "full": ("#009e73", "^")}
+FIGURES = {"torque": "friction torque", "capacitance": "capacitance", "load": "largest load"}
+TOLERANCES = ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8", "3e-9", "1e-9", "3e-10", "1e-10")  # m
+SAMPLES = 200  # a ball pass
+COARSE, USUAL = "1e-6", "1e-9"  # m, of the table
+LEAST = 1e-6  # smaller errors are drawn here: the reference is no better
+
+
+class Found(NamedTuple):
+    """A run: its figures by word of `raceway needs`, and how often contacts were evaluated."""
+
+    figures: dict[str, float]
+    evaluations: float
+
+
+class Curve(NamedTuple):
+    """A set of models in a scene: its runs by tolerance, and the one with the fine integration."""
+
+    runs: dict[str, Found]
+    fine: Found
+
+
+def played(folder: Path, **variables: object) -> Found:
+    """One run of the main deck."""
+    run_deck("inputs/in.6208", out=folder, **{**REFERENCE, **SAME, **variables})
+    summary = Run(folder).summary()
+    return Found(figures(summary), summary["evaluations"])
+
+
+def curves(scene: dict[str, float], folder: Path) -> dict[str, Curve]:
+    """`Curve` of every set of models in a scene."""
+    found = {}
+    for models in MODELS:
+        own = {**scene, "models": models}
+        runs = {
+            tolerance: played(folder, **own, tolerance=tolerance, samples=SAMPLES)
+            for tolerance in TOLERANCES
+        }
+        found[models] = Curve(runs, played(folder, **{**own, **FINER}))
+        print(scene, models, "evaluations", *(run.evaluations for run in runs.values()), flush=True)
+    return found
+
+
+def error(found: Found, truth: Found, yardstick: Found, word: str) -> float:
+    """Error of a figure against `truth`, over that of the yardstick."""
+    return abs(found.figures[word] - truth.figures[word]) / abs(yardstick.figures[word])
+
+
+def draw(results: dict[str, dict[str, Curve]]) -> None:
+    """The diagram: scenes down, figures across."""
+    figure, axes = plt.subplots(
+        len(results), len(FIGURES), figsize=(13, 8), sharex=True, sharey=True
+    )
+    for line, (scene, found) in zip(axes, results.items()):
+        yardstick = found["full"].fine
+        for ax, (word, name) in zip(line, FIGURES.items()):
+            for models, curve in found.items():
+                colour, mark = MODELS[models]
+                runs = curve.runs.values()
+                cost = [run.evaluations for run in runs]
+                for truth, dash, filled in (
+                    (yardstick, "-", colour),
+                    (curve.fine, ":", "none"),
+                ):
+                    if dash == ":" and models == "full":
+                        continue  # the same line
+                    height = [max(error(run, truth, yardstick, word), LEAST) for run in runs]
+                    order = sorted(zip(cost, height))
+                    label = f"{models}: " + ("numerical alone" if dash == ":" else "whole error")
+                    ax.loglog(
+                        *zip(*order),
+                        dash,
+                        marker=mark,
+                        color=colour,
+                        markerfacecolor=filled,
+                        markersize=5,
+                        linewidth=1.2,
+                        label=label,
+                    )
+            ax.set_title(f"{name}, {scene}", fontsize=11)
+            ax.grid(True, which="major", color="#eeeeee")
+    for ax in axes[-1]:
+        ax.set_xlabel("evaluations of the contacts in a ball pass")
+    for ax in axes[:, 0]:
+        ax.set_ylabel("relative error")
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper center", ncol=len(labels), frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 0.95))
+    figure.savefig(PICTURE, dpi=100)
+
+
+def table(results: dict[str, dict[str, Curve]]) -> list[str]:
+    """Errors of the models, and the numerical ones at a coarse and at a usual tolerance."""
+    rows = []
+    for scene, found in results.items():
+        yardstick = found["full"].fine
+        for word, name in FIGURES.items():
+            for models, curve in found.items():
+                model = error(curve.fine, yardstick, yardstick, word)
+                numbers = (
+                    error(curve.runs[x], curve.fine, yardstick, word) for x in (COARSE, USUAL)
+                )
+                rows.append(
+                    [
+                        scene,
+                        name,
+                        f"``{models}``",
+                        f"{model:.0e}" if models != "full" else "the yardstick",
+                        *(f"{value:.0e}" for value in numbers),
+                    ]
+                )
+    return list_table(
+        ["scene", "figure", "models", "model", "numerical, 1 µm", "numerical, 1 nm"], rows
+    )
+
+
+def page(results: dict[str, dict[str, Curve]]) -> str:
+    """Text of the page."""
+    return "\n".join(
+        [
+            ".. written by make bench (tests/bench/model_error.py); do not edit",
+            "",
+            "Error of numbers and of the model",
+            "=================================",
+            "",
+            *f"""\
+The main deck ran with three sets of models over tolerances from 1 µm to 0.1 nm, {SAMPLES} samples a
+ball pass. Errors of means over a ball pass are against ``full`` at 0.01 nm and 800 samples, as in
+:doc:`needs`. Filled marks have the whole error. Open ones have the numerical one alone: against the
+same models at that fineness. All are relative to the same figures, those of ``full``.
+
+.. image:: ../images/model_error.png
+   :alt: error against evaluations, for three sets of models
+
+Where a full line is level, the model's error is left, and a finer tolerance buys nothing. There
+numerical errors are far below it. Where open marks are level, the error of a mean of {SAMPLES}
+samples is left.
+
+Errors below {LEAST:g} are drawn there. ``paper`` and ``film`` have hardly any friction torque, so
+theirs is wrong by all of it. In the table, *model* is the error at the finest integration.
+""".splitlines(),
+            "",
+            *table(results),
+            f"Written on {date.today()}:",
+            "",
+            *(f"- {fact}" for fact in machine()),
+            "",
+        ]
+    )
+
+
+def main() -> None:
+    """Measure, draw, write."""
+    with tempfile.TemporaryDirectory() as name:
+        results = {title: curves(scene, Path(name) / "run") for title, scene in SCENES.items()}
+    draw(results)
+    PAGE.write_text(page(results))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The setting that suits a program best: of a short list the cheapest that is within 1e-3 of the
+program's own finest one; for peers.py."""
+
+import statistics
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from peer_runs import Failure, Outcome
+
+ALLOWED = 1e-3
+RUNS = 3  # of a setting that is good enough: the median of its costs counts
+
+
+class Setting(NamedTuple):
+    """A step or a tolerance."""
+
+    words: str
+    call: Callable[..., Outcome]  # takes output=True or False
+
+
+class Peer(NamedTuple):
+    """A program whose answer converges: coarse settings, and the finest, which judges them."""
+
+    name: str
+    settings: Sequence[Setting]
+    finest: Setting
+
+
+class Tried(NamedTuple):
+    """What came of a setting."""
+
+    words: str
+    error: float  # against the finest; inf where it failed or cannot be compared
+    cost: float  # wall s per simulated s, with output
+
+
+class Choice(NamedTuple):
+    """The setting that is picked, and what was tried for it."""
+
+    setting: Setting
+    tried: list[Tried]
+
+
+def error(found: Outcome, truth: Outcome) -> float:
+    """Largest difference over balls and samples of the inner load, over the largest load."""
+    if found.loads is None or truth.loads is None or found.loads.shape != truth.loads.shape:
+        return np.inf
+    return float(np.abs(found.loads - truth.loads).max() / truth.loads.max())
+
+
+def choose(peer: Peer) -> Choice:
+    """The cheapest setting of a peer with at most ALLOWED, the finest if there is none."""
+    truth = peer.finest.call()
+    tried = []
+    for setting in peer.settings:
+        try:
+            found = setting.call()
+        except Failure:
+            tried.append(Tried(setting.words, np.inf, np.nan))
+        else:
+            miss = error(found, truth)
+            costs = [found.cost]
+            if miss <= ALLOWED:
+                costs += [setting.call().cost for _ in range(RUNS - 1)]
+            tried.append(Tried(setting.words, miss, statistics.median(costs)))
+    good = [(one.cost, k) for k, one in enumerate(tried) if one.error <= ALLOWED]
+    return Choice(peer.settings[min(good)[1]] if good else peer.finest, tried)
