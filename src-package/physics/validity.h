@@ -82,7 +82,8 @@ struct Validity {
   // An ellipse of the semi-axis a (m) across reaches to the contact angle plus asin(a/r_c).
   void note_reach(double ball_id, const Groove &g, double depth, double cos_angle, double a)
   {
-    const double reach = std::acos(cos_angle) + std::asin(std::min(a / g.groove_radius, 1.0));
+    const double reach =
+        std::acos(std::min(cos_angle, 1.0)) + std::asin(std::min(a / g.groove_radius, 1.0));
     keep(SHOULDER, reach / std::acos(1.0 - depth / g.groove_radius), ball_id);
   }
 
