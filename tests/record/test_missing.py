@@ -31,6 +31,14 @@ def motion_alone(tmp_path_factory):
     return folder / "run"
 
 
+@pytest.fixture(scope="module")
+def load_alone(tmp_path_factory):
+    """The same with the loads of contacts and nothing else of them."""
+    folder = tmp_path_factory.mktemp("load")
+    succeed(small(folder, "contacts load"))
+    return folder / "run"
+
+
 def copied(folder, to, **changes):
     """A copy of a run's folder; `samples` are those that its record counts, `cut` is how many of
     its bytes are left."""
@@ -58,6 +66,24 @@ def test_a_command_that_needs_contacts(sums, words, capsys):
     assert main([name, str(sums), *more]) == 1
     said = capsys.readouterr().err
     assert NO_CONTACTS in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["report"],
+        ["animate"],
+        *(["plot", "--kind", kind] for kind in ("overview", "polar", "bearing")),
+    ],
+    ids=lambda words: words[-1],
+)
+def test_contacts_of_one_column(load_alone, words, capsys):
+    """What needs more says so in a line; a report leaves its pictures of contacts out."""
+    name, *more = words
+    code = main([name, str(load_alone), *more])
+    said = capsys.readouterr().err
+    assert code == 0 or re.search(r"has no column azimuth|needs the column", said), said
+    assert said.count("\n") <= 1
 
 
 @pytest.mark.parametrize("folder", ["sums", "motion_alone"])

@@ -47,7 +47,7 @@ class Reading:
     def _azimuths(self):
         contacts = self.tables.contacts
         return contacts[["sample", "ball", "raceway"]].assign(
-            psi=np.degrees(self.tables.from_load_line(contacts["azimuth"].to_numpy()))
+            psi=np.degrees(self.tables.angles(contacts))
         )
 
     def around(self, raceway: int, column: str) -> tuple[Floats, Floats]:

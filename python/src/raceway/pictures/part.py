@@ -65,6 +65,6 @@ def tracks(
         (contacts["raceway"] == raceway) & (contacts["load"] > above * contacts["load"].max())
     ]
     for _, ball in rows.groupby("ball"):
-        psi = np.unwrap(tables.from_load_line(ball["azimuth"].to_numpy()))
+        psi = np.unwrap(tables.angles(ball))
         gaps = np.flatnonzero(np.diff(ball["sample"].to_numpy()) > 1) + 1
         yield np.insert(psi, gaps, np.nan), np.insert(ball[column].to_numpy(), gaps, np.nan)

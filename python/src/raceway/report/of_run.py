@@ -103,7 +103,7 @@ def _pictures(page, tables):
 def _around(page, tables):
     """Load, film and sliding over the azimuth from the load line, by raceway."""
     contacts = part(tables).contacts
-    angle = np.degrees(tables.from_load_line(contacts["azimuth"].to_numpy()))
+    angle = np.degrees(tables.angles(contacts))
     x = {"label": "azimuth from the load line (degrees)", "values": angle}
     for name in AROUND:
         if name in contacts:

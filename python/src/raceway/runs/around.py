@@ -31,7 +31,7 @@ def around(
     shape = (len(SIDES), bins)
     counts, sums = np.zeros(shape, dtype=int), {name: np.zeros(shape) for name in quantities}
     for table in run.tables.blocks("contacts"):
-        psi = run.tables.from_load_line(table["azimuth"].to_numpy())
+        psi = run.tables.angles(table)
         part = np.minimum(((psi + np.pi) / (2 * np.pi) * bins).astype(int), bins - 1)
         place = table["raceway"].to_numpy() * bins + part
         counts += np.bincount(place, minlength=counts.size).reshape(shape)

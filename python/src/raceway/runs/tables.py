@@ -234,6 +234,13 @@ class RunTables:
         -pi..pi."""
         return np.mod(azimuth - self.settings["load_azimuth_rad"] + np.pi, 2 * np.pi) - np.pi
 
+    def angles(self, contacts: pd.DataFrame) -> Floats:
+        """The azimuths of rows of contacts, in rad from the centre of the loaded zone. Raises
+        `RunError` where the run has not recorded them."""
+        if "azimuth" not in contacts:
+            raise RunError(f"{self.source['contacts']} has no column azimuth: record it as well")
+        return self.from_load_line(contacts["azimuth"].to_numpy())
+
     def _end_of_samples(self):
         """Number of samples that are there, at most `stop`."""
         *_, (_, last) = self.record.blocks(self.first, self.stop)
