@@ -34,9 +34,9 @@ struct Validity {
   };
   // ISO 76: the largest pressure at the basic static load rating of ball bearings, with a dent of
   // 1e-4 of the ball diameter. Films of bearings have Lambda below 10; below 1 asperities touch
-  // all the time, and a contact is no capacitor. Hamrock and Dowson 1977 (J. Lubr. Technol. 99, 264,
-  // abstract) varied the ellipticity from one to eight. Python and the pages read these rules too
-  // (`make columns`).
+  // all the time, and a contact is no capacitor. Hamrock and Dowson (J. Lubr. Technol. 99, 1977,
+  // 264, abstract) varied the ellipticity from one to eight. Python and the pages read these rules
+  // too (`make columns`).
   static const Rule &rule(int doubt)
   {
     static const Rule rules[N] = {
