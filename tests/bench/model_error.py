@@ -160,8 +160,8 @@ def page(results: dict[str, dict[str, Curve]]) -> str:
             "=================================",
             "",
             *f"""\
-The main deck ran with three sets of models over tolerances from 1 µm to 0.1 nm, {SAMPLES} samples a
-ball pass. Errors of means over a ball pass are against ``full`` at 0.01 nm and 800 samples, as in
+The main deck ran with three sets of models, {SAMPLES} samples a ball pass. Tolerances go from 1 µm
+to 0.1 nm. Errors of means over a ball pass are against ``full`` at 0.01 nm and 800 samples, as in
 :doc:`needs`. Filled marks have the whole error. Open ones have the numerical one alone: against the
 same models at that fineness. All are relative to the same figures, those of ``full``.
 

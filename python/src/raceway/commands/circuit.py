@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from raceway.commands import Commands, one_run
-from raceway.commands.quantity import number, takes_negative
+from raceway.commands.quantity import number, positive, takes_negative
 
 DESCRIPTION = """\
 The circuit of a bearing that ran: every ball floats between two films, and an outer circuit lies
@@ -98,7 +98,7 @@ def add(commands: Commands) -> None:
     )
     one.add_argument(
         "--points",
-        type=_whole,
+        type=positive,
         metavar="N",
         help="points of the circuit a sample (default: 20 a period of the voltage)",
     )
@@ -222,13 +222,3 @@ def _waveform(arguments):
     if arguments.common_mode:
         return waveforms.CommonMode(*arguments.common_mode)
     return waveforms.read_table(arguments.table) if arguments.table else None
-
-
-def _whole(text):
-    value = int(text)
-    if value < 1:
-        raise ValueError
-    return value
-
-
-_whole.__name__ = "whole number from 1"  # what argparse calls it in its error

@@ -5,7 +5,7 @@ import argparse
 from pathlib import Path
 
 from raceway.commands import Commands, one_run
-from raceway.commands.quantity import number
+from raceway.commands.quantity import number, positive
 
 DESCRIPTION = """\
 Write a run as files that other programs open as they are:
@@ -45,7 +45,7 @@ def add(commands: Commands) -> None:
     )
     one.add_argument(
         "--every",
-        type=_every,
+        type=positive,
         metavar="N",
         help="every Nth sample (default: so that at most 200 are left; spice: all)",
     )
@@ -81,13 +81,3 @@ def _element(arguments, out):
     leak = Leak(arguments.resistivity) if arguments.resistivity else None
     films = of_run(one_run.opened(arguments), leak)
     return spice.write(films.every(arguments.every or 1), out)
-
-
-def _every(text):
-    value = int(text)
-    if value < 1:
-        raise ValueError
-    return value
-
-
-_every.__name__ = "whole number from 1"  # what argparse calls it in its error

@@ -5,6 +5,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from raceway.commands import options
+from raceway.commands.quantity import positive
 
 if TYPE_CHECKING:  # pandas takes longer to load than `--help` should
     from raceway.runs.run import Run
@@ -20,7 +21,7 @@ def add(to: Any) -> None:
 def add_number(to: Any) -> None:
     """--bearing, the number of one of many."""
     to.add_argument(
-        "--bearing", type=_number, metavar="NUMBER", help="one of many bearings in the folder"
+        "--bearing", type=positive, metavar="NUMBER", help="one of many bearings in the folder"
     )
 
 
@@ -36,13 +37,3 @@ def opened(arguments: argparse.Namespace) -> "Run":
     from raceway.runs.run import Run
 
     return Run(arguments.folder, bearing=arguments.bearing)
-
-
-def _number(text):
-    value = int(text)
-    if value < 1:
-        raise ValueError
-    return value
-
-
-_number.__name__ = "number from 1 on"  # what argparse calls it in its error
