@@ -3,7 +3,7 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; writes pages into build/bench
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
