@@ -3,19 +3,18 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; writes pages into build/bench
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
 #   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
-#   make bearings  write the files of inputs/bearings that follow from the tables of inputs/catalogue
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench columns bearings docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run build test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv libngspice0
 # a browser opens the pages of `raceway report`
@@ -36,7 +35,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 
 # These see no header of a host: all hosts link the same objects
 HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit record))) \
-            $(addprefix src-package/,contacts/contact_columns.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
+            $(addprefix src-package/,contacts/contact_columns.cpp deck/data_table.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
 STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
 # implicit/raceway_contacts_*.cpp take longest to compile: they start first
 SOURCES := $(HOSTLESS) $(STYLES) src-package/host/interposing_loader.cpp
@@ -95,11 +94,6 @@ bench: build
 columns: setup
 	@$(MAKE) --no-print-directory -s build/columns
 	build/columns > $(COLUMNS)
-
-# Files of inputs/bearings, from the makers' tables and the rule for balls.
-bearings: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	.venv/bin/python python/bearing_files.py
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
