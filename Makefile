@@ -57,7 +57,7 @@ run: build
 
 build: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	@$(MAKE) --no-print-directory -s -j2 build/libraceway_physics.so build/liggghts build/lammps build/raceway_plugin.so build/columns
+	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) build/libraceway_physics.so build/liggghts build/lammps build/raceway_plugin.so build/columns
 
 test: build sanitized tree lint
 	@$(MAKE) --no-print-directory docs
@@ -117,7 +117,7 @@ format: setup
 	.venv/bin/ruff format -q
 
 clean:
-	rm -rf build
+	rm -rf build $(CORE_LIBRARY)
 
 # ---- what the machine needs -------------------------------------------------------------------------
 # An installed package is not asked for again, so a second run needs neither root nor network.
@@ -272,6 +272,20 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
+
+# ---- the laws as a library for Python; python/setup.py builds the same where there is no make -----------
+CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
+$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/*.cpp))
+	@mkdir -p $(@D)
+	@echo "  LINK $@"
+	@g++ -shared $^ -o $@
+
+build/obj-laws/%.o: src-package/%.cpp src-package/core/compile_flags.txt
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@g++ @src-package/core/compile_flags.txt -MMD -MP -c $< -o $@
+
+$(VENV_STAMP): | $(CORE_LIBRARY)
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
 build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o

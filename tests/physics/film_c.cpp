@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film factors, film in the gap and film branch, for test_physics_film_*.py.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/film_branch.h"
 #include "../../src-package/physics/film_factors.h"
 #include "../../src-package/physics/step_limit.h"
-#include "../exports.h"
 
 using namespace raceway;
 
