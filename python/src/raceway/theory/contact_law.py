@@ -58,8 +58,14 @@ class FilmInGap:
         return film_factors.murch_wilson(loading) * self.starvation
 
     def law(self, bearing: Bearing, angle: Floats, clearance: float, stiffness: Floats) -> Law:
-        """`Law` of both raceways' contacts: `angle` in rad and `stiffness` (2, Z)."""
-        radii = np.array([bearing.effective_radii(side, angle[side], clearance) for side in (0, 1)])
+        """`Law` of the contacts of `bearing.raceways`: `angle` in rad and `stiffness`, by contact
+        and ball."""
+        radii = np.array(
+            [
+                bearing.effective_radii(side, one, clearance)
+                for side, one in zip(bearing.raceways, angle)
+            ]
+        )
         r_x, r_y = radii[:, 0], radii[:, 1]
         kappa = hertz.ellipticity(r_y / r_x)
         speed = kinematics.entrainment(bearing, self.spin, angle)
