@@ -72,7 +72,6 @@ NAMES = {
     "Run": "runs.run",
     "RunTables": "runs.tables",
     "columns": "runs.columns",
-    "dump": "runs.dump",
     "electrical": "runs.electrical",
     "envelope": "runs.envelope",
     "film_figures": "runs.film_figures",
