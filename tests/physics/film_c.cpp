@@ -117,18 +117,6 @@ EXPORT(int, film_lanes,
 }
 
 // {k_m, 1/tau, f after dt, its slope}
-EXPORT(void, film_step,
-       (double k, double h_c, double compression, double b, double speed, double force, double rate,
-        double dt, int stage, double out[4]))
-{
-  const FilmBranchT<double> f = film_branch(k, h_c, compression, b, speed);
-  const BranchStepT<double> s = branch_step(f, dt, stage != 0);
-  out[0] = f.stiffness;
-  out[1] = f.rate;
-  out[2] = s.left * force + s.slope * rate;
-  out[3] = s.slope;
-}
-
 EXPORT(double, largest_step_with_branch, (double k, double c, double m, double k_m, double rate))
 {
   FilmBranches film;

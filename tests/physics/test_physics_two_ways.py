@@ -15,6 +15,7 @@ import pytest
 from physics_c import HAMROCK_DOWSON, INNER, MASJEDI, MASJEDI_PRINTED, OUTER
 from raceway import capacitance, film, hertz
 from raceway.theory.bearing import Bearing
+from references import film as film_reference
 from references import hertz as reference
 
 STEEL = 210e9 / (1 - 0.3**2)
@@ -35,44 +36,12 @@ EQUAL = 1e-12
 
 def films(model, kappa, oil, r_x, speed, load):
     """(h_min, h_c) as the equations stand, in mpmath."""
-    k, eta, xi, modulus, r_x, speed, load = map(mpmath.mpf, (kappa, *oil, STEEL, r_x, speed, load))
-    u, g, w, d, exp = (
-        eta * speed / (modulus * r_x),
-        xi * modulus,
-        load / (modulus * r_x**2),
-        mpmath.mpf,
-        mpmath.exp,
-    )
+    r_x = mpmath.mpf(r_x)
+    groups = film_reference.groups(*oil, STEEL, r_x, mpmath.mpf(speed), load)
     if model == HAMROCK_DOWSON:
-        return (
-            r_x
-            * d("3.63")
-            * u ** d("0.68")
-            * g ** d("0.49")
-            * w ** d("-0.073")
-            * (1 - exp(-d("0.68") * k)),
-            r_x
-            * d("2.69")
-            * u ** d("0.67")
-            * g ** d("0.53")
-            * w ** d("-0.067")
-            * (1 - d("0.61") * exp(-d("0.73") * k)),
-        )
-    s = -1 if model == MASJEDI_PRINTED else 1
-    return (
-        r_x
-        * d("1.637")
-        * u ** (d("0.711") * k ** d("-0.023"))
-        * g ** (d("0.65") * k ** d("-0.045"))
-        * w ** (-d("0.09") * k ** d("-0.15"))
-        * (1 - d("0.974") * exp(-d("0.676") * k)),
-        r_x
-        * d("3.672")
-        * u ** (d("0.663") * k ** (s * d("0.025")))
-        * g ** (d("0.502") * k ** (s * d("0.064")))
-        * w ** (-d("0.045") * k ** (s * d("0.18")))
-        * (1 - d("0.573") * exp(-d("0.74") * k)),
-    )
+        return film_reference.hamrock_dowson(r_x, *groups, kappa)
+    sign = -1 if model == MASJEDI_PRINTED else 1
+    return film_reference.masjedi_khonsari(r_x, *groups, kappa, sign)
 
 
 def electric(ambient, pressure, a, b, h):

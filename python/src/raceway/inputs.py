@@ -10,7 +10,7 @@ from raceway import data_table
 from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.theory import life, makers
-from raceway.theory.bearing import Bearing
+from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
 
@@ -86,13 +86,33 @@ def _matches(path, pattern):
     return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
 
 
-def bearing(path: FilePath, four_point: bool = False) -> Bearing:
-    """`Bearing` of a file of inputs/bearings. One of four points is accepted where `four_point`
-    says so; its radii are those of one groove a ring (`many_grooves.four_point` makes two of each).
-    Raises `InputError`."""
-    known = values(path)
-    if "four_point" in known and not four_point:
+def bearing(
+    path: FilePath,
+    *,
+    four_point: float | None = None,
+    double_row: DoubleRow | None = None,
+    one_groove: bool = False,
+) -> Bearing:
+    """`Bearing` of a file of inputs/bearings, of four points where the file or `four_point` (rad)
+    says so, with two rows by `double_row`. `one_groove` refuses several grooves a ring. Raises
+    `InputError`."""
+    body = _one_groove(path)
+    angle = four_point_angle(path) if four_point is None else four_point
+    if one_groove and (angle is not None or double_row is not None):
         raise InputError(f"{path}: a four-point contact bearing; this needs one groove a ring")
+    if angle is not None and nominal_angle(path):
+        raise InputError(f"{path}: four points need a bearing of contact_angle 0")
+    try:
+        if angle is not None:
+            body = body.four_point(angle)
+        return body if double_row is None else body.double_row(double_row, nominal_angle(path))
+    except ValueError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def _one_groove(path):
+    """`Bearing` of a file with one groove a ring."""
+    known = values(path)
     data = _numbers(path, "balls", "ball_diameter")
     if "pitch_diameter" in known:
         data |= _radii(path)
@@ -167,7 +187,7 @@ def ratings(path: FilePath) -> life.Ratings | None:
     for name, value in numbers.items():
         if not 0 < value < math.inf:
             raise InputError(f"{path}: {name} = {value:g} N must be above 0")
-    estimate = life.ratings(*numbers.values(), 2 * bearing(path, True).pitch_radius)
+    estimate = life.ratings(*numbers.values(), 2 * _one_groove(path).pitch_radius)
     if "fatigue_load_limit" in values(path):
         limit = _numbers(path, "fatigue_load_limit")["fatigue_load_limit"]
         if not 0 < limit < numbers["basic_static_load"]:
@@ -193,7 +213,7 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
 def shoulders(path: FilePath) -> Shoulders:
     """`Shoulders` of a file of inputs/bearings, NaN for what it does not say. Raises `InputError`
     for a diameter that is none."""
-    data = bearing(path, True)
+    data = _one_groove(path)
     bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
     found = {}
     for name, bottom in bottoms.items():

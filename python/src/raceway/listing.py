@@ -62,7 +62,7 @@ def entries(folder: FilePath | None = None) -> list[Entry]:
 
 def entry(path: Path) -> Entry:
     """`Entry` of a file of inputs/bearings or of a row there. Raises `InputError`."""
-    bearing = inputs.bearing(path, four_point=True)
+    bearing = inputs.bearing(path)
     known, comments = inputs.values(path), inputs.comments(path)
     try:
         stated = {field: float(known[key]) for field, key in STATED.items() if key in known}
