@@ -3,19 +3,18 @@
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   install what is missing and build
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; writes pages into build/bench
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
 #   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
-#   make bearings  write the files of inputs/bearings that follow from the tables of inputs/catalogue
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench columns bearings docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run build test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv libngspice0
 # a browser opens the pages of `raceway report`
@@ -36,7 +35,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 
 # These see no header of a host: all hosts link the same objects
 HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit record))) \
-            $(addprefix src-package/,contacts/contact_columns.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
+            $(addprefix src-package/,contacts/contact_columns.cpp deck/data_table.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
 STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
 # implicit/raceway_contacts_*.cpp take longest to compile: they start first
 SOURCES := $(HOSTLESS) $(STYLES) src-package/host/interposing_loader.cpp
@@ -58,7 +57,7 @@ run: build
 
 build: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	@$(MAKE) --no-print-directory -s -j2 build/libraceway_physics.so build/liggghts build/lammps build/raceway_plugin.so build/columns
+	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) build/libraceway_physics.so build/liggghts build/lammps build/raceway_plugin.so build/columns
 
 test: build sanitized tree lint
 	@$(MAKE) --no-print-directory docs
@@ -96,11 +95,6 @@ columns: setup
 	@$(MAKE) --no-print-directory -s build/columns
 	build/columns > $(COLUMNS)
 
-# Files of inputs/bearings, from the makers' tables and the rule for balls.
-bearings: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	.venv/bin/python python/bearing_files.py
-
 docs: setup
 	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
 	.venv/bin/sphinx-build -q -W --keep-going -j auto -b html docs build/docs
@@ -123,7 +117,7 @@ format: setup
 	.venv/bin/ruff format -q
 
 clean:
-	rm -rf build
+	rm -rf build $(CORE_LIBRARY)
 
 # ---- what the machine needs -------------------------------------------------------------------------
 # An installed package is not asked for again, so a second run needs neither root nor network.
@@ -278,6 +272,20 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
+
+# ---- the laws as a library for Python; python/setup.py builds the same where there is no make -----------
+CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
+$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/*.cpp))
+	@mkdir -p $(@D)
+	@echo "  LINK $@"
+	@g++ -shared $^ -o $@
+
+build/obj-laws/%.o: src-package/%.cpp src-package/core/compile_flags.txt
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@g++ @src-package/core/compile_flags.txt -MMD -MP -c $< -o $@
+
+$(VENV_STAMP): | $(CORE_LIBRARY)
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
 build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o

@@ -16,6 +16,13 @@ namespace raceway {
 
 enum class InletShear { none, murch, wilson, gupta };
 
+// L of an entrainment speed (m/s), not of the sum of both speeds
+inline double thermal_loading(double temperature_viscosity, double viscosity, double speed,
+                              double conductivity)
+{
+  return temperature_viscosity * viscosity * speed * speed / conductivity;
+}
+
 // Gupta's factor of a contact: unpressed (1 - least(per_pressure P, 0.9)).
 template <class T> struct GuptaFactorT {
   T unpressed, per_pressure;
@@ -45,7 +52,7 @@ struct FilmFactors {
     any = inlet_shear != InletShear::none || starvation != 1.0;
     by_pressure = inlet_shear == InletShear::gupta;
     if (inlet_shear != InletShear::none)
-      ln_loading = std::log(temperature_viscosity * viscosity / conductivity);
+      ln_loading = std::log(thermal_loading(temperature_viscosity, viscosity, 1.0, conductivity));
   }
 
   // Of the logarithm of the entrainment speed (m/s).

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run larger than memory should need: simulates a 6208 until its record holds 2 GB, looks at it
-in every way the package has, and writes seconds and memory to docs/performance/large_runs.rst.
+in every way the package has, and writes seconds and memory to build/bench/large_runs.rst.
 
     .venv/bin/python tests/bench/large_runs.py [--text] [GIGABYTES [FOLDER]]
 
@@ -16,7 +16,7 @@ import time
 from datetime import date
 from pathlib import Path
 
-from machine import machine
+from machine import bench_file, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
@@ -163,7 +163,7 @@ process. ``--text`` adds columns of the same run as text, which takes up to a hu
         for seconds, memory in found:
             lines += [f"     - {seconds:.2g}", f"     - {memory:.0f}"]
     text = "\n".join([*lines, ""])
-    (ROOT / "docs" / "performance" / "large_runs.rst").write_text(text)
+    bench_file("large_runs.rst").write_text(text)
     worst = max(memory for _, *found in rows for _, memory in found)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
     slow = [name for name, (seconds, _), *_ in rows if seconds > LONGEST.get(name, 1e9)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error against cost of the integrators; writes docs/performance/work_precision.rst and its
+"""Error against cost of the integrators; writes build/bench/work_precision.rst and its
 diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
@@ -23,14 +23,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from machine import machine  # noqa: E402
+from machine import bench_file, machine  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = "build/bench/precision"
 PAGE, PICTURE = (
-    ROOT / "docs/performance/work_precision.rst",
-    ROOT / "docs/images/work_precision.png",
+    bench_file("work_precision.rst"),
+    bench_file("work_precision.png"),
 )
 ROUNDS = 2
 SAMPLES = 200
@@ -398,7 +398,7 @@ stiff, and Verlet is about as fast with either.
         "Diagram",
         "-------",
         "",
-        ".. image:: ../images/work_precision.png",
+        ".. image:: work_precision.png",
         "   :alt: error against wall time per simulated second",
         "",
         (

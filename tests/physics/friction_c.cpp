@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The laws of rolling friction behind a C interface, for test_physics_rolling_friction.py: formulas
 // alone, and parts in a law whose contact the test describes by its motions.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/physics/contact.h"
-#include "../exports.h"
 
 using namespace raceway;
 

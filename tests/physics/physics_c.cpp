@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The physics headers behind a C interface, for the tests in this folder (called by name through
-// physics_c.py, see ../exports.h). Every number, choices included, is a double.
+// physics_c.py, see src-package/core/exports.h). Every number, choices included, is a double.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/physics/capacitance.h"
 #include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/damped_hertz.h"
@@ -8,7 +9,6 @@
 #include "../../src-package/physics/ring_body.h"
 #include "../../src-package/physics/rolling.h"
 #include "../../src-package/physics/step_limit.h"
-#include "../exports.h"
 
 #include <algorithm>
 
@@ -36,9 +36,7 @@ RECORD(State, double u[3], t[3], r, z, nu, ne, overlap, root, cos_angle, overlap
 RECORD(Forces, double force[3], ball_torque[3], ring_torque[3];)
 RECORD(BallMotion, double x[3], v[3], w[3];)
 RECORD(RingMotion, double x[3], v[3], w[3], e[3];)
-RECORD(Elliptic, double K, E, D;)
 RECORD(Hertz, double kappa, Ebar, Fbar, R, K, a, b, p;)
-RECORD(Radii, double x, y;)
 RECORD(SpringForce, double ft, fw;)
 RECORD(CageContact, double stiffness, damping, growth, force;)
 RECORD(RailSeat, double circle, tube, offset;)
@@ -174,18 +172,7 @@ EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, do
   b.add_to(out);
 }
 
-// ---- elliptic.h
-EXPORT(void, elliptic, (double m1, Elliptic *out))
-{
-  const EllipticIntegrals v = complete_elliptic(m1);
-  out->K = v.K;
-  out->E = v.E;
-  out->D = v.D;
-}
-
 // ---- hertz.h
-// ----------------------------------------------------------------------------------------- kappa
-// Ebar Fbar R K a b p
 EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *out))
 {
   const HertzContact h = hertz_contact(Rx, Ry, Eprime, Ellipse(int(form)));
@@ -197,25 +184,6 @@ EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *ou
   out->a = h.a;
   out->b = h.b;
   out->p = h.p;
-}
-EXPORT(double, modulus, (double E1, double nu1, double E2, double nu2))
-{
-  return reduced_modulus(E1, nu1, E2, nu2);
-}
-EXPORT(void, radii,
-       (double ball, double groove, double pitch, double inner, double cos_angle, Radii *out))
-{
-  const EffectiveRadii r = groove_radii(ball, groove, pitch, inner != 0.0, cos_angle);
-  out->x = r.x;
-  out->y = r.y;
-}
-EXPORT(double, sphere, (double R1, double R2, double Eprime))
-{
-  return sphere_stiffness(R1, R2, Eprime);
-}
-EXPORT(double, mindlin, (double E1, double nu1, double E2, double nu2))
-{
-  return raceway::tangential_ratio(E1, nu1, E2, nu2);
 }
 
 // ---- film.h
@@ -229,7 +197,6 @@ EXPORT(double, thickness, (double lnA, double p, double m, double speed, double 
 {
   return film_thickness({lnA, p, m}, film_point(speed, load));
 }
-EXPORT(double, roughness, (double s1, double s2)) { return composite_roughness(s1, s2); }
 
 // ---- damping.h
 EXPORT(double, damper_prefactor, (double viscosity, double radius, double length_factor))

@@ -3,9 +3,11 @@
 
 import math
 import re
+from pathlib import Path
 from typing import NamedTuple
 
-from raceway.errors import RacewayError
+from raceway import data_table
+from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.theory import life, makers
 from raceway.theory.bearing import Bearing, DoubleRow
@@ -45,10 +47,6 @@ RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
 
-class InputError(RacewayError):
-    """A data file is missing, broken or incomplete."""
-
-
 class Oil(NamedTuple):
     """A lubricant at its temperature, and the surfaces it is between."""
 
@@ -56,6 +54,20 @@ class Oil(NamedTuple):
     pressure_viscosity: float  # 1/Pa
     permittivity: float  # relative, at rest
     roughness: float  # m, composite
+
+
+def text(path: FilePath) -> str:
+    """A data file, or the one that a row of a table in its folder stands for (`data_table`). Raises
+    `InputError` when there is neither or it cannot be read."""
+    path = Path(path)
+    if not path.is_file() and (row := data_table.text(path)):
+        return row
+    try:
+        return path.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(
+            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+        ) from None
 
 
 def values(path: FilePath) -> dict[str, str]:
@@ -71,13 +83,7 @@ def comments(path: FilePath) -> dict[str, str]:
 
 
 def _matches(path, pattern):
-    try:
-        lines = path.read_text().splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
-    return dict(match.groups() for match in map(pattern.match, lines) if match)
+    return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
 
 
 def bearing(

@@ -67,7 +67,7 @@ def bearing(to: Any) -> None:
         "--bearing",
         default="6208",
         metavar="NAME",
-        help="a file of inputs/bearings, or a path (6208)",
+        help="of inputs/bearings (raceway catalogue), or the path of a file (6208)",
     )
     inputs(to)
 

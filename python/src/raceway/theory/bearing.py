@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from raceway.arrays import Floats, Numbers
+from raceway.core import laws
 
 INNER, OUTER = 0, 1
 ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
@@ -202,10 +203,11 @@ class Bearing:
         gamma = R_b cos(angle)/r_pitch; R_x = R_b (1 - gamma) inner, R_b (1 + gamma) outer (eq 2,
         Harris 2.28).
         """
-        radius, groove = self.ball_radius, self.groove(raceway)
+        inner = raceway == INNER
         # the pitch of a ball at rest on that raceway: clearance has gone into the outer ring
-        pitch = self.pitch_radius + (0.0 if raceway == INNER else clearance / 2)
-        gamma = radius * np.cos(angle) / pitch
-        r_x = radius * (1 - gamma if raceway == INNER else 1 + gamma)
-        r_y = radius * groove / (groove - radius)
-        return r_x, np.broadcast_to(r_y, np.shape(r_x))[()]
+        pitch = self.pitch_radius + (0.0 if inner else clearance / 2)
+        return tuple(
+            laws.effective_radii(
+                self.ball_radius, self.groove(raceway), pitch, inner, np.cos(angle)
+            )
+        )
