@@ -81,6 +81,8 @@ def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, F
         # of the contact's distance from the bearing's axis over the ball's, and R_x/R_b
         out = np.where(raceways == INNER, -1.0, 1.0) * np.cos(angle[:, ball])
         ratio = 1 + radius * out / bearing.pitch_radius
-        speed[:, ball] = np.abs(surface + faster / 2 - motion[2] * ratio)
-        rolling[:, ball] = ratio * np.abs(surface / ratio + faster - motion[2])
+        slips = ~live | (live.sum() > 2)  # the others roll
+        own = np.abs(surface + faster / 2 - motion[2] * ratio)
+        turned = ratio * np.abs(surface / ratio + faster - motion[2])
+        speed[slips, ball], rolling[slips, ball] = own[slips], turned[slips]
     return speed, rolling
