@@ -23,6 +23,12 @@ inline double thermal_loading(double temperature_viscosity, double viscosity, do
   return temperature_viscosity * viscosity * speed * speed / conductivity;
 }
 
+// by ln L
+template <class T> RACEWAY_INLINE T murch_wilson(const T &ln_L)
+{
+  return 3.94 / (3.94 + exponential(T(0.62 * ln_L)));
+}
+
 // Gupta's factor of a contact: unpressed (1 - least(per_pressure P, 0.9)).
 template <class T> struct GuptaFactorT {
   T unpressed, per_pressure;
@@ -61,8 +67,7 @@ struct FilmFactors {
     const T all = T() + starvation;
     if (inlet_shear == InletShear::none) return all;
     const T ln_L = ln_loading + 2.0 * ln_speed;
-    if (inlet_shear == InletShear::murch)
-      return all * (3.94 / (3.94 + exponential(T(0.62 * ln_L))));
+    if (inlet_shear == InletShear::murch) return all * murch_wilson(ln_L);
     return all / (1.0 + 0.1 * exponential(T(0.64 * ln_L)));
   }
   // slip2: sliding speed squared, m^2/s^2. 1 at rest.

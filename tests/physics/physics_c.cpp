@@ -7,7 +7,6 @@
 #include "../../src-package/physics/damped_hertz.h"
 #include "../../src-package/physics/rail.h"
 #include "../../src-package/physics/ring_body.h"
-#include "../../src-package/physics/rolling.h"
 #include "../../src-package/physics/step_limit.h"
 
 #include <algorithm>
@@ -40,7 +39,6 @@ RECORD(Hertz, double kappa, Ebar, Fbar, R, K, a, b, p;)
 RECORD(SpringForce, double ft, fw;)
 RECORD(CageContact, double stiffness, damping, growth, force;)
 RECORD(RailSeat, double circle, tube, offset;)
-RECORD(RollingSpeeds, double orbit, spin;)
 
 static RacewayPhysics raceway_from(const RacewayInput &in)
 {
@@ -198,30 +196,7 @@ EXPORT(double, thickness, (double lnA, double p, double m, double speed, double 
   return film_thickness({lnA, p, m}, film_point(speed, load));
 }
 
-// ---- damping.h
-EXPORT(double, damper_prefactor, (double viscosity, double radius, double length_factor))
-{
-  return film_damping_prefactor(viscosity, radius, length_factor);
-}
-EXPORT(double, film_damper, (double prefactor, double a, double h, double floor))
-{
-  return film_damping(prefactor, a, h, floor);
-}
-EXPORT(double, hysteretic, (double alpha_e, double load))
-{
-  return hysteretic_damping(alpha_e, load);
-}
-
 // ---- friction.h
-EXPORT(double, friction_coefficient,
-       (double mu_boundary, double mu_full, double lambda_1, double lambda_2, double Lambda))
-{
-  return stribeck({mu_boundary, mu_full, lambda_1, lambda_2}, Lambda);
-}
-EXPORT(double, friction_regime, (double lambda_1, double lambda_2, double Lambda))
-{
-  return regime({0.0, 0.0, lambda_1, lambda_2}, Lambda);
-}
 // xi is updated
 EXPORT(void, friction_spring,
        (double k, double c, double cap, double vt, double vw, double xi[2], SpringForce *out))
@@ -308,15 +283,6 @@ EXPORT(void, ring_drift,
         double out[3]))
 {
   drift_axis({axial, transverse}, Vec3::from(L), Vec3::from(e), h).to(out);
-}
-
-// ---- rolling.h
-EXPORT(void, rolling,
-       (double ball, double pitch, double inner_speed, double outer_speed, RollingSpeeds *out))
-{
-  const Rolling r = pure_rolling(ball, pitch, inner_speed, outer_speed);
-  out->orbit = r.orbit;
-  out->spin = r.spin;
 }
 
 // ---- step_limit.h

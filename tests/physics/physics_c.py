@@ -96,9 +96,7 @@ class Physics(Library):
         return self.call("groove_locate", d=d, e=e, centre_circle=circle)
 
     def rolling(self, inner_speed, outer_speed=0.0, ball=BALL, pitch=PITCH):
-        return self.call(
-            "rolling", ball=ball, pitch=pitch, inner_speed=inner_speed, outer_speed=outer_speed
-        )
+        return laws.pure_rolling(ball, pitch, inner_speed, outer_speed)
 
     def raceway(self, **changes):
         return Raceway(self, changes)

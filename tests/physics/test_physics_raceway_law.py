@@ -95,9 +95,7 @@ def test_constants_are_those_of_the_parts(physics, side, angle):
         h.b,
         h.p,
         *vars(coefficients).values(),
-        physics.call(
-            "damper_prefactor", viscosity=OIL["viscosity"], radius=BALL, length_factor=1.0
-        ),
+        laws.film_damping(OIL["viscosity"], 1.0, BALL, 1.0, 0.0),
     ]
     assert list(vars(c).values()) == expected
     assert ring.derived().modulus == modulus

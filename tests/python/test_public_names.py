@@ -74,7 +74,6 @@ def test_docstrings(name):
 def test_hints_name_types_that_are():
     """Every hint can be evaluated, those in quotes too."""
     from MDAnalysis import Universe
-    from raceway.runs.dump import Block
     from raceway.runs.spectrum import Line
     from raceway.runs.tables import RunTables
 
@@ -82,7 +81,6 @@ def test_hints_name_types_that_are():
         "Run": raceway.Run,
         "RunTables": RunTables,
         "Universe": Universe,
-        "Block": Block,
         "Line": Line,
         "xr": xarray,
     }

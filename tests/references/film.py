@@ -47,6 +47,7 @@ def power_law(viscosity, xi, modulus, r_x, kappa, speed, factor=1.0, cut=1.0):
     return h
 
 
+@mpmath.workdps(30)
 def all_regimes(viscosity, xi, modulus, r_x, r_y, speed, factor=1.0):
     """h_c (m) over the load after Nijenbanning, Venner and Moes (1994)."""
     u = 2 * mpf(viscosity) * speed / (mpf(modulus) * r_x)
@@ -54,13 +55,17 @@ def all_regimes(viscosity, xi, modulus, r_x, r_y, speed, factor=1.0):
     deep = mpf(xi) * modulus * u ** (m / 4)
     wide = 1 + mpf("0.006") * log(ratio) + mpf("0.63") * ratio ** (m * 4 / 7)
 
+    # at M = 1
+    ri_1 = 145 * (1 + mpf("0.796") * ratio ** (m * 14 / 15)) ** (-m * 15 / 7) / ratio
+    rp = mpf("1.29") * (1 + mpf("0.691") * ratio) ** (-m * 2 / 3) * deep ** (m * 2 / 3)
+    ei_1 = mpf("3.18") * wide ** (-m * 14 / 25) * ratio ** (-m / 15)
+    ep_1 = mpf("1.48") * wide ** (-m * 7 / 20) * ratio ** (-m / 24) * deep ** (m * 3 / 4)
+    unit = mpf(modulus) * mpf(r_x) ** 2 * u ** (m * 3 / 4)
+
     def h(load):
-        moes = mpf(load) / (mpf(modulus) * mpf(r_x) ** 2) * u ** (-m * 3 / 4)
-        ri = 145 * (1 + mpf("0.796") * ratio ** (m * 14 / 15)) ** (-m * 15 / 7) / ratio / moes**2
-        rp = mpf("1.29") * (1 + mpf("0.691") * ratio) ** (-m * 2 / 3) * deep ** (m * 2 / 3)
-        ei = mpf("3.18") * wide ** (-m * 14 / 25) * ratio ** (-m / 15) * moes ** (-m * 2 / 15)
-        ep = mpf("1.48") * wide ** (-m * 7 / 20) * ratio ** (-m / 24) * moes ** (-m / 12)
-        ep *= deep ** (m * 3 / 4)
+        moes = mpf(load) / unit
+        ri = ri_1 / moes**2
+        ei, ep = ei_1 * moes ** (-m * 2 / 15), ep_1 * moes ** (-m / 12)
         s = (1 + exp(-mpf("1.2") * ei / ep)) * 3 / 2
         iso = ri ** (m * 3 / 2) + (ei**-4 + (mpf("1.8") / ratio) ** -4) ** (-m * 3 / 8)
         piezo = (rp**-8 + ep**-8) ** (-m / 8)
@@ -104,10 +109,10 @@ def in_gap(overlap, stiffness, film, share=1.0):
         low, high = mpf(-120), mpf(25)
         if gap(low) >= 0:
             return 0.0, float(film(exp(low))), 0.0, 0.0
-        for _ in range(30):
+        for _ in range(9):
             middle = (low + high) / 2
             low, high = (middle, high) if gap(middle) < 0 else (low, middle)
-        y = mpmath.findroot(gap, (low, high), solver="anderson", tol=1e-50)
+        y = mpmath.findroot(gap, (low, high), solver="anderson", tol=1e-44)
         load = exp(y)
         slope = load / mpmath.diff(gap, y, h=mpf(10) ** -8)
         return tuple(map(float, (load, film(load), (load / stiffness) ** (mpf(2) / 3), slope)))

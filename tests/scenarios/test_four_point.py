@@ -325,10 +325,9 @@ def test_what_needs_one_groove_says_so(outputs):
         whole_capacitance.over_time(run)
 
 
-def test_main_deck_with_text_dumps(tmp_path):
-    """The main deck makes a deep groove ball bearing one of four points, of the same clearance. A
-    folder of text dumps reads as its record does."""
-    variables = {"four_point": 35, "axial": 1000, "clearance": 2e-6, "passes": 1, "dumps": "yes"}
+def test_main_deck(tmp_path):
+    """The main deck makes a deep groove ball bearing one of four points, of the same clearance."""
+    variables = {"four_point": 35, "axial": 1000, "clearance": 2e-6, "passes": 1}
     variables["surroundings"] = "flooded"
     succeed("inputs/in.6208", out=tmp_path, **variables)
     recorded = raceway.open(tmp_path)
@@ -340,14 +339,5 @@ def test_main_deck_with_text_dumps(tmp_path):
     inner, outer = whole.reshape(len(whole), 2, 2, -1).sum(axis=2).transpose(1, 0, 2)
     series = (inner * outer / (inner + outer)).sum(axis=1)
     assert sums["capacitance_total"].to_numpy() == pytest.approx(series, rel=1e-12)
-    (tmp_path / "record.nc").unlink()
-    run = raceway.open(tmp_path)
-    assert run.contacts.raceway.equals(want.raceway)
-    for name in ("load", "angle", "capacitance"):
-        found, size = run.contacts[name], np.abs(want[name]).max()
-        assert np.nanmax(np.abs(found - want[name])) < 1e-10 * size
-        assert (found.isnull() == want[name].isnull()).all()
-    assert run.tables.totals["capacitance"].to_numpy() == pytest.approx(sums["capacitance"])
-    assert (run.tables.totals["loaded_balls"] == sums["loaded_balls"].to_numpy()).all()
     with pytest.raises(RunError, match="an export of balls needs rings of one"):
-        next(particles.frames(run.tables))
+        next(particles.frames(recorded.tables))

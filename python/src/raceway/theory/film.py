@@ -92,5 +92,4 @@ def regime(ratio: ArrayLike, boundary: float = 1.0, full: float = 3.0) -> np.int
     >>> regime([0.5, 1.4, 3.2]).tolist()
     [0, 1, 2]
     """
-    ratio = np.asarray(ratio)
-    return np.where(ratio < boundary, 0, np.where(ratio > full, 2, 1))[()]
+    return laws.film_regime(boundary, full, ratio).astype(int)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film, damping and capacitance of every dumped contact equal the formulas on that contact's own
+"""Film, damping and capacitance of every recorded contact equal the formulas on that contact's own
 load and speed."""
 
 import numpy as np
@@ -36,8 +36,7 @@ def run(request, tmp_path_factory):
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
 def test_contacts(run, side):
-    """1e-9 relative; the dump keeps 12 digits, and the largest exponent (film damping, h^-1.5)
-    multiplies them by 2."""
+    """1e-9 relative."""
     settings = run.settings
     bearing = closed_forms.bearing_of(settings)
     rows = run.contacts
@@ -84,12 +83,11 @@ def test_contacts(run, side):
 
 
 def test_bearing_total(run):
-    """What fix bearing/capacitance sums (a column of rings.dat) is eq 12 on the dumped contacts."""
+    """The bearing's capacitance of the record is eq 12 on its contacts."""
     rows = run.contacts.pivot_table(
         index=["sample", "ball"], columns="raceway", values="capacitance"
     ).dropna()
     total = (rows[INNER] * rows[OUTER] / (rows[INNER] + rows[OUTER])).groupby("sample").sum()
     rings = run.rings.set_index("sample")["capacitance"]
     assert len(rings) == 201
-    # both are written with 12 digits or more
-    np.testing.assert_allclose(rings, total.loc[rings.index], rtol=1e-10)
+    np.testing.assert_allclose(rings, total.loc[rings.index], rtol=1e-13)
