@@ -67,17 +67,6 @@ template <class T> void put(const FilmCapacitorT<T> &c, T *out)
 }
 }    // namespace
 
-EXPORT(double, permittivity_mean, (double ambient, double p))
-{
-  return mean_permittivity(ambient, p);
-}
-EXPORT(double, rough_factor, (double sigma_over_h)) { return rough_film_factor(sigma_over_h); }
-EXPORT(double, gap_beside, (double H))
-{
-  const GapBeside<double> beside(std::pow(H, 1.0 / 6));
-  return beside.up / beside.down;
-}
-
 // near and far side, m, around an ellipse of that semi-axis (m)
 EXPORT(void, groove_reach,
        (const RacewayPhysics *p, double depth, double sine, double cosine, double semi_axis,

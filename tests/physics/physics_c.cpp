@@ -2,7 +2,6 @@
 // The physics headers behind a C interface, for the tests in this folder (called by name through
 // physics_c.py, see src-package/core/exports.h). Every number, choices included, is a double.
 #include "../../src-package/core/exports.h"
-#include "../../src-package/physics/capacitance.h"
 #include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/damped_hertz.h"
 #include "../../src-package/physics/rail.h"
@@ -224,18 +223,6 @@ EXPORT(void, groove_locate,
   out->s = g.s;
   out->nu = g.nu;
   out->ne = g.ne;
-}
-
-// ---- capacitance.h
-EXPORT(double, oil_density, (double p)) { return density_ratio(p); }
-EXPORT(double, permittivity, (double ambient, double p)) { return permittivity_at(ambient, p); }
-EXPORT(double, plate_capacitance, (double eps_r, double a, double b, double h))
-{
-  return contact_capacitance(eps_r, a, b, h);
-}
-EXPORT(double, ball_capacitance, (double inner, double outer))
-{
-  return series_capacitance(inner, outer);
 }
 
 // ---- damped_hertz.h
