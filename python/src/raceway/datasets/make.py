@@ -55,7 +55,7 @@ def make(
         if _whole(folder, one, spec):
             continue
         if state(where, one.point.variables)[0] == FINISHED:
-            if run_record.there(where):  # stopped between the run and its files
+            if (where / run_record.NAME).exists():  # stopped between the run and its files
                 _write(one, spec, folder, keep)
                 continue
             (where / "summary.json").unlink()  # the record is gone and a file as well: run again

@@ -203,7 +203,8 @@ def _states(run, whole):
     if "asperity_share" in contacts:
         share = contacts["asperity_share"]
     else:
-        share = asperity.zhou_hoeprich(contacts["lambda"].fillna(np.inf))
+        ratio = contacts["lambda"].fillna(np.inf)
+        share = ratio.copy(data=asperity.zhou_hoeprich(ratio.to_numpy()))
     loaded = contacts["load"] > 0
     return film_voltage.states(share.where(loaded, 0.0).transpose(*whole["total"].dims).to_numpy())
 
