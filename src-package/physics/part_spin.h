@@ -29,7 +29,7 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
 }
 
 struct SpinPart : PartBase {
-  static constexpr const char *name = "spin";
+  static constexpr const char *name = "spin", *needs = "differential_slip";
   static constexpr bool couples = true;
   struct Parameters {
     double share = 1.0;

@@ -8,7 +8,7 @@ FixStyle(bearing/profile,FixBearingProfile)
 #define LMP_FIX_BEARING_PROFILE_H
 
 #include "../physics/ball_profile.h"
-#include "../physics/contact.h"
+#include "../physics/raceway_physics.h"
 #include "../physics/raceway_profile.h"
 #include "bearing_compat.h"
 
