@@ -7,7 +7,7 @@
 
 #include "../physics/profiled_contact.h"
 #include "../physics/raceway_physics.h"
-#include "bearing_compat.h"
+#include "tag.h"
 
 #include <vector>
 

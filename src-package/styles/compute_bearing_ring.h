@@ -10,6 +10,7 @@ ComputeStyle(bearing/ring,ComputeBearingRing)
 
 #include "../contacts/contact_reader.h"
 #include "../deck/column_list.h"
+#include "bearing_compat.h"
 
 #include <vector>
 

@@ -12,6 +12,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #include "../contacts/validity_check.h"
 #include "../implicit/contact_lanes.h"
 #include "../ranks/ring_sum.h"
+#include "bearing_compat.h"
 
 #include <map>
 #include <memory>

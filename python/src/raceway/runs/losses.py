@@ -7,7 +7,8 @@ import xarray as xr
 from raceway.errors import RunError
 from raceway.runs.around import BINS, around
 from raceway.runs.run import Run
-from raceway.runs.totals import SUMS
+
+SUMS = ("friction_power", "damping_power")
 
 
 def losses(run: Run) -> xr.Dataset:
@@ -27,7 +28,7 @@ def losses(run: Run) -> xr.Dataset:
     _need(run)
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
-        raise RunError(f"{run.tables.source['rings']} has no columns mz and spin")
+        raise RunError(f"{run.tables.record.path} has no columns mz and spin")
     torque = -rings["mz"] * np.sign(rings["spin"])
     data = xr.merge(
         [{"torque": torque, "power_in": -rings["mz"] * rings["spin"]}, bearing[list(SUMS)]],
@@ -53,5 +54,5 @@ def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
 def _need(run):
     if missing := [name for name in SUMS if name not in run.settings["contact_columns"].split()]:
         raise RunError(
-            f"{run.tables.source['contacts']} has no column {' '.join(missing)}: run the deck again"
+            f"{run.tables.record.path} has no column {' '.join(missing)}: run the deck again"
         )
