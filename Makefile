@@ -36,7 +36,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 
 # These see no header of a host: all hosts link the same objects
 HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit record))) \
-            $(addprefix src-package/,contacts/contact_columns.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
+            $(addprefix src-package/,contacts/bearing_figures.cpp contacts/contact_columns.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
 STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
 # implicit/raceway_contacts_*.cpp take longest to compile: they start first
 SOURCES := $(HOSTLESS) $(STYLES) src-package/host/interposing_loader.cpp
@@ -280,7 +280,7 @@ build/obj-physics/%.o: tests/physics/%.cpp
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o
+build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o build/obj/contacts/bearing_figures.o
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 

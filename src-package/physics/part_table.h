@@ -4,7 +4,7 @@
 #ifndef RACEWAY_PART_TABLE_H
 #define RACEWAY_PART_TABLE_H
 
-#include "contact.h"
+#include "loss_table.h"
 
 #include <cstdio>
 #include <functional>
@@ -75,6 +75,8 @@ template <class Part> PartEntry part_entry()
                  Part::when,     Part::when == When::with_film || NeedsFilm<Part>::value,
                  Part::states,   {},
                  Part::columns()};
+  for (const LossEntry &loss : loss_table())
+    if (loss.parts & Parts::bit<Part>()) e.columns.push_back(loss.column());
   for (const auto &k : Part::keywords()) {
     std::vector<ParameterEntry> parameters;
     for (const auto &p : k.parameters) parameters.push_back(parameter_entry<Part>(p));
