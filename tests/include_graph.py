@@ -23,6 +23,7 @@ ARROWS = {
     "contacts": {"deck", "implicit", "physics", "compat"},
     "deck": {"physics", "compat"},
     "implicit": {"physics"},
+    "core": {"physics"},
     "physics": set(),
     "compat": set(),
 }

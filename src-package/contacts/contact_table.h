@@ -7,7 +7,7 @@
 
 #include "../physics/contact.h"
 #include "../physics/profiled_contact.h"
-#include "bearing_compat.h"
+#include "tag.h"
 
 #include <vector>
 

@@ -19,6 +19,13 @@ template <class T> RACEWAY_INLINE T asperity_share(const Asperities &own, const 
   return exponential(T(-own.b * exponential(T(own.c * ln_lambda))));
 }
 
+// mu of a contact where asperities carry the share L_a
+template <class Film, class T>
+RACEWAY_INLINE T mixed_friction(double boundary, const Film &film, const T &share)
+{
+  return film + (boundary - film) * share;
+}
+
 }    // namespace raceway
 
 #endif

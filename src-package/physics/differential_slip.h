@@ -28,6 +28,12 @@ inline double deformed_radius(double groove, double ball)
   return 2.0 * groove * ball / (groove + ball);
 }
 
+// m/s, s_e
+inline double edge_slip(double speed, double a, double deformed, double rolling_radius)
+{
+  return std::fabs(speed) * a * a / (2.0 * deformed * rolling_radius);
+}
+
 // t0 of a slip that is `off` free rolling; both in units of s_e.
 template <class T> RACEWAY_INLINE T slip_root(const T &off)
 {
@@ -42,6 +48,13 @@ template <class T> RACEWAY_INLINE T slip_secant(const T &off)
   const T inside = (3.0 - t * t - t * free_root - free_part) / (t + free_root);
   const T beyond = 1.0 / magnitude(off);
   return where(q < 0.0, beyond, where(q > 1.0, beyond, inside));
+}
+
+// F/(mu Q) itself: 1 and -1 beyond.
+template <class T> RACEWAY_INLINE T slip_force(const T &off)
+{
+  const T q = free_part + off;
+  return where(q < 0.0, -1.0, where(q > 1.0, 1.0, slip_secant(off) * off));
 }
 
 // t0 of a force, in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. From a polynomial

@@ -16,6 +16,19 @@ namespace raceway {
 
 enum class InletShear { none, murch, wilson, gupta };
 
+// L of an entrainment speed (m/s), not of the sum of both speeds
+inline double thermal_loading(double temperature_viscosity, double viscosity, double speed,
+                              double conductivity)
+{
+  return temperature_viscosity * viscosity * speed * speed / conductivity;
+}
+
+// by ln L
+template <class T> RACEWAY_INLINE T murch_wilson(const T &ln_L)
+{
+  return 3.94 / (3.94 + exponential(T(0.62 * ln_L)));
+}
+
 // Gupta's factor of a contact: unpressed (1 - least(per_pressure P, 0.9)).
 template <class T> struct GuptaFactorT {
   T unpressed, per_pressure;
@@ -45,7 +58,7 @@ struct FilmFactors {
     any = inlet_shear != InletShear::none || starvation != 1.0;
     by_pressure = inlet_shear == InletShear::gupta;
     if (inlet_shear != InletShear::none)
-      ln_loading = std::log(temperature_viscosity * viscosity / conductivity);
+      ln_loading = std::log(thermal_loading(temperature_viscosity, viscosity, 1.0, conductivity));
   }
 
   // Of the logarithm of the entrainment speed (m/s).
@@ -54,8 +67,7 @@ struct FilmFactors {
     const T all = T() + starvation;
     if (inlet_shear == InletShear::none) return all;
     const T ln_L = ln_loading + 2.0 * ln_speed;
-    if (inlet_shear == InletShear::murch)
-      return all * (3.94 / (3.94 + exponential(T(0.62 * ln_L))));
+    if (inlet_shear == InletShear::murch) return all * murch_wilson(ln_L);
     return all / (1.0 + 0.1 * exponential(T(0.64 * ln_L)));
   }
   // slip2: sliding speed squared, m^2/s^2. 1 at rest.

@@ -79,6 +79,15 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
   return {zero * x, thinning, slope, 1.5 * ln_r};
 }
 
+// J, work of thinning a power law's film h from its thickness `edge` (m) at the load `cut` (N).
+template <class T>
+RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &load, const T &h,
+                               double cut, const T &edge)
+{
+  return share * load_exponent / (1.0 - load_exponent) *
+         where(load > cut, T(h * load - edge * cut), 0.0);
+}
+
 // Any law of the film, thickness and fall over ln x: ln(x + gap) = ln(z h + squeezed), which is
 // nearly straight in ln x on both sides, by Newton's method from `start`. Law::at(ln x) gives both.
 template <class T> struct FilmRootT {

@@ -18,18 +18,42 @@ template <class T> RACEWAY_INLINE T inverse_sinh(const T &x)
   return where(x < 1e-3, small, logarithm(T(x + square_root(T(x2 + 1.0)))));
 }
 
+// tau, Pa, of x = eta s/(h tau_0)
+template <class T> RACEWAY_INLINE T eyring_shear(double stress, const T &x, const T &most)
+{
+  const T tau = stress * inverse_sinh(x);
+  return where(tau < most, tau, most);
+}
+
+// ln(eta(p)/eta(0)) = lift ((1 + p/unit)^exponent - 1)
+struct Roelands {
+  static constexpr double unit = 1.96e8;    // Pa
+  double lift = 0.0, exponent = 0.0;
+
+  Roelands() = default;
+  explicit Roelands(const Lubricant &oil) :
+      lift(std::log(oil.viscosity) + 9.67), exponent(unit * oil.pressure_viscosity / lift)
+  {
+  }
+  template <class T> RACEWAY_INLINE T ln_rise(const T &pressure) const
+  {
+    const T raised = logarithm(T(1.0 + pressure / unit)) * exponent;
+    return lift * (exponential(raised) - 1.0);
+  }
+};
+
 struct FilmTraction {
   double stress = 0.0, limit = 0.0;    // tau_0, Pa; Lambda_L
 
   // derived
-  double lift = 0.0, exponent = 0.0, ln_rate = 0.0;    // Roelands; ln(eta_0/tau_0)
+  Roelands roelands;
+  double ln_rate = 0.0;    // ln(eta_0/tau_0)
 
   bool asked() const { return stress > 0.0; }
   void prepare(const Lubricant &oil)
   {
     if (!asked()) return;
-    lift = std::log(oil.viscosity) + 9.67;
-    exponent = unit * oil.pressure_viscosity / lift;
+    roelands = Roelands(oil);
     ln_rate = std::log(oil.viscosity / stress);
   }
 
@@ -46,11 +70,10 @@ struct FilmTraction {
         {0.18134189168918083, 0.15685332293894344, 0.11119051722668721, 0.050614268145188532}};
     double total = 0.0;
     for (int k = 0; k < 2; ++k) {
-      const Lane p = node[k] * pressure, raised = logarithm(Lane(1.0 + p / unit)) * exponent;
-      const Lane ln_x = ln_rate + lift * (exponential(raised) - 1.0) + ln_shear;
+      const Lane p = node[k] * pressure;
+      const Lane ln_x = ln_rate + roelands.ln_rise(p) + ln_shear;
       const Lane x = exponential(Lane(where(ln_x < most, ln_x, most)));
-      const Lane tau = stress * inverse_sinh(x), held_at = limit * p;
-      total += sum(Lane(weight[k] * node[k] * where(tau < held_at, tau, held_at)));
+      total += sum(Lane(weight[k] * node[k] * eyring_shear(stress, x, Lane(limit * p))));
     }
     return 3.0 * total / pressure;
   }
@@ -62,8 +85,7 @@ struct FilmTraction {
   }
 
  private:
-  static constexpr double unit = 1.96e8;    // Pa, Roelands
-  static constexpr double most = 300.0;     // its asinh is far above any limit
+  static constexpr double most = 300.0;    // its asinh is far above any limit
 };
 
 }    // namespace raceway

@@ -27,7 +27,7 @@ template <class T> RACEWAY_INLINE T stribeck(const StribeckCurve &c, const T &la
 // 0 boundary, 1 mixed, 2 full film.
 inline int regime(const StribeckCurve &c, double lambda)
 {
-  return lambda < c.lambda_1 ? 0 : lambda <= c.lambda_2 ? 1 : 2;
+  return lambda < c.lambda_1 ? 0 : lambda > c.lambda_2 ? 2 : 1;
 }
 
 // Tangential spring-dashpot in the two directions t and w of the contact frame, capped at mu N.

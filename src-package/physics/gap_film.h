@@ -12,9 +12,27 @@
 
 namespace raceway {
 
+// The power law at a load given by its logarithm.
+template <class T> struct PowerFilmT {
+  T ln_h, fall;    // at 1 N
+  RACEWAY_INLINE FilmAtLoadT<T> at(const T &ln_load) const
+  {
+    return {exponential(T(ln_h - fall * ln_load)), fall};
+  }
+};
+
 // all: in all regimes, else a power law.
 template <class T, bool all> class GapFilmT {
  public:
+  using Film = std::conditional_t<all, MoesFilmT<T>, PowerFilmT<T>>;
+
+  // steep: Gupta's factor by the root of the compression, or null; it has no `unpressed`, which is
+  // in the film. K: stiffness, N/m^1.5
+  RACEWAY_INLINE GapFilmT(const Film &film, const GuptaFactorT<T> *steep, const T &K) :
+      film_(film), pressed_(steep != nullptr), ln_K_(logarithm(K))
+  {
+    if (steep) steep_ = *steep;
+  }
   template <class State>
   RACEWAY_INLINE GapFilmT(const MoesRaceway &moes, const Raceway &p, const RacewayConstantsT<T> &k,
                           const State &c)
@@ -79,14 +97,6 @@ template <class T, bool all> class GapFilmT {
   }
 
  private:
-  struct Power {
-    T ln_h, fall;    // at 1 N
-    RACEWAY_INLINE FilmAtLoadT<T> at(const T &ln_load) const
-    {
-      return {exponential(T(ln_h - fall * ln_load)), fall};
-    }
-  };
-
   // Logarithm of the compression of a rigid contact with the film h, or with the widest film of an
   // elastic one.
   RACEWAY_INLINE T light(const T &h) const
@@ -112,7 +122,6 @@ template <class T, bool all> class GapFilmT {
     return ln_x;
   }
 
-  using Film = std::conditional_t<all, MoesFilmT<T>, Power>;
   Film film_;
   bool pressed_ = false;
   GuptaFactorT<T> steep_{};    // by the root of the compression

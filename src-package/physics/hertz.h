@@ -70,6 +70,48 @@ inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
   return c;
 }
 
+// The ellipse for R_y/R_x on either side of 1, with F and E of the modulus^2 1 - 1/kappa^2. Below 1
+// the axes change places: F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2), E that over kappa', with
+// kappa' = 1/kappa.
+inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
+{
+  const bool swapped = Ry < Rx;
+  const double alpha = swapped ? Rx / Ry : Ry / Rx;
+  ContactEllipse c =
+      form == Ellipse::exact ? exact_ellipse_major(alpha) : fitted_ellipse_major(alpha, form);
+  if (!swapped) return c;
+  return {1.0 / c.kappa, c.Ebar * c.kappa, c.Fbar / c.kappa};
+}
+
+inline double hertz_radius(double Rx, double Ry) { return 1.0 / (1.0 / Rx + 1.0 / Ry); }
+
+// N/m^1.5
+inline double hertz_stiffness(const ContactEllipse &c, double R, double Eprime)
+{
+  const double pi = 3.14159265358979323846;
+  return pi * c.kappa * Eprime * std::sqrt(c.Ebar * R / (4.5 * c.Fbar * c.Fbar * c.Fbar));
+}
+
+// m, a under a load (N); b is a/kappa
+inline double hertz_semi_axis(const ContactEllipse &c, double R, double Eprime, double load)
+{
+  const double pi = 3.14159265358979323846;
+  return std::cbrt(6.0 * c.kappa * c.kappa * c.Ebar * load * R / (pi * Eprime));
+}
+
+// Pa, largest pressure of an ellipse with those semi-axes (m)
+inline double hertz_pressure(double load, double a, double b)
+{
+  const double pi = 3.14159265358979323846;
+  return 1.5 * load / (pi * a * b);
+}
+
+// N
+inline double hertz_load(double stiffness, double overlap)
+{
+  return overlap > 0.0 ? stiffness * overlap * std::sqrt(overlap) : 0.0;
+}
+
 struct HertzContact {
   ContactEllipse ellipse;
   double R = 0.0;    // m, 1/R = 1/R_x + 1/R_y
@@ -87,21 +129,19 @@ inline double reduced_modulus(double E1, double nu1, double E2, double nu2)
 
 inline HertzContact hertz_contact(double Rx, double Ry, double Eprime, Ellipse form)
 {
-  const double pi = 3.14159265358979323846;
   const bool swapped = Ry < Rx;
   const double alpha = swapped ? Rx / Ry : Ry / Rx;
   HertzContact h;
   h.ellipse =
       form == Ellipse::exact ? exact_ellipse_major(alpha) : fitted_ellipse_major(alpha, form);
-  h.R = 1.0 / (1.0 / Rx + 1.0 / Ry);
-  const double k = h.ellipse.kappa, E = h.ellipse.Ebar, F = h.ellipse.Fbar;
-  h.K = pi * k * Eprime * std::sqrt(E * h.R / (4.5 * F * F * F));
-  const double major = std::cbrt(6.0 * k * k * E * h.K * h.R / (pi * Eprime));
+  h.R = hertz_radius(Rx, Ry);
+  h.K = hertz_stiffness(h.ellipse, h.R, Eprime);
+  const double major = hertz_semi_axis(h.ellipse, h.R, Eprime, h.K), k = h.ellipse.kappa;
   const double minor = major / k;
   h.a = swapped ? minor : major;
   h.b = swapped ? major : minor;
   if (swapped) h.ellipse.kappa = 1.0 / k;
-  h.p = 1.5 * h.K / (pi * major * minor);
+  h.p = hertz_pressure(h.K, major, minor);
   return h;
 }
 

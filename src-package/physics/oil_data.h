@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An oil at a temperature from its physical data (docs/tribology, Lubricant by temperature); the
-// same as raceway.theory.lubricant. Temperatures in degrees C, kinematic viscosities in mm^2/s.
+// An oil at a temperature from its physical data (docs/tribology, Lubricant by temperature).
+// Temperatures in degrees C, kinematic viscosities in mm^2/s.
 //   Walther, ASTM D341   lg lg(nu + 0.7) = A - B lg T, T in K, through nu at 40 and 100 C
 //   Vogel                eta = k exp(b/(T + c))
 //   density, 1/xi        linear in temperature: FVA 3 at ambient pressure has this form of 1/xi

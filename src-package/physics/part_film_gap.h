@@ -117,8 +117,7 @@ struct FilmInGapPart : PartBase {
     const B Q = held(c.load);
     c.film_load = where(Q > cut, Q, cut);
     c.ln_film_load = std::log(cut) + g.ln_load;
-    c.film_energy = own.share * exponent / (1.0 - exponent) *
-                    where(Q > cut, B(c.h_c * Q - c.h_edge * cut), 0.0);
+    c.film_energy = thinning_work(own.share, exponent, Q, c.h_c, cut, c.h_edge);
   }
 
   // The work against the film begins where it begins to thin; at a constant entrainment speed.

@@ -84,9 +84,9 @@ struct MixedFrictionPart : PartBase {
         raceway::asperity_share(own.asperities, Value<T>(ln_lambda + p.ln_inverse_roughness));
     if (own.traction.asked()) {
       const Value<T> mu_film = coefficient(own, p, k, c);
-      c.mu = mu_film + (own.mu_boundary - mu_film) * c.asperity_share;
+      c.mu = mixed_friction(own.mu_boundary, mu_film, c.asperity_share);
     } else {
-      c.mu = own.mu_film + (own.mu_boundary - own.mu_film) * c.asperity_share;
+      c.mu = mixed_friction(own.mu_boundary, own.mu_film, c.asperity_share);
     }
   }
 

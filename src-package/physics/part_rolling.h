@@ -80,7 +80,7 @@ struct HydrodynamicRollingPart : PartBase {
     const B f =
         rolling_force(shape(own, p, c.cos_angle, radius), c.ln_speed, B(held(c.load)), root);
     const B shear = own.of_film > 0.0 ? B(own.of_film * c.film_factor)
-                                      : inlet_shear(own.ln_heating, c.ln_speed);
+                                      : murch_wilson(B(own.ln_heating + 2.0 * c.ln_speed));
     const B couple = 2.0 * own.starvation * f * radius * shear;
     const T against = B(couple * detail::over_rolling(held(c.roll_w), radius)) * c.roll_w;
     c.rolling_couple = held(against);

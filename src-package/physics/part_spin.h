@@ -28,6 +28,9 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
   return limit * root * (3.14159265358979323846 / 16.0 * modulus) * ab * ab * curvature / K;
 }
 
+// The same from E.
+inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
+
 struct SpinPart : PartBase {
   static constexpr const char *name = "spin";
   static constexpr bool couples = true;

@@ -6,7 +6,7 @@
 //   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
 //   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
 //   M = 0.5549 r^-0.6029 W U^(-3/4).
-// Inlet shear warms the oil: 3.94/(3.94 + L^0.62), L = beta eta u^2/k_f (Murch and Wilson 1975).
+// Inlet shear warms the oil (murch_wilson in film_factors.h).
 //
 // Hysteresis of the steel: couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
 #ifndef RACEWAY_ROLLING_RESISTANCE_H
@@ -50,12 +50,6 @@ RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T
   const T v = exponential(T(ln_u * (1.0 / 12.0))), v2 = v * v, v4 = v2 * v2, v8 = v4 * v4;
   const T v9 = v8 * v, elastic = k.elastic * v;
   return k.rigid * root * v8 * ((1.0 - elastic) * v9 / (v9 + k.mean * load) + elastic);
-}
-
-// 1 without heating: ln_heating = ln(beta eta/k_f) is minus infinity then.
-template <class T> RACEWAY_INLINE T inlet_shear(double ln_heating, const T &ln_u)
-{
-  return 3.94 / (3.94 + exponential(T(0.62 * (ln_heating + 2.0 * ln_u))));
 }
 
 // N m

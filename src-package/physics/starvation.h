@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // SKF's factor phi_rs of starvation on the rolling couple of a deep-groove ball bearing with an oil
-// bath or jet: Rolling bearings 10000 EN 2013. The same as in raceway.theory.makers.
+// bath or jet: Rolling bearings 10000 EN 2013.
 #ifndef RACEWAY_STARVATION_H
 #define RACEWAY_STARVATION_H
 
@@ -9,10 +9,11 @@
 namespace raceway {
 
 // bore and outside diameter in mm, kinematic viscosity in mm^2/s, speed in rpm
-inline double skf_starvation(double bore, double outside, double kinematic, double speed)
+inline double skf_starvation(double bore, double outside, double kinematic, double speed,
+                             double replenishment = 3.0e-8)
 {
   const double reach = (bore + outside) * std::sqrt(3.1 / (2.0 * (outside - bore)));
-  return std::exp(-3.0e-8 * kinematic * std::fabs(speed) * reach);
+  return std::exp(-replenishment * kinematic * std::fabs(speed) * reach);
 }
 
 }    // namespace raceway

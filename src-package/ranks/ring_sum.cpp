@@ -11,7 +11,7 @@ using raceway::Vec3;
 
 namespace bearing {
 
-static constexpr int letters = 6209;    // message tag of this file alone
+static constexpr int sum_letters = 6209;    // message tag of this file alone
 
 void RingSum::reset()
 {
@@ -98,7 +98,7 @@ template <class Said> void RingSum::send(int width, Said said)
     }
   }
   for (Letter &l : in_) l.text.resize(static_cast<size_t>(l.terms) * width);
-  deliver(out_, in_, letters, world);
+  deliver(out_, in_, sum_letters, world);
 }
 
 void RingSum::flush()

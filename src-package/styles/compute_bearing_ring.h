@@ -11,6 +11,7 @@ ComputeStyle(bearing/ring,ComputeBearingRing)
 #include "../contacts/bearing_figures.h"
 #include "../contacts/contact_reader.h"
 #include "../deck/column_list.h"
+#include "bearing_compat.h"
 
 #include <vector>
 

@@ -11,6 +11,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #include "../contacts/contact_table.h"
 #include "../contacts/validity_check.h"
 #include "../ranks/ring_sum.h"
+#include "bearing_compat.h"
 
 #include <map>
 #include <memory>

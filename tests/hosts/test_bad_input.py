@@ -61,7 +61,7 @@ MAIN_DECK = {
     "unknown models": (
         {"models": "papers"},
         r"bearing_input: there is no 'papers' in folder inputs/models; "
-        r"there is: eyring, film, full, paper",
+        r"there is: paper, eyring, film, full",
     ),
     "cage ball too large": (
         {"cage_ball_diameter": 9e-3},

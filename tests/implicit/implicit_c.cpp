@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The mathematics of the implicit step behind a C interface, for test_mathematics.py (called by
-// name, see ../exports.h).
+// name, see src-package/core/exports.h).
+#include "../../src-package/core/exports.h"
 #include "../../src-package/implicit/bearing_step.h"
 #include "../../src-package/implicit/contact_rows.h"
 #include "../../src-package/implicit/lane_blocks.h"
-#include "../exports.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.integrate
-from exports import Library
+from raceway.core.exports import Library
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The circuit of a bearing, for test_physics_circuit.py.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/physics/circuit.h"
 #include "../../src-package/physics/impedance.h"
 #include "../../src-package/physics/waveform.h"
-#include "../exports.h"
 
 using namespace raceway;
 

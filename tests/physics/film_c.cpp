@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film factors, film in the gap and film branch, for test_physics_film_*.py.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/film_branch.h"
 #include "../../src-package/physics/film_factors.h"
 #include "../../src-package/physics/step_limit.h"
-#include "../exports.h"
 
 using namespace raceway;
 
@@ -117,18 +117,6 @@ EXPORT(int, film_lanes,
 }
 
 // {k_m, 1/tau, f after dt, its slope}
-EXPORT(void, film_step,
-       (double k, double h_c, double compression, double b, double speed, double force, double rate,
-        double dt, int stage, double out[4]))
-{
-  const FilmBranchT<double> f = film_branch(k, h_c, compression, b, speed);
-  const BranchStepT<double> s = branch_step(f, dt, stage != 0);
-  out[0] = f.stiffness;
-  out[1] = f.rate;
-  out[2] = s.left * force + s.slope * rate;
-  out[3] = s.slope;
-}
-
 EXPORT(double, largest_step_with_branch, (double k, double c, double m, double k_m, double rate))
 {
   FilmBranches film;

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A contact of a 6208 with its film, in C++ and in Python, for the tests of the film."""
+"""A contact of a 6208 with its film: of a run, of the package and in 40 digits."""
 
 import pytest
-from raceway import film_factors, film_gap, hertz
+from raceway import film_factors, film_gap
+from references import film as reference
+from references import hertz
 
 OIL = (0.04, 22e-9)
 SPEEDS = (0.0725, 0.72481, 2.899, 14.4946)
@@ -21,7 +23,7 @@ def scene(share=1.0, starvation=1.0, regimes=False, shear=0, sliding=0.0):
 
 
 class Gap:
-    """A contact of a 6208 with its film, in C++ and in Python."""
+    """A contact of a 6208 with its film."""
 
     def __init__(self, physics, side):
         self.call = physics.call
@@ -30,9 +32,9 @@ class Gap:
         )
         self.modulus = self.raceway.derived().modulus
         self.r_x, self.r_y = physics.radii(side)
-        ellipse = hertz.exact(self.r_x, self.r_y)
-        self.kappa, self.stiffness = ellipse.kappa, self.raceway.radial().K
-        assert hertz.stiffness(ellipse, self.modulus) == pytest.approx(self.stiffness, rel=1e-13)
+        exact = hertz.contact(self.r_x, self.r_y, self.modulus, 1.0)
+        self.kappa, self.stiffness = exact["kappa"], self.raceway.radial().K
+        assert exact["stiffness"] == pytest.approx(self.stiffness, rel=1e-13)
 
     def cpp(self, overlap, speed, share=1.0, starvation=1.0, **changes):
         """(whether there is no contact, its numbers)."""
@@ -55,13 +57,26 @@ class Gap:
         )
 
     def law(self, speed, factor=1.0):
-        return film_gap.power_law(*OIL, self.modulus, self.r_x, self.kappa, speed, factor=factor)
+        return reference.power_law(*OIL, self.modulus, self.r_x, self.kappa, speed, factor)
 
     def regimes(self, speed, factor=1.0):
-        return film_gap.all_regimes(*OIL, self.modulus, self.r_x, self.r_y, speed, factor=factor)
+        return reference.all_regimes(*OIL, self.modulus, self.r_x, self.r_y, speed, factor)
 
     def heated(self, law, speed, sliding, cut):
         """`law` with Gupta's factor."""
-        loading = film_factors.thermal_loading(0.047, OIL[0], speed, 0.134)
+        loading = 0.047 * OIL[0] * speed**2 / 0.134
         peak = self.raceway.radial().p * self.stiffness ** (-1 / 3) / self.modulus
-        return film_gap.heated(law, loading, peak, sliding / speed, cut=cut)
+        return reference.heated(law, loading, peak, sliding / speed, cut)
+
+    def python(self, law, speed, share=1.0, factor=1.0, overlap=0.0):
+        """`film_gap.Squeeze` by the package; `law` as in `cpp`."""
+        contact = (*OIL, self.modulus, self.r_x)
+        if law.get("regimes"):
+            film = film_gap.all_regimes(*contact, self.r_y, speed, factor=factor)
+        else:
+            film = film_gap.power_law(*contact, self.kappa, speed, factor=factor)
+        if "shear" in law:
+            loading = film_factors.thermal_loading(0.047, OIL[0], speed, 0.134)
+            peak = self.raceway.radial().p * self.stiffness ** (-1 / 3) / self.modulus
+            film = film_gap.heated(film, loading, peak, law["sliding"] / speed, cut=film.cut)
+        return film_gap.solve(overlap, self.stiffness, film, share)

@@ -1,62 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The laws of rolling friction behind a C interface, for test_physics_rolling_friction.py: formulas
-// alone, and parts in a law whose contact the test describes by its motions.
+// Parts of rolling friction in a law whose contact a test describes by its motions, for
+// test_physics_rolling_friction.py.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/physics/contact.h"
-#include "../exports.h"
 
 using namespace raceway;
-
-RECORD(SlipLaw, double root, secant, couple, root_of_force;)
-EXPORT(void, differential_slip, (double off, SlipLaw *out))
-{
-  out->root = slip_root(off);
-  out->secant = slip_secant(off);
-  out->couple = slip_couple(out->root);
-  out->root_of_force = force_root(out->secant * off);
-}
-RECORD(SlidingCentre, double along, across, spin, edge, aspect, least;)
-RECORD(SlidingForces, double along, across, moment, couple, slope_along, slope_across, slope_moment,
-       slope_couple;)
-EXPORT(void, slip_slices, (const SlidingCentre *in, SlidingForces *out))
-{
-  const auto f =
-      SlipSlices::forces<true>({in->along, in->across, in->spin, in->edge, in->aspect, in->least});
-  *out = {f.along,       f.across,       f.moment,       f.couple,
-          f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
-}
-EXPORT(double, surface_radius, (double groove, double ball))
-{
-  return deformed_radius(groove, ball);
-}
-EXPORT(double, asperities, (double b, double c, double Lambda))
-{
-  return asperity_share(Asperities{b, c}, logarithm(Lambda));
-}
-EXPORT(double, film_coefficient,
-       (double viscosity, double pressure_viscosity, double stress, double limit, double pressure,
-        double rate))
-{
-  FilmTraction f;
-  f.stress = stress;
-  f.limit = limit;
-  f.prepare({viscosity, pressure_viscosity});
-  return f.coefficient(pressure, logarithm(rate));
-}
-EXPORT(double, rolling_resistance,
-       (double viscosity, double modulus, double Rx, double Ry, double speed, double load))
-{
-  const RollingConstants k(viscosity, modulus, Ry);
-  return rolling_force(rolling_shape(k, Rx), logarithm(speed), load, std::cbrt(load));
-}
-EXPORT(double, inlet_heating, (double heating, double speed))
-{
-  return inlet_shear(std::log(heating), logarithm(speed));
-}
-EXPORT(double, steel_hysteresis, (double alpha, double load, double b))
-{
-  return hysteresis_couple(alpha, load, b);
-}
-EXPORT(double, sphere_drag, (double reynolds)) { return drag_coefficient(drag_table(), reynolds); }
 
 // A contact by its motions, and what the laws of full models make of it.
 RECORD(Rolled, double side, overlap, overlap_rate, cos_angle, entrainment, sliding_t, sliding_w,

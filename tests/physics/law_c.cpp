@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Every compiled contact law behind a C interface, for test_physics_laws.py: its slopes in duals
 // and by differences, its values one by one and four side by side.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/implicit/contact_lanes.h"
 #include "../../src-package/implicit/instruction_set.h"
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/part_table.h"
-#include "../exports.h"
 
 #include <random>
 

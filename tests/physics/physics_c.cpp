@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The physics headers behind a C interface, for the tests in this folder (called by name through
-// physics_c.py, see ../exports.h). Every number, choices included, is a double.
+// physics_c.py, see src-package/core/exports.h). Every number, choices included, is a double.
+#include "../../src-package/core/exports.h"
 #include "../../src-package/physics/capacitance.h"
 #include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/damped_hertz.h"
 #include "../../src-package/physics/rail.h"
 #include "../../src-package/physics/ring_body.h"
-#include "../../src-package/physics/rolling.h"
 #include "../../src-package/physics/step_limit.h"
-#include "../exports.h"
 
 #include <algorithm>
 
@@ -36,13 +35,10 @@ RECORD(State, double u[3], t[3], r, z, nu, ne, overlap, root, cos_angle, overlap
 RECORD(Forces, double force[3], ball_torque[3], ring_torque[3];)
 RECORD(BallMotion, double x[3], v[3], w[3];)
 RECORD(RingMotion, double x[3], v[3], w[3], e[3];)
-RECORD(Elliptic, double K, E, D;)
 RECORD(Hertz, double kappa, Ebar, Fbar, R, K, a, b, p;)
-RECORD(Radii, double x, y;)
 RECORD(SpringForce, double ft, fw;)
 RECORD(CageContact, double stiffness, damping, growth, force;)
 RECORD(RailSeat, double circle, tube, offset;)
-RECORD(RollingSpeeds, double orbit, spin;)
 
 static RacewayPhysics raceway_from(const RacewayInput &in)
 {
@@ -174,18 +170,7 @@ EXPORT(void, vec3_algebra, (const double pa[3], const double pb[3], double s, do
   b.add_to(out);
 }
 
-// ---- elliptic.h
-EXPORT(void, elliptic, (double m1, Elliptic *out))
-{
-  const EllipticIntegrals v = complete_elliptic(m1);
-  out->K = v.K;
-  out->E = v.E;
-  out->D = v.D;
-}
-
 // ---- hertz.h
-// ----------------------------------------------------------------------------------------- kappa
-// Ebar Fbar R K a b p
 EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *out))
 {
   const HertzContact h = hertz_contact(Rx, Ry, Eprime, Ellipse(int(form)));
@@ -197,25 +182,6 @@ EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *ou
   out->a = h.a;
   out->b = h.b;
   out->p = h.p;
-}
-EXPORT(double, modulus, (double E1, double nu1, double E2, double nu2))
-{
-  return reduced_modulus(E1, nu1, E2, nu2);
-}
-EXPORT(void, radii,
-       (double ball, double groove, double pitch, double inner, double cos_angle, Radii *out))
-{
-  const EffectiveRadii r = groove_radii(ball, groove, pitch, inner != 0.0, cos_angle);
-  out->x = r.x;
-  out->y = r.y;
-}
-EXPORT(double, sphere, (double R1, double R2, double Eprime))
-{
-  return sphere_stiffness(R1, R2, Eprime);
-}
-EXPORT(double, mindlin, (double E1, double nu1, double E2, double nu2))
-{
-  return raceway::tangential_ratio(E1, nu1, E2, nu2);
 }
 
 // ---- film.h
@@ -229,32 +195,8 @@ EXPORT(double, thickness, (double lnA, double p, double m, double speed, double 
 {
   return film_thickness({lnA, p, m}, film_point(speed, load));
 }
-EXPORT(double, roughness, (double s1, double s2)) { return composite_roughness(s1, s2); }
-
-// ---- damping.h
-EXPORT(double, damper_prefactor, (double viscosity, double radius, double length_factor))
-{
-  return film_damping_prefactor(viscosity, radius, length_factor);
-}
-EXPORT(double, film_damper, (double prefactor, double a, double h, double floor))
-{
-  return film_damping(prefactor, a, h, floor);
-}
-EXPORT(double, hysteretic, (double alpha_e, double load))
-{
-  return hysteretic_damping(alpha_e, load);
-}
 
 // ---- friction.h
-EXPORT(double, friction_coefficient,
-       (double mu_boundary, double mu_full, double lambda_1, double lambda_2, double Lambda))
-{
-  return stribeck({mu_boundary, mu_full, lambda_1, lambda_2}, Lambda);
-}
-EXPORT(double, friction_regime, (double lambda_1, double lambda_2, double Lambda))
-{
-  return regime({0.0, 0.0, lambda_1, lambda_2}, Lambda);
-}
 // xi is updated
 EXPORT(void, friction_spring,
        (double k, double c, double cap, double vt, double vw, double xi[2], SpringForce *out))
@@ -341,15 +283,6 @@ EXPORT(void, ring_drift,
         double out[3]))
 {
   drift_axis({axial, transverse}, Vec3::from(L), Vec3::from(e), h).to(out);
-}
-
-// ---- rolling.h
-EXPORT(void, rolling,
-       (double ball, double pitch, double inner_speed, double outer_speed, RollingSpeeds *out))
-{
-  const Rolling r = pure_rolling(ball, pitch, inner_speed, outer_speed);
-  out->orbit = r.orbit;
-  out->spin = r.spin;
 }
 
 // ---- step_limit.h

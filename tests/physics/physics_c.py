@@ -2,7 +2,8 @@
 """The functions of src-package/physics, callable from Python by names (physics_c.cpp)."""
 
 import numpy as np
-from exports import Library
+from raceway.core import laws
+from raceway.core.exports import Library
 
 INNER, OUTER = 0, 1
 EXACT, HAMROCK, PRINTED = 0, 1, 2  # Ellipse
@@ -74,17 +75,11 @@ class Physics(Library):
     def rotate(self, a, w):
         return self.call("vec3_rotate", a, w)
 
-    def elliptic(self, m1):
-        return self.call("elliptic", m1)
-
     def hertz(self, r_x, r_y, modulus, form=EXACT):
         return self.call("hertz", Rx=r_x, Ry=r_y, Eprime=modulus, form=form)
 
     def radii(self, side, cos_angle=1.0, groove=6.552e-3):
-        found = self.call(
-            "radii", ball=BALL, groove=groove, pitch=PITCH, inner=side == INNER, cos_angle=cos_angle
-        )
-        return np.array([found.x, found.y])
+        return np.array(laws.effective_radii(BALL, groove, PITCH, side == INNER, cos_angle))
 
     def film(self, model, kappa, viscosity, xi, modulus, r_x, speed, load):
         """(h_min, h_c) in m."""
@@ -101,9 +96,7 @@ class Physics(Library):
         return self.call("groove_locate", d=d, e=e, centre_circle=circle)
 
     def rolling(self, inner_speed, outer_speed=0.0, ball=BALL, pitch=PITCH):
-        return self.call(
-            "rolling", ball=ball, pitch=pitch, inner_speed=inner_speed, outer_speed=outer_speed
-        )
+        return laws.pure_rolling(ball, pitch, inner_speed, outer_speed)
 
     def raceway(self, **changes):
         return Raceway(self, changes)

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from contact_reference import DIGITS, Reference
 from physics_c import BALL, CONSTANT, FRICTIONLESS, INNER, OIL, OUTER, PITCH, STRIBECK
+from raceway.core import laws
 
 CIRCLE = {INNER: 30.552e-3, OUTER: 30.048e-3}
 SLACK = 0.252e-3
@@ -293,14 +294,7 @@ def test_stribeck_friction_follows_the_film(physics, side, roughness):
         physics, side, friction=STRIBECK, ring_roughness=roughness, ball_roughness=0.0
     ).contact(ball, ring)
     assert state.lam == pytest.approx(state.h_min / roughness, rel=1e-15)
-    assert state.mu == physics.call(
-        "friction_coefficient",
-        mu_boundary=0.12,
-        mu_full=0.02,
-        lambda_1=1.0,
-        lambda_2=3.0,
-        Lambda=state.lam,
-    )
+    assert state.mu == laws.stribeck(0.12, 0.02, 1.0, 3.0, state.lam)
 
 
 @SIDES

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Inlet shear and starvation thin the film: against numbers of TRIBOLOGY and raceway.theory."""
+"""Inlet shear and starvation thin the film: against numbers of TRIBOLOGY and 40 digits."""
 
 import pytest
 from film_scene import ROUNDING, SPEEDS, Gap
 from physics_c import INNER
 from raceway import film_factors
+from references import film as reference
 
-SHEAR = {1: film_factors.murch_wilson, 2: film_factors.wilson}  # 3 is Gupta's
+SHEAR = {
+    1: (film_factors.murch_wilson, reference.murch_wilson),
+    2: (film_factors.wilson, reference.wilson),
+}  # 3 is Gupta's
 
 
 def factor(physics, shear, speed, starvation=1.0, pressure=0.0, sliding=0.0):
@@ -26,19 +30,25 @@ def factor(physics, shear, speed, starvation=1.0, pressure=0.0, sliding=0.0):
 @pytest.mark.parametrize("shear", SHEAR)
 @pytest.mark.parametrize("speed", [1e-3, *SPEEDS, 90.0])
 def test_inlet_shear(physics, shear, speed):
-    loading = film_factors.thermal_loading(0.047, 0.04, speed, 0.134)
-    found = factor(physics, shear, speed, 0.8)
-    assert found == pytest.approx(0.8 * SHEAR[shear](loading), rel=ROUNDING)
+    loading = 0.047 * 0.04 * speed**2 / 0.134
+    assert film_factors.thermal_loading(0.047, 0.04, speed, 0.134) == pytest.approx(
+        loading, rel=1e-14
+    )
+    package, exact = (float(one(loading)) for one in SHEAR[shear])
+    assert package == pytest.approx(exact, rel=ROUNDING)
+    assert factor(physics, shear, speed, 0.8) == pytest.approx(0.8 * exact, rel=ROUNDING)
 
 
 @pytest.mark.parametrize("sliding", [0.0, 0.02, 0.3])
 @pytest.mark.parametrize("speed", [1e-3, *SPEEDS])
 def test_gupta(physics, speed, sliding):
-    loading = film_factors.thermal_loading(0.047, 0.04, speed, 0.134)
+    loading = 0.047 * 0.04 * speed**2 / 0.134
     for pressure in (0.0, 0.004, 0.0115):
         found = factor(physics, 3, speed, 0.8, pressure, sliding)
-        expected = 0.8 * film_factors.gupta(loading, pressure, sliding / speed)
-        assert found == pytest.approx(expected, rel=ROUNDING)
+        exact = float(reference.gupta(loading, pressure, sliding / speed))
+        assert found == pytest.approx(0.8 * exact, rel=ROUNDING)
+        package = film_factors.gupta(loading, pressure, sliding / speed)
+        assert package == pytest.approx(exact, rel=ROUNDING)
 
 
 def test_gupta_beyond_its_range(physics):

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The tests' C interface (exports.h, exports.py): order does not matter, names do."""
+"""The C interface by name (exports.h, exports.py): order does not matter, names do."""
 
 import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
-from exports import Library
 from physics_c import RACEWAY, Physics
+from raceway.core.exports import Library
 
 SOURCE = """
-#include "{tests}/exports.h"
+#include "{core}/exports.h"
 EXPORTS
 RECORD(Spring, double {fields};)
 RECORD(Answer, double sum, force[3];)
@@ -20,6 +20,12 @@ EXPORT(int, push, ({parameters}))
   out->sum = out->force[0] + out->force[1] + out->force[2] + weight;
   return 7;
 }}
+RECORD(Sides, double left, right;)
+FORMULA(Sides, split, (double whole, int times, bool turned))
+{{
+  return {{turned ? -whole : whole, whole * times}};
+}}
+FORMULA(double, quotient, (double one, double other)) {{ return one / other; }}
 """
 FIELDS = "stiffness, preload"
 PARAMETERS = "const Spring *spring, const double way[3], double weight, Answer *out"
@@ -29,8 +35,8 @@ GIVEN = dict(spring=dict(preload=0.5, stiffness=2.0), weight=10.0, way=[1.0, 2.0
 def build(folder, fields=FIELDS, parameters=PARAMETERS):
     folder.mkdir(exist_ok=True)
     source, target = folder / "push.cpp", folder / "push.so"
-    tests = Path(__file__).resolve().parents[1]
-    source.write_text(SOURCE.format(tests=tests, fields=fields, parameters=parameters))
+    core = Path(__file__).resolve().parents[2] / "src-package" / "core"
+    source.write_text(SOURCE.format(core=core, fields=fields, parameters=parameters))
     subprocess.run(["g++", "-std=c++17", "-fPIC", "-shared", source, "-o", target], check=True)
     return Library(target)
 
@@ -62,6 +68,26 @@ def test_another_name_is_an_error(tmp_path):
         library.call("push", **dict(GIVEN, way=[1.0, 2.0]))
     with pytest.raises(AttributeError, match="moment"):
         library.call("push", **GIVEN)[1].moment
+
+
+def test_formulas_take_numbers_and_arrays(tmp_path):
+    library = build(tmp_path)
+    split, quotient = library.formula("split"), library.formula("quotient")
+    whole, turned = np.array([1.0, 2.0, 3.0]), np.array([[False], [True]])
+    found = split(whole, turned=turned, times=2)
+    assert found.left.tolist() == [[1.0, 2.0, 3.0], [-1.0, -2.0, -3.0]]
+    assert found.right.tolist() == [[2.0, 4.0, 6.0]] * 2
+    assert quotient(6, 4) == 1.5 and quotient(6, 4).shape == ()
+    assert quotient(other=whole, one=6).tolist() == [6.0, 3.0, 2.0]
+    assert quotient(np.empty((0, 3)), 1.0).shape == (0, 3)
+    assert quotient(whole[::-2], 2).tolist() == [1.5, 0.5]  # not contiguous
+    for wrong in (dict(one=1.0), dict(one=1.0, two=2.0), dict(one=1.0, other=2.0, two=2.0)):
+        with pytest.raises(TypeError, match="quotient takes one, other"):
+            quotient(**wrong)
+    with pytest.raises(ValueError, match="shape mismatch"):
+        quotient(whole, whole[:2])
+    with pytest.raises(AttributeError, match="no formula sum"):
+        library.formula("sum")
 
 
 def test_what_cannot_be_described_is_an_error(tmp_path):

@@ -15,6 +15,7 @@ from physics_c import (
     OUTER,
     PRINTED,
 )
+from raceway.core import laws
 
 STEEL = 210e9 / (1 - 0.09)
 
@@ -75,11 +76,11 @@ def test_constants_are_those_of_the_parts(physics, side, angle):
     ring = physics.raceway_6208(
         side, film=MASJEDI_PRINTED, ball_young=300e9, ball_poisson=0.26, **OIL
     )
-    modulus = physics.call("modulus", E1=300e9, nu1=0.26, E2=210e9, nu2=0.3)
+    modulus = laws.reduced_modulus(300e9, 0.26, 210e9, 0.3)
     r_x, r_y = physics.radii(side, cosine)
     h = physics.hertz(r_x, r_y, modulus)
     c = ring.exact(cosine)
-    laws = physics.call(
+    coefficients = physics.call(
         "film",
         model=MASJEDI_PRINTED,
         kappa=h.kappa,
@@ -93,10 +94,8 @@ def test_constants_are_those_of_the_parts(physics, side, angle):
         h.a,
         h.b,
         h.p,
-        *vars(laws).values(),
-        physics.call(
-            "damper_prefactor", viscosity=OIL["viscosity"], radius=BALL, length_factor=1.0
-        ),
+        *vars(coefficients).values(),
+        laws.film_damping(OIL["viscosity"], 1.0, BALL, 1.0, 0.0),
     ]
     assert list(vars(c).values()) == expected
     assert ring.derived().modulus == modulus

@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 from raceway import hertz, sliding, spin
+from raceway.core import laws
 from test_physics_rolling_friction import FRICTION, REST, of, radii, turning
 
 FREE = dict(along=0.0, across=0.0, spin=0.0, edge=1.0, aspect=1 / 8, least=1e-4)
@@ -15,8 +16,8 @@ MOTIONS = list(
 )
 
 
-def sums(physics, **motion):
-    return physics.call("slip_slices", FREE | motion)
+def sums(**motion):
+    return laws.slip_slices(**FREE | motion)
 
 
 def fine(along, across, turned, aspect=1 / 8):
@@ -29,10 +30,10 @@ def fine(along, across, turned, aspect=1 / 8):
 @pytest.mark.parametrize(
     "aspect, bounds", [(1 / 8, (5e-3, 2e-2, 3e-3)), (1 / 4, (1.3e-2, 8e-2, 1.2e-2))]
 )
-def test_against_gauss_points(physics, aspect, bounds):
+def test_against_gauss_points(aspect, bounds):
     worst = np.zeros(3)
     for along, across, turned in MOTIONS:
-        found = sums(physics, along=along, across=across, spin=turned, aspect=aspect)
+        found = sums(along=along, across=across, spin=turned, aspect=aspect)
         theory = fine(along, across, turned, aspect)
         off = [found.along - theory.along, found.across - theory.across,
                found.moment + theory.moment]  # fmt: skip
@@ -46,39 +47,39 @@ def test_against_gauss_points(physics, aspect, bounds):
 
 
 @pytest.mark.parametrize("kappa, expected, bound", [(9.37359, 0.381695, 1e-3), (2, 0.454146, 0.02)])
-def test_pure_spin(physics, kappa, expected, bound):
-    found = sums(physics, spin=1.0, edge=0.0, aspect=1 / kappa, least=1e-6)
+def test_pure_spin(kappa, expected, bound):
+    found = sums(spin=1.0, edge=0.0, aspect=1 / kappa, least=1e-6)
     assert found.moment == pytest.approx(expected, rel=bound)
     assert found.along == pytest.approx(0, abs=1e-12)
     theory = spin.with_slip(1.0, 1.0, 1.0, 1 / kappa, 0.0, 0.0, 1.0, points=60)
     assert theory.moment == pytest.approx(expected, rel=2e-5)
 
 
-def test_free_rolling(physics):
+def test_free_rolling():
     """Heathcote's: no force at 0.120615 s_e, 0.161142 mu Q s_e lost."""
-    found = sums(physics, along=sliding.FREE**2)
+    found = sums(along=sliding.FREE**2)
     assert found.along == pytest.approx(0, abs=2e-3)
     power = found.couple + found.along * sliding.FREE**2
     assert power == pytest.approx(0.161142, rel=2e-3)
     for slip in (-0.4, 0.3, 0.6, 0.9, 1.3):
         theory = sliding.heathcote(slip, load=1.0, friction=1.0, speed=1.0, a=1.0, r_d=0.5, r_x=1.0)
-        assert sums(physics, along=slip).along == pytest.approx(theory.force, abs=5e-3)
+        assert sums(along=slip).along == pytest.approx(theory.force, abs=5e-3)
 
 
-def test_forces_have_no_steps(physics):
+def test_forces_have_no_steps():
     """A point of the ellipse turns about at every slip from 0 to s_e."""
     slips = np.linspace(0, 1.2, 1201)
-    forces = np.array([sums(physics, along=slip, spin=0.2).along for slip in slips])
+    forces = np.array([sums(along=slip, spin=0.2).along for slip in slips])
     assert 0 < np.diff(forces).min() and np.diff(forces).max() < 0.025
 
 
-def test_mirrored(physics):
+def test_mirrored():
     """Spin the other way turns the moment, rolling the other way the couple."""
-    one = sums(physics, along=0.3, across=0.1, spin=0.5)
-    other = sums(physics, along=0.3, across=0.1, spin=-0.5)
+    one = sums(along=0.3, across=0.1, spin=0.5)
+    other = sums(along=0.3, across=0.1, spin=-0.5)
     assert (other.along, other.across) == pytest.approx((one.along, one.across), rel=1e-12)
     assert other.moment == pytest.approx(-one.moment, rel=1e-12)
-    back = sums(physics, along=-0.3, across=0.1, spin=0.5, edge=-1.0)
+    back = sums(along=-0.3, across=0.1, spin=0.5, edge=-1.0)
     assert (back.along, back.couple) == pytest.approx((-one.along, -one.couple), rel=1e-12)
 
 

@@ -2,12 +2,14 @@
 """`raceway static` of four-point contact bearings against the statics of one groove a ring."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from raceway import inputs, life, lubrication, many_grooves, operating_point, ring_response
+from raceway import inputs, life, lubrication, operating_point, ring_response
 from raceway.cli import main
+from raceway.theory.bearing import Layout
 from raceway.theory.small_motion import response
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -18,7 +20,7 @@ OIL = inputs.oil(ROOT / "inputs/lubricants/mineral")
 
 def body():
     """One groove of each ring of the four-point contact bearing."""
-    return many_grooves.four_point(OF_6208, ANGLE, PLAY)[0].bearing
+    return replace(OF_6208.four_point(ANGLE), layout=Layout())
 
 
 def thrust():
@@ -147,8 +149,8 @@ def test_command(capsys, monkeypatch):
     "arguments, said",
     [
         (["--four-point", "80"], "must lie from 5 to 60 degrees"),
-        (["--four-point", "35", "--models", "full"], "--four-point: without --models full"),
-        (["--four-point", "35", "--exact-circle"], "--four-point: without --models full"),
+        (["--preload", "5e-6"], "of two rows; give --double-row"),
+        (["--film-friction", "0.05"], "--film-friction: of the friction torque"),
     ],
 )
 def test_wrong_command_line(capsys, arguments, said):
@@ -158,13 +160,11 @@ def test_wrong_command_line(capsys, arguments, said):
 
 
 def test_bad_files(stated):
-    with pytest.raises(inputs.InputError, match="models full: only of one groove a ring"):
-        operating_point.figures(stated, axial=100.0, models="full")
     with pytest.raises(inputs.InputError, match="four points need a bearing of contact_angle 0"):
         operating_point.figures("7208", None, ROOT / "inputs", axial=100.0, four_point=ANGLE)
     path = Path(stated)
     with pytest.raises(inputs.InputError, match="a four-point contact bearing; this needs one"):
-        inputs.bearing(path)
+        inputs.bearing(path, one_groove=True)
     path.write_text(path.read_text().replace("four_point index 35", "four_point index 2"))
     with pytest.raises(inputs.InputError, match="four_point = 2 degrees must lie between 5 and 60"):
         operating_point.figures(stated, axial=100.0)

@@ -3,9 +3,11 @@
 
 from pathlib import Path
 
+import mpmath
 import numpy as np
 import pytest
 from raceway import inputs, lubricant
+from references import friction
 
 ROOT = Path(__file__).resolve().parents[2]
 OILS = ROOT / "inputs/lubricants"
@@ -15,7 +17,32 @@ TEMPERATURES = [-20.0, 40.0, 70.0, 115.0]
 
 def test_walther_passes_through_its_points():
     law = lubricant.Walther(46.0, 7.04)
-    assert law.kinematic(np.array([40.0, 100.0]), 0) == pytest.approx([46.0, 7.04], rel=1e-13)
+    found, _ = law.viscosity(np.array([40.0, 100.0]), None)
+    assert found == pytest.approx([46.0, 7.04], rel=1e-13)
+
+
+@pytest.mark.parametrize("warm", [-20.0, 40.0, 55.0, 70.0, 115.0])
+def test_walther_against_high_precision(warm):
+    with mpmath.workdps(40):
+
+        def twice(nu):
+            return mpmath.log10(mpmath.log10(mpmath.mpf(nu) + mpmath.mpf("0.7")))
+
+        def nu(t):
+            kelvin = [mpmath.mpf(one) + mpmath.mpf("273.15") for one in (40, 100, t)]
+            logs = [mpmath.log10(one) for one in kelvin]
+            steep = (twice("46") - twice("7.04")) / (logs[1] - logs[0])
+            return 10 ** (10 ** (twice("46") - steep * (logs[2] - logs[0]))) - mpmath.mpf("0.7")
+
+        slope = -mpmath.diff(lambda t: mpmath.log(nu(t)), mpmath.mpf(warm))
+        expected = float(nu(warm)), float(slope)
+    assert lubricant.Walther(46.0, 7.04).viscosity(warm, None) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("pressure", [0.0, 1e7, 5e8, 2.5e9])
+def test_roelands_against_high_precision(pressure):
+    exact = float(friction.roelands(0.04, 22e-9, pressure))
+    assert lubricant.roelands(0.04, 22e-9, pressure) == pytest.approx(exact, rel=1e-13)
 
 
 @pytest.mark.parametrize(("name", "seventy"), [("vg32", 11.1), ("vg46", 15.2), ("vg68", 20.1)])

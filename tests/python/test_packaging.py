@@ -9,6 +9,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from raceway import core
 
 ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "python" / "pyproject.toml").read_text())["project"]
@@ -44,16 +45,21 @@ def test_lock_has_everything():
             assert LOCK[name.lower()] == version
 
 
+def copy_sources(folder):
+    """What a checkout has of the package before `make` or `pip` built anything."""
+    built = shutil.ignore_patterns("libraceway_core.so", "build", "*.egg-info")
+    for name in ("python", "inputs", "src-package/core", "src-package/physics"):
+        shutil.copytree(ROOT / name, folder / name, symlinks=True, ignore=built)
+    return folder / "python"
+
+
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    """What a wheel holds, as setuptools gathers it from a copy of the sources."""
+    """The files of a wheel, as setuptools builds them from a copy of the sources."""
     folder = tmp_path_factory.mktemp("wheel")
-    for name in ("python", "inputs"):
-        shutil.copytree(ROOT / name, folder / "source" / name, symlinks=True)
     subprocess.run(
-        [sys.executable, "-c", "import setuptools; setuptools.setup()"]
-        + ["build_py", "--build-lib", folder / "site"],
-        cwd=folder / "source" / "python",
+        [sys.executable, "setup.py", "-q", "build", "--build-lib", folder / "site"],
+        cwd=copy_sources(folder / "source"),
         check=True,
         capture_output=True,
     )
@@ -61,8 +67,28 @@ def wheel(tmp_path_factory):
     return folder / "site"
 
 
+def test_an_install_without_a_compiler_asks_for_one(tmp_path):
+    done = subprocess.run(
+        [sys.executable, "setup.py", "-q", "build_ext", "--inplace"],
+        cwd=copy_sources(tmp_path),
+        env={"PATH": str(tmp_path)},
+        text=True,
+        capture_output=True,
+    )
+    assert done.returncode
+    assert "needs a C++ compiler for its laws: install g++, or set CXX" in done.stderr
+
+
+def test_without_the_library_a_law_says_what_to_run(tmp_path, monkeypatch):
+    monkeypatch.setattr(core, "PATH", tmp_path / "libraceway_core.so")
+    core.library.cache_clear()
+    with pytest.raises(ImportError, match="run `make build`, or `pip install ./python` again"):
+        core.library()
+    core.library.cache_clear()
+
+
 def test_wheel_has_the_data_files(wheel):
-    for kind in ("bearings", "lubricants", "catalogue"):
+    for kind in ("bearings", "lubricants"):
         for path in (ROOT / "inputs" / kind).iterdir():
             copy = wheel / "raceway" / "data" / kind / path.name
             assert copy.read_text() == path.read_text() and not copy.is_symlink()
@@ -81,7 +107,7 @@ def test_installed_from_a_wheel(wheel, tmp_path):
             "--load",
             "2000",
             "--bearing",
-            "6306",
+            "7205B",
         ],
         cwd=tmp_path,
         text=True,

@@ -56,7 +56,7 @@ def touched(tmp_path_factory):
     tree = tmp_path_factory.mktemp("recipes") / "tree"
     for folder in ("src-package", "inputs", "docs/decks", "tests/physics", "python"):
         shutil.copytree(ROOT / folder, tree / folder, ignore=shutil.ignore_patterns("__pycache__"))
-    for file in ("Makefile", "docs/column_table.py", "tests/exports.py", "tests/exports.h"):
+    for file in ("Makefile", "docs/column_table.py"):
         shutil.copy(ROOT / file, tree / file)
     shutil.copy(ROOT / "tests" / "pytest.ini", tree / "tests")
     (tree / ".venv").symlink_to(ROOT / ".venv")

@@ -45,6 +45,7 @@ def add(commands: Commands) -> None:
     takes_negative(one)
     load, speed = number(0, 1e6, "N"), number(1, 1e5, "rpm")
     options.bearing(one)
+    options.grooves(one)
     options.lubricant(one)
     one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")
     one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, in place of it")
@@ -140,6 +141,7 @@ def _figures(arguments, load, rpm):
         ambient=arguments.ambient,
         conductance=arguments.conductance,
         nodes=arguments.nodes and Nodes(*arguments.nodes),
+        **options.grooves_of(arguments),
     )
     names = arguments.bearing, arguments.lubricant, arguments.inputs
     if arguments.runs is None:

@@ -26,12 +26,12 @@ def losses(run: Run) -> xr.Dataset:
     """
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
-        raise RunError(f"{run.tables.source['rings']} has no columns mz and spin")
+        raise RunError(f"{run.tables.record.path} has no columns mz and spin")
     torque = -rings["mz"] * np.sign(rings["spin"])
     data = xr.merge(
         [
             {"torque": torque, "power_in": -rings["mz"] * rings["spin"]},
-            bearing[_known(bearing, run, "contacts")],
+            bearing[_known(bearing, run)],
         ],
         join="inner",
         combine_attrs="drop_conflicts",
@@ -46,18 +46,18 @@ def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
     """Dataset (raceway, from_load_line): mean power lost of a contact (W) in each part of the ring,
     by the columns that the contacts of the run have (`friction_power`, `damping_power`, ...), and
     `contacts`. Read in blocks. Raises as `losses` does."""
-    names = _known(run.settings["contact_columns"].split(), run, "contacts")
+    names = _known(run.settings["contact_columns"].split(), run)
     result = around(run, {name: lambda table, name=name: table[name] for name in names}, bins)
     for name in names:
         result[name].attrs["units"] = "W"
     return result
 
 
-def _known(columns, run, source):
+def _known(columns, run):
     """The loss columns among `columns`; error naming the file where there is none."""
     if known := [name for name in LOSSES.values() if name in columns]:
         return known
     raise RunError(
-        f"{run.tables.source[source]} has no column of {', '.join(LOSSES.values())}: run the deck"
+        f"{run.tables.record.path} has no column of {', '.join(LOSSES.values())}: run the deck"
         " again"
     )

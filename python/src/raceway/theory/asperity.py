@@ -9,6 +9,7 @@ from scipy.special import erfc, pbdv
 from scipy.special import gamma as factorial
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 
 # composite roughness in m: B, C of Zhou and Hoeprich, for roller bearings
 ZHOU_HOEPRICH = {1.0e-7: (2.1, 0.85), 1.6e-7: (2.32, 0.97), 2.4e-7: (1.90, 0.99)}
@@ -18,7 +19,7 @@ CONDUCTS = 0.01  # share above which a contact is no capacitor
 def zhou_hoeprich(ratio: Numbers, b: float = 2.1, c: float = 0.85) -> Numbers:
     """L_a = exp(-B Lambda^C) (Zhou and Hoeprich 1991, in Schwarz et al., Lubricants 2023, 11, 369);
     `ZHOU_HOEPRICH` has B and C by roughness. The default of the package."""
-    return np.exp(-b * ratio**c)
+    return laws.asperity_share(ratio, b, c)
 
 
 def olver_spikes(ratio: Numbers) -> Numbers:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Floats, Numbers
+from raceway.core import laws
 from raceway.theory import film, film_factors, film_gap, hertz, kinematics
 from raceway.theory.bearing import Bearing
 from raceway.theory.lubricant import Fluid
@@ -31,7 +32,8 @@ def hertzian(stiffness: Floats) -> Law:
     def law(overlap):
         squeeze = np.maximum(overlap, 0)
         load = hertz.load(stiffness, overlap)
-        return Response(load, 1.5 * stiffness * np.sqrt(squeeze), 0.4 * (load * squeeze), squeeze)
+        energy = laws.hertz_energy(load, squeeze)
+        return Response(load, 1.5 * stiffness * np.sqrt(squeeze), energy, squeeze)
 
     return law
 
@@ -56,8 +58,14 @@ class FilmInGap:
         return film_factors.murch_wilson(loading) * self.starvation
 
     def law(self, bearing: Bearing, angle: Floats, clearance: float, stiffness: Floats) -> Law:
-        """`Law` of both raceways' contacts: `angle` in rad and `stiffness` (2, Z)."""
-        radii = np.array([bearing.effective_radii(side, angle[side], clearance) for side in (0, 1)])
+        """`Law` of the contacts of `bearing.raceways`: `angle` in rad and `stiffness`, by contact
+        and ball."""
+        radii = np.array(
+            [
+                bearing.effective_radii(side, one, clearance)
+                for side, one in zip(bearing.raceways, angle)
+            ]
+        )
         r_x, r_y = radii[:, 0], radii[:, 1]
         kappa = hertz.ellipticity(r_y / r_x)
         speed = kinematics.entrainment(bearing, self.spin, angle)
@@ -75,10 +83,7 @@ class FilmInGap:
 
         def law(overlap):
             found = film_gap.solve(overlap, stiffness, thickness, self.share)
-            # the work against the film begins where it begins to thin
-            lifted = np.where(found.load > cut, found.h_c * found.load - bottom * cut, 0.0)
-            stored = self.share * exponent / (1 - exponent) * lifted
-            energy = 0.4 * found.load * found.elastic + stored
+            energy = film_gap.energy(found, exponent, self.share, cut, bottom)
             return Response(found.load, found.slope, energy, found.elastic)
 
         return law

@@ -4,12 +4,13 @@
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 
 
 def hysteretic(load: Numbers, restitution: float = 0.08) -> Numbers:
     """1.5 alpha_e Q for an elastic `load` Q in N and alpha_e = `restitution` in s/m (eq 4,
     Hunt-Crossley)."""
-    return 1.5 * restitution * load
+    return laws.hysteretic_damping(restitution, load)
 
 
 def film(viscosity: float, length: Numbers, radius: Numbers, h_min: Numbers) -> Numbers:
@@ -21,4 +22,4 @@ def film(viscosity: float, length: Numbers, radius: Numbers, h_min: Numbers) -> 
     """
     if np.any(np.asarray(h_min) <= 0):
         raise ValueError(f"h_min = {h_min} m must be positive")
-    return 3 * np.pi * viscosity * length / np.sqrt(2) * (radius / h_min) ** 1.5
+    return laws.film_damping(viscosity, length, radius, h_min, 0.0)

@@ -4,19 +4,13 @@
 import numpy as np
 
 from raceway.arrays import Numbers
-
-# drag coefficient of a sphere by Reynolds number; straight between in the logarithms of both
-REYNOLDS = np.array([0.1, 1, 10, 1e2, 1e3, 1e4, 1e5])
-COEFFICIENT = np.array([275, 30, 4.2, 1.2, 0.48, 0.40, 0.45])
+from raceway.core import laws
 
 
 def coefficient(reynolds: Numbers) -> Numbers:
-    """C_D of a sphere; below Re 0.1 in proportion to 1/Re (Stokes), above 1e5 constant."""
-    low = np.minimum(np.maximum(reynolds, 1e-300) / REYNOLDS[0], 1)
-    inside = np.interp(
-        np.log(np.maximum(reynolds, REYNOLDS[0])), np.log(REYNOLDS), np.log(COEFFICIENT)
-    )
-    return np.exp(inside) / low
+    """C_D of a sphere by a table, straight in the logarithms; below Re 0.1 in proportion to 1/Re
+    (Stokes), above 1e5 constant."""
+    return laws.drag_coefficient(np.maximum(reynolds, 1e-300))
 
 
 def force(

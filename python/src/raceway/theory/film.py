@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Thickness of the elastohydrodynamic film (eqs 6, 7, 9), m. Numbers or arrays of one shape, SI
-units.
+"""Thickness of the elastohydrodynamic film (eqs 6, 7, 9), m. Numbers or arrays that broadcast, SI
+units. The formulas are those of src-package/physics/film.h.
 
 Every formula is R_x f(U, G, W, kappa) with U = eta U_r/(E' R_x), G = xi E' and W = Q/(E' R_x^2),
 where U_r is the entrainment speed, half the sum of both surface speeds. No film where the speed is
@@ -13,6 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from raceway.arrays import Integers, Numbers
+from raceway.core import laws
+
+MASJEDI_KHONSARI, PRINTED, HAMROCK_DOWSON = 0, 1, 2
 
 
 class Group(NamedTuple):
@@ -46,15 +49,7 @@ def group(
 
 def h_min(r_x: Numbers, g: Group) -> Numbers:
     """Smallest thickness after Masjedi and Khonsari (eq 6); R_x in m, `g` a `Group`."""
-    k = g.kappa
-    return (
-        r_x
-        * 1.637
-        * g.speed ** (0.711 * k**-0.023)
-        * g.material ** (0.65 * k**-0.045)
-        * g.load ** (-0.09 * k**-0.15)
-        * (1 - 0.974 * np.exp(-0.676 * k))
-    )
+    return r_x * laws.film_thickness(MASJEDI_KHONSARI, *g).h_min
 
 
 def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
@@ -63,54 +58,32 @@ def h_c(r_x: Numbers, g: Group, printed: bool = False) -> Numbers:
     Equation 9 prints the exponents of kappa with a minus sign; with a plus the film agrees with
     Hamrock-Dowson and tends to the line contact as kappa grows. `printed` takes the minus.
     """
-    k, sign = g.kappa, -1 if printed else 1
-    return (
-        r_x
-        * 3.672
-        * g.speed ** speed_exponent(k, printed)
-        * g.material ** (0.502 * k ** (sign * 0.064))
-        * g.load ** -load_exponent(k, printed)
-        * (1 - 0.573 * np.exp(-0.74 * k))
-    )
+    return r_x * laws.film_thickness(PRINTED if printed else MASJEDI_KHONSARI, *g).h_c
 
 
 def speed_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
     """d(ln h_c)/d(ln u) of `h_c`."""
-    return 0.663 * kappa ** (-0.025 if printed else 0.025)
+    return laws.film_exponents(PRINTED if printed else MASJEDI_KHONSARI, kappa).speed
 
 
 def load_exponent(kappa: Numbers, printed: bool = False) -> Numbers:
     """-d(ln h_c)/d(ln Q) of `h_c`."""
-    return 0.045 * kappa ** (-0.18 if printed else 0.18)
+    return -laws.film_exponents(PRINTED if printed else MASJEDI_KHONSARI, kappa).load
 
 
 def hamrock_dowson_min(r_x: Numbers, g: Group) -> Numbers:
     """Smallest thickness after Hamrock and Dowson (1977)."""
-    return (
-        r_x
-        * 3.63
-        * g.speed**0.68
-        * g.material**0.49
-        * g.load**-0.073
-        * (1 - np.exp(-0.68 * g.kappa))
-    )
+    return r_x * laws.film_thickness(HAMROCK_DOWSON, *g).h_min
 
 
 def hamrock_dowson_c(r_x: Numbers, g: Group) -> Numbers:
     """Central thickness after Hamrock and Dowson (1977)."""
-    return (
-        r_x
-        * 2.69
-        * g.speed**0.67
-        * g.material**0.53
-        * g.load**-0.067
-        * (1 - 0.61 * np.exp(-0.73 * g.kappa))
-    )
+    return r_x * laws.film_thickness(HAMROCK_DOWSON, *g).h_c
 
 
 def ratio(h_min: Numbers, roughness: float, ball_roughness: float = 0.0) -> Numbers:
     """Lambda = h_min/sqrt(sigma_1^2 + sigma_2^2), lengths in m (eq 7)."""
-    return h_min / np.hypot(roughness, ball_roughness)
+    return h_min / laws.composite_roughness(roughness, ball_roughness)
 
 
 def regime(ratio: ArrayLike, boundary: float = 1.0, full: float = 3.0) -> np.int64 | Integers:
@@ -119,5 +92,4 @@ def regime(ratio: ArrayLike, boundary: float = 1.0, full: float = 3.0) -> np.int
     >>> regime([0.5, 1.4, 3.2]).tolist()
     [0, 1, 2]
     """
-    ratio = np.asarray(ratio)
-    return np.where(ratio < boundary, 0, np.where(ratio > full, 2, 1))[()]
+    return laws.film_regime(boundary, full, ratio).astype(int)

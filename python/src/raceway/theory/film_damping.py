@@ -11,8 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Numbers
-
-SHARE, TIME = 0.44, 1.33
+from raceway.core import laws
 
 
 class Branch(NamedTuple):
@@ -28,10 +27,9 @@ def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Number
 
     h_c/delta_H is taken at most 1: the fit is for thin films.
     """
-    with np.errstate(divide="ignore", invalid="ignore"):
-        thin = np.where(elastic > h_c, np.divide(h_c, elastic), 1.0)
-        time = np.where(np.abs(speed) > 0, np.divide(TIME * b, np.abs(speed)), np.inf)
-    return Branch((SHARE * k * thin)[()], time[()])
+    stiffness, rate = laws.film_branch(k, h_c, elastic, b, np.abs(speed))
+    with np.errstate(divide="ignore"):
+        return Branch(stiffness, 1 / rate)
 
 
 def advance(
@@ -39,12 +37,8 @@ def advance(
 ) -> tuple[Numbers, Numbers]:
     """(f in N after `step` in s at a constant `approach` d(delta)/dt in m/s, its slope with the
     approach in N s/m), exact."""
-    part = step / branch.time
-    with np.errstate(divide="ignore", invalid="ignore"):
-        # tau (1 - e^(-step/tau)), step at rest
-        held = np.where(part > 0, -np.expm1(-part) / np.where(part > 0, part, 1.0), 1.0) * step
-    slope = branch.stiffness * held
-    return np.exp(-part) * force + slope * approach, slope
+    left, slope = laws.film_branch_step(branch.stiffness, 1 / branch.time, step, False)
+    return left * force + slope * approach, slope
 
 
 def dashpot(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbers) -> Numbers:

@@ -6,8 +6,11 @@ roughness. Numbers or arrays of one shape, SI units; every factor is 1 where its
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 
-GUPTA_MOST = 0.9  # of 13.2 P L^0.42: what a run takes where there is more
+MURCH_WILSON, WILSON = 1, 2
+
+GUPTA_MOST = 0.9  # of 13.2 P L^0.42: a run takes this much where there is more
 
 
 def thermal_loading(
@@ -15,13 +18,13 @@ def thermal_loading(
 ) -> Numbers:
     """L = beta eta u^2/k_f from beta (1/K), eta (Pa s), the entrainment speed (m/s) and k_f (W/(m
     K)). This is the entrainment speed, not the sum of both speeds, which has four times this L."""
-    return temperature_viscosity * viscosity * speed**2 / conductivity
+    return laws.thermal_loading(temperature_viscosity, viscosity, speed, conductivity)
 
 
 def murch_wilson(loading: Numbers) -> Numbers:
     """Film factor 3.94/(3.94 + L^0.62), pure rolling (Murch and Wilson 1975; from memory,
     unchecked). The default: within 0.5 % of SKF's factor on a 6208."""
-    return 3.94 / (3.94 + loading**0.62)
+    return laws.inlet_shear(MURCH_WILSON, loading)
 
 
 def gupta_parts(
@@ -29,8 +32,7 @@ def gupta_parts(
 ) -> tuple[Numbers, Numbers]:
     """(1/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), 13.2 P L^0.42) of `gupta`: the factor without
     pressure and what the pressure takes from it."""
-    slid = 1 + 2.23 * np.abs(slide_roll) ** 0.83
-    return 1 / (1 + 0.213 * slid * loading**0.64), 13.2 * pressure * loading**0.42
+    return tuple(laws.gupta_parts(loading, pressure, slide_roll))
 
 
 def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Numbers:
@@ -48,7 +50,7 @@ def gupta(loading: Numbers, pressure: Numbers, slide_roll: Numbers = 0.0) -> Num
 
 def wilson(loading: Numbers) -> Numbers:
     """Film factor 1/(1 + 0.1 L^0.64) (Wilson 1979)."""
-    return 1 / (1 + 0.1 * loading**0.64)
+    return laws.inlet_shear(WILSON, loading)
 
 
 def aihara(loading: Numbers) -> Numbers:

@@ -6,18 +6,14 @@ negative in a gap. The left side grows with Q and h_c falls, so there is one roo
 zeta is 1.04 to 1.09 for a line contact by a transient EHL solver; 1 is the default.
 """
 
-from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from raceway.arrays import Numbers
-from raceway.theory import film, film_factors, film_regimes
+from raceway.core import laws
 
-# load in N -> (h_c in m, m = -d(ln h_c)/d(ln Q)); arrays of one shape
-Law = Callable[[Numbers], tuple[Numbers, Numbers]]
-LEAST = -200.0  # ln of a load in N, below any
 CUT = 1.0  # N: below it a power law keeps its thickness, unless told otherwise
 
 
@@ -28,6 +24,29 @@ class Squeeze(NamedTuple):
     h_c: Numbers  # m; below the load that a cut begins at, the thickness there
     elastic: Numbers  # delta_H, m; zero without load
     slope: Numbers  # dQ/d(delta), N/m
+
+
+@dataclass(frozen=True)
+class Law:
+    """A film over the load: `law(load in N)` is (h_c in m, m = -d(ln h_c)/d(ln Q)). Made by
+    `power_law`, `all_regimes` and `heated`."""
+
+    all_regimes: bool
+    viscosity: Numbers  # Pa s
+    pressure_viscosity: Numbers  # 1/Pa
+    modulus: float  # E', Pa
+    r_x: Numbers  # m
+    shape: Numbers  # R_y in m in all regimes, else kappa
+    speed: Numbers  # m/s
+    factor: Numbers
+    loading: Numbers = 0.0  # L of Gupta's factor; 0 without it
+    peak: Numbers = 0.0  # p_max/E' under 1 N
+    slide_roll: Numbers = 0.0
+    cut: float = 0.0  # N
+
+    def __call__(self, load: Numbers) -> tuple[Numbers, Numbers]:
+        """(h_c in m, m) under `load` in N."""
+        return tuple(laws.film_at_load(load, **vars(self)))
 
 
 def power_law(
@@ -43,14 +62,7 @@ def power_law(
 ) -> Law:
     """`Law` of Masjedi and Khonsari (`film.h_c`) times `factor`; below the load `cut` in N the
     thickness is that at `cut`. 0 leaves the power law uncut, which grows without bound."""
-
-    def law(load):
-        kept = np.maximum(load, cut)
-        g = film.group(viscosity, pressure_viscosity, modulus, r_x, kappa, speed, kept)
-        slope = np.where(load < cut, 0.0, film.load_exponent(kappa))
-        return factor * film.h_c(r_x, g), slope[()]
-
-    return law
+    return Law(False, viscosity, pressure_viscosity, modulus, r_x, kappa, speed, factor, cut=cut)
 
 
 def all_regimes(
@@ -63,21 +75,9 @@ def all_regimes(
     *,
     factor: Numbers = 1.0,
 ) -> Law:
-    """`Law` of Nijenbanning, Venner and Moes (`film_regimes.h_c`) times `factor`; its slope is
-    exact, by a complex step. No film at rest."""
-    turning = np.abs(speed) > 0
-    u = np.where(turning, speed, 1.0)
-
-    def law(load):
-        tilted = load * np.exp(1e-30j)
-        g = film_regimes.group(viscosity, pressure_viscosity, modulus, r_x, r_y, u, tilted)
-        h = film_regimes.h_c(g)
-        return (
-            np.where(turning, factor * h.real, 0.0)[()],
-            np.where(turning, -h.imag / h.real / 1e-30, 0.0)[()],
-        )
-
-    return law
+    """`Law` of Nijenbanning, Venner and Moes (`film_regimes.h_c`) times `factor`. No film at
+    rest."""
+    return Law(True, viscosity, pressure_viscosity, modulus, r_x, r_y, speed, factor)
 
 
 def heated(
@@ -87,64 +87,31 @@ def heated(
 
     `loading` is L; `peak` is p_max/E' under 1 N, p_max growing with Q^(1/3). Below the load `cut`
     in N the factor is that at `cut`. Beyond the range of Gupta's factor the pressure takes
-    `GUPTA_MOST` of it.
+    `GUPTA_MOST` of it. Raises `ValueError` where a power law is cut at another load.
     """
-
-    def with_factor(load):
-        h, m = law(load)
-        pressure = peak * np.maximum(load, cut) ** (1 / 3)
-        unpressed, lost = film_factors.gupta_parts(loading, pressure, slide_roll)
-        most = film_factors.GUPTA_MOST
-        follows = (load >= cut) & (lost < most)
-        lost = np.minimum(lost, most)
-        return h * unpressed * (1 - lost), m + np.where(follows, lost / (3 * (1 - lost)), 0.0)
-
-    return with_factor
+    if not law.all_regimes and law.cut != cut:
+        raise ValueError(f"cut = {cut} N must be that of the power law, {law.cut} N")
+    return replace(law, loading=loading, peak=peak, slide_roll=slide_roll, cut=cut)
 
 
 def solve(overlap: ArrayLike, stiffness: Numbers, law: Law, share: float = 1.0) -> Squeeze:
     """`Squeeze` of contacts of K in N/m^1.5 at an `overlap` in m of any sign; `share` is zeta.
 
-    Newton's method for ln Q inside a bracket. dQ/d(delta) = 1.5 Q/(delta_H + 1.5 m zeta h_c).
-    No load where the gap is wider than a film that is cut.
+    dQ/d(delta) = 1.5 Q/(delta_H + 1.5 m zeta h_c). No load where the gap is wider than a film that
+    is cut.
     """
-    overlap, stiffness = np.broadcast_arrays(np.asarray(overlap, float), stiffness)
-    shape = overlap.shape
-    thick, _ = law(np.ones(shape))
-    most = stiffness * (np.maximum(overlap, 0) + share * thick) ** 1.5
-    low, high = np.full(shape, LEAST), np.log(np.maximum(most, 1.0))
-
-    gap, squeezed = np.maximum(-overlap, 0), np.maximum(overlap, 0)
-
-    def sides(y):
-        h, m = law(np.exp(y))
-        return (np.exp(y) / stiffness) ** (2 / 3), share * h, m
-
-    # ln(delta_H + gap) = ln(zeta h_c + overlap): nearly straight in y = ln Q on both sides
-    elastic, thick, _ = sides(low)
-    none = elastic + gap >= thick + squeezed
-    y = np.where(none, low, high)
-    for _ in range(200):
-        elastic, thick, m = sides(y)
-        left, right = elastic + gap, np.where(none, 1.0, thick + squeezed)
-        value, slope = np.log(left / right), 2 / 3 * elastic / left + m * thick / right
-        low, high = np.where(value < 0, y, low), np.where(value < 0, high, y)
-        trial = y - value / np.where(none, 1.0, slope)
-        trial = np.where((trial > low) & (trial < high), trial, (low + high) / 2)
-        following = np.where(none | (np.abs(value) <= 1e-15), y, trial)  # or rounding moves it
-        if np.all(np.abs(following - y) <= 1e-15 * (1 + np.abs(y))):
-            break
-        y = following
-    load = np.where(none, 0.0, np.exp(y))
-    h, m = law(np.maximum(load, np.exp(LEAST)))
-    elastic = (load / stiffness) ** (2 / 3)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slope = np.where(load > 0, 1.5 * load / (elastic + 1.5 * m * share * h), 0.0)
-    return Squeeze(load[()], h, elastic[()], slope[()])
+    return Squeeze(*laws.film_in_gap(overlap, stiffness, share, **vars(law)))
 
 
-def energy(squeeze: Squeeze, exponent: Numbers, share: float = 1.0) -> Numbers:
-    """Energy in J of a contact at a fixed speed: 0.4 Q delta_H + zeta m h_c Q/(1 - m), where the
-    film is a power law of the load with m = `exponent`."""
-    stored = share * exponent * squeeze.h_c * squeeze.load / (1 - exponent)
-    return 0.4 * squeeze.load * squeeze.elastic + stored
+def energy(
+    squeeze: Squeeze,
+    exponent: Numbers,
+    share: float = 1.0,
+    cut: float = 0.0,
+    edge: Numbers = 0.0,
+) -> Numbers:
+    """Energy in J of a contact at a fixed speed, where the film is a power law of the load with m =
+    `exponent`, above the load `cut` in N at which it is as thick as `edge` (m): 0.4 Q delta_H +
+    zeta m/(1 - m) (h_c Q - edge cut)."""
+    thinned = laws.thinning_work(share, exponent, squeeze.load, squeeze.h_c, cut, edge)
+    return laws.hertz_energy(squeeze.load, squeeze.elastic) + thinned

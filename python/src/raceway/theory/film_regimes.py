@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 
 
 class Moes(NamedTuple):
@@ -43,13 +44,4 @@ def group(
 def h_c(g: Moes) -> Numbers:
     """Central thickness in m (the asymptotes read, the formula that joins them from memory,
     unchecked)."""
-    wide = 1 + 0.006 * np.log(g.ratio) + 0.63 * g.ratio ** (4 / 7)
-    ri = 145 * (1 + 0.796 * g.ratio ** (14 / 15)) ** (-15 / 7) / g.ratio * g.load**-2
-    rp = 1.29 * (1 + 0.691 * g.ratio) ** (-2 / 3) * g.material ** (2 / 3)
-    ei = 3.18 * wide ** (-14 / 25) * g.ratio ** (-1 / 15) * g.load ** (-2 / 15)
-    ep = 1.48 * wide ** (-7 / 20) * g.ratio ** (-1 / 24) * g.load ** (-1 / 12) * g.material**0.75
-    limit = 1.8 / g.ratio  # of the rigid isoviscous film at no load
-    s = 1.5 * (1 + np.exp(-1.2 * ei / ep))
-    iso = ri**1.5 + (ei**-4 + limit**-4) ** (-3 / 8)
-    piezo = (rp**-8 + ep**-8) ** (-1 / 8)
-    return g.scale * (iso ** (2 * s / 3) + piezo**s) ** (1 / s)
+    return g.scale * laws.film_all_regimes(g.load, g.material, g.ratio)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 from raceway.theory.bearing import Bearing
 
 
@@ -27,13 +28,9 @@ def frequencies(bearing: Bearing, angle: Numbers = 0.0) -> Frequencies:
     >>> [round(float(order), 4) for order in frequencies(paper)]
     [0.396, 3.5644, 5.4356, 2.3008]
     """
-    gamma = bearing.ball_radius * np.cos(angle) / bearing.pitch_radius
-    return Frequencies(
-        (1 - gamma) / 2,
-        bearing.balls * (1 - gamma) / 2,
-        bearing.balls * (1 + gamma) / 2,
-        (1 - gamma**2) / (2 * gamma),
-    )
+    ball = bearing.ball_radius * np.cos(angle)
+    orbit, spin = laws.pure_rolling(ball, bearing.pitch_radius, 1.0, 0.0)
+    return Frequencies(orbit, bearing.balls * orbit, bearing.balls * (1 - orbit), orbit - spin)
 
 
 def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Numbers:
@@ -41,8 +38,9 @@ def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Number
 
     U_r = omega r_pitch (1 - gamma^2)/2: half the sum of both surface speeds seen from the contact.
     """
-    gamma = bearing.ball_radius * np.cos(angle) / bearing.pitch_radius
-    return np.abs(spin) * bearing.pitch_radius * (1 - gamma**2) / 2
+    ball, pitch = bearing.ball_radius * np.cos(angle), bearing.pitch_radius
+    orbit = laws.pure_rolling(ball, pitch, np.abs(spin), 0.0).orbit
+    return (np.abs(spin) - orbit) * (pitch - ball)
 
 
 def spall_length(

@@ -12,12 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Numbers
-from raceway.theory import capacitance
-
-KELVIN = 273.15
-LOW, HIGH = 40.0, 100.0  # degrees C at which data sheets give a kinematic viscosity
-ROELANDS_PRESSURE = 1.96e8  # Pa
-ROELANDS_LOG = 9.67  # ln eta of the pole common to all oils is minus this
+from raceway.core import laws
 
 
 class Fluid(NamedTuple):
@@ -57,25 +52,9 @@ class Walther:
                 "must fall and stay above 0.3"
             )
 
-    def kinematic(self, temperature: Numbers, density: Numbers) -> Numbers:
-        """nu in mm^2/s; the density does not matter here."""
-        return 10 ** (10 ** self._log(temperature)) - 0.7
-
-    def slope(self, temperature: Numbers, density: Numbers, thinning: Numbers) -> Numbers:
-        """-d(ln nu)/dT in 1/K; density and its own slope do not matter here."""
-        inner = 10 ** self._log(temperature)
-        lifted = 10**inner
-        kelvin = np.asarray(temperature) + KELVIN
-        return (self._b * np.log(10) * inner * lifted / ((lifted - 0.7) * kelvin))[()]
-
-    def _log(self, temperature):
-        kelvin = np.asarray(temperature, float) + KELVIN
-        return (_twice(self.low) - self._b * np.log10(kelvin / (LOW + KELVIN)))[()]
-
-    @property
-    def _b(self):
-        span = np.log10((HIGH + KELVIN) / (LOW + KELVIN))
-        return (_twice(self.low) - _twice(self.high)) / span
+    def viscosity(self, temperature: Numbers, oil: "Lubricant") -> tuple[Numbers, Numbers]:
+        """(nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature; the density does not matter."""
+        return tuple(laws.walther(self.low, self.high, temperature))
 
 
 @dataclass(frozen=True)
@@ -86,13 +65,9 @@ class Vogel:
     b: float  # K
     c: float  # degrees C
 
-    def kinematic(self, temperature: Numbers, density: Numbers) -> Numbers:
-        """nu in mm^2/s at a density in kg/m^3."""
-        return 1e6 * self.k * np.exp(self.b / (np.asarray(temperature) + self.c))[()] / density
-
-    def slope(self, temperature: Numbers, density: Numbers, thinning: Numbers) -> Numbers:
-        """-d(ln nu)/dT in 1/K, where the density falls by `thinning` in kg/(m^3 K)."""
-        return self.b / (np.asarray(temperature) + self.c) ** 2 - thinning / density
+    def viscosity(self, temperature: Numbers, oil: "Lubricant") -> tuple[Numbers, Numbers]:
+        """(nu in mm^2/s, -d(ln nu)/dT in 1/K) at a temperature, with the density of `oil`."""
+        return tuple(laws.vogel(self.k, self.b, self.c, oil.density, oil.thinning, temperature))
 
 
 @dataclass(frozen=True)
@@ -122,17 +97,25 @@ class Lubricant:
         warm = np.asarray(temperature, float)
         if not np.all((warm >= -40) & (warm <= 200)):
             raise ValueError(f"temperature = {temperature} C must lie from -40 to 200 C")
-        density = (self.density - self.thinning * (warm - LOW))[()]
-        share = (warm - LOW) / (HIGH - LOW)
-        xi = 1 / ((1 - share) / self.pressure_viscosity + share / self.pressure_viscosity_hot)
-        beta = self.law.slope(warm, density, self.thinning) + self.thinning / density
+        nu, slope = self.law.viscosity(warm, self)
+        oil = laws.oil_at_temperature(
+            self.density,
+            self.thinning,
+            self.pressure_viscosity,
+            self.pressure_viscosity_hot,
+            self.permittivity,
+            nu,
+            slope,
+            warm,
+        )
+        if not np.all(oil.permittivity > 0):
+            raise ValueError(
+                f"permittivity = {self.permittivity} is too large for Clausius-Mossotti at the "
+                f"density {oil.density} kg/m3"
+            )
         return Fluid(
             warm[()],
-            1e-6 * self.law.kinematic(warm, density) * density,
-            xi[()],
-            beta,
-            density,
-            capacitance.permittivity_at(self.permittivity, density / self.density),
+            *oil,
             self.conductivity,
             self.heat_capacity,
             self.eyring_stress,
@@ -150,21 +133,15 @@ def fva3(pressure: Numbers, temperature: Numbers) -> Numbers:
 
 def roelands_exponent(viscosity: Numbers, pressure_viscosity: Numbers) -> Numbers:
     """z = 1.96e8 xi/(ln eta_0 + 9.67): Roelands and Barus have the same slope at p = 0."""
-    return ROELANDS_PRESSURE * pressure_viscosity / (np.log(viscosity) + ROELANDS_LOG)
+    return laws.roelands_exponent(viscosity, pressure_viscosity)
 
 
 def roelands(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
     """Viscosity in Pa s under `pressure` in Pa (Roelands 1966):
     ln eta = ln eta_0 + (ln eta_0 + 9.67) ((1 + p/1.96e8)^z - 1)."""
-    z = roelands_exponent(viscosity, pressure_viscosity)
-    lift = np.log(viscosity) + ROELANDS_LOG
-    return viscosity * np.exp(lift * ((1 + pressure / ROELANDS_PRESSURE) ** z - 1))
+    return laws.roelands(viscosity, pressure_viscosity, pressure)
 
 
 def barus(viscosity: Numbers, pressure_viscosity: Numbers, pressure: Numbers) -> Numbers:
     """eta_0 exp(xi p) in Pa s (Barus 1893): for the inlet only, far too stiff at Hertz pressure."""
     return viscosity * np.exp(pressure_viscosity * pressure)
-
-
-def _twice(kinematic):
-    return np.log10(np.log10(kinematic + 0.7))

@@ -20,8 +20,7 @@ from raceway.theory.static import Equilibrium, equilibrium
 
 
 class Film(NamedTuple):
-    """One raceway's films, arrays of one value a ball (Z,), or of two grooves (2, Z), as
-    `static.Contacts`; zero where there is no contact."""
+    """One raceway's films, arrays of the shape of `static.Contacts`; zero without contact."""
 
     entrainment: Floats  # m/s
     h_min: Floats  # m
@@ -93,31 +92,32 @@ def _film(bearing, side, contact, oil, spin, clearance, factor):
     return Film(*values)
 
 
-def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float:
+def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float | Floats:
     """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean
-    contact angle, weighted with the loads of both raceways, since one cage carries all balls
-    (Harris, ch. 10)."""
-    load = np.concatenate([state.inner.load, state.outer.load])
-    cosine = np.cos(np.concatenate([state.inner.angle, state.outer.angle]))
-    return spin * kinematics.frequencies(bearing, np.arccos(np.average(cosine, weights=load))).cage
+    contact angle, weighted with the loads of both raceways, since one cage carries all balls of a
+    row (Harris, ch. 10). Of several rows one speed a ball (Z,)."""
+    load = np.vstack([state.inner.load, state.outer.load])
+    cosine = np.cos(np.vstack([state.inner.angle, state.outer.angle]))
+    if len(bearing.layout.rows) == 1:
+        mean = np.average(cosine, weights=load)
+    else:  # a row without load rolls as all others do
+        rows = [bearing.row == row for row in range(len(bearing.layout.rows))]
+        loads = [load * row if (load * row).any() else load for row in rows]
+        mean = np.array([np.average(cosine, weights=one) for one in loads])[bearing.row]
+    return spin * kinematics.frequencies(bearing, np.arccos(mean)).cage
 
 
 def turning(
-    bearing: Bearing,
-    spin: float,
-    *loads: float,
-    rest: Callable[..., Equilibrium] = equilibrium,
-    **options: Any,
-) -> tuple[Equilibrium, float]:
-    """(`Equilibrium`, orbital speed in rad/s) with the centrifugal load of balls that roll at
-    `spin` rad/s of the inner ring; loads and options as those of `rest`, which is
-    `static.equilibrium` or `four_point.equilibrium`. The contact angles decide the speed and the
-    speed the angles.
+    bearing: Bearing, spin: float, *loads: float, **options: Any
+) -> tuple[Equilibrium, float | Floats]:
+    """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `spin`
+    rad/s of the inner ring; loads and options as those of `static.equilibrium`. The contact angles
+    decide the speed and the speed the angles.
     """
     speed = spin * kinematics.frequencies(bearing).cage
     for _ in range(30):
-        state = rest(bearing, *loads, orbital_speed=speed, **options)
+        state = equilibrium(bearing, *loads, orbital_speed=speed, **options)
         before, speed = speed, orbit(bearing, state, spin)
-        if abs(speed - before) <= 1e-9 * abs(spin):
+        if np.all(np.abs(speed - before) <= 1e-9 * abs(spin)):
             break
     return state, before

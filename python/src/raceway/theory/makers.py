@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 
 # series: R1, R2, S1, S2
 CONSTANTS = {
@@ -103,8 +104,7 @@ def skf(
         s1 * mean**-0.26 * radial ** (5 / 3),
     )[()]
     shear = 1 / (1 + 1.84e-9 * (speed * mean) ** 1.28 * kinematic**0.64)
-    reach = (d + outside) * np.sqrt(K_Z / (2 * (outside - d)))
-    starvation = np.exp(-replenishment * kinematic * speed * reach)
+    starvation = laws.skf_starvation(d, outside, kinematic, speed, replenishment)
     rolling = shear * starvation * rolled * (kinematic * speed) ** 0.6
     share = np.exp(-2.6e-8 * (speed * kinematic) ** 1.4 * mean)
     sliding = slid * (share * boundary + (1 - share) * film)

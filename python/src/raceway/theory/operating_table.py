@@ -103,7 +103,7 @@ COLUMNS = (  # of the table of balls: key, heading, SI unit
     ("lambda_outer", "lambda out.", ""),
     ("capacitance_F", "C", "F"),
 )
-CONTACT_COLUMNS = (  # of the table of contacts with two grooves a ring
+CONTACT_COLUMNS = (  # of the table of contacts with several grooves a ring
     ("azimuth_rad", "azimuth, °", "deg"),
     ("raceway", "contact", None),
     ("q_N", "Q", "N"),
@@ -131,7 +131,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def _table_of_balls(balls):
-    """A row a ball; of two grooves a ring, a row for each that is loaded."""
+    """A row a ball; of several grooves a ring, a row for each that is loaded."""
     if "contacts" in balls[0]:
         columns = CONTACT_COLUMNS
         found = [

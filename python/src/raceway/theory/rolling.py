@@ -8,6 +8,7 @@ on ball and ring. Numbers or arrays of one shape, SI units; fully flooded and is
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 from raceway.theory import hertz
 
 
@@ -48,12 +49,7 @@ def hydrodynamic_powers(
 ) -> Numbers:
     """f as `hydrodynamic`, in powers of U = eta u/(E' R_x), W and R_y/R_x (Balan et al. 2015): the
     same within 0.6 % on a ball bearing."""
-    unit, ratio = modulus * r_x**2, r_y / r_x
-    u, w = viscosity * np.abs(speed) / (modulus * r_x), load / unit
-    rigid = 2.9766 * ratio**0.3316 * w ** (1 / 3) * u ** (2 / 3)
-    elastic = 7.5826 * ratio**0.4055 * w ** (1 / 3) * u**0.75
-    mean = 0.5549 * ratio**-0.6029 * w * _power(u, -0.75)
-    return unit * ((rigid - elastic) / (1 + mean / 6.6) + elastic)
+    return laws.rolling_force(viscosity, modulus, r_x, r_y, speed, load)
 
 
 def couple(force: Numbers, r_x: Numbers) -> Numbers:
@@ -67,7 +63,7 @@ def hysteresis(load: Numbers, b: Numbers, loss: float = 0.01) -> Numbers:
 
     The line contact's value; see `hysteresis_strips`.
     """
-    return loss * load * 2 * b / (3 * np.pi)
+    return laws.hysteresis_couple(loss, load, b)
 
 
 def hysteresis_strips(load: Numbers, b: Numbers, loss: float = 0.01) -> Numbers:

@@ -13,9 +13,12 @@ from typing import NamedTuple
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 
-FREE = 2 * np.sin(np.pi / 18)  # t0 without force, the root of t^3 - 3 t + 1
-FREE_SPEED = 0.2 + 0.6 * FREE**5 - FREE**3  # mean |s| over the load without force, of s_e
+_FREE = laws.slip_constants()
+FREE = float(_FREE.free_root)  # t0 without force, the root of t^3 - 3 t + 1
+FREE_SPEED = float(_FREE.free_speed)  # mean |s| over the load without force, of s_e
+LEAN = float(_FREE.free_lean)  # s_e dF/ds/(mu Q) without force
 LEAST = 1e-4  # m/s, floor of s_e: towards u = 0 the law is Coulomb's, smoothed over this
 
 
@@ -29,12 +32,12 @@ class Slip(NamedTuple):
 
 def deformed_radius(groove: Numbers, ball: Numbers) -> Numbers:
     """R_d = 2 r_c R_b/(r_c + R_b), m: the curvature across the groove of the surface of contact."""
-    return 2 * groove * ball / (groove + ball)
+    return laws.deformed_radius(groove, ball)
 
 
 def edge_slip(speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
     """s_e = |u| a^2/(2 R_d R_x), m/s: how much the sliding speed at z = a differs from z = 0."""
-    return np.abs(speed) * a**2 / (2 * r_d * r_x)
+    return laws.edge_slip(speed, a, r_d, r_x)
 
 
 def heathcote(
@@ -52,10 +55,9 @@ def heathcote(
     Above t0 = 1 they are 1 and 0.2, below slip 0 they are -1 and -0.2. For u > 0. The groove's
     share of the slip is kept above `LEAST`.
     """
-    t = _part(slip, speed, a, r_d, r_x)
+    law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
     limit = friction * load
-    force = limit * (3 * t - t**3 - 1)
-    couple = limit * a**2 / (2 * r_d) * (t**3 - 0.6 * t**5 - 0.2)
+    force, couple = limit * law.force, limit * a**2 / (2 * r_d) * law.couple
     return Slip(force, couple, force * slip - couple * speed / r_x)
 
 
@@ -75,15 +77,13 @@ def free_slope(
     load: Numbers, friction: Numbers, speed: Numbers, a: Numbers, r_d: Numbers, r_x: Numbers
 ) -> Numbers:
     """dF/d(slip) at free rolling, 3.80 mu Q/s_e, N s/m."""
-    lean = 1.5 * (1 - FREE**2) / FREE
-    return lean * friction * load / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
+    return LEAN * friction * load / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
 
 def creep(a: Numbers, r_d: Numbers, r_x: Numbers) -> Numbers:
     """v0/u = a^2/(7.60 R_d R_x), v0 the width of the smoothed Coulomb law F = mu Q s/v0 with the
     slope of free rolling."""
-    lean = 1.5 * (1 - FREE**2) / FREE
-    return a**2 / (2 * lean * r_d * r_x)
+    return edge_slip(1.0, a, r_d, r_x) / LEAN
 
 
 def secant(
@@ -96,14 +96,8 @@ def secant(
     r_x: Numbers,
 ) -> Numbers:
     """F over the distance of the slip from free rolling, N s/m; the slope where they meet."""
-    edge = np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
-    t = _part(slip, speed, a, r_d, r_x)
-    # 3 t - t^3 - 1 = (t - FREE) (3 - t^2 - t FREE - FREE^2), t^2 - FREE^2 = (t - FREE) (t + FREE)
-    inside = friction * load * (3 - t**2 - t * FREE - FREE**2) / ((t + FREE) * edge)
-    scaled = slip / edge
-    beyond = friction * load * np.where(scaled > 1, 1.0, -1.0)
-    distance = np.where((scaled >= 0) & (scaled <= 1), 1.0, slip - FREE**2 * edge)
-    return np.where((scaled >= 0) & (scaled <= 1), inside, beyond / distance)[()]
+    law = laws.differential_slip(_off(slip, speed, a, r_d, r_x))
+    return friction * load * law.secant / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
 
 
 def in_series(
@@ -147,6 +141,6 @@ def quadrature(
     return Slip(strip.sum(), (strip * lever).sum(), (strip * s).sum())
 
 
-def _part(slip, speed, a, r_d, r_x):
-    edge = np.maximum(edge_slip(speed, a, r_d, r_x), LEAST)
-    return np.sqrt(np.clip(slip / edge, 0, 1))
+def _off(slip, speed, a, r_d, r_x):
+    """Distance from free rolling over the slip at the edge."""
+    return slip / np.maximum(edge_slip(speed, a, r_d, r_x), LEAST) - FREE**2

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from raceway.arrays import Floats, Numbers
+from raceway.core import laws
 
 
 class Spin(NamedTuple):
@@ -22,7 +23,7 @@ class Spin(NamedTuple):
 def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Numbers:
     """(3/8) mu Q a E in N m: pure spin under Coulomb's law. a the semi-axis across the groove in m,
     `second` the ellipse's complete integral E (`hertz.Ellipse`)."""
-    return 3 / 8 * friction * load * a * second
+    return laws.pure_spin_couple(friction * load, a, second)
 
 
 def with_slip(

@@ -19,7 +19,7 @@ from raceway.errors import NoEquilibrium
 from raceway.files import FilePath
 from raceway.rows import Row, lines
 from raceway.theory import friction_torque, heat, makers
-from raceway.theory.bearing import Bearing
+from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubricant import Lubricant
@@ -130,16 +130,18 @@ class Scene:
             self.bearing, state, films, fluid, ring, orbit, clearance=clearance, surfaces=surfaces
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
+        inner = self.bearing.raceways.count(INNER)
+        sides = np.array([contacts[:inner].sum(), contacts[inner:].sum()])
         top = int(np.argmax(state.inner.load))
         return {
             "viscosity_Pa_s": float(fluid.viscosity),
-            "h_min_m": float(films.inner.h_min[top]),
-            "h_c_m": float(films.inner.h_c[top]),
-            "lambda": float(films.inner.ratio[top]),
+            "h_min_m": float(films.inner.h_min.flat[top]),
+            "h_c_m": float(films.inner.h_c.flat[top]),
+            "lambda": float(films.inner.ratio.flat[top]),
             "friction_torque_N_m": self.share * losses.power / abs(ring),
             "power_loss_W": self.share * losses.power,
             "losses_W": {name: self.share * power for name, power in losses.parts.items()},
-            "sides": tuple((self.share * (contacts.sum(1) + losses.drag.sum() / 2)).tolist()),
+            "sides": tuple((self.share * (sides + losses.drag.sum() / 2)).tolist()),
         }
 
 
@@ -210,6 +212,8 @@ class Case:
     ambient: float = 20.0
     conductance: float | None = None
     nodes: Nodes | None = None
+    four_point: float | None = None  # these two as `inputs.bearing` has them
+    double_row: DoubleRow | None = None
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
@@ -228,7 +232,7 @@ class Case:
         """The `Scene`. Raises `RacewayError`."""
         path, oil = self.files()
         return Scene(
-            inputs.bearing(path),
+            inputs.bearing(path, four_point=self.four_point, double_row=self.double_row),
             inputs.boundary(path),
             inputs.lubricant(oil),
             inputs.oil(oil).roughness,
@@ -290,15 +294,17 @@ def figures(
     ambient: float = 20.0,
     conductance: float | None = None,
     nodes: Nodes | None = None,
+    four_point: float | None = None,
+    double_row: DoubleRow | None = None,
 ) -> dict[str, Any]:
     """Steady figures by name in SI units, temperatures in degrees C.
 
     `bearing` and `lubricant` are names or paths of data files; the lubricant's must have physical
-    data. Cooling: `nodes`, or `conductance` in W/K, or that of ISO 15312. Raises `RacewayError`.
+    data. Cooling: `nodes`, or `conductance` in W/K, or that of ISO 15312. `four_point` and
+    `double_row` as `inputs.bearing` has them. Raises `RacewayError`.
     """
-    case = Case(
-        bearing, lubricant, folder, load, axial, rpm, clearance, ambient, conductance, nodes
-    )
+    point = (load, axial, rpm, clearance, ambient, conductance, nodes, four_point, double_row)
+    case = Case(bearing, lubricant, folder, *point)
     case.files()
     case.cooling()
     scene = case.scene()

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Builds the library of laws (src-package/core) into the package; pyproject.toml has the rest."""
+
+import os
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+from setuptools.errors import CCompilerError
+
+HERE = Path(__file__).resolve().parent
+CORE = HERE.parent / "src-package" / "core"
+BUILT = HERE / "src" / "raceway" / "core" / "lib" / "libraceway_core.so"
+
+
+class Core(build_ext):
+    """A plain shared library: it needs a C++ compiler, but nothing of Python or numpy."""
+
+    def get_ext_filename(self, name):
+        return name.replace(".", os.sep) + ".so"
+
+    def build_extension(self, extension):
+        target = Path(self.get_ext_fullpath(extension.name)).resolve()
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if up_to_date(BUILT):
+            if BUILT != target:
+                shutil.copy2(BUILT, target)
+            return
+        build(target, Path(self.build_temp).resolve())
+
+
+def up_to_date(library):
+    made = library.stat().st_mtime if library.exists() else 0.0
+    return all(path.stat().st_mtime <= made for path in CORE.parent.glob("*/*.h")) and all(
+        path.stat().st_mtime <= made for path in CORE.iterdir()
+    )
+
+
+def build(target, folder):
+    """Compile the library to `target`, objects in `folder`. Raises `CCompilerError` without a
+    compiler, or with what it says."""
+    compiler = os.environ.get("CXX") or next(filter(shutil.which, ("g++", "clang++", "c++")), None)
+    if compiler is None:
+        raise CCompilerError("raceway needs a C++ compiler for its laws: install g++, or set CXX")
+    flags = (CORE / "compile_flags.txt").read_text().split()
+    folder.mkdir(parents=True, exist_ok=True)
+
+    def run(*arguments):
+        done = subprocess.run([*compiler.split(), *arguments], capture_output=True, text=True)
+        if done.returncode:
+            raise CCompilerError(f"{' '.join(map(str, arguments))}\n{done.stderr}")
+
+    def compiled(source):
+        made = folder / f"{source.stem}.o"
+        run(*flags, "-c", source, "-o", made)
+        return made
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        objects = list(pool.map(compiled, sorted(CORE.glob("*.cpp"))))
+    run("-shared", *objects, "-o", target)
+
+
+setup(ext_modules=[Extension("raceway.core.lib.libraceway_core", [])], cmdclass={"build_ext": Core})

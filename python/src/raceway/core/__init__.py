@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The laws of contact, film, oil and circuit: one C++ library (src-package/core) for the simulation
+and for Python.
+
+`laws` has each formula by its name. `make build` and `pip install ./python` build the library.
+"""
+
+import functools
+from pathlib import Path
+
+from raceway.core.exports import Formula, Library
+
+PATH = Path(__file__).with_name("lib") / "libraceway_core.so"
+
+
+@functools.cache
+def library() -> Library:
+    """The library, loaded when first asked for. Raises `ImportError` if it was never built."""
+    if not PATH.exists():
+        raise ImportError(f"{PATH} is missing: run `make build`, or `pip install ./python` again")
+    return Library(PATH)
+
+
+class Laws:
+    """Each formula of the library as an attribute, found when first asked for."""
+
+    def __getattr__(self, name: str) -> Formula:
+        found = library().formula(name)
+        setattr(self, name, found)
+        return found
+
+
+laws = Laws()

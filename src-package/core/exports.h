@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The C interface of a library, described to Python (raceway/core/exports.py) in the words of its
+// own source: parameters of every EXPORT and FORMULA by name, fields of every RECORD by name and
+// size. So nothing is passed by a position that only one side knows.
+#ifndef RACEWAY_EXPORTS_H
+#define RACEWAY_EXPORTS_H
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+// hidden: two libraries in one process keep their own texts
+__attribute__((visibility("hidden"))) inline std::string &exported_text()
+{
+  static std::string text;
+  return text;
+}
+
+struct ExportedLine {
+  explicit ExportedLine(const std::string &line) { exported_text() += line + "\n"; }
+};
+
+// A C function. Arrays say their size, `double out[3]`, where it does not depend on the call.
+#define EXPORT(result, name, parameters)                                                    \
+  extern "C" result name parameters;                                                        \
+  static const ExportedLine exported_##name("function|" #result "|" #name "|" #parameters); \
+  extern "C" result name parameters
+
+// A struct of doubles and vectors of them: RECORD(Motion, double x[3], v[3];)
+#define RECORD(Name, ...)                                                                        \
+  struct Name {                                                                                  \
+    __VA_ARGS__                                                                                  \
+  };                                                                                             \
+  static const ExportedLine exported_##Name("record|" #Name "|" + std::to_string(sizeof(Name)) + \
+                                            "|" #__VA_ARGS__);
+
+// A function of single numbers that Python calls with arrays. It returns a double or a RECORD of
+// doubles; parameters are double, int or bool.
+#define FORMULA(result, name, parameters)                                                  \
+  static result name##_of_one parameters;                                                  \
+  extern "C" void name(long n, const double *in, double *out)                              \
+  {                                                                                        \
+    formula_over_arrays(&name##_of_one, n, in, out);                                       \
+  }                                                                                        \
+  static const ExportedLine exported_##name("formula|" #result "|" #name "|" #parameters); \
+  static result name##_of_one parameters
+
+template <class Result, class... Numbers, std::size_t... k>
+void formula_at(Result (*one)(Numbers...), long n, long i, const double *in, double *out,
+                std::index_sequence<k...>)
+{
+  static_assert(std::is_trivially_copyable<Result>::value && sizeof(Result) % sizeof(double) == 0,
+                "a formula returns a double or a RECORD of doubles");
+  constexpr long outputs = sizeof(Result) / sizeof(double);
+  const Result found = one(static_cast<Numbers>(in[long(k) * n + i])...);
+  double numbers[outputs];
+  std::memcpy(numbers, &found, sizeof found);
+  for (long j = 0; j < outputs; ++j) out[j * n + i] = numbers[j];
+}
+
+// Parameter k of call i is in[k n + i], number j of its result out[j n + i].
+template <class Result, class... Numbers>
+void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, double *out)
+{
+  for (long i = 0; i < n; ++i)
+    formula_at(one, n, i, in, out, std::index_sequence_for<Numbers...>());
+}
+
+// once in a library
+#define EXPORTS \
+  extern "C" const char *exports() { return exported_text().c_str(); }
+#endif

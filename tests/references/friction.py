@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Slip, traction, rolling and drag by integration over the contact or in 40 digits."""
+
+import math
+
+import mpmath
+import numpy as np
+from mpmath import mpf
+from scipy.integrate import quad
+
+# a sphere's drag coefficient at Re = 0.1 ... 1e5
+DRAG = {0.1: 275, 1.0: 30, 10.0: 4.2, 1e2: 1.2, 1e3: 0.48, 1e4: 0.40, 1e5: 0.45}
+
+
+def heathcote(slip):
+    """(F, C, power) of Coulomb's law by integration over the strips of an ellipse that rolls with
+    s_e = 1: F over mu Q, C over mu Q a^2/(2 R_d), power over mu Q s_e. A strip at z has the share
+    3/4 (1 - z^2) of the load and the sliding speed slip - z^2."""
+    with mpmath.workdps(30):
+        slip = mpf(slip)
+        turns = [mpmath.sqrt(slip)] if 0 < slip < 1 else []
+
+        def over(f):
+            def strip(z):
+                return mpf(3) / 2 * (1 - z**2) * mpmath.sign(slip - z**2) * f(z)
+
+            return mpmath.quad(strip, [0, *turns, 1])
+
+        return [float(over(f)) for f in (lambda z: 1, lambda z: z**2, lambda z: slip - z**2)]
+
+
+def free_rolling():
+    """(slip, lost power, slope of F) of s_e, mu Q s_e and mu Q/s_e where F is zero."""
+    with mpmath.workdps(30):
+        t = mpmath.findroot(lambda t: 3 * t - t**3 - 1, mpf("0.35"))
+        return float(t**2), heathcote(t**2)[2], float(3 * (1 - t**2) / (2 * t))
+
+
+def roelands(viscosity, xi, pressure):
+    """Pa s, in 40 digits."""
+    with mpmath.workdps(40):
+        lift = mpmath.log(mpf(viscosity)) + mpf("9.67")
+        z = mpf("1.96e8") * mpf(xi) / lift
+        return viscosity * mpmath.exp(lift * ((1 + mpf(pressure) / mpf("1.96e8")) ** z - 1))
+
+
+def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
+    """Mean over the ellipse of Eyring's stress, at most `limit` p, over its mean pressure; by
+    adaptive quadrature, or with so many Gauss points in 40 digits."""
+
+    def shear(t):
+        p = mpf(t) * pressure
+        x = roelands(viscosity, xi, p) * rate / stress
+        return min(stress * mpmath.asinh(x), limit * p) * t
+
+    if points:
+        with mpmath.workdps(30):
+            nodes, weights = np.polynomial.legendre.leggauss(points)
+            total = sum(mpf(w) / 2 * shear((mpf(t) + 1) / 2) for t, w in zip(nodes, weights))
+            return float(3 * total / pressure)
+    return 3 / pressure * quad(lambda t: float(shear(t)), 0, 1, epsrel=1e-6, limit=200)[0]
+
+
+def rolling_powers(viscosity, modulus, r_x, r_y, speed, load):
+    """f in N of Balan et al. (2015), in 40 digits."""
+    with mpmath.workdps(40):
+        u = mpf(viscosity) * speed / (mpf(modulus) * r_x)
+        w, ratio = mpf(load) / (mpf(modulus) * mpf(r_x) ** 2), mpf(r_y) / r_x
+        third, d = mpf(1) / 3, mpf
+        rigid = d("2.9766") * ratio ** d("0.3316") * w**third * u ** (2 * third)
+        elastic = d("7.5826") * ratio ** d("0.4055") * w**third * u ** d("0.75")
+        mean = d("0.5549") * ratio ** -d("0.6029") * w * u ** -d("0.75")
+        force = (rigid - elastic) / (1 + mean / d("6.6")) + elastic
+        return float(mpf(modulus) * mpf(r_x) ** 2 * force)
+
+
+def drag_coefficient(reynolds):
+    """C_D of a sphere, straight in the logarithms of `DRAG`."""
+    table = list(DRAG.items())
+    if reynolds <= table[0][0]:
+        return table[0][1] * table[0][0] / reynolds
+    for (low, first), (high, last) in zip(table, table[1:]):
+        if reynolds <= high:
+            part = math.log(reynolds / low) / math.log(high / low)
+            return first * (last / first) ** part
+    return table[-1][1]
