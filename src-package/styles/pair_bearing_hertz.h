@@ -46,7 +46,8 @@ class PairBearingHertz : public Pair {
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
   bool lubricated() const { return with_film_; }
-  int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
+  bool spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
+  int axis_index() const { return axis_; }              // 0 x, 1 y, 2 z
   raceway::Vec3 axis() const;
   bearing::ValidityCheck &validity() { return validity_; }
   // A bearing was made with these balls and cage balls: they need a pair_coeff ... sphere.
