@@ -58,7 +58,7 @@ def test_summary_is_of_its_contacts_and_balls(main_run):
         balls["x"] ** 2 + balls["y"] ** 2
     )
     close(figures["cage_speed_rad_s"], turn.mean())
-    known = {"slip": "friction_power", "film": "damping_power"}
+    known = {"slip": "friction_power", "film": "damping_power"}  # the cage is no contact of these
     losses = {part: loss for part, loss in figures["losses_W"].items() if loss is not None}
     assert known.keys() <= losses.keys() <= {*known, "cage"}
     for part, name in known.items():
