@@ -368,7 +368,7 @@ def _sums(contacts, places):
         "entrainment_top": at_top("entrainment"),
     }
     if places["cage_ball"].shape[1]:
-        found["cage_force"] = np.zeros(len(load))
+        found |= dict.fromkeys(("cage_power", "cage_force"), np.zeros(len(load)))
     if "h_min" in contacts:
         both = live.all(axis=1)
         parts = np.where(live, contacts["capacitance"], 1.0)
