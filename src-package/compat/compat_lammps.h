@@ -4,10 +4,11 @@
 #define BEARING_COMPAT_LAMMPS_H
 
 #include "command.h"
+#include "tag.h"
 #include "timer.h"
 
 namespace bearing {
-typedef LAMMPS_NS::tagint tag_t;
+static_assert(sizeof(tag_t) == sizeof(LAMMPS_NS::tagint), "LAMMPS_BIGBIG as the host has it");
 typedef LAMMPS_NS::Command CommandBase;
 
 // Ends the run after the step that is being made, with its output. All ranks must call it in the

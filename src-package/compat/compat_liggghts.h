@@ -4,9 +4,9 @@
 #define BEARING_COMPAT_LIGGGHTS_H
 
 #include "signal_handling.h"
+#include "tag.h"
 
 namespace bearing {
-typedef int tag_t;
 typedef LAMMPS_NS::Pointers CommandBase;
 
 // Ends the run after the step that is being made, with its output. All ranks must call it in the

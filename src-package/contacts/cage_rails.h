@@ -4,7 +4,7 @@
 #define BEARING_CAGE_RAILS_H
 
 #include "../physics/rail.h"
-#include "bearing_compat.h"
+#include "tag.h"
 
 #include <vector>
 

@@ -5,9 +5,9 @@
 #ifndef BEARING_CONTACT_TABLE_H
 #define BEARING_CONTACT_TABLE_H
 
-#include "../physics/contact.h"
 #include "../physics/profiled_contact.h"
-#include "bearing_compat.h"
+#include "../physics/raceway_physics.h"
+#include "tag.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 
 #include "../physics/film_capacitor.h"
 #include "bearing_columns.h"
-#include "bearing_compat.h"
+#include "tag.h"
 
 #include <functional>
 

@@ -3,6 +3,7 @@
 
 #include "../deck/arguments.h"
 #include "../physics/step_limit.h"
+#include "bearing_compat.h"
 
 using namespace LAMMPS_NS;
 using raceway::FilmBranches;

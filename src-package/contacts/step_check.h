@@ -6,6 +6,12 @@
 
 #include "contact_table.h"
 
+#include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
 namespace bearing {
 
 struct StepLimit {

@@ -3,7 +3,7 @@
 #ifndef BEARING_TAG_SET_H
 #define BEARING_TAG_SET_H
 
-#include "bearing_compat.h"
+#include "tag.h"
 
 #include <algorithm>
 #include <vector>

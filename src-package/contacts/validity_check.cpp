@@ -2,6 +2,7 @@
 #include "validity_check.h"
 
 #include "../deck/arguments.h"
+#include "bearing_compat.h"
 
 using namespace LAMMPS_NS;
 using raceway::Validity;

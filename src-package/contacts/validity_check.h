@@ -6,6 +6,10 @@
 #include "../physics/film_capacitor.h"
 #include "contact_table.h"
 
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
 namespace bearing {
 
 class ValidityCheck {

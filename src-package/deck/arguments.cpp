@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "arguments.h"
 
-using namespace LAMMPS_NS;
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+using LAMMPS_NS::LAMMPS;
 
 namespace bearing {
 
@@ -13,20 +19,31 @@ std::string text(double value)
 }
 
 Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first) :
-    Pointers(lmp), command_(command), words_(arg + (first < narg ? first : narg), arg + narg)
+    lmp_(lmp), command_(command), words_(arg + (first < narg ? first : narg), arg + narg)
 {
 }
 
 Arguments::Arguments(LAMMPS *lmp, const std::string &command,
                      const std::vector<std::string> &words) :
-    Pointers(lmp), command_(command), words_(words)
+    lmp_(lmp), command_(command), words_(words)
 {
 }
 
-void Arguments::fail(const std::string &why) const
+void Arguments::fail(const std::string &why) const { stop_run(lmp_, command_ + ": " + why); }
+
+std::optional<std::string> Arguments::content(const std::string &file) const
 {
-  BRG_ALL(command_ + ": " + why);
-  std::abort();    // not reached: the line above ends the run
+  std::string found;    // "+" and the text of a file that can be read
+  if (is_first_rank(lmp_)) {
+    std::ifstream in(file, std::ios::binary);
+    // a folder opens, too, but gives nothing
+    const bool empty = in && in.peek() == std::ifstream::traits_type::eof() && !in.bad();
+    std::ostringstream copy;
+    if (empty || (in && copy << in.rdbuf())) found = "+" + copy.str();
+  }
+  found = of_first_rank(lmp_, found);
+  if (found.empty()) return {};
+  return found.substr(1);
 }
 
 bool Arguments::take(const char *keyword)

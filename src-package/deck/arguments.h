@@ -4,16 +4,26 @@
 #ifndef BEARING_ARGUMENTS_H
 #define BEARING_ARGUMENTS_H
 
-#include "bearing_compat.h"
-
+#include <optional>
+#include <string>
 #include <vector>
 
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
 namespace bearing {
+
+// What reading a command needs of its host, without the host's headers (arguments_host.cpp). All
+// ranks call these together.
+[[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error
+bool is_first_rank(LAMMPS_NS::LAMMPS *);
+std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // on every rank
 
 // A number as a user writes it ("6.3e-3") for messages.
 std::string text(double value);
 
-class Arguments : protected LAMMPS_NS::Pointers {
+class Arguments {
  public:
   Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);
   Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command,
@@ -34,8 +44,11 @@ class Arguments : protected LAMMPS_NS::Pointers {
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   [[noreturn]] void unknown(const std::string &allowed);    // the next word is no keyword
   [[noreturn]] void fail(const std::string &why) const;
+  // Text of a file, read by rank 0, on all ranks; none if it cannot be read.
+  std::optional<std::string> content(const std::string &file) const;
 
  private:
+  LAMMPS_NS::LAMMPS *lmp_;
   std::string command_;
   std::vector<std::string> words_;
   size_t next_ = 0;

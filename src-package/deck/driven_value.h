@@ -31,29 +31,14 @@ class DrivenValue {
   bool is_variable() const { return !name_.empty(); }
 
   // Before a run: does the variable exist?
-  void check(LAMMPS_NS::LAMMPS *lmp, const std::string &command)
-  {
-    if (!is_variable()) return;
-    index_ = lmp->input->variable->find(const_cast<char *>(name_.c_str()));
-    by_atom_ = each_ring_ && index_ >= 0 && lmp->input->variable->atomstyle(index_);
-    if (index_ < 0 || !(by_atom_ || lmp->input->variable->equalstyle(index_)))
-      BRG_ALL_OF(lmp, command + ": there is no " + style() + " variable '" + name_ + "'");
-  }
+  void check(LAMMPS_NS::LAMMPS *, const std::string &command);
 
   bool by_atom() const { return by_atom_; }    // after check()
 
-  double now(LAMMPS_NS::LAMMPS *lmp) const
-  {
-    return !is_variable() ? value_ : by_atom_ ? 0.0 : lmp->input->variable->compute_equal(index_);
-  }
+  double now(LAMMPS_NS::LAMMPS *) const;
 
   // of every owned atom of a group, 0 for others
-  std::vector<double> of_atoms(LAMMPS_NS::LAMMPS *lmp, int igroup) const
-  {
-    std::vector<double> values(lmp->atom->nlocal + 1, 0.0);
-    lmp->input->variable->compute_atom(index_, igroup, values.data(), 1, 0);
-    return values;
-  }
+  std::vector<double> of_atoms(LAMMPS_NS::LAMMPS *, int igroup) const;
 
   const std::string &name() const { return name_; }
 

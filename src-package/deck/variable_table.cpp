@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "variable_table.h"
 
-#include "agree.h"
-
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -44,16 +41,9 @@ void check_range(Arguments &args, const std::string &label, const std::string &v
 VariableTable::VariableTable(LAMMPS *lmp, const Arguments &args, const std::string &file) :
     Pointers(lmp)
 {
-  std::string complaint, all;
-  if (comm->me == 0) {
-    std::ifstream in(file);
-    std::ostringstream copy;
-    if (!(copy << in.rdbuf())) complaint = "there is no table of variables in '" + file + "'";
-    all = copy.str();
-  }
-  complaint = agree(complaint, world);
-  if (!complaint.empty()) args.fail(complaint);
-  std::istringstream lines(agree(all, world));
+  const std::string all = args.content(file).value_or("");
+  if (all.empty()) args.fail("there is no table of variables in '" + file + "'");
+  std::istringstream lines(all);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;

@@ -4,6 +4,7 @@
 #define BEARING_VARIABLE_TABLE_H
 
 #include "arguments.h"
+#include "bearing_compat.h"
 
 namespace bearing {
 

@@ -14,7 +14,7 @@ using raceway::Vec3;
 
 namespace bearing {
 
-static constexpr int letters = 6208;    // message tag of this file alone
+static constexpr int pose_letters = 6208;    // message tag of this file alone
 
 // States travel as numbers, as they lie in memory.
 static_assert(std::is_trivially_copyable<BodyPose>::value &&
@@ -106,7 +106,7 @@ void BearingParts::gather()
     for (int i : l.ring_atom) put(at, read_ring(i));
     for (const double *kept : l.kept) at = std::copy(kept, kept + n, at);
   }
-  deliver(away_, guests_, letters, world);
+  deliver(away_, guests_, pose_letters, world);
   for (const Letter &l : guests_) {
     const double *at = l.text.data();
     for (const Place &p : l.body_place) parts_[p.part].bodies[p.at] = take<BodyPose>(at);
@@ -131,7 +131,7 @@ void BearingParts::scatter()
     for (const Place &p : l.ring_place) put(at, ring_at(p));
     for (const Place &p : l.contact_place) at = std::copy(states_at(p), states_at(p) + n, at);
   }
-  deliver(guests_, away_, letters, world);
+  deliver(guests_, away_, pose_letters, world);
   for (const Letter &l : away_) {
     const double *at = l.text.data();
     for (int i : l.body_atom) write_body(i, take<BodyPose>(at));

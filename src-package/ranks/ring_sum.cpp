@@ -11,7 +11,7 @@ using raceway::Vec3;
 
 namespace bearing {
 
-static constexpr int letters = 6209;    // message tag of this file alone
+static constexpr int sum_letters = 6209;    // message tag of this file alone
 
 void RingSum::reset()
 {
@@ -63,7 +63,7 @@ void RingSum::find_ways()
       numbers[owner_[k]].push_back(k);
     }
   }
-  const std::vector<std::vector<Claim>> from = exchange(to, world);
+  const std::vector<std::vector<Claim>> from = bearing::exchange(to, world);
   out_.clear();
   in_.clear();
   for (int p = 0; p < np; ++p) {
@@ -98,7 +98,7 @@ template <class Said> void RingSum::send(int width, Said said)
     }
   }
   for (Letter &l : in_) l.text.resize(static_cast<size_t>(l.terms) * width);
-  deliver(out_, in_, letters, world);
+  deliver(out_, in_, sum_letters, world);
 }
 
 void RingSum::flush()

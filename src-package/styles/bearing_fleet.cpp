@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bearing_fleet.h"
 
-#include "../deck/agree.h"
 #include "../deck/driven_value.h"
 #include "create_bearing.h"
 #include "deck_values.h"
@@ -59,16 +58,9 @@ BearingFleet::Fleet BearingFleet::parse(Arguments &args)
 // The host carries out an include only when this command has ended: its lines are read here.
 void BearingFleet::read(Arguments &args, const std::string &file, Fleet &f)
 {
-  std::string complaint, all;
-  if (comm->me == 0) {
-    std::ifstream in(file);
-    std::ostringstream copy;
-    if (!(copy << in.rdbuf())) complaint = "cannot read '" + file + "'";
-    all = copy.str();
-  }
-  complaint = bearing::agree(complaint, world);
-  if (!complaint.empty()) args.fail(complaint);
-  std::istringstream lines(bearing::agree(all, world));
+  const std::optional<std::string> all = args.content(file);
+  if (!all) args.fail("cannot read '" + file + "'");
+  std::istringstream lines(*all);
   std::string command;
   for (std::string line; std::getline(lines, line);) {
     command += line.substr(0, line.find('#'));

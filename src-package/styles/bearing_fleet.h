@@ -8,6 +8,7 @@ CommandStyle(bearing_fleet,BearingFleet)
 #define LMP_BEARING_FLEET_H
 
 #include "../deck/arguments.h"
+#include "bearing_compat.h"
 
 namespace LAMMPS_NS {
 

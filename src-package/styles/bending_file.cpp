@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bending_file.h"
 
-#include <fstream>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -112,26 +112,6 @@ class Reader {
 
 }    // namespace
 
-static std::string content_of(const Arguments &args, const std::string &name, MPI_Comm world)
-{
-  int rank, size = -1;
-  MPI_Comm_rank(world, &rank);
-  std::string content;
-  if (rank == 0) {
-    std::ifstream in(name, std::ios::binary);
-    std::ostringstream all;
-    if (in && all << in.rdbuf()) {
-      content = all.str();
-      size = static_cast<int>(content.size());
-    }
-  }
-  MPI_Bcast(&size, 1, MPI_INT, 0, world);
-  if (size < 0) args.fail("cannot read '" + name + "'");
-  content.resize(size);
-  MPI_Bcast(&content[0], size, MPI_CHAR, 0, world);
-  return content;
-}
-
 static void read_gyroscopic(Reader &file, size_t n, double axial, ShaftModes &m)
 {
   double most = 0.0;
@@ -175,10 +155,12 @@ static void read_stations(Reader &file, size_t n, double centre, ShaftModes &m)
   }
 }
 
-BendingShaft read_bending_shaft(const Arguments &args, const std::string &name, MPI_Comm world)
+BendingShaft read_bending_shaft(const Arguments &args, const std::string &name)
 {
   static constexpr double tiny = 1e-15, huge = 1e18;
-  Reader file(args, name, content_of(args, name, world));
+  const std::optional<std::string> content = args.content(name);
+  if (!content) args.fail("cannot read '" + name + "'");
+  Reader file(args, name, *content);
   BendingShaft s;
   s.mass = file.one("mass", 1, tiny, huge)[0];
   s.centre = file.one("centre", 1, -huge, huge)[0];

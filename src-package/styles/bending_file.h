@@ -15,7 +15,7 @@ struct BendingShaft {
 };
 
 // On all ranks alike; what is wrong ends the command with the file and the line.
-BendingShaft read_bending_shaft(const Arguments &, const std::string &name, MPI_Comm world);
+BendingShaft read_bending_shaft(const Arguments &, const std::string &name);
 
 }    // namespace bearing
 

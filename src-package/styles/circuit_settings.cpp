@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "circuit_settings.h"
 
-#include <fstream>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 using namespace bearing;
@@ -10,53 +11,37 @@ using raceway::Waveform;
 
 namespace {
 
-// Rows of seconds and volts in a text file, read by rank 0; # starts a comment.
-void read_table(Arguments &args, Waveform &w, const std::string &name, MPI_Comm world)
+// Rows of seconds and volts in a text file; # starts a comment.
+void read_table(const Arguments &args, Waveform &w, const std::string &name)
 {
-  int rank;
-  MPI_Comm_rank(world, &rank);
-  std::vector<double> numbers;
-  int trouble = 0, row = 0;    // 1 cannot be read, 2 not two numbers, 3 a time that does not rise
-  if (rank == 0) {
-    std::ifstream file(name);
-    if (!file) trouble = 1;
-    for (std::string line; !trouble && std::getline(file, line);) {
-      ++row;
-      std::istringstream words(line.substr(0, line.find('#')));
-      double t, v;
-      std::string more;
-      if (!(words >> t)) {
-        if (!words.eof()) trouble = 2;
-        continue;
-      }
-      if (!(words >> v) || words >> more || !std::isfinite(t) || !std::isfinite(v)) trouble = 2;
-      else if (!numbers.empty() && t <= numbers[numbers.size() - 2]) trouble = 3;
-      numbers.insert(numbers.end(), {t, v});
-    }
-    if (!trouble && numbers.size() < 4) trouble = 4;
+  const std::optional<std::string> content = args.content(name);
+  if (!content) args.fail("cannot read '" + name + "'");
+  std::istringstream lines(*content);
+  int row = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string where = "'" + name + "', line " + std::to_string(++row);
+    std::istringstream words(line.substr(0, line.find('#')));
+    double t, v;
+    std::string more;
+    const bool number = bool(words >> t);
+    if (!number && words.eof()) continue;
+    if (!number || !(words >> v) || words >> more || !std::isfinite(t) || !std::isfinite(v))
+      args.fail(where + ": a row of a voltage table is two numbers, s and V");
+    if (!w.times.empty() && t <= w.times.back())
+      args.fail(where + ": times of a voltage table must rise");
+    w.times.push_back(t);
+    w.voltages.push_back(v);
   }
-  int found[] = {trouble, row, static_cast<int>(numbers.size())};
-  MPI_Bcast(found, 3, MPI_INT, 0, world);
-  const std::string where = "'" + name + "', line " + std::to_string(found[1]);
-  if (found[0] == 1) args.fail("cannot read '" + name + "'");
-  if (found[0] == 2) args.fail(where + ": a row of a voltage table is two numbers, s and V");
-  if (found[0] == 3) args.fail(where + ": times of a voltage table must rise");
-  if (found[0] == 4) args.fail("'" + name + "' needs two rows of s and V at least");
-  numbers.resize(found[2]);
-  MPI_Bcast(numbers.data(), found[2], MPI_DOUBLE, 0, world);
-  for (size_t k = 0; k < numbers.size(); k += 2) {
-    w.times.push_back(numbers[k]);
-    w.voltages.push_back(numbers[k + 1]);
-  }
+  if (w.times.size() < 2) args.fail("'" + name + "' needs two rows of s and V at least");
 }
 
-Waveform read_voltage(Arguments &args, MPI_Comm world)
+Waveform read_voltage(Arguments &args)
 {
   Waveform w;
   w.kind = static_cast<Waveform::Kind>(
       args.choice("voltage", {"constant", "sine", "common_mode", "table"}));
   if (w.kind == Waveform::table) {
-    read_table(args, w, args.word("file of the voltage"), world);
+    read_table(args, w, args.word("file of the voltage"));
     return w;
   }
   w.voltage = args.number("voltage (V)");
@@ -73,7 +58,7 @@ Waveform read_voltage(Arguments &args, MPI_Comm world)
 
 }    // namespace
 
-CircuitSettings CircuitSettings::read(Arguments &args, MPI_Comm world)
+CircuitSettings CircuitSettings::read(Arguments &args)
 {
   CircuitSettings s;
   bool driven = false;
@@ -86,7 +71,7 @@ CircuitSettings CircuitSettings::read(Arguments &args, MPI_Comm world)
   }
   while (args.more()) {
     if (args.take("voltage")) {
-      s.voltage = read_voltage(args, world);
+      s.voltage = read_voltage(args);
       driven = true;
     } else if (args.take("second")) {
       s.second = args.non_negative("capacitance of the other bearing (F)");

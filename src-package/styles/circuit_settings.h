@@ -32,7 +32,7 @@ struct CircuitSettings {
   // Coupling over all of the inner ring's capacitance; 0 without a motor.
   double voltage_ratio(const raceway::OuterPoint &, double bearing) const;
 
-  static CircuitSettings read(Arguments &, MPI_Comm world);
+  static CircuitSettings read(Arguments &);
 };
 
 }    // namespace bearing

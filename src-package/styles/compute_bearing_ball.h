@@ -8,6 +8,7 @@ ComputeStyle(bearing/ball,ComputeBearingBall)
 
 #include "../contacts/contact_reader.h"
 #include "../deck/column_list.h"
+#include "bearing_compat.h"
 
 namespace LAMMPS_NS {
 

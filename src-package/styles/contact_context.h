@@ -4,6 +4,7 @@
 #define BEARING_CONTACT_CONTEXT_H
 
 #include "../contacts/contact_reader.h"
+#include "bearing_compat.h"
 
 namespace LAMMPS_NS {
 class PairBearingHertz;

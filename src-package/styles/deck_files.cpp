@@ -3,6 +3,7 @@
 
 #include "../deck/agree.h"
 #include "../deck/arguments.h"
+#include "../deck/data_table.h"
 #include "../deck/folder_lock.h"
 #include "../deck/restart_sum.h"
 #include "../deck/variable_table.h"
@@ -30,26 +31,58 @@ static bool starts_with_mark(const fs::path &file)
   return std::string(first, 3) == "\xef\xbb\xbf";
 }
 
-// The names of its `variable` commands. The host does not carry out an include before the command
-// that asks for it has ended.
-static std::set<std::string> variables_of(const fs::path &file)
-{
-  std::set<std::string> names;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string command, name;
-    if (words >> command >> name && command == "variable") names.insert(name);
-  }
-  return names;
-}
-
-static std::string joined(const std::vector<std::string> &names)
+static std::string joined(const std::vector<std::string> &names, const char *between = ", ")
 {
   std::string list;
-  for (const std::string &name : names) list += (list.empty() ? "" : ", ") + name;
+  for (const std::string &name : names) list += (list.empty() ? "" : between) + name;
   return list;
 }
+
+namespace {
+
+// The data behind FOLDER and NAME: a file, else a row of a table
+struct Data {
+  std::string complaint = {}, label = {}, commands = {};
+  std::set<std::string> variables = {};    // set by itself, not by files that it includes
+};
+
+Data data_file(const fs::path &file)
+{
+  if (starts_with_mark(file))
+    return {"'" + file.string() + "' starts with a byte order mark: save it as UTF-8 without one"};
+  Data data{"", "'" + file.string() + "'", "include " + file.string(), {}};
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) data.variables.insert(bearing::variable_of(line));
+  return data;
+}
+
+Data find_data(const std::string &folder, const std::string &name)
+{
+  const fs::path file = fs::path(folder) / name;
+  std::error_code ec;
+  std::set<std::string> names;
+  if (file.extension() != ".csv") {
+    if (fs::is_regular_file(file, ec)) return data_file(file);
+    if (fs::exists(fs::symlink_status(file, ec)))
+      return {"'" + file.string() + "' is no file but a folder, a pipe or a broken link"};
+  }
+  for (const bearing::DataTable &table : bearing::tables_of(folder)) {
+    if (!table.complaint().empty()) return {table.complaint()};
+    if (table.has(name))
+      return {"", "'" + name + "' of '" + table.file() + "'", joined(table.commands(name), "\n"),
+              table.variables(name)};
+    names.merge(table.names());
+  }
+  for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+    if (it->path().extension() != ".csv") names.insert(it->path().filename().string());
+  const std::string list = joined(bearing::near_first(name, names));
+  return {"there is no '" + name + "' in folder " + folder + "; there is: " +
+          (list.empty()
+               ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
+               : list)};
+}
+
+}    // namespace
 
 void BearingInput::command(int narg, char **arg)
 {
@@ -65,36 +98,19 @@ void BearingInput::command(int narg, char **arg)
     while (args.more()) keys.push_back(args.word("name of a variable"));
   }
   if (args.more()) args.unknown("needs, set, table");
-  const fs::path file = fs::path(folder) / name;
-  std::string complaint;
+  Data data;
   if (comm->me == 0) {
-    std::error_code ec;
-    if (fs::exists(fs::symlink_status(file, ec)) && !fs::is_regular_file(file, ec)) {
-      complaint = "'" + file.string() + "' is no file but a folder, a pipe or a broken link";
-    } else if (starts_with_mark(file)) {
-      complaint =
-          "'" + file.string() + "' starts with a byte order mark: save it as UTF-8 without one";
-    } else if (!fs::is_regular_file(file, ec)) {
-      std::set<std::string> names;
-      for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
-        names.insert(it->path().filename().string());
-      const std::string list = joined({names.begin(), names.end()});
-      complaint = "there is no '" + name + "' in folder " + folder + "; there is: " +
-                  (list.empty()
-                       ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
-                       : list);
-    } else {
-      const std::set<std::string> set = variables_of(file);
-      std::vector<std::string> missing;
-      for (std::string &key : keys)
-        if (!set.count(key) && input->variable->find(&key[0]) < 0) missing.push_back(key);
-      if (!missing.empty())
-        complaint = "'" + file.string() + "' has no variable " + joined(missing);
-    }
+    data = find_data(folder, name);
+    std::vector<std::string> missing;
+    for (std::string &key : keys)
+      if (!data.variables.count(key) && input->variable->find(&key[0]) < 0) missing.push_back(key);
+    if (data.complaint.empty() && !missing.empty())
+      data.complaint = data.label + " has no variable " + joined(missing);
   }
-  complaint = agree(complaint, world);
+  const std::string complaint = agree(data.complaint, world);
   if (!complaint.empty()) args.fail(complaint);
-  if (!included) input->one(("include " + file.string()).c_str());
+  std::istringstream commands(included ? "" : agree(data.commands, world));
+  for (std::string line; std::getline(commands, line);) input->one(line.c_str());
   if (table) table->check();
 }
 

@@ -22,10 +22,11 @@ CommandStyle(bearing_parts,BearingParts)
 
 namespace LAMMPS_NS {
 
-// bearing_input FOLDER NAME [needs KEY ...]: include FOLDER/NAME, which must set these variables;
-// if it is not there, say what is. With `set` for `needs` it has been included, and only the
-// variables are checked: those as well that files set which it includes. After `set table FILE`
-// they are those of a table (deck/variable_table.h), with their defaults and ranges.
+// bearing_input FOLDER NAME [needs KEY ...]: include FOLDER/NAME, or the row NAME of a table
+// FOLDER/*.csv (deck/data_table.h); it must set these variables. If it is not there, say what is.
+// With `set` for `needs` it has been included, and only the variables are checked: those as well
+// that files set which it includes. After `set table FILE` they are those of a table
+// (deck/variable_table.h), with their defaults and ranges.
 class BearingInput : public bearing::CommandBase {
  public:
   explicit BearingInput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -3,6 +3,7 @@
 
 #include "../deck/agree.h"
 #include "../deck/arguments.h"
+#include "../deck/data_table.h"
 #include "deck_values.h"
 
 #include <algorithm>
@@ -56,37 +57,21 @@ bool collect(const fs::path &path, Names &names)
   return true;
 }
 
-// Of all files in a folder; the error when it cannot be read.
+// Of all files and tables in a folder; the error when it cannot be read.
 std::error_code collect_folder(const std::string &folder, Names &names)
 {
   std::error_code ec;
   for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
-    collect(it->path(), names);
+    if (it->path().extension() != ".csv") collect(it->path(), names);
+  for (const bearing::DataTable &table : bearing::tables_of(folder)) names.merge(table.variables());
   return ec;
-}
-
-// How many letters must be changed, added or taken away to make one word of the other
-size_t distance(const std::string &a, const std::string &b)
-{
-  std::vector<size_t> row(b.size() + 1);
-  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (size_t i = 1; i <= a.size(); ++i) {
-    size_t diagonal = row[0];
-    row[0] = i;
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t change = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
 }
 
 std::string nearest(const std::string &name, const Names &names)
 {
   return *std::min_element(names.begin(), names.end(),
                            [&](const std::string &a, const std::string &b) {
-                             return distance(name, a) < distance(name, b);
+                             return bearing::distance(name, a) < bearing::distance(name, b);
                            });
 }
 

@@ -8,6 +8,7 @@ FixStyle(bearing/cage,FixBearingCage)
 #define LMP_FIX_BEARING_CAGE_H
 
 #include "../contacts/cage_rails.h"
+#include "bearing_compat.h"
 
 #include <vector>
 

@@ -13,6 +13,7 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 #include "../contacts/tag_set.h"
 #include "../deck/text_file.h"
 #include "../physics/film_figures.h"
+#include "bearing_compat.h"
 
 namespace bearing {
 class Arguments;

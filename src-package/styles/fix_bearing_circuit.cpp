@@ -33,7 +33,7 @@ FixBearingCircuit::FixBearingCircuit(LAMMPS *lmp, int narg, char **arg) : Fix(lm
   Arguments args(lmp, std::string("fix ") + id + " bearing/circuit", narg, arg, 3);
   nevery = args.integer("steps between samples", 1, 1000000000);
   cap_id_ = args.word("ID of a fix bearing/capacitance");
-  settings_ = CircuitSettings::read(args, world);
+  settings_ = CircuitSettings::read(args);
   if (settings_.within > 1 && nevery != 1)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
@@ -95,7 +95,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
                                                    const FilmCapacitorT<double> &q) const
 {
   Film film;
-  if (settings_.metal > 0.0 && !raceway.has<MixedFrictionPart>())
+  if (settings_.metal > 0.0 && !raceway.facts().asperities)
     BRG_ONE(bearing::name_of(*this) +
             ": 'metal' needs 'friction mixed', which knows what asperities carry");
   const bool whole = cap_->model().surrounded();

@@ -15,6 +15,7 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 #define LMP_FIX_BEARING_IMPLICIT_H
 
 #include "../contacts/instants.h"
+#include "bearing_compat.h"
 
 #include <memory>
 #include <set>

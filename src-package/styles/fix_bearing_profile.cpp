@@ -9,8 +9,6 @@
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 using namespace LAMMPS_NS;
 using bearing::Arguments;
@@ -19,12 +17,9 @@ using bearing::text;
 using raceway::BallPitShape;
 using raceway::BallShape;
 using raceway::NotchShape;
-using raceway::PeriodicCurve;
 using raceway::ProfileShape;
 using raceway::RacewayPhysics;
 using raceway::Wave;
-
-static constexpr int most_points = 1000000;    // of a table
 
 // A word as a deck has it: in quotes if it has blanks.
 static std::string quoted(const std::string &word)
@@ -43,121 +38,10 @@ FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lm
   PairBearingHertz::find(lmp, "fix bearing/profile");
   Arguments args(lmp, std::string("fix ") + id + " bearing/profile", narg, arg, 3);
   for (int k = 3; k < narg; ++k) said_ += (k > 3 ? " " : "") + quoted(arg[k]);
-  of_balls_ = args.take("ball");
-  if (args.take("none")) {
-    if (args.more()) args.fail("'none' stands alone: no flaws");
-    return;
-  }
-  of_balls_ ? read_ball(args) : read_raceway(args);
+  settings_ = bearing::ProfileSettings::read(args, FixBearingState::max_grooves);
 }
 
-void FixBearingProfile::read_raceway(Arguments &args)
-{
-  while (args.more()) {
-    if (args.take("groove")) groove_ = args.integer("groove", 0, FixBearingState::max_grooves - 1);
-    else if (args.take("notch")) shape_.notches.push_back(read_notch(args));
-    else if (args.take("wave")) shape_.waves.push_back(read_wave(args));
-    else if (args.take("file")) shape_.tables.push_back(read_table(args));
-    else args.unknown("groove, notch, wave, file, none, or 'ball' first");
-  }
-  if (!departs()) args.fail("a profile needs 'notch', 'wave', 'file' or 'none'");
-}
-
-void FixBearingProfile::read_ball(Arguments &args)
-{
-  while (args.more()) {
-    if (args.take("pit")) ball_.pits.push_back(read_pit(args));
-    else if (args.take("wave")) ball_.waves.push_back(read_wave(args));
-    else if (args.take("file")) ball_.tables.push_back(read_table(args));
-    else args.unknown("pit, wave, file, none");
-  }
-  if (!departs()) args.fail("a profile of balls needs 'pit', 'wave', 'file' or 'none'");
-}
-
-int FixBearingProfile::setmask() { return of_balls_ && departs() ? FixConst::PRE_FORCE : 0; }
-
-BallPitShape FixBearingProfile::read_pit(Arguments &args) const
-{
-  BallPitShape n;
-  n.azimuth = args.within("azimuth of the pit (rad)", -7.0, 7.0);
-  n.latitude = args.within("latitude of the pit (rad)", -1.5, 1.5);
-  n.length = args.within("length of the pit (m)", 1e-6, 1.0);
-  n.width = args.within("width of the pit (m)", 1e-6, 1.0);
-  n.depth = args.within("depth of the pit (m)", 1e-9, 1.0);
-  n.edge = args.within("edge of the pit (m)", 1e-7, 1e-2);
-  return n;
-}
-
-NotchShape FixBearingProfile::read_notch(Arguments &args) const
-{
-  NotchShape n;
-  n.azimuth = args.within("azimuth of the notch (rad)", -7.0, 7.0);
-  n.length = args.within("length of the notch (m)", 1e-6, 1.0);
-  n.width = args.take("full") ? HUGE_VAL : args.within("width of the notch (m)", 1e-6, 1.0);
-  n.depth = args.within("depth of the notch (m)", 1e-9, 1.0);
-  n.edge = args.within("edge of the notch (m)", 1e-7, 1e-2);
-  return n;
-}
-
-Wave FixBearingProfile::read_wave(Arguments &args) const
-{
-  Wave w;
-  w.order = args.integer("order of the wave", 1, 10000);
-  w.amplitude = args.within("amplitude of the wave (m)", 0.0, 1e-2);
-  w.phase = args.number("phase of the wave (rad)");
-  return w;
-}
-
-// Lines "azimuth depth", in rad and m, at even distances over one turn; # begins a comment.
-PeriodicCurve FixBearingProfile::read_table(Arguments &args) const
-{
-  const std::string name = args.word("file");
-  std::vector<double> values;    // azimuth, depth, ...
-  std::string wrong;
-  if (comm->me == 0) {
-    std::ifstream in(name);
-    if (!in) wrong = "cannot read '" + name + "'";
-    std::string line;
-    for (int n = 1; wrong.empty() && std::getline(in, line); ++n) {
-      std::istringstream words(line.substr(0, line.find('#')));
-      double azimuth, depth;
-      std::string rest;
-      if (!(words >> azimuth)) {
-        words.clear();
-        if (words >> rest)
-          wrong =
-              "'" + name + "' line " + std::to_string(n) + ": '" + rest + "' is no azimuth (rad)";
-        continue;
-      }
-      if (!(words >> depth) || words >> rest || !(std::fabs(depth) <= 1e-2))
-        wrong = "'" + name + "' line " + std::to_string(n) +
-                ": needs an azimuth (rad) and a depth (m) within -0.01 and 0.01";
-      values.push_back(azimuth);
-      values.push_back(depth);
-    }
-    const int n = static_cast<int>(values.size() / 2);
-    if (wrong.empty() && (n < 8 || n > most_points))
-      wrong = "'" + name + "' has " + std::to_string(n) + " points, must have 8 to " +
-              std::to_string(most_points);
-    for (int k = 0; wrong.empty() && k < n; ++k)
-      if (!(std::fabs(values[2 * k] - values[0] - 2.0 * M_PI * k / n) < 0.01 * 2.0 * M_PI / n))
-        wrong = "'" + name + "' point " + std::to_string(k + 1) + " is at " + text(values[2 * k]) +
-                " rad, must be at " + text(values[0] + 2.0 * M_PI * k / n) +
-                ": the points lie at even distances over one turn";
-  }
-  int size[] = {static_cast<int>(wrong.size()), static_cast<int>(values.size())};
-  MPI_Bcast(size, 2, MPI_INT, 0, world);
-  if (size[0]) {
-    wrong.resize(size[0]);
-    MPI_Bcast(&wrong[0], size[0], MPI_CHAR, 0, world);
-    args.fail(wrong);
-  }
-  values.resize(size[1]);
-  MPI_Bcast(values.data(), size[1], MPI_DOUBLE, 0, world);
-  std::vector<double> depth(values.size() / 2);
-  for (size_t k = 0; k < depth.size(); ++k) depth[k] = values[2 * k + 1];
-  return PeriodicCurve(values[0], depth);
-}
+int FixBearingProfile::setmask() { return of_balls() && departs() ? FixConst::PRE_FORCE : 0; }
 
 std::vector<FixBearingProfile::Ring> FixBearingProfile::rings(PairBearingHertz &pair) const
 {
@@ -212,19 +96,19 @@ void FixBearingProfile::check_wave(const Wave &w, double radius, double rolling)
 void FixBearingProfile::check(const RacewayPhysics &p) const
 {
   const double R = p.groove.raceway_radius, rolling = p.rolling_radius(1.0);
-  for (const NotchShape &n : shape_.notches) {
+  for (const NotchShape &n : settings_.raceway.notches) {
     if (!(n.length < M_PI * R))
       BRG_ALL(name_of(*this) + ": length of the notch (m) is " + text(n.length) +
               ", must be below half the raceway's circumference, " + text(M_PI * R));
     check_notch(n, "notch", rolling);
   }
-  for (const Wave &w : shape_.waves) check_wave(w, R, rolling);
+  for (const Wave &w : settings_.raceway.waves) check_wave(w, R, rolling);
 }
 
 void FixBearingProfile::check_ball(const RacewayPhysics &p) const
 {
   const double R = p.groove.ball_radius, rolling = p.rolling_radius(1.0);
-  for (const BallPitShape &n : ball_.pits) {
+  for (const BallPitShape &n : settings_.ball.pits) {
     for (const auto &size : {std::make_pair("length", n.length * (1.0 / std::cos(n.latitude))),
                              std::make_pair("width", n.width)})
       if (!(size.second < R))
@@ -232,7 +116,7 @@ void FixBearingProfile::check_ball(const RacewayPhysics &p) const
                 " on the equator, must be below the ball's radius, " + text(R));
     check_notch(n, "pit", rolling);
   }
-  for (const Wave &w : ball_.waves) check_wave(w, R, rolling);
+  for (const Wave &w : settings_.ball.waves) check_wave(w, R, rolling);
 }
 
 void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shape,
@@ -281,11 +165,11 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
                 " spins without a fix bearing/ring, which counts its angle");
       bool found = false;
       for (const RacewayPhysics *p : pair.raceways_of(r.type)) {
-        if (p->number != f->groove_) continue;
+        if (p->number != f->settings_.groove) continue;
         found = true;
         f->check(*p);
         ProfileShape &s = sums[r.tag][p];
-        const ProfileShape &own = f->shape_;
+        const ProfileShape &own = f->settings_.raceway;
         s.notches.insert(s.notches.end(), own.notches.begin(), own.notches.end());
         s.waves.insert(s.waves.end(), own.waves.begin(), own.waves.end());
         s.tables.insert(s.tables.end(), own.tables.begin(), own.tables.end());
@@ -293,7 +177,7 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
       }
       if (!found)
         BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) + " has no groove " +
-                std::to_string(f->groove_));
+                std::to_string(f->settings_.groove));
     }
   }
   for (const auto &ring : sums)
@@ -305,7 +189,8 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
 {
   const auto has_pit = [](const NotchShape &n) { return n.width < HUGE_VAL; };
   const bool ring_pits = std::any_of(all.begin(), all.end(), [&](const FixBearingProfile *f) {
-    return std::any_of(f->shape_.notches.begin(), f->shape_.notches.end(), has_pit);
+    return std::any_of(f->settings_.raceway.notches.begin(), f->settings_.raceway.notches.end(),
+                       has_pit);
   });
   std::map<bearing::tag_t, std::map<const RacewayPhysics *, BallShape>> sums;
   for (const FixBearingProfile *f : all) {
@@ -313,7 +198,7 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
     const std::vector<Ball> balls = f->balls(pair);
     if (balls.empty())
       BRG_ALL(name_of(*f) + ": missing ball, group " + group->names[f->igroup] + " is empty");
-    if (ring_pits && !f->ball_.pits.empty())
+    if (ring_pits && !f->settings_.ball.pits.empty())
       BRG_ALL(name_of(*f) +
               ": a ball with a pit cannot meet a notch of a raceway that has a width; "
               "give the notch the width 'full'");
@@ -321,9 +206,11 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
       for (const RacewayPhysics *p : pair.raceways_under(b.type)) {
         f->check_ball(*p);
         BallShape &s = sums[b.tag][p];
-        s.pits.insert(s.pits.end(), f->ball_.pits.begin(), f->ball_.pits.end());
-        s.waves.insert(s.waves.end(), f->ball_.waves.begin(), f->ball_.waves.end());
-        s.tables.insert(s.tables.end(), f->ball_.tables.begin(), f->ball_.tables.end());
+        s.pits.insert(s.pits.end(), f->settings_.ball.pits.begin(), f->settings_.ball.pits.end());
+        s.waves.insert(s.waves.end(), f->settings_.ball.waves.begin(),
+                       f->settings_.ball.waves.end());
+        s.tables.insert(s.tables.end(), f->settings_.ball.tables.begin(),
+                        f->settings_.ball.tables.end());
         f->check_apart(b.tag, s, p->groove.ball_radius);
       }
   }

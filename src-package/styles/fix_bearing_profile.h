@@ -7,16 +7,11 @@ FixStyle(bearing/profile,FixBearingProfile)
 #ifndef LMP_FIX_BEARING_PROFILE_H
 #define LMP_FIX_BEARING_PROFILE_H
 
-#include "../physics/ball_profile.h"
-#include "../physics/contact.h"
-#include "../physics/raceway_profile.h"
+#include "../physics/raceway_physics.h"
 #include "bearing_compat.h"
+#include "profile_settings.h"
 
 #include <string>
-
-namespace bearing {
-class Arguments;
-}
 
 namespace LAMMPS_NS {
 
@@ -29,12 +24,8 @@ class FixBearingProfile : public Fix {
   void init() override;
   void pre_force(int) override;
 
-  bool departs() const    // from a torus or sphere
-  {
-    return !(shape_.notches.empty() && shape_.waves.empty() && shape_.tables.empty() &&
-             ball_.pits.empty() && ball_.waves.empty() && ball_.tables.empty());
-  }
-  bool of_balls() const { return of_balls_; }
+  bool departs() const { return settings_.departs(); }    // from a torus or sphere
+  bool of_balls() const { return settings_.of_balls; }
   const std::string &said() const { return said_; }    // its keywords and values
 
   struct Ring {
@@ -49,12 +40,6 @@ class FixBearingProfile : public Fix {
   std::vector<Ball> balls(PairBearingHertz &) const;
 
  private:
-  raceway::NotchShape read_notch(bearing::Arguments &) const;
-  raceway::BallPitShape read_pit(bearing::Arguments &) const;
-  raceway::Wave read_wave(bearing::Arguments &) const;
-  raceway::PeriodicCurve read_table(bearing::Arguments &) const;
-  void read_raceway(bearing::Arguments &);
-  void read_ball(bearing::Arguments &);
   void add_rings(PairBearingHertz &, const std::vector<FixBearingProfile *> &) const;
   void add_balls(PairBearingHertz &, const std::vector<FixBearingProfile *> &) const;
   void check(const raceway::RacewayPhysics &) const;
@@ -66,10 +51,7 @@ class FixBearingProfile : public Fix {
                   const raceway::RacewayPhysics &) const;
 
   std::string said_;
-  int groove_ = 0;
-  raceway::ProfileShape shape_;
-  bool of_balls_ = false;
-  raceway::BallShape ball_;
+  bearing::ProfileSettings settings_;
   bool turns_ = false;    // this fix turns the balls of all
 };
 

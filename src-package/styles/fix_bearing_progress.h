@@ -8,6 +8,7 @@ FixStyle(bearing/progress,FixBearingProgress)
 #define LMP_FIX_BEARING_PROGRESS_H
 
 #include "../deck/driven_value.h"
+#include "bearing_compat.h"
 
 namespace LAMMPS_NS {
 

@@ -16,6 +16,7 @@ FixStyle(bearing/record,FixBearingRecord)
 #include "../contacts/instants.h"
 #include "../contacts/tag_set.h"
 #include "../record/record_rows.h"
+#include "bearing_compat.h"
 
 #include <memory>
 

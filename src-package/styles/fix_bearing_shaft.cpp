@@ -27,7 +27,7 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
     if (!shaft_.take(args) && !words.take())
       args.unknown(words.known() + ", centre, load, flexible");
   if (!shaft_.file.empty()) {
-    shaft_.read_file(args, settings_.program, world);
+    shaft_.read_file(args, settings_.program);
     bend_.resize(modes().size());
     size_array_cols += bearing::of_bend::N;
     size_vector += 1 + 2 * modes().size();

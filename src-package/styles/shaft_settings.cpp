@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "shaft_settings.h"
 
+#include <cmath>
+
 using raceway::RingProgram;
 
 namespace bearing {
@@ -63,7 +65,7 @@ std::vector<raceway::Unbalance> ShaftSettings::unbalances_of_modes() const
   return of;
 }
 
-void ShaftSettings::read_file(const Arguments &args, RingProgram &p, MPI_Comm world)
+void ShaftSettings::read_file(const Arguments &args, RingProgram &p)
 {
   if (p.mass > 0.0 || p.inertia.axial > 0.0 || centre_given)
     args.fail("mass, inertia and centre of a flexible shaft are those of '" + file +
@@ -71,7 +73,7 @@ void ShaftSettings::read_file(const Arguments &args, RingProgram &p, MPI_Comm wo
   for (int dof : {0, 1, int(RingProgram::TILT), int(RingProgram::TILT + 1)})
     if (!p.free(dof))
       args.fail("a flexible shaft needs its displacements across and its tilts 'free'");
-  of_file = std::make_shared<BendingShaft>(read_bending_shaft(args, file, world));
+  of_file = std::make_shared<BendingShaft>(read_bending_shaft(args, file));
   p.mass = of_file->mass;
   p.inertia = of_file->inertia;
   centre = of_file->centre;

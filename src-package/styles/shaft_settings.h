@@ -35,7 +35,7 @@ struct ShaftSettings {
   // What they are for each mode of a shaft that bends.
   std::vector<raceway::Unbalance> unbalances_of_modes() const;
   // Reads the file, which gives mass, inertia and centre.
-  void read_file(const Arguments &, raceway::RingProgram &, MPI_Comm world);
+  void read_file(const Arguments &, raceway::RingProgram &);
 };
 
 }    // namespace bearing

@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 
 import numpy as np
-from raceway import four_point, inputs, listing, many_grooves, static
+from raceway import inputs, listing, static
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
 
@@ -40,13 +40,10 @@ def run(name, load, axial, out):
 
 def expected(path, load, axial):
     """The same by statics, N."""
-    bearing, angle = inputs.bearing(path, four_point=True), inputs.four_point_angle(path)
-    rest = partial(static.equilibrium, finite_shift=True)
-    if angle is not None:
-        (row,) = many_grooves.four_point(bearing, angle)
-        bearing, rest = row.bearing, partial(four_point.equilibrium, angle=angle)
+    bearing = inputs.bearing(path)
+    rest = partial(static.equilibrium, bearing, load, axial, finite_shift=True)
     return max(
-        rest(bearing, load, axial, phase=phase).inner.load.max()
+        rest(phase=phase).inner.load.max()
         for phase in np.arange(PHASES) * 2 * np.pi / (bearing.balls * PHASES)
     )
 

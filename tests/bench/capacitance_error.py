@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """How far the closed form of a contact's whole capacitance is from its integrals, over sizes,
-conformities, raceways, loads and films; writes docs/performance/capacitance_error.rst.
+conformities, raceways, loads and films; writes build/bench/capacitance_error.rst.
 
     .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: leave the page alone
 
@@ -8,15 +8,14 @@ Exit code 1 when a row misses the promise.
 """
 
 import sys
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from machine import bench_file
 from raceway import capacitance, capacitance_exact, capacitance_outside, groove_width, hertz
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
-ROOT = Path(__file__).resolve().parents[2]
-PATH = ROOT / "docs/performance/capacitance_error.rst"
+PATH = bench_file("capacitance_error.rst")
 SIZES = {"12.6 mm": 60.6e-3, "7.938 mm": 39.04e-3, "3.968 mm": 15e-3}  # ball, pitch diameter (m)
 CONFORMITIES = (0.505, 0.51, 0.52, 0.53, 0.54)
 SEPARATIONS = np.geomspace(20e-9, 2e-6, 7)  # m

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a step of fix bearing/implicit costs: feature by feature, part by part, and with the number
-of balls; writes docs/performance/implicit_cost.rst.
+of balls; writes build/bench/implicit_cost.rst.
 
 All scenes take turns in every round; ratios and differences are formed within a round. Medians and
 the range of the rounds are reported. The parts of a step come from `perf record` (Debian's
@@ -17,10 +17,10 @@ from datetime import date
 from math import log, pi, sin
 from pathlib import Path
 
-from machine import machine
+from machine import bench_file, machine
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs/performance/implicit_cost.rst"
+PAGE = bench_file("implicit_cost.rst")
 ROUNDS = 5
 BALLS = 9
 STEPS = 20_000

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run larger than memory should need: simulates a 6208 until its record holds 2 GB, looks at it
-in every way the package has, and writes seconds and memory to docs/performance/large_runs.rst.
+in every way the package has, and writes seconds and memory to build/bench/large_runs.rst.
 
-    .venv/bin/python tests/bench/large_runs.py [--text] [GIGABYTES [FOLDER]]
+    .venv/bin/python tests/bench/large_runs.py [GIGABYTES [FOLDER]]
 
-With --text the same ball passes are written as text, too, and looked at in the same ways: that
-takes a quarter of an hour. FOLDER (default build/run/large) needs three times as much; runs that
-are there and large enough are used again, and those made here are left for that. Exit code 1 when
-anything fails, needs 1 GB of memory, or takes longer than LONGEST in a record.
+A run in FOLDER (default build/run/large) that is large enough is used again; one made here is left
+for that. Exit code 1 when anything fails, needs 1 GB of memory, or takes longer than LONGEST.
 """
 
 import subprocess
@@ -16,15 +14,10 @@ import time
 from datetime import date
 from pathlib import Path
 
-from machine import machine
+from machine import bench_file, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 LIMIT = 1000  # MB
-FORMATS = {
-    "record": {"record": "all", "dumps": "no"},
-    "text": {"record": "none", "dumps": "yes"},
-}
-FILES = {"record": ("record.nc",), "text": ("contacts.dump", "balls.dump", "rings.dat")}
 FIGURES, LARGEST = "all figures (`raceway summary`)", "largest load of each ball"
 LONGEST = {FIGURES: 3.0, LARGEST: 1.0}  # s
 TASKS = {  # name: what is done to `run`, in a process of its own
@@ -39,10 +32,7 @@ TASKS = {  # name: what is done to `run`, in a process of its own
     "spectrum of the ring, lines found": (
         "from raceway.runs.spectrum import lines, of_run; lines(run, of_run(run))"
     ),
-    LARGEST: (
-        "import functools, numpy; run.contacts.Q.max('time').values if run.tables.record else"
-        " functools.reduce(numpy.maximum, (b.Q.max('time') for b in run.blocks('contacts')))"
-    ),
+    LARGEST: "run.contacts.Q.max('time').values",
     "one ball pass from the middle as datasets": (
         "raceway.open(sys.argv[1], slice(MIDDLE, MIDDLE + 200)).contacts['load'].max()"
     ),
@@ -57,11 +47,11 @@ TASKS = {  # name: what is done to `run`, in a process of its own
 }
 
 
-def run_deck(folder, passes, output):
-    """The main deck with an output of FORMATS into `folder`."""
+def run_deck(folder, passes):
+    """The main deck with its record into `folder`."""
     print(f"simulating {passes} ball passes into {folder}", flush=True)
     words = [ROOT / "build" / "liggghts", "-in", "inputs/in.6208", "-log", "none"]
-    for name, value in {**output, "passes": passes, "out": folder, "overwrite": "yes"}.items():
+    for name, value in {"passes": passes, "out": folder, "overwrite": "yes"}.items():
         words += ["-var", name, str(value)]
     done = subprocess.run(
         words, cwd=ROOT, capture_output=True, text=True, errors="replace", check=False
@@ -78,17 +68,13 @@ def passes_of(folder):
     return int(float(said["passes"])) if "wall_s" in said else 0
 
 
-def simulate(folder, size, formats):
-    """Make the runs unless they are there; the length is judged from a short one."""
-    record = folder / "record" / "record.nc"
-    if not (passes_of(folder / "record") and record.stat().st_size >= size):
-        run_deck(folder / "record", 4, FORMATS["record"])
-        per_pass = record.stat().st_size / 4
-        run_deck(folder / "record", int(1.01 * size / per_pass) + 1, FORMATS["record"])
-    passes = passes_of(folder / "record")
-    if "text" in formats and passes_of(folder / "text") != passes:
-        run_deck(folder / "text", passes, FORMATS["text"])
-    return passes
+def simulate(folder, size):
+    """Ball passes of the run in `folder`, made unless it is there: its length from a short one."""
+    record = folder / "record.nc"
+    if not (passes_of(folder) and record.stat().st_size >= size):
+        run_deck(folder, 4)
+        run_deck(folder, int(1.01 * size * 4 / record.stat().st_size) + 1)
+    return passes_of(folder)
 
 
 def measure(folder, task, middle):
@@ -114,21 +100,14 @@ def measure(folder, task, middle):
 
 def main():
     """Simulate, measure, print, write."""
-    words = [word for word in sys.argv[1:] if word != "--text"]
-    formats = [name for name in FORMATS if name == "record" or "--text" in sys.argv]
-    gigabytes = float(words[0]) if words else 2.0
-    folder = Path(words[1] if len(words) > 1 else ROOT / "build" / "run" / "large").resolve()
-    passes = simulate(folder, gigabytes * 1e9, formats)
-    size = {
-        name: (folder / kind / name).stat().st_size / 1e9
-        for kind in formats
-        for name in FILES[kind]
-    }
+    gigabytes = float(sys.argv[1]) if len(sys.argv) > 1 else 2.0
+    folder = Path(sys.argv[2] if len(sys.argv) > 2 else ROOT / "build/run/large").resolve()
+    passes = simulate(folder, gigabytes * 1e9)
+    size = (folder / "record.nc").stat().st_size / 1e9
     rows = []
     for name, task in TASKS.items():
-        rows.append((name, *(measure(folder / kind, task, passes * 100) for kind in formats)))
-        said = "".join(f"{seconds:8.1f} s{memory:8.0f} MB" for seconds, memory in rows[-1][1:])
-        print(f"{name:<52}{said}", flush=True)
+        rows.append((name, *measure(folder, task, passes * 100)))
+        print("{:<52}{:8.1f} s{:8.0f} MB".format(*rows[-1]), flush=True)
     lines = [
         ".. written by make bench (tests/bench/large_runs.py); do not edit",
         "",
@@ -136,9 +115,7 @@ def main():
         "==========",
         "",
         f"Measured on {date.today()}: {passes} ball passes of the main deck, {passes * 200}"
-        " samples; "
-        + ", ".join(f"``{name}`` {value:.2f} GB" for name, value in size.items())
-        + ".",
+        f" samples; ``record.nc`` {size:.2f} GB.",
         "",
     ]
     lines += [f"- {fact}" for fact in machine()]
@@ -147,27 +124,26 @@ def main():
         *"""\
 Each task runs in a process of its own. Seconds are without loading the package, which the first row
 has. Files are in the page cache or not, as it happens. Memory is the largest resident size of the
-process. ``--text`` adds columns of the same run as text, which takes up to a hundred times as long:
-35 s for all figures and 100 s for the largest loads on 2026-11-21.
+process.
 """.splitlines(),
         "",
         ".. list-table::",
         "   :header-rows: 1",
-        f"   :widths: 40{' 15' * 2 * len(formats)}",
+        "   :widths: 40 15 15",
         "",
         "   * - task",
-        *(f"     - {kind}, {what}" for kind in formats for what in ("seconds", "memory (MB)")),
+        "     - seconds",
+        "     - memory (MB)",
     ]
-    for name, *found in rows:
+    for name, seconds, memory in rows:
         lines.append(f"   * - {name.replace('`', '``')}")
-        for seconds, memory in found:
-            lines += [f"     - {seconds:.2g}", f"     - {memory:.0f}"]
+        lines += [f"     - {seconds:.2g}", f"     - {memory:.0f}"]
     text = "\n".join([*lines, ""])
-    (ROOT / "docs" / "performance" / "large_runs.rst").write_text(text)
-    worst = max(memory for _, *found in rows for _, memory in found)
+    bench_file("large_runs.rst").write_text(text)
+    worst = max(memory for *_, memory in rows)
     print(f"largest memory {worst:.0f} MB, limit {LIMIT} MB")
-    slow = [name for name, (seconds, _), *_ in rows if seconds > LONGEST.get(name, 1e9)]
-    print("longer in a record than asked for:", ", ".join(slow) or "nothing")
+    slow = [name for name, seconds, _ in rows if seconds > LONGEST.get(name, 1e9)]
+    print("longer than asked for:", ", ".join(slow) or "nothing")
     return int(worst >= LIMIT or bool(slow))
 
 

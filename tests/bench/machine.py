@@ -1,10 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a measurement ran on, for the pages of docs/performance."""
+"""Where `make bench` writes its pages, and what a measurement ran on."""
 
 import platform
 import re
 import subprocess
 from pathlib import Path
+
+PAGES = Path(__file__).resolve().parents[2] / "build" / "bench"
+
+
+def bench_file(name):
+    """The path of one of its pages or pictures, in a folder that is there."""
+    PAGES.mkdir(parents=True, exist_ok=True)
+    return PAGES / name
 
 
 def machine():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Speed and error of the main deck with its record: models, speeds, integrators; writes
-docs/performance/main_deck.rst.
+build/bench/main_deck.rst.
 
     .venv/bin/python tests/bench/main_deck.py [ROUNDS]
 
@@ -17,8 +17,8 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from deck_runs import ROOT, cost, factor, run_deck
-from machine import machine
+from deck_runs import cost, factor, run_deck
+from machine import bench_file, machine
 
 MODELS = ("paper", "full")
 ASKED = {47.75: 250.0, 477.5: 30.0, 9549.0: 2.0}  # rpm: real-time factor
@@ -206,7 +206,7 @@ def main():
         budget=listed(budget),
         machine="\n".join(f"- {fact}" for fact in machine()),
     )
-    (ROOT / "docs" / "performance" / "main_deck.rst").write_text(page)
+    bench_file("main_deck.rst").write_text(page)
     print(page)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What many bearings in one box cost, on one rank and on two; writes docs/performance/many.rst with
+"""What many bearings in one box cost, on one rank and on two; writes build/bench/many.rst with
 a model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
@@ -18,7 +18,7 @@ import tempfile
 from datetime import date
 from pathlib import Path
 
-from machine import machine
+from machine import bench_file, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 MANY = 1000
@@ -403,7 +403,7 @@ def main():
                 states.append(state(ranks, folder / str(ranks), **case))
             equal[integrator] = all(one == states[0] for one in states)
         text = page(results, equal, set_up(folder), rounds)
-    (ROOT / "docs" / "performance" / "many.rst").write_text(text)
+    bench_file("many.rst").write_text(text)
     print(text)
 
 

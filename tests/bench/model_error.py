@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numerical error and error of the model on one diagram; writes docs/performance/model_error.rst
+"""Numerical error and error of the model on one diagram; writes build/bench/model_error.rst
 and its diagram.
 
     .venv/bin/python tests/bench/model_error.py
@@ -19,7 +19,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from deck_runs import ROOT, run_deck  # noqa: E402
-from machine import machine  # noqa: E402
+from machine import bench_file, machine  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 from raceway.sweeps.scene_parts import FINER, REFERENCE, figures  # noqa: E402
 
@@ -27,8 +27,8 @@ sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
 from hard.table import list_table  # noqa: E402
 
-PAGE = ROOT / "docs/performance/model_error.rst"
-PICTURE = ROOT / "docs/images/model_error.png"
+PAGE = bench_file("model_error.rst")
+PICTURE = bench_file("model_error.png")
 SCENES = {
     "5 kN, 477.5 rpm": {"load": 5000, "rpm": 477.5},
     "1 kN, 3000 rpm": {"load": 1000, "rpm": 3000},
@@ -165,7 +165,7 @@ to 0.1 nm. Errors of means over a ball pass are against ``full`` at 0.01 nm and 
 :doc:`needs`. Filled marks have the whole error. Open ones have the numerical one alone: against the
 same models at that fineness. All are relative to the same figures, those of ``full``.
 
-.. image:: ../images/model_error.png
+.. image:: model_error.png
    :alt: error against evaluations, for three sets of models
 
 Where a full line is level, the model's error is left, and a finer tolerance buys nothing. There

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What 20 scenes drawn at random need, each answer judged by runs that `raceway needs` did not
-make; writes docs/performance/needs.rst.
+make; writes build/bench/needs.rst.
 
     .venv/bin/python tests/bench/needs.py [--print]     --print: leave the page alone
 
@@ -15,7 +15,7 @@ import tempfile
 from datetime import date
 from pathlib import Path
 
-from machine import machine
+from machine import bench_file, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
@@ -28,7 +28,7 @@ from raceway.sweeps.needs_shown import percent  # noqa: E402
 from raceway.sweeps.scene_parts import REFERENCE  # noqa: E402
 from raceway.sweeps.scene_parts import figures as of_summary  # noqa: E402
 
-TARGET = ROOT / "docs/performance/needs.rst"
+TARGET = bench_file("needs.rst")
 SCENES, SEED = 20, 16
 KEPT, CHEAPER = 19, 5  # what is asked for
 WANTED = {"torque": 0.1, "capacitance": 0.05, "load": 0.01}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a perfect bearing vibrates by with integrator vibration, against a waviness of 0.01 um of
-its inner raceway; writes docs/performance/noise_floor.rst.
+its inner raceway; writes build/bench/noise_floor.rst.
 
     .venv/bin/python tests/bench/noise_floor.py [--print]     --print: leave the page alone
 
@@ -18,10 +18,11 @@ sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
 from hard.table import list_table  # noqa: E402
 from host import succeed  # noqa: E402
+from machine import bench_file  # noqa: E402
 from raceway import sensor, spectrum  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 
-TARGET = ROOT / "docs/performance/noise_floor.rst"
+TARGET = bench_file("noise_floor.rst")
 SCENE = dict(bearing=6205, load=500, rpm=1797, lubricant="vg46", passes=80, settle=10)
 MODE = dict(integrator="vibration", housing="springs", record="summary")
 RATE = 48e3  # Hz

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What each part of the contact law costs, alone (part_cost.cpp) and in whole runs of the models
-`paper`, `film` and `full`; writes docs/performance/part_cost.rst."""
+`paper`, `film` and `full`; writes build/bench/part_cost.rst."""
 
 import statistics
 import subprocess
@@ -10,9 +10,9 @@ from datetime import date
 from pathlib import Path
 
 from implicit_cost import ROOT, measure, spread, table
-from machine import machine
+from machine import bench_file, machine
 
-PAGE = ROOT / "docs/performance/part_cost.rst"
+PAGE = bench_file("part_cost.rst")
 ROUNDS = 3
 MODELS = ("paper", "film", "full")
 CONTROL = {"paper": "tolerance 1e-9", "film": "tolerance 1e-9 cage_tolerance 1e-7"}
@@ -23,7 +23,8 @@ def build(folder):
     program = Path(folder) / "part_cost"
     words = "-std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -Wno-psabi"
     source = ROOT / "tests/bench/part_cost.cpp"
-    subprocess.run(["g++", *words.split(), source, "-o", program], check=True)
+    raceway = ROOT / "build/obj/physics/raceway_physics.o"
+    subprocess.run(["g++", *words.split(), source, raceway, "-o", program], check=True)
     return program
 
 

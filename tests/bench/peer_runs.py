@@ -17,10 +17,13 @@ import numpy as np
 import xarray as xr
 from deck_runs import cost as told_cost
 from raceway import hertz, static
-from raceway.runs.dump import frames
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+
+from host import tables  # noqa: E402
+
 DECKS = Path("tests/bench/peers")
 OUT = Path("build/bench/peers")
 LOAD, SPEED = 5000.0, 50.0  # N along -y, rad/s
@@ -185,7 +188,7 @@ def cylinders(young, step=1e-6, output=True):
     if not output:
         return Outcome(cost, step, steps * step)
     shift = np.array([0, -exact_shift()])
-    rows = [f.values for f in frames(ROOT / OUT / "cylinders.dump", ("id", "x", "y", "fx", "fy"))]
+    rows = [table for _, table in tables(ROOT / OUT / "cylinders.dump")]  # id x y fx fy
     samples = [Sample(shift, r[:, 1:3], np.hypot(r[:, 3], r[:, 4])) for r in rows]
     return judge(samples[round(0.1 / PERIOD) :], cost, step, steps * step)
 
@@ -206,13 +209,13 @@ def tori(mesh, steps, edges, step=4e-7):
         out=OUT / "tori",
     )
     shift = np.array([0, -exact_shift()])
-    balls = frames(ROOT / OUT / "tori.dump", ("id", "x", "y"))
-    touch = frames(ROOT / OUT / "tori.forces", ("mesh", "triangle", "id", "fx", "fy", "fz"))
+    balls = tables(ROOT / OUT / "tori.dump")  # id x y
+    touch = tables(ROOT / OUT / "tori.forces")  # mesh triangle id fx fy fz
     samples = []
-    for ball, each in zip(balls, touch):
-        inner = each.values[each.values[:, 0] == 0]
-        force = np.array([inner[inner[:, 2] == n, 3:].sum(0) for n in ball.values[:, 0]])
-        samples.append(Sample(shift, ball.values[:, 1:], np.linalg.norm(force, axis=1)))
+    for (_, ball), (_, each) in zip(balls, touch):
+        inner = each[each[:, 0] == 0]
+        force = np.array([inner[inner[:, 2] == n, 3:].sum(0) for n in ball[:, 0]])
+        samples.append(Sample(shift, ball[:, 1:], np.linalg.norm(force, axis=1)))
     return judge(samples[len(samples) // 5 :], loop_time(text) / (steps * step), step, steps * step)
 
 

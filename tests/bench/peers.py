@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What others make of a 6208 under 5 kN: python tests/bench/peers.py [rounds]. Writes
-docs/performance/peers.rst.
+build/bench/peers.rst.
 
 Stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in tests/bench/peers), Exudyn's
 ball bearing, and Raceway for comparison: its implicit step, and velocity Verlet with the friction
@@ -16,7 +16,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 import torus_stl
-from machine import machine
+from machine import bench_file, machine
 from peer_choice import ALLOWED, Peer, Setting, choose
 from peer_runs import (
     BEARING,
@@ -287,7 +287,7 @@ def main():
         attempts.append(attempt(call))
         print(f"{name}: {attempts[-1]}", flush=True)
     text = page(rounds, choices, attempts)
-    (ROOT / "docs" / "performance" / "peers.rst").write_text(text)
+    bench_file("peers.rst").write_text(text)
     print(text)
 
 

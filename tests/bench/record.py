@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What a record costs: against the host's text, against nothing written, with samples inside long
 steps, from start to end of the program, and for a hundred bearings; writes
-docs/performance/record.rst.
+build/bench/record.rst.
 
     .venv/bin/python tests/bench/record.py [ROUNDS] [--print]     --print: leave the page alone
 
@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from deck_runs import ROOT, cost, factor, run_deck
-from machine import machine
+from machine import bench_file, machine
 
 SPEEDS = {47.75: 200.0, 477.5: 20.0, 9549.0: 0.6}  # rpm: least real-time factor of the main deck
 # Outputs of the main deck, with one sample a host step and with ten.
@@ -235,7 +235,7 @@ def main():
     )
     print(page)
     if "--print" not in sys.argv:
-        (ROOT / "docs" / "performance" / "record.rst").write_text(page)
+        bench_file("record.rst").write_text(page)
     for line in missed:
         print("missed:", line)
     return int(bool(missed))

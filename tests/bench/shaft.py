@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speed against error of a shaft on two 6208s at 3000 rpm; writes docs/performance/shaft.rst.
+"""Speed against error of a shaft on two 6208s at 3000 rpm; writes build/bench/shaft.rst.
 
 The deck is docs/decks/in.shaft at twice its speed. All settings take turns in every round. Loads
 are compared with those of a run with a tolerance of 0.1 nm at the same instants.
@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 from deck_runs import ROOT, factor, run_deck
-from machine import machine
+from machine import bench_file, machine
 
 ROUNDS = 3
 SETTLE, MEASURE, SAMPLE = 0.06, 0.06, 2e-4  # s
@@ -138,7 +138,7 @@ def main():
     lines += TAIL.splitlines()
     lines += [f"- {fact}" for fact in machine()]
     text = "\n".join(lines) + "\n"
-    (ROOT / "docs" / "performance" / "shaft.rst").write_text(text)
+    bench_file("shaft.rst").write_text(text)
     print(text)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Lengths of spalls that a sensor on the housing gives, by four ways to read the time from entry to
-blow; writes docs/performance/spall_length.rst.
+blow; writes build/bench/spall_length.rst.
 
     .venv/bin/python tests/bench/spall_length.py [--print]     --print: leave the page alone
 
@@ -19,11 +19,12 @@ sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
 
 from hard.table import list_table  # noqa: E402
 from host import succeed  # noqa: E402
+from machine import bench_file  # noqa: E402
 from raceway import hertz, kinematics, passages, spall, static  # noqa: E402
 from raceway.runs.run import Run  # noqa: E402
 from raceway.theory.bearing import INNER, OUTER  # noqa: E402
 
-TARGET = ROOT / "docs/performance/spall_length.rst"
+TARGET = bench_file("spall_length.rst")
 MODE = dict(lubricant="vg46", integrator="vibration", housing="springs")
 SCENES = (  # bearing, N, rpm, kg of the inner ring (inputs/bearings)
     ("6205", 500, 1797, 0.055),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What one step costs, feature by feature, and the peer scene of stock LIGGGHTS; writes
-docs/performance/step_cost.rst.
+build/bench/step_cost.rst.
 
 All scenes take turns in every round, so that a drift of the machine hits them alike; the ratio to
 the empty step is formed within a round. Medians and the range of the rounds are reported.
@@ -13,7 +13,7 @@ import sys
 from datetime import date
 from pathlib import Path
 
-from machine import machine
+from machine import bench_file, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 ROUNDS = 7
@@ -105,7 +105,7 @@ the nearest thing that an unmodified host offers.
         "",
     ]
     text = "\n".join(lines)
-    (ROOT / "docs" / "performance" / "step_cost.rst").write_text(text)
+    bench_file("step_cost.rst").write_text(text)
     print(text)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A sweep of 200 points: throughput of two processes against one, and a sweep that is killed
-half-way; writes docs/performance/sweep.rst.
+half-way; writes build/bench/sweep.rst.
 
     .venv/bin/python tests/bench/sweep.py [--print]     --print: leave the page alone
 
@@ -22,7 +22,7 @@ from datetime import date
 from pathlib import Path
 
 import pandas as pd
-from machine import machine
+from machine import bench_file, machine
 
 ROOT = Path(__file__).resolve().parents[2]
 LOADS, SPEEDS = (1000, 2000, 5000, 10000, 20000), (100, 250, 477.5, 1000, 2000)
@@ -186,7 +186,7 @@ def main():
     )
     print(page)
     if "--print" not in sys.argv:
-        (ROOT / "docs/performance/sweep.rst").write_text(page)
+        bench_file("sweep.rst").write_text(page)
     return 0 if after == points and not again and same else 1
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Error against cost of the integrators; writes docs/performance/work_precision.rst and its
+"""Error against cost of the integrators; writes build/bench/work_precision.rst and its
 diagram.
 
     python tests/bench/work_precision.py [rad/s ...]
@@ -23,14 +23,18 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from machine import machine  # noqa: E402
+from machine import bench_file, machine  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))  # as pytest.ini does
+
+from host import tables  # noqa: E402
+
 FOLDER = "build/bench/precision"
 PAGE, PICTURE = (
-    ROOT / "docs/performance/work_precision.rst",
-    ROOT / "docs/images/work_precision.png",
+    bench_file("work_precision.rst"),
+    bench_file("work_precision.png"),
 )
 ROUNDS = 2
 SAMPLES = 200
@@ -88,21 +92,13 @@ def run(**variables):
     )
 
 
-def blocks(name):
-    lines, at = (ROOT / FOLDER / name).read_text().splitlines(), 0
-    while at < len(lines):
-        count = int(lines[at + 3])
-        yield np.array([line.split() for line in lines[at + 9 : at + 9 + count]], float)
-        at += 9 + count
-
-
 def recorded(**variables):
     """Loads and films (instants, 2, 9) and orbital speeds (samples, 9); None where the run was
     refused."""
     if run(record="yes", passes=1, **variables) is None:
         return None
     rows = np.loadtxt(ROOT / FOLDER / "contacts.txt")
-    orbit = np.array([rows[:, 1] for rows in blocks("balls.dump")])
+    orbit = np.array([rows[:, 1] for _, rows in tables(ROOT / FOLDER / "balls.dump")])
     count = (len(orbit) - 1) * int(variables.get("within", 1)) + 1
     instant = np.rint((rows[:, 0] - rows[0, 0]) * (count - 1) / (rows[-1, 0] - rows[0, 0])).astype(
         int
@@ -398,7 +394,7 @@ stiff, and Verlet is about as fast with either.
         "Diagram",
         "-------",
         "",
-        ".. image:: ../images/work_precision.png",
+        ".. image:: work_precision.png",
         "   :alt: error against wall time per simulated second",
         "",
         (

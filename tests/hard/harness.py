@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 import yaml
-from host import liggghts
+from host import liggghts, tables
 from raceway import static
 from raceway.theory.bearing import Bearing
 
@@ -58,15 +58,15 @@ def run(folder, case, **over):
         else (float(variables["sample"]) / int(variables.get("substeps", 1)), 0, 0)
     )
     wall = re.findall(r"Loop time of (\S+) on", outcome.text)
-    balls = [] if outcome.code else _blocks(Path(folder) / "balls.dump")
+    balls = [] if outcome.code else [rows for _, rows in tables(Path(folder) / "balls.dump")]
     lost = len({len(table) for table in balls}) > 1
-    tables = (
+    arrays = (
         [None] * 6
         if outcome.code or lost
-        else _tables(Path(folder), balls, variables.get("lubricant") != "dry")
+        else _arrays(Path(folder), balls, variables.get("lubricant") != "dry")
     )
     return Course(
-        *tables,
+        *arrays,
         step,
         smallest,
         int(refused),
@@ -77,12 +77,11 @@ def run(folder, case, **over):
     )
 
 
-def _tables(folder, balls, wet):
-    contacts = _blocks(folder / "contacts.dump")
+def _arrays(folder, balls, wet):
     load, film, capacitance = np.zeros((3, len(balls), 2, BALLS))
-    for k, row in enumerate(contacts):
+    for k, (_, row) in enumerate(tables(folder / "contacts.dump")):
         load[k, row[:, 1].astype(int), row[:, 0].astype(int) - 1] = row[:, 2]
-    for k, row in enumerate(_blocks(folder / "film.dump") if wet else []):
+    for k, (_, row) in enumerate(tables(folder / "film.dump") if wet else []):
         at = k, row[:, 1].astype(int), row[:, 0].astype(int) - 1
         film[at], capacitance[at] = row[:, 2], row[:, 3]
     both = capacitance.min(1) > 0
@@ -99,20 +98,6 @@ def _tables(folder, balls, wet):
         atoms[:, :BALLS, 2:4],
         atoms[:, -2, 2:5],
     )
-
-
-def _blocks(path):
-    """The tables of a dump, one a sample."""
-    lines, at, found = path.read_text().splitlines(), 0, []
-    while at < len(lines):
-        count = int(lines[at + 3])
-        found.append(
-            np.array(" ".join(lines[at + 9 : at + 9 + count]).split(), float).reshape(count, -1)
-            if count
-            else np.zeros((0, 5))
-        )
-        at += 9 + count
-    return found
 
 
 # ---- references

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs the hard cases and their references, these twice as fine too, and writes
-docs/performance/hard_cases.rst.
+build/bench/hard_cases.rst.
 
     python tests/hard/table.py          # all
     python tests/hard/table.py last     # the last part alone
@@ -14,10 +14,12 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
+from bench.machine import bench_file  # noqa: E402
+
 from hard import harness, longrun  # noqa: E402
 from hard.harness import BOUNDS, CASES, EXPLICIT, judge, reference  # noqa: E402
 
-TARGET = TESTS.parent / "docs/performance/hard_cases.rst"
+TARGET = bench_file("hard_cases.rst")
 LAST = "Thirty seconds"  # heading of the last part
 NAMES = {
     "statics": "statics",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs the hard cases with the models `full` under both integrators and writes
-docs/performance/hard_cases_full.rst.
+build/bench/hard_cases_full.rst.
 
     python tests/hard/table_full.py
 """
@@ -13,10 +13,12 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
+from bench.machine import bench_file  # noqa: E402
+
 from hard.harness import CASES, full  # noqa: E402
 from hard.table import list_table, number  # noqa: E402
 
-TARGET = TESTS.parent / "docs/performance/hard_cases_full.rst"
+TARGET = bench_file("hard_cases_full.rst")
 HEAD = ["case", "figure", "bound", "cage speed", "film", "mean internal step (s)", "remark"]
 
 

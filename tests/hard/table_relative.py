@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs the hard cases with relative tolerances, by smoothed friction and by the models `full`, and
-writes docs/performance/relative_tolerance.rst.
+writes build/bench/relative_tolerance.rst.
 
     python tests/hard/table_relative.py
 """
@@ -14,11 +14,13 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
+from bench.machine import bench_file  # noqa: E402
+
 from hard import harness  # noqa: E402
 from hard.harness import CASES, least_room, truths_of  # noqa: E402
 from hard.table import list_table, number  # noqa: E402
 
-TARGET = TESTS.parent / "docs/performance/relative_tolerance.rst"
+TARGET = bench_file("relative_tolerance.rst")
 SHARES = (0.0, 2e-4, 5e-4)
 HEAD = ["case", "corrections", *(f"fewer by, R = {share:g}" for share in SHARES[1:])]
 HEAD += ["bound", *(f"figure, R = {share:g}" for share in SHARES)]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Times the hard cases with a record and with nothing written, and writes
-docs/performance/hard_cases_speed.rst.
+build/bench/hard_cases_speed.rst.
 
     python tests/hard/table_speed.py
 """
@@ -13,11 +13,13 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))  # as pytest.ini does
 
+from bench.machine import bench_file  # noqa: E402
+
 from hard.harness import CASES, truths_of  # noqa: E402
 from hard.speed import RUNS, coarsest, nearest, resonance, speed  # noqa: E402
 from hard.table import list_table, number  # noqa: E402
 
-TARGET = TESTS.parent / "docs/performance/hard_cases_speed.rst"
+TARGET = bench_file("hard_cases_speed.rst")
 HEAD = ["case", "host step (s)", "samples in it", "with a record", "nothing written"]
 SLOW = [
     "case",

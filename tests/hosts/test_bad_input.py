@@ -61,7 +61,7 @@ MAIN_DECK = {
     "unknown models": (
         {"models": "papers"},
         r"bearing_input: there is no 'papers' in folder inputs/models; "
-        r"there is: eyring, film, full, paper",
+        r"there is: paper, eyring, film, full",
     ),
     "cage ball too large": (
         {"cage_ball_diameter": 9e-3},
@@ -81,10 +81,6 @@ MAIN_DECK = {
     "no such law of spin": (
         {"spin_law": "slice"},
         r"bearing_range: spin_law is 'slice', must be one of closed, slices",
-    ),
-    "no law of slices without the film in the gap": (
-        {"models": "full", "spin_law": "slices", "without": "gap"},
-        r"the contact law .* slip_slices .* is not among those compiled",
     ),
     "no such film in the gap": (
         {"gap_film": "moss"},

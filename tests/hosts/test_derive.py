@@ -6,7 +6,7 @@ import math
 import pytest
 from host import ROOT, run
 from raceway import inputs
-from raceway.theory import kinematics, makers, many_grooves
+from raceway.theory import kinematics, makers
 
 BEARINGS, OILS = ROOT / "inputs/bearings", ROOT / "inputs/lubricants"
 DATA = "variable inputs index inputs\ninclude ${inputs}/modules/bearing_data\n"
@@ -60,13 +60,13 @@ def test_four_point(tmp_path):
     deck += "bearing_derive four_point\n"
     names = [f"b_{side}_{what}" for side in ("inner", "outer") for what in ("raceway", "arch")]
     found = derived(tmp_path, deck, names, bearing=6208, four_point=35, clearance=4e-6)
-    row = many_grooves.four_point(inputs.bearing(BEARINGS / "6208"), math.radians(35))[0]
+    bearing = inputs.bearing(BEARINGS / "6208", four_point=math.radians(35))
     for side, play in (("inner", 0.0), ("outer", 2e-6)):
-        radius = getattr(row.bearing, f"{side}_radius")
+        radius = getattr(bearing, f"{side}_radius")
         assert float(found[f"b_{side}_raceway"]) == pytest.approx(radius + play, rel=2e-15)
         word, offset = found[f"b_{side}_arch"].split()
         assert word == "gothic_arch"
-        assert float(offset) == pytest.approx(max(getattr(row, side)), rel=4e-15)
+        assert float(offset) == pytest.approx(max(getattr(bearing.layout, side)[0]), rel=4e-15)
     plain = derived(tmp_path, deck, names[::2], bearing=6208, four_point=0)
     assert plain["b_inner_raceway"] == inputs.values(BEARINGS / "6208")["inner_radius"]
 

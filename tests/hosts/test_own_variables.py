@@ -6,6 +6,7 @@ import re
 
 import pytest
 from host import ROOT, succeed
+from raceway import data_table, inputs
 
 INPUTS = ROOT / "inputs"
 OWN = """x y z vx vy vz fx fy fz mx my mz n every dt new half omega spin pitch skin wanted now
@@ -31,10 +32,13 @@ def test_deck_with_variables_of_its_own(tmp_path, host, integrator):
 
 
 def variables(folder):
-    """{name: styles} of the `variable` commands in the files of a folder."""
+    """{name: styles} of the `variable` commands in the files of a folder and in the rows that
+    stand for files."""
     found = {}
-    for file in (INPUTS / folder).iterdir():
-        for name, style in re.findall(r"variable (\w+)\s+(\w+)", file.read_text()):
+    for path in data_table.names(INPUTS / folder):
+        for name, style in re.findall(
+            r"variable (\w+)\s+(\w+)", inputs.text(INPUTS / folder / path)
+        ):
             found.setdefault(name, set()).add(style)
     return found
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Capacitance with its surroundings, for test_physics_surroundings.py.
 #include "../../src-package/core/exports.h"
+#include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/film_capacitor.h"
 
 #include <chrono>

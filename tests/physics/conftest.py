@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The physics headers as a library, made by `make build` (Makefile rule
+"""The physics headers as a library, made by `make interfaces` (Makefile rule
 build/libraceway_physics.so)."""
 
 import sys
@@ -19,7 +19,7 @@ LIBRARY = Path(__file__).resolve().parents[2] / "build" / "libraceway_physics.so
 @pytest.fixture(scope="session")
 def physics():
     if not LIBRARY.exists():
-        pytest.fail(f"{LIBRARY} is missing: run make build first", pytrace=False)
+        pytest.fail(f"{LIBRARY} is missing: run make interfaces first", pytrace=False)
     return Physics(LIBRARY)
 
 

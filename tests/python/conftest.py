@@ -33,3 +33,9 @@ def folder(tmp_path, lubricated):
 def dry_folder(tmp_path, dry):
     """The dry run on disk."""
     return synthetic.write(tmp_path / "dry", dry)
+
+
+@pytest.fixture
+def small_blocks(monkeypatch):
+    """A record is read some samples at a time: nothing may depend on where the blocks end."""
+    monkeypatch.setattr("raceway.runs.record.BLOCK", 60_000)

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Writes a run folder without a simulation: static theory at every sample, rolling without slip,
-film formulas."""
+"""Writes the record of a run without a simulation: static theory at every sample, rolling without
+slip, film formulas."""
 
+import json
+import re
+from importlib.resources import files
+
+import netCDF4
 import numpy as np
-from raceway import capacitance, film, hertz, kinematics, static
+from raceway import capacitance, columns, film, hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 # the paper's 6208
@@ -19,10 +24,7 @@ MECHANICAL = (
     "ball ring raceway azimuth angle overlap load normal damping a b pressure "
     "entrainment sliding mu friction friction_power damping_power"
 ).split()
-LUBRICATED = (
-    MECHANICAL[:-4]
-    + "h_min h_c lambda regime mu friction friction_power damping_power capacitance".split()
-)
+LUBRICATED = MECHANICAL + "h_min h_c lambda regime capacitance".split()
 BALL_COLUMNS = "id type x y z vx vy vz omegax omegay omegaz".split()
 RING_COLUMNS = "step time x y z vx vy vz spin fx fy fz mx my mz".split()
 LOSS = (1e-6, 2e-6)  # W of friction and damping per N of load, made up
@@ -62,7 +64,7 @@ def run(
         contacts.append(
             [row for side in (INNER, OUTER) for row in _rows(bearing, state, side, spin, oil, z)]
         )
-        balls.append(_atoms(bearing, state, cage, z, inner_ring, outer_ring))
+        balls.append(_atoms(bearing, state, cage, spin, inner_ring, outer_ring))
         lost = sum(sum(LOSS) * row[6] for row in contacts[-1])
         rings.append(
             [sample * 100, sample * sample_s, *state.shift, 0, 0, 0, spin]
@@ -83,9 +85,11 @@ def run(
         "wall_s": 2.5,
         "processor_s": 2.25,
         "evaluations": 1234.0,
-        "simulated_s": sample_s * len(rings),
+        "simulated_s": rings[-1][1],
         "balls": z,
         "ball_diameter_m": bearing.ball_diameter,
+        "ball_young_Pa": bearing.young,
+        "ball_poisson": bearing.poisson,
         "inner_radius_m": bearing.inner_radius,
         "outer_radius_m": bearing.outer_radius,
         "inner_groove_m": bearing.inner_groove,
@@ -95,7 +99,6 @@ def run(
         "samples_per_pass": samples_per_pass,
         **(oil or {}),
         "contact_columns": " ".join(LUBRICATED if oil else MECHANICAL),
-        "ball_columns": " ".join(BALL_COLUMNS),
         "inner_ring": inner_ring,
         "outer_ring": outer_ring,
     }
@@ -123,7 +126,7 @@ def _rows(bearing, state, side, spin, oil, z):
             speed,
             0.0,
         ]
-        losses = [part.load[i] * loss for loss in LOSS]
+        row += [0.05 if oil else 0.1, 0.0, *(part.load[i] * loss for loss in LOSS)]
         if oil:
             r_x, r_y = bearing.effective_radii(side)
             group = film.group(
@@ -142,20 +145,15 @@ def _rows(bearing, state, side, spin, oil, z):
                 h_c,
                 ratio,
                 film.regime(ratio),
-                0.05,
-                0.0,
-                *losses,
                 capacitance.contact(
                     oil["permittivity"], part.pressure[i], part.a[i], part.b[i], h_c
                 ),
             ]
-        else:
-            row += [0.1, 0.0, *losses]
         yield row
 
 
-def _atoms(bearing, state, cage, z, inner_ring, outer_ring):
-    radius, rows = bearing.pitch_radius, []
+def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
+    z, radius, rows = bearing.balls, bearing.pitch_radius, []
     for kind, offset in ((1, 0.0), (2, np.pi / z)):
         for i, azimuth in enumerate(state.azimuth + offset):
             x, y = radius * np.cos(azimuth), radius * np.sin(azimuth)
@@ -163,36 +161,219 @@ def _atoms(bearing, state, cage, z, inner_ring, outer_ring):
             rows.append(
                 [i + 1 + (kind - 1) * z, kind, x, y, 0, -turn * y, turn * x, 0, 0, 0, -100.0]
             )
-    rows.append([inner_ring, 3, *state.shift, 0, 0, 0, 0, 0, 50.0])
+    rows.append([inner_ring, 3, *state.shift, 0, 0, 0, 0, 0, spin])
     rows.append([outer_ring, 4] + [0.0] * 9)
     return rows[::-1]  # in no particular order
 
 
-def write(folder, data):
-    """Write `data` as `run` returns it to `folder`, in the files and formats of a deck."""
+def changed(data, **settings):
+    """`data` with other settings."""
+    return {**data, "settings": {**data["settings"], **settings}}
+
+
+def spoil(folder, pattern, replacement):
+    """Change a line of run.yaml."""
+    path = folder / "run.yaml"
+    text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.MULTILINE)
+    assert count == 1
+    path.write_text(text)
+
+
+# ---- the record --------------------------------------------------------------------------------
+
+NUMBERS = (  # of the settings, as attributes of the file and in run.yaml
+    "load_N rpm passes samples_per_pass load_azimuth_rad balls ball_diameter_m inner_radius_m"
+    " outer_radius_m inner_groove_m outer_groove_m clearance_m ball_young_Pa ball_poisson"
+    " viscosity_Pa_s pressure_viscosity_per_Pa permittivity roughness_m inner_ring outer_ring"
+    " sample_s"
+).split()
+WORDS = "bearing lubricant integrator models host".split()
+END = "step_s evaluations processor_s simulated_s wall_s".split()
+TABLES = json.loads(files("raceway.runs").joinpath("columns.json").read_text())
+MASS = 8.2e-3  # kg of a ball
+
+
+def write(folder, data, end=True):
+    """Write `data` as `run` returns it to `folder`: record.nc in the layout of fix bearing/record,
+    and run.yaml. A sample is a row of `rings`; contacts and balls begin again after their last.
+    Without `end` the run is still going."""
     folder.mkdir(parents=True, exist_ok=True)
+    settings = data["settings"]
+    words = {"title": "ball bearing run", **{name: settings[name] for name in WORDS}, "axis": "z"}
+    numbers = {name: np.float64(settings[name]) for name in NUMBERS if name in settings}
+    last = {name: settings[name] for name in END} | {
+        "simulated_s": len(data["rings"]) and data["rings"][-1][1]
+    }
     # a deck prints numbers as C does, 1e-06 and not 1.0e-06
-    (folder / "run.yaml").write_text(
-        "".join(
-            f"{key}: {value if isinstance(value, str) else format(value, '.17g')}\n"
-            for key, value in data["settings"].items()
-        )
-    )
-    for name, what, label in (
-        ("contacts.dump", "ENTRIES", "c_1[1] c_1[2]"),
-        ("balls.dump", "ATOMS", "id type x"),
-    ):
-        frames = data[name.split(".")[0]]
-        (folder / name).write_text(
-            "".join(
-                f"ITEM: TIMESTEP\n{100 * k}\nITEM: NUMBER OF {what}\n{len(rows)}\nITEM: BOX BOUNDS"
-                " ff ff ff\n" + 3 * "-0.05 0.05\n" + f"ITEM: {what} {label}\n" + _text(rows)
-                for k, rows in enumerate(frames)
-            )
-        )
-    (folder / "rings.dat").write_text("# " + " ".join(RING_COLUMNS) + "\n" + _text(data["rings"]))
+    told = words | {k: f"{v:.17g}" for k, v in (numbers | (last if end else {})).items()}
+    (folder / "run.yaml").write_text("".join(f"{k}: {v}\n" for k, v in told.items()))
+    with netCDF4.Dataset(folder / "record.nc", "w", format="NETCDF3_64BIT_OFFSET") as file:
+        file.setncatts(words | numbers)
+        _fill(file, data, end)
     return folder
 
 
-def _text(rows):
-    return "".join(" ".join(format(value, ".17g") for value in row) + " \n" for row in rows)
+def _fill(file, data, end):
+    settings, count = data["settings"], len(data["rings"])
+    file.set_auto_maskandscale(False)
+    file.set_fill_off()
+    z = settings["balls"]
+    rings = np.array(data["rings"], dtype=float).reshape(count, len(RING_COLUMNS))
+    places = _places(data, count)
+    caged = places["cage_ball"].shape[1] > 0
+    sizes = {"time": None, "raceway": 2, "ball": z, "ring": 2, "bearing": 1}
+    sizes |= {"cage_ball": z} if caged else {}
+    for name, size in {**sizes, "letters": 5}.items():
+        file.createDimension(name, size)
+
+    def put(name, dimensions, values, column=None, kind="f8"):
+        variable = file.createVariable(name, kind, dimensions)
+        if column:
+            variable.setncatts({"units": column["unit"] or "1", "long_name": column["meaning"]})
+        variable[slice(len(values)) if dimensions[:1] == ("time",) else ...] = values
+
+    def fixed(name, dimensions, values, meaning, unit="", kind="i4"):
+        put(name, dimensions, values, {"unit": unit, "meaning": meaning}, kind)
+
+    put("raceway", ("raceway", "letters"), [[*"inner"], [*"outer"]], kind="S1")
+    file["raceway"].setncattr("_Encoding", "utf-8")
+    fixed("finished", (), int(end), "1: the run has come to its end")
+    atoms = {"ball": np.arange(z) + 1, "cage_ball": np.arange(z) + z + 1, "ring": 2 * z + 1}
+    for kind, ids in ((kind, ids) for kind, ids in atoms.items() if kind in sizes):
+        fixed(kind, (kind,), ids + np.arange(2) if kind == "ring" else ids, _ATOM[kind])
+        fixed(f"{kind}_bearing", (kind,), 1, "its bearing")
+    fixed("ring_raceway", ("ring",), [0, 1], "0 inner, 1 outer")
+    for axis in "xyz":
+        where = "where the ring was at the start"
+        fixed(f"ring_origin_{axis}", ("ring",), 0.0, where, "m", "f8")
+    fixed("bearing", ("bearing",), 1, "number of a bearing")
+    kind = _kind(settings, caged)
+    for column in TABLES["kind"]:
+        if not column["name"].endswith("_arch"):
+            put(column["name"], ("bearing",), kind[column["name"]], column)
+
+    put(
+        "time",
+        ("time",),
+        rings[:, 1],
+        {"unit": "s", "meaning": "time since the start of the record"},
+    )
+    put("step", ("time",), rings[:, 0], {"unit": "", "meaning": "step of the host"})
+    contacts = _contacts(data, count)
+    for column in TABLES["contact"]:
+        if column["name"] in contacts:
+            put(column["name"], ("time", "raceway", "ball"), contacts[column["name"]], column)
+    for k, column in enumerate(TABLES["atom"][2:]):
+        for prefix, ids in (("ball", "ball"), ("cage", "cage_ball"))[: 1 + caged]:
+            put(f"{prefix}_{column['name']}", ("time", ids), places[ids][..., k], column)
+    moving = _rings(rings, places["ring"])
+    for column in TABLES["ring"]:
+        if column["name"] in moving:
+            put(f"ring_{column['name']}", ("time", "ring"), moving[column["name"]], column)
+    sums = _sums(contacts, places)
+    for column in TABLES["bearing"]:
+        if column["name"] in sums:
+            put(f"bearing_{column['name']}", ("time", "bearing"), sums[column["name"]], column)
+
+
+_ATOM = {
+    "ball": "atom number of a ball",
+    "cage_ball": "atom number of a cage ball",
+    "ring": "atom number of a ring",
+}
+
+
+def _kind(settings, caged):
+    """What the bearing is, by the names of the file."""
+    of = {column["name"]: np.nan for column in TABLES["kind"]}
+    known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
+    of |= {name: value for name, value in known.items() if name in of}
+    return of | {
+        "balls": settings["balls"],
+        "outer_radius": settings["outer_radius_m"] + settings["clearance_m"] / 2,
+        "cage_balls": settings["balls"] if caged else 0,
+        "cage_ball_diameter": 8.38e-3 if caged else np.nan,
+        "ball_mass": MASS,
+        "ring_young": settings["ball_young_Pa"],
+        "ring_poisson": settings["ball_poisson"],
+        "viscosity": settings.get("viscosity_Pa_s", np.nan),
+        "pressure_viscosity": settings.get("pressure_viscosity_per_Pa", np.nan),
+        "permittivity": settings.get("permittivity", np.nan),
+        "ring_roughness": settings.get("roughness_m", np.nan),
+        "ball_roughness": 0.0 if "roughness_m" in settings else np.nan,
+    }
+
+
+def _contacts(data, count):
+    """{column: (time, raceway, ball)}"""
+    names, z = data["settings"]["contact_columns"].split(), data["settings"]["balls"]
+    frames = data["contacts"]
+    found = {
+        column["name"]: np.full((len(frames), 2, z), columns.CONTACT[column["name"]].absent)
+        for column in TABLES["contact"]
+        if column["name"] in names[3:]
+    }
+    for sample, frame in enumerate(frames):
+        for ball, _, raceway, *values in frame:
+            for name, value in zip(names[3:], values):
+                found[name][sample, raceway, ball - 1] = value
+    return {name: values[np.arange(count) % len(frames)] for name, values in found.items()}
+
+
+def _places(data, count):
+    """{atoms: (time, atom, place, velocity and spin)}"""
+    z = data["settings"]["balls"]
+    table = np.array([sorted(frame, key=lambda row: row[0]) for frame in data["balls"]])
+    table = table[np.arange(count) % len(table), :, 2:]
+    return {"ball": table[:, :z], "cage_ball": table[:, z:-2], "ring": table[:, -2:]}
+
+
+def _rings(rings, places):
+    """{column: (time, inner and outer)}: the outer ring holds what the inner ring takes."""
+    found = {}
+    for name, values in zip(RING_COLUMNS[2:], rings.T[2:]):
+        found[name] = np.column_stack([values, -values if name[0] in "fm" else 0 * values])
+    for k, name in enumerate(RING_COLUMNS[2:8]):
+        found[name][:, 1] = places[:, 1, k]
+    turned = np.column_stack([found["spin"][:, 0] * rings[:, 1], 0 * rings[:, 1]])
+    nothing = dict.fromkeys(("tilt_1", "tilt_2", "ax", "ay", "az"), np.zeros_like(turned))
+    return {**found, "angle": turned, "torque": found["mz"], **nothing}
+
+
+def _sums(contacts, places):
+    """{column of the bearing: (time, 1)}"""
+    load = contacts["load"]
+    live, samples = load > 0, np.arange(len(load))
+    top = load[:, 0].argmax(axis=1)
+
+    def least(name):
+        values = np.where(live, contacts[name], np.inf).min(axis=(1, 2))
+        return np.where(live.any(axis=(1, 2)), values, np.nan)
+
+    def at_top(name):
+        return np.where(live[:, 0].any(axis=1), contacts[name][samples, 0, top], np.nan)
+
+    way = places["ball"] - places["ring"][:, 1:]
+    x, y, vx, vy = (way[..., k] for k in (0, 1, 3, 4))
+    found = {
+        "contacts": live.sum(axis=(1, 2)),
+        "loaded_balls": live.all(axis=1).sum(axis=1),
+        "load_inner": load[:, 0].max(axis=1),
+        "load_outer": load[:, 1].max(axis=1),
+        "pressure_inner": contacts["pressure"][:, 0].max(axis=1),
+        "pressure_outer": contacts["pressure"][:, 1].max(axis=1),
+        "cage_speed": ((x * vy - y * vx) / (x**2 + y**2)).mean(axis=1),
+        "friction_power": contacts["friction_power"].sum(axis=(1, 2)),
+        "damping_power": contacts["damping_power"].sum(axis=(1, 2)),
+        "entrainment_top": at_top("entrainment"),
+    }
+    if places["cage_ball"].shape[1]:
+        found["cage_force"] = np.zeros(len(load))
+    if "h_min" in contacts:
+        both = live.all(axis=1)
+        parts = np.where(live, contacts["capacitance"], 1.0)
+        series = np.where(both, 1 / (1 / parts[:, 0] + 1 / parts[:, 1]), 0.0)
+        found |= {"h_min": least("h_min"), "lambda": least("lambda")}
+        found |= {f"{name}_top": at_top(name) for name in ("h_min", "lambda", "h_c")}
+        found |= {"capacitance": series.sum(axis=1), "capacitance_top": series.max(axis=1)}
+    return {name: values[:, None] for name, values in found.items()}

@@ -7,18 +7,16 @@ import pytest
 import raceway
 import synthetic
 from raceway import capacitance, electrical, losses, regimes
-from raceway.errors import RunError, RunWarning
+from raceway.errors import RunError
 from raceway.runs import around
-from test_run import spoil
 
 COLUMN = {name: i for i, name in enumerate(synthetic.LUBRICATED)}
 BINS = 12
 
 
 @pytest.fixture
-def run(folder, monkeypatch):
+def run(folder, small_blocks):
     """In blocks of a few samples: nothing may depend on where they end."""
-    monkeypatch.setattr("raceway.runs.dump.BLOCK", 10_000)
     return raceway.open(folder)
 
 
@@ -137,25 +135,9 @@ def test_torque_of_a_ring_that_turns_the_other_way(tmp_path, lubricated):
     assert float(one["torque"].min()) > 0
 
 
-def test_losses_of_rows_that_both_have(folder):
-    path = folder / "rings.dat"
-    lines = path.read_text().splitlines(keepends=True)
-    # as a run that is still going, without its first sample
-    path.write_text("".join([lines[0], *lines[2:-3]]))
-    with pytest.warns(RunWarning, match="ends with sample 45"):
-        assert losses.losses(raceway.open(folder)).sizes["time"] == 45
-
-
 @pytest.mark.parametrize(
     "function", [regimes.shares, regimes.totals, electrical.over_time, electrical.by_raceway]
 )
 def test_dry(dry_folder, function):
     with pytest.raises(RunError, match="no film to look at"):
         function(raceway.open(dry_folder))
-
-
-def test_older_runs_have_no_losses(folder):
-    spoil(folder, "friction_power", "something")
-    for function in (losses.losses, losses.losses_around):
-        with pytest.raises(RunError, match="no column friction_power: run the deck again"):
-            function(raceway.open(folder))

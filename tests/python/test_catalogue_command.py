@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 import pytest
-from raceway import catalogue, clearance_classes, listing
+from raceway import catalogue, clearance_classes, inputs, listing
 from raceway.cli import main
 from raceway.inputs import InputError
 
@@ -56,8 +56,9 @@ def test_one_bearing(capsys):
 
 def test_all_are_listed_by_bore(capsys):
     rows = found(capsys)
-    there = {path.name for path in (ROOT / "inputs/bearings").iterdir()}
-    assert {row["name"] for row in rows} == there and len(rows) == len(there)
+    there = {path.name for path in (ROOT / "inputs/bearings").iterdir()} - {"catalogue.csv"}
+    assert len(there) == 6 and len({row["name"] for row in rows}) == len(rows) == 122
+    assert there < {row["name"] for row in rows}
     bores = [row["bore_m"] for row in rows if row["bore_m"]]
     assert bores == sorted(bores)
     # Harris's 209 states none
@@ -139,6 +140,22 @@ def test_own_folder(capsys, tmp_path):
     assert "thirty" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("name", ["7205B", "6208"])
+def test_file_to_edit(capsys, tmp_path, name):
+    """A row or a file with its sources, not over a file that is there."""
+    path = tmp_path / "new" / "mine"
+    assert main(["catalogue", name, "--file", str(path)]) == 0
+    known = catalogue.find("bearings", name)
+    assert inputs.values(path) == inputs.values(known)
+    assert inputs.bearing(path) == inputs.bearing(known)
+    assert ("JTEKT (Koyo) catalogue" if name == "7205B" else "Farah") in path.read_text()
+    assert main(["catalogue", name, "--file", str(path)]) == 1
+    assert "is there already" in capsys.readouterr().err
+    assert main(["catalogue", "--file", str(tmp_path / "other")]) == 1
+    assert main(["catalogue", "7205", "--file", str(tmp_path / "other")]) == 1
+    assert "there is no bearing '7205'" in capsys.readouterr().err
+
+
 def test_message_of_many_names():
     with pytest.raises(InputError, match=r"there is: .*6209.*, \d+ in all \(raceway catalogue\)"):
         catalogue.find("bearings", "6299")
@@ -146,14 +163,19 @@ def test_message_of_many_names():
         catalogue.find("lubricants", "oil")
 
 
-def test_page_shows_what_is_printed(capsys):
-    """The table on docs/catalogue.rst, and the balls of its last example."""
+def test_page_shows_what_is_printed(capsys, tmp_path):
+    """The table on docs/catalogue.rst, the balls of its last Python example, its table of one
+    row."""
     page = (ROOT / "docs" / "catalogue.rst").read_text()
     command, _, rest = page.partition("$ .venv/bin/raceway ")[2].partition("\n")
     shown = [line[3:] for line in rest.partition("\n\n*Z*")[0].splitlines()]
     assert main(command.split()) == 0
     assert capsys.readouterr().out.splitlines() == shown
-    example = page.rpartition(".. code-block:: python")[2].partition("\n\nTo add")[0]
+    example = page.rpartition(".. code-block:: python")[2].partition("\n\nFor several")[0]
     names = {}
     exec("\n".join(line[3:] for line in example.splitlines()), names)
     assert (names["number"], names["diameter"]) == (10, pytest.approx(14.2875e-3))
+    table = page.rpartition(".. code-block:: none\n\n")[2].partition("\n\n*")[0]
+    (tmp_path / "own.csv").write_text("\n".join(line[3:] for line in table.splitlines()) + "\n")
+    assert inputs.bearing(tmp_path / "mine").ball_diameter == 12.7e-3
+    assert inputs.comments(tmp_path / "mine")["basic_dynamic_load"] == "N; C, a calliper"

@@ -49,15 +49,6 @@ def test_unusable_run(folder, capsys, command):
     assert printed.err.startswith("raceway: run has not finished: ")
 
 
-def test_cut_file_is_a_warning(folder, capsys):
-    path = folder / "contacts.dump"
-    path.write_bytes(path.read_bytes()[:-5])
-    assert main(["summary", str(folder), "--json"]) == 0
-    printed = capsys.readouterr()
-    assert "raceway: warning: " in printed.err and "contacts.dump, line " in printed.err
-    json.loads(printed.out)
-
-
 @pytest.mark.parametrize(
     "arguments", [[], ["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]]
 )
@@ -118,7 +109,7 @@ def test_as_a_program(folder, tmp_path):
     assert (done.returncode, done.stderr) == (0, "")
     failed = run_module("summary", str(tmp_path))
     assert failed.returncode == 1
-    assert "Traceback" not in failed.stderr and "run.yaml" in failed.stderr
+    assert "Traceback" not in failed.stderr and "has no record.nc" in failed.stderr
     assert run_module("--version").stdout == f"raceway {raceway.__version__}\n"
 
 

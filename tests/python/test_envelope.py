@@ -106,7 +106,7 @@ def test_of_a_run(struck):
     for name in ("BPFI", "BPFI+shaft", "BPFI-shaft"):
         assert found[name, 1].note == "" and abs(found[name, 1].difference) < 2e-3
     assert found["BPFO", 1].note and found["BSF", 2].note
-    with pytest.raises(RunError, match="rings.dat: band 1 to"):
+    with pytest.raises(RunError, match="record.nc: band 1 to"):
         envelope.of_run(run, "y", (1.0, 10 * nyquist))
 
 

@@ -164,7 +164,7 @@ def test_complaints(folder, tmp_path, capsys):
     (tmp_path / "file").write_text("")
     assert main(["export", str(folder), "--format", "vtk", "--out", str(tmp_path / "file")]) == 1
     assert "cannot make the folder" in capsys.readouterr().err
-    (folder / "balls.dump").write_text("nonsense\n")
+    (folder / "record.nc").write_text("nonsense\n")
     assert main(["export", str(folder), "--format", "xyz"]) == 1
-    assert "balls.dump, line 1" in capsys.readouterr().err
+    assert "record.nc" in capsys.readouterr().err
     assert not (folder / "xyz" / "bearing.xyz").exists()

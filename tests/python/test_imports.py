@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+from raceway.cli import modules
 
 LARGE = {"numpy", "pandas", "matplotlib", "PIL", "xarray", "scipy", "yaml", "tqdm"}
 SCRIPT = f"""
@@ -30,26 +31,7 @@ def loaded(*arguments):
     return set(done.stderr.splitlines()[-1].split())
 
 
-@pytest.mark.parametrize(
-    "command",
-    [
-        "",
-        "summary",
-        "plot",
-        "animate",
-        "export",
-        "spectrum",
-        "circuit",
-        "static",
-        "stiffness",
-        "heat",
-        "electric",
-        "sweep",
-        "dataset",
-        "gather",
-        "paper",
-    ],
-)
+@pytest.mark.parametrize("command", ["", *(one.__name__.rpartition(".")[2] for one in modules())])
 def test_help_loads_none(command):
     assert loaded(*command.split(), "--help") == set()
 

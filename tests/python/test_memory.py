@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 import raceway
 import synthetic
-from test_run import spoil
 
 SHORT, LONG = 20, 180  # times the 49 samples of the synthetic run
 # bytes read at once, as much smaller than usual as the runs are: the short one has several
@@ -34,29 +33,19 @@ part.contacts, part.balls, part.cage, part.rings
 u = run.universe()
 [u.trajectory[i] for i in range(0, len(u.trajectory), 50)]
 """
-WHOLE = "raceway.open(folder).contacts"  # not one of them
+WHOLE = "raceway.open(folder).contacts.load()"  # not one of them
 
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory, lubricated):
-    """The run written out, its frames over and over."""
+    """The run written out, its samples over and over."""
     made = {}
     for times in (SHORT, LONG):
-        folder = synthetic.write(tmp_path_factory.mktemp("long") / str(times), lubricated)
-        for name in ("contacts.dump", "balls.dump"):
-            head = b"ITEM: TIMESTEP\n"
-            frames = [
-                part.split(b"\n", 1)[1] for part in (folder / name).read_bytes().split(head)[1:]
-            ]
-            with open(folder / name, "wb") as file:
-                for sample, frame in enumerate(frames * times):
-                    file.write(head + b"%d\n" % (100 * sample) + frame)
-        spoil(folder, "^passes: .*", f"passes: {(49 * times - 1) / 24!r}")
         rings = np.tile(np.array(lubricated["rings"], dtype=float), (times, 1))
         rings[:, 0] = 100 * np.arange(len(rings))
         rings[:, 1] = np.arange(len(rings)) * lubricated["settings"]["sample_s"]
-        np.savetxt(folder / "rings.dat", rings, header=" ".join(synthetic.RING_COLUMNS))
-        made[times] = folder
+        data = synthetic.changed({**lubricated, "rings": rings}, passes=(len(rings) - 1) / 24)
+        made[times] = synthetic.write(tmp_path_factory.mktemp("long") / str(times), data)
     return made
 
 
@@ -64,7 +53,7 @@ def peak(folder, task):
     """Largest resident memory in MB of a process that does `task`."""
     # VmHWM and not ru_maxrss, which a process inherits from the one that started it
     code = (
-        f"import sys, raceway, raceway.runs.dump; raceway.runs.dump.BLOCK = {BLOCK}; folder ="
+        f"import sys, raceway, raceway.runs.record; raceway.runs.record.BLOCK = {BLOCK}; folder ="
         f" sys.argv[1]\n{task}\nprint(next(line.split()[1] for line in open('/proc/self/status') if"
         " line.startswith('VmHWM')))"
     )
@@ -86,19 +75,16 @@ def peak(folder, task):
 
 
 def growth(folders, task):
-    """MB that the long run needs more than the short one, over the MB that its contacts.dump is
-    longer."""
-    sizes = [(folders[times] / "contacts.dump").stat().st_size / 2**20 for times in (SHORT, LONG)]
+    """MB that the long run needs more than the short one, over the MB that its record is longer."""
+    sizes = [(folders[times] / "record.nc").stat().st_size / 2**20 for times in (SHORT, LONG)]
     return (peak(folders[LONG], task) - peak(folders[SHORT], task)) / (sizes[1] - sizes[0])
 
 
 def test_bounded(folders):
-    """A row a sample of totals, ring and spectrum stays: up to 1 KB for 2.9 KB of text in
-    contacts.dump here, less where there are more contacts."""
+    """A row a sample of totals, ring and spectrum stays: up to 1 KB of 4.6 KB."""
     assert growth(folders, TASKS) < 0.3
 
 
 def test_whole_run_is_not(folders):
-    """The measure can tell: a row is 23 numbers of 8 bytes for about as many words of 19
-    characters, and the parts are put together."""
+    """The measure can tell."""
     assert growth(folders, WHOLE) > 0.5

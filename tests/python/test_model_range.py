@@ -7,7 +7,7 @@ from raceway.runs.model_range import model_ranges
 from raceway.runs.summary import reasons, summary, table
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER
-from test_run import spoil
+from synthetic import changed, write
 
 OWN = ("h_min_m", "h_c_m", "lambda", "capacitance_F", "capacitance_top_F")
 
@@ -26,20 +26,19 @@ def test_the_figure_lies_inside(folder):
 
 
 @pytest.mark.parametrize("given, ends", [(1.5e-7, (1.5e-7, 1.5e-7)), (1e-7, (0.5e-7, 3e-7))])
-def test_film_parameter(folder, given, ends):
+def test_film_parameter(tmp_path, lubricated, given, ends):
     """0.5 to 3 times the roughness of the file, 0.1 um; another one is the user's own."""
-    spoil(folder, "^roughness_m:.*\n", f"roughness_m: {given}\n")
+    folder = write(tmp_path, changed(lubricated, roughness_m=given))
     ranges = summary(RunTables(folder))["model_ranges"]
     film_range, ratio = ranges["h_min_m"], ranges["lambda"]
     assert ratio["low"] == pytest.approx(film_range["low"] / ends[1], rel=1e-12)
     assert ratio["high"] == pytest.approx(film_range["high"] / ends[0], rel=1e-12)
 
 
-def test_values_given_outright_have_no_range(folder):
+def test_values_given_outright_have_no_range(tmp_path, lubricated):
     """Then the film's is that of the laws alone: worked out here for the top contact."""
-    for key, value in (("viscosity_Pa_s", 0.05), ("pressure_viscosity_per_Pa", 2e-8)):
-        spoil(folder, f"^{key}:.*\n", f"{key}: {value}\n")
-    tables = RunTables(folder)
+    own = changed(lubricated, viscosity_Pa_s=0.05, pressure_viscosity_per_Pa=2e-8)
+    tables = RunTables(write(tmp_path, own))
     figures = summary(tables)
     bearing, speed = tables.geometry, figures["entrainment_speed_m_s"]
     r_x, r_y = bearing.effective_radii(INNER, 0.0, figures["clearance_m"])
@@ -68,7 +67,7 @@ def test_laws_of_asperities_and_torque(folder):
     assert "friction_torque_N_m" not in model_ranges(tables, figures)
 
 
-def test_dry_and_unknown_lubricants(folder, dry_folder):
+def test_dry_and_unknown_lubricants(tmp_path, lubricated, dry_folder):
     assert summary(RunTables(dry_folder))["model_ranges"] is None
-    spoil(folder, "^lubricant:.*\n", "lubricant: mine\n")
+    folder = write(tmp_path / "mine", changed(lubricated, lubricant="mine"))
     assert summary(RunTables(folder))["model_ranges"] is None

@@ -22,7 +22,7 @@ def panels(monkeypatch):
 
 def test_panels(folder, lubricated, tmp_path, panels):
     plot.motion(RunTables(folder), tmp_path / "motion.png")
-    orbit, displacement, torque = panels().values()
+    orbit, displacement, torque, _ = panels().values()
     rings = np.array(lubricated["rings"])
     x, y = orbit.lines[0].get_data()
     assert np.ptp(x) > 0 and np.ptp(y) > 0

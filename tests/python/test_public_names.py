@@ -74,7 +74,6 @@ def test_docstrings(name):
 def test_hints_name_types_that_are():
     """Every hint can be evaluated, those in quotes too."""
     from MDAnalysis import Universe
-    from raceway.runs.dump import Block
     from raceway.runs.spectrum import Line
     from raceway.runs.tables import RunTables
 
@@ -82,7 +81,6 @@ def test_hints_name_types_that_are():
         "Run": raceway.Run,
         "RunTables": RunTables,
         "Universe": Universe,
-        "Block": Block,
         "Line": Line,
         "xr": xarray,
     }
@@ -107,36 +105,19 @@ def test_name(name):
     assert namespace[name].__name__.rsplit(".")[-1] == name and name in dir(raceway)
 
 
-def test_the_list_is_complete():
-    """All formulas and all that reads a run, but for the parts that only these two use."""
-    parts = {
-        "theory": {"balance", "circle", "operating_balls", "seat", "validity"},
-        "runs": {
-            "around",
-            "flaws",
-            "friction",
-            "measured",
-            "model_range",
-            "record",
-            "named",
-            "recorded",
-            "run",
-            "same_run",
-            "settings",
-            "steps",
-            "tables",
-            "text",
-            "told",
-            "totals",
-            "universe",
-        },
-    }
-    for room, inside in parts.items():
-        package = importlib.import_module(f"raceway.{room}")
-        modules = {found.name for found in pkgutil.iter_modules(package.__path__)}
-        listed = {name for name, place in raceway.NAMES.items() if place == f"{room}.{name}"}
-        assert modules == listed | inside
-    assert set(raceway.__all__) == {"open", *raceway.NAMES}
+def test_a_name_has_one_home():
+    """No module of one room hides one of another, nor a class a module."""
+    homes = [found.name for room in ("", *raceway.ROOMS) for found in modules(room)]
+    assert len(homes) == len(set(homes))
+    assert set(raceway.NAMES) == {*homes, *raceway.CLASSES} - {"__main__"}
+    assert set(raceway.__all__) == {"open", *raceway.NAMES} and not {"open"} & set(homes)
+    for name in ("bearing", "static", "columns", "spectrum", "catalogue", "circuit", "export"):
+        assert name in homes
+
+
+def modules(room):
+    package = importlib.import_module(f"raceway.{room}".rstrip("."))
+    return pkgutil.iter_modules(package.__path__)
 
 
 def test_unknown_name():

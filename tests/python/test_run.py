@@ -1,51 +1,47 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The run folder: settings as text and numbers, and what a spoilt one says."""
-
-import re
+"""The run folder: settings as text and numbers, its samples as tables, and what a spoilt one
+says."""
 
 import numpy as np
 import pandas as pd
 import pytest
 import synthetic
-from raceway.errors import RunError, RunWarning
+from raceway.errors import RunError
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
+from synthetic import spoil
 
 
-def spoil(folder, pattern, replacement, name="run.yaml"):
-    path = folder / name
-    text, count = re.subn(pattern, replacement, path.read_text(), count=1, flags=re.MULTILINE)
-    assert count == 1
-    path.write_text(text)
-
-
-def test_settings(folder):
+def test_settings(folder, lubricated):
     run = RunTables(folder)
     assert run.settings["bearing"] == "6208"  # a name, though it looks like a number
-    assert run.settings["clearance_m"] == 1e-5  # printed 1e-05, which YAML 1.1 takes for text
-    assert run.lubricated
+    assert run.settings["clearance_m"] == 1e-5
+    assert run.lubricated and run.finished
+    told = lubricated["settings"]
+    assert {key: run.settings[key] for key in told} == told
 
 
 @pytest.mark.parametrize("name", ["dry", "none"])
-def test_dry_needs_no_lubricant(dry_folder, name):
-    spoil(dry_folder, "^lubricant: dry", f"lubricant: {name}")
-    assert not RunTables(dry_folder).lubricated
+def test_dry_needs_no_lubricant(tmp_path, dry, name):
+    other = synthetic.changed(dry, lubricant=name)
+    assert not RunTables(synthetic.write(tmp_path, other)).lubricated
 
 
 @pytest.mark.parametrize(
     "pattern, replacement, said",
     [
-        ("^rpm:.*\n", "", "has no rpm"),
-        ("^viscosity_Pa_s:.*\n", "", "has no viscosity_Pa_s"),
-        ("^rpm:.*", "rpm: fast", "rpm is not a number: 'fast'"),
-        ("^rpm:.*", "rpm: .inf", "rpm is not a number: '.inf'"),
-        ("^rpm:.*", "rpm: [1, 2]", "rpm is not a number"),
-        ("^samples_per_pass:.*", "samples_per_pass: 0", "samples_per_pass = 0 must be positive"),
-        ("^rpm:.*", "rpm: [1", "line [0-9]+: "),
-        (r"\A[\s\S]*\Z", "words\n", "not a list of 'name: value'"),
+        ("^wall_s:.*", "wall_s: fast", "run.yaml: wall_s is not a number: 'fast'"),
+        ("^wall_s:.*", "wall_s: .inf", "wall_s is not a number: '.inf'"),
+        ("^wall_s:.*", "wall_s: [1, 2]", "wall_s is not a number"),
+        ("^wall_s:.*", "wall_s: [1", "cannot read .*run.yaml: .*\n.*line [0-9]+"),
+        ("^load_N: .*$", r"\g<0>\nload_N: 1", "cannot read .*run.yaml: load_N is there twice"),
+        ("^step_s: .*", "step_s: -1", "step_s = -1 must be finite and not negative"),
+        ("^wall_s: .*", "wall_s: inf", "wall_s = inf must be finite and not negative"),
+        ("^simulated_s: .*", "simulated_s: 0", "record.nc is of another run than run.yaml"),
+        (r"\A[\s\S]*\Z", "a: " + 9000 * "[" + 9000 * "]", "cannot read .*run.yaml: "),
     ],
 )
-def test_spoilt_settings(folder, pattern, replacement, said):
+def test_spoilt_run_yaml(folder, pattern, replacement, said):
     spoil(folder, pattern, replacement)
     with pytest.raises(RunError, match=said):
         RunTables(folder)
@@ -55,7 +51,7 @@ def test_spoilt_settings(folder, pattern, replacement, said):
     "pattern, said",
     [
         ("^wall_s:.*\n", "no wall_s$"),
-        ("^wall_s:.*\n(.*\n)*?simulated_s:.*\n", "no simulated_s and no wall_s$"),
+        ("^simulated_s:.*\nwall_s:.*\n", "no simulated_s and no wall_s$"),
     ],
 )
 def test_unfinished_run_gives_its_tables_and_no_figures(folder, pattern, said):
@@ -70,26 +66,14 @@ def test_unfinished_run_gives_its_tables_and_no_figures(folder, pattern, said):
             refused()
 
 
-def test_growing_run(folder):
-    """Every file may end anywhere; a later look sees more."""
-    for name in ("contacts.dump", "balls.dump", "rings.dat"):
-        path = folder / name
-        path.write_bytes(path.read_bytes()[: path.stat().st_size * 2 // 3])
-    with pytest.warns(RunWarning):
-        tables = [getattr(RunTables(folder), name) for name in ("contacts", "balls", "rings")]
-    assert all(0 < table["sample"].max() < 48 for table in tables)  # of 49
-
-
-def test_blocks_are_the_whole(folder, monkeypatch):
+def test_blocks_are_the_whole(folder, small_blocks):
     for name in ("contacts", "balls"):
         whole = getattr(RunTables(folder), name)
-        monkeypatch.setattr("raceway.runs.dump.BLOCK", 10_000)
         blocks = list(RunTables(folder).blocks(name))
         assert len(blocks) > 3
         assert pd.concat(blocks).reset_index(drop=True).equals(whole)
         ends = [block.attrs["first"] + block.attrs["samples"] for block in blocks]
         assert [block.attrs["first"] for block in blocks] == [0, *ends[:-1]] and ends[-1] == 49
-        monkeypatch.undo()
 
 
 @pytest.mark.parametrize("window", [slice(0, 5), slice(7, 20), slice(40, None)])
@@ -107,7 +91,7 @@ def test_window_of_samples(folder, window):
 
 
 def test_window_outside_the_run(folder):
-    with pytest.raises(RunError, match="holds 49 complete frames, none from number 49 on"):
+    with pytest.raises(RunError, match="holds 49 samples, none from number 49 on"):
         RunTables(folder, slice(49, None)).contacts
     for wrong in (slice(3, 3), slice(-1, 4), slice(0, 9, 2)):
         with pytest.raises(ValueError, match="must be slice"):
@@ -118,28 +102,36 @@ def test_geometry(folder):
     assert RunTables(folder).geometry == synthetic.DEEP_GROOVE
 
 
-def test_no_folder(tmp_path):
-    with pytest.raises(RunError, match="cannot read .*run.yaml: No such file"):
-        RunTables(tmp_path / "nowhere")
-
-
-def test_column_names(folder):
-    spoil(folder, " overlap ", " load ")
-    with pytest.raises(RunError, match="contact_columns names load twice"):
-        RunTables(folder).contacts
-
-
-def test_column_needed(folder):
-    spoil(folder, "^(contact_columns: .*) load ", r"\1 weight ")
-    with pytest.raises(RunError, match="contacts.dump has no column load"):
-        RunTables(folder).contacts
+@pytest.mark.parametrize(
+    "made, said",
+    [
+        (None, "is no folder: a run makes one"),
+        ("run.yaml", "has no record.nc: its run recorded nothing, or it is gone"),
+        ("contacts.dump", "has text dumps and no record.nc: raceway reads records; run the deck"),
+    ],
+)
+def test_no_record(tmp_path, made, said):
+    folder = tmp_path / "run"
+    if made:
+        folder.mkdir()
+        (folder / made).write_text("")
+    with pytest.raises(RunError, match=f"{folder} {said}"):
+        RunTables(folder)
 
 
 def test_contacts(folder, lubricated):
     contacts = RunTables(folder).contacts
-    expected = np.array([row for frame in lubricated["contacts"] for row in frame])
-    assert np.array_equal(contacts[synthetic.LUBRICATED].to_numpy(), expected)
+    expected = np.array([row for frame in lubricated["contacts"] for row in sorted(frame)])
+    rows = contacts.sort_values(["sample", "ball", "raceway"], kind="stable")
+    assert np.array_equal(rows[synthetic.LUBRICATED].to_numpy(), expected)
     assert contacts.attrs["samples"] == len(lubricated["contacts"])
+
+
+def test_balls(folder, lubricated):
+    """Places and velocities of balls, cage balls and rings, to the bit."""
+    rows = RunTables(folder).balls.sort_values(["sample", "id"])
+    expected = [sorted(frame) for frame in lubricated["balls"]]
+    assert np.array_equal(rows[synthetic.BALL_COLUMNS].to_numpy(), np.concatenate(expected))
 
 
 def test_azimuth_counts_from_the_load_line(folder):
@@ -159,5 +151,10 @@ def test_pair_needs_both_raceways(tmp_path, lubricated):
     after = RunTables(synthetic.write(tmp_path / "b", data))
     assert len(after.pairs) == len(before.pairs) - 1
     assert not ((after.pairs["sample"] == 0) & (after.pairs["ball"] == lost[0])).any()
-    assert after.bearing_capacitance[0] < before.bearing_capacitance[0]
-    assert np.array_equal(after.bearing_capacitance[1:], before.bearing_capacitance[1:])
+
+
+def test_pairs_are_in_series(folder):
+    """Their sum is the bearing's capacitance of the record."""
+    run = RunTables(folder)
+    total = run.pairs.groupby("sample")["capacitance"].sum()
+    np.testing.assert_allclose(total, run.bearing_capacitance, rtol=1e-13)

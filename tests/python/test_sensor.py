@@ -6,7 +6,6 @@ import pytest
 import raceway
 import synthetic
 from raceway import sensor
-from raceway.errors import RunError
 
 RATE = 192e3
 TIME = np.arange(38400) / RATE
@@ -58,8 +57,3 @@ def test_noise_is_of_its_seed(run):
     assert np.array_equal(one, two) and not np.array_equal(one, other)
     assert 0.3 < float((one - quiet).std()) < 0.7
     assert quiet.attrs["units"] == "N" and quiet.attrs["sample_s"] == run.settings["sample_s"]
-
-
-def test_needs_a_record_for_the_outer_ring(run):
-    with pytest.raises(RunError, match="only that has the outer ring"):
-        sensor.of_run(run)

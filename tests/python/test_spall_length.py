@@ -4,6 +4,8 @@ a known length."""
 
 import numpy as np
 import pytest
+import raceway as package
+import synthetic
 from raceway import hertz, kinematics, passages, spall, static
 from raceway.errors import RunError
 from raceway.theory.bearing import INNER, OUTER
@@ -158,8 +160,7 @@ def test_mistakes_of_a_signal(words, says):
         passages.find(**{"values": path(1e-3)[1], "sample_s": SAMPLE, "period_s": PERIOD, **words})
 
 
-def test_a_run_without_cage_speed(folder):
-    import raceway
-
-    with pytest.raises(RunError, match="does not say the cage speed"):
-        passages.of_run(raceway.open(folder), "outer", "vy", "inner")
+def test_a_shaft_that_stands_still(tmp_path, lubricated):
+    run = package.open(synthetic.write(tmp_path, synthetic.changed(lubricated, rpm=0.0)))
+    with pytest.raises(RunError, match="a shaft that stands still has no ball passages"):
+        passages.of_run(run, "outer", "vy", "inner")

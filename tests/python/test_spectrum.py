@@ -148,22 +148,13 @@ def test_contact_angle_changes_the_lines(folder, bearing):
 
 
 def test_a_column_a_run_has_not(folder):
-    with pytest.raises(RunError, match="rings.dat has no column fq; it has step, x"):
+    with pytest.raises(RunError, match="record.nc has no column fq; it has step, x"):
         spectrum.of_run(raceway.open(folder), "fq")
 
 
 def test_too_short(folder):
     with pytest.raises(RunError, match="has 20 samples: a spectrum needs 32"):
         spectrum.of_run(raceway.open(folder, slice(0, 20)))
-
-
-def test_a_missing_sample(folder):
-    path = folder / "rings.dat"
-    lines = path.read_text().splitlines(keepends=True)
-    del lines[20]
-    path.write_text("".join(lines))
-    with pytest.raises(RunError, match="rings.dat: after the sample of step 18, that of step 20"):
-        spectrum.of_run(raceway.open(folder))
 
 
 def test_units(folder):

@@ -88,7 +88,7 @@ def test_orders_of_a_run_up(run_up):
 
 
 def test_a_steady_shaft_has_frequencies(folder):
-    with pytest.raises(RunError, match="rings.dat: window"):
+    with pytest.raises(RunError, match="record.nc: window"):
         time_frequency.of_run(raceway.open(folder), "x", "inner")
     with pytest.raises(RunError, match="has no column nothing"):
         time_frequency.of_run(raceway.open(folder), "nothing", "inner")

@@ -4,13 +4,11 @@ precision would lose."""
 
 import pickle
 
-import MDAnalysis
 import numpy as np
 import pytest
 import raceway
 import synthetic
 from MDAnalysis.analysis.base import AnalysisFromFunction
-from raceway.errors import RunError, RunWarning
 from raceway.runs import universe as module
 
 
@@ -76,22 +74,6 @@ def test_single_precision_is_not_enough(run, lubricated):
     assert smallest < 1e-5 and off / film > 1e-3
 
 
-def test_no_shift_and_no_box(run):
-    """MDAnalysis's own reader moves the corner of the box to the origin; this one leaves positions
-    where they are."""
-    own = MDAnalysis.Universe.empty(20)
-    path = run.tables.folder / "balls.dump"
-    text = path.read_text().replace(
-        "ITEM: ATOMS id type x", "ITEM: ATOMS " + " ".join(synthetic.BALL_COLUMNS)
-    )
-    path.write_text(text)
-    own.load_new(str(path), format="LAMMPSDUMP", dt=1.0)
-    u = run.universe()
-    # the box begins at -0.05
-    np.testing.assert_allclose(own.atoms.positions, u.atoms.positions + 0.05, atol=1e-8)
-    assert u.trajectory.ts.dimensions is None
-
-
 def test_analysis_copies_and_pickles(run):
     u = run.universe()
     largest = AnalysisFromFunction(
@@ -109,6 +91,10 @@ def test_analysis_copies_and_pickles(run):
         )
 
 
+def test_no_box(run):
+    assert run.universe().trajectory.ts.dimensions is None
+
+
 def test_window(folder):
     u = raceway.open(folder, slice(10, 20)).universe()
     assert len(u.trajectory) == 10
@@ -116,26 +102,3 @@ def test_window(folder):
     assert u.trajectory[0].time == pytest.approx(
         10 * raceway.open(folder).settings["sample_s"], rel=1e-15
     )
-
-
-def test_growing_run(folder):
-    for name, part in (("contacts.dump", 0.5), ("balls.dump", 0.8)):
-        path = folder / name
-        path.write_bytes(path.read_bytes()[: int(part * path.stat().st_size)])
-    with pytest.warns(RunWarning, match="ends inside"):
-        u = raceway.open(folder).universe()
-    assert 15 < len(u.trajectory) < 33  # those that both have, about half of 49
-    assert [ts.frame for ts in u.trajectory] == list(range(len(u.trajectory)))
-
-
-def test_broken_line_is_named(folder, monkeypatch):
-    path = folder / "contacts.dump"
-    lines = path.read_text().splitlines(keepends=True)
-    place = len(lines) - 1
-    lines[place] = lines[place].replace(" ", " oops", 1)
-    path.write_text("".join(lines))
-    monkeypatch.setattr(module, "ROWS", 20)  # a frame at a time: what comes before can be had
-    u = raceway.open(folder).universe()
-    u.trajectory[46]
-    with pytest.raises(RunError, match=f"line {place + 1}: .* is not a number: 'oops"):
-        u.trajectory[48]

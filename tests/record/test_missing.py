@@ -122,8 +122,8 @@ def test_nothing_was_recorded(words, tmp_path, capsys):
     for command in (["summary"], ["plot", "--kind", "motion"], ["animate"], ["report"]):
         assert main([command[0], str(folder), *command[1:]]) == 1
         said = capsys.readouterr().err
-        assert "holds neither record.nc nor contacts.dump, balls.dump, rings.dat" in said
-        assert "-var record all makes a record" in said and "column" not in said
+        assert "has no record.nc: its run recorded nothing, or it is gone" in said
+        assert "-var record all or fix bearing/record makes one" in said and "column" not in said
 
 
 def test_run_yaml_is_gone(sums, tmp_path, capsys):

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""raceway.open on records: what it says of the text dumps of the same run, and everything that a
-folder of one added line gives."""
+"""raceway.open on records of real runs: the main deck's, and everything that a deck with one added
+line gives."""
 
 import re
-import shutil
 
 import numpy as np
 import pytest
@@ -13,20 +12,15 @@ from host import ROOT, succeed
 from raceway.cli import main as command
 from raceway.errors import RunError
 from raceway.runs.record import Record
-from raceway.runs.summary import summary
-from raceway.runs.tables import RunTables
 from recorded_runs import MAIN, SMALL, small
 
 
 @pytest.fixture(scope="module")
-def both(tmp_path_factory):
-    """(folder with the record, folder with the text alone) of one run of the main deck."""
-    folder = tmp_path_factory.mktemp("both")
-    succeed(out=folder / "record", **{**MAIN, "passes": 2})
-    text = folder / "text"
-    shutil.copytree(folder / "record", text)
-    (text / "record.nc").unlink()
-    return folder / "record", text
+def main_run(tmp_path_factory):
+    """Folder of a run of the main deck."""
+    folder = tmp_path_factory.mktemp("main")
+    succeed(out=folder, **{**MAIN, "passes": 2, "dumps": "no"})
+    return folder
 
 
 @pytest.fixture(scope="module")
@@ -37,79 +31,56 @@ def one_line(tmp_path_factory):
     return folder / "run"
 
 
-# of forces in rings.dat
-MAKERS = ("torque_skf_N_m", "torque_palmgren_N_m")
+def close(found, wanted):
+    np.testing.assert_allclose(found, wanted, rtol=1e-12)
 
 
-def close(found, wanted, rtol=1e-9, atol=0.0):
-    np.testing.assert_allclose(found, wanted, rtol=rtol, atol=atol)
+def test_summary_is_of_its_contacts_and_balls(main_run):
+    """Loads, films, capacitance, cage speed and losses, worked out of every contact and ball."""
+    run = raceway.open(main_run)
+    figures, contacts, balls = run.summary(), run.contacts.load(), run.balls.load()
+    load = contacts["load"]
+    top = load.sel(raceway="inner").argmax(...)
+    heaviest = contacts.sel(raceway="inner").isel(top)
+    for side in ("inner", "outer"):
+        assert figures[f"q_{side}_max_N"] == float(load.sel(raceway=side).max())
+        assert figures[f"p_max_{side}_Pa"] == float(contacts["pressure"].sel(raceway=side).max())
+    for key, name in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
+        assert figures[key] == float(heaviest[name])
+    assert figures["entrainment_speed_m_s"] == float(heaviest["entrainment"])
+    both = (load > 0).all("raceway")
+    assert figures["loaded_balls_mean"] == float(both.sum("ball").mean())
+    each = contacts["capacitance"]
+    series = (each.prod("raceway") / each.sum("raceway")).where(both, 0)
+    close(figures["capacitance_F"], series.sum("ball").mean())
+    close(figures["capacitance_top_F"], series.max())
+    turn = (balls["x"] * balls["vy"] - balls["y"] * balls["vx"]) / (
+        balls["x"] ** 2 + balls["y"] ** 2
+    )
+    close(figures["cage_speed_rad_s"], turn.mean())
+    known = {"slip": "friction_power", "film": "damping_power"}  # the cage is no contact of these
+    losses = {part: loss for part, loss in figures["losses_W"].items() if loss is not None}
+    assert known.keys() <= losses.keys() <= {*known, "cage"}
+    for part, name in known.items():
+        close(losses[part], contacts[name].sum(("raceway", "ball")).mean())
+    if "cage" in losses:  # of balls with cage balls, which are no contacts of raceways
+        close(losses["cage"], run.bearing["cage_power"].mean())
 
 
-def test_summary(both):
-    found, wanted = (summary(RunTables(folder)) for folder in both)
-    assert found.keys() == wanted.keys()
-    for key, value in wanted.items():
-        if isinstance(value, str):
-            assert found[key] == value
-        elif key == "losses_W":
-            assert {part for part, loss in value.items() if loss is not None} == {"slip", "film"}
-            for part, loss in value.items():
-                assert (found[key][part] is None) == (loss is None)
-                if loss is not None:
-                    close(found[key][part], loss, 1e-9)
-        elif key == "model_ranges":
-            assert found[key].keys() == value.keys()
-            for figure, one in value.items():
-                assert found[key][figure]["why"] == one["why"]
-                for end in ("low", "high"):
-                    close(found[key][figure][end], one[end], 1e-5)
-        elif key in ("ring_shift_m", "friction_torque_N_m", *MAKERS):  # rings.dat has six digits
-            close(found[key], value, 1e-5)
-        elif value is None or isinstance(value, list):
-            assert found[key] == value
-        else:
-            close(found[key], value, 1e-9 if key != "load_parameter" else 1e-5, 1e-12)
-
-
-def test_contacts_and_balls(both):
-    found, wanted = (raceway.open(folder) for folder in both)
-    for name in ("contacts", "balls", "cage"):
-        mine, other = getattr(found, name), getattr(wanted, name)
-        assert set(other.data_vars) - set(mine.data_vars) <= {"ring"}
-        assert dict(mine.sizes) == dict(other.sizes)
-        for variable in mine.data_vars:
-            close(mine[variable], other[variable], 1e-9, 1e-18)
-            assert mine[variable].attrs == other[variable].attrs
-        for coordinate in ("time", "passes", "azimuth", "from_load_line"):
-            close(mine[coordinate], other[coordinate], 1e-9, 1e-9)
-            assert mine[coordinate].attrs == other[coordinate].attrs
-        assert mine["ball"].values.tolist() == other["ball"].values.tolist()
-
-
-def test_rings_and_bearing(both):
-    found, wanted = (raceway.open(folder) for folder in both)
-    for name in ("rings", "bearing"):
-        mine, other = getattr(found, name), getattr(wanted, name)
-        mine = mine.isel(time=slice(mine.sizes["time"] - other.sizes["time"], None))
-        assert set(other.data_vars) <= set(mine.data_vars)
-        for variable in other.data_vars:
-            scale = float(np.abs(other[variable]).max())
-            close(mine[variable], other[variable], 1e-4, 1e-5 * scale)
-        for variable in mine.data_vars:
-            assert mine[variable].attrs["units"] and mine[variable].attrs["long_name"]
-
-
-def test_datasets_of_a_record_fit_together(both):
-    run = raceway.open(both[0])
+def test_datasets_fit_together(main_run):
+    run = raceway.open(main_run)
     times = [
         getattr(run, name)["time"].values for name in ("contacts", "balls", "rings", "bearing")
     ]
     assert all(np.array_equal(times[0], time) for time in times[1:])
+    for name in ("contacts", "balls", "cage", "rings", "bearing"):
+        for one in getattr(run, name).data_vars.values():
+            assert one.attrs["units"] and one.attrs["long_name"]
 
 
-def test_windows_and_blocks(both):
-    whole = raceway.open(both[0])
-    part = raceway.open(both[0], samples=slice(30, 50))
+def test_windows_and_blocks(main_run):
+    whole = raceway.open(main_run)
+    part = raceway.open(main_run, samples=slice(30, 50))
     for name in ("contacts", "balls", "rings", "bearing"):
         mine, other = getattr(part, name), getattr(whole, name).isel(time=slice(30, 50))
         assert mine.identical(other.drop_attrs(deep=False).assign_attrs(mine.attrs))
@@ -117,21 +88,21 @@ def test_windows_and_blocks(both):
         samples = sum(block.sizes["time"] for block in whole.blocks(name))
         assert samples == whole.contacts.sizes["time"]
     with pytest.raises(RunError, match="holds 81 samples, none from number 81 on"):
-        _ = raceway.open(both[0], samples=slice(81, None)).tables.contacts
+        _ = raceway.open(main_run, samples=slice(81, None)).tables.contacts
 
 
-def test_read_when_used(both):
+def test_read_when_used(main_run):
     """Opening reads no contact: the values are still in the file."""
-    contacts = raceway.open(both[0]).contacts
+    contacts = raceway.open(main_run).contacts
     assert not contacts["load"].variable._in_memory
     assert float(contacts["load"].max()) > 2000
 
 
 @pytest.mark.parametrize("name", ["load", "ring_fx", "bearing_capacitance", "cage_vx", "time"])
-def test_samples_here_and_there(both, name):
+def test_samples_here_and_there(main_run, name):
     """What an index picks of the file is what it picks of the values."""
-    record = Record(both[0])
-    with xr.open_dataset(both[0] / "record.nc", engine="scipy") as data:
+    record = Record(main_run)
+    with xr.open_dataset(main_run / "record.nc", engine="scipy") as data:
         values = data[name].to_numpy().astype(float)
     rest = (slice(None),) * (values.ndim - 1)
     some = (5, np.int64(5), np.array([3, 1, 9]), np.array([], int))
@@ -140,17 +111,6 @@ def test_samples_here_and_there(both, name):
         np.testing.assert_array_equal(record.pick(name, (time, *rest)), values[time])
     with pytest.raises(IndexError):
         record.pick(name, (len(values), *rest))
-
-
-def test_universe(both):
-    mine, other = (raceway.open(folder).universe() for folder in both)
-    assert len(mine.trajectory) == len(other.trajectory)
-    for a, b in zip(mine.trajectory[::16], other.trajectory[::16]):
-        order = np.argsort(mine.atoms.ids), np.argsort(other.atoms.ids)
-        assert a.data.keys() - b.data.keys() <= {"ring_inner", "ring_outer"}
-        for name in ("position", "velocity", "load_inner", "h_min_outer", "capacitance_inner"):
-            close(a.data[name][order[0]], b.data[name][order[1]], 1e-9, 1e-15)
-        assert a.data["step"] == b.data["step"]
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 import xarray as xr
-from host import ROOT, frames, run, succeed
+from host import ROOT, run, succeed, tables
 from recorded_runs import MAIN, SMALL, small
 
 
@@ -22,14 +22,6 @@ def main(request, tmp_path_factory):
     return folder
 
 
-def rows(folder, name):
-    """[(step, array of rows)] of a dump."""
-    return [
-        (step, np.array([row.split() for row in lines], dtype=float))
-        for step, lines in frames(folder / name).items()
-    ]
-
-
 def settings(folder):
     return dict(line.split(": ", 1) for line in (folder / "run.yaml").read_text().splitlines())
 
@@ -38,7 +30,7 @@ def test_contacts_are_those_of_the_dump(main):
     columns = settings(main)["contact_columns"].split()
     with opened(main) as data:
         assert data.sizes["time"] == 41
-        for sample, (step, table) in enumerate(rows(main, "contacts.dump")):
+        for sample, (step, table) in enumerate(tables(main / "contacts.dump")):
             one = data.isel(time=sample)
             assert one["step"] == step
             live = np.zeros((2, 9), dtype=bool)
@@ -58,7 +50,7 @@ def test_contacts_are_those_of_the_dump(main):
 def test_balls_and_cage_are_those_of_the_dump(main):
     columns = settings(main)["ball_columns"].split()
     with opened(main) as data:
-        for sample, (_, table) in enumerate(rows(main, "balls.dump")):
+        for sample, (_, table) in enumerate(tables(main / "balls.dump")):
             one = data.isel(time=sample)
             table = table[np.argsort(table[:, 0])]
             for k, name in enumerate(columns[2:], 2):
@@ -320,7 +312,7 @@ def test_many_is_its_table(many):
         assert data.sizes["bearing"] == 6 and data.sizes["ball"] == 54 and data.sizes["ring"] == 12
         inner = data.isel(ring=data["ring_raceway"].values == 0)
         assert inner["ring_bearing"].values.tolist() == [1, 2, 3, 4, 5, 6]
-        for sample, (step, table) in enumerate(rows(many / "1", "bearings.dump")):
+        for sample, (step, table) in enumerate(tables(many / "1" / "bearings.dump")):
             table = table[np.argsort(table[:, 0])]
             one, column = inner.isel(time=sample), dict(zip(names, table.T))
             assert one["step"] == step and np.array_equal(one["ring"], column["ring"])

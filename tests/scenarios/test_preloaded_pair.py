@@ -4,7 +4,8 @@
 import numpy as np
 import pytest
 from host import succeed
-from raceway import catalogue, inputs, many_grooves, static
+from raceway import catalogue, inputs, static
+from raceway.theory.bearing import DoubleRow
 
 BEARING = inputs.bearing(catalogue.find("bearings", "7208"))
 SPREAD = 5e-6  # m, of each outer ring
@@ -68,10 +69,10 @@ def test_stiffness(line):
 def test_as_one_double_row_bearing(line):
     """The pair as two rows of one bearing: its place under the load, both rows together."""
     load, place, *_ = line[:, (line[0] > 0.0) & (line[1] < 0.8 * SPREAD)]
-    rows = many_grooves.double_row(BEARING, 0.018, ANGLE, SPREAD)
+    two = BEARING.double_row(DoubleRow(0.018, SPREAD), ANGLE)
     for k in (len(load) // 3, -1):
-        rest = many_grooves.equilibrium(rows, (0.0, 0.0, load[k]), orbital_speed=CAGE)
-        assert place[k] == pytest.approx(rest.place[2], rel=1e-2)
+        rest = static.equilibrium(two, axial_load=load[k], orbital_speed=CAGE)
+        assert place[k] == pytest.approx(rest.shift[2], rel=1e-2)
 
 
 def test_face_to_face(line, tmp_path):

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 import yaml
 from host import succeed
-from raceway import many_grooves, shaft, static
+from raceway import shaft, static
 from raceway.theory.beam import Section, Steel
+from raceway.theory.bearing import DoubleRow
 from shaft_runs import (
     B6208,
     BITS,
@@ -73,11 +74,11 @@ def test_as_statics(resting):
 
 def test_as_one_double_row_bearing(resting):
     """Statics of two rows on one ring, loaded beside its middle; the ring is free to tilt."""
-    rows = [many_grooves.Row(B6208, at, phase=-np.pi / 2) for at in (-0.1, 0.1)]
-    rest = many_grooves.equilibrium(rows, (0.0, -3000.0, 0.0), (60.0, 0.0), held={"z": 0.0})
-    assert resting["y"] == pytest.approx(rest.place[1], rel=2e-3)
-    assert resting["rx"] == pytest.approx(rest.place[3], rel=2e-3)
-    loads = [one.inner.load[0].max() for one in rest.rows]
+    loads = {"load_azimuth": -np.pi / 2, "moment": (60.0, 0.0), "held": {"z": 0.0}}
+    rest = static.equilibrium(B6208.double_row(DoubleRow(0.2)), 3000.0, phase=-np.pi / 2, **loads)
+    assert resting["y"] == pytest.approx(rest.shift[1], rel=2e-3)
+    assert resting["rx"] == pytest.approx(rest.tilt[0], rel=2e-3)
+    loads = rest.inner.load.reshape(2, -1).max(1)
     assert loads[1] / loads[0] == pytest.approx(1.5, rel=2e-3)
 
 

@@ -97,7 +97,7 @@ def test_length_from_a_housing(tmp_path, raceway, passes, length):
     ],
 )
 def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more):
-    """The runs of docs/performance/spall_length that are hardest to read: 3 %."""
+    """The runs of tests/bench/spall_length.py that are hardest to read: 3 %."""
     passes = {"outer": 5, "inner": 16}[raceway]
     found, _ = lengths_from_a_housing(tmp_path, raceway, passes, length, **more)
     assert found == pytest.approx(length, rel=0.03)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finds data files by name: bearings and lubricants of the `inputs` folder, of the package, or a
-file of the user's own. `raceway.listing` searches the bearings."""
+"""Finds data by name: bearings and lubricants of the `inputs` folder, of the package, or a file of
+the user's own. `raceway.listing` searches the bearings."""
 
 import difflib
 from pathlib import Path
 
+from raceway import data_table
 from raceway.files import FilePath
 from raceway.inputs import InputError
 
@@ -30,27 +31,30 @@ def folder(given: FilePath | None = None) -> Path:
 
 def find(kind: str, name: str, inputs: FilePath | None = None) -> Path:
     """Path of the data file `name` of a kind ("bearings" or "lubricants"); a name with a slash is a
-    path itself.
+    path itself. Where a table in the folder has a row of that name and there is no such file,
+    `raceway.inputs` reads the row by this path.
 
     `inputs` is a folder or None, see `folder`. Raises `InputError` with what is there.
     """
     if "/" in name:
         path = Path(name)
-        if not path.is_file():
+        if not _there(path):
             raise InputError(f"there is no file {name}")
         return path
     shelf = folder(inputs) / kind
     path = shelf / name
-    if not path.is_file():
-        raise InputError(f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {_there(path)}")
+    if not _there(path):
+        raise InputError(f"there is no {KINDS[kind]} '{name}' in {shelf}; there is: {_names(path)}")
     return path
 
 
 def _there(path):
+    return path.is_file() or path.name in data_table.names(path.parent)
+
+
+def _names(path):
     """The names beside `path`; of many, those like its own."""
-    shelf = path.parent
-    files = shelf.iterdir() if shelf.is_dir() else ()
-    names = sorted(entry.name for entry in files if entry.is_file())
+    names = data_table.names(path.parent)
     if len(names) > MANY:
         near = sorted(difflib.get_close_matches(path.name, names, n=5, cutoff=0.5))
         return ", ".join([*near, f"{len(names)} in all (raceway catalogue)"])

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The clearance classes C2, CN, C3, C4 and C5 of deep groove ball bearings with a cylindrical bore
-(ISO 5753, its source in inputs/catalogue/sources.yaml)."""
+(ISO 5753:1991, as SKF General Catalogue 6000, Russian edition, 2006, repeats it on page 297; text
+layer of the catalogue in github.com/ArtemFilin1990/Mar)."""
 
 import csv
+from pathlib import Path
 
-from raceway import catalogue
-
+TABLE = Path(__file__).with_suffix(".csv")  # mm, um
 NAMES = ("C2", "CN", "C3", "C4", "C5")
 
 
@@ -17,8 +18,7 @@ def of_bore(bore: float) -> dict[str, tuple[float, float]]:
     >>> of_bore(40e-3)["C3"]
     (1.5e-05, 3.3e-05)
     """
-    lines = (catalogue.SHIPPED / "catalogue" / "clearance.csv").read_text().splitlines()
-    for row in csv.DictReader(lines):
+    for row in csv.DictReader(TABLE.read_text().splitlines()):
         # 9 digits: 40e-3 m is 40 mm, whatever its last bit
         if float(row["bore_above"]) < round(1e3 * bore, 9) <= float(row["bore_to"]):
             return {

@@ -3,51 +3,22 @@
 
 import argparse
 import os
+import pkgutil
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from importlib import import_module
+from types import ModuleType
 
-from raceway import __version__, progress
-from raceway.commands import (
-    animate,
-    catalogue,
-    check,
-    circuit,
-    dataset,
-    electric,
-    export,
-    gather,
-    heat,
-    needs,
-    paper,
-    plot,
-    report,
-    shaft,
-    spectrum,
-    static,
-    stiffness,
-    summary,
-    sweep,
-)
+from raceway import __version__, commands, progress
 from raceway.errors import RacewayError, RunWarning
 
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var load 2000       run a bearing; results go to build/run/6208
   raceway summary build/run/6208                         its figures
-  raceway check build/run/6208                           and their numerical errors
   raceway plot build/run/6208 --kind polar               a picture
-  raceway animate build/run/6208                         a film of it
-  raceway report build/run/6208                          all of it as one HTML page
-  raceway catalogue --bore 40                            the bearings by name
   raceway static --load 2000 --clearance 10e-6           theory, without a run
-  raceway stiffness --load 2000 --rpm 1000 3000          stiffness and damping for rotor programs
-  raceway shaft inputs/shafts/motor                     bearings on one shaft
-  raceway heat --load 2000 --rpm 3000                    its steady temperature
-  raceway electric --load 2000 --rpm 3000                its capacitance and breakdown
-  raceway sweep points.csv                               many runs, one a row
-  raceway dataset inputs/datasets/small.yaml --out DIR   labelled vibration of many runs
-  raceway needs inputs/in.6208 --want torque=10%         which parts of the model matter there
 
 `raceway COMMAND --help` says more, with examples. DIR is the folder a run wrote, -var out of the
 deck.
@@ -79,6 +50,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     return 0
 
 
+def modules() -> Iterator[ModuleType]:
+    """The subcommands, by name: the modules of `raceway.commands` with `add` and `run`. One that
+    begins with _ is a part of one and loads large packages."""
+    for found in pkgutil.iter_modules(commands.__path__):
+        if found.name.startswith("_"):
+            continue
+        module = import_module(f"{commands.__name__}.{found.name}")
+        if hasattr(module, "add") and hasattr(module, "run"):
+            yield module
+
+
 def _parser():
     parser = argparse.ArgumentParser(
         prog="raceway",
@@ -87,27 +69,7 @@ def _parser():
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"raceway {__version__}")
-    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    for module in (
-        summary,
-        check,
-        plot,
-        report,
-        animate,
-        export,
-        spectrum,
-        circuit,
-        catalogue,
-        static,
-        stiffness,
-        shaft,
-        heat,
-        electric,
-        sweep,
-        dataset,
-        gather,
-        needs,
-        paper,
-    ):
-        module.add(commands)
+    parsers = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    for module in modules():
+        module.add(parsers)
     return parser

@@ -16,3 +16,7 @@ class RunWarning(UserWarning):
 
 class NoEquilibrium(RacewayError):
     """The bearing cannot carry the load, or nothing determines where its ring sits."""
+
+
+class InputError(RacewayError):
+    """A data file is missing, broken or incomplete."""

@@ -3,12 +3,14 @@
 
 import math
 import re
+from pathlib import Path
 from typing import NamedTuple
 
-from raceway.errors import RacewayError
+from raceway import data_table
+from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.theory import life, makers
-from raceway.theory.bearing import Bearing
+from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
 
@@ -45,10 +47,6 @@ RADII = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
 STEEL = {"ball_young": 210e9, "ball_poisson": 0.3}
 
 
-class InputError(RacewayError):
-    """A data file is missing, broken or incomplete."""
-
-
 class Oil(NamedTuple):
     """A lubricant at its temperature, and the surfaces it is between."""
 
@@ -56,6 +54,20 @@ class Oil(NamedTuple):
     pressure_viscosity: float  # 1/Pa
     permittivity: float  # relative, at rest
     roughness: float  # m, composite
+
+
+def text(path: FilePath) -> str:
+    """A data file, or the one that a row of a table in its folder stands for (`data_table`). Raises
+    `InputError` when there is neither or it cannot be read."""
+    path = Path(path)
+    if not path.is_file() and (row := data_table.text(path)):
+        return row
+    try:
+        return path.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(
+            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+        ) from None
 
 
 def values(path: FilePath) -> dict[str, str]:
@@ -71,22 +83,36 @@ def comments(path: FilePath) -> dict[str, str]:
 
 
 def _matches(path, pattern):
-    try:
-        lines = path.read_text().splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
-    return dict(match.groups() for match in map(pattern.match, lines) if match)
+    return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
 
 
-def bearing(path: FilePath, four_point: bool = False) -> Bearing:
-    """`Bearing` of a file of inputs/bearings. One of four points is accepted where `four_point`
-    says so; its radii are those of one groove a ring (`many_grooves.four_point` makes two of each).
-    Raises `InputError`."""
-    known = values(path)
-    if "four_point" in known and not four_point:
+def bearing(
+    path: FilePath,
+    *,
+    four_point: float | None = None,
+    double_row: DoubleRow | None = None,
+    one_groove: bool = False,
+) -> Bearing:
+    """`Bearing` of a file of inputs/bearings, of four points where the file or `four_point` (rad)
+    says so, with two rows by `double_row`. `one_groove` refuses several grooves a ring. Raises
+    `InputError`."""
+    body = _one_groove(path)
+    angle = four_point_angle(path) if four_point is None else four_point
+    if one_groove and (angle is not None or double_row is not None):
         raise InputError(f"{path}: a four-point contact bearing; this needs one groove a ring")
+    if angle is not None and nominal_angle(path):
+        raise InputError(f"{path}: four points need a bearing of contact_angle 0")
+    try:
+        if angle is not None:
+            body = body.four_point(angle)
+        return body if double_row is None else body.double_row(double_row, nominal_angle(path))
+    except ValueError as error:
+        raise InputError(f"{path}: {error}") from None
+
+
+def _one_groove(path):
+    """`Bearing` of a file with one groove a ring."""
+    known = values(path)
     data = _numbers(path, "balls", "ball_diameter")
     if "pitch_diameter" in known:
         data |= _radii(path)
@@ -161,7 +187,7 @@ def ratings(path: FilePath) -> life.Ratings | None:
     for name, value in numbers.items():
         if not 0 < value < math.inf:
             raise InputError(f"{path}: {name} = {value:g} N must be above 0")
-    estimate = life.ratings(*numbers.values(), 2 * bearing(path, True).pitch_radius)
+    estimate = life.ratings(*numbers.values(), 2 * _one_groove(path).pitch_radius)
     if "fatigue_load_limit" in values(path):
         limit = _numbers(path, "fatigue_load_limit")["fatigue_load_limit"]
         if not 0 < limit < numbers["basic_static_load"]:
@@ -187,7 +213,7 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
 def shoulders(path: FilePath) -> Shoulders:
     """`Shoulders` of a file of inputs/bearings, NaN for what it does not say. Raises `InputError`
     for a diameter that is none."""
-    data = bearing(path, True)
+    data = _one_groove(path)
     bottoms = {"inner": 2 * data.inner_radius, "outer": 2 * data.outer_radius}
     found = {}
     for name, bottom in bottoms.items():

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The bearings of an inputs folder with the figures of their files, and a search in them."""
+"""The bearings of an inputs folder, files and rows of tables, and a search in them."""
 
 import math
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from raceway import catalogue, inputs
+from raceway import catalogue, data_table, inputs
 from raceway.files import FilePath
 
 # field of `Entry`: variable of a file, what a file states or not
@@ -54,15 +54,15 @@ def entries(folder: FilePath | None = None) -> list[Entry]:
     """Every bearing of an inputs `folder` (see `catalogue.folder`), in order of bore, outside
     diameter and name. Raises `InputError` for a file that is no bearing."""
     shelf = catalogue.folder(folder) / "bearings"
-    found = [entry(path) for path in shelf.iterdir() if path.is_file()]
+    found = [entry(shelf / name) for name in data_table.names(shelf)]
     return sorted(
         found, key=lambda one: (one.bore_m or math.inf, one.outside_m or math.inf, one.name)
     )
 
 
 def entry(path: Path) -> Entry:
-    """`Entry` of a file of inputs/bearings. Raises `InputError`."""
-    bearing = inputs.bearing(path, four_point=True)
+    """`Entry` of a file of inputs/bearings or of a row there. Raises `InputError`."""
+    bearing = inputs.bearing(path)
     known, comments = inputs.values(path), inputs.comments(path)
     try:
         stated = {field: float(known[key]) for field, key in STATED.items() if key in known}
@@ -72,7 +72,7 @@ def entry(path: Path) -> Entry:
     ratings = comments.get("basic_dynamic_load", "")
     return Entry(
         name=path.name,
-        title=path.read_text().partition("\n")[0].lstrip("# "),
+        title=inputs.text(path).partition("\n")[0].lstrip("# "),
         **{field: stated.get(field) for field in STATED},
         contact_angle_deg=round(
             math.degrees(inputs.four_point_angle(path) or inputs.nominal_angle(path)), 9

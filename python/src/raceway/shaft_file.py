@@ -92,7 +92,7 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
         names.append(str(name))
         seats.append(Seat(bearing=inputs.bearing(found), floating=floating, **one))
         ratings.append(inputs.ratings(found))
-        angles.append(inputs.nominal_angle(found))
+        angles.append(inputs.four_point_angle(found) or inputs.nominal_angle(found))
     loads = [Load(**one) for one in _parts(whole, path, "loads")]
     discs = [Disc(**one) for one in _parts(whole, path, "discs")] if "discs" in whole else []
     return Case(

@@ -5,14 +5,15 @@ import argparse
 import csv
 import json
 import sys
+from pathlib import Path
 
 from raceway.commands import Commands
 from raceway.commands.quantity import number
 
 HELP = "the bearings by name: sizes, ratings, balls; search"
 DESCRIPTION = """\
-Lists the files of inputs/bearings. A name is what --bearing takes, and -var bearing of a deck.
-A WORD is searched in the names, the first lines of the files and the marks of sources.
+Lists the bearings of inputs/bearings: its files and the rows of its tables. A name is what
+--bearing takes, and -var bearing of a deck. A WORD is searched in names, titles and sources.
 
 The marks say where balls and ratings come from; "estimate": the balls of which ISO 281 and ISO 76
 give the ratings. --clearances adds the classes of ISO 5753 for each deep groove ball bearing."""
@@ -24,6 +25,7 @@ examples:
   raceway catalogue 6208 --clearances
   raceway catalogue --series 62 --json
   raceway catalogue --csv > bearings.csv
+  raceway catalogue 7205B --file inputs/bearings/mine    a file to edit
 
 JSON and CSV are in SI units.
 Exit codes: 0 done, 1 no such bearing or an unusable file, 2 wrong command line."""
@@ -80,15 +82,23 @@ def add(commands: Commands) -> None:
     )
     form = one.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a JSON list, SI units")
+    form.add_argument(
+        "--file",
+        metavar="PATH",
+        help="write the bearing called WORD as a file that holds its data and their sources",
+    )
     form.add_argument("--csv", action="store_true", help="comma-separated values, SI units")
     one.set_defaults(command=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the bearings. Raises `RacewayError`."""
+    """Print the bearings, or write one. Raises `RacewayError`."""
     from raceway import listing
     from raceway.inputs import InputError
 
+    if arguments.file is not None:
+        _write(arguments)
+        return
     sizes = {
         name: given and 1e-3 * given
         for name in ("bore", "outside", "width")
@@ -117,6 +127,19 @@ def run(arguments: argparse.Namespace) -> None:
         writer.writerows(rows)
     else:
         print("\n".join(_table(rows)))
+
+
+def _write(arguments):
+    from raceway import catalogue, files, inputs
+
+    if len(arguments.words) != 1:
+        raise inputs.InputError("--file takes one name, as `raceway catalogue 7205B --file mine`")
+    path = Path(arguments.file)
+    if path.exists():
+        raise inputs.InputError(f"{path} is there already; remove it or name another file")
+    text = inputs.text(catalogue.find("bearings", arguments.words[0], arguments.inputs))
+    files.folder(path.parent)
+    files.whole(path, lambda part: part.write_text(text))
 
 
 def _clearances(row):

@@ -2,6 +2,8 @@
 """Options that several commands have: one text for each. They are added to a parser, or to a group
 of its options, for which argparse has no public type."""
 
+import argparse
+import math
 import os
 from typing import Any
 
@@ -65,9 +67,70 @@ def bearing(to: Any) -> None:
         "--bearing",
         default="6208",
         metavar="NAME",
-        help="a file of inputs/bearings, or a path (6208)",
+        help="of inputs/bearings (raceway catalogue), or the path of a file (6208)",
     )
     inputs(to)
+
+
+def grooves(to: Any) -> None:
+    """--four-point and --double-row: several grooves a ring."""
+    to.add_argument(
+        "--four-point",
+        type=number(5, 60, "degrees"),
+        metavar="DEGREES",
+        help="a four-point contact bearing: two grooves a ring, which balls in the middle meet at"
+        " this angle (the bearing's four_point, or one groove)",
+    )
+    to.add_argument(
+        "--double-row",
+        type=number(0, 1, "m"),
+        metavar="M",
+        help="two rows of balls so far apart, metres; loads act in the middle of them (one row)",
+    )
+    to.add_argument(
+        "--arrangement",
+        choices=("back_to_back", "face_to_face"),
+        default="back_to_back",
+        help="of the two rows (back_to_back)",
+    )
+    to.add_argument(
+        "--preload",
+        type=number(-1e-3, 1e-3, "m"),
+        default=0.0,
+        metavar="M",
+        help="how far each row is pushed along the axis after first contact, metres (0)",
+    )
+
+
+def grooves_of(arguments: argparse.Namespace) -> dict[str, Any]:
+    """Arguments of `inputs.bearing` from the options of `grooves`."""
+    from raceway.theory.bearing import DoubleRow
+
+    angle, spacing = arguments.four_point, arguments.double_row
+    if spacing is None and (arguments.preload or arguments.arrangement != "back_to_back"):
+        arguments.complain("--arrangement and --preload: of two rows; give --double-row")
+    rows = (spacing, arguments.preload, arguments.arrangement)
+    return {
+        "four_point": None if angle is None else math.radians(angle),
+        "double_row": None if spacing is None else DoubleRow(*rows),
+    }
+
+
+def friction(to: Any) -> None:
+    """--spin-law and --film-friction: laws of the friction torque."""
+    to.add_argument(
+        "--spin-law",
+        choices=("closed", "slices"),
+        default="closed",
+        help="of the friction torque: closed adds pure spin to slip, slices takes both together",
+    )
+    to.add_argument(
+        "--film-friction",
+        type=number(0, 0.2, ""),
+        metavar="MU",
+        help="of the friction torque: the film's coefficient, 0.05 in a run with the models full"
+        " (Eyring's stress with its limit)",
+    )
 
 
 def lubricant(to: Any) -> None:

@@ -101,9 +101,9 @@ def run(arguments: argparse.Namespace) -> None:
 
     _check(arguments)
     if ross_file.is_ross(arguments.file):
-        from raceway.commands import ross_rotor
+        from raceway.commands import _ross_rotor
 
-        return ross_rotor.run(arguments)
+        return _ross_rotor.run(arguments)
     case = shaft_file.read(arguments.file, arguments.inputs)
     speed = case.rpm * math.pi / 30
     try:

@@ -28,6 +28,7 @@ examples:
   raceway static --load 5000 --tilt 0 20arcmin --json
   raceway static --load 5000 --rpm 1910 --lubricant vg46 --temperature 70 --models full
   raceway static --axial 1000 --four-point 35 --clearance 20e-6
+  raceway static --bearing 7208 --load 1000 --double-row 18e-3 --preload 5e-6 --moment 10 0
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
 
 Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; a name with a slash
@@ -83,13 +84,7 @@ def add(commands: Commands) -> None:
         metavar="M",
         help="diametral clearance, metres; negative is preload (0)",
     )
-    ring.add_argument(
-        "--four-point",
-        type=number(5, 60, "degrees"),
-        metavar="DEGREES",
-        help="a four-point contact bearing: two grooves a ring, which balls in the middle meet at"
-        " this angle (the bearing's four_point, or one groove)",
-    )
+    options.grooves(ring)
     ring.add_argument(
         "--tilt",
         type=angle(-0.2, 0.2),
@@ -144,12 +139,7 @@ def add(commands: Commands) -> None:
         default="paper",
         help="paper: as the publication; full: film in the gap, inlet shear, friction torque",
     )
-    one.add_argument(
-        "--spin-law",
-        choices=("closed", "slices"),
-        default="closed",
-        help="of the friction torque: closed adds pure spin to slip, slices takes both together",
-    )
+    options.friction(one)
     one.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,
@@ -177,10 +167,8 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.complain("--spin-law: of the friction torque; give --models full")
     if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
         arguments.complain("--temperature: of the lubricant; give --lubricant")
-    if arguments.four_point is not None and (arguments.models == "full" or arguments.exact_circle):
-        arguments.complain(
-            "--four-point: without --models full and --exact-circle, which are of one groove a ring"
-        )
+    if arguments.film_friction is not None and arguments.models != "full":
+        arguments.complain("--film-friction: of the friction torque; give --models full")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
     result = figures(
@@ -200,7 +188,8 @@ def run(arguments: argparse.Namespace) -> None:
         spin_law=arguments.spin_law,
         temperature=arguments.temperature,
         cleanliness=arguments.cleanliness,
-        four_point=None if arguments.four_point is None else math.radians(arguments.four_point),
+        film_friction=arguments.film_friction,
+        **options.grooves_of(arguments),
     )
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
 

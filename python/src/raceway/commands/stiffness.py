@@ -39,6 +39,7 @@ def add(commands: Commands) -> None:
     )
     takes_negative(one)
     options.bearing(one)
+    options.grooves(one)
     one.add_argument(
         "--load",
         type=number(0, 1e6, "N"),
@@ -137,6 +138,7 @@ def run(arguments: argparse.Namespace) -> None:
         frequency=None if arguments.frequency is None else 2 * math.pi * arguments.frequency,
         phases=arguments.phases,
         clearance=arguments.clearance,
+        **options.grooves_of(arguments),
     )
     if ending is None:
         print(table(found))

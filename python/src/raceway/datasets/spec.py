@@ -210,7 +210,7 @@ def records(spec: Spec) -> list[Record]:
     not.
     """
     path = catalogue.find("bearings", spec.bearing)
-    bearing, angle = inputs.bearing(path), inputs.nominal_angle(path)
+    bearing, angle = inputs.bearing(path, one_groove=True), inputs.nominal_angle(path)
     passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes a second and rpm
     length = spec.seconds + 2 * GUARD / min(spec.rates)
     result = []

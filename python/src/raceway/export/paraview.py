@@ -19,7 +19,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
 
     Balls are points with the `data` of `particles.frames` (part 0), raceways surfaces with the
     `azimuth` of their points in the ring (rad; parts 1 inner, 2 outer). The inner one moves and
-    turns; `balls.dump` does not have its tilt. Raises `RunError` when the run's files are broken or
+    turns; its tilt is left out. Raises `RunError` when the run's files are broken or
     `out` cannot be written.
     """
     out, entries, clearance = files.folder(out), [], tables.settings["clearance_m"]

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from raceway.arrays import Floats
-from raceway.errors import RunError
 from raceway.runs.columns import CONTACT
-from raceway.runs.tables import BALL, CAGE, RunTables
+from raceway.runs.record_tables import BALL, CAGE
+from raceway.runs.tables import RunTables
 from raceway.theory import capacitance
 from raceway.theory.bearing import INNER, OUTER
 
@@ -42,27 +42,13 @@ def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
     """
     tables.need_one_groove("an export of balls")
     if every is None:
-        last = (
-            len(tables.index("balls"))
-            if tables.stop is None
-            else min(tables.stop, len(tables.index("balls")))
-        )
-        every = max(1, -(-(last - tables.first) // FRAMES))
+        every = max(1, -(-(tables.last - tables.first) // FRAMES))
     turned = before = 0.0
     for (sample, atoms), (_, contacts) in zip(
         _samples(tables, "balls"), _samples(tables, "contacts")
     ):
         inner = atoms[atoms["id"] == tables.settings["inner_ring"]]
-        if len(inner) != 1:
-            raise RunError(
-                f"{tables.source['balls']}: sample {sample} has no atom"
-                f" {tables.settings['inner_ring']}, the inner ring"
-            )
-        spin = (
-            float(inner["omegaz"].iloc[0])
-            if "omegaz" in inner
-            else tables.settings["rpm"] * np.pi / 30
-        )
+        spin = float(inner["omegaz"].iloc[0])
         if sample > tables.first:
             turned += (before + spin) / 2 * tables.settings["sample_s"]
         before = spin
@@ -86,9 +72,7 @@ def _frame(tables, sample, atoms, contacts, ring, turned):
             atoms["type"] == BALL, tables.geometry.ball_radius, tables.cage_ball_radius
         ),
     }
-    for name, prefix in (("velocity", "v"), ("spin", "omega")):
-        if f"{prefix}x" in atoms:
-            data[name] = _vectors(atoms, prefix)
+    data["velocity"], data["spin"] = _vectors(atoms, "v"), _vectors(atoms, "omega")
     for name in CARRIED:
         for side, word in SIDES.items() if name in contacts else ():
             rows = contacts[contacts["raceway"] == side]

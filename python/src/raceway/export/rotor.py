@@ -21,7 +21,7 @@ from raceway import catalogue, inputs
 from raceway.arrays import Floats
 from raceway.errors import RacewayError, RunWarning
 from raceway.files import FilePath
-from raceway.theory.bearing import Bearing
+from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.ring_response import LAWS, PHASES, OverPass, turning_ring
 from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
@@ -55,12 +55,15 @@ def points(
     folder: FilePath | None = None,
     frequency: float | None = None,
     phases: int = PHASES,
+    four_point: float | None = None,
+    double_row: DoubleRow | None = None,
     **options: Any,
 ) -> list[Point]:
     """A `Point` for each radial `load` (N, along x), and for each `rpm` of the inner ring in it.
 
-    `bearing` is a `Bearing` or, as `lubricant`, a file of the inputs `folder` or a path; without a
-    lubricant there is no damping. `models` is paper or full, `temperature` in degrees C.
+    `bearing` is a `Bearing` or, as `lubricant`, a file of the inputs `folder` or a path, with
+    `four_point` and `double_row` as `inputs.bearing` has them; without a lubricant there is no
+    damping. `models` is paper or full, `temperature` in degrees C.
     `frequency` of the vibration is in rad/s; it is the shaft's speed unless given, as rotor
     programs read their tables. `axial` is in N; `options` are those of `static.equilibrium`
     (clearance, held, moment). Without them tilts are held at 0. Raises `RacewayError`, and
@@ -70,7 +73,8 @@ def points(
         raise ValueError(f"models '{models}' is none of {', '.join(LAWS)}")
     body = bearing
     if isinstance(bearing, str):
-        body = inputs.bearing(catalogue.find("bearings", bearing, folder))
+        path = catalogue.find("bearings", bearing, folder)
+        body = inputs.bearing(path, four_point=four_point, double_row=double_row)
     oil = fluid = None
     if lubricant is not None:
         path = catalogue.find("lubricants", lubricant, folder)

@@ -20,14 +20,14 @@ from raceway.files import FilePath
 from raceway.paper.cases import Case, Plan
 from raceway.paper.runner import LOG
 from raceway.runs import whole_capacitance
+from raceway.runs.record_tables import BALL, CAGE
 from raceway.runs.run import Run
 from raceway.runs.summary import summary
-from raceway.runs.tables import BALL, RunTables
+from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER
 from raceway.theory.capacitance import VACUUM
 from raceway.theory.capacitors import FLOODED, Filling
 
-CAGE_BALL = 2  # atom type
 GRID = np.arange(-180.0, 181.0)
 
 
@@ -116,10 +116,10 @@ class Reading:
                 .sort_values(["sample", "id"])[["x", "y", "z"]]
                 .to_numpy()
             )
-            for kind in (BALL, CAGE_BALL)
+            for kind in (BALL, CAGE)
         }
         count = int(self.tables.settings["balls"])
-        ball, cage = (places[kind].reshape(-1, count, 1, 3) for kind in (BALL, CAGE_BALL))
+        ball, cage = (places[kind].reshape(-1, count, 1, 3) for kind in (BALL, CAGE))
         gap = np.linalg.norm(ball - np.swapaxes(cage, 1, 2), axis=-1) - ball_radius - cage_radius
         touching = np.count_nonzero(gap < 0, axis=(1, 2))
         return float(touching.mean() / (2 * count))

@@ -27,6 +27,7 @@ class Statement(NamedTuple):
     whole: Mapping[str, Any] = MappingProxyType(
         {}
     )  # with all of the capacitance: other rules, show
+    found: tuple[str, str, str] = (UNKNOWN, SAME, SAME)  # corrected, printed, whole in `Judged`
 
 
 class Judged(NamedTuple):
@@ -57,9 +58,15 @@ def read() -> list[Statement]:
             tuple(one.get("show", ())),
             one["why"],
             one.get("whole", {}),
+            _found(one["found"]),
         )
         for one in yaml.safe_load(text)
     ]
+
+
+def _found(verdicts):
+    given = [verdicts] if isinstance(verdicts, str) else verdicts
+    return (*given, *[SAME] * (3 - len(given)))
 
 
 def holds(rule: str, numbers: Mapping[str, float]) -> bool:
@@ -149,3 +156,14 @@ def _is_number(text):
     except ValueError:
         return False
     return True
+
+
+def markup(text: str) -> str:
+    """Text with $formulas$ as reStructuredText."""
+    text = re.sub(r"([*|`])", r"\\\1", text)
+    return re.sub(r"\$([^$]+)\$", r":math:`\1`", text)
+
+
+def plain(text: Any) -> Any:
+    """Text with $formulas$ without the marks."""
+    return re.sub(r"[${}]", "", text) if isinstance(text, str) else text

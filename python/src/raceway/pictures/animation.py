@@ -67,8 +67,7 @@ def animation(
 
 def _window(tables, passes, frames):
     """(the part of the run `tables` needed, the samples to draw)."""
-    each, there = tables.settings["samples_per_pass"], tables.index("balls")
-    have = min(len(there), len(tables.index("contacts"))) - tables.first
+    each, have = tables.settings["samples_per_pass"], len(tables.record) - tables.first
     if have < 1:
         raise RunError(f"{tables.folder} holds no sample to draw")
     wanted = int(round((min(have / each, 4.0) if passes is None else passes) * each))

@@ -36,8 +36,7 @@ def bearing(
     Raises `RunError` when the run's files are broken or the picture cannot be written.
     """
     tables = shown(tables)
-    # a run that is still going may be ahead in one file
-    contacts = tables.contacts[tables.contacts["sample"] <= tables.balls["sample"].max()]
+    contacts = tables.contacts
     sample = int(contacts.loc[contacts["load"].idxmax(), "sample"])
     with plt.rc_context(style.STYLE):
         sheet = Sheet(tables, scene(tables, np.array([sample]), colour, factor), colour)

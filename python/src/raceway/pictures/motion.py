@@ -23,13 +23,13 @@ def motion(tables: RunTables, path: FilePath) -> None:
     """
     rings = tables.rings
     if not len(rings):
-        raise RunError(f"{tables.source['rings']} has no sample of the inner ring")
+        raise RunError(f"{tables.record.path} has no sample of the inner ring")
     panels = [_orbit, _displacement]
     if {"tilt_1", "tilt_2"} <= set(rings) and rings[["tilt_1", "tilt_2"]].to_numpy().any():
         panels.append(_tilt)
     if {"mz", "spin"} <= set(rings):
         panels.append(_torque)
-    if tables.record and np.isfinite(tables.totals.get("cage_force", np.nan)).any():
+    if np.isfinite(tables.totals.get("cage_force", np.nan)).any():
         panels.append(_cage)
     rows = (len(panels) + 1) // 2
     with plt.rc_context(style.STYLE):

@@ -15,15 +15,15 @@ from raceway.errors import RunError, RunWarning
 from raceway.runs.tables import RunTables
 
 LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, and tells nothing
-# bytes of contacts.dump from which on only so many ball passes are drawn
+# bytes of a record from which on only so many ball passes are drawn
 LARGE, PASSES = (200 << 20, 20)
 
 
 def shown(tables: RunTables, note: str = "") -> RunTables:
     """The part of the run `tables` that is drawn: all, unless that would be more curves than memory
     or paper hold. A warning says so, and `note`."""
-    path = tables.source["contacts"]
-    if tables.stop is not None or not path.exists() or path.stat().st_size < LARGE:
+    path = tables.record.path
+    if tables.stop is not None or path.stat().st_size < LARGE:
         return tables
     warnings.warn(
         f"{path} is large: the picture shows its first {PASSES} ball passes{note}",
@@ -48,7 +48,7 @@ def need(tables: RunTables, column: str, what: str) -> None:
         and column in ("h_min", "h_c", "capacitance")
     ):
         raise RunError(
-            f"{tables.folder}: {what} needs the column {column} of contacts.dump, which "
+            f"{tables.folder}: {what} needs the column {column} of the contacts, which "
             + ("this run does not have" if tables.lubricated else "a dry run does not have")
         )
 

@@ -15,7 +15,8 @@ import numpy as np
 from raceway.arrays import Floats, Integers
 from raceway.errors import RunError
 from raceway.pictures.part import LIGHT, need
-from raceway.runs.tables import BALL, CAGE, RunTables
+from raceway.runs.record_tables import BALL, CAGE
+from raceway.runs.tables import RunTables
 
 COLOURS = {
     "load": ("load", "larger contact load of a ball", "N"),
@@ -59,8 +60,7 @@ def scene(
     axis = _places(table[table["id"] == tables.settings["outer_ring"]], count)[:, 0]
     if not np.isin(samples, np.unique(table["sample"])).all():
         raise RunError(
-            f"{tables.source['balls']}: no sample {samples[-1]}, the last is"
-            f" {table['sample'].max()}"
+            f"{tables.record.path}: no sample {samples[-1]}, the last is {table['sample'].max()}"
         )
     first = int(table["sample"].min())
     kept = samples - first

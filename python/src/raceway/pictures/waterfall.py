@@ -13,7 +13,7 @@ from raceway.pictures import style
 from raceway.pictures.page import head
 from raceway.pictures.part import need, shown
 from raceway.pictures.style import BALL, FAINT, INK, MAP
-from raceway.runs.tables import BALL as BALL_TYPE
+from raceway.runs.record_tables import BALL as BALL_TYPE
 from raceway.runs.tables import RunTables
 from raceway.units import axis
 
@@ -106,8 +106,7 @@ def bands(tables: RunTables) -> tuple[Integers, Floats, Floats]:
     the load line in rad, unwrapped; F, NaN for a ball that is not loaded on both raceways. At most
     about `ROWS` samples, evenly spaced.
     """
-    # a run that is still going may be ahead in one file
-    there = tables.balls[tables.balls["sample"].isin(tables.totals.index)]
+    there = tables.balls
     table = there[there["type"] == BALL_TYPE].sort_values(["sample", "id"])
     ids, samples = np.unique(table["id"]), np.unique(table["sample"])
     centre = (

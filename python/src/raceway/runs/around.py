@@ -22,9 +22,9 @@ def around(
     `bins` equal parts of the ring: Dataset (raceway, from_load_line).
 
     `quantities` maps a name to a function that takes a table of contacts (`DataFrame`, columns of
-    the dump) and gives an array of one value a row. `from_load_line` is the middle of a part in rad
-    from the centre of the loaded zone. `contacts` counts, over all samples; where it is 0 the means
-    are NaN. Raises `ValueError` for fewer than one bin.
+    the record) and gives an array of one value a row. `from_load_line` is the middle of a part in
+    rad from the centre of the loaded zone. `contacts` counts, over all samples; where it is 0 the
+    means are NaN. Raises `ValueError` for fewer than one bin.
     """
     if bins < 1:
         raise ValueError(f"bins = {bins} must be at least 1")

@@ -104,7 +104,7 @@ def of_run(
         chosen = band or best_band(values, sample_s, 3 * passes)[:2]
         result = spectrum.spectrum(of_values(values, sample_s, *chosen), sample_s)
     except ValueError as error:
-        raise RunError(f"{run.tables.source['rings']}: {error}") from None
+        raise RunError(f"{run.tables.record.path}: {error}") from None
     result.attrs.update(spectrum.of_column(name, ring), band=tuple(map(float, chosen)))
     result.attrs["long_name"] = f"envelope of: {result.attrs['long_name']}"
     return result

@@ -79,6 +79,6 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
 
 
 def _window(tables):
-    # LAMMPS prints the start of the window as well, LIGGGHTS does not; no copy of a long table
+    # after the start of the window; no copy of a long table
     rings = tables.rings
     return rings.iloc[int(np.searchsorted(rings["sample"], 0, side="right")) :]

@@ -148,7 +148,7 @@ def _thinning(tables, figures, fluid):
     laws = {"murch": film_factors.murch_wilson(loading), "wilson": film_factors.wilson(loading)}
     if loading < GUPTA:
         laws["gupta"] = film_factors.gupta(loading, pressure)
-    commands = str(tables.record.attrs.get("pair_commands", "")) if tables.record else ""
+    commands = str(tables.record.attrs.get("pair_commands", ""))
     own = re.search(r"\binlet_shear (\w+)", commands)
     if own is None:  # isothermal
         return [1.0, *map(float, laws.values())]

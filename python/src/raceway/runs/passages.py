@@ -207,7 +207,7 @@ def of_run(
         raise ValueError(f"raceway is '{raceway}', must be inner or outer")
     values, cage = spectrum.signal_of(run, name, ring), spectrum.cage_order(run)
     if cage is None:
-        raise RunError(f"{run.tables.folder} does not say the cage speed: it needs a record")
+        raise RunError(f"{run.tables.folder}: a shaft that stands still has no ball passages")
     bearing, spin = run.tables.geometry, abs(run.settings["rpm"]) * np.pi / 30
     lines = spectrum.expected(bearing, spin / (2 * np.pi), harmonics=1, cage=cage)
     period = 1 / lines["BPFI" if raceway == "inner" else "BPFO", 1][1]

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The datasets of a run from its record: values stay in the file until they are used."""
 
+from collections.abc import Mapping
 from functools import cached_property
 
 import numpy as np
+import pandas as pd
 import xarray as xr
+from numpy.typing import ArrayLike
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from raceway.errors import RunError
-from raceway.runs.columns import CONTACT
+from raceway.runs.columns import BEARING, CONTACT, RING, Column
 from raceway.runs.named import NamedDataset
-from raceway.runs.record import MOTION
+from raceway.runs.record_tables import MOTION
+from raceway.runs.summary import ring_displacement
 from raceway.runs.tables import RunTables
 
 ABOUT = ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearance_m")
@@ -40,18 +44,19 @@ class _InFile(BackendArray):
 
 
 class Recorded:
-    """Contacts, balls and cage of `tables`, which have a record, as `Run` gives them."""
+    """The datasets of the run `tables`, as `Run` gives them."""
 
     def __init__(self, tables: RunTables) -> None:
         self.tables, self.record = tables, tables.record
-        self._samples = len(self.record)  # the file may be growing: all that is made here has these
+        # the file may be growing: all datasets of a run have the samples of its first look
+        self._window = slice(tables.first, tables.last if len(self.record) else 0)
 
     @cached_property
     def _file(self):
         """Every variable of contacts, balls, cage and rings, in the window and of the bearing."""
-        record, window = self.record, slice(self.tables.first, self.tables.stop)
+        record = self.record
         found = {
-            name: self._in_file(name)[window]
+            name: self._in_file(name)[self._window]
             for name, dims in record.variables.items()
             if dims[:1] == ("time",) and dims != ("time", "bearing")
         }
@@ -64,7 +69,8 @@ class Recorded:
         return data.set_coords("time")
 
     def _in_file(self, name, **made):
-        values = indexing.LazilyIndexedArray(_InFile(self.record, name, self._samples, **made))
+        array = _InFile(self.record, name, self._window.stop, **made)
+        values = indexing.LazilyIndexedArray(array)
         return xr.Variable(self.record.variables[name], values, self.record.about[name])
 
     @property
@@ -104,11 +110,34 @@ class Recorded:
         names = [name for name in self.record.contact_columns if name != "azimuth"]
         data = self._labelled(self._file[names])
         if "azimuth" in self.record.contact_columns:
-            window = slice(self.tables.first, self.tables.stop)
-            azimuth = self._in_file("azimuth")[window]
-            line = self._in_file("azimuth", of=self.tables.from_load_line)[window]
+            azimuth = self._in_file("azimuth")[self._window]
+            line = self._in_file("azimuth", of=self.tables.from_load_line)[self._window]
             data = self._azimuths(data, azimuth, line)
         return data
+
+    @property
+    def rings(self) -> xr.Dataset:
+        """Dataset (time) of the inner ring."""
+        table = self.tables.rings
+        data = {name: table[name] for name in table if name not in ("time", "sample")}
+        return self._of_table({**data, "shift": ring_displacement(self.tables)}, RING)
+
+    @property
+    def bearing(self) -> xr.Dataset:
+        """Dataset (time) of sums and extremes over the contacts."""
+        return self._of_table(self.tables.totals, BEARING)
+
+    def _of_table(
+        self, table: Mapping[str, ArrayLike] | pd.DataFrame, columns: Mapping[str, Column]
+    ) -> xr.Dataset:
+        data = NamedDataset({name: ("time", np.asarray(table[name])) for name in table})
+        first, count = self.tables.first, data.sizes["time"]
+        time = self.record.read(["time"], first, first + count)["time"]
+        for name in data.data_vars:
+            if name in columns:
+                about = {"units": columns[name].unit or "1", "long_name": columns[name].meaning}
+                data[name].attrs.update(about)
+        return self._labelled(data.assign_coords(time=("time", time, self.record.about["time"])))
 
     @property
     def balls(self) -> xr.Dataset:

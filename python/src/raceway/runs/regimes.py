@@ -39,7 +39,7 @@ def totals(run: Run, boundary: float = 1.0, full: float = 3.0) -> xr.DataArray:
 
 def need_film(run: Run, column: str) -> None:
     """Raise `RunError` when the contacts of `run` have no `column` of the film."""
-    if not run.tables.lubricated or column not in run.settings["contact_columns"].split():
+    if not run.tables.lubricated or column not in run.tables.record.contact_columns:
         raise RunError(
             f"{run.tables.folder}: a run without lubricant or without the column {column} has no"
             " film to look at"

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`run.yaml`: what a run says of itself."""
+"""What was run, by the names of `run.yaml`: from the record, and how the run ended from the
+`run.yaml` beside it.
 
-from collections.abc import Mapping
+The load, speed and length that a deck has not noted are measured: means over the record.
+"""
+
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -9,109 +13,98 @@ import numpy as np
 import yaml
 
 from raceway.errors import RunError
-from raceway.runs.text import need_text
+from raceway.runs.record import Record
+from raceway.runs.same_run import need_same_run
 
-WORDS = ("bearing", "lubricant", "host", "integrator", "contact_columns", "ball_columns")
-NUMBERS = (
-    "load_N",
-    "rpm",
-    "clearance_m",
-    "passes",
-    "balls",
-    "ball_diameter_m",
-    "inner_radius_m",
-    "outer_radius_m",
-    "inner_groove_m",
-    "outer_groove_m",
-    "load_azimuth_rad",
-    "sample_s",
-    "samples_per_pass",
-    "inner_ring",
-    "outer_ring",
-)
 # written last: without them the run has not finished
 AT_THE_END = ("step_s", "simulated_s", "wall_s")
 COST = ("processor_s", "evaluations")  # beside them, in runs that say it
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
-EXTRA = ("ball_young_Pa", "ball_poisson", "cage_ball_diameter_m")  # some runs do not have them
 NO_LUBRICANT = ("dry", "none")
-WHOLE = ("balls", "inner_ring", "outer_ring")
-POSITIVE = (  # and finite
-    "rpm",
-    "passes",
-    "ball_diameter_m",
-    "inner_radius_m",
-    "outer_radius_m",
-    "inner_groove_m",
-    "outer_groove_m",
-    "sample_s",
-    "samples_per_pass",
-    "step_s",
-    "simulated_s",
-    "wall_s",
-    "viscosity_Pa_s",
-    "pressure_viscosity_per_Pa",
-    "roughness_m",
-    "ball_young_Pa",
-    "cage_ball_diameter_m",
-)
-RANGES = {
-    "load_N": (0, np.inf),
-    "permittivity": (1, 1e3),
-    "ball_poisson": (0, 0.5),
-} | dict.fromkeys(WHOLE, (1, 1e9))
+MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
+RAD_S = np.pi / 30  # of one revolution a minute
 
 
-def settings(folder: Path) -> dict[str, Any]:
-    """What `run.yaml` in `folder` says: names as text, the rest as numbers in the units their names
-    end with.
+class Settings(dict[str, Any]):
+    """`values` by name: text, or numbers in the units their names end with. A key that is missing
+    is one bearing's own, or was measured: each of `needed` raises `RunError` where that is the
+    reason."""
 
-    Raises `RunError` when the file cannot be read, lacks a key or has a value that is no number.
-    """
-    path = folder / "run.yaml"
-    try:
-        # every scalar as text: 6208 is a name, and YAML 1.1 takes 1e-05 for a string anyway
-        data = yaml.load(path.read_text(), Loader=_Loader)
-    except (OSError, UnicodeDecodeError) as error:
-        raise RunError(f"cannot read {path}: {getattr(error, 'strerror', None) or error}") from None
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        where = f", line {mark.line + 1}" if mark else ""
-        raise RunError(f"{path}{where}: {getattr(error, 'problem', None) or error}") from None
-    except RecursionError:
-        raise RunError(f"{path} is nested too deeply") from None
-    if not isinstance(data, dict):
-        raise RunError(f"{path} is not a list of 'name: value'")
-    lubricant = LUBRICANT if data.get("lubricant") not in (*NO_LUBRICANT, None) else ()
-    needed = (*WORDS, *NUMBERS, *lubricant)
-    if missing := [key for key in needed if key not in data]:
-        need_text(folder)
-        begun = "" if all(key in data for key in AT_THE_END) else "run has not finished: "
-        raise RunError(f"{begun}{path} has no {', '.join(missing)}")
-    for key in (key for key in WORDS if not isinstance(data[key], str)):
-        raise RunError(f"{path}: {key} must be text, not a list or a map")
-    values = dict(data)
-    for key in (
-        *needed[len(WORDS) :],
-        *(key for key in (*EXTRA, *AT_THE_END, *COST) if key in data),
-    ):
-        try:
-            values[key] = float(data[key])
-            if not np.isfinite(values[key]):
-                raise ValueError
-        except (TypeError, ValueError):
-            raise RunError(f"{path}: {key} is not a number: '{data[key]}'") from None
-    for key in (key for key in POSITIVE if isinstance(values.get(key), float)):
-        if not values[key] > 0:
-            raise RunError(f"{path}: {key} = {data[key]} must be positive")
-    for key, (least, most) in RANGES.items():
-        if isinstance(values.get(key), float) and not least <= values[key] <= most:
-            raise RunError(f"{path}: {key} = {data[key]} must be from {least:g} to {most:g}")
-    for key in WHOLE:
-        if values[key] != int(values[key]):
-            raise RunError(f"{path}: {key} = {data[key]} must be a whole number")
-        values[key] = int(values[key])
-    return values
+    def __init__(self, values: Mapping[str, Any], needed: tuple[Callable[[], None], ...]) -> None:
+        super().__init__(values)
+        self._needed = needed
+
+    def __missing__(self, key: str) -> Any:
+        for need in self._needed:
+            need()
+        raise KeyError(key)
+
+
+def settings(record: Record) -> Settings:
+    """The settings of the run of `record`. Raises `RunError` for a `run.yaml` beside it that is
+    broken or of another run."""
+    path = record.path.with_name("run.yaml")
+    beside = _said(path)
+    end = _the_end(path, beside)
+    need_same_run(record, beside)
+    one = {} if record.bearing is None else _bearing(record)
+    told = {key: value for key, value in record.attrs.items() if key != "pair_commands"}
+    columns = {"contact_columns": " ".join(["ball", "ring", "raceway", *record.contact_columns])}
+    found = {"bearing": "unnamed", "integrator": "unknown", **one, **told, **columns}
+    if record.bearing is not None and not set(MEASURED) <= set(told) and len(record):
+        found = {**_measured(record, found), **found}
+    return Settings({**found, **end}, (record.need_one, record.need_samples))
+
+
+def _bearing(record):
+    value = {
+        name: float(record.fixed(name)[0])
+        for name, dims in record.variables.items()
+        if dims == ("bearing",) and name != "bearing"
+    }
+    wet = np.isfinite(value["viscosity"])
+    rings = dict(zip(record.fixed("ring_raceway").tolist(), record.fixed("ring").tolist()))
+    found = {
+        "lubricant": "oil" if wet else "dry",
+        "balls": int(value["balls"]),
+        "ball_diameter_m": value["ball_diameter"],
+        "inner_radius_m": value["inner_radius"],
+        # that of the bearing without clearance, which stands beside it
+        "outer_radius_m": value["outer_radius"] - value["clearance"] / 2,
+        "inner_groove_m": value["inner_groove"],
+        "outer_groove_m": value["outer_groove"],
+        "clearance_m": value["clearance"],
+        "ball_young_Pa": value["ball_young"],
+        "ball_poisson": value["ball_poisson"],
+        "inner_ring": rings.get(0),
+        "outer_ring": rings.get(1),
+    }
+    if value["cage_balls"]:
+        found["cage_ball_diameter_m"] = value["cage_ball_diameter"]
+    if wet:
+        found["viscosity_Pa_s"] = value["viscosity"]
+        found["pressure_viscosity_per_Pa"] = value["pressure_viscosity"]
+        found["permittivity"] = value["permittivity"]
+        found["roughness_m"] = float(np.hypot(value["ring_roughness"], value["ball_roughness"]))
+    return found
+
+
+def _measured(record, told):
+    spin = record.read(["ring_spin"])["ring_spin"].mean(axis=0)
+    side = record.fixed("ring_raceway")
+    force = record.read(["ring_fx", "ring_fy"])
+    # the load pushes the inner ring to where its balls push it back from
+    x, y = (-float(force[name][:, side == 0].mean()) for name in ("ring_fx", "ring_fy"))
+    cage = float(record.read(["bearing_cage_speed"])["bearing_cage_speed"].mean())
+    sample_s = told["sample_s"]
+    ball_pass = 2 * np.pi / (told["balls"] * abs(cage)) if cage else np.nan
+    return {
+        "load_N": float(np.hypot(x, y)),
+        "load_azimuth_rad": float(np.arctan2(y, x)),
+        "rpm": abs(float(spin[side == 0].sum() - spin[side == 1].sum())) / RAD_S,
+        "samples_per_pass": ball_pass / sample_s,
+        "passes": (len(record) - 1) * sample_s / ball_pass,
+    }
 
 
 class _Loader(yaml.BaseLoader):
@@ -128,23 +121,26 @@ class _Loader(yaml.BaseLoader):
         return super().construct_mapping(node, deep)
 
 
-def said(folder: Path) -> dict[str, Any]:
-    """What `run.yaml` beside a record says, all as text; nothing where it is not there, or not
-    whole because the run is writing it. Raises `RunError` when it cannot be read."""
-    path = folder / "run.yaml"
+def _said(path: Path) -> dict[str, Any]:
+    """What `run.yaml` says, all as text: 6208 is a name. Nothing where it is not there, or not
+    whole because the run is writing it."""
     if not path.exists():
         return {}
     try:
         data = yaml.load(path.read_text(), Loader=_Loader)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+    except (OSError, UnicodeDecodeError, yaml.YAMLError, RecursionError) as error:
         raise RunError(f"cannot read {path}: {error}") from None
     return data if isinstance(data, dict) else {}
 
 
-def the_end(folder: Path, said: Mapping[str, Any]) -> dict[str, float]:
-    """What `run.yaml` in `folder` has `said` of the end of a run, as far as it is there. Raises
-    `RunError`."""
-    try:
-        return {key: float(said[key]) for key in (*AT_THE_END, *COST) if key in said}
-    except (TypeError, ValueError) as error:
-        raise RunError(f"cannot read {folder / 'run.yaml'}: {error}") from None
+def _the_end(path: Path, said: Mapping[str, Any]) -> dict[str, float]:
+    """What `run.yaml` has `said` of the end of a run, as far as it is there."""
+    found = {}
+    for key in (key for key in (*AT_THE_END, *COST) if key in said):
+        try:
+            found[key] = float(said[key])
+        except (TypeError, ValueError):
+            raise RunError(f"{path}: {key} is not a number: '{said[key]}'") from None
+        if not 0 <= found[key] < np.inf:
+            raise RunError(f"{path}: {key} = {said[key]} must be finite and not negative")
+    return found

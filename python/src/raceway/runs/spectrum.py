@@ -105,13 +105,11 @@ def signal_of(run: Run, name: str, ring: str = "inner") -> np.ndarray:
 def _of_inner(run, name):
     rings = run.rings
     values = rings[name].to_numpy() if name in rings else None
-    return values, run.tables.source["rings"], rings.data_vars
+    return values, run.tables.record.path, rings.data_vars
 
 
 def _of_outer(run, name):
     record = run.tables.record
-    if not record:
-        raise RunError(f"{run.tables.folder} has no record: only that has the outer ring")
     here = np.flatnonzero(record.fixed("ring_raceway") == OUTER)
     if len(here) != 1:
         raise RunError(f"{record.path} has {len(here)} outer rings of one bearing, must be one")
@@ -195,9 +193,8 @@ def lines(
 
 
 def cage_order(run: Run) -> float | None:
-    """Mean speed of the balls about the axis over the shaft's, as the run has it; None where it
-    does not say or has no record."""
-    if not run.tables.record or not run.settings["rpm"]:  # text would be read as a whole
+    """Mean speed of the balls about the axis over the shaft's; None where that stands still."""
+    if not run.settings["rpm"]:
         return None
     mean = float(run.bearing["cage_speed"].mean())
     return mean / (run.settings["rpm"] * math.pi / 30) if math.isfinite(mean) else None

@@ -12,22 +12,17 @@ from typing import Any
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
+from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
-from raceway.runs.friction import PARTS, friction
+from raceway.runs.friction import friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.model_range import model_ranges
 from raceway.runs.settings import LUBRICANT
-from raceway.runs.tables import BALL, RunTables
-from raceway.runs.totals import pairs
-from raceway.theory import kinematics
+from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.validity import Shoulders, doubts, past_shoulder
 
 NAME = {INNER: "inner", OUTER: "outer"}
-FILM = (
-    *("h_min_m", "h_c_m", "lambda"),
-    *("capacitance_F", "capacitance_top_F", "capacitance_total_F"),
-)
 
 
 TOPICS = {
@@ -81,13 +76,10 @@ TOPICS = {
         Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
         Row("asperity_share", "load share of asperities", "", "largest inner load"),
         Row("power_loss_W", "power lost", "W", "mean"),
-        Row("loss_rolling_W", "  hydrodynamic rolling", "W", "Biboulet-Houpert"),
-        Row("loss_slip_W", "  sliding", "W", "tangential forces, differential slip"),
-        Row("loss_spin_W", "  spin", "W"),
-        Row("loss_hysteresis_W", "  hysteresis in rolling", "W"),
-        Row("loss_film_W", "  normal damping", "W", "film and steel"),
-        Row("loss_drag_W", "  drag of the balls", "W"),
-        Row("loss_cage_W", "  balls and cage", "W"),
+        *(
+            Row(f"loss_{key}_W", "  " + BEARING[name].meaning.removeprefix("power lost "), "W")
+            for key, name in LOSSES.items()
+        ),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -114,9 +106,9 @@ def summary(tables: RunTables) -> dict[str, Any]:
     """The figures of the run `tables` by name, SI units, text or numbers; None where the run has
     none. `warnings` is a list of texts: what is beyond validity (`theory.validity`).
 
-    Reads the files once, in blocks: memory does not grow with the run. Raises `RunError` when the
-    run has not finished, a file is broken, there is no sample after the start or no ball ever
-    touched a raceway.
+    Reads the record in blocks: memory grows by a row of numbers a sample. Raises `RunError` when
+    the run has not finished, its record is broken, there is no sample after the start or no ball
+    ever touched a raceway.
     """
     tables.need_finished()
     _need_window(tables)
@@ -137,13 +129,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
         )
     }
     result.update({key: settings[key] if tables.lubricated else None for key in LUBRICANT})
-    if tables.record:
-        result.update(_of_record(tables))
-    else:
-        contacts = _Contacts(tables)
-        result.update(_mechanics(tables, contacts))
-        result["cage_speed_rad_s"] = _cage_speed(tables)
-        result.update(_film(tables, contacts))
+    result.update(_of_bearing(tables))
     result.update(
         wall_s=settings["wall_s"],
         simulated_s=settings["simulated_s"],
@@ -168,7 +154,7 @@ def _need_window(tables):
     count = len(tables.rings)
     if not (tables.rings["sample"] > 0).any():
         raise RunError(
-            f"{tables.source['rings']} holds {count} sample{'s' * (count != 1)}: figures are means"
+            f"{tables.record.path} holds {count} sample{'s' * (count != 1)}: figures are means"
             " over the samples after the start, and there is none"
         )
 
@@ -207,7 +193,7 @@ def _past_shoulder(tables):
     """Of a record with shoulder diameters, judged by at most `LOOKS` of its samples."""
     known = [tables.settings.get(f"{name}_shoulder_diameter_m") for name in NAME.values()]
     record, columns = tables.record, ("load", "angle", "a")
-    if not any(known) or not record or not set(columns) <= set(record.contact_columns):
+    if not any(known) or not set(columns) <= set(record.contact_columns):
         return []
     stop = tables.stop or len(record)
     some = slice(tables.first, stop, max(2, (stop - tables.first) // LOOKS))
@@ -229,13 +215,13 @@ def ring_displacement(tables: RunTables) -> Floats:
     ).to_numpy()
 
 
-def _of_record(tables):
-    """The figures of a record: its sums and extremes over the bearing have them."""
+def _of_bearing(tables):
+    """The figures that the sums and extremes over the bearing have."""
     table = tables.totals
     for name in NAME.values():
         if not table[f"load_{name}"].max() > 0:
             raise RunError(
-                f"{tables.source['contacts']}: no ball touches the {name} raceway in any sample"
+                f"{tables.record.path}: no ball touches the {name} raceway in any sample"
             )
     top = table.loc[table["load_inner"].idxmax()]
     result = _displacement(tables)
@@ -257,84 +243,12 @@ def _of_record(tables):
     return result
 
 
-class _Contacts:
-    """What the figures need of the contacts."""
-
-    def __init__(self, tables):
-        self.top = {}  # raceway: row of the contact with the largest load
-        self.samples = self.pairs = 0
-        self.total = self.best = (
-            None  # capacitance of all pairs and of the best, F; None without the column
-        )
-        for block in tables.blocks("contacts"):
-            self._add(block)
-        for side, name in NAME.items():
-            if side not in self.top:
-                raise RunError(
-                    f"{tables.source['contacts']}: no ball touches the {name} raceway in any sample"
-                )
-
-    def _add(self, block):
-        for side in NAME:
-            loads = block.loc[block["raceway"] == side, "load"]
-            if len(loads) and (side not in self.top or loads.max() > self.top[side]["load"]):
-                self.top[side] = block.loc[loads.idxmax()]
-        both = pairs(block)
-        self.samples += block.attrs["samples"]
-        self.pairs += len(both)
-        if "capacitance" in block:
-            self.total = (self.total or 0.0) + both["capacitance"].sum()
-            self.best = max(self.best or 0.0, both["capacitance"].max() if len(both) else 0.0)
-
-
 def _displacement(tables):
-    # LAMMPS prints the start of the window as well, LIGGGHTS does not
     shift = ring_displacement(tables)[tables.rings["sample"] > 0].mean()
     return {
         "ring_shift_m": shift,
         "load_parameter": load_parameter(tables, shift),
     }
-
-
-def _mechanics(tables, contacts):
-    result = _displacement(tables)
-    result["q_max_N"] = max(top["load"] for top in contacts.top.values())
-    for side, name in NAME.items():
-        result[f"q_{name}_max_N"] = contacts.top[side]["load"]
-    for side, name in NAME.items():
-        result[f"p_max_{name}_Pa"] = contacts.top[side]["pressure"]
-    result["loaded_balls_mean"] = contacts.pairs / contacts.samples
-    return result
-
-
-def _cage_speed(tables):
-    ring, total, count = tables.settings["outer_ring"], 0.0, 0
-    for balls in tables.blocks("balls"):
-        rings = balls.loc[balls["id"] == ring].set_index("sample")
-        rolling = balls[balls["type"] == BALL]
-        if rings.empty or rolling.empty:
-            raise RunError(
-                f"{tables.source['balls']} has no "
-                f"{'atom ' + str(ring) if rings.empty else 'ball (type 1)'}"
-            )
-        axis = rings.loc[rolling["sample"], ["x", "y", "vx", "vy"]].to_numpy()
-        relative = rolling[["x", "y", "vx", "vy"]].to_numpy() - axis
-        total += kinematics.orbital_speed(*relative.T).sum()
-        count += len(rolling)
-    return total / count
-
-
-def _film(tables, contacts):
-    top, result = contacts.top[INNER], dict.fromkeys(("entrainment_speed_m_s", *FILM))
-    result["entrainment_speed_m_s"] = top.get("entrainment")
-    if not tables.lubricated:
-        return result
-    for key, column in (("h_min_m", "h_min"), ("h_c_m", "h_c"), ("lambda", "lambda")):
-        result[key] = top.get(column)
-    if contacts.best is not None:
-        result["capacitance_F"] = contacts.total / contacts.samples
-        result["capacitance_top_F"] = contacts.best
-    return result
 
 
 def _plain(value):
@@ -375,7 +289,7 @@ def reasons(figures: Mapping[str, Any]) -> list[str]:
 def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     """The figures by the keys of `TOPICS`, None for those that are next to nothing."""
     result = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
-    losses = figures["losses_W"] or dict.fromkeys(PARTS)
+    losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
         **result,

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run folder: its record, or `run.yaml`, `contacts.dump`, `balls.dump`, `rings.dat`."""
+"""A run folder: what was run, and its samples as tables."""
 
-import warnings
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
@@ -10,87 +9,59 @@ import numpy as np
 import pandas as pd
 from numpy.typing import ArrayLike
 
-from raceway import progress
 from raceway.arrays import Floats, Numbers
-from raceway.errors import RunError, RunWarning
+from raceway.errors import RunError
 from raceway.files import FilePath
-from raceway.runs.dump import Index, blocks, first_steps, frames, read_dump, read_table
-from raceway.runs.record import Record, there
-from raceway.runs.same_run import need_same_run
-from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, said, settings, the_end
-from raceway.runs.steps import Steps
-from raceway.runs.text import FILES, need_text
-from raceway.runs.told import Told
-from raceway.runs.totals import pairs, totals
-from raceway.theory.bearing import OUTER, Bearing
+from raceway.runs import record_tables
+from raceway.runs.pairs import pairs
+from raceway.runs.record import Record
+from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings
+from raceway.theory.bearing import Bearing
 
-BALL, CAGE = 1, 2  # atom types
-DUMPS = {
-    "contacts": (
-        "contacts.dump",
-        "contact_columns",
-        ("ball", "raceway", "azimuth", "load", "pressure"),
-    ),
-    "balls": ("balls.dump", "ball_columns", ("id", "type", "x", "y", "vx", "vy")),
-}
-WHOLE = ("ball", "raceway", "groove", "id", "type")
-MOST = {"raceway": OUTER, "groove": 1}
+READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
 
 
 class RunTables:
-    """What a run says of itself (`settings`) and, read when first asked for, what it wrote.
+    """The `settings` of a run and its samples as tables, read when first asked for.
 
     Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
-    window from 0. `samples`, a slice without step, keeps to some of them: the way to look into a
+    window from 0. `samples`, a slice without step, keeps to some of them: one way to look into a
     run larger than memory. The other is `blocks`. A run that is still going, or was stopped, can be
-    read as far as it is; `finished` tells.
+    read as far as it is; it is not `finished`. `bearing` chooses one of many by its number, from 1.
 
-    Raises `RunError` when the folder has no `run.yaml` or a broken one, or a record that is of
-    another run than its `run.yaml`; so do the tables when their file is broken.
+    Raises `RunError` when the folder has no record, a broken one, or one of another run than its
+    `run.yaml`.
     """
 
     def __init__(
         self, folder: FilePath, samples: slice = slice(None), bearing: int | None = None
     ) -> None:
         self.folder = Path(folder)
-        self.record = Record(folder, bearing) if there(folder) else None
-        if self.record is None and bearing not in (None, 1):
-            raise RunError(f"{self.folder} has one bearing, not {bearing}")
-        self.settings = self._of_record(self.record) if self.record else settings(self.folder)
+        self.record = Record(folder, bearing)
+        self.settings = settings(self.record)
         self.first, self.stop = _window(samples)
 
-    def _of_record(self, record):
-        beside = said(self.folder)
-        end = the_end(self.folder, beside)
-        need_same_run(record, beside)
-        return Told({**record.settings(), **end}, (record.need_one, record.need_samples))
-
     def window(self, samples: slice) -> "RunTables":
-        """The same run with other `samples`."""
-        return RunTables(self.folder, samples, self.record.bearing if self.record else None)
-
-    @property
-    def source(self) -> dict[str, Path]:
-        """The file that messages name, by what is in it: contacts, balls, rings."""
-        if self.record:
-            return dict.fromkeys(FILES, self.record.path)
-        return {name: self.folder / file for name, file in FILES.items()}
+        """The same run with other `samples`. Its settings are not read or measured again."""
+        part = RunTables.__new__(RunTables)
+        part.folder, part.record, part.settings = self.folder, self.record, self.settings
+        part.first, part.stop = _window(samples)
+        return part
 
     @property
     def lubricated(self) -> bool:
-        """Whether the run had a lubricant."""
+        """The run had a lubricant."""
         return self.settings["lubricant"] not in NO_LUBRICANT
 
     @property
     def finished(self) -> bool:
-        """Whether the run came to its end; until then `settings` has no `step_s`, `simulated_s` and
+        """The run came to its end; until then `settings` has no `step_s`, `simulated_s` and
         `wall_s`."""
         return all(key in self.settings for key in AT_THE_END)
 
     def need_finished(self) -> None:
         """Raise `RunError` for a run that has not come to its end."""
-        if self.record:
-            self.record.need_one()
+        self.record.need_one()
         path = self.folder / "run.yaml"
         if not path.exists():
             raise RunError(f"{path} is missing: it says whether the run has finished, and its cost")
@@ -99,9 +70,8 @@ class RunTables:
 
     @property
     def geometry(self) -> Bearing:
-        """The `Bearing` that was simulated; steel where the run does not say."""
-        if self.record:
-            self.record.need_one()
+        """The `Bearing` that was simulated."""
+        self.record.need_one()
         names = {
             "balls": "balls",
             "ball_diameter_m": "ball_diameter",
@@ -112,14 +82,11 @@ class RunTables:
             "ball_young_Pa": "young",
             "ball_poisson": "poisson",
         }
-        return Bearing.from_mapping(
-            {name: self.settings[key] for key, name in names.items() if key in self.settings}
-        )
+        return Bearing.from_mapping({name: self.settings[key] for key, name in names.items()})
 
     @property
     def cage_ball_radius(self) -> float:
-        """m; of a run that does not say, that of cage balls without pocket gap. A run without cage
-        has one, too."""
+        """m; of a run without cage, that of cage balls without pocket gap."""
         if "cage_ball_diameter_m" in self.settings:
             return self.settings["cage_ball_diameter_m"] / 2
         bearing = self.geometry
@@ -128,46 +95,39 @@ class RunTables:
     @cached_property
     def contacts(self) -> pd.DataFrame:
         """A row per live contact of a ball with a raceway and sample."""
-        return self._dump("contacts")
+        return record_tables.contacts(self.record, self.first, self.last)
 
     @cached_property
     def balls(self) -> pd.DataFrame:
         """A row per atom and sample."""
-        return self._dump("balls")
+        return record_tables.atoms(self.record, self.first, self.last)
 
     @cached_property
     def rings(self) -> pd.DataFrame:
         """A row per sample: where the inner ring is and how it moves."""
-        if self.record:
-            return self.record.rings(self.first, self._end_of_samples())
-        need_text(self.folder)
-        table = read_table(self.folder / "rings.dat")
-        self._need(table, ("time", "x", "y"), "rings.dat")
-        # counted from the start of the window, like the dumps; the first row may be a later sample
-        table["sample"] = self._samples(table, "rings.dat")
-        if (self.first, self.stop) == (0, None):
-            return table
-        kept = (table["sample"] >= self.first) & (
-            table["sample"] < (np.inf if self.stop is None else self.stop)
-        )
-        return table[kept].reset_index(drop=True)
-
-    @cached_property
-    def pairs(self) -> pd.DataFrame:
-        """`totals.pairs` of the contacts: a row per sample and ball loaded on both raceways."""
-        return pairs(self.contacts)
+        return record_tables.rings(self.record, self.first, self.last)
 
     @cached_property
     def totals(self) -> pd.DataFrame:
-        """`totals.totals` of the contacts: a row per sample. Read in blocks."""
-        if self.record:
-            return self.record.totals(self.first, self._end_of_samples())
-        return pd.concat([totals(block) for block in self.blocks("contacts")])
+        """A row per sample: sums and extremes over the bearing."""
+        return record_tables.totals(self.record, self.first, self.last)
+
+    @cached_property
+    def pairs(self) -> pd.DataFrame:
+        """`pairs.pairs` of the contacts: a row per sample and ball loaded on both raceways."""
+        return pairs(self.contacts)
 
     @property
     def bearing_capacitance(self) -> Floats:
         """Capacitance of the bearing in F, one value a sample (eq 12)."""
         return self.totals["capacitance"].to_numpy()
+
+    @cached_property
+    def last(self) -> int:
+        """The end of the samples that are there, at most `stop`; of a growing record the same for
+        all tables. Raises `RunError` where there are none."""
+        *_, (_, last) = self.record.blocks(self.first, self.stop)
+        return last
 
     def blocks(self, name: str) -> Iterator[pd.DataFrame]:
         """Yield the table `name`, "contacts" or "balls", in pieces of whole samples and a few MB.
@@ -178,51 +138,15 @@ class RunTables:
         if name in self.__dict__:  # read already
             yield self.__dict__[name]
             return
-        if self.record:
-            read = self.record.contacts if name == "contacts" else self.record.atoms
-            yield from (read(*part) for part in self.record.blocks(self.first, self.stop))
-            return
-        file, columns = self._columns(name)
-        path = self.folder / file
-        steps = self._steps(name)
-        for block in progress.reading(
-            path, blocks(path, columns, self.first, self.stop, self._index(name))
-        ):
-            steps.take(block.steps)
-            yield _whole(block.table(columns), path)
-        self._need_all(steps)
+        for part in self.record.blocks(self.first, self.last):
+            yield READERS[name](self.record, *part)
 
     def need_one_groove(self, what: str) -> None:
         """Raise `RunError` where rings have two grooves for a ball."""
-        if self.record:
-            two = len(self.record.raceways) > 2
-        else:
-            two = "groove" in self.settings["contact_columns"].split()
-        if two:
+        if self.record.two_grooves:
             raise RunError(
                 f"{self.folder} has rings of two grooves for a ball; {what} needs rings of one"
             )
-
-    def need_balls(self) -> None:
-        """Raise `RunError` where `run.yaml` names more balls than `balls.dump` has."""
-        if self.record:
-            return
-        file, columns = self._columns("balls")
-        if not (self.folder / file).exists():
-            return
-        frame = next(frames(self.folder / file, columns))
-        there = np.count_nonzero(frame.values[:, columns.index("type")] == BALL)
-        if self.settings["balls"] > there:
-            raise RunError(
-                f"{self.folder / 'run.yaml'}: balls = {self.settings['balls']}, but {file} has"
-                f" {there}"
-            )
-
-    def time(self, samples: Numbers) -> Floats:
-        """Times of `samples` (array of numbers that follow one another) in s."""
-        if self.record:
-            return self.record.read(["time"], samples[0], samples[-1] + 1)["time"]
-        return samples * self.settings["sample_s"]
 
     def passes(self, sample: ArrayLike) -> Numbers:
         """Time of a sample (number or array) in ball passes since the start of the measured
@@ -238,127 +162,8 @@ class RunTables:
         """The azimuths of rows of contacts, in rad from the centre of the loaded zone. Raises
         `RunError` where the run has not recorded them."""
         if "azimuth" not in contacts:
-            raise RunError(f"{self.source['contacts']} has no column azimuth: record it as well")
+            raise RunError(f"{self.record.path} has no column azimuth: record it as well")
         return self.from_load_line(contacts["azimuth"].to_numpy())
-
-    def _end_of_samples(self):
-        """Number of samples that are there, at most `stop`."""
-        *_, (_, last) = self.record.blocks(self.first, self.stop)
-        return last
-
-    def frames(self, name: str, start: int, stop: int) -> tuple[pd.DataFrame, list[int]]:
-        """(the table `name` of the samples `start` to `stop`, their steps)."""
-        if self.record:
-            read = self.record.contacts if name == "contacts" else self.record.atoms
-            steps = self.record.read(["step"], start, stop)["step"]
-            return read(start, stop), steps.astype(int).tolist()
-        file, columns = self._columns(name)
-        parts = list(blocks(self.folder / file, columns, start, stop, self.index(name)))
-        steps = sum((part.steps for part in parts), [])
-        return pd.concat([part.table(columns) for part in parts]), steps
-
-    def _dump(self, name):
-        if self.record:
-            first, stop = self.first, self._end_of_samples()
-            read = self.record.contacts if name == "contacts" else self.record.atoms
-            return read(first, stop)
-        file, columns = self._columns(name)
-        path, steps = self.folder / file, self._steps(name)
-        table = read_dump(path, columns, self.first, self.stop, self._index(name))
-        steps.take(table.attrs.pop("steps"))
-        self._need_all(steps)
-        return _whole(table, path)
-
-    def _steps(self, name):
-        """`Steps` of the dump behind `name`, which are those of the other dump."""
-        path, other = (
-            self.folder / DUMPS[one][0]
-            for one in (name, "balls" if name == "contacts" else "contacts")
-        )
-        known = first_steps(other) if other.exists() else []
-        spacing = known[1] - known[0] if len(known) == 2 else None
-        return Steps(path, known[0] if known and not self.first else None, spacing)
-
-    def _samples(self, table, name):
-        """Numbers of the samples, from their time and step."""
-        path, wrong = self.folder / name, "holds times that are no samples"
-        samples = np.rint(table["time"].to_numpy() / self.settings["sample_s"])
-        if not np.all(np.abs(samples) < 1e15):
-            raise RunError(f"{path} {wrong}")
-        samples = samples.astype(int)
-        Steps(path, spacing=1).take(samples)
-        last = round(self.settings["passes"] * self.settings["samples_per_pass"])
-        if self.finished and samples[-1] != last:
-            warnings.warn(
-                f"{path} ends with sample {samples[-1]}, a finished run with {last}",
-                RunWarning,
-                stacklevel=3,
-            )
-        if "step" in table:
-            steps = Steps(path)
-            steps.take(table["step"].to_numpy())
-            for dump, _, _ in DUMPS.values():
-                known = first_steps(self.folder / dump) if (self.folder / dump).exists() else []
-                if len(known) == 2 and np.any(
-                    table["step"] != known[0] + samples * (known[1] - known[0])
-                ):
-                    raise RunError(f"{path} has not the steps of {dump}")
-        return samples
-
-    def _need_all(self, steps):
-        """Warn where a finished run has not all of its samples, or more."""
-        expected = round(self.settings["passes"] * self.settings["samples_per_pass"]) + 1
-        if self.finished and (self.first, self.stop) == (0, None) and steps.count != expected:
-            warnings.warn(
-                f"{steps.path} holds {steps.count} samples, a finished run of"
-                f" {self.settings['passes']:g} passes has {expected}",
-                RunWarning,
-                stacklevel=3,
-            )
-
-    def _index(self, name):
-        return self.index(name) if self.first else None
-
-    def index(self, name: str) -> Index | range:
-        """As long as there are samples of the table `name`; `dump.Index` of its file if that is
-        one."""
-        if self.record:
-            return range(len(self.record))
-        need_text(self.folder)
-        if name not in self._indices:
-            self._indices[name] = Index(self.folder / DUMPS[name][0])
-        return self._indices[name]
-
-    @cached_property
-    def _indices(self):
-        return {}
-
-    def _columns(self, name):
-        """(file, names of its columns)"""
-        need_text(self.folder)
-        file, key, needed = DUMPS[name]
-        columns = self.settings[key].split()
-        if twice := sorted({column for column in columns if columns.count(column) > 1}):
-            raise RunError(f"{self.folder / 'run.yaml'}: {key} names {' '.join(twice)} twice")
-        self._need(columns, needed, file)
-        return file, columns
-
-    def _need(self, table, needed, name):
-        if missing := [column for column in needed if column not in table]:
-            raise RunError(f"{self.folder / name} has no column {' '.join(missing)}")
-
-
-def _whole(table, path):
-    for name in (name for name in WHOLE if name in table):
-        values, most = table[name].to_numpy(), MOST.get(name, 1e15)
-        wrong = (values != np.rint(values)) | ~((values >= 0) & (values <= most))
-        if wrong.any():
-            raise RunError(
-                f"{path}: {name} is {values[wrong][0]:g}, must be a whole number from 0 to {most:g}"
-            )
-    attrs, table = table.attrs, table.astype({name: int for name in WHOLE if name in table})
-    table.attrs = attrs
-    return table
 
 
 def _window(samples):

@@ -121,7 +121,7 @@ def of_run(
             times = np.interp(result["time"], turns, np.arange(len(turns)) * sample_s)
             result = result.assign_coords(time=times).rename(frequency="order")
     except ValueError as error:
-        raise RunError(f"{run.tables.source['rings']}: {error}") from None
+        raise RunError(f"{run.tables.record.path}: {error}") from None
     result["time"].attrs["units"] = "s"
     result[result.dims[0]].attrs["units"] = "1" if orders else "Hz"
     result.attrs.update(spectrum.of_column(name, ring), orders=orders)

@@ -12,7 +12,7 @@ but pictures and neighbours. What needs more digits comes in double precision wi
 - `step`, `time` (s), `sample`
 
 Lengths are metres and times seconds, whatever MDAnalysis calls them; there is no box, and positions
-are those of the dump (MDAnalysis's own reader of such dumps moves them by the corner of the box).
+are those of the run.
 """
 
 from typing import Any
@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 
 from raceway.errors import RunError
+from raceway.runs import record_tables
 from raceway.runs.columns import CONTACT
-from raceway.runs.tables import DUMPS, RunTables
+from raceway.runs.tables import RunTables
 
 try:
     import MDAnalysis
@@ -39,7 +40,7 @@ FEW = 8  # one frame alone takes about as long as a part of those read together
 class RunReader(ReaderBase):
     """The trajectory: any frame at random, a few MB in memory whatever the run's size.
 
-    `first` and `stop` keep to some samples. Frames are those that both dumps have complete.
+    `first` and `stop` keep to some samples.
     """
 
     format = "RACEWAY"
@@ -58,15 +59,9 @@ class RunReader(ReaderBase):
         super().__init__(
             filename, **{"convert_units": False, "dt": self._tables.settings["sample_s"], **kwargs}
         )
-        ends = [len(self._tables.index(name)) for name in DUMPS] + ([] if stop is None else [stop])
-        self.n_frames = min(ends) - first
-        if self.n_frames < 1:
-            raise RunError(
-                f"{self._tables.folder}: no sample from number {first} on that both dumps have"
-                " complete"
-            )
+        self.n_frames = self._tables.last - first
         self._loaded, self._asked = (0, 0), 0
-        atoms, _ = self._table("balls", 0, 1)
+        atoms = self._atoms_of(0, 1)
         self.ids, self.types = atoms["id"].to_numpy(int), atoms["type"].to_numpy(int)
         self.n_atoms = len(atoms)
         self._together = max(1, ROWS // self.n_atoms)
@@ -104,11 +99,11 @@ class RunReader(ReaderBase):
         self.ts.positions, self.ts.velocities = data["position"], data["velocity"]
         return self.ts
 
-    def _table(self, name, start, stop):
-        """(table of frames `start` to `stop`, sorted by sample and atom; their steps)"""
+    def _atoms_of(self, start, stop):
+        """Table of the atoms of frames `start` to `stop`, sorted by sample and atom."""
         first = self._tables.first
-        table, steps = self._tables.frames(name, first + start, first + stop)
-        return table.sort_values(["sample", "id" if name == "balls" else "ball"]), steps
+        table = record_tables.atoms(self._tables.record, first + start, first + stop)
+        return table.sort_values(["sample", "id"])
 
     def _together_with(self, frame):
         """(start, stop) of the frames to read with one: its neighbours, unless frames are asked
@@ -119,23 +114,19 @@ class RunReader(ReaderBase):
         return start, min(start + self._together, self.n_frames)
 
     def _load(self, start, stop):
-        table, self._steps = self._table("balls", start, stop)
-        if len(table) != (stop - start) * self.n_atoms or not np.array_equal(
-            table["id"].to_numpy(int), np.tile(self.ids, stop - start)
-        ):
-            raise RunError(f"{self._tables.source['balls']}: not every sample has the same atoms")
-        self._atoms = {}
-        for name, columns in (
-            ("position", "x y z"),
-            ("velocity", "vx vy vz"),
-            ("spin", "omegax omegay omegaz"),
-        ):
-            if set(columns.split()) <= set(table):
-                self._atoms[name] = (
-                    table[columns.split()].to_numpy().reshape(stop - start, self.n_atoms, 3)
-                )
-        contacts, _ = self._table("contacts", start, stop)
-        frame = contacts["sample"].to_numpy() - self._tables.first - start
+        record, first = self._tables.record, self._tables.first
+        self._steps = record.read(["step"], first + start, first + stop)["step"].astype(int)
+        table = self._atoms_of(start, stop)
+        self._atoms = {
+            name: table[columns.split()].to_numpy().reshape(stop - start, self.n_atoms, 3)
+            for name, columns in (
+                ("position", "x y z"),
+                ("velocity", "vx vy vz"),
+                ("spin", "omegax omegay omegaz"),
+            )
+        }
+        contacts = record_tables.contacts(record, first + start, first + stop)
+        frame = contacts["sample"].to_numpy() - first - start
         atom, raceway = (
             np.searchsorted(self.ids, contacts["ball"]),
             contacts["raceway"].to_numpy(int),
@@ -162,8 +153,7 @@ def universe(tables: RunTables) -> MDAnalysis.Universe:
     installed, and for rings of two grooves.
     """
     tables.need_one_groove("an MDAnalysis universe")
-    chosen = tables.record.bearing if tables.record else None
-    reader = RunReader(str(tables.folder), tables.first, tables.stop, chosen)
+    reader = RunReader(str(tables.folder), tables.first, tables.stop, tables.record.bearing)
     result = MDAnalysis.Universe.empty(reader.n_atoms)
     result.add_TopologyAttr("names", [NAMES.get(kind, str(kind)) for kind in reader.types])
     result.add_TopologyAttr("types", [str(kind) for kind in reader.types])

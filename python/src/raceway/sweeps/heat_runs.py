@@ -7,6 +7,7 @@ run has a folder, named after its variables, so what was stopped goes on there.
 """
 
 import json
+import math
 import os
 import signal
 from collections.abc import Callable, Iterator, Sequence
@@ -43,6 +44,8 @@ def by_runs(
     nodes the sides of a run share its friction as in statics. Raises `RacewayError` for a run that
     fails or is stopped.
     """
+    if case.double_row is not None:
+        raise RacewayError("friction from runs: the main deck has one row; leave --double-row out")
     scene = case.scene()
     found = case.steady(scene)
     with _stopped() as stop:
@@ -79,6 +82,7 @@ def by_runs(
 
 
 def _variables(case, temperature, clearance, more):
+    angle = case.four_point
     return {
         "bearing": str(case.bearing),
         "lubricant": str(case.lubricant),
@@ -88,6 +92,8 @@ def _variables(case, temperature, clearance, more):
         "clearance": f"{clearance:.4e}",
         "temperature": f"{temperature:.2f}",
         "models": "full",
+        **({} if case.spin_law == "closed" else {"spin_law": case.spin_law}),
+        **({} if angle is None else {"four_point": f"{math.degrees(angle):.9g}"}),
         **more,
     }
 

@@ -3,25 +3,56 @@
 
 A raceway is a torus groove. The centres of curvature of its cross-sections lie on a circle about
 the ring's axis, of radius R_i + r_ci for the inner ring and R_e - r_co (+ P_d/2 with a diametral
-clearance) for the outer.
+clearance) for the outer. A `Layout` gives each ring several grooves, for one row of balls or more:
+four-point contact and double row bearings.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
-from typing import Any
+from dataclasses import dataclass, fields, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Numbers
+from raceway.arrays import Floats, Numbers
 from raceway.core import laws
 
 INNER, OUTER = 0, 1
+ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
+
+
+class DoubleRow(NamedTuple):
+    """Two rows of one bearing beside each other; loads act in the middle of them."""
+
+    spacing: float  # m, of the balls' planes
+    preload: float = 0.0  # m, how far each row is pushed along the axis after first contact
+    arrangement: str = "back_to_back"  # of `ARRANGEMENTS`
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Positions of rows and grooves along the axis, m, from the point where loads act; one row with
+    one groove a ring unless given."""
+
+    rows: tuple[float, ...] = (0.0,)  # planes of the balls, those of the outer ring
+    # centres of curvature, by row and groove
+    inner: tuple[tuple[float, ...], ...] = ((0.0,),)
+    outer: tuple[tuple[float, ...], ...] = ((0.0,),)
+
+    @property
+    def tracks(self) -> int:
+        """Grooves of the inner ring, of all rows."""
+        return len(self.rows) * len(self.inner[0])
+
+    def centres(self, raceway: int, balls: int) -> Floats:
+        """(grooves, rows x balls), m: by groove and ball, row after row."""
+        by_row = np.array(self.inner if raceway == INNER else self.outer, float)
+        return np.repeat(by_row.T, balls, axis=1)
 
 
 @dataclass(frozen=True)
 class Bearing:
-    """Deep-groove ball bearing; lengths in m, `young` in Pa. `outer_radius` is the value before
-    clearance.
+    """Ball bearing; lengths in m, `young` in Pa. `balls` are those of a row. `outer_radius` is the
+    value before clearance.
 
     Raises `ValueError` for a size that is not positive or a groove no wider than its ball.
     """
@@ -34,9 +65,10 @@ class Bearing:
     outer_groove: float
     young: float = 210e9
     poisson: float = 0.3
+    layout: Layout = Layout()
 
     def __post_init__(self):
-        for field in fields(self):
+        for field in fields(self)[:-1]:
             value = getattr(self, field.name)
             if not (np.isfinite(value) and (value > 0 or field.name == "poisson")):
                 raise ValueError(f"{field.name} = {value} must be positive")
@@ -56,9 +88,9 @@ class Bearing:
 
     @classmethod
     def from_mapping(cls, data: Mapping[str, Any]) -> "Bearing":
-        """From a mapping with the field names as keys. Raises `ValueError` for a missing or unknown
-        key."""
-        known = {field.name for field in fields(cls)}
+        """From a mapping with the names of sizes as keys. Raises `ValueError` for a missing or
+        unknown key."""
+        known = {field.name for field in fields(cls)[:-1]}
         if unknown := sorted(set(data) - known):
             raise ValueError(f"unknown bearing data: {', '.join(unknown)}")
         try:
@@ -66,6 +98,70 @@ class Bearing:
         except TypeError:
             missing = sorted(known - set(data) - {"young", "poisson"})
             raise ValueError(f"missing bearing data: {', '.join(missing)}") from None
+
+    def four_point(self, angle: float) -> "Bearing":
+        """The four-point contact bearing with these balls, pitch and groove radii: two grooves a
+        ring, that at -z first, which balls in the middle meet at `angle` (rad). Clearance is then
+        that of such a ball.
+
+        Raises `ValueError` for an angle that is not above 0 and below a right one, and for a
+        bearing that has several grooves already.
+
+        >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
+        >>> [round(1e6 * z, 1) for z in b.four_point(0.61).layout.inner[0]]  # um
+        [-144.4, 144.4]
+        """
+        if not 0 < angle < np.pi / 2:
+            raise ValueError(f"angle {angle:g} rad must lie between 0 and pi/2")
+        if self.layout != Layout():
+            raise ValueError("four points need a bearing of one row with one groove a ring")
+        gap = [self.groove_gap(side) for side in (INNER, OUTER)]
+        inside = self.pitch_radius + gap[INNER] * np.cos(angle) - self.inner_groove
+        outside = self.pitch_radius - gap[OUTER] * np.cos(angle) + self.outer_groove
+        arch = [((-size * float(np.sin(angle)), size * float(np.sin(angle))),) for size in gap]
+        return replace(
+            self,
+            inner_radius=float(inside),
+            outer_radius=float(outside),
+            layout=Layout((0.0,), *arch),
+        )
+
+    def double_row(self, rows: DoubleRow, angle: float = 0.0) -> "Bearing":
+        """`rows` of this bearing, which meet at its free contact `angle` (rad), 0 of deep grooves.
+
+        Raises `ValueError` for an arrangement that is none of `ARRANGEMENTS`, rows that overlap,
+        and a bearing that has two rows already.
+        """
+        spacing, preload, arrangement = rows
+        if arrangement not in ARRANGEMENTS:
+            raise ValueError(f"arrangement '{arrangement}' is none of {', '.join(ARRANGEMENTS)}")
+        if not spacing >= self.ball_diameter:
+            raise ValueError(
+                f"spacing {spacing:g} m of the rows must be at least the ball's diameter,"
+                f" {self.ball_diameter:g} m"
+            )
+        if len(self.layout.rows) > 1:
+            raise ValueError("two rows need a bearing of one row")
+        reach = (self.groove_gap(INNER) + self.groove_gap(OUTER)) * float(np.sin(angle)) + preload
+        way = ARRANGEMENTS[arrangement]
+        planes = (-way * spacing / 2, way * spacing / 2)
+        (inner,), (outer,) = self.layout.inner, self.layout.outer
+        layout = Layout(
+            planes,
+            tuple(tuple(at + h for h in inner) for at in (planes[0] + reach, planes[1] - reach)),
+            tuple(tuple(at + h for h in outer) for at in planes),
+        )
+        return replace(self, layout=layout)
+
+    @property
+    def raceways(self) -> tuple[int, ...]:
+        """`INNER` or `OUTER` of each contact that a ball may have, inner grooves first."""
+        return (INNER,) * len(self.layout.inner[0]) + (OUTER,) * len(self.layout.outer[0])
+
+    @property
+    def row(self) -> np.ndarray:
+        """(rows x balls,): the row of each ball."""
+        return np.repeat(np.arange(len(self.layout.rows)), int(self.balls))
 
     @property
     def ball_radius(self) -> float:

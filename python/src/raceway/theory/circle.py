@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far balls are from the circle of an inner ring's groove centres, and how that changes.
+"""Distances of balls from the circles of an inner ring's groove centres, and their derivatives.
 
 The ring's place is (x, y, z, t_x, t_y): displacement of its centre in m and tilt about the two axes
 across in rad. Tilt turns the ring's axis to e = (sin t_y, -sin t_x, ...), so t_x and t_y are what
 `fix bearing/ring` reports. A ball's place is (radial, axial) in m in the plane through the outer
 ring's axis at the ball's azimuth. Derivatives are taken in these seven: ball first, then ring.
+Arrays have the shape ... of `azimuth` and of the circles' `height`, broadcast.
 """
 
 from typing import NamedTuple
@@ -12,88 +13,88 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, Numbers
 
 
 class Reach(NamedTuple):
-    """Distances of Z balls from the circle, along the line of the contact."""
+    """Distances of balls from circles, along the lines of the contacts."""
 
-    distance: Floats  # (Z,), m
-    slope: Floats  # (Z, 7), first derivatives
-    curve: Floats  # (Z, 7, 7), second derivatives
-    # (Z, 2), unit vector from circle to ball in the ring's own section (radial, axial)
+    distance: Floats  # (...), m
+    slope: Floats  # (..., 7), first derivatives
+    curve: Floats  # (..., 7, 7), second derivatives
+    # (..., 2), unit vector from circle to ball in the ring's own section (radial, axial)
     section: Floats
-    line: Floats  # (Z, 3), the same in space: also the force's direction on the ring
-    arm: Floats  # (Z, 3), m, from the ring's centre to a point on that line
+    line: Floats  # (..., 3), the same in space: also the force's direction on the ring
+    arm: Floats  # (..., 3), m, from the ring's centre to a point on that line
 
 
-def straight(ball: Floats, place: Floats, azimuth: Floats, radius: float) -> Reach:
+def straight(
+    ball: Floats, place: Floats, azimuth: Floats, radius: float, height: Numbers = 0.0
+) -> Reach:
     """`Reach` after Jones and Harris: the circle's point at `azimuth` moves by the components of
     the ring's displacement and tilt in the ball's plane (Harris, ch. 7), as if the circle were
-    straight over the shift.
+    straight over the shift. `height` in m is that of the circle over the ring's centre.
     """
-    c, s, zero, one = (
-        np.cos(azimuth),
-        np.sin(azimuth),
-        np.zeros_like(azimuth),
-        np.ones_like(azimuth),
-    )
-    moves = -np.array(
-        [[c, s, zero, zero, zero], [zero, zero, one, radius * s, -radius * c]]
-    ).transpose(2, 0, 1)
-    way = ball + moves @ place - [radius, 0.0]
-    both = np.concatenate([np.broadcast_to(np.eye(2), (len(c), 2, 2)), moves], axis=2)
-    distance = np.maximum(np.linalg.norm(way, axis=1), 1e-300)
-    unit = way / distance[:, None]
-    across = (np.eye(2) - unit[:, :, None] * unit[:, None, :]) / distance[:, None, None]
-    line = np.stack([unit[:, 0] * c, unit[:, 0] * s, unit[:, 1]], 1)
-    arm = radius * np.stack([c, s, zero], 1)
+    c, s, h = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
+    both = np.zeros((*h.shape, 2, 7))
+    both[..., 0, 0] = both[..., 1, 1] = 1.0
+    both[..., 0, 2], both[..., 0, 3], both[..., 0, 5], both[..., 0, 6] = -c, -s, h * s, -h * c
+    both[..., 1, 4], both[..., 1, 5], both[..., 1, 6] = -1.0, -radius * s, radius * c
+    way = ball + both[..., 2:] @ place
+    way[..., 0] -= radius
+    way[..., 1] -= h
+    distance = np.maximum(np.linalg.norm(way, axis=-1), 1e-300)
+    unit = way / distance[..., None]
+    across = (np.eye(2) - _outer(unit)) / distance[..., None, None]
+    line = np.stack([unit[..., 0] * c, unit[..., 0] * s, unit[..., 1]], -1)
     return Reach(
         distance,
-        np.einsum("zi,zia->za", unit, both),
-        np.einsum("zia,zij,zjb->zab", both, across, both),
+        (unit[..., None, :] @ both)[..., 0, :],
+        both.swapaxes(-1, -2) @ across @ both,
         unit,
         line,
-        arm,
+        np.stack([radius * c, radius * s, h], -1),
     )
 
 
-def exact(ball: Floats, place: Floats, azimuth: Floats, radius: float) -> Reach:
-    """`Reach` of a circle that stays a circle, shifted and tilted, to its nearest point in
-    space."""
-    c, s, zero = np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth)
+def exact(
+    ball: Floats, place: Floats, azimuth: Floats, radius: float, height: Numbers = 0.0
+) -> Reach:
+    """`Reach` of a circle that stays a circle, shifted and tilted, to its nearest point in space;
+    `height` as of `straight`."""
+    c, s, over = np.broadcast_arrays(np.cos(azimuth), np.sin(azimuth), height)
     axis, turn, bend = _axis(*place[3:])
-    d = np.stack([ball[:, 0] * c, ball[:, 0] * s, ball[:, 1]], 1) - place[:3]
-    d1 = np.zeros((len(c), 3, 7))
-    d1[:, :, 0], d1[:, 2, 1] = np.stack([c, s, zero], 1), 1.0
-    d1[:, :, 2:5] = -np.eye(3)
+    at = np.broadcast_to(ball, (*c.shape, 2))
+    d = np.stack([at[..., 0] * c, at[..., 0] * s, at[..., 1]], -1) - place[:3]
+    d1 = np.zeros((*c.shape, 3, 7))
+    d1[..., 0, 0], d1[..., 1, 0], d1[..., 2, 1] = c, s, 1.0
+    d1[..., 2:5] = -np.eye(3)
     e1 = np.zeros((3, 7))
     e1[:, 5:] = turn
 
-    height = d @ axis
-    height1 = np.einsum("zia,i->za", d1, axis) + d @ e1
-    mixed = np.einsum("zia,ib->zab", d1, e1)
-    height2 = mixed + mixed.transpose(0, 2, 1)
-    height2[:, 5:, 5:] += np.einsum("zi,iab->zab", d, bend)
+    height0 = d @ axis
+    height1 = np.einsum("...ia,i->...a", d1, axis) + d @ e1
+    mixed = np.einsum("...ia,ib->...ab", d1, e1)
+    height2 = mixed + mixed.swapaxes(-1, -2)
+    height2[..., 5:, 5:] += np.einsum("...i,iab->...ab", d, bend)
 
-    r = np.linalg.norm(d - height[:, None] * axis, axis=1)
-    r1 = (np.einsum("zi,zia->za", d, d1) - height[:, None] * height1) / r[:, None]
+    across = d - height0[..., None] * axis
+    r = np.linalg.norm(across, axis=-1)
+    r1 = (np.einsum("...i,...ia->...a", d, d1) - height0[..., None] * height1) / r[..., None]
     r2 = (
-        np.einsum("zia,zib->zab", d1, d1)
-        - _outer(height1)
-        - height[:, None, None] * height2
-        - _outer(r1)
-    ) / r[:, None, None]
+        d1.swapaxes(-1, -2) @ d1 - _outer(height1) - height0[..., None, None] * height2 - _outer(r1)
+    ) / r[..., None, None]
 
-    distance = np.maximum(np.hypot(r - radius, height), 1e-300)
-    unit = np.stack([r - radius, height], 1) / distance[:, None]
-    slope = unit[:, :1] * r1 + unit[:, 1:] * height1
+    off = height0 - over
+    distance = np.maximum(np.hypot(r - radius, off), 1e-300)
+    unit = np.stack([r - radius, off], -1) / distance[..., None]
+    slope = unit[..., :1] * r1 + unit[..., 1:] * height1
     curve = (
-        (_outer(r1) + _outer(height1) - _outer(slope)) / distance[:, None, None]
-        + unit[:, :1, None] * r2
-        + unit[:, 1:, None] * height2
+        (_outer(r1) + _outer(height1) - _outer(slope)) / distance[..., None, None]
+        + unit[..., :1, None] * r2
+        + unit[..., 1:, None] * height2
     )
-    line = unit[:, :1] * (d - height[:, None] * axis) / r[:, None] + unit[:, 1:] * axis
+    line = unit[..., :1] * across / r[..., None] + unit[..., 1:] * axis
     return Reach(distance, slope, curve, unit, line, d)
 
 
@@ -118,4 +119,4 @@ def _axis(t_x, t_y):
 
 
 def _outer(a):
-    return a[:, :, None] * a[:, None, :]
+    return a[..., :, None] * a[..., None, :]

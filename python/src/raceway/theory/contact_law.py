@@ -49,6 +49,8 @@ class FilmInGap:
     spin: float  # of the inner ring, rad/s
     starvation: float = 1.0  # factor on the thickness
     share: float = 1.0  # zeta
+    # (C, Z), m/s; that of rolling at each contact's angle unless given
+    entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:
         """phi_T of Murch and Wilson times the starvation factor, at u in m/s."""
@@ -58,11 +60,19 @@ class FilmInGap:
         return film_factors.murch_wilson(loading) * self.starvation
 
     def law(self, bearing: Bearing, angle: Floats, clearance: float, stiffness: Floats) -> Law:
-        """`Law` of both raceways' contacts: `angle` in rad and `stiffness` (2, Z)."""
-        radii = np.array([bearing.effective_radii(side, angle[side], clearance) for side in (0, 1)])
+        """`Law` of the contacts of `bearing.raceways`: `angle` in rad and `stiffness`, by contact
+        and ball."""
+        radii = np.array(
+            [
+                bearing.effective_radii(side, one, clearance)
+                for side, one in zip(bearing.raceways, angle)
+            ]
+        )
         r_x, r_y = radii[:, 0], radii[:, 1]
         kappa = hertz.ellipticity(r_y / r_x)
-        speed = kinematics.entrainment(bearing, self.spin, angle)
+        speed = self.entrainment
+        if speed is None:
+            speed = kinematics.entrainment(bearing, self.spin, angle)
         exponent, cut = film.load_exponent(kappa), film_gap.CUT
         thickness = film_gap.power_law(
             self.fluid.viscosity,

@@ -2,24 +2,28 @@
 """Friction torque of a bearing at rest in its loads: the power each contact loses while its balls
 roll freely, by part, over the speed of the ring.
 
-rolling     hydrodynamic, 2 f u times the factors of inlet shear and starvation (`rolling`)
+rolling     hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and
+            starvation (`rolling`)
 slip        differential slip in free rolling: Eyring's stress with its limit in the film's share of
             the load, Coulomb's with the boundary coefficient in the asperities' (`sliding`)
 spin        about the contact normals, at the raceway that holds the ball less (`spin`); or, with
             `spin_law` "slices", shared by both, together with slip
 hysteresis  of the steel (`rolling`)
 drag        of the balls in oil and air (`drag`)
+
+A ball with more than two contacts cannot roll on all of them (`ball_motion`).
 """
 
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
+from scipy.optimize import brentq, root
 
 from raceway.arrays import Floats
 from raceway.theory import (
     asperity,
+    ball_motion,
     drag,
     film_factors,
     hertz,
@@ -44,13 +48,15 @@ class Surfaces:
     """What the laws take beside geometry, loads and oil."""
 
     boundary: float = 0.12  # mu_b, running (SKF)
+    film: float | None = None  # mu of the film; None: Eyring's stress with its limit
     loss: float = 0.01  # alpha of hysteresis, 0.005 to 0.05
     oil_share: float = 0.1  # of the space the balls move in
     starvation: float = 1.0  # factor on the hydrodynamic couple
 
 
 class Losses(NamedTuple):
-    """W, of contacts (2, Z) and of balls (Z,); shares and coefficients of the contacts (2, Z)."""
+    """W, of contacts (C, Z), inner ones first, and of balls (Z,); shares and coefficients of the
+    contacts (C, Z)."""
 
     rolling: Floats
     slip: Floats
@@ -71,61 +77,110 @@ class Losses(NamedTuple):
         return sum(self.parts.values())
 
 
+class _Pressed(NamedTuple):
+    """Contacts (C, Z), C grooves of Z balls."""
+
+    load: Floats
+    angle: Floats
+    a: Floats
+    b: Floats
+    speed: Floats  # of entrainment, m/s
+    friction: Floats
+    r_x: Floats
+    r_d: Floats
+    spin_moment: Floats  # N m, Coulomb's of pure spin
+
+
 def losses(
     bearing: Bearing,
     state: Equilibrium,
     films: Lubrication,
     fluid: Fluid,
     ring: float,
-    orbit: float,
+    orbit: float | Floats,
     *,
     clearance: float = 0.0,
     surfaces: Surfaces | None = None,
     spin_law: str = "closed",
 ) -> Losses:
     """`Losses` of an `Equilibrium` with its `Lubrication` and the `Fluid` of it; inner ring at
-    `ring` and balls around it at `orbit` rad/s, clearance in m. `spin_law` "closed" adds Coulomb's
-    moment of pure spin to differential slip, "slices" takes both together over the contact ellipse.
-    ValueError for another law."""
+    `ring` and balls around it at `orbit` rad/s, one number or (Z,), clearance in m. `spin_law`
+    "closed" adds Coulomb's moment of pure spin to differential slip, "slices" takes both together
+    over the contact ellipse. ValueError for another law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
-    sides = [
-        _side(bearing, side, contact, film, fluid, clearance, surfaces)
-        for side, contact, film in ((INNER, state.inner, films.inner), (OUTER, state.outer,
-                                                                        films.outer))
-    ]  # fmt: skip
-    rolled, slid, hysteresis, share, friction = (np.array(part) for part in zip(*sides))
+    contacts = _by_groove(state.inner) + _by_groove(state.outer)
+    wet = _by_groove(films.inner) + _by_groove(films.outer)
+    rows = [
+        _one(bearing, side, contact, film, fluid, clearance, surfaces)
+        for side, contact, film in zip(bearing.raceways, contacts, wet)
+    ]
+    rolled, slid, hysteresis, share, friction = (np.array(part) for part in zip(*rows))
     speed = orbit * bearing.pitch_radius
     against = drag.force(
         bearing.ball_radius, speed, fluid.viscosity, fluid.density, surfaces.oil_share
     )
-    both = (state.inner.load > 0) & (state.outer.load > 0)
-    turned = np.zeros((2, bearing.balls))
-    if np.any(both & (np.abs(state.inner.angle) > 1e-6)):
-        rates = _spin_rates(bearing, state, ring, orbit)
+    turned, loaded = np.zeros(slid.shape), np.array([one.load > 0 for one in contacts])
+    inner = bearing.raceways.count(INNER)
+    held = loaded[:inner].any(0) & loaded[inner:].any(0)
+    two = held & (loaded.sum(0) == 2)
+    tilted = np.any(held & (np.abs([one.angle for one in contacts]) > 1e-6))
+    if tilted:
+        pressed = _pressed(bearing, contacts, wet, friction, clearance)
+        pair = np.array([np.argmax(loaded[:inner], 0), inner + np.argmax(loaded[inner:], 0)])
+        balls = np.arange(pair.shape[1])
+        both = _Pressed(*(value[pair, balls] for value in pressed))
+        rates = _spin_rates(bearing, both.angle, ring, orbit)
         if spin_law == "closed":
-            turned = np.where(both, _spin(bearing, state, friction, rates, clearance), 0.0)
+            turned[pair[:, two], balls[two]] = _spin(both, rates)[:, two]
         else:
-            for ball in np.flatnonzero(both):
-                slid[:, ball], turned[:, ball] = _together(
-                    bearing, state, films, friction, rates, clearance, ball
-                )
-    balls = np.full(bearing.balls, against * speed)
+            for ball in np.flatnonzero(two):
+                place = pair[:, ball], ball
+                slid[place], turned[place] = _together(both, rates, ball)
+        for ball in np.flatnonzero(held & ~two):
+            live = loaded[:, ball]
+            one = _Pressed(*(value[live, ball] for value in pressed))
+            sides = np.array(bearing.raceways)[live]
+            found = _several(bearing, one, sides, ring, spin_law)
+            slid[live, ball], turned[live, ball] = found
+    balls = np.broadcast_to(against * speed, len(bearing.row)) + 0.0
     return Losses(rolled, slid, turned, hysteresis, balls, share, friction)
 
 
-def starvation(boundary: makers.Boundary, fluid: Fluid, ring: float) -> float:
-    """SKF's phi_rs of a bearing with an oil bath or jet, the inner ring at `ring` rad/s."""
-    rpm = abs(ring) * 30 / np.pi
-    return float(makers.skf(boundary, 1.0, 0.0, rpm, fluid.kinematic).starvation)
+def _by_groove(side):
+    """A tuple of arrays (Z,) for each groove."""
+    return [type(side)(*one) for one in zip(*map(np.atleast_2d, side))]
 
 
-def _side(bearing, side, contact, film, fluid, clearance, surfaces):
+def _pressed(bearing, contacts, films, friction, clearance):
+    rows = []
+    for side, one, film, mu in zip(bearing.raceways, contacts, films, friction):
+        r_x, r_y = bearing.effective_radii(side, one.angle, clearance)
+        r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
+        moment = spin.moment(one.load, mu, one.a, hertz.exact(r_x, r_y).second)
+        rows.append(
+            (one.load, one.angle, one.a, one.b, film.entrainment, mu, r_x, r_d + 0 * r_x, moment)
+        )
+    return _Pressed(*(np.array(part) for part in zip(*rows)))
+
+
+def surfaces(
+    boundary: makers.Boundary | None, fluid: Fluid, ring: float, film: float | None = None
+) -> Surfaces:
+    """`Surfaces` with the coefficient `film` and SKF's starvation factor of a bearing with an oil
+    bath or jet, the inner ring at `ring` rad/s; without its `boundary` dimensions none."""
+    if boundary is None:
+        return Surfaces(film=film)
+    found = makers.skf(boundary, 1.0, 0.0, abs(ring) * 30 / np.pi, fluid.kinematic)
+    return Surfaces(film=film, starvation=float(found.starvation))
+
+
+def _one(bearing, side, contact, film, fluid, clearance, surfaces):
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     load, a, b = contact.load[live], contact.a[live], contact.b[live]
-    speed, h_c = film.entrainment[live], film.h_c[live]
+    speed, turns, h_c = film.entrainment[live], film.rolling[live], film.h_c[live]
     r_x, r_y = bearing.effective_radii(side, contact.angle[live], clearance)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
     force = rolling.hydrodynamic(fluid.viscosity, bearing.effective_modulus, r_x, r_y, speed, load)
@@ -135,15 +190,16 @@ def _side(bearing, side, contact, film, fluid, clearance, surfaces):
     factor = film_factors.murch_wilson(loading) * surfaces.starvation
     share = asperity.zhou_hoeprich(film.ratio[live])
     unit = sliding.free_power(load, 1.0, speed, a, r_d, r_x)
-    smooth = [
-        _film_slip(fluid, *one, r_d) for one in zip(load, speed, h_c, a, b, np.broadcast_to(r_x,
-                                                                                  load.shape))
-    ]  # fmt: skip
+    if surfaces.film is None:
+        each = zip(load, speed, h_c, a, b, np.broadcast_to(r_x, load.shape))
+        smooth = [_film_slip(fluid, *one, r_d) for one in each]
+    else:
+        smooth = surfaces.film * unit
     slid = traction.mixed(share, surfaces.boundary * unit, np.array(smooth))
     values[:, live] = (
-        2 * force * speed * factor,
+        2 * force * turns * factor,
         slid,
-        rolling.hysteresis(load, b, surfaces.loss) * speed / r_x,
+        rolling.hysteresis(load, b, surfaces.loss) * turns / r_x,
         share,
         slid / unit,
     )
@@ -165,10 +221,10 @@ def _film_slip(fluid, load, speed, h_c, a, b, r_x, r_d):
     return of(brentq(lambda slip: of(slip).force, 0.0, edge, xtol=1e-4 * edge)).power
 
 
-def _spin_rates(bearing, state, ring, orbit):
+def _spin_rates(bearing, angle, ring, orbit):
     """Spin of ball less ring in rad/s at both raceways, (2, Z), for one rotation of the ball that
     rolls at both; and its change with 1 rad/s of the one rotation that keeps it rolling."""
-    inner, outer = state.inner.angle, state.outer.angle
+    inner, outer = angle
     radius, pitch = bearing.ball_radius, bearing.pitch_radius
     # in the cage's frame, (radial, axial)
     relative = ring - orbit
@@ -187,48 +243,77 @@ def _spin_rates(bearing, state, ring, orbit):
     return at, np.array(rates[1]) - at
 
 
-def _spin(bearing, state, friction, rates, clearance):
+def _spin(both, rates):
     """Spin power (2, Z): of all rotations of the ball that roll at both raceways, the one that
     loses least holds it at one raceway and spins at the other."""
-    moments = []
-    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
-        ellipse = hertz.exact(*bearing.effective_radii(side, contact.angle, clearance))
-        moments.append(spin.moment(contact.load, friction[side], contact.a, ellipse.second))
     at, turn = rates
     tried = []
     for holds in (INNER, OUTER):
         spins = at - turn * at[holds] / turn[holds]
-        tried.append(np.abs(spins) * np.array(moments))
+        tried.append(np.abs(spins) * both.spin_moment)
     return np.where(tried[0].sum(0) < tried[1].sum(0), tried[0], tried[1])
 
 
-def _together(bearing, state, films, friction, rates, clearance, ball):
+def _together(both, rates, ball):
     """(slip, spin) of one ball, powers at both raceways: the rotation at which both together lose
     least is that at which their moments balance. Slip along rolling leaves no force."""
     at, turn = (one[:, ball] for one in rates)
     bounds = -at / turn  # without spin at one raceway
     tried = np.linspace(*bounds, 17)
-    sides = (
-        (INNER, state.inner, films.inner),
-        (OUTER, state.outer, films.outer),
-    )
+    one = _Pressed(*(value[:, ball] for value in both))
+    curve = one.speed / (2 * one.r_d * one.r_x)
 
-    def of(side, contact, film, turned):
-        r_x, _ = bearing.effective_radii(side, contact.angle, clearance)
-        r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
-        a, speed = contact.a[ball], film.entrainment[ball]
-        curve = speed / (2 * r_d * np.broadcast_to(r_x, contact.load.shape)[ball])
+    def of(side, turned):
         rate = at[side] + turn[side] * turned
         found = spin.free_slip(
-            contact.load[ball], friction[side][ball], a, contact.b[ball], rate, curve
+            one.load[side], one.friction[side], one.a[side], one.b[side], rate, curve[side]
         )
         return np.array([found.power - found.moment * rate, found.moment * rate])
 
-    lost = sum(of(*side, tried).sum(0) for side in sides)
+    lost = sum(of(side, tried).sum(0) for side in (INNER, OUTER))
     best = min(max(int(np.argmin(lost)), 1), len(tried) - 2)
     before, middle, after = lost[best - 1 : best + 2]
     bend = before - 2 * middle + after
     off = 0.5 * (before - after) / bend if bend > 0 else 0.0
     step = tried[1] - tried[0]
     least = tried[best] + step * np.clip(off, -1.0, 1.0)
-    return np.array([of(*side, np.array([least]))[:, 0] for side in sides]).T
+    return np.array([of(side, np.array([least]))[:, 0] for side in (INNER, OUTER)]).T
+
+
+def _several(bearing, one, sides, ring, spin_law):
+    """(slip, spin) of one ball with more than two contacts (C,), powers at each, as it moves by
+    `ball_motion`; by slices, where the forces and moments of both together balance."""
+    lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
+    limit = one.friction * one.load
+    weight = np.concatenate([limit, one.spin_moment])
+    motion = ball_motion.least(lines, goal, weight, bearing.ball_radius)
+    free = sliding.free_slip(one.speed, one.a, one.r_d, one.r_x)
+    # of the ball's surface past the contact
+    way = np.where(sides == INNER, 1.0, -1.0) * np.sign(ring)
+    size = np.array([bearing.ball_radius, bearing.ball_radius, 1.0])
+
+    def rates(motion):
+        slide, rate = np.split(lines @ motion - goal, 2)
+        return free + way * slide, rate
+
+    if spin_law == "closed":
+        slide, rate = rates(motion)
+        slid = sliding.heathcote(slide, one.load, one.friction, one.speed, one.a, one.r_d, one.r_x)
+        return slid.power, np.abs(rate) * one.spin_moment
+    curve = one.speed / (2 * one.r_d * one.r_x)
+
+    def resist(motion):
+        each = zip(one.load, one.friction, one.a, one.b, *rates(motion), curve)
+        return [
+            spin.with_slip(*four, slide, 0.0, rate, curve=bend, width=1e-3 * bend * four[2] ** 2)
+            for *four, slide, rate, bend in each
+        ]
+
+    def pushed(scaled):
+        found = resist(scaled / size)
+        forces = [way * [one.along for one in found], [one.moment for one in found]]
+        return np.concatenate(forces) @ lines / size / limit.max()
+
+    balanced = root(pushed, motion * size).x / size
+    turned = np.array([one.moment for one in resist(balanced)]) * rates(balanced)[1]
+    return np.array([one.power for one in resist(balanced)]) - turned, turned

@@ -83,14 +83,13 @@ def reference(
     inner: ArrayLike,
     outer: ArrayLike,
     angle: float = 0.0,
-    *,
-    grooves: int = 1,
 ) -> float:
     """L_10r in 1e6 revolutions, from the loads (N) of the `inner` and `outer` contacts (..., Z) of
     one or many positions of the balls; the inner ring turns (ISO/TS 16281, eqs 20 to 22).
 
-    With two `grooves` a ring the loads are (2, ..., Z). They count as two rows: `dynamic` is that
-    of both, and raceways of all rows add up. Makers rate four-point contact bearings so.
+    Loads of several rows and grooves are those of `static.Equilibrium`. Two grooves a ring count as
+    two rows: `dynamic` is that of all, and raceways of all rows add up. Makers rate four-point
+    contact bearings so.
 
     Raises `ValueError` for a load below 0 or none at all.
 
@@ -104,12 +103,13 @@ def reference(
     loads = np.asarray(inner, float), np.asarray(outer, float)
     if any((one < 0).any() for one in loads) or not all(one.any() for one in loads):
         raise ValueError("loads of balls must be 0 or more, and some of them above 0")
-    raceways = [one.reshape(grooves, -1) for one in loads]
+    rows = bearing.layout.tracks
+    raceways = [one.reshape(rows, -1) for one in loads]
     equivalent = (
         np.mean(raceways[0] ** 3, axis=1) ** (1 / 3),
         np.mean(raceways[1] ** (10 / 3), axis=1) ** 0.3,
     )
-    rated = ball_ratings(bearing, dynamic / grooves**0.7, angle)
+    rated = ball_ratings(bearing, dynamic / rows**0.7, angle)
     risks = [((q / c) ** (10 / 3)).sum() for c, q in zip(rated, equivalent)]
     return float(sum(risks) ** (-9 / 10))
 
@@ -187,12 +187,10 @@ def of_loads(
     rpm: float = 0.0,
     viscosity: float | None = None,
     cleanliness: str = "normal",
-    grooves: int = 1,
 ) -> Life:
     """`Life` under loads (..., Z) of the balls in N at `rpm` with an oil of kinematic `viscosity`
-    in mm2/s, None for no a_ISO; `grooves` as in `reference`. Raises `ValueError` as `reference` and
-    `contamination` do."""
-    life = reference(bearing, rated.dynamic, inner, outer, angle, grooves=grooves)
+    in mm2/s, None for no a_ISO. Raises `ValueError` as `reference` and `contamination` do."""
+    life = reference(bearing, rated.dynamic, inner, outer, angle)
     load = rated.dynamic / life ** (1 / 3)
     if viscosity is None or not rpm:
         return Life(life, load, float("nan"), float("nan"), float("nan"))

@@ -2,32 +2,33 @@
 """Film and capacitance of a bearing at rest in its loads and rolling without slip: statics,
 kinematics and film together.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle
-(`kinematics.entrainment`), the film of its elastic load after Masjedi and Khonsari (eqs 6, 7, 9)
-and the capacitance of eqs 8, 10-12.
+Each contact has the entrainment speed of pure rolling at its own contact angle, or of how its ball
+moves on several grooves (`ball_motion`), the film of its elastic load after Masjedi and Khonsari
+(eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from raceway.arrays import Floats
 from raceway.inputs import Oil
-from raceway.theory import capacitance, film, hertz, kinematics
+from raceway.theory import ball_motion, capacitance, film, hertz, kinematics
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium, equilibrium
 
 
 class Film(NamedTuple):
-    """One raceway's films, arrays of one value a ball (Z,), or of two grooves (2, Z), as
-    `static.Contacts`; zero where there is no contact."""
+    """One raceway's films, arrays of the shape of `static.Contacts`; zero without contact."""
 
     entrainment: Floats  # m/s
     h_min: Floats  # m
     h_c: Floats  # m
     ratio: Floats  # Lambda
     capacitance: Floats  # F
+    rolling: Floats  # m/s, as `ball_motion.speeds` has it
 
 
 class Lubrication(NamedTuple):
@@ -61,20 +62,24 @@ def lubricate(
     >>> round(1e12 * float(films.total), 1)  # pF
     303.5
     """
+    speeds = np.array(ball_motion.speeds(bearing, spin, state))
+    inner = bearing.raceways.count(INNER)
     sides = [
-        _film(bearing, side, contact, oil, spin, clearance, factor)
-        for side, contact in ((INNER, state.inner), (OUTER, state.outer))
+        _film(bearing, side, contact, own.reshape(2, *contact.load.shape), oil, clearance, factor)
+        for side, contact, own in (
+            (INNER, state.inner, speeds[:, :inner]),
+            (OUTER, state.outer, speeds[:, inner:]),
+        )
     ]
     ball = capacitance.ball(*(np.atleast_2d(side.capacitance).sum(0) for side in sides))
     return Lubrication(*sides, ball, float(np.sum(ball)))
 
 
-def _film(bearing, side, contact, oil, spin, clearance, factor):
+def _film(bearing, side, contact, speeds, oil, clearance, factor):
     live = contact.load > 0
-    values = np.zeros((5, *live.shape))
-    angle = contact.angle[live]
+    values = np.zeros((6, *live.shape))
+    angle, (speed, rolling) = contact.angle[live], speeds[:, live]
     r_x, r_y = bearing.effective_radii(side, angle, clearance)
-    speed = kinematics.entrainment(bearing, spin, angle)
     group = film.group(
         oil.viscosity,
         oil.pressure_viscosity,
@@ -89,35 +94,42 @@ def _film(bearing, side, contact, oil, spin, clearance, factor):
     electric = capacitance.contact(
         oil.permittivity, contact.pressure[live], contact.a[live], contact.b[live], h_c
     )
-    values[:, live] = speed, h_min, h_c, film.ratio(h_min, oil.roughness), electric
+    values[:, live] = speed, h_min, h_c, film.ratio(h_min, oil.roughness), electric, rolling
     return Film(*values)
 
 
-def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float:
+def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float | Floats:
     """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean
-    contact angle, weighted with the loads of both raceways, since one cage carries all balls
-    (Harris, ch. 10)."""
-    load = np.concatenate([state.inner.load, state.outer.load])
-    cosine = np.cos(np.concatenate([state.inner.angle, state.outer.angle]))
-    return spin * kinematics.frequencies(bearing, np.arccos(np.average(cosine, weights=load))).cage
+    contact angle, weighted with the loads of both raceways, since one cage carries all balls of a
+    row (Harris, ch. 10). Of several rows one speed a ball (Z,)."""
+    load = np.vstack([state.inner.load, state.outer.load])
+    cosine = np.cos(np.vstack([state.inner.angle, state.outer.angle]))
+    if len(bearing.layout.rows) == 1:
+        mean = np.average(cosine, weights=load)
+    else:  # a row without load rolls as all others do
+        rows = [bearing.row == row for row in range(len(bearing.layout.rows))]
+        loads = [load * row if (load * row).any() else load for row in rows]
+        mean = np.array([np.average(cosine, weights=one) for one in loads])[bearing.row]
+    return spin * kinematics.frequencies(bearing, np.arccos(mean)).cage
 
 
 def turning(
-    bearing: Bearing,
-    spin: float,
-    *loads: float,
-    rest: Callable[..., Equilibrium] = equilibrium,
-    **options: Any,
-) -> tuple[Equilibrium, float]:
-    """(`Equilibrium`, orbital speed in rad/s) with the centrifugal load of balls that roll at
-    `spin` rad/s of the inner ring; loads and options as those of `rest`, which is
-    `static.equilibrium` or `four_point.equilibrium`. The contact angles decide the speed and the
-    speed the angles.
+    bearing: Bearing, spin: float, *loads: float, **options: Any
+) -> tuple[Equilibrium, float | Floats]:
+    """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `spin`
+    rad/s of the inner ring; loads and options as those of `static.equilibrium`. The contact angles
+    decide the speed and the speed the angles. Likewise for the film in the gap of several grooves.
     """
-    speed = spin * kinematics.frequencies(bearing).cage
+    speed, film = spin * kinematics.frequencies(bearing).cage, options.get("film")
     for _ in range(30):
-        state = rest(bearing, *loads, orbital_speed=speed, **options)
+        state = equilibrium(bearing, *loads, orbital_speed=speed, **options)
         before, speed = speed, orbit(bearing, state, spin)
-        if abs(speed - before) <= 1e-9 * abs(spin):
+        same = np.all(np.abs(speed - before) <= 1e-9 * abs(spin))
+        if film is not None and len(bearing.raceways) > 2:
+            drawn, _ = ball_motion.speeds(bearing, spin, state)
+            known = options["film"].entrainment
+            same = same and known is not None and np.allclose(drawn, known, rtol=1e-6, atol=0)
+            options["film"] = replace(film, entrainment=drawn)
+        if same:
             break
     return state, before

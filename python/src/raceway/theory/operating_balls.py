@@ -5,67 +5,47 @@ from typing import Any
 
 import numpy as np
 
-from raceway.theory import four_point
 from raceway.theory.lubrication import Lubrication
 from raceway.theory.static import Equilibrium
 
 
 def balls(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
-    """A mapping a ball: loads, angles, pressures and axes, with `films` (or None) these, too."""
-    columns = {"azimuth_rad": state.azimuth}
-    for name, side in (("inner", state.inner), ("outer", state.outer)):
-        live = side.load > 0
-        columns[f"q_{name}_N"] = side.load
-        columns[f"angle_{name}_rad"] = np.where(live, side.angle, 0.0)
-        columns[f"p_{name}_Pa"], columns[f"a_{name}_m"], columns[f"b_{name}_m"] = (
-            side.pressure,
-            side.a,
-            side.b,
-        )
+    """A mapping a ball: loads, angles, pressures and axes, with `films` (or None) these, too. Of a
+    ring with several grooves each ball has a list of `contacts`, named as in a record."""
+    found = [{"azimuth_rad": float(one)} for one in state.azimuth]
     if films is not None:
-        for name, side in (("inner", films.inner), ("outer", films.outer)):
-            columns[f"h_min_{name}_m"], columns[f"h_c_{name}_m"], columns[f"lambda_{name}"] = (
-                side.h_min,
-                side.h_c,
-                side.ratio,
-            )
-        columns["capacitance_F"] = films.ball
-    return [
-        {key: float(values[ball]) for key, values in columns.items()}
-        for ball in range(len(state.azimuth))
-    ]
-
-
-def balls_in_grooves(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
-    """With two grooves a ring: a mapping a ball, with a list of `contacts`."""
-    films = (None, None, None) if films is None else films
-    found = []
-    for ball, azimuth in enumerate(state.azimuth):
-        one = {"azimuth_rad": float(azimuth)}
-        if films[2] is not None:
-            one["capacitance_F"] = float(films[2][ball])
-        one["contacts"] = [
-            _contact(name, (groove, ball), side, film)
-            for names, side, film in zip(four_point.NAMES, (state.inner, state.outer), films)
-            for groove, name in enumerate(names)
-        ]
-        found.append(one)
+        for ball, value in zip(found, films.ball):
+            ball["capacitance_F"] = float(value)
+    wet = (None, None) if films is None else (films.inner, films.outer)
+    if state.inner.load.ndim == state.outer.load.ndim == 1:
+        for name, side, film in zip(("inner", "outer"), (state.inner, state.outer), wet):
+            for key, values in _columns(side, film).items():
+                symbol, _, unit = key.rpartition("_")
+                named = f"{symbol}_{name}_{unit}" if symbol else f"{key}_{name}"
+                for ball, value in zip(found, values):
+                    ball[named] = float(value)
+        return found
+    for ball in found:
+        ball["contacts"] = []
+    for name, side, film in zip(("inner", "outer"), (state.inner, state.outer), wet):
+        columns = {key: np.atleast_2d(value) for key, value in _columns(side, film).items()}
+        if film is not None:
+            columns["capacitance_F"] = np.atleast_2d(film.capacitance)
+        for groove in range(len(columns["q_N"])):
+            for k, ball in enumerate(found):
+                values = {key: float(value[groove, k]) for key, value in columns.items()}
+                ball["contacts"].append({"raceway": f"{name} {groove}"} | values)
     return found
 
 
-def _contact(name, place, side, film):
-    values = {
+def _columns(side, film):
+    found = {
         "q_N": side.load,
-        "angle_rad": side.angle,
+        "angle_rad": np.where(side.load > 0, side.angle, 0.0),
         "p_Pa": side.pressure,
         "a_m": side.a,
         "b_m": side.b,
     }
     if film is not None:
-        values |= {
-            "h_min_m": film.h_min,
-            "h_c_m": film.h_c,
-            "lambda": film.ratio,
-            "capacitance_F": film.capacitance,
-        }
-    return {"raceway": name} | {key: float(value[place]) for key, value in values.items()}
+        found |= {"h_min_m": film.h_min, "h_c_m": film.h_c, "lambda": film.ratio}
+    return found

@@ -8,7 +8,6 @@ key.
 
 import math
 from collections.abc import Mapping
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,20 +15,11 @@ from numpy.typing import ArrayLike
 
 from raceway import catalogue, inputs
 from raceway.files import FilePath
-from raceway.theory import (
-    clearance,
-    friction_torque,
-    life,
-    makers,
-    many_grooves,
-    ring_response,
-    validity,
-)
-from raceway.theory import four_point as contacts_of_grooves
+from raceway.theory import clearance, friction_torque, life, makers, ring_response, validity
+from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
-from raceway.theory.operating_balls import balls, balls_in_grooves
+from raceway.theory.operating_balls import balls
 from raceway.theory.operating_table import table
 from raceway.theory.small_motion import response
 from raceway.theory.static import FREEDOMS
@@ -59,6 +49,8 @@ def figures(
     temperature: float | None = None,
     cleanliness: str = "normal",
     four_point: float | None = None,
+    double_row: DoubleRow | None = None,
+    film_friction: float | None = None,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
@@ -69,27 +61,24 @@ def figures(
     `friction_torque.losses`. `temperature` of the lubricant is in degrees C, its file's unless
     given. `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a
     four-point contact bearing with that angle, as its file may, too. Each of `balls` then has a
-    list of `contacts`.
+    list of `contacts`. `double_row` gives it two rows, whose `balls` follow one another.
+    `film_friction` is the film's coefficient of friction in place of Eyring's stress, 0.05 in a
+    run's models "full".
 
-    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file, and for four points
-    with `exact_circle` or the models "full", which need one groove a ring; `ValueError` for other
+    Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
     models or another word.
     """
     path = catalogue.find("bearings", bearing, folder)
     if models not in MODELS:
         raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
-    body, (oil, fluid) = inputs.bearing(path, four_point=True), _oil(lubricant, folder, temperature)
+    body = inputs.bearing(path, four_point=four_point, double_row=double_row)
+    oil, fluid = _oil(lubricant, folder, temperature)
     spin, held = rpm * math.pi / 30, held or {}
     density = float(inputs.values(path).get("ball_density", 7800.0)) if density is None else density
-    if four_point is None:
-        four_point = inputs.four_point_angle(path)
-    find: dict[str, Any] = {"finite_shift": exact_circle}
-    if four_point is not None:
-        body, find = _four_point(path, body, four_point, clearance, models, exact_circle)
+    stated = inputs.four_point_angle(path)
+    four_point = stated if four_point is None else four_point
     film = FilmInGap(fluid, spin) if models == "full" and oil is not None and spin else None
-    if film is not None:
-        find["film"] = film
-    state, orbit = turning(
+    state, orbits = turning(
         body,
         spin,
         load,
@@ -99,8 +88,10 @@ def figures(
         clearance=clearance,
         phase=phase,
         ball_density=density,
-        **find,
+        finite_shift=exact_circle,
+        film=film,
     )
+    orbit = float(np.mean(orbits))  # of all rows
     result = dict(
         bearing=path.name,
         lubricant=None if oil is None else str(lubricant),
@@ -126,9 +117,14 @@ def figures(
         * body.pitch_radius
         * orbit**2,
     )
+    if double_row is not None:
+        result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
     result.update(_loads(state))
-    result.update(_life(path, body, state, rpm, fluid, cleanliness, four_point))
+    pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
+    result.update(static_safety=life.static_safety(pressure))
+    if four_point == stated:  # not of a deep groove bearing that an option gives more grooves
+        result.update(_life(path, body, state, rpm, fluid, cleanliness, four_point))
     films = None
     if oil is not None and spin:
         films = lubricate(body, state, oil, spin, clearance, film and film.factor)
@@ -148,16 +144,28 @@ def figures(
         result.update(_damping(body, state, films, oil, models, clearance))
     if film is not None:
         boundary = inputs.boundary(path)
-        result.update(film_factor=film.factor(films.inner.entrainment[top]))
+        lost = friction_torque.losses(
+            body,
+            state,
+            films,
+            _complete(fluid),
+            spin,
+            orbits,
+            clearance=clearance,
+            surfaces=friction_torque.surfaces(boundary, fluid, spin, film_friction),
+            spin_law=spin_law,
+        )
+        inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
-            _friction(
-                body, boundary, state, films, fluid, spin, orbit, clearance, load, axial, spin_law
-            )
+            film_factor=film.factor(films.inner.entrainment.flat[top]),
+            **_makers(body, boundary, load, axial, abs(rpm), fluid.kinematic),
+            friction_torque_N_m=lost.power / abs(spin),
+            losses_W=lost.parts,
+            asperity_share=inner.flat[top],
         )
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
-    of_balls = balls if four_point is None else balls_in_grooves
-    result["balls"] = of_balls(state, films)
+    result["balls"] = balls(state, films)
     return result
 
 
@@ -191,67 +199,38 @@ def _oil(lubricant, folder, temperature):
     return inputs.oil(path, temperature), inputs.fluid(path, temperature)
 
 
-def _four_point(path, body, angle, clearance, models, exact_circle):
-    """(`Bearing`, options of `turning`) of the bearing with two grooves a ring."""
-    if inputs.nominal_angle(path):
-        raise inputs.InputError(f"{path}: four points need a bearing of contact_angle 0")
-    for asked, what in ((models == "full", "models full"), (exact_circle, "an exact circle")):
-        if asked:
-            raise inputs.InputError(f"{what}: only of one groove a ring, not of four points")
-    (row,) = many_grooves.four_point(body, angle, clearance)
-    return row.bearing, {"rest": partial(contacts_of_grooves.equilibrium, angle=angle)}
-
-
-def _friction(body, boundary, state, films, fluid, spin, orbit, clearance, load, axial, spin_law):
-    """Torque and losses; the makers' torque where the bearing's file has their data."""
+def _complete(fluid):
     if missing := [name for name, value in fluid._asdict().items() if math.isnan(value)]:
         raise inputs.InputError(
             f"models full need {', '.join(missing)} of the lubricant, and its file has none"
         )
-    result, surfaces = dict(torque_skf_N_m=None, torque_palmgren_N_m=None), Surfaces()
-    if boundary is not None:
-        rpm, nu = abs(spin) * 30 / math.pi, fluid.kinematic
-        level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
-        own = makers.skf(boundary, load, axial, rpm, nu, level=level)
-        surfaces = Surfaces(starvation=float(own.starvation))
-        result = dict(
-            torque_skf_N_m=1e-3 * own.total,
-            torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, nu)),
-        )
-    found = friction_torque.losses(
-        body,
-        state,
-        films,
-        fluid,
-        spin,
-        orbit,
-        clearance=clearance,
-        surfaces=surfaces,
-        spin_law=spin_law,
-    )
-    top = int(np.argmax(state.inner.load))
+    return fluid
+
+
+def _makers(body, boundary, load, axial, rpm, viscosity):
+    """Torque of the makers' formulas, which are of one groove a ring, where the file has their
+    data."""
+    if boundary is None or body.layout != Layout():
+        return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
+    level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
     return dict(
-        result,
-        friction_torque_N_m=found.power / abs(spin),
-        losses_W=found.parts,
-        asperity_share=found.asperity_share[0, top],
+        torque_skf_N_m=1e-3 * makers.skf(boundary, load, axial, rpm, viscosity, level=level).total,
+        torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, viscosity)),
     )
 
 
 def _life(path, body, state, rpm, fluid, cleanliness, four_point):
-    """Static safety, and the life of a bearing whose file states its load ratings; not those of a
-    deep groove bearing for one of four points."""
-    pressure = max(state.inner.pressure.max(), state.outer.pressure.max())
-    result = dict(static_safety=life.static_safety(pressure))
-    if four_point != inputs.four_point_angle(path):
-        return result
-    stated = inputs.minimum_load(path)
-    if stated is not None and rpm and fluid is not None and not math.isnan(fluid.kinematic):
+    """Life of a bearing whose file states its load ratings."""
+    result = {}
+    stated, rows = inputs.minimum_load(path), len(body.layout.rows)
+    if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):
         factor, mean = stated
         result["minimum_load_N"] = life.minimum_load(factor, fluid.kinematic, rpm, mean)
     rated, nominal = inputs.ratings(path), inputs.nominal_angle(path)
     if rated is None:
         return result
+    # of all rows, from those of one
+    rated = life.Ratings(rated.dynamic * rows**0.7, rated.static * rows, rated.fatigue * rows)
     viscosity = None if fluid is None or math.isnan(fluid.kinematic) else fluid.kinematic
     found = life.of_loads(
         body,
@@ -262,7 +241,6 @@ def _life(path, body, state, rpm, fluid, cleanliness, four_point):
         rpm=rpm,
         viscosity=viscosity,
         cleanliness=cleanliness,
-        grooves=1 if four_point is None else 2,
     )
     result.update(equivalent_load_N=found.equivalent, life_reference_Mrev=found.reference)
     if rpm:

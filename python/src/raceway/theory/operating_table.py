@@ -20,6 +20,9 @@ TOPICS = {
         Row("moment_y_N_m", "moment about y", "N m"),
         row("clearance_m"),
         Row("four_point_rad", "contact angle of four points", "°", "of balls in the middle"),
+        Row("row_spacing_m", "distance of the rows", "m"),
+        Row("row_preload_m", "preload of each row", "m"),
+        Row("arrangement", "arrangement of the rows", None),
         row("rpm"),
         Row("orbital_speed_rad_s", "cage speed", "rad/s", "rolling, Harris ch. 10"),
         Row("centrifugal_N", "centrifugal load of a ball", "N", "m r omega^2"),
@@ -103,7 +106,7 @@ COLUMNS = (  # of the table of balls: key, heading, SI unit
     ("lambda_outer", "lambda out.", ""),
     ("capacitance_F", "C", "F"),
 )
-CONTACT_COLUMNS = (  # of the table of contacts with two grooves a ring
+CONTACT_COLUMNS = (  # of the table of contacts with several grooves a ring
     ("azimuth_rad", "azimuth, °", "deg"),
     ("raceway", "contact", None),
     ("q_N", "Q", "N"),
@@ -131,7 +134,7 @@ def table(result: Mapping[str, Any]) -> str:
 
 
 def _table_of_balls(balls):
-    """A row a ball; of two grooves a ring, a row for each that is loaded."""
+    """A row a ball; of several grooves a ring, a row for each that is loaded."""
     if "contacts" in balls[0]:
         columns = CONTACT_COLUMNS
         found = [

@@ -31,7 +31,7 @@ LAWS = {
 
 
 class Dampers(NamedTuple):
-    """Beside the springs of the contacts, (2, Z), or (4, Z) with two grooves a ring."""
+    """Beside the springs of the contacts (C, Z), as `seat` counts them."""
 
     damping: Floats  # N s/m
     stiffening: Floats  # N/m
@@ -70,7 +70,7 @@ def dampers(
     ):
         live = contact.load > 0
         load, result = contact.load[live], np.zeros((2, *live.shape))
-        sides.append(result.reshape(2, -1, bearing.balls))
+        sides.append(result.reshape(2, -1, live.shape[-1]))
         result[0, live] = damping.hysteretic(load)
         if models == "paper":
             floor = np.maximum(film.h_min[live], oil.roughness)
@@ -137,9 +137,12 @@ def turning_ring(
     _, orbit = turning(bearing, spin, load, axial, **options)
 
     def at(phase):
-        state = equilibrium(
-            bearing, load, axial, phase=phase, orbital_speed=orbit, film=film, **options
-        )
+        if film is not None and len(bearing.raceways) > 2:  # its balls draw the oil in otherwise
+            state, _ = turning(bearing, spin, load, axial, phase=phase, film=film, **options)
+        else:
+            state = equilibrium(
+                bearing, load, axial, phase=phase, orbital_speed=orbit, film=film, **options
+            )
         if oil is None or not spin:
             return response(state.linear, 0.0, frequency)
         films = lubricate(bearing, state, oil, spin, clearance, film and film.factor)

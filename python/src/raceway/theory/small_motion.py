@@ -21,9 +21,8 @@ class Linear(NamedTuple):
     """Balls of a ring at rest. Derivatives are taken in the seven of `circle`, the ball first."""
 
     stiffness: Floats  # (Z, 7, 7), second derivatives of the energy, N/m and so on
-    # of the overlaps at the inner and the outer raceway, (2, Z, 7); (4, Z, 7) of two grooves each
-    approach: Floats
-    along: Floats  # (2, Z), N/m: of the contacts along their lines, 1.5 Q over the compression
+    approach: Floats  # (C, Z, 7), of the overlaps of a ball's contacts, inner ones first
+    along: Floats  # (C, Z), N/m: of the contacts along their lines, 1.5 Q over the compression
     loaded: Floats  # (Z,), bool: balls with an inner contact, the others hold no ring
 
 
@@ -49,10 +48,10 @@ def response(
     stiffening: Numbers = 0.0,
     ball_mass: float = 0.0,
 ) -> Response:
-    """`Response` with dampers `damping` (2, Z) in N s/m beside the springs of the contacts, at
+    """`Response` with dampers `damping` (C, Z) in N s/m beside the springs of the contacts, at
     `frequency` in rad/s; 0 is the limit of slow motion.
 
-    `stiffening` (2, Z) in N/m adds to the springs, as a film's does at that frequency. `ball_mass`
+    `stiffening` (C, Z) in N/m adds to the springs, as a film's does at that frequency. `ball_mass`
     in kg is that of one ball, moving in its plane. Raises `ValueError` for a negative frequency or
     damper.
 

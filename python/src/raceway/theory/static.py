@@ -18,6 +18,9 @@ circle, shifted and tilted, as in a simulation: at 5 kN that takes 0.4 % off the
 ball 80 degrees from the load line and adds 0.07 % on it. A ring resting on one ball is then
 unstable and rolls sideways.
 
+A bearing may have several rows of balls, and several grooves for each ball (`bearing.Layout`): a
+ball then presses on each groove that it reaches, and goes from one to another without a jump.
+
 Left out: friction, gyroscopic moments, bending of rings.
 """
 
@@ -41,8 +44,9 @@ STRAIGHT = {"rx": 0.0, "ry": 0.0}
 
 
 class Contacts(NamedTuple):
-    """One raceway's contacts, arrays of one value a ball (Z,), or of a raceway with two grooves
-    (2, Z), the groove with its centre at the smaller z first; zero load where there is none."""
+    """One raceway's contacts, arrays of one value a ball (Z,), row after row, or of a raceway with
+    several grooves (grooves, Z), in the order of its `bearing.Layout`; zero load where there is
+    none."""
 
     # m, of the rigid bodies: negative where a film bridges a gap, and minus the play of a ball that
     # its centrifugal load holds on the outer raceway; zero of a ball that nothing holds
@@ -83,7 +87,7 @@ def equilibrium(
     clearance: float = 0.0,
     load_azimuth: float = 0.0,
     phase: float | Floats = 0.0,
-    orbital_speed: float = 0.0,
+    orbital_speed: float | Floats = 0.0,
     ball_density: float = 7800.0,
     finite_shift: bool = False,
     film: FilmInGap | None = None,
@@ -94,11 +98,11 @@ def equilibrium(
     `moment` is (M_x, M_y) in N m on the inner ring; `held` maps degrees of freedom (x, y, z in m,
     rx, ry in rad) to the values they are held at, the others are free. Without `held` the ring is
     held straight (rx = ry = 0), or free to tilt when a `moment`, zero perhaps, is given.
-    `clearance` is diametral, m; `phase` the azimuth of the first ball, rad, or of every ball when
-    they are not evenly spaced (Z,); `orbital_speed` of the balls, rad/s, gives each the centrifugal
-    load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift` see above; `film` puts the
-    film in the gap. Raises `NoEquilibrium` when the ring is free to move or the balls are forced
-    out of their grooves, `ValueError` for an unknown degree of freedom.
+    `clearance` is diametral, m; `phase` the azimuth of the first ball of each row, rad, or of every
+    ball when they are not evenly spaced (Z,); `orbital_speed` of all balls or of each (Z,), rad/s,
+    gives them the centrifugal load m r omega^2 with m from `ball_density` in kg/m^3; `finite_shift`
+    see above; `film` puts the film in the gap. Raises `NoEquilibrium` when the ring is free to move
+    or the balls are forced out of their grooves, `ValueError` for an unknown degree of freedom.
 
     >>> from raceway.theory.bearing import Bearing
     >>> b = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -107,6 +111,9 @@ def equilibrium(
     [1156.1, 717.2, 527.7, 553.2, 400.8, 138.9, 142.2, 596.7, 1195.1]
     >>> (1e6 * rest.shift).round(2).tolist(), (1e3 * rest.tilt).round(4).tolist()  # um, mrad
     ([23.82, -11.44, 120.01], [1.6603, 2.2876])
+    >>> rest = equilibrium(b.four_point(0.61), axial_load=1000.0)
+    >>> (rest.inner.load[:, 0] / rest.inner.load.max()).round(6).tolist()  # by groove
+    [0.0, 1.0]
     """
     force = np.array(
         [radial_load * np.cos(load_azimuth), radial_load * np.sin(load_azimuth), axial_load], float
@@ -114,18 +121,21 @@ def equilibrium(
     if held is None:
         held = STRAIGHT if moment is None else {}
     couple = np.zeros(2) if moment is None else np.asarray(moment, float)
-    place = imposed(held)
-    given = np.concatenate([force, couple])
-    _check(bearing, given, place, clearance, orbital_speed)
-
+    place, given = imposed(held), np.concatenate([force, couple])
+    if not np.all(np.isfinite([*given, clearance, *np.ravel(orbital_speed)])):
+        raise NoEquilibrium(
+            f"loads {force} N, moments {couple} N m, clearance {clearance} m and orbital speed"
+            f" {orbital_speed} rad/s must be finite"
+        )
     even = 2 * np.pi * np.arange(bearing.balls) / bearing.balls
     azimuth = np.asarray(phase, float) if np.ndim(phase) else phase + even
+    azimuth = np.tile(azimuth, len(bearing.row) // len(azimuth))
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density
-    centrifugal = mass * bearing.pitch_radius * orbital_speed**2
+    centrifugal = mass * bearing.pitch_radius * np.square(orbital_speed)
     balance = Balance(
         bearing, force, couple, place, azimuth, clearance, centrifugal, finite_shift, film
     )
-    return _state(balance, balance.find())
+    return _state(balance, *balance.find())
 
 
 def contacts(
@@ -136,7 +146,7 @@ def contacts(
     angle: Floats,
     clearance: float = 0.0,
     *,
-    held: bool = False,
+    held: bool | Floats = False,
 ) -> Contacts:
     """`Contacts` of balls `distance` (m) from the centres of curvature, under `load` (N) at `angle`
     (rad), arrays of one shape; `held` where balls without load have a place, too. Raises
@@ -168,46 +178,25 @@ def imposed(held: Mapping[str, float]) -> Floats:
     return place
 
 
-def _check(bearing, loads, place, clearance, orbital_speed):
-    if not (np.all(np.isfinite(loads)) and np.isfinite(clearance) and np.isfinite(orbital_speed)):
-        raise NoEquilibrium(
-            f"loads {loads[:3]} N, moments {loads[3:]} N m, clearance {clearance} m and orbital"
-            f" speed {orbital_speed} rad/s must be finite"
-        )
-    free = np.isnan(place)
-    if free.any() and not np.any(loads[free]) and not np.any(place[~free]) and clearance >= 0:
-        raise NoEquilibrium("without a load nothing says where a ring with clearance sits")
-
-
-def _state(balance, place):
-    bearing = balance.bearing
-    grooves, _, touch = balance.balls(place)
-    angle, load = balance.angles(touch), touch.load
-    if balance.free.any() and not load[INNER].any():
-        raise NoEquilibrium("no ball carries: nothing says where the ring sits")
+def _state(balance, place, here):
+    bearing, touch = balance.bearing, here.touch
+    angle, ring = balance.angles(touch), place / balance.metres
     sides = []
     for side in (INNER, OUTER):
-        sides.append(
-            contacts(
-                bearing,
-                side,
-                touch.distance[side],
-                load[side],
-                angle[side],
-                balance.clearance,
-                held=balance.centrifugal > 0,
-            )
-        )
-    gradient, hessian, _ = balance.derivatives(place)
-    ring, each = place / balance.metres, load[INNER, :, None] * touch.reach.line
+        own = [k for k, raceway in enumerate(bearing.raceways) if raceway == side]
+        own = own[0] if len(own) == 1 else own
+        found = (one[own] for one in (touch.distance, touch.load, angle))
+        held = balance.centrifugal > 0
+        sides.append(contacts(bearing, side, *found, balance.clearance, held=held))
+    each = touch.load[: len(touch.reach.line), :, None] * touch.reach.line
     return Equilibrium(
         ring[:3],
         balance.azimuth,
         *sides,
-        float(np.linalg.norm(gradient[balance.free])),
+        float(np.linalg.norm(here.gradient[balance.free])),
         ring[3:],
-        each.sum(0),
-        np.cross(touch.reach.arm, each).sum(0),
-        hessian * np.outer(balance.metres, balance.metres),
-        seat.linear(grooves, touch),
+        each.sum((0, 1)),
+        np.cross(touch.reach.arm, each).sum((0, 1)),
+        here.hessian(np.ones(5)),
+        seat.linear(touch),
     )

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Sphinx: `.. paper-statements::`, the statements of the paper with their verdicts, from the table
+that `raceway paper` judges by."""
+
+import re
+from collections import Counter
+from importlib import resources
+
+from column_table import table
+from docutils.statemachine import StringList
+from raceway.paper.statements import AGREE, DIFFER, SAME, UNKNOWN, markup, read
+from sphinx.util.docutils import SphinxDirective
+
+SOURCE = resources.files("raceway.paper") / "statements.yaml"
+HEADS = (
+    "where",
+    "the paper says",
+    "corrected formulas",
+    "printed formulas",
+    "all of the capacitance",
+    "why",
+)
+
+
+def reason(text):
+    """The sentences of a reason that need no number of a run."""
+    return " ".join(one for one in re.split(r"(?<=[.;]) ", text) if "{" not in one)
+
+
+def count(verdicts):
+    totals = Counter(verdicts)
+    return ", ".join(f"{totals[name]} {name}" for name in (AGREE, DIFFER, UNKNOWN))
+
+
+class StatementTable(SphinxDirective):
+    def run(self):
+        self.env.note_dependency(str(SOURCE))
+        all_of_them = read()
+        whole = [one.found for one in all_of_them if one.found[2] != SAME]
+        rows = [
+            (
+                markup(one.where),
+                markup(one.says),
+                *(name if name == SAME else f"**{name}**" for name in one.found),
+                markup(reason(f"{one.why} {one.whole.get('why', '')}")),
+            )
+            for one in all_of_them
+        ]
+        lines = [
+            f"{len(rows)} statements. From the corrected formulas "
+            + count(one.found[0] for one in all_of_them)
+            + ". From the formulas as printed "
+            + count(one.found[one.found[1] != SAME] for one in all_of_them)
+            + f". With all of the capacitance {len(whole)} are judged anew: "
+            + count(one[2] for one in whole)
+            + "; with plates alone "
+            + count(one[0] for one in whole)
+            + ".",
+            "",
+            *table("8 26 11 11 13 31", HEADS, rows),
+        ]
+        return self.parse_text_to_nodes(StringList(lines, source=str(SOURCE)))
+
+
+def setup(app):
+    app.add_directive("paper-statements", StatementTable)
+    return {"parallel_read_safe": True}

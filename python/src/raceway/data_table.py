@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Tables of data files, FOLDER/*.csv: a row stands for a file of its name, as for the decks'
+`bearing_input` (`docs/catalogue.rst` has the format)."""
+
+import re
+from functools import lru_cache
+from pathlib import Path
+
+from raceway.errors import InputError
+
+# a comment that says what a column or a source is
+SAID = re.compile(r"# (\w[\w ]*): (.+)")
+SIZES = ("bore_diameter", "outside_diameter", "bearing_width")
+
+
+def names(folder: Path) -> list[str]:
+    """The names of a folder's data: its files and the rows of its tables, sorted. None of a folder
+    that is not there."""
+    if not folder.is_dir():
+        return []
+    files = {path.name for path in folder.iterdir() if path.is_file() and path.suffix != ".csv"}
+    return sorted(files.union(*(table.rows for table in _tables(folder))))
+
+
+def text(path: Path) -> str | None:
+    """The data file that the row `path.name` of a table in `path.parent` stands for, with a comment
+    behind each value; None when there is no such row. Raises `InputError`."""
+    for table in _tables(path.parent):
+        if path.name in table.rows:
+            return table.text(path.name)
+    return None
+
+
+def _tables(folder):
+    for path in sorted(folder.glob("*.csv")):
+        yield _table(path, path.stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=8)
+def _table(path, changed):
+    return _Table(path)
+
+
+class _Table:
+    """One file: comments, commands for all rows, the line of columns, rows."""
+
+    def __init__(self, path):
+        self.path = path
+        self.said, self.common, self.rows = {}, [], {}
+        columns = None
+        try:
+            lines = path.read_text(encoding="utf-8-sig").splitlines()
+        except (OSError, UnicodeDecodeError) as error:
+            raise InputError(
+                f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+            ) from None
+        for number, line in enumerate(lines, start=1):
+            if line.startswith("#"):
+                if said := SAID.match(line):
+                    self.said[said[1]] = said[2]
+            elif not line.strip(" ,"):
+                continue
+            elif columns is None and line.startswith("name,"):
+                columns = line.split(",")
+            elif columns is None:
+                self.common.append(line.rstrip(","))
+            else:
+                self._add(columns, line.split(","), f"{path}, line {number}")
+        if columns is None:
+            raise InputError(f"{path} has no line of columns that begins with name,")
+        end = columns.index("source") if "source" in columns else len(columns)
+        self.variables = columns[1:end]
+
+    def _add(self, columns, cells, place):
+        if len(cells) != len(columns):
+            raise InputError(
+                f"{place}: {len(cells)} cells, must be {len(columns)} as in the line of columns"
+            )
+        if cells[0] in self.rows:
+            raise InputError(f"{place}: a second row '{cells[0]}'")
+        self.rows[cells[0]] = dict(zip(columns, cells))
+
+    def text(self, name):
+        row = self.rows[name]
+        source = row.get("source", "")
+        lines = [f"# {_title(row)}", f"# The row {name} of {self.path.name}, SI units."]
+        if source in self.said:
+            lines.append(f"# {source}: {self.said[source]}")
+        for key in self.variables:
+            if row[key]:
+                comment = f" # {_filled(self.said[key], row)}" if key in self.said else ""
+                lines.append(f"variable {key:<23} index {row[key]:<10}{comment}".rstrip())
+        return "\n".join([*lines, *self.common]) + "\n"
+
+
+def _filled(said, row):
+    """A comment with the notes of a row in its braces."""
+    return re.sub(r"\{(\w+)\}", lambda note: row.get(note[1], note[0]), said)
+
+
+def _title(row):
+    """6306 deep groove ball bearing, 30 x 72 x 19 mm"""
+    kind = f" {row['kind']} ball bearing" if row.get("kind") else ""
+    if not all(row.get(size) for size in SIZES):
+        return row["name"] + kind
+    return f"{row['name']}{kind}, {' x '.join(f'{1e3 * float(row[size]):g}' for size in SIZES)} mm"

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Samples of a record as `DataFrame`s whose column `sample` counts from the first of the record.
+
+Each function takes the `record` and the samples `start` to `stop`. All values are SI units.
+"""
+
+import numpy as np
+import pandas as pd
+
+from raceway.errors import RunError
+from raceway.runs.columns import ATOM
+from raceway.runs.record import Record
+
+BALL, CAGE, RINGS = 1, 2, 3  # atom types; an inner ring has RINGS, an outer ring RINGS + 1
+MOTION = list(ATOM)[2:]  # place, velocity and spin
+
+
+def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
+    """A row per live contact and sample; with `groove` where rings have two for a ball. `attrs`:
+    `first` and the number of `samples`. Raises `RunError` where the record has no loads."""
+    record.need_contacts()
+    if "load" not in record.contact_columns:
+        raise RunError(f"{record.path} has no column load: record it with the other contacts")
+    data = record.read(record.contact_columns, start, stop)
+    live = data["load"].transpose(0, 2, 1) > 0
+    sample, ball, place = np.nonzero(live)
+    raceway, groove = np.divmod(place, len(record.raceways) // 2)
+    table = pd.DataFrame(
+        {
+            "ball": record.fixed("ball")[ball].astype(int),
+            "ring": _rings_of_balls(record)[raceway, ball],
+            "raceway": raceway,
+            **({"groove": groove} if record.two_grooves else {}),
+            **{name: values.transpose(0, 2, 1)[live] for name, values in data.items()},
+            "sample": sample + start,
+        }
+    )
+    table.attrs.update(first=start, samples=len(live))
+    return table
+
+
+def _rings_of_balls(record):
+    """Atom number of the inner and the outer ring of every ball: (2, balls)."""
+    number = np.zeros((2, max(record.bearings) + 1), dtype=int)
+    side, owner = (record.fixed(f"ring_{name}") for name in ("raceway", "bearing"))
+    number[side, owner] = record.fixed("ring")
+    return number[:, record.fixed("ball_bearing")]
+
+
+def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
+    """A row per ball, cage ball and ring, and sample. A ring's spin is that about its own axis.
+    `attrs`: `first` and the number of `samples`. Raises `RunError` where the record has no motion
+    of balls."""
+    if "ball_x" not in record.variables:
+        raise RunError(f"{record.path} is a summary: it has no motion of balls")
+    parts = []
+    for kind, prefix, dimension in ((BALL, "ball_", "ball"), (CAGE, "cage_", "cage_ball")):
+        if dimension in record.variables:
+            data = record.read([prefix + name for name in MOTION], start, stop)
+            parts.append((kind, record.fixed(dimension), list(data.values())))
+    data = record.read([f"ring_{name}" for name in (*MOTION[:6], "spin")], start, stop)
+    *motion, about_axis = data.values()
+    origin = [record.fixed(f"ring_origin_{axis}") for axis in "xyz"]
+    place = [value + at for value, at in zip(motion[:3], origin)]
+    spin = [np.zeros_like(about_axis) for _ in range(3)]
+    spin["xyz".index(record.attrs["axis"])] = about_axis
+    kinds = RINGS + record.fixed("ring_raceway")
+    parts.append((kinds, record.fixed("ring"), place + motion[3:] + spin))
+    samples = len(about_axis)
+    ids = np.concatenate([part[1] for part in parts]).astype(int)
+    types = np.concatenate([np.broadcast_to(kind, len(tags)) for kind, tags, _ in parts])
+    table = pd.DataFrame(
+        {
+            "id": np.tile(ids, samples),
+            "type": np.tile(types, samples),
+            **{
+                name: np.concatenate([part[2][k] for part in parts], axis=1).ravel()
+                for k, name in enumerate(MOTION)
+            },
+            "sample": np.repeat(np.arange(start, start + samples), len(ids)),
+        }
+    )
+    table.attrs.update(first=start, samples=samples)
+    return table
+
+
+def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
+    """A row per sample: step, time, motion of the inner ring and forces on it."""
+    record.need_one()
+    inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
+    names = record.timed("ring_")
+    data = record.read(["step", "time", *names], start, stop)
+    table = pd.DataFrame({"step": data["step"], "time": data["time"]})
+    for name in names:
+        table[name.removeprefix("ring_")] = data[name][:, inner]
+    if (name := "bearing_capacitance") in record.variables:
+        table["capacitance"] = record.read([name], start, stop)[name][:, 0]
+    table["sample"] = np.arange(start, start + len(table))
+    return table
+
+
+def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
+    """A row per sample, its number the index: sums and extremes over the bearing."""
+    record.need_one()
+    data = record.read(record.timed("bearing_"), start, stop)
+    table = pd.DataFrame(
+        {name.removeprefix("bearing_"): values[:, 0] for name, values in data.items()}
+    )
+    table = table.astype({"contacts": int, "loaded_balls": int})
+    table["pressure"] = table[["pressure_inner", "pressure_outer"]].max(axis=1)
+    table.index = pd.RangeIndex(start, start + len(table), name="sample")
+    return table

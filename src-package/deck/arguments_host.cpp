@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "agree.h"
+#include "arguments.h"
+#include "bearing_compat.h"
+
+namespace bearing {
+
+void stop_run(LAMMPS_NS::LAMMPS *lmp, const std::string &why)
+{
+  BRG_ALL_OF(lmp, why);
+  std::abort();    // not reached: the line above ends the run
+}
+
+bool is_first_rank(LAMMPS_NS::LAMMPS *lmp) { return lmp->comm->me == 0; }
+
+std::string of_first_rank(LAMMPS_NS::LAMMPS *lmp, const std::string &text)
+{
+  return agree(text, lmp->world);
+}
+
+}    // namespace bearing

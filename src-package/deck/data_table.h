@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Tables of data files, FOLDER/*.csv: a row stands for a file of its name. docs/catalogue.rst has
+// the format.
+#ifndef BEARING_DATA_TABLE_H
+#define BEARING_DATA_TABLE_H
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace bearing {
+
+class DataTable {
+ public:
+  explicit DataTable(const std::string &file);
+
+  const std::string &file() const { return file_; }
+  const std::string &complaint() const { return complaint_; }    // empty if the table is usable
+  std::set<std::string> names() const;                           // of the rows
+  std::set<std::string> variables() const;                       // of all rows
+  bool has(const std::string &name) const { return rows_.count(name) > 0; }
+  std::set<std::string> variables(const std::string &name) const;      // of one row
+  std::vector<std::string> commands(const std::string &name) const;    // as in a file
+
+ private:
+  std::string file_, complaint_;
+  std::vector<std::string> common_;     // commands for all rows
+  std::vector<std::string> columns_;    // variables
+  std::map<std::string, std::vector<std::string>> rows_;
+
+  void read_row(const std::string &line, int number);
+};
+
+// The variable of a line `variable NAME ...`; empty of any other line
+std::string variable_of(const std::string &line);
+
+std::vector<DataTable> tables_of(const std::string &folder);    // by the names of their files
+
+// The names, those that differ from `name` by a few letters first
+std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
+
+// Levenshtein distance: letters to change, add or remove to turn one word into the other
+size_t distance(const std::string &a, const std::string &b);
+
+}    // namespace bearing
+
+#endif

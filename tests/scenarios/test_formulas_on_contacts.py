@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Film, damping and capacitance of every recorded contact equal the formulas on that contact's own
+load and speed."""
+
+import numpy as np
+import pytest
+from host import succeed
+from raceway import capacitance, damping, film, hertz
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import INNER, OUTER
+
+from scenarios import closed_forms
+
+
+@pytest.fixture(scope="module", params=["radial", "printed", "preload", "play"])
+def run(request, tmp_path_factory):
+    """The main job for one ball pass; and the same with the central film as the paper prints it."""
+    folder = tmp_path_factory.mktemp("main")
+    deck = "inputs/in.6208"
+    if request.param == "printed":
+        from host import ROOT  # a deck beside the original: one keyword more
+
+        deck = folder / "in.printed"
+        text = (ROOT / "inputs" / "in.6208").read_text()
+        contact = (ROOT / "inputs" / "modules" / "contact.film").read_text()
+        (folder / "contact.film").write_text(
+            contact.replace("${film_law}", "film masjedi/printed ${film_law}")
+        )
+        deck.write_text(text.replace("${inputs}/modules/contact.${film}", f"{folder}/contact.film"))
+    clearance = {"preload": -56.7e-6, "play": 56.7e-6}.get(request.param, 0.0)
+    succeed(deck, out=folder / "run", passes=1, clearance=clearance)
+    result = RunTables(folder / "run")
+    result.printed = request.param == "printed"
+    return result
+
+
+@pytest.mark.parametrize("side", [INNER, OUTER])
+def test_contacts(run, side):
+    """1e-9 relative."""
+    settings = run.settings
+    bearing = closed_forms.bearing_of(settings)
+    rows = run.contacts
+    rows = rows[(rows["raceway"] == side) & (rows["load"] > 0)]
+    assert len(rows) > 200
+    # a radial load: the formulas below are at contact angle 0
+    assert np.all(np.abs(rows["angle"]) < 1e-6)
+    modulus = bearing.effective_modulus
+    r_x, r_y = bearing.effective_radii(side, 0.0, settings["clearance_m"])
+    ellipse = hertz.exact(r_x, r_y)
+    load, speed = rows["load"].to_numpy(), rows["entrainment"].to_numpy()
+    group = film.group(
+        settings["viscosity_Pa_s"],
+        settings["pressure_viscosity_per_Pa"],
+        modulus,
+        r_x,
+        ellipse.kappa,
+        speed,
+        load,
+    )
+    a, b = hertz.semi_axes(ellipse, modulus, load)
+    pressure = hertz.pressure(ellipse, modulus, load)
+    h_min, h_c = film.h_min(r_x, group), film.h_c(r_x, group, printed=run.printed)
+    expected = {
+        "a": a,
+        "b": b,
+        "pressure": pressure,
+        "h_min": h_min,
+        "h_c": h_c,
+        "lambda": film.ratio(h_min, settings["roughness_m"]),
+        "damping": (
+            damping.hysteretic(load)
+            + damping.film(
+                settings["viscosity_Pa_s"],
+                a,
+                bearing.ball_radius,
+                np.maximum(h_min, settings["roughness_m"]),
+            )
+        ),
+        "capacitance": capacitance.contact(settings["permittivity"], pressure, a, b, h_c),
+    }
+    for name, value in expected.items():
+        np.testing.assert_allclose(rows[name], value, rtol=1e-9, err_msg=name)
+
+
+def test_bearing_total(run):
+    """The bearing's capacitance of the record is eq 12 on its contacts."""
+    rows = run.contacts.pivot_table(
+        index=["sample", "ball"], columns="raceway", values="capacitance"
+    ).dropna()
+    total = (rows[INNER] * rows[OUTER] / (rows[INNER] + rows[OUTER])).groupby("sample").sum()
+    rings = run.rings.set_index("sample")["capacitance"]
+    assert len(rings) == 201
+    np.testing.assert_allclose(rings, total.loc[rings.index], rtol=1e-13)
