@@ -6,6 +6,8 @@
 #include "../physics/film_regimes.h"
 #include "exports.h"
 
+#include <algorithm>
+
 using namespace raceway;
 
 RECORD(FilmThickness, double h_min, h_c;)
@@ -18,7 +20,14 @@ RECORD(BranchStep, double left, slope;)
 FORMULA(FilmThickness, film_thickness,
         (int model, double speed, double material, double load, double kappa))
 {
-  const FilmPair laws = film_laws(FilmModel(model), kappa, {1.0, material}, 1.0, 1.0);
+  // along an array these are mostly the same, and cost more than the rest
+  thread_local double known[3] = {-1.0, 0.0, 0.0};
+  thread_local FilmPair laws;
+  const double asked[3] = {double(model), material, kappa};
+  if (!std::equal(asked, asked + 3, known)) {
+    std::copy(asked, asked + 3, known);
+    laws = film_laws(FilmModel(model), kappa, {1.0, material}, 1.0, 1.0);
+  }
   const FilmPointT<double> at = film_point(speed, load);
   return {film_thickness(laws.min, at), film_thickness(laws.central, at)};
 }

@@ -54,7 +54,7 @@ RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, con
 // stays what it is there: what would come closer is contact, not a gap.
 template <class T> RACEWAY_INLINE T rough_film_factor(const T &sigma_over_h)
 {
-  const T s = where(sigma_over_h < 0.4, sigma_over_h, 0.4);
+  const T s = where(sigma_over_h > 0.4, 0.4, sigma_over_h);
   return 1.0 / (1.0 - s * s);
 }
 

@@ -26,6 +26,11 @@ struct CircuitState {
   OuterPoint outer;
   NodeValues charge, voltage;
   CircuitAccount account;
+
+  // of the last step
+  NodeValues before;    // voltages without the discharge at its end
+  StepCharges moved;
+  double discharge_work = 0.0;    // J, of the driving voltage
 };
 
 namespace circuit_detail {
@@ -63,6 +68,7 @@ inline double largest_film_charge(const CircuitState &s)
 template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
 {
   CircuitAccount &a = s.account;
+  s.before = s.voltage;
   a.film_charge = std::fmax(a.film_charge, largest_film_charge(s));
   double heat = 0.0;
   int count = 0;
@@ -75,6 +81,7 @@ template <class Failed> void settle(CircuitState &s, double before, Failed &&fai
   a.failures += count;
   a.discharge_energy += heat;
   a.source_work += work;
+  s.discharge_work = work;
   const double lacks = before + work - heat - stored_energy(s.films, s.outer, s.voltage);
   a.energy_error = std::fmax(a.energy_error, std::abs(lacks));
   a.charge_error = std::fmax(a.charge_error, largest_charge_error(s));
@@ -95,6 +102,8 @@ void begin_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint 
   double capacitance = bearing_capacitance(films) + outer.beside;
   if (!outer.stiff()) capacitance += outer.coupling;
   s.charge.ring = start * capacitance;
+  s.moved.inner.assign(films.size(), 0.0);
+  s.moved.outer.assign(films.size(), 0.0);
   find_voltages(films, outer, 0.0, s.charge, s.voltage);
   if (outer.stiff()) s.charge.ring = ring_charge(films, outer, s.voltage);
   circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
@@ -120,7 +129,7 @@ void advance_circuit(CircuitState &s, const BearingFilms &films, const OuterPoin
   const NodeValues v0 = s.voltage;
   const double stored = stored_energy(s.films, s.outer, v0), charge = s.charge.ring;
   const double on_films = circuit_detail::inner_film_charge(s.films, v0);
-  StepCharges moved;
+  StepCharges &moved = s.moved;
   network_step(s.films, films, s.outer, outer, length, s.charge, s.voltage, moved);
   const NodeValues &v1 = s.voltage;
   if (outer.stiff()) {

@@ -22,7 +22,7 @@ template <class T> RACEWAY_INLINE T inverse_sinh(const T &x)
 template <class T> RACEWAY_INLINE T eyring_shear(double stress, const T &x, const T &most)
 {
   const T tau = stress * inverse_sinh(x);
-  return where(tau < most, tau, most);
+  return where(tau > most, most, tau);
 }
 
 // ln(eta(p)/eta(0)) = lift ((1 + p/unit)^exponent - 1)

@@ -109,7 +109,7 @@ inline double hertz_pressure(double load, double a, double b)
 // N
 inline double hertz_load(double stiffness, double overlap)
 {
-  return overlap > 0.0 ? stiffness * overlap * std::sqrt(overlap) : 0.0;
+  return overlap <= 0.0 ? 0.0 : stiffness * overlap * std::sqrt(overlap);
 }
 
 struct HertzContact {

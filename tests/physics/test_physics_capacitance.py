@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+from raceway import asperity, capacitance, hertz, rough_film, traction
 from raceway.core import laws
 from scipy.constants import epsilon_0
 
@@ -41,6 +42,20 @@ def test_series():
         1 / 3e-11 + 1 / 7e-11, rel=1e-15
     )
     assert laws.series_capacitance(4e-11, 4e-11) == pytest.approx(2e-11, rel=1e-15)
+
+
+def test_what_has_no_value_keeps_none():
+    """A contact that is open has no pressure; its row stays without a number."""
+    given = np.array([np.nan, 1e9])
+    for law in (
+        lambda x: capacitance.permittivity(2.2, x),
+        lambda x: capacitance.mean_permittivity(2.2, x),
+        lambda x: hertz.load(3e10, x),
+        lambda x: rough_film.factor(x),
+        lambda x: traction.eyring(x, 1.0, 1e-7, 5e6, 1e7),
+        asperity.zhou_hoeprich,
+    ):
+        assert np.isnan(law(given)).tolist() == [True, False]
 
 
 @pytest.mark.parametrize("inner, outer", [(0.0, 4e-11), (4e-11, 0.0), (0.0, 0.0)])

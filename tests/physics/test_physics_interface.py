@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray
 from physics_c import RACEWAY, Physics
 from raceway.core.exports import Library
 
@@ -81,6 +82,10 @@ def test_formulas_take_numbers_and_arrays(tmp_path):
     assert quotient(other=whole, one=6).tolist() == [6.0, 3.0, 2.0]
     assert quotient(np.empty((0, 3)), 1.0).shape == (0, 3)
     assert quotient(whole[::-2], 2).tolist() == [1.5, 0.5]  # not contiguous
+    labelled = quotient(
+        xarray.DataArray(whole, dims="ball"), xarray.DataArray([1.0, 2.0], dims="time")
+    )
+    assert labelled.dims == ("ball", "time") and labelled[2].values.tolist() == [3.0, 1.5]
     for wrong in (dict(one=1.0), dict(one=1.0, two=2.0), dict(one=1.0, other=2.0, two=2.0)):
         with pytest.raises(TypeError, match="quotient takes one, other"):
             quotient(**wrong)

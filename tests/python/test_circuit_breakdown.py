@@ -6,14 +6,32 @@ import dataclasses
 import numpy as np
 import pytest
 from circuits import PICO, steady, turning
-from raceway.electric import circuit, network
-from raceway.electric.breakdown import Breakdown, Node, redistribute
+from raceway import core
+from raceway.electric import circuit
+from raceway.electric.breakdown import Breakdown
 from raceway.electric.films import series
 from raceway.electric.outer import Floating, Motor, Source
 from raceway.electric.waveforms import Constant, Sine
 
 MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
 WEAK = Breakdown(30e6)
+
+
+def redistribute(capacitance, outer, ball_charge, ring_charge, broken):
+    """(voltages of the balls, of the ring); `outer` is (beside, coupling, driving)."""
+    ball, ring = np.empty(len(ball_charge)), np.empty(1)
+    core.library().call(
+        "film_redistribution",
+        balls=len(ball),
+        capacitance=capacitance,
+        **dict(zip(("beside", "coupling", "driving"), outer)),
+        ball_charge=ball_charge,
+        ring_charge=ring_charge,
+        broken=broken,
+        ball=ball,
+        ring=ring,
+    )
+    return ball, ring[0]
 
 
 def test_a_film_that_fails_by_hand():
@@ -50,16 +68,29 @@ def test_other_balls_keep_their_charge():
     capacitance = np.array([[20.0, 60.0], [30.0, 60.0]]) * PICO
     limit = np.array([[1.0, 99.0], [2.0, 99.0]])
     charge = np.array([0.0, 120 * PICO])
-    ball, ring = redistribute(
-        capacitance, Node(0.0, 0.0, 0.0), charge, 420 * PICO, np.zeros((2, 2), bool)
+    none = np.zeros((2, 2), bool)
+    ball, ring = redistribute(capacitance, (0.0, 0.0, 0.0), charge, 420 * PICO, none)
+    rows, work = np.empty((4, 8)), np.empty(1)
+    left, on_ring, ring = charge.copy(), np.array([420 * PICO]), np.array([ring])
+    count = core.library().call(
+        "film_discharge",
+        balls=2,
+        capacitance=capacitance,
+        limit=limit,
+        beside=0.0,
+        coupling=0.0,
+        driving=0.0,
+        ball_charge=left,
+        ring_charge=on_ring,
+        ball=ball,
+        ring=ring,
+        work=work,
+        failures=rows,
     )
-    found = network.discharge(
-        capacitance, limit, Node(0.0, 0.0, 0.0), charge, 420 * PICO, (ball, ring)
-    )
-    assert [one.ball for one in found.failures] == [0, 0]
-    assert found.ball_charge.tolist() == [0, charge[1]] and found.bearing_voltage == 0
-    assert found.ball_voltage.tolist() == [0, 1.0]
-    assert found.ring_charge == pytest.approx(-60 * PICO)
+    assert count == 2 and rows[:2, 2].tolist() == [0, 0] and work[0] == 0
+    assert left.tolist() == [0, charge[1]] and ring[0] == 0
+    assert ball.tolist() == [0, 1.0]
+    assert on_ring[0] == pytest.approx(-60 * PICO)
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -70,20 +101,20 @@ def test_charges_redistribute_as_a_network_of_conductors(seed):
     capacitance, charge = rng.uniform(10, 90, (2, z)) * PICO, rng.normal(0, 100, z) * PICO
     broken = np.zeros((2, z), bool)
     broken[rng.integers(0, 2, 3), [0, 2, 3]] = True
-    node, ring_charge = Node(70 * PICO, 40 * PICO, 200.0), 500 * PICO
-    ball, ring = redistribute(capacitance, node, charge, ring_charge, broken)
+    (beside, coupling, driving), ring_charge = (70 * PICO, 40 * PICO, 200.0), 500 * PICO
+    ball, ring = redistribute(capacitance, (beside, coupling, driving), charge, ring_charge, broken)
     inner, outer = capacitance / PICO
     places = np.argwhere(broken)
     matrix = np.zeros((z + 1 + len(places),) * 2)
     matrix[range(z), range(z)] = inner + outer
     matrix[:z, z] = matrix[z, :z] = -inner
-    matrix[z, z] = inner.sum() + (node.beside + node.coupling) / PICO
+    matrix[z, z] = inner.sum() + (beside + coupling) / PICO
     for row, (side, k) in enumerate(places, z + 1):
         matrix[[k, row], [row, k]] = 1  # into the ball; no voltage across the film
         if side == 0:
             matrix[[z, row], [row, z]] = -1
     right = np.zeros(len(matrix))
-    right[: z + 1] = [*charge / PICO, (ring_charge + node.coupling * node.driving) / PICO]
+    right[: z + 1] = [*charge / PICO, (ring_charge + coupling * driving) / PICO]
     dense = np.linalg.solve(matrix, right)
     np.testing.assert_allclose([*ball, ring], dense[: z + 1], rtol=1e-12, atol=1e-12)
 

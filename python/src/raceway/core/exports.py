@@ -38,8 +38,8 @@ class Function(NamedTuple):
 
 class Formula:
     """A function of single numbers, called with numbers or arrays that broadcast, by position or by
-    name. Returns one number or array, or a named tuple of them. Raises `TypeError` for a wrong
-    number of values or an unknown name."""
+    name. Returns one number or array, or a named tuple of them; of xarray's arrays, arrays of
+    xarray. Raises `TypeError` for a wrong number of values or an unknown name."""
 
     def __init__(
         self, name: str, symbol: Any, parameters: tuple[str, ...], record: type | None
@@ -55,6 +55,8 @@ class Formula:
             values += tuple(named.pop(p) for p in self.parameters[len(values) :] if p in named)
         if named or len(values) != len(self.parameters):
             raise TypeError(f"{self.name} takes {', '.join(self.parameters)}")
+        if any(hasattr(value, "dims") for value in values):
+            return self._labelled(values)
         shape = np.broadcast(*values).shape if values else ()
         inputs = np.empty((len(values), *shape))
         for k, value in enumerate(values):
@@ -62,6 +64,12 @@ class Formula:
         outputs = np.empty((self._outputs, *shape))
         self._symbol(math.prod(shape), inputs.ctypes.data, outputs.ctypes.data)
         return self._record(*outputs) if self._record else outputs[0]
+
+    def _labelled(self, values):
+        import xarray  # takes longer to load than most formulas are called for
+
+        found = xarray.apply_ufunc(self, *values, output_core_dims=[[]] * self._outputs)
+        return self._record(*found) if self._record else found
 
 
 class Library:

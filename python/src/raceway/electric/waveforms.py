@@ -11,9 +11,11 @@ from typing import Protocol
 import numpy as np
 
 from raceway.arrays import Floats
+from raceway.core import laws
 from raceway.errors import RunError
 from raceway.files import FilePath
 
+SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/physics/waveform.h
 PER_CYCLE, FEWEST = 20, 8  # points in a period unless asked for, and at least
 
 
@@ -58,7 +60,7 @@ class Sine:
 
     def __call__(self, time: Floats) -> Floats:
         """Volts at `time` (s), any shape."""
-        return self.amplitude * np.sin(2 * np.pi * self.frequency * time + self.phase)
+        return laws.waveform(time, SINE, self.amplitude, self.frequency, self.phase, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -88,13 +90,9 @@ class CommonMode:
 
     def __call__(self, time: Floats) -> Floats:
         """Volts at `time` (s), any shape."""
-        cycles = self.carrier * np.asarray(time)
-        triangle = 4 * np.abs(cycles - np.floor(cycles) - 0.5) - 1  # +1 at 0
-        on = sum(
-            self.modulation * np.sin(2 * np.pi * (self.fundamental * time - leg / 3)) >= triangle
-            for leg in range(3)
+        return laws.waveform(
+            time, COMMON_MODE, self.link, self.fundamental, 0.0, self.carrier, self.modulation
         )
-        return self.link * (np.asarray(on, dtype=float) / 3 - 0.5)
 
 
 @dataclass(frozen=True)

@@ -73,7 +73,7 @@ def bearing(inner: ArrayLike, outer: ArrayLike, background: float = 0.0) -> Numb
 
 
 def _finite(found, ambient, pressure):
-    if not np.all(found > 0):
+    if np.any((found <= 0) | np.isinf(found)):
         raise ValueError(
             f"permittivity = {ambient} is too large for Clausius-Mossotti at {pressure} Pa"
         )
