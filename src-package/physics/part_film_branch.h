@@ -10,7 +10,7 @@
 namespace raceway {
 
 struct FilmBranchPart : PartBase {
-  static constexpr const char *name = "film_branch", *slot = "film_damping";
+  static constexpr const char *name = "film_branch", *slot = "film_damping", *needs = "film_in_gap";
   static constexpr bool needs_film = true;
   static constexpr int states = 1;    // N, the force of the branch
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "record_rows.h"
 
+#include "../physics/contact.h"
+
 #include <algorithm>
 #include <cstring>
 

@@ -2,6 +2,7 @@
 #include "compute_bearing_ring.h"
 
 #include "../contacts/bearing_columns.h"
+#include "../physics/contact.h"
 #include "contact_context.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"

@@ -2,6 +2,7 @@
 #include "compute_bearing_total.h"
 
 #include "../deck/arguments.h"
+#include "../physics/contact.h"
 #include "../ranks/gather.h"
 #include "contact_context.h"
 #include "pair_bearing_hertz.h"

@@ -214,8 +214,9 @@ void FixBearingRecord::open()
   content.film = pair_->lubricated();
   content.capacitance = static_cast<bool>(context_.capacitor);
   content.surroundings = context_.surroundings;
-  raceway::with_law(pair_->law(), [&](auto law) { content.couples = decltype(law)::couples; });
-  content.asperities = pair_->law() & raceway::Parts::bit<raceway::MixedFrictionPart>();
+  const raceway::LawFacts law = raceway::law_facts(pair_->law());
+  content.couples = law.couples;
+  content.asperities = law.asperities;
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
   content.about = about_;

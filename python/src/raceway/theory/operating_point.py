@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from raceway import catalogue, inputs
 from raceway.files import FilePath
 from raceway.theory import clearance, friction_torque, life, makers, ring_response, validity
-from raceway.theory.bearing import INNER, DoubleRow
+from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
@@ -118,6 +118,8 @@ def figures(
         * body.pitch_radius
         * orbit**2,
     )
+    if double_row is not None:
+        result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
     result.update(_loads(state))
     pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
@@ -210,10 +212,11 @@ def _friction(
         level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
         own = makers.skf(boundary, load, axial, rpm, nu, level=level)
         surfaces = Surfaces(film=mu, starvation=float(own.starvation))
-        result = dict(
-            torque_skf_N_m=1e-3 * own.total,
-            torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, nu)),
-        )
+        if body.layout == Layout():  # their formulas are of one groove a ring
+            result = dict(
+                torque_skf_N_m=1e-3 * own.total,
+                torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, nu)),
+            )
     found = friction_torque.losses(
         body,
         state,
