@@ -89,12 +89,13 @@ interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
 # one make of everything that is compiled: no core waits for the last object of a program
+# pytest starts with the folders whose files take longest, so that no core waits for the last of them
 test: setup lint tree
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
 	@$(MAKE) --no-print-directory docs
 	@examples=0; .venv/bin/python docs/try_examples.py || examples=1; \
 	echo ".venv/bin/python -m pytest tests"; \
-	.venv/bin/python -m pytest tests -n $(shell nproc) --dist loadfile && \
+	.venv/bin/python -m pytest tests/recipes tests/hosts tests -n $(shell nproc) --dist loadfile --no-loadscope-reorder && \
 	{ [ $$examples = 0 ] || { echo "an example of docs failed, see above"; exit 1; }; }
 
 bench: build

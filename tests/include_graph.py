@@ -4,10 +4,12 @@
     python3 tests/include_graph.py [ROOT]
 
 prints the graph of the tree at ROOT (default: this one). The exit code is 1 if a rule is broken:
-an arrow that `ARROWS` does not allow, a cycle of files, or more than `MOST_FLOORS` floors.
+an arrow that `ARROWS` does not allow, a cycle of files or of modules, or more than `MOST_FLOORS`
+floors.
 
 A room is a folder of src-package. An arrow A -> B says that a file of A includes a file of B. A
-floor is one file in the longest chain of includes among the files of `FLOOR_ROOMS`.
+floor is one file in the longest chain of includes among the files of `FLOOR_ROOMS`. A module is a
+header with its sources and its private headers.
 """
 
 import re
@@ -41,7 +43,10 @@ def read(package):
     for file in sorted(files):
         targets = set()
         for name in INCLUDE.findall(file.read_text(encoding="utf-8")):
-            for folder in (file.parent, package / "compat"):  # as the compiler looks for it
+            for folder in (
+                file.parent,
+                package / "compat",
+            ):  # as the compiler looks for it
                 target = (folder / name).resolve()
                 if target in files:
                     targets.add(target.relative_to(package))
@@ -83,6 +88,39 @@ def longest_chain(graph):
     return max(chains, key=len, default=[]), cycle
 
 
+def modules(graph):
+    """{file: name of its module}.
+
+    A source belongs to the header of its name, or to that with the longest name which its own
+    continues after an underscore. A header is private to a module that it includes and that alone
+    includes it.
+    """
+    headers = {f.with_suffix("") for f in graph if f.suffix == ".h"}
+
+    def owner(file):
+        name = file.with_suffix("")
+        while name not in headers and "_" in name.name:
+            name = name.with_name(name.name.rpartition("_")[0])
+        return name if name in headers else file.with_suffix("")
+
+    found = {f: owner(f) if f.suffix == ".cpp" else f.with_suffix("") for f in graph}
+    for file in graph:
+        users = {found[f] for f, targets in graph.items() if file in targets} - {found[file]}
+        if len(users) == 1 and file.suffix == ".h":
+            (user,) = users
+            if any(found[t] == user for t in graph[file]):
+                found[file] = user
+    return found
+
+
+def module_graph(graph):
+    """{module: modules that its files include}"""
+    of, found = modules(graph), {}
+    for file, targets in graph.items():
+        found.setdefault(of[file], set()).update({of[t] for t in targets} - {of[file]})
+    return found
+
+
 def floors(graph):
     """Longest chain of includes among the files of `FLOOR_ROOMS`."""
     part = {f: {t for t in ts if room(t) in FLOOR_ROOMS} for f, ts in graph.items()}
@@ -100,6 +138,9 @@ def broken(graph):
     cycle = longest_chain(graph)[1]
     if cycle:
         wrong.append("a cycle: " + " -> ".join(map(str, cycle)))
+    knot = longest_chain(module_graph(graph))[1]
+    if knot and not cycle:
+        wrong.append("a cycle of modules: " + " -> ".join(map(str, knot)))
     height = len(floors(graph))
     if height > MOST_FLOORS:
         wrong.append(f"{height} floors, at most {MOST_FLOORS} are allowed")

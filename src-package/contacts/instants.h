@@ -9,6 +9,7 @@
 #include "tag.h"
 
 #include <functional>
+#include <string>
 
 namespace bearing {
 
@@ -45,6 +46,18 @@ struct InstantReader {
   std::function<void(const InstantContact &)> contact;
   std::function<void(const InstantBody &)> body;    // or none
   std::function<void(const InstantRing &)> ring;    // or none
+};
+
+// A fix that makes steps of its own within those of the host (fix bearing/implicit).
+class InstantSource {
+ public:
+  // Asked for in another fix's setup(), there after every step; `command` is named in errors.
+  virtual void want_instants(const Instants &, const std::string &command) = 0;
+  // The k-th instant, from 1, of the bearings at home here.
+  virtual void read_instant(int k, const InstantReader &) const = 0;
+
+ protected:
+  ~InstantSource() = default;
 };
 
 }    // namespace bearing

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "bearing_bodies.h"
+#include "ball_turns.h"
+
+#include "body_group.h"
 #include "cubic.h"
 
 namespace raceway {

@@ -6,27 +6,11 @@
 
 #include "ball_turns.h"
 #include "bearing_model.h"
+#include "body_group.h"
 #include "kept_follow.h"
 #include "shaft_bend.h"
 
 namespace raceway {
-
-// What holds lanes is aligned for the widest instructions and has its lanes first.
-struct alignas(32) BodyGroup {    // four bodies side by side
-  Lane mass, inertia, radius;
-  LaneMask used;
-  LaneFrame from, base, now;
-  Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
-  Lane turn = {};      // rad, base to now
-  Lane turned = {};    // rad, from to base
-  // the linear system: block, right-hand side, columns of the links (bearing_system.h)
-  Lane A[36], rhs[6], link[2][6];
-  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; with dampers_only
-  Lane stiffness = {};              // N/m, of the stiffest contact with a raceway
-  bool spins;
-  bool coupled = false;    // to the border
-  bool linked = false;
-};
 
 struct alignas(32) RingBody {
   Vec3L force_lanes, moment_lanes;

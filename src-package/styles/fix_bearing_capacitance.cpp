@@ -4,7 +4,6 @@
 #include "../contacts/fix_columns.h"
 #include "../deck/arguments.h"
 #include "../ranks/gather.h"
-#include "fix_bearing_implicit.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
@@ -156,6 +155,7 @@ void FixBearingCapacitance::init()
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
   planned_ = -1;
   filled_ = -1;
+  pair_->add_capacitor(groupbit, model_);
   if (model_.surrounded()) check_shoulders();
 }
 
@@ -204,12 +204,12 @@ void FixBearingCapacitance::end_of_step() { sample(true); }
 // Those whose steps the instants lie within, and which of their balls count.
 void FixBearingCapacitance::find_integrators()
 {
-  integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
+  integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
   if (integrators_.empty())
     BRG_ALL(std::string("fix ") + id + " bearing/capacitance: 'within " + std::to_string(within_) +
             "' needs fix bearing/implicit, which knows what happens within a step; with other "
             "integrators sample every step");
-  for (FixBearingImplicit *f : integrators_)
+  for (bearing::InstantSource *f : integrators_)
     f->want_instants(instants(within_), std::string("fix ") + id + " bearing/capacitance");
   members_ = bearing::TagSet(find_members());
 }
@@ -255,7 +255,7 @@ FixBearingCapacitance::Row FixBearingCapacitance::row_of(int instant, tag_t ball
 // What the homes of the bearings know.
 void FixBearingCapacitance::add_instants()
 {
-  for (FixBearingImplicit *f : integrators_)
+  for (bearing::InstantSource *f : integrators_)
     for (int k = 1; k < within_; ++k)
       f->read_instant(k, {[this, k](const bearing::InstantContact &c) {
                             if ((c.live || model_.surrounded()) && members_.has(c.ball))

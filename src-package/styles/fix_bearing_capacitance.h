@@ -21,7 +21,6 @@ class Arguments;
 
 namespace LAMMPS_NS {
 
-class FixBearingImplicit;
 class PairBearingHertz;
 
 class FixBearingCapacitance : public Fix {
@@ -99,7 +98,7 @@ class FixBearingCapacitance : public Fix {
   bigint filled_ = -1;
   double **per_ball_ = nullptr;    // inner, outer, series; the same with surroundings
   int within_ = 1;                 // instants a step, the last one its end
-  std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
+  std::vector<bearing::InstantSource *> integrators_;    // that know what happens between steps
   bearing::TagSet members_;    // balls of the group; known where integrators_ are
   std::vector<Row> mine_;      // of this step, kept for its memory
   bearing::TextFile totals_, contacts_;

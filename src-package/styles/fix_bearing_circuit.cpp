@@ -7,7 +7,6 @@
 #include "../physics/film_figures.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_capacitance.h"
-#include "fix_bearing_implicit.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
 
@@ -80,14 +79,14 @@ void FixBearingCircuit::end_of_step() { sample(); }
 void FixBearingCircuit::find_integrators()
 {
   const std::string who = bearing::name_of(*this);
-  integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
+  integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
   if (integrators_.empty())
     BRG_ALL(who + ": 'within " + std::to_string(settings_.within) +
             "' needs fix bearing/implicit, which knows what happens within a step; with other "
             "integrators sample every step");
   bearing::Instants wanted = cap_->instants(settings_.within);
   wanted.states = needs_states();
-  for (FixBearingImplicit *f : integrators_) f->want_instants(wanted, who);
+  for (bearing::InstantSource *f : integrators_) f->want_instants(wanted, who);
 }
 
 FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway, bool live,
@@ -145,7 +144,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_at(int instant)
       rows.push_back({c.ball, c.ring, c.raceway.groove.side == Side::outer, 0.0,
                       film_of(c.raceway, c.live, c.state, c.capacitor)});
   };
-  for (const FixBearingImplicit *f : integrators_)
+  for (const bearing::InstantSource *f : integrators_)
     f->read_instant(instant, {contact, [&](const bearing::InstantBody &b) { body[b.tag] = b.x; },
                               [&](const bearing::InstantRing &r) {
                                 using namespace bearing::of_ring;

@@ -8,6 +8,7 @@ FixStyle(bearing/circuit,FixBearingCircuit)
 #ifndef LMP_FIX_BEARING_CIRCUIT_H
 #define LMP_FIX_BEARING_CIRCUIT_H
 
+#include "../contacts/instants.h"
 #include "../deck/text_file.h"
 #include "../physics/circuit.h"
 #include "../physics/film_capacitor.h"
@@ -21,7 +22,6 @@ struct RacewayContact;
 namespace LAMMPS_NS {
 
 class FixBearingCapacitance;
-class FixBearingImplicit;
 class PairBearingHertz;
 
 class FixBearingCircuit : public Fix {
@@ -84,7 +84,7 @@ class FixBearingCircuit : public Fix {
   bearing::CircuitSettings settings_;
   PairBearingHertz *pair_ = nullptr;
   FixBearingCapacitance *cap_ = nullptr;
-  std::vector<FixBearingImplicit *> integrators_;    // that know what happens between steps
+  std::vector<bearing::InstantSource *> integrators_;    // that know what happens between steps
   bearing::TextFile events_;
   bool begun_ = false, restored_ = false;
   bigint first_step_ = 0, last_step_ = -1;    // of the first and of the last sample

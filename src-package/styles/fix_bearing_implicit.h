@@ -27,7 +27,7 @@ namespace LAMMPS_NS {
 class FixBearingRing;
 class PairBearingHertz;
 
-class FixBearingImplicit : public Fix {
+class FixBearingImplicit : public Fix, public bearing::InstantSource {
  public:
   FixBearingImplicit(class LAMMPS *, int, char **);
   ~FixBearingImplicit() override;
@@ -40,10 +40,8 @@ class FixBearingImplicit : public Fix {
   // Of all ranks: bearings, where those on one shaft are one. Each has its own internal steps.
   double systems() const;
 
-  // Bearings between host steps: asked for in another fix's setup(), there after every step.
-  void want_instants(const bearing::Instants &, const std::string &command);
-  // The k-th instant, from 1, of the bearings at home here.
-  void read_instant(int k, const bearing::InstantReader &) const;
+  void want_instants(const bearing::Instants &, const std::string &command) override;
+  void read_instant(int k, const bearing::InstantReader &) const override;
 
  private:
   // The solver, its settings and the bearings at home here: in the source alone, so that no other

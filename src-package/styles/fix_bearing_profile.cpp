@@ -139,8 +139,9 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
 void FixBearingProfile::init()
 {
   const std::vector<FixBearingProfile *> all = bearing::fixes_of<FixBearingProfile>(lmp);
+  PairBearingHertz &pair = *PairBearingHertz::find(lmp, "fix bearing/profile");
+  if (departs()) pair.state()->follow_axes();
   if (all.front() == this) {
-    PairBearingHertz &pair = *PairBearingHertz::find(lmp, "fix bearing/profile");
     add_rings(pair, all);
     add_balls(pair, all);
   }

@@ -4,7 +4,6 @@
 #include "../contacts/fix_columns.h"
 #include "../deck/arguments.h"
 #include "../ranks/gather.h"
-#include "fix_bearing_implicit.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
@@ -98,6 +97,7 @@ void FixBearingRing::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/ring");
   state_ = pair_->state();
+  if (tilts()) state_->follow_axes();
   find_rings();
   refuse_another_mover();
   own_.clear();
@@ -107,9 +107,8 @@ void FixBearingRing::init()
   }
   grow_arrays(atom->nmax);    // atoms are sorted and exchanged before the values are known
   int by_another = 0;
-  for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
-    for (int i = 0; i < atom->nlocal; ++i)
-      if (moves(i) && (atom->mask[i] & f->groupbit)) by_another = 1;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i) && pair_->is_implicit(i)) by_another = 1;
   MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX,
                 world);    // who owns no ring must know
   by_another_ = by_another;

@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_state.h"
 
-#include "../contacts/step_check.h"
-#include "../deck/arguments.h"
-#include "fix_bearing_capacitance.h"
-#include "fix_bearing_implicit.h"
-#include "fix_bearing_profile.h"
-#include "fix_bearing_ring.h"
 #include "fixes.h"
-#include "pair_bearing_hertz.h"
 
 #include <algorithm>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
-using bearing::text;
 using raceway::Vec3;
 
 FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
-    Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/state"))
+    Fix(lmp, narg, arg), pair_(dynamic_cast<bearing::PairHooks *>(lmp->force->pair))
 {
+  if (!pair_) BRG_ALL("fix bearing/state needs pair_style bearing/hertz or bearing/ehd before it");
   restart_peratom = 1;
   create_attribute = 1;
   comm_forward = 5;
-  nevery = 10;    // how often contacts are looked at, and a hundredth as often the step
+  nevery = 10;    // how often contacts are looked at
   BRG_SET_MAXEXCHANGE(packed_size);
   grow_arrays(atom->nmax);
   atom->add_callback(0);
@@ -40,23 +33,10 @@ FixBearingState::~FixBearingState()
 
 int FixBearingState::setmask() { return PRE_NEIGHBOR | END_OF_STEP | POST_RUN; }
 
-// Local indices change: rails (pre_force) and contacts (pair) claim their places in the rings' sums
-// anew.
 void FixBearingState::pre_neighbor()
 {
-  pair_->ring_sum().reset();
-  for (int i = 0; i < atom->nlocal; ++i)
-    if (pair_->is_ring_type(atom->type[i])) pair_->ring_sum().own(i, atom->tag[i]);
+  pair_->indices_changed();
   axes_sent_ = -1;    // ghosts are other atoms now
-}
-
-void FixBearingState::init()
-{
-  axes_turn_ = false;
-  for (const FixBearingRing *r : bearing::fixes_of<FixBearingRing>(lmp))
-    axes_turn_ = axes_turn_ || r->tilts();
-  for (const FixBearingProfile *f : bearing::fixes_of<FixBearingProfile>(lmp))
-    axes_turn_ = axes_turn_ || f->departs();
 }
 
 // Last of the fixes: put back the forces of the step before, if this run continues it.
@@ -64,7 +44,6 @@ void FixBearingState::setup(int)
 {
   bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
                          "it puts back the forces of the step before, after every other set-up");
-  explicit_step_ = bearing::fixes_of<FixBearingImplicit>(lmp).empty();
   int continues = 1;
   for (int i = 0; i < atom->nlocal; ++i)
     if (!per_atom_[i].saved || per_atom_[i].saved_step != static_cast<double>(update->ntimestep))
@@ -78,28 +57,12 @@ void FixBearingState::setup(int)
       }
     per_atom_[i].saved = false;
   }
-  check_step();
+  pair_->forces_known();
 }
 
 void FixBearingState::end_of_step()
 {
-  if (update->ntimestep % nevery) return;
-  pair_->validity().look(pair_->table(), atom->mask, pair_->lubricated());
-  if (update->ntimestep % (100 * nevery) == 0) check_step();
-}
-
-void FixBearingState::check_step()
-{
-  if (!explicit_step_) return;
-  const bearing::StepLimit limit = bearing::step_limit(lmp, pair_->table());
-  const double ratio = update->dt / limit.step;
-  if (ratio > 10.0)
-    BRG_ALL("timestep " + text(update->dt) + " s: " + limit.why() + " allows at most " +
-            text(limit.step) + " s");
-  if (ratio > 1.0 && !warned_ && comm->me == 0)
-    BRG_WARN("timestep " + text(update->dt) + " s is too large for velocity Verlet: " +
-             limit.why() + " allows at most " + text(limit.step) + " s; see fix bearing/timestep");
-  if (ratio > 1.0) warned_ = true;
+  if (update->ntimestep % nevery == 0) pair_->after_step();
 }
 
 void FixBearingState::save_forces()
@@ -118,8 +81,7 @@ void FixBearingState::save_forces()
 void FixBearingState::post_run()
 {
   save_forces();
-  pair_->validity().look(pair_->table(), atom->mask, pair_->lubricated());
-  pair_->validity().report(lmp, !bearing::fixes_of<FixBearingCapacitance>(lmp).empty());
+  pair_->run_done();
 }
 
 double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)

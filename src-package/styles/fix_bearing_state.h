@@ -21,9 +21,24 @@ FixStyle(bearing/state,FixBearingState)
 
 #include <vector>
 
-namespace LAMMPS_NS {
+namespace bearing {
 
-class PairBearingHertz;
+// The hooks of a fix that the pair style needs; fix bearing/state calls them.
+class PairHooks {
+ public:
+  virtual raceway::Vec3 axis() const = 0;    // of the bearings at the start
+  virtual void indices_changed() = 0;        // local ones, after a neighbour build
+  virtual void forces_known() = 0;           // at the end of the set-up of a run
+  virtual void after_step() = 0;             // of every tenth
+  virtual void run_done() = 0;
+
+ protected:
+  ~PairHooks() = default;
+};
+
+}    // namespace bearing
+
+namespace LAMMPS_NS {
 
 class FixBearingState : public Fix {
  public:
@@ -37,7 +52,6 @@ class FixBearingState : public Fix {
   FixBearingState(class LAMMPS *, int, char **);
   ~FixBearingState() override;
   int setmask() override;
-  void init() override;
   void setup_pre_neighbor() override { pre_neighbor(); }
   void pre_neighbor() override;
   void setup(int) override;
@@ -57,6 +71,9 @@ class FixBearingState : public Fix {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
   }    // rank; of ghosts since then
   std::vector<PerAtom> &per_atom() { return per_atom_; }
+  // In the set-up of a run: axes and angles of rings stay, until a fix says that they matter.
+  void keep_axes() { axes_turn_ = false; }
+  void follow_axes() { axes_turn_ = true; }
   void ghost_reach(double cut)
   {
     if (cut > reach_) reach_ = cut;
@@ -95,14 +112,12 @@ class FixBearingState : public Fix {
   static constexpr int packed_size = 2 + (2 + room) * max_grooves + 10 + 4 + 8;
 
   void save_forces();
-  void check_step();
 
   std::vector<PerAtom> per_atom_;
-  PairBearingHertz *pair_;
+  bearing::PairHooks *pair_;
   double reach_ = 0.0;
   bigint axes_sent_ = -1;    // step
   bool axes_turn_ = true;    // some ring may tilt in this run, or its angle matters
-  bool warned_ = false, explicit_step_ = true;
 };
 
 }    // namespace LAMMPS_NS

@@ -6,8 +6,6 @@
 #include "../contacts/raceway_options.h"
 #include "../deck/arguments.h"
 #include "../physics/part_table.h"
-#include "fix_bearing_capacitance.h"
-#include "fix_bearing_state.h"
 #include "fixes.h"
 
 #include <algorithm>
@@ -256,12 +254,8 @@ void PairBearingHertz::init_style()
   for (int k = 0; k < modify->nfix; ++k)
     if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
       implicit_bits_ |= modify->fix[k]->groupbit;
-  gaps_ = false;
+  capacitors_ = gaps_ = false;    // fixes bearing/capacitance are counted anew
   validity_.forget_shoulders();
-  for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp)) {
-    gaps_ = gaps_ || f->model().surrounded();
-    validity_.add_shoulders(f->groupbit, f->model());
-  }
   check_rings();
   check_ghosts();
   check_cages();
@@ -289,6 +283,7 @@ void PairBearingHertz::put_state_last()
     if (at >= 0) dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1])->per_atom() = kept;
   }
   state_ = dynamic_cast<FixBearingState *>(modify->fix[modify->nfix - 1]);
+  state_->keep_axes();
 }
 
 // Ball radius and mass come from the atoms: one size per ball type.

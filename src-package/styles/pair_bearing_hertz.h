@@ -13,6 +13,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #include "../implicit/contact_lanes.h"
 #include "../ranks/ring_sum.h"
 #include "bearing_compat.h"
+#include "fix_bearing_state.h"
 
 #include <map>
 #include <memory>
@@ -26,9 +27,7 @@ namespace raceway {
 
 namespace LAMMPS_NS {
 
-class FixBearingState;
-
-class PairBearingHertz : public Pair {
+class PairBearingHertz : public Pair, public bearing::PairHooks {
  public:
   PairBearingHertz(class LAMMPS *);
   ~PairBearingHertz() override;
@@ -47,9 +46,8 @@ class PairBearingHertz : public Pair {
   FixBearingState *state() const { return state_; }
   bool lubricated() const { return with_film_; }
   bool spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
-  int axis_index() const { return axis_; }              // 0 x, 1 y, 2 z
-  raceway::Vec3 axis() const;
-  bearing::ValidityCheck &validity() { return validity_; }
+  int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
+  raceway::Vec3 axis() const override;
   // A bearing was made with these balls and cage balls: they need a pair_coeff ... sphere.
   void expect_sphere(int ball_type, int cage_type);
   bool is_ring_type(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
@@ -70,6 +68,14 @@ class PairBearingHertz : public Pair {
     return builds_;
   }    // counts how often local indices in the table changed
   bigint table_fill() const { return fills_; }    // counts how often it was filled
+
+  void indices_changed() override;
+  void forces_known() override;
+  void after_step() override;
+  void run_done() override;
+
+  // Said by a fix bearing/capacitance in every init(), of the balls of a group.
+  void add_capacitor(int groupbit, const raceway::CapacitorModel &);
 
   // Profiles of the raceways, by ring: given anew in every init of the fixes.
   void add_profile(bearing::tag_t ring, const raceway::RacewayPhysics &,
@@ -135,6 +141,7 @@ class PairBearingHertz : public Pair {
   void add_forces(const bearing::RacewayContact &, const raceway::ContactForces &, double energy);
   void tally(const bearing::RacewayContact &, const raceway::ContactForces &, double energy);
   void sphere_forces(bool tally);
+  void check_step();
   double orbit_of(const bearing::RacewayContact &) const;
   bool touch_profile(int row);
   bool smooth() const { return profiles_.empty() && ball_profiles_.empty(); }
@@ -173,7 +180,9 @@ class PairBearingHertz : public Pair {
   bool rebuild_ = true;
   int builds_ = 0;
   bigint fills_ = 0;
-  bool gaps_ = false;    // a fix bearing/capacitance asks for what surrounds contacts
+  bool capacitors_ = false;    // there is a fix bearing/capacitance
+  bool gaps_ = false;          // one asks for what surrounds contacts
+  bool warned_ = false;        // of a long step
 };
 
 }    // namespace LAMMPS_NS

@@ -53,3 +53,13 @@ def test_every_source_is_compiled_once_for_a_host(everything):
     ]
     assert sorted([*alone, *inside]) == sorted(sources)
     assert len([s for s in made.values() if s in units]) == 3 * len(units)
+
+
+def test_an_edit_of_one_part_makes_few_objects_again(everything):
+    """Of all hosts together; the tree is built, so the compiler has said what each object saw."""
+    again = [
+        made
+        for made in compiled(everything)
+        if "physics/part_drag.h" in (ROOT / made).with_suffix(".d").read_text()
+    ]
+    assert 0 < len(again) <= 15, again

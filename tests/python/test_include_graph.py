@@ -65,6 +65,15 @@ def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
             "a cycle: deck/a.h -> deck/b.h -> deck/a.h",
         ),
         (
+            {
+                "styles/a.h": "",
+                "styles/a_step.cpp": '#include "a.h"\n#include "b.h"\n',
+                "styles/b.h": "",
+                "styles/b.cpp": '#include "b.h"\n#include "a.h"\n',
+            },
+            "a cycle of modules: styles/a -> styles/b -> styles/a",
+        ),
+        (
             {f"styles/{k}.h": f'#include "{k + 1}.h"\n' for k in range(8)},
             "8 floors, at most 7 are allowed",
         ),

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the pair style does outside the forces, at the hooks of fix bearing/state: places in the
+// sums of rings, checks of the step and of the laws' ranges.
+#include "pair_bearing_hertz.h"
+
+#include "../contacts/step_check.h"
+#include "../deck/arguments.h"
+
+using namespace LAMMPS_NS;
+using bearing::text;
+
+static constexpr int steps_between_checks = 1000;    // of the step
+
+// Rails (pre_force) and contacts (compute) claim their places in the rings' sums anew.
+void PairBearingHertz::indices_changed()
+{
+  ring_sum_.reset();
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (is_ring_type(atom->type[i])) ring_sum_.own(i, atom->tag[i]);
+}
+
+void PairBearingHertz::forces_known() { check_step(); }
+
+void PairBearingHertz::after_step()
+{
+  validity_.look(table_, atom->mask, with_film_);
+  if (update->ntimestep % steps_between_checks == 0) check_step();
+}
+
+void PairBearingHertz::run_done()
+{
+  validity_.look(table_, atom->mask, with_film_);
+  validity_.report(lmp, capacitors_);
+}
+
+void PairBearingHertz::add_capacitor(int groupbit, const raceway::CapacitorModel &model)
+{
+  capacitors_ = true;
+  gaps_ = gaps_ || model.surrounded();
+  validity_.add_shoulders(groupbit, model);
+}
+
+// Of velocity Verlet: fix bearing/implicit chooses its own steps.
+void PairBearingHertz::check_step()
+{
+  if (implicit_bits_) return;
+  const bearing::StepLimit limit = bearing::step_limit(lmp, table_);
+  const double ratio = update->dt / limit.step;
+  if (ratio > 10.0)
+    BRG_ALL("timestep " + text(update->dt) + " s: " + limit.why() + " allows at most " +
+            text(limit.step) + " s");
+  if (ratio > 1.0 && !warned_ && comm->me == 0)
+    BRG_WARN("timestep " + text(update->dt) + " s is too large for velocity Verlet: " +
+             limit.why() + " allows at most " + text(limit.step) + " s; see fix bearing/timestep");
+  if (ratio > 1.0) warned_ = true;
+}
