@@ -38,14 +38,15 @@ void PairBearingHertz::compute(int eflag, int vflag)
 void PairBearingHertz::raceway_forces()
 {
   std::vector<RacewayContact> &table = table_.raceway;
-  const LawFacts law = law_facts(law_);
   found_.resize(table.size());
-  energies_.resize(table.size());
   flaws_.resize(smooth() ? 0 : table.size());
   if (!in_lanes_) in_lanes_ = std::make_shared<InLanes>();
   ContactLanes &four = in_lanes_->four;
   four.gaps = gaps_;
   four.energies = evflag && eflag_either;
+  energies_.resize(four.energies ? table.size() : 0);
+  std::fill(four.flaw, four.flaw + lanes, nullptr);
+  four.flawed = false;
   const int end = static_cast<int>(table.size());
   for (int first = 0, next; first < end; first = next) {
     RacewayContact &of_all = table[by_groove_[first]];
@@ -53,13 +54,14 @@ void PairBearingHertz::raceway_forces()
     const RacewayPhysics &p = *of_all.raceway;
     four.groove = groove_of(of_all);
     four.dt = advances(of_all) ? update->dt : 0.0;
-    if (law.decides) {    // a law with a reach: those that touched before come first
+    if (facts_.decides) {    // a law with a reach: those that touched before come first
       near_.clear();
       for (const bool touched : {true, false})
         for (int n = first; n < next; ++n)
           if (table[by_groove_[n]].live == touched) near_.push_back(by_groove_[n]);
-      for (const int row : near_)
-        if (table[row].flawed()) touch_profile(row);
+      if (!flaws_.empty())
+        for (const int row : near_)
+          if (table[row].flawed()) touch_profile(row);
     } else {
       find_near(first, next);
     }
@@ -70,7 +72,7 @@ void PairBearingHertz::raceway_forces()
       act_in_lanes(p, four);
       for (int i = 0; i < count; ++i) {
         table[near_[k + i]].live = four.live[i];
-        energies_[near_[k + i]] = four.energy[i];
+        if (four.energies) energies_[near_[k + i]] = four.energy[i];
       }
     }
   }
@@ -79,9 +81,9 @@ void PairBearingHertz::raceway_forces()
     if (gaps_) c.orbit = orbit_of(c);
     if (c.live) {
       if (!(c.state.overlap < c.raceway->largest_overlap)) lost(c);
-      add_forces(c, found_[n], energies_[n]);
+      add_forces(c, found_[n], four.energies ? energies_[n] : 0.0);
     } else if (advances(c)) {
-      std::fill(c.kept, c.kept + law.states, 0.0);
+      std::fill(c.kept, c.kept + facts_.states, 0.0);
     }
   }
 }
@@ -139,7 +141,7 @@ void PairBearingHertz::find_near(int first, int end)
     for (int i = 0; i < count; ++i) {
       const int row = by_groove_[n + i];
       RacewayContact &c = table_.raceway[row];
-      c.live = c.flawed() ? touch_profile(row) : four.live[i];
+      c.live = flaws_.empty() || !c.flawed() ? four.live[i] : touch_profile(row);
       if (c.live) near_.push_back(row);
     }
   }
@@ -151,11 +153,8 @@ void PairBearingHertz::take(const int *rows, int count)
 {
   InLanes &room = *in_lanes_;
   ContactLanes &four = room.four;
-  four.flawed = false;
   for (int i = 0; i < count; ++i) {
     RacewayContact &c = table_.raceway[rows[i]];
-    four.flaw[i] = c.flawed() ? &flaws_[rows[i]] : nullptr;
-    four.flawed |= c.flawed();
     four.ball[i] = {atom->x[c.i_ball], atom->v[c.i_ball], atom->omega[c.i_ball]};
     four.kept[i] = c.kept;
     four.state[i] = &c.state;
@@ -163,11 +162,16 @@ void PairBearingHertz::take(const int *rows, int count)
   }
   for (int i = count; i < lanes; ++i) {
     four.ball[i] = four.ball[0];
-    four.flaw[i] = nullptr;
-    std::copy(four.kept[0], four.kept[0] + most_states, room.kept);
+    std::copy(four.kept[0], four.kept[0] + facts_.states, room.kept);
     four.kept[i] = room.kept;
     four.state[i] = &room.state;
     four.force[i] = &room.force;
+  }
+  if (flaws_.empty()) return;
+  four.flawed = false;
+  for (int i = 0; i < lanes; ++i) {
+    four.flaw[i] = i < count && table_.raceway[rows[i]].flawed() ? &flaws_[rows[i]] : nullptr;
+    four.flawed |= four.flaw[i] != nullptr;
   }
 }
 

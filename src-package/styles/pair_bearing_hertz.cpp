@@ -226,6 +226,7 @@ bool PairBearingHertz::smooth_friction(double creep)
     if (!p.facts().tangential_spring) continue;
     p.smooth_friction(creep);
     law_ = p.parts;
+    facts_ = law_facts(law_);
     changed = true;
   }
   return changed;
@@ -331,6 +332,7 @@ void PairBearingHertz::prepare_raceways()
               ": all raceways of a run share one contact law (its numbers may differ); here " +
               law_text(p.parts) + ", before " + law_text(law_));
     law_ = p.parts;
+    facts_ = law_facts(law_);
     const std::string wrong = contradiction(law_);
     if (!wrong.empty()) BRG_ALL(who + ": " + wrong);
     first = false;

@@ -156,7 +156,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   std::vector<char> ring_type_, ball_type_;
   std::vector<double> type_radius_;
   unsigned law_ = 0;
-  int implicit_bits_ = 0;    // groups of fixes that advance themselves what contacts keep
+  raceway::LawFacts facts_;    // of the law
+  int implicit_bits_ = 0;      // groups of fixes that advance themselves what contacts keep
 
   // the words of every command so far: what a restart file keeps and replays
   std::vector<std::vector<std::string>> said_;
