@@ -58,7 +58,6 @@ double *RecordRows::contact_row(int ball, const ContactView &view)
 
 void RecordRows::contact(int ball, const ContactView &view)
 {
-  const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
   if (!columns_.empty()) {
     double *to = contact_row(ball, view);
     for (const ContactColumn *c : columns_) *to++ = c->value(view);
