@@ -16,7 +16,7 @@ def laws(physics):
 
 
 def test_duals_are_differences(physics):
-    checked = 0
+    checked, wrong = 0, set()
     for law, name in enumerate(laws(physics)):
         if physics.call("law_explicit", law):
             continue
@@ -31,10 +31,13 @@ def test_duals_are_differences(physics):
                     if block.size:
                         scale = np.abs(block).max() + 1e-300
                         worst = np.abs(block - difference[rows, columns]).max()
-                        assert worst <= 1e-9 * scale, (name, sample, dual, difference)
+                        if not worst <= 1e-9 * scale:
+                            print(name, sample, dual, difference)
+                            wrong.add(name)
             assert np.abs(dual[0, 0]) > 0, "the normal force depends on the approach"
             checked += 1
     assert checked >= 4 * len(SAMPLES)
+    assert not wrong
 
 
 def test_lanes_and_duals_have_the_bits_of_a_double(physics):
