@@ -317,8 +317,9 @@ tree: setup
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
+PHYSICS_CORE := $(filter build/obj/physics/%,$(CORE)) $(addprefix build/obj/implicit/,contact_lanes.o contact_lanes_narrow.o instruction_set.o)
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp capacitor_c.cpp circuit_c.cpp)
-build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(addprefix build/obj/implicit/,contact_lanes.o contact_lanes_narrow.o instruction_set.o)
+build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(PHYSICS_CORE)
 	@echo "  LINK $@"
 	@g++ -shared $(filter %.o,$^) -o $@
 
@@ -343,7 +344,8 @@ build/obj-laws/%.o: src-package/%.cpp src-package/core/compile_flags.txt
 $(VENV_STAMP): | $(CORE_LIBRARY)
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o build/obj/contacts/bearing_figures.o
+build/columns: build/obj/host/print_columns.o $(addprefix build/obj/contacts/,contact_columns.o bearing_figures.o) \
+               $(filter build/obj/physics/%,$(CORE))
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bearing_figures.h"
 
+#include "../physics/part_table.h"
+
 #include <algorithm>
 
 namespace bearing {
@@ -22,7 +24,7 @@ void BallFigures::contact(const ContactView &view)
   h_min = std::min(h_min, state.h_min);
   lambda = std::min(lambda, state.lambda);
   const raceway::LossPowers powers = raceway::loss_powers(state);
-  for (int k = 0; k < raceway::loss_columns; ++k) loss[k] += powers.of[k];
+  for (int k = 0; k < raceway::most_loss_columns; ++k) loss[k] += powers.of[k];
   capacitance[s] += view.capacitor.capacitance;
   gap(view);
   if (!top) return;
@@ -68,7 +70,7 @@ void BearingFigures::add(const BallFigures &b)
   h_min = std::min(h_min, b.h_min);
   lambda = std::min(lambda, b.lambda);
   orbit += b.orbit;
-  for (int k = 0; k < raceway::loss_columns; ++k) loss[k] += b.loss[k];
+  for (int k = 0; k < raceway::most_loss_columns; ++k) loss[k] += b.loss[k];
   cage_loss += b.cage_loss;
   if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // NaN of all, or none
   const double series = raceway::series_capacitance(b.capacitance[0], b.capacitance[1]),
@@ -99,17 +101,22 @@ const Figure cage_force = {
     0,
     true};
 
+// The parts of which this is true.
+unsigned parts_with(bool raceway::LawFacts::*fact)
+{
+  unsigned parts = 0;
+  for (size_t k = 0; k < raceway::part_table().size(); ++k)
+    if (raceway::law_facts(1u << k).*fact) parts |= 1u << k;
+  return parts;
+}
+
 // The losses of all laws, or those of some only. A law of rolling friction has all: 0 where a part
 // is left out.
 void add_losses(std::vector<Figure> &list, bool usual)
 {
-  unsigned couples = 0;
-  raceway::Parts::each([&couples](auto tag) {
-    using Part = typename decltype(tag)::type;
-    if (Part::couples) couples |= raceway::Parts::bit<Part>();
-  });
+  const unsigned couples = parts_with(&raceway::LawFacts::couples);
   const auto &table = raceway::loss_table();
-  for (int k = 0; k < raceway::loss_columns; ++k)
+  for (int k = 0; k < int(table.size()); ++k)
     if (table[k].is.usual == usual)
       list.push_back({{table[k].is.name, "W", table[k].is.meaning},
                       [](F f, int at) { return f.loss[at]; },
@@ -178,7 +185,7 @@ std::vector<Figure> of_record()
        {{"asperity_share_top", "", "share of asperities at the largest load on the inner raceway"},
         [](F f, int) { return f.asperity_share; },
         Needs::nothing,
-        raceway::Parts::bit<raceway::MixedFrictionPart>()},
+        parts_with(&raceway::LawFacts::asperities)},
        {{"capacitance_total", "F",
          "capacitance of all balls with their surroundings, no background"},
         [](F f, int) { return f.whole; },

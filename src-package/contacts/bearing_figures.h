@@ -15,10 +15,10 @@ namespace bearing {
 struct BallFigures {
   double balls = 0.0, contacts = 0.0, loaded[2] = {}, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
-  double orbit = 0.0;                           // rad/s
-  double loss[raceway::loss_columns] = {};      // W
-  double cage_loss = 0.0, cage_force = 0.0;     // W, N
-  double capacitance[2] = {}, whole[2] = {};    // F; with surroundings
+  double orbit = 0.0;                              // rad/s
+  double loss[raceway::most_loss_columns] = {};    // W
+  double cage_loss = 0.0, cage_force = 0.0;        // W, N
+  double capacitance[2] = {}, whole[2] = {};       // F; with surroundings
   // of the inner contact with the largest load
   double entrainment = 0.0, asperity_share = NAN;
   double film[3] = {NAN, NAN, NAN};    // h_min, lambda, h_c
@@ -37,7 +37,7 @@ struct BearingFigures {
   double balls = 0.0, contacts = 0.0, loaded_balls = 0.0, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
   double orbit = 0.0;    // sum
-  double loss[raceway::loss_columns] = {};
+  double loss[raceway::most_loss_columns] = {};
   double cage_loss = 0.0, cage_force = 0.0;
   double capacitance = 0.0, capacitance_top = 0.0, whole = 0.0, whole_top = 0.0;
   double entrainment = NAN, asperity_share = NAN, film[3] = {NAN, NAN, NAN};

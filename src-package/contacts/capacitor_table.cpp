@@ -36,7 +36,7 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
 {
   const int n = static_cast<int>(batch.rows.size());
   const RacewayPhysics &p = *batch.raceway.raceway();
-  const bool slides = p.factors.any, gap = p.has<FilmInGapPart>();
+  const bool slides = p.factors.any, gap = p.facts().film_in_gap;
   ContactStateT<Lane> c;
   for (int first = 0; first < n; first += lanes) {
     if (first + 1 == n) {    // one alone costs less than four

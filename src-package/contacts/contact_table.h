@@ -5,8 +5,8 @@
 #ifndef BEARING_CONTACT_TABLE_H
 #define BEARING_CONTACT_TABLE_H
 
-#include "../physics/contact.h"
 #include "../physics/profiled_contact.h"
+#include "../physics/raceway_physics.h"
 #include "tag.h"
 
 #include <vector>

@@ -5,7 +5,7 @@
 #define BEARING_RACEWAY_OPTIONS_H
 
 #include "../deck/arguments.h"
-#include "../physics/contact.h"
+#include "../physics/raceway_physics.h"
 
 namespace bearing {
 

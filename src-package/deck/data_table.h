@@ -16,12 +16,12 @@ class DataTable {
   explicit DataTable(const std::string &file);
 
   const std::string &file() const { return file_; }
-  const std::string &complaint() const { return complaint_; }    // why it cannot be used, or empty
+  const std::string &complaint() const { return complaint_; }    // empty if the table is usable
   std::set<std::string> names() const;                           // of the rows
-  std::set<std::string> variables() const;    // those that some row or all rows set
+  std::set<std::string> variables() const;                       // of all rows
   bool has(const std::string &name) const { return rows_.count(name) > 0; }
-  std::set<std::string> variables(const std::string &name) const;      // those that a row sets
-  std::vector<std::string> commands(const std::string &name) const;    // a deck's, of a row
+  std::set<std::string> variables(const std::string &name) const;      // of one row
+  std::vector<std::string> commands(const std::string &name) const;    // as in a file
 
  private:
   std::string file_, complaint_;
@@ -40,7 +40,7 @@ std::vector<DataTable> tables_of(const std::string &folder);    // by the names 
 // The names, those that differ from `name` by a few letters first
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
 
-// How many letters must be changed, added or taken away to make one word of the other
+// Levenshtein distance: letters to change, add or remove to turn one word into the other
 size_t distance(const std::string &a, const std::string &b);
 
 }    // namespace bearing

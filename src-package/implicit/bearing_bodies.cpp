@@ -19,7 +19,7 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
     if (rings[k].holder >= 0) rings[rings[k].holder].holds = true;
   }
   find_ball_profiles();
-  with_law(model.parts, [this](auto law) { states_ = decltype(law)::states; });
+  states_ = law_facts(model.parts).states;
   if (states_ > 0) {
     kept.resize(n_contacts);
     kept_slopes.resize(n_contacts);

@@ -92,8 +92,7 @@ class BearingBodies {
     int ring, shaft;    // both in rings
   };
   struct alignas(32) States {    // of four contacts: numbers of a contact at four instants
-    Lane from[most_states > 0 ? most_states : 1], base[most_states > 0 ? most_states : 1],
-        now[most_states > 0 ? most_states : 1], first[most_states > 0 ? most_states : 1];
+    Lane from[most_states], base[most_states], now[most_states], first[most_states];
   };
 
   BearingModel model;

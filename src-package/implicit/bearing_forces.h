@@ -68,18 +68,16 @@ class BearingForces {
   double contact_energy() const { return contact_energy_; }    // J, of their springs
 
  private:
-  // flawed: some raceway may have a profile; without one nothing of it is compiled in
-  template <class L, bool flawed> RACEWAY_INLINE Failure raceways(const Stage &);
+  template <class L> RACEWAY_INLINE Failure raceways(const L &law, const Stage &);
   Failure all_raceways(const Stage &);
   double longest_step_of_balls() const;
-  template <class Family, bool flawed> RACEWAY_INLINE bool raceways_of(const Stage &, Failure &);
-  bool dry_raceways(const Stage &, Failure &);
-  bool lubricated_raceways(const Stage &, Failure &);
-  bool gap_raceways(const Stage &, Failure &);
+  template <class... Families> RACEWAY_INLINE bool fused(const Stage &, Failure &);
+  // Smooth raceways with a law of inputs/models; false if the law is another one.
+  bool paper_raceways(const Stage &, Failure &);
   bool full_raceways(const Stage &, Failure &);
-  bool narrow_raceways(const Stage &, Failure &);
-  bool flawed_raceways(const Stage &, Failure &);
-  bool flawed_gap_raceways(const Stage &, Failure &);
+  // Raceways, smooth or not, with any set of parts.
+  Failure any_raceways(const Stage &);
+  Failure narrow_raceways(const Stage &);    // for processors without AVX2
   void rails(const Stage &);
   Failure pockets(const Stage &);
 

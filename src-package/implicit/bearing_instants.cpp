@@ -178,7 +178,7 @@ RACEWAY_LANES void BearingInstants::capacitors(int k)
   Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
   for (const BearingBodies::Track &track : b_.tracks)
     for (int g = track.first; g < track.end; ++g, ++look, ++to)
-      if (any(look->live) && track.physics->has<FilmThicknessPart>())
+      if (any(look->live) && track.physics->facts().film)
         to->of = film_capacitor(*track.physics, look->state, instants_.capacitor);
 }
 

@@ -5,8 +5,8 @@
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
-#include "../physics/contact.h"
 #include "../physics/profiled_contact.h"
+#include "../physics/raceway_physics.h"
 #include "../physics/rail.h"
 #include "ring_program.h"
 
@@ -59,7 +59,7 @@ struct BearingModel {
   std::vector<Groove> grooves;    // by body, then ring
   std::vector<Pocket> pockets;    // by smaller tag, then larger
   std::vector<Seat> seats;        // by cage, then body
-  unsigned parts = dry_parts;     // of the contact law of all raceways
+  unsigned parts = 0;             // of the contact law of all raceways
 
   Tag name() const { return rings.front().tag; }
 };

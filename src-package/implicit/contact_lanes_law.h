@@ -3,6 +3,7 @@
 #ifndef RACEWAY_CONTACT_LANES_LAW_H
 #define RACEWAY_CONTACT_LANES_LAW_H
 
+#include "../physics/any_law.h"
 #include "contact_lanes.h"
 #include "lane_frame.h"
 #include "lanes_apart.h"
@@ -37,25 +38,63 @@ RACEWAY_INLINE RingStateT<Lane> rings(const ContactLanes &c)
   return {in_all(c.groove.x), in_all(c.groove.v), in_all(c.groove.w), in_all(c.groove.e)};
 }
 
+// Frame and overlap; where they are within reach.
 RACEWAY_INLINE LaneMask place(const RacewayPhysics &p, const Vec3L &d, const Vec3L &e,
                               ContactStateT<Lane> &c)
 {
   locate(d, e, p.centre_circle, c);
-  c.overlap = c.s - p.slack;
-  return ~(c.overlap <= -p.reach);
+  return ~out_of_reach(p, c);
 }
 
-template <class L> RACEWAY_INLINE void act_as(const RacewayPhysics &p, ContactLanes &x)
+// Profiles of up to four contacts.
+struct LaneFlaws {
+  LaneMask ring = {}, ball = {};
+  Lane overlap, slope = {}, along = {}, across = {}, energy = {};
+
+  RACEWAY_INLINE LaneFlaws(const ContactLanes &x, const Lane &smooth) : overlap(smooth)
+  {
+    for (int i = 0; i < lanes; ++i) {
+      const FlawedPlace *const flaw = x.flaw[i];
+      if (!flaw) continue;
+      overlap[i] = flaw->on.overlap;
+      energy[i] = flaw->on.energy;
+      ring[i] = -flaw->ring;
+      ball[i] = -flaw->ball;
+      if (flaw->ring) slope[i] = flaw->on.slope;
+      if (!flaw->ball) continue;
+      along[i] = flaw->turned.along;
+      across[i] = flaw->turned.across;
+    }
+  }
+};
+RACEWAY_INLINE void select(const LaneMask &yes, const ContactForcesT<Lane> &from,
+                           ContactForcesT<Lane> &to)
+{
+  const Vec3L *const source[] = {&from.force, &from.ball_torque, &from.ring_torque};
+  Vec3L *const target[] = {&to.force, &to.ball_torque, &to.ring_torque};
+  for (int k = 0; k < 3; ++k)
+    *target[k] = {where(yes, source[k]->x, target[k]->x), where(yes, source[k]->y, target[k]->y),
+                  where(yes, source[k]->z, target[k]->z)};
+}
+
+template <class L>
+RACEWAY_INLINE void act_as(const L &law, const RacewayPhysics &p, ContactLanes &x)
 {
   const BallStateT<Lane> ball = balls(x);
   const RingStateT<Lane> ring = rings(x);
   ContactStateT<Lane> &c = x.all;
   LaneMask live = place(p, ball.x, ring.e, c);
+  const bool flawed = L::takes_profiles && x.flawed;
+  const LaneFlaws flaws(x, c.overlap);
+  if (flawed) {
+    c.overlap = flaws.overlap;
+    live = ~(c.overlap <= -p.reach);
+  }
   find_motions<L::couples>(p, ball, ring, c);
   const RacewayConstantsT<Lane> constants = p.law.at(c.cos_angle);
   const Lane overlap = c.overlap;
-  if constexpr (L::decides) {
-    live &= ~L::misses(p, constants, c);
+  if (law.decides) {
+    live &= ~law.misses(p, constants, c);
     if (!any(live)) {
       std::fill(x.live, x.live + lanes, false);
       if (x.gaps) lanes_apart(c, x.state);
@@ -63,25 +102,40 @@ template <class L> RACEWAY_INLINE void act_as(const RacewayPhysics &p, ContactLa
     }
     c.overlap = where(live, overlap, 1e-9);    // any that has a load
   }
-  Lane before[L::states > 0 ? L::states : 1], after[L::states > 0 ? L::states : 1];
-  for (int k = 0; k < L::states; ++k)
+  TurnRowT<Lane> depth;
+  if (flawed) {
+    const Lane rate = c.overlap_rate - flaws.slope * passing_speed(ball, ring, c);
+    c.overlap_rate = where(flaws.ring, rate, c.overlap_rate);
+    depth = turn_row(flaws.along, flaws.across, ring.e, c);
+    const Lane turning = c.overlap_rate - depth.rate(ball, ring, ball.x);
+    c.overlap_rate = where(flaws.ball, turning, c.overlap_rate);
+  }
+  Lane before[L::room], after[L::room];
+  for (int k = 0; k < law.states; ++k)
     before[k] = Lane{x.kept[0][k], x.kept[1][k], x.kept[2][k], x.kept[3][k]};
-  L::act(p, constants, LawStates<Lane>{x.dt, before, after}, c);
+  law.act(p, constants, LawStates<Lane>{x.dt, before, after}, c);
   ContactForcesT<Lane> forces = assemble<L::couples>(p, ring.e, c);
+  if (flawed) {
+    ContactForcesT<Lane> pushed = forces;
+    push_along(flaws.slope, ring.e, c, pushed);
+    select(flaws.ring, pushed, forces);
+    pushed = forces;
+    push_along(depth, ball.x, c, pushed);
+    select(flaws.ball, pushed, forces);
+  }
   if (p.groove.offset != 0.0) from_groove(ring.e, p.groove.offset, forces);
+  if (x.energies) {
+    Lane energy = law.energy(p, c);
+    if (flawed) energy += flaws.energy;
+    for (int i = 0; i < lanes; ++i) x.energy[i] = energy[i];
+  }
   c.overlap = overlap;
   lanes_apart(c, x.state);
   lanes_apart(forces, x.force);
   for (int i = 0; i < lanes; ++i) x.live[i] = live[i];
   if (x.dt > 0.0)
-    for (int k = 0; k < L::states; ++k)
+    for (int k = 0; k < law.states; ++k)
       for (int i = 0; i < lanes; ++i) x.kept[i][k] = after[k][i];
-}
-
-// Of the law that the raceway has.
-RACEWAY_INLINE void act_as_any(const RacewayPhysics &p, ContactLanes &x)
-{
-  with_law(p.parts, [&](auto law) __attribute__((always_inline)) { act_as<decltype(law)>(p, x); });
 }
 
 void act_in_narrow_lanes(const RacewayPhysics &, ContactLanes &);    // without AVX2

@@ -17,7 +17,7 @@ struct alignas(32) KeptSlopes {    // of four contacts, from the last evaluation
   Lane slope;        // of a profile along the path (profiled_contact.h)
   Lane stiffness;    // N/m, of the elastic contact
   LaneMask live;     // of the last evaluation
-  Lane of[most_states > 0 ? most_states : 1][6];
+  Lane of[most_states][6];
 };
 
 // Velocities that a correction adds, in the ball's frame.

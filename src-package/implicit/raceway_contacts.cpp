@@ -9,15 +9,13 @@ namespace raceway {
 
 Failure BearingForces::all_raceways(const Stage &stage)
 {
-  Failure failure = Failure::none;
-  if (b_.flawed) flawed_raceways(stage, failure) || flawed_gap_raceways(stage, failure);
 #ifdef RACEWAY_TWO_TARGETS
-  else if (!wide_lanes()) narrow_raceways(stage, failure);
+  if (!wide_lanes()) return narrow_raceways(stage);
 #endif
-  else
-    dry_raceways(stage, failure) || lubricated_raceways(stage, failure) ||
-        gap_raceways(stage, failure) || full_raceways(stage, failure);
-  return failure;
+  Failure failure = Failure::none;
+  if (!b_.flawed && (paper_raceways(stage, failure) || full_raceways(stage, failure)))
+    return failure;
+  return any_raceways(stage);
 }
 
 // At the present state.
@@ -83,8 +81,8 @@ RACEWAY_LANES double BearingForces::largest_overlap() const
       const Vec3L at = f.local(centre);
       ContactStateT<Lane> c;
       locate({f.r - at.x, -at.y, f.z - at.z}, f.local(ring.from.e), p.centre_circle, c);
-      const Lane overlap = c.s - p.slack;
-      most = where(g.used & (overlap > most), overlap, most);
+      out_of_reach(p, c);
+      most = where(g.used & (c.overlap > most), c.overlap, most);
     }
   }
   return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));

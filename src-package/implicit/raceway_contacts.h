@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Balls on raceways, four side by side, in each ball's own turning frame. The law of the contacts
-// is a list of parts (physics/contact.h); nothing here knows what is in it.
+// is any that has the members of AnyLaw (physics/any_law.h); nothing here knows its parts.
 //
-// Compiled for a family of laws at a time, each in a file of its own: together they would take a
-// compiler minutes and gigabytes. For the same reason raceways with profiles, and any raceway for
-// processors without AVX2, are compiled without forced inlining.
+// Compiled with the laws of inputs/models inlined, for smooth raceways, and once with a law that is
+// called, for any set of parts and raceways with profiles.
 #ifndef RACEWAY_RACEWAY_CONTACTS_H
 #define RACEWAY_RACEWAY_CONTACTS_H
 
+#include "../physics/any_law.h"
 #include "bearing_forces.h"
 #include "contact_rows.h"
 #include "profile_rows.h"
@@ -108,8 +108,9 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
-template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(const Stage &stage)
+template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, const Stage &stage)
 {
+  constexpr bool flawed = L::takes_profiles;
   int contact = 0;
   for (const BearingBodies::Track &track : b_.tracks) {
     RingBody &ring = b_.rings[track.ring];
@@ -132,7 +133,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       r.e = f.local(ring.now.e);
       ContactStateT<Lane> c;
       locate(d, r.e, p.centre_circle, c);
-      c.overlap = c.s - p.slack;
+      auto apart = out_of_reach(p, c);
       const bool balls = flawed && !b_.ball_profiles.empty() && b_.ball_profiles[contact].any;
       const bool profiled = flawed && (track.profile || balls);
       TurnRowT<Lane> *depth = nullptr;    // of the balls
@@ -142,31 +143,32 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         depth = &b_.ball_rows[contact];
         *depth = turn_row(turned_.along, turned_.across, r.e, c);
       } else if (flawed && track.profile) look_at_profile(track, f, ring.now, c, on_);
-      if (profiled) c.overlap = on_.overlap;
-      // what is not a number must not pass for a gap
-      LaneMask live = g.used & ~(c.overlap <= -p.reach);
+      if (profiled) {
+        c.overlap = on_.overlap;
+        apart = c.overlap <= -p.reach;
+      }
+      LaneMask live = g.used & ~apart;
       const bool derive = stage.evaluate == Evaluate::derivatives;
       LaneMask close = live;
-      if (derive && !L::decides) close = g.used & ~(c.overlap <= -p.reach - stage.close);
-      Lane unused[L::states > 0 ? L::states : 1];
-      if constexpr (L::states > 0)
+      if (derive && !law.decides) close = g.used & ~(c.overlap <= -p.reach - stage.close);
+      Lane unused[L::room];
+      if (law.states > 0)
         if (stage.evaluate != Evaluate::only) {
-          for (int m = 0; m < L::states; ++m)
+          for (int m = 0; m < law.states; ++m)
             b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
           KeptSlopes &slopes = b_.kept_slopes[contact];
           slopes.live = LaneMask{};
           if (derive)
-            for (auto &of_one : slopes.of) std::fill(of_one, of_one + 6, Lane{});
+            for (int m = 0; m < law.states; ++m) std::fill(slopes.of[m], slopes.of[m] + 6, Lane{});
         }
       if (stage.looks) {
         stage.looks[contact].live = live;
         stage.looks[contact].orbit = dot(g.v - f.local(ring.now.v), c.t) / c.r;
       }
-      const Lane apart = -c.overlap;
+      const Lane gap = -c.overlap;
       const auto look_at_gaps = [&] {
         if (stage.gaps)
-          look_at_gap(p, {d, g.v, g.w}, f, velocity, spin, r, c, -apart,
-                      stage.looks[contact].state);
+          look_at_gap(p, {d, g.v, g.w}, f, velocity, spin, r, c, -gap, stage.looks[contact].state);
       };
       if (!any(close)) {
         look_at_gaps();
@@ -181,11 +183,11 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       r.v = f.local(velocity);
       r.w = f.local(spin);
       const BallStateT<Lane> ball = {d, g.v, g.w};
-      const auto open = approach<L>(p, ball, r, c);
-      if constexpr (L::decides) {
-        live &= ~open;
+      find_motions<L::couples>(p, ball, r, c);
+      if (law.decides) {
+        live &= ~law.misses(p, p.law.at(c.cos_angle), c);
         if (stage.looks) stage.looks[contact].live = live;
-        const Lane beyond = L::beyond(p, c);
+        const Lane beyond = law.beyond(p, c);
         close = derive ? close & ~(beyond <= -stage.close) : live;
         if (!any(close)) {
           look_at_gaps();
@@ -196,20 +198,20 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       if (flawed && track.profile) c.overlap_rate -= on_.slope * passing_speed(ball, r, c);
       if (balls) c.overlap_rate -= depth->rate(ball, r, d);
       LawStates<Lane> memory;
-      if constexpr (L::states > 0) {
+      if (law.states > 0) {
         BearingBodies::States &kept = b_.kept[contact];
         memory = stage.evaluate == Evaluate::only
                      ? LawStates<Lane>{0.0, kept.now, unused}
                      : LawStates<Lane>{stage.h, kept.base, kept.now, !stage.dampers_only};
       }
       ContactSlopesT<Lane, L::motions> slopes;
-      if constexpr (L::states > 0)
-        for (auto &of_one : slopes.state) std::fill(of_one, of_one + L::motions, Lane{});
-      if (derive) act_with_slopes<L>(p, memory, stage.follows(), c, slopes);
-      else L::act(p, p.law.at(c.cos_angle), memory, c);
-      if constexpr (L::states > 0)
+      for (int m = 0; m < law.states; ++m)
+        std::fill(slopes.state[m], slopes.state[m] + L::motions, Lane{});
+      if (derive) act_with_slopes(law, p, memory, stage.follows(), c, slopes);
+      else law.act(p, p.law.at(c.cos_angle), memory, c);
+      if (law.states > 0)
         if (stage.evaluate != Evaluate::only) {
-          for (int m = 0; m < L::states; ++m)
+          for (int m = 0; m < law.states; ++m)
             b_.kept[contact].now[m] = where(live, b_.kept[contact].now[m], 0.0);
           b_.kept_slopes[contact].live = live;
         }
@@ -224,14 +226,14 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
       if (stage.looks) {
         ContactStateT<Lane> &seen = stage.looks[contact].state;
         seen = c;
-        if (stage.gaps) seen.overlap = where(live, c.overlap, -apart);
+        if (stage.gaps) seen.overlap = where(live, c.overlap, -gap);
         seen.u = f.lab(c.u);
         seen.t = f.lab(c.t);
         continue;
       }
       if (stage.evaluate == Evaluate::only) {
-        power_lost_ += sum(where(live, L::loss(c), 0.0));
-        contact_energy_ += sum(where(live, L::energy(p, c), 0.0));
+        power_lost_ += sum(where(live, law.loss(c), 0.0));
+        contact_energy_ += sum(where(live, law.energy(p, c), 0.0));
         if (profiled) contact_energy_ += sum(where(live, on_.energy, 0.0));
       }
       g.rhs[0] += stage.h * q.force.x;
@@ -262,7 +264,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         const Lane slope = track.profile ? on_.slope : Lane{};
         add_ball_profile(system_, g, k, ring, from_ring, r.e, c, h2, slope, *depth, turned_);
       }
-      if constexpr (L::states > 0) {
+      if (law.states > 0) {
         KeptSlopes &kept = b_.kept_slopes[contact];
         kept.stiffness = c.stiffness;
         kept.normal = s.normal;
@@ -270,7 +272,7 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
         kept.across = s.across;
         kept.lever = lever_of(ring, r.e, from_ring + s.normal * p.groove.ball_radius);
         if (flawed && track.profile) kept.slope = on_.slope;
-        for (int m = 0; m < L::states; ++m)
+        for (int m = 0; m < law.states; ++m)
           for (int i = 0; i < L::motions; ++i) kept.of[m][i] = where(live, slopes.state[m][i], 0.0);
       }
     }
@@ -280,16 +282,6 @@ template <class L, bool flawed> RACEWAY_INLINE Failure BearingForces::raceways(c
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
-
-// Of the family's law that the bearing has, if it has one; else false.
-template <class Family, bool flawed>
-RACEWAY_INLINE bool BearingForces::raceways_of(const Stage &stage, Failure &failure)
-{
-  return with_law(b_.model.parts, Family(), [&](auto law) __attribute__((always_inline)) {
-    using L = decltype(law);
-    if constexpr (!L::explicit_step) failure = raceways<L, flawed>(stage);
-  });
-}
 
 }    // namespace raceway
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Laws of film in the gap, damped by the film's branch.
-#include "raceway_contacts.h"
+// The laws of inputs/models/film and full, inlined.
+#include "raceway_contacts_fused.h"
 
 namespace raceway {
 
 RACEWAY_WIDE bool BearingForces::full_raceways(const Stage &stage, Failure &failure)
 {
-  return raceways_of<FullLaws, false>(stage, failure);
+  return fused<FilmLaws, FullLaws>(stage, failure);
 }
 
 }    // namespace raceway

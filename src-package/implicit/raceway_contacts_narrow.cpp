@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Smooth raceways with any law, for processors without AVX2.
+// The same for processors without AVX2.
 #include "../physics/targets.h"
 
-#ifdef RACEWAY_TWO_TARGETS    // else the laws are in the other files
+#ifdef RACEWAY_TWO_TARGETS    // else raceway_contacts_any.cpp is for one target
 #define RACEWAY_ONE_TARGET 1
 #include "raceway_contacts.h"
 
 namespace raceway {
 
-bool BearingForces::narrow_raceways(const Stage &stage, Failure &failure)
+Failure BearingForces::narrow_raceways(const Stage &stage)
 {
-  return raceways_of<Laws, false>(stage, failure);
+  Failure failure = Failure::none;
+  with_any_law(b_.model.parts, narrow_law,
+               [&](const auto &law) { failure = raceways(law, stage); });
+  return failure;
 }
 
 }    // namespace raceway

@@ -34,7 +34,7 @@ struct BallShape {
 
 // The depth at a direction, and how it changes with the direction: along rolling and across
 // (groove.h).
-template <class T> struct BallSlopesT {
+template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T along = T(), across = T();              // m/rad, of the depth
   T path_along = T(), path_across = T();    // of the azimuth in the ball's axes
   T bend = T();                 // m, second derivative of waves and tables in the azimuth

@@ -14,7 +14,7 @@
 
 namespace raceway {
 
-template <class B, int n> struct Dual {
+template <class B, int n> struct alignas(sizeof(B)) Dual {
   B value = B();
   B d[n] = {};
 

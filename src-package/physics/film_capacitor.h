@@ -5,9 +5,10 @@
 #define RACEWAY_FILM_CAPACITOR_H
 
 #include "capacitance.h"
-#include "contact.h"
+#include "film_gap.h"
 #include "gap_integral.h"
 #include "groove_shoulder.h"
+#include "raceway_physics.h"
 
 namespace raceway {
 
@@ -76,19 +77,13 @@ RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T
   return h;
 }
 
-// Whether contacts have a film at any load: then that is the film of the capacitor.
-inline bool has_film_at_any_load(const RacewayPhysics &p)
-{
-  return p.has<FilmInGapPart>() && p.of<FilmInGapPart>().all_regimes;
-}
-
 // The plates of a lubricated contact.
 template <class T>
 RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const ContactStateT<T> &c,
                                                 const CapacitorModel &m)
 {
   const RacewayConstantsT<T> k = p.law.at(c.cos_angle);
-  const T h = has_film_at_any_load(p)
+  const T h = p.gap_film_of_all_regimes()
                   ? c.h_c
                   : central_film(p, k, c, film_point(c.entrainment, c.film_load));
   const T h_c = where(h > m.film_floor, h, m.film_floor);
@@ -118,10 +113,10 @@ class SurroundedRaceway {
       upright_(shoulder_.reach(0.0, 1.0)), flatter_(1.0 / p.slack),
       ln_floor_(std::log(m.film_floor))
   {
-    any_load_ = has_film_at_any_load(p);
-    if (!p.has<FilmInGapPart>() || any_load_) return;
-    begins_ = p.of<FilmInGapPart>().share;
-    least_load_ = FilmInGapPart::cut;
+    any_load_ = p.gap_film_of_all_regimes();
+    if (!p.facts().film_in_gap || any_load_) return;
+    begins_ = p.gap_share();
+    least_load_ = power_law_cut;
   }
 
   const RacewayPhysics *raceway() const { return p_; }

@@ -19,6 +19,8 @@
 
 namespace raceway {
 
+constexpr double power_law_cut = 1.0;    // N, below it a power law keeps its thickness
+
 template <class T> struct FilmGapT {
   T compression;    // x, m
   T thinning;       // h/e

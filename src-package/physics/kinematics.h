@@ -46,13 +46,19 @@ RACEWAY_INLINE void from_groove(const Vec3T<T> &e, double offset, ContactForcesT
   f.ring_torque -= cross(e * offset, f.force);
 }
 
+// Overlap of a ball whose place in the groove is known, and whether it is out of reach of the law.
+// What is not a number must not pass for a gap.
+template <class T> RACEWAY_INLINE auto out_of_reach(const Raceway &p, ContactStateT<T> &c)
+{
+  c.overlap = c.s - p.slack;
+  return c.overlap <= -p.reach;
+}
+
 // Geometry only. True where the surfaces overlap, or are within reach of the law (or a position is
 // not a number); only then the frame is set.
 inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &c)
 {
-  if (!locate_beyond(d, e, p.centre_circle, p.slack - p.reach, c)) return false;
-  c.overlap = c.s - p.slack;
-  return !(c.overlap <= -p.reach);
+  return locate_beyond(d, e, p.centre_circle, p.slack - p.reach, c) && !out_of_reach(p, c);
 }
 
 // Local motions of a contact whose position is known; `rotations` asks for those about n, t, w too.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a part of the contact law says of itself. A part is a struct with
+// A part of the contact law: a struct with
 //
 //   name         one word, for tables and messages
 //   when         always, with a film, or only when a keyword asks for it
 //   slot         parts with the same slot exclude each other; "" for none
+//   needs_film   true if it has no meaning without a film
+//   needs        name of a part that must be there, too; "" for none
 //   Parameters   its own numbers, with their defaults; prepare(raceway) where it derives some, and
 //                reach(raceway), the gap (m) at which its contacts begin, where that is not 0
 //   keywords()   the words that set them, with unit and range (Keyword below)
@@ -11,8 +13,9 @@
 //   couples      true if it sets couple_n, couple_t, couple_w
 //   explicit_step   true if an implicit step cannot take it
 //   columns()    what of it can be read from a contact
-//   misses()     whether there is no contact, where an overlap above -reach does not tell; writes
-//                what act() takes from it
+//   misses()     tells that there is no contact although the overlap is above -reach; writes what
+//                beyond() and act() take from it
+//   beyond()     overlap past the place where the load begins, m; a part has it that has misses()
 //   act()        what it does to a contact: reads motions and what earlier parts left, writes its
 //                own
 //   Losses       the losses that it makes (loss.h): power that it takes out of the motion
@@ -102,9 +105,9 @@ template <class T> struct LawStates {
 
 struct PartBase {
   static constexpr When when = When::asked;
-  static constexpr const char *slot = "";
+  static constexpr const char *slot = "", *needs = "";
   static constexpr int states = 0;
-  static constexpr bool couples = false, explicit_step = false;
+  static constexpr bool couples = false, explicit_step = false, needs_film = false;
   struct Parameters {};
   using Losses = LossList<>;
   static std::vector<Keyword<Parameters>> keywords() { return {}; }

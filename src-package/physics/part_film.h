@@ -10,18 +10,6 @@
 
 namespace raceway {
 
-// All factors together, at a load and a speed.
-template <class T, class State>
-RACEWAY_INLINE T film_factor(const Raceway &p, const RacewayConstantsT<T> &k, const State &c,
-                             const FilmPointT<T> &at)
-{
-  if (!p.factors.by_pressure) return p.factors.of(at.ln_speed);
-  const T along = held(c.sliding_t), across = held(c.sliding_w);
-  const T root = exponential(T((at.ln_load - logarithm(k.K)) * (1.0 / 3.0)));
-  return p.factors.gupta(at.ln_speed, T(along * along + across * across))
-      .of(T(k.p * root / p.material.Eprime()));
-}
-
 struct FilmThicknessPart : PartBase {
   static constexpr const char *name = "film_thickness";
   static constexpr When when = When::with_film;

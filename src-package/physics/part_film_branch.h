@@ -18,7 +18,7 @@ struct FilmBranchLoss : DampingPower {
 };
 
 struct FilmBranchPart : PartBase {
-  static constexpr const char *name = "film_branch", *slot = "film_damping";
+  static constexpr const char *name = "film_branch", *slot = "film_damping", *needs = "film_in_gap";
   static constexpr bool needs_film = true;
   static constexpr int states = 1;    // N, the force of the branch
   using Losses = LossList<FilmBranchLoss>;

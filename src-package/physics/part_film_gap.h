@@ -15,7 +15,7 @@ namespace raceway {
 struct FilmInGapPart : PartBase {
   static constexpr const char *name = "film_in_gap", *slot = "elastic";
   static constexpr bool needs_film = true;
-  static constexpr double cut = 1.0;    // N, below it a power law keeps its thickness
+  static constexpr double cut = power_law_cut;
   struct Parameters {
     double share = 1.0;
     bool all_regimes = false;

@@ -32,7 +32,7 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
 struct SpinPart : PartBase {
-  static constexpr const char *name = "spin";
+  static constexpr const char *name = "spin", *needs = "differential_slip";
   static constexpr bool couples = true;
   using Losses = LossList<SpinLoss>;
   struct Parameters {

@@ -4,9 +4,9 @@
 #ifndef RACEWAY_PART_TABLE_H
 #define RACEWAY_PART_TABLE_H
 
-#include "loss_table.h"
+#include "part.h"
+#include "raceway_physics.h"
 
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,95 +32,21 @@ struct KeywordEntry {
 struct PartEntry {
   std::string name, slot;
   When when;
-  bool film;    // needs a lubricant
+  bool film;            // needs a lubricant
+  std::string needs;    // name of another part, or ""
   int states;
   std::vector<KeywordEntry> keywords;
   std::vector<StateColumn> columns;
 };
 
-namespace detail {
-template <class Part, class = void> struct NeedsFilm : std::false_type {};
-template <class Part>
-struct NeedsFilm<Part, std::enable_if_t<Part::needs_film>> : std::true_type {};
-
-inline std::vector<std::string> words(const char *text)
-{
-  std::vector<std::string> list;
-  for (const char *c = text; c && *c; ++c) {
-    if (list.empty() || *c == '|') list.emplace_back();
-    if (*c != '|') list.back() += *c;
-  }
-  return list;
-}
-
-template <class Part> ParameterEntry parameter_entry(const Parameter<typename Part::Parameters> &p)
-{
-  ParameterEntry e = {p.symbol, p.meaning, p.least, p.most, p.open, words(p.choices), ""};
-  RacewayPhysics initial;
-  if (p.unset) {
-    e.initial = p.unset;
-  } else if (p.choices) {
-    e.initial = e.choices.front();
-  } else {
-    char number[32];
-    snprintf(number, sizeof number, "%g", p.number(initial, initial.of<Part>()));
-    e.initial = number;
-  }
-  return e;
-}
-
-template <class Part> PartEntry part_entry()
-{
-  PartEntry e = {Part::name,     Part::slot,
-                 Part::when,     Part::when == When::with_film || NeedsFilm<Part>::value,
-                 Part::states,   {},
-                 Part::columns()};
-  for (const LossEntry &loss : loss_table())
-    if (loss.parts & Parts::bit<Part>()) e.columns.push_back(loss.column());
-  for (const auto &k : Part::keywords()) {
-    std::vector<ParameterEntry> parameters;
-    for (const auto &p : k.parameters) parameters.push_back(parameter_entry<Part>(p));
-    e.keywords.push_back({k.name, k.form, parameters,
-                          [k](RacewayPhysics &p, const double *values) {
-                            for (const auto &parameter : k.parameters) {
-                              if (parameter.choose) parameter.choose(p, p.of<Part>(), int(*values));
-                              else parameter.number(p, p.of<Part>()) = *values;
-                              ++values;
-                            }
-                            if (k.chooses) p.choose<Part>();
-                          },
-                          k.wrong, k.note});
-  }
-  return e;
-}
-template <class... P> std::vector<PartEntry> part_entries(PartList<P...>)
-{
-  return {part_entry<P>()...};
-}
-template <class... L> std::vector<unsigned> law_parts(LawList<L...>) { return {L::parts...}; }
-}    // namespace detail
-
-inline const std::vector<PartEntry> &part_table()
-{
-  static const std::vector<PartEntry> table = detail::part_entries(Parts());
-  return table;
-}
-
-// The sets of parts that are compiled.
-inline const std::vector<unsigned> &compiled_laws()
-{
-  static const std::vector<unsigned> laws = detail::law_parts(Laws());
-  return laws;
-}
+const std::vector<PartEntry> &part_table();
 
 // "hertz + hysteresis + normal_force", for messages
-inline std::string law_text(unsigned parts)
-{
-  std::string s;
-  for (size_t k = 0; k < part_table().size(); ++k)
-    if (parts & (1u << k)) s += (s.empty() ? "" : " + ") + part_table()[k].name;
-  return s;
-}
+std::string law_text(unsigned parts);
+
+// Why no contact can have these parts; "" if it can. Sets that keywords make have one part of a
+// slot at most.
+std::string contradiction(unsigned parts);
 
 }    // namespace raceway
 

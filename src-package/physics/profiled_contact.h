@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-template <class T> struct ProfiledContactT {
+template <class T> struct alignas(sizeof(T)) ProfiledContactT {
   T overlap = T();    // m, with the profile
   T slope = T();      // of the depth along the path of the ball's centre
   T bend = T();       // 1/m, its derivative along the path, of what goes across the whole groove

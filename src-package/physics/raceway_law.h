@@ -13,12 +13,11 @@
 #include "groove.h"
 #include "hertz.h"
 
-#include <array>
 #include <vector>
 
 namespace raceway {
 
-template <class T> struct RacewayConstantsT {
+template <class T> struct alignas(sizeof(T)) RacewayConstantsT {
   T K;                  // N/m^1.5
   T a, b;               // sqrt(m), semi-axes over sqrt(overlap)
   T p;                  // Pa/sqrt(m)
@@ -64,17 +63,26 @@ inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius,
   return c;
 }
 
+// The constants one after the other.
+template <class T> RACEWAY_INLINE T *numbers(RacewayConstantsT<T> &c)
+{
+  return reinterpret_cast<T *>(&c);
+}
+template <class T> RACEWAY_INLINE const T *numbers(const RacewayConstantsT<T> &c)
+{
+  return reinterpret_cast<const T *>(&c);
+}
+
 class RacewayLaw {
  public:
   RacewayLaw() = default;
   RacewayLaw(const Groove &g, double pitch_radius, const RacewayMaterial &mat,
              const RacewayModel &model) :
-      radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), packed_radial_(pack(radial_)),
-      grid_(cells + 3)
+      radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), grid_(cells + 3)
   {
     // one node beyond each end so that every cell has its four points
     for (int i = 0; i < cells + 3; ++i)
-      grid_[i] = pack(raceway_constants(g, pitch_radius, mat, model, double(i - 1) / cells));
+      grid_[i] = raceway_constants(g, pitch_radius, mat, model, double(i - 1) / cells);
   }
 
   const RacewayConstants &radial() const { return radial_; }
@@ -87,18 +95,17 @@ class RacewayLaw {
 
   RACEWAY_INLINE RacewayConstantsT<Lane> at(const Lane &cos_angle) const
   {
-    const bool radial = !any(1.0 - cos_angle >= 1e-12);
-    Lane v[n_constants];
-    if (radial) {
-      for (int k = 0; k < n_constants; ++k) v[k] = all_lanes(packed_radial_[k]);
+    RacewayConstantsT<Lane> c;
+    Lane *const of_all = numbers(c);
+    if (!any(1.0 - cos_angle >= 1e-12)) {
+      for (int k = 0; k < n_constants; ++k) of_all[k] = all_lanes(numbers(radial_)[k]);
     } else {
       for (int i = 0; i < lanes; ++i) {
-        const Packed one = pack(at(cos_angle[i]));
-        for (int k = 0; k < n_constants; ++k) v[k][i] = one[k];
+        const RacewayConstants one = at(cos_angle[i]);
+        for (int k = 0; k < n_constants; ++k) of_all[k][i] = numbers(one)[k];
       }
     }
-    return {v[0],  v[1], v[2], v[3], FilmPairT<Lane>{{v[4], v[5], v[6]}, {v[7], v[8], v[9]}},
-            v[10], v[11]};
+    return c;
   }
 
  private:
@@ -112,38 +119,21 @@ class RacewayLaw {
     const double w0 = -s * (s - 1.0) * (s - 2.0) / 6.0,
                  w1 = (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0;
     const double w2 = -(s + 1.0) * s * (s - 2.0) / 2.0, w3 = (s + 1.0) * s * (s - 1.0) / 6.0;
-    Packed v;
+    const double *const a = numbers(grid_[i]), *const b = numbers(grid_[i + 1]),
+                        *const c = numbers(grid_[i + 2]), *const d = numbers(grid_[i + 3]);
+    RacewayConstants found;
     for (int k = 0; k < n_constants; ++k)
-      v[k] = w0 * grid_[i][k] + w1 * grid_[i + 1][k] + w2 * grid_[i + 2][k] + w3 * grid_[i + 3][k];
-    return unpack(v);
+      numbers(found)[k] = w0 * a[k] + w1 * b[k] + w2 * c[k] + w3 * d[k];
+    return found;
   }
 
-  static constexpr int cells = 64, n_constants = 12;
-  using Packed = std::array<double, n_constants>;
-
-  static Packed pack(const RacewayConstants &c)
-  {
-    return {c.K,
-            c.a,
-            c.b,
-            c.p,
-            c.film.min.lnA,
-            c.film.min.p,
-            c.film.min.m,
-            c.film.central.lnA,
-            c.film.central.p,
-            c.film.central.m,
-            c.film_damper,
-            c.unit};
-  }
-  static RacewayConstants unpack(const Packed &v)
-  {
-    return {v[0], v[1], v[2], v[3], FilmPair{{v[4], v[5], v[6]}, {v[7], v[8], v[9]}}, v[10], v[11]};
-  }
+  static constexpr int cells = 64;
+  static constexpr int n_constants = sizeof(RacewayConstants) / sizeof(double);
+  static_assert(sizeof(RacewayConstantsT<Lane>) == n_constants * sizeof(Lane),
+                "nothing but numbers of type T");
 
   RacewayConstants radial_{};
-  Packed packed_radial_{};    // for lanes
-  std::vector<Packed> grid_;
+  std::vector<RacewayConstants> grid_;
 };
 
 }    // namespace raceway

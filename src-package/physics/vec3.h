@@ -8,7 +8,7 @@
 
 namespace raceway {
 
-template <class T> struct Vec3T {
+template <class T> struct alignas(sizeof(T)) Vec3T {
   T x = T(), y = T(), z = T();
 
   static RACEWAY_INLINE Vec3T from(const T *p) { return {p[0], p[1], p[2]}; }

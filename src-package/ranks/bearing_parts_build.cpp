@@ -40,7 +40,7 @@ void BearingParts::build(const BearingSources &sources, int groupbit)
   sources_ = sources;
   std::vector<Bearing> bearings;
   const std::vector<int> bearing_of = find_bearings(groupbit, bearings);
-  assemble(exchange(cut(bearing_of, bearings, groupbit), world));
+  assemble(bearing::exchange(cut(bearing_of, bearings, groupbit), world));
 }
 
 // Number of the bearing of each owned atom, -1: of none with atoms of the group. Every rank joins

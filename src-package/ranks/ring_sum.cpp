@@ -63,7 +63,7 @@ void RingSum::find_ways()
       numbers[owner_[k]].push_back(k);
     }
   }
-  const std::vector<std::vector<Claim>> from = exchange(to, world);
+  const std::vector<std::vector<Claim>> from = bearing::exchange(to, world);
   out_.clear();
   in_.clear();
   for (int p = 0; p < np; ++p) {

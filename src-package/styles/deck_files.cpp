@@ -40,10 +40,10 @@ static std::string joined(const std::vector<std::string> &names, const char *bet
 
 namespace {
 
-// What FOLDER and NAME stand for: a file, else a row of a table
+// The data behind FOLDER and NAME: a file, else a row of a table
 struct Data {
-  std::string complaint, label, commands;
-  std::set<std::string> variables;    // that it sets by itself. A file may include others
+  std::string complaint = {}, label = {}, commands = {};
+  std::set<std::string> variables = {};    // set by itself, not by files that it includes
 };
 
 Data data_file(const fs::path &file)

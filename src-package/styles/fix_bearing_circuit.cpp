@@ -95,7 +95,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
                                                    const FilmCapacitorT<double> &q) const
 {
   Film film;
-  if (settings_.metal > 0.0 && !raceway.has<MixedFrictionPart>())
+  if (settings_.metal > 0.0 && !raceway.facts().asperities)
     BRG_ONE(bearing::name_of(*this) +
             ": 'metal' needs 'friction mixed', which knows what asperities carry");
   const bool whole = cap_->model().surrounded();

@@ -55,7 +55,7 @@ void FixBearingImplicit::build()
     };
     sources.turn = [this](int i) -> raceway::Quaternion & { return pair_->state()->turn(i); };
   }
-  raceway::with_law(pair_->law(), [&](auto law) { sources.states = decltype(law)::states; });
+  sources.states = raceway::law_facts(pair_->law()).states;
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.parts.clear();

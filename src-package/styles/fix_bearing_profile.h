@@ -7,7 +7,7 @@ FixStyle(bearing/profile,FixBearingProfile)
 #ifndef LMP_FIX_BEARING_PROFILE_H
 #define LMP_FIX_BEARING_PROFILE_H
 
-#include "../physics/contact.h"
+#include "../physics/raceway_physics.h"
 #include "bearing_compat.h"
 #include "profile_settings.h"
 

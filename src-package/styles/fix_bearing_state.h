@@ -15,8 +15,8 @@ FixStyle(bearing/state,FixBearingState)
 #define LMP_FIX_BEARING_STATE_H
 
 #include "../contacts/ring_motion.h"
-#include "../physics/contact.h"
 #include "../physics/quaternion.h"
+#include "../physics/raceway_physics.h"
 #include "bearing_compat.h"
 
 #include <vector>
@@ -30,7 +30,7 @@ class FixBearingState : public Fix {
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
   static constexpr int max_grooves = 4;    // that a ball keeps something of
-  static constexpr int room = raceway::most_states > 0 ? raceway::most_states : 1;
+  static constexpr int room = raceway::most_states;
 
   using RingMotion = bearing::RingMotion;
 

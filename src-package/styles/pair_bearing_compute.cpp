@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The step: fill the contact table, add forces.
-#include "pair_bearing_forces.h"
+#include "pair_bearing_hertz.h"
 
 #include "../deck/arguments.h"
 #include "../implicit/contact_lanes.h"
@@ -29,20 +29,23 @@ void PairBearingHertz::compute(int eflag, int vflag)
   state_->forward_axes();
   if (neighbor->ago == 0 || rebuild_) rebuild_contacts();
   ++fills_;
-  if (smooth()) smooth_raceway_forces();
-  else flawed_raceway_forces();
+  raceway_forces();
   sphere_forces(evflag);
   ring_sum_.flush();
 }
 
 // Contacts of one groove that may touch, four at a time. Forces are added in the table's order.
-template <class L> void PairBearingHertz::smooth_forces()
+void PairBearingHertz::raceway_forces()
 {
   std::vector<RacewayContact> &table = table_.raceway;
+  const LawFacts law = law_facts(law_);
   found_.resize(table.size());
+  energies_.resize(table.size());
+  flaws_.resize(smooth() ? 0 : table.size());
   if (!in_lanes_) in_lanes_ = std::make_shared<InLanes>();
   ContactLanes &four = in_lanes_->four;
   four.gaps = gaps_;
+  four.energies = evflag && eflag_either;
   const int end = static_cast<int>(table.size());
   for (int first = 0, next; first < end; first = next) {
     RacewayContact &of_all = table[by_groove_[first]];
@@ -50,11 +53,13 @@ template <class L> void PairBearingHertz::smooth_forces()
     const RacewayPhysics &p = *of_all.raceway;
     four.groove = groove_of(of_all);
     four.dt = advances(of_all) ? update->dt : 0.0;
-    if (L::decides) {    // a law with a reach: those that touched before come first
+    if (law.decides) {    // a law with a reach: those that touched before come first
       near_.clear();
       for (const bool touched : {true, false})
         for (int n = first; n < next; ++n)
           if (table[by_groove_[n]].live == touched) near_.push_back(by_groove_[n]);
+      for (const int row : near_)
+        if (table[row].flawed()) touch_profile(row);
     } else {
       find_near(first, next);
     }
@@ -63,7 +68,10 @@ template <class L> void PairBearingHertz::smooth_forces()
       const int count = std::min(lanes, n - k);
       take(&near_[k], count);
       act_in_lanes(p, four);
-      for (int i = 0; i < count; ++i) table[near_[k + i]].live = four.live[i];
+      for (int i = 0; i < count; ++i) {
+        table[near_[k + i]].live = four.live[i];
+        energies_[near_[k + i]] = four.energy[i];
+      }
     }
   }
   for (size_t n = 0; n < table.size(); ++n) {
@@ -71,16 +79,26 @@ template <class L> void PairBearingHertz::smooth_forces()
     if (gaps_) c.orbit = orbit_of(c);
     if (c.live) {
       if (!(c.state.overlap < c.raceway->largest_overlap)) lost(c);
-      add_forces<L>(c, found_[n], 0.0);
+      add_forces(c, found_[n], energies_[n]);
     } else if (advances(c)) {
-      std::fill(c.kept, c.kept + L::states, 0.0);
+      std::fill(c.kept, c.kept + law.states, 0.0);
     }
   }
 }
 
-void PairBearingHertz::smooth_raceway_forces()
+void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &forces,
+                                  double energy)
 {
-  with_law(law_, [this](auto law) { smooth_forces<decltype(law)>(); });
+  if (!std::isfinite(c.state.normal)) lost(c);
+  forces.force.add_to(atom->f[c.i_ball]);
+  forces.ball_torque.add_to(atom->torque[c.i_ball]);
+  ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
+  if (evflag) tally(c, forces, energy);
+}
+
+double PairBearingHertz::orbit_of(const RacewayContact &c) const
+{
+  return dot(Vec3::from(atom->v[c.i_ball]) - Vec3::from(atom->v[c.i_ring]), c.state.t) / c.state.r;
 }
 
 // Whether this step moves what the law keeps of a contact. The forces of a set-up belong to a step
@@ -119,8 +137,10 @@ void PairBearingHertz::find_near(int first, int end)
     take(&by_groove_[n], count);
     find_places(*table_.raceway[by_groove_[n]].raceway, four);
     for (int i = 0; i < count; ++i) {
-      table_.raceway[by_groove_[n + i]].live = four.live[i];
-      if (four.live[i]) near_.push_back(by_groove_[n + i]);
+      const int row = by_groove_[n + i];
+      RacewayContact &c = table_.raceway[row];
+      c.live = c.flawed() ? touch_profile(row) : four.live[i];
+      if (c.live) near_.push_back(row);
     }
   }
 }
@@ -131,8 +151,11 @@ void PairBearingHertz::take(const int *rows, int count)
 {
   InLanes &room = *in_lanes_;
   ContactLanes &four = room.four;
+  four.flawed = false;
   for (int i = 0; i < count; ++i) {
     RacewayContact &c = table_.raceway[rows[i]];
+    four.flaw[i] = c.flawed() ? &flaws_[rows[i]] : nullptr;
+    four.flawed |= c.flawed();
     four.ball[i] = {atom->x[c.i_ball], atom->v[c.i_ball], atom->omega[c.i_ball]};
     four.kept[i] = c.kept;
     four.state[i] = &c.state;
@@ -140,6 +163,7 @@ void PairBearingHertz::take(const int *rows, int count)
   }
   for (int i = count; i < lanes; ++i) {
     four.ball[i] = four.ball[0];
+    four.flaw[i] = nullptr;
     std::copy(four.kept[0], four.kept[0] + most_states, room.kept);
     four.kept[i] = room.kept;
     four.state[i] = &room.state;
@@ -155,25 +179,34 @@ void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &force
                forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
 }
 
-// As touch(), with what the profiles leave of the overlap.
-bool PairBearingHertz::touch_profile(RacewayContact &c, const Vec3 &d, const Vec3 &e,
-                                     ProfiledContact &on, BallSlopes &turned)
+// Place of a contact whose raceway or ball has a profile; whether it may touch.
+bool PairBearingHertz::touch_profile(int row)
 {
+  RacewayContact &c = table_.raceway[row];
+  const RingState ring = groove_of(c);
+  const BallState ball = ball_of(c);
   ContactState &s = c.state;
-  locate(d, e, c.raceway->centre_circle, s);
-  s.overlap = s.s - c.raceway->slack;
+  locate(ball.x - ring.x, ring.e, c.raceway->centre_circle, s);
+  out_of_reach(*c.raceway, s);
   const LabAxes axes = {axis_};
   const Vec3 u = axes.third(s.u);
   BallView view;
   if (c.ball_profile) {
     const Quaternion to_ball = state_->turn(c.i_ball).back();
-    view = {to_ball(axes.third(s.u * s.nu + e * s.ne)), to_ball(axes.third(s.t)),
-            to_ball(axes.third(e * s.nu - s.u * s.ne))};
+    view = {to_ball(axes.third(s.u * s.nu + ring.e * s.ne)), to_ball(axes.third(s.t)),
+            to_ball(axes.third(ring.e * s.nu - s.u * s.ne))};
   }
-  on = profiled(c.profile, c.ball_profile, *c.raceway,
-                std::atan2(u.y, u.x) - state_->angle(c.i_ring), s.r, s.overlap, view, turned);
-  s.overlap = on.overlap;
-  return !(s.overlap <= -c.raceway->reach);
+  FlawedPlace &flaw = flaws_[row];
+  flaw.ring = c.profile;
+  flaw.ball = c.ball_profile;
+  flaw.on =
+      profiled(c.profile, c.ball_profile, *c.raceway,
+               std::atan2(u.y, u.x) - state_->angle(c.i_ring), s.r, s.overlap, view, flaw.turned);
+  s.overlap = flaw.on.overlap;
+  const bool touches = !(s.overlap <= -c.raceway->reach);
+  if (gaps_ && !touches)
+    find_motions<false>(*c.raceway, BallState{ball.x - ring.x, ball.v, ball.w}, ring, s);
+  return touches;
 }
 
 void PairBearingHertz::sphere_forces(bool tally)

@@ -66,7 +66,7 @@ void PairBearingHertz::settings(int narg, char **arg)
 {
   said_.assign(1, std::vector<std::string>(arg, arg + narg));
   defaults_ = RacewayPhysics();
-  if (with_film_) defaults_.parts = lubricated_parts;
+  if (with_film_) defaults_.parts = initial_parts(true);
   raceways_.clear();
   spheres_.clear();
   axis_ = 2;
@@ -225,9 +225,8 @@ bool PairBearingHertz::smooth_friction(double creep)
   bool changed = false;
   for (auto &entry : raceways_) {
     RacewayPhysics &p = entry.second;
-    if (!p.has<TangentialSpringPart>()) continue;
-    p.choose<SmoothedFrictionPart>();
-    p.of<SmoothedFrictionPart>().creep = creep;
+    if (!p.facts().tangential_spring) continue;
+    p.smooth_friction(creep);
     law_ = p.parts;
     changed = true;
   }
@@ -337,8 +336,8 @@ void PairBearingHertz::prepare_raceways()
               ": all raceways of a run share one contact law (its numbers may differ); here " +
               law_text(p.parts) + ", before " + law_text(law_));
     law_ = p.parts;
-    if (!with_law(law_, [](auto) {}))
-      BRG_ALL(who + ": the contact law " + law_text(law_) + " is not among those compiled");
+    const std::string wrong = contradiction(law_);
+    if (!wrong.empty()) BRG_ALL(who + ": " + wrong);
     first = false;
   }
 }

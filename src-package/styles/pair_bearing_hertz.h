@@ -10,6 +10,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 
 #include "../contacts/contact_table.h"
 #include "../contacts/validity_check.h"
+#include "../implicit/contact_lanes.h"
 #include "../ranks/ring_sum.h"
 #include "bearing_compat.h"
 
@@ -60,10 +61,8 @@ class PairBearingHertz : public Pair {
   // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no
   // ring.
   double pitch_radius(int ring_type) const;
-  unsigned law() const
-  {
-    return law_;
-  }    // its parts (physics/contact.h), one law for all raceways
+  // parts of the contact law (physics/contact.h), one law for all raceways
+  unsigned law() const { return law_; }
   bool smooth_friction(
       double creep);    // raceways with a tangential spring take this creep instead: true
   int table_build() const
@@ -123,10 +122,7 @@ class PairBearingHertz : public Pair {
   void rebuild_contacts();
   void add_grooves(int i_ball, int i_ring);
   void add_raceway_contacts();
-  void smooth_raceway_forces();
-  void flawed_raceway_forces();
-  template <class L> void smooth_forces();
-  template <class L> void flawed_forces();
+  void raceway_forces();
   bool advances(const bearing::RacewayContact &) const;
   raceway::BallState ball_of(const bearing::RacewayContact &) const;
   raceway::RingState groove_of(const bearing::RacewayContact &) const;
@@ -136,15 +132,11 @@ class PairBearingHertz : public Pair {
   }
   void find_near(int first, int end);
   void take(const int *rows, int count);
-  template <class L>
-  void add_forces(const bearing::RacewayContact &, const raceway::ContactForces &,
-                  double energy_of_profile);
+  void add_forces(const bearing::RacewayContact &, const raceway::ContactForces &, double energy);
   void tally(const bearing::RacewayContact &, const raceway::ContactForces &, double energy);
   void sphere_forces(bool tally);
-  bool find_place(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e) const;
   double orbit_of(const bearing::RacewayContact &) const;
-  bool touch_profile(bearing::RacewayContact &, const raceway::Vec3 &d, const raceway::Vec3 &e,
-                     raceway::ProfiledContact &, raceway::BallSlopes &);
+  bool touch_profile(int row);
   bool smooth() const { return profiles_.empty() && ball_profiles_.empty(); }
   [[noreturn]] void lost(const bearing::RacewayContact &);
 
@@ -156,7 +148,7 @@ class PairBearingHertz : public Pair {
   std::set<TypePair> cages_;              // made, (smaller type, larger type)
   std::vector<char> ring_type_, ball_type_;
   std::vector<double> type_radius_;
-  unsigned law_ = raceway::dry_parts;
+  unsigned law_ = 0;
   int implicit_bits_ = 0;    // groups of fixes that advance themselves what contacts keep
 
   // the words of every command so far: what a restart file keeps and replays
@@ -168,8 +160,10 @@ class PairBearingHertz : public Pair {
       ball_profiles_;
 
   bearing::ContactTable table_;
-  std::vector<int> by_groove_, near_;    // places in the table: all, some of one groove
-  std::vector<raceway::ContactForces> found_;
+  std::vector<int> by_groove_, near_;            // places in the table: all, some of one groove
+  std::vector<raceway::ContactForces> found_;    // by row of the table
+  std::vector<double> energies_;                 // J, stored in contacts
+  std::vector<raceway::FlawedPlace> flaws_;      // empty if all surfaces are smooth
   struct InLanes;
   std::shared_ptr<InLanes> in_lanes_;
   bearing::RingSum ring_sum_;

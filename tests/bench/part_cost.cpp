@@ -2,6 +2,7 @@
 // Time of the contact laws alone, part by part: "NAME BASE explicit implicit" in ns a contact, one
 // line a law. Explicit is an evaluation in doubles, implicit one with derivatives, four contacts
 // side by side. For part_cost.py.
+#include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/contact_slopes.h"
 
 #include <chrono>
@@ -65,7 +66,10 @@ template <class L> double explicit_pass(const Scene &s, double *states)
     if (!touch(s.p, s.ball[k].x, s.ring.e, c)) continue;
     double after[L::states > 0 ? L::states : 1];
     double *before = states + k * L::states;
-    const ContactForces f = contact_forces<L>(s.p, s.ball[k], s.ring, {1e-6, before, after}, c);
+    find_motions<L::couples>(s.p, s.ball[k], s.ring, c);
+    if (L::decides) L::misses(s.p, s.p.law.at(c.cos_angle), c);
+    L::act(s.p, s.p.law.at(c.cos_angle), LawStates<double>{1e-6, before, after}, c);
+    const ContactForces f = assemble<L::couples>(s.p, s.ring.e, c);
     for (int m = 0; m < L::states; ++m) before[m] = after[m];
     sum += dot(f.force, {1, 1, 1}) + dot(f.ball_torque, {1, 1, 1}) + dot(f.ring_torque, {1, 1, 1});
   }
@@ -93,12 +97,13 @@ template <class L> RACEWAY_INLINE double implicit_sum(const Scene &s, Lane *stat
                                    {none, none, all_lanes(1.0)}};
     ContactStateT<Lane> c;
     locate(ball.x, ring.e, s.p.centre_circle, c);
-    c.overlap = c.s - s.p.slack;
-    approach<L>(s.p, ball, ring, c);
+    out_of_reach(s.p, c);
+    find_motions<L::couples>(s.p, ball, ring, c);
+    if (L::decides) L::misses(s.p, s.p.law.at(c.cos_angle), c);
     Lane after[L::states > 0 ? L::states : 1];
     Lane *before = states + k / lanes * L::states;
     ContactSlopesT<Lane, L::motions> slopes;
-    act_with_slopes<L>(s.p, LawStates<Lane>{1e-4, before, after, true}, 1e-4, c, slopes);
+    act_with_slopes(L(), s.p, LawStates<Lane>{1e-4, before, after, true}, 1e-4, c, slopes);
     for (int m = 0; m < L::states; ++m) before[m] = after[m];
     const ContactForcesT<Lane> f = assemble<L::couples>(s.p, ring.e, c);
     Lane used = f.force.x + f.force.y + f.force.z + f.ball_torque.x + f.ball_torque.y +
@@ -137,6 +142,9 @@ template <class L> void report(const char *name, int base, const Film &film = {}
   printf("%s|%d|%.2f|%.2f\n", name, base, least[0] / contacts * 1e9, least[1] / contacts * 1e9);
 }
 
+template <class... P>
+using GapLaw =
+    Law<FilmInGapPart, HysteresisPart, FilmThicknessPart, FilmDamperPart, NormalForcePart, P...>;
 template <class... P> using Slip = FullLaw<MixedFrictionPart, DifferentialSlipPart, P...>;
 
 }    // namespace

@@ -23,7 +23,8 @@ def build(folder):
     program = Path(folder) / "part_cost"
     words = "-std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -Wno-psabi"
     source = ROOT / "tests/bench/part_cost.cpp"
-    subprocess.run(["g++", *words.split(), source, "-o", program], check=True)
+    raceway = ROOT / "build/obj/physics/raceway_physics.o"
+    subprocess.run(["g++", *words.split(), source, raceway, "-o", program], check=True)
     return program
 
 

@@ -82,10 +82,6 @@ MAIN_DECK = {
         {"spin_law": "slice"},
         r"bearing_range: spin_law is 'slice', must be one of closed, slices",
     ),
-    "no law of slices without the film in the gap": (
-        {"models": "full", "spin_law": "slices", "without": "gap"},
-        r"the contact law .* slip_slices .* is not among those compiled",
-    ),
     "no such film in the gap": (
         {"gap_film": "moss"},
         r"bearing_range: gap_film is 'moss', must be one of power, moes",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Processors without AVX2 take contacts with other code, made from the same formulas: same bits.
+That code calls the law part by part, where code for AVX2 has the laws of inputs/models inlined.
 
 The variable RACEWAY_NARROW_LANES asks for that code where there is AVX2 (docs/design).
 """
@@ -36,9 +37,18 @@ def test_the_variable_is_heeded():
 
 @pytest.mark.parametrize("integrator, step", [("implicit", 0), ("verlet", 2e-6)])
 @pytest.mark.parametrize(
-    "models, lubricant", [("paper", "mineral"), ("full", "vg46"), ("paper", "dry")]
+    "scene",
+    [
+        {"models": "paper"},
+        {"models": "film"},
+        {"models": "full", "lubricant": "vg46"},
+        {"models": "paper", "lubricant": "dry"},
+        {"models": "full", "spin_law": "slices", "without": "gap"},  # a set that nobody listed
+        {"models": "paper", "flaw_outer": "notch -1.5708 1.0e-3 full 1.0e-5 5.0e-5"},
+    ],
+    ids=lambda scene: "-".join(scene.values()).split()[0],
 )
-def test_same_bits(models, lubricant, integrator, step, tmp_path, monkeypatch):
+def test_same_bits(scene, integrator, step, tmp_path, monkeypatch):
     records = []
     for name in ("wide", "narrow"):
         if name == "narrow":
@@ -46,8 +56,7 @@ def test_same_bits(models, lubricant, integrator, step, tmp_path, monkeypatch):
         host.succeed(
             "inputs/in.6208",
             out=tmp_path / name,
-            models=models,
-            lubricant=lubricant,
+            **scene,
             integrator=integrator,
             step=step,
             rpm=4000,

@@ -5,6 +5,7 @@
 #include "../../src-package/implicit/bearing_step.h"
 #include "../../src-package/implicit/contact_rows.h"
 #include "../../src-package/implicit/lane_blocks.h"
+#include "../../src-package/physics/contact.h"
 
 #include <algorithm>
 
@@ -22,7 +23,7 @@ static RacewayPhysics outer_6208(double mu)
   p.groove = {Side::outer, 36.6e-3, 6.552e-3, 6.3e-3};
   p.model.lubricant = {0.04, 22e-9};
   p.ring_roughness = 1e-7;
-  p.parts = lubricated_parts;
+  p.parts = initial_parts(true);
   p.choose<ConstantFrictionPart>();
   p.choose<SmoothedFrictionPart>();
   p.of<ConstantFrictionPart>().mu = mu;
@@ -40,7 +41,8 @@ static ContactState contact(const double *s, double spin, double mu, double *fro
   const RingState ring = {{0, 0, 0}, {0, 0, 0}, {0, 0, spin}, {0, 0, 1}};
   ContactState c;
   if (!touch(p, ball.x, ring.e, c)) return c;
-  contact_forces<SmoothedLaw>(p, ball, ring, LawStates<double>(), c);
+  find_motions<SmoothedLaw::couples>(p, ball, ring, c);
+  SmoothedLaw::act(p, p.law.at(c.cos_angle), LawStates<double>(), c);
   if (frozen[0] < 0) {
     frozen[0] = c.damping;
     frozen[1] = c.mu;
@@ -71,7 +73,7 @@ static void lab_derivative(const ContactState &c, const RacewayPhysics &p, doubl
 {
   ContactState copy = c;
   ContactSlopesT<double, 3> slopes;
-  act_with_slopes<SmoothedLaw>(p, LawStates<double>(), follows, copy, slopes);
+  act_with_slopes(SmoothedLaw(), p, LawStates<double>(), follows, copy, slopes);
   ContactStateT<Lane> four;
   ContactSlopesT<Lane, 3> wide;
   four.u = {all_lanes(c.u.x), all_lanes(c.u.y), all_lanes(c.u.z)};
@@ -287,7 +289,7 @@ EXPORT(void, flawed_system,
         double matrix[54], double differences[54], double transposed[18]))
 {
   RacewayPhysics outer = outer_6208(0.0);
-  outer.parts = dry_parts;
+  outer.parts = initial_parts(false);
   outer.of<HysteresisPart>().alpha_e = 0.0;
   NotchShape shape = {0.7, notch[0], notch[1] > 0.0 ? notch[1] : HUGE_VAL, notch[2], notch[3]};
   const RacewayProfile profile({{shape}, {{31, 1e-6, 0.2}}, {}}, outer);
@@ -363,7 +365,7 @@ EXPORT(void, resting,
         double *error, double *overlap))
 {
   RacewayPhysics outer = outer_6208(0.0);
-  outer.parts = dry_parts;
+  outer.parts = initial_parts(false);
   outer.of<HysteresisPart>().alpha_e = 0.0;
   BearingModel model;
   model.bodies = {{1, 8.17e-3, 6.3e-3, true}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Capacitance with its surroundings, for test_physics_surroundings.py.
 #include "../../src-package/core/exports.h"
+#include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/film_capacitor.h"
 
 #include <chrono>
@@ -66,17 +67,6 @@ template <class T> void put(const FilmCapacitorT<T> &c, T *out)
   out[3] = c.outside;
 }
 }    // namespace
-
-EXPORT(double, permittivity_mean, (double ambient, double p))
-{
-  return mean_permittivity(ambient, p);
-}
-EXPORT(double, rough_factor, (double sigma_over_h)) { return rough_film_factor(sigma_over_h); }
-EXPORT(double, gap_beside, (double H))
-{
-  const GapBeside<double> beside(std::pow(H, 1.0 / 6));
-  return beside.up / beside.down;
-}
 
 // near and far side, m, around an ellipse of that semi-axis (m)
 EXPORT(void, groove_reach,

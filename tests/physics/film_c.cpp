@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film factors, film in the gap and film branch, for test_physics_film_*.py.
 #include "../../src-package/core/exports.h"
+#include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/contact_slopes.h"
 #include "../../src-package/physics/film_branch.h"
 #include "../../src-package/physics/film_factors.h"
@@ -58,7 +59,7 @@ Mask squeeze(const RacewayPhysics &p, const T &overlap, const T &speed, double s
   const T before = T();
   T after = T();
   ContactSlopesT<T, L::motions> slopes;
-  act_with_slopes<L>(p, LawStates<T>{0.0, &before, &after}, 1.0, c, slopes);
+  act_with_slopes(L(), p, LawStates<T>{0.0, &before, &after}, 1.0, c, slopes);
   slope = slopes.of[0][0];
   return open;
 }

@@ -2,7 +2,7 @@
 // Parts of rolling friction in a law whose contact a test describes by its motions, for
 // test_physics_rolling_friction.py.
 #include "../../src-package/core/exports.h"
-#include "../../src-package/physics/contact.h"
+#include "any_parts.h"
 
 using namespace raceway;
 
@@ -46,15 +46,12 @@ static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
   c.roll_w = in.roll_w;
   Resisted out = {};
   double after[4] = {};
-  with_law(parts, [&](auto law) {
-    using L = decltype(law);
-    if constexpr (L::states == 2 || L::states == 4) {
-      const RacewayConstants k = p.law.at(c.cos_angle);
-      L::act(p, k, LawStates<double>{in.dt, before, after}, c);
-      out.loss = L::loss(c);
-      out.a = k.a * c.root;
-      out.b = k.b * c.root;
-    }
+  with_parts(parts, [&](const auto &law) {
+    const RacewayConstants k = p.law.at(c.cos_angle);
+    law.act(p, k, LawStates<double>{in.dt, before, after}, c);
+    out.loss = law.loss(c);
+    out.a = k.a * c.root;
+    out.b = k.b * c.root;
   });
   for (int k = 0; k < 2; ++k) {
     out.states[k] = after[k];

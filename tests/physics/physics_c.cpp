@@ -2,12 +2,11 @@
 // The physics headers behind a C interface, for the tests in this folder (called by name through
 // physics_c.py, see src-package/core/exports.h). Every number, choices included, is a double.
 #include "../../src-package/core/exports.h"
-#include "../../src-package/physics/capacitance.h"
-#include "../../src-package/physics/contact.h"
 #include "../../src-package/physics/damped_hertz.h"
 #include "../../src-package/physics/rail.h"
 #include "../../src-package/physics/ring_body.h"
 #include "../../src-package/physics/step_limit.h"
+#include "any_parts.h"
 
 #include <algorithm>
 
@@ -22,7 +21,7 @@ RECORD(RacewayInput, double side, raceway_radius, groove_radius, ball_radius, ba
        lambda_2, hysteresis, ring_roughness, ball_roughness, film_floor, tangential_ratio,
        tangential_zeta, pitch_radius, ball_mass, overlap_limit, offset;)
 
-RECORD(FilmLaws, double min_lnA, min_p, min_m, central_lnA, central_p, central_m;)
+RECORD(FilmConstants, double min_lnA, min_p, min_m, central_lnA, central_p, central_m;)
 RECORD(Constants, double K, a, b, p, min_lnA, min_p, min_m, central_lnA, central_p, central_m,
        film_damper;)
 RECORD(Derived, double centre_circle, slack, largest_overlap, roughness, inverse_roughness, floor,
@@ -66,7 +65,7 @@ static RacewayPhysics raceway_from(const RacewayInput &in)
   return p;
 }
 
-static void put(const FilmPair &f, FilmLaws *out)
+static void put(const FilmPair &f, FilmConstants *out)
 {
   out->min_lnA = f.min.lnA;
   out->min_p = f.min.p;
@@ -187,7 +186,7 @@ EXPORT(void, hertz, (double Rx, double Ry, double Eprime, double form, Hertz *ou
 // ---- film.h
 EXPORT(void, film,
        (double model, double kappa, double viscosity, double xi, double Eprime, double Rx,
-        FilmLaws *out))
+        FilmConstants *out))
 {
   put(film_laws(FilmModel(int(model)), kappa, {viscosity, xi}, Eprime, Rx), out);
 }
@@ -224,18 +223,6 @@ EXPORT(void, groove_locate,
   out->s = g.s;
   out->nu = g.nu;
   out->ne = g.ne;
-}
-
-// ---- capacitance.h
-EXPORT(double, oil_density, (double p)) { return density_ratio(p); }
-EXPORT(double, permittivity, (double ambient, double p)) { return permittivity_at(ambient, p); }
-EXPORT(double, plate_capacitance, (double eps_r, double a, double b, double h))
-{
-  return contact_capacitance(eps_r, a, b, h);
-}
-EXPORT(double, ball_capacitance, (double inner, double outer))
-{
-  return series_capacitance(inner, outer);
 }
 
 // ---- damped_hertz.h
@@ -346,13 +333,14 @@ EXPORT(void, contact,
                     Vec3::from(ring->e)};
   ContactState c;
   touch(*p, b.x - r.x, r.e, c);
-  const unsigned film = lubricated_parts & ~dry_parts;
+  const unsigned film = initial_parts(true) & ~initial_parts(false);
   const unsigned parts = with_film != 0.0 ? p->parts | film : p->parts & ~film;
   ContactForces f;
-  with_law(parts, [&](auto law) {
-    using L = decltype(law);
+  with_parts(parts, [&](const auto &law) {
     double after[most_states] = {xi[0], xi[1]};
-    f = contact_forces<L>(*p, b, r, LawStates<double>{dt, xi, after}, c);
+    approach(law, *p, b, r, c);
+    law.act(*p, p->law.at(c.cos_angle), LawStates<double>{dt, xi, after}, c);
+    f = assemble<std::decay_t<decltype(law)>::couples>(*p, r.e, c);
     std::copy(after, after + 2, xi);
   });
   put(c, state);

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from physics_c import BALL, INNER, OIL, OUTER, PITCH
 from raceway import capacitance_outside, groove_width, hertz
+from raceway.core import laws
 from raceway.theory.bearing import Bearing
 from raceway.theory.groove_width import HalfWidths
+from references import surroundings as reference
 from scipy.constants import epsilon_0
 from scipy.integrate import quad
 from scipy.optimize import brentq
@@ -182,8 +184,9 @@ def test_t3_rigid_surfaces(physics, side, exact):
 
 @pytest.mark.parametrize("size", [{}, SMALL, TINY], ids=["12.6 mm", "7.9 mm", "4.0 mm"])
 @pytest.mark.parametrize("side", [INNER, OUTER])
-def test_rigid_surfaces_are_those_of_python(physics, size, side):
-    """At plays less and more than that of concentric circles, and there."""
+def test_closed_forms_in_40_digits(physics, size, side):
+    """Rigid at plays less and more than that of concentric circles, and there; loaded at films from
+    thin to thick."""
     ball = size.get("ball_radius", BALL)
     raceway = physics.raceway(**(size | dict(side=side, groove_radius=1.01 * ball)))
     edge = reach(physics, raceway, 0.36 * ball)[0]
@@ -191,9 +194,17 @@ def test_rigid_surfaces_are_those_of_python(physics, size, side):
     r_x, r_y = ball * (1 - gamma if side == INNER else 1 + gamma), ball * 101
     ellipse, widths = hertz.exact(r_x, r_y), HalfWidths(edge, edge)
     for play in 0.01 * ball * np.array([0.01, 0.3, 0.999, 1.0, 1.001, 1.7]):
-        found = integral(physics, raceway, 0, play, edge)
-        exact = capacitance_outside.rigid(ellipse, r_x, ball, 1.01 * ball, play, widths)
-        assert found == pytest.approx(exact, rel=1e-7), play
+        exact = reference.rigid(r_x, r_y, 0.01 * ball, play, play, edge)
+        package = capacitance_outside.rigid(ellipse, r_x, ball, 1.01 * ball, play, widths)
+        assert integral(physics, raceway, 0, play, edge) == pytest.approx(exact, rel=1e-7), play
+        assert package == pytest.approx(exact, rel=1e-7), play
+    modulus = 210e9 / 0.91
+    for load in np.array([0.1, 30, 900]) * (ball / BALL) ** 2:
+        for h in (20e-9, 200e-9, 2e-6):
+            exact = reference.loaded(r_x, r_y, modulus, load, h, edge)
+            package = capacitance_outside.loaded(ellipse, modulus, r_x, load, h, widths)
+            assert integral(physics, raceway, load, h, edge) == pytest.approx(exact, rel=1e-11)
+            assert package == pytest.approx(exact, rel=1e-11)
 
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
@@ -211,9 +222,9 @@ def test_rigid_form_is_that_of_two_parabolas(physics, side):
     [(1e-3, 33.816), (1e-2, 14.909), (0.1, 6.2766), (1, 2.4636), (10, 0.89114), (100, 0.30126)]
     + [(1e3, 0.097902), (1e-9, 3.5501e3), (1e9, np.pi * 10**-4.5)],
 )
-def test_t4_beside_the_ellipse(physics, h, exact):
+def test_t4_beside_the_ellipse(h, exact):
     """The quadrature's values, and the limits 3.5501 H^(-1/3) and pi H^(-1/2)."""
-    assert physics.call("gap_beside", H=h) == pytest.approx(exact, rel=0.002 if h > 1e-8 else 0.006)
+    assert capacitance_outside.beside(h) == pytest.approx(exact, rel=0.002 if h > 1e-8 else 0.006)
 
 
 @pytest.mark.parametrize("side", [INNER, OUTER])
@@ -311,12 +322,12 @@ def test_plates_are_those_without_surroundings(physics):
 
 @pytest.mark.parametrize("ambient", [1.0, 2.2, 4.0, 9.9])
 @pytest.mark.parametrize("pressure", [0.0, 1e3, 2e7, 1e8, 1.5e9, 4e9])
-def test_mean_permittivity(physics, ambient, pressure):
+def test_mean_permittivity(ambient, pressure):
     def ring(q):
-        return 2 * q * physics.call("permittivity", ambient, pressure * q)
+        return 2 * q * laws.permittivity(ambient, pressure * q)
 
     exact = quad(ring, 0, 1, epsabs=1e-13, epsrel=1e-13)[0]
-    assert physics.call("permittivity_mean", ambient, pressure) == pytest.approx(exact, rel=1e-10)
+    assert laws.mean_permittivity(ambient, pressure) == pytest.approx(exact, rel=1e-10)
 
 
 @pytest.mark.parametrize("at, eps", [(0, 2.654), (1, 2.578), (2, 2.593)])
@@ -331,11 +342,11 @@ def test_where_the_permittivity_is_taken(physics, at, eps):
 
 
 def test_t12_rough_films(physics):
-    factors = [physics.call("rough_factor", 1 / x) for x in (3, 4, 5, 6, 10, 2.5)]
+    factors = [laws.rough_film_factor(1 / x) for x in (3, 4, 5, 6, 10, 2.5)]
     known = [1.125, 1.0667, 1.0417, 1.0286, 1.0101, 25 / 21]
     np.testing.assert_allclose(factors, known, atol=5e-5)
-    assert physics.call("rough_factor", 0.0) == 1
-    assert physics.call("rough_factor", 1 / 0.3) == pytest.approx(25 / 21)
+    assert laws.rough_film_factor(0.0) == 1
+    assert laws.rough_film_factor(1 / 0.3) == pytest.approx(25 / 21)
     raceway = physics.raceway(**OIL)
     smooth, rough = (capacitors(physics, raceway, [1e-5], rough=r) for r in (0, 1))
     film_parameter = smooth[0] / 50e-9  # 40 nm and 30 nm

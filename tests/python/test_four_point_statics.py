@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway static` of four-point contact bearings against the statics of one groove a ring."""
+"""Figures of four-point contact and double row bearings against those of one groove a ring."""
 
 import json
 from dataclasses import replace
@@ -7,9 +7,20 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from raceway import inputs, life, lubrication, operating_point, ring_response
+from raceway import (
+    catalogue,
+    inputs,
+    life,
+    lubrication,
+    operating_point,
+    ring_response,
+    shaft,
+    static,
+)
 from raceway.cli import main
-from raceway.theory.bearing import Layout
+from raceway.export import rotor
+from raceway.theory.beam import Section, Steel
+from raceway.theory.bearing import DoubleRow, Layout
 from raceway.theory.small_motion import response
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -168,3 +179,60 @@ def test_bad_files(stated):
     path.write_text(path.read_text().replace("four_point index 35", "four_point index 2"))
     with pytest.raises(inputs.InputError, match="four_point = 2 degrees must lie between 5 and 60"):
         operating_point.figures(stated, axial=100.0)
+
+
+def test_stiffness_of_two_rows_and_four_points():
+    """Rows far apart share a radial load and a thrust; tilts turn each about the other. Four points
+    under a thrust are one groove of each ring, also in a table for rotor programs."""
+    apart, oil = 0.2, {"lubricant": "vg46", "phases": 2}
+    rows = DoubleRow(apart, 0.0, "back_to_back")
+    (two,) = rotor.points("6208", 1000.0, 1000.0, double_row=rows, clearance=-5e-6, **oil)
+    (half,) = rotor.points("6208", 500.0, 1000.0, clearance=-5e-6, **oil)
+    for found, want in zip(two.over.mean, half.over.mean):
+        assert np.diag(found)[:3] == pytest.approx(2 * np.diag(want)[:3], rel=1e-6)
+        tilt = 2 * (want[1, 1] * (apart / 2) ** 2 + want[3, 3])
+        assert found[3, 3] == pytest.approx(tilt, rel=1e-6)
+    held = {"clearance": PLAY, "axial": 1000.0, **oil}
+    (four,) = rotor.points("6208", 0.0, RPM, four_point=ANGLE, folder=ROOT / "inputs", **held)
+    (single,) = rotor.points(body(), 0.0, RPM, **held)
+    beside = OF_6208.four_point(ANGLE).layout.inner[0][1]  # m, of the groove that carries
+    turn = np.eye(5)
+    turn[0, 4], turn[1, 3] = beside, -beside
+    for found, want in zip(four.over.mean, single.over.mean):
+        assert np.diag(found) == pytest.approx(np.diag(turn.T @ want @ turn), rel=1e-6)
+
+
+def test_two_rows_live_as_the_standard_says():
+    """C of two rows is 2^0.7 times that of one (ISO 281). Twice the load on both: each row lives
+    as one does, and both together 2^-0.9 times as long."""
+    options = {"held": {"rx": 0.0, "ry": 0.0}, "folder": ROOT / "inputs"}
+    one = operating_point.figures("6208", load=1000.0, **options)
+    two = operating_point.figures("6208", load=2000.0, double_row=DoubleRow(0.02), **options)
+    assert two["q_inner_max_N"] == pytest.approx(one["q_inner_max_N"], rel=1e-6)
+    ratio = two["life_reference_Mrev"] / one["life_reference_Mrev"]
+    assert ratio == pytest.approx(2**-0.9, rel=1e-6)
+    assert len(two["balls"]) == 18 and two["row_spacing_m"] == 0.02
+
+
+def test_four_points_on_a_shaft():
+    """`raceway shaft` takes them by their file: a short stiff shaft on one is its statics."""
+    four = inputs.bearing(catalogue.find("bearings", "QJ208"))
+    beam = shaft.Shaft([Section(0.02, 0.2)], Steel(young=2.1e14))
+    loads = [shaft.Load(0.01, (500.0, 0.0, 1000.0), (2.0, 1.0))]
+    (carried,) = shaft.rest(beam, [shaft.Seat(0.01, four)], loads).bearings
+    want = static.equilibrium(four, 500.0, 1000.0, moment=(2.0, 1.0))
+    assert carried.place == pytest.approx([*want.shift, *want.tilt], rel=1e-6)
+    assert carried.state.inner.load == pytest.approx(want.inner.load, rel=1e-6, abs=1e-6)
+
+
+def test_heat_command(capsys, monkeypatch):
+    """Statics at the steady temperature makes the heat that is carried away, at both rings."""
+    monkeypatch.chdir(ROOT)
+    arguments = ["--bearing", "7208", "--double-row", "0.018", "--preload", "5e-6", "--load", "500"]
+    cooling = ["--nodes", "1", "1", "1", "--rpm", "1000", "--json"]
+    assert main(["heat", *arguments, *cooling]) == 0
+    found = json.loads(capsys.readouterr().out)
+    rises = [found[f"temperature_{part}_C"] - 20 for part in ("inner", "outer")]
+    assert sum(rises) == pytest.approx(found["power_loss_W"], rel=5e-3)
+    with pytest.raises(SystemExit):
+        main(["heat", "--load", "1", "--rpm", "1000", "--preload", "5e-6"])

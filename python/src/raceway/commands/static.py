@@ -139,19 +139,7 @@ def add(commands: Commands) -> None:
         default="paper",
         help="paper: as the publication; full: film in the gap, inlet shear, friction torque",
     )
-    one.add_argument(
-        "--spin-law",
-        choices=("closed", "slices"),
-        default="closed",
-        help="of the friction torque: closed adds pure spin to slip, slices takes both together",
-    )
-    one.add_argument(
-        "--film-friction",
-        type=number(0, 0.2, ""),
-        metavar="MU",
-        help="of the friction torque: the film's coefficient, 0.05 in a run with the models full"
-        " (Eyring's stress with its limit)",
-    )
+    options.friction(one)
     one.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,

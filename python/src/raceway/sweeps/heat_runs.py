@@ -92,6 +92,7 @@ def _variables(case, temperature, clearance, more):
         "clearance": f"{clearance:.4e}",
         "temperature": f"{temperature:.2f}",
         "models": "full",
+        **({} if case.spin_law == "closed" else {"spin_law": case.spin_law}),
         **({} if angle is None else {"four_point": f"{math.degrees(angle):.9g}"}),
         **more,
     }

@@ -5,16 +5,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 
-VACUUM = 8.8541878128e-12  # F/m
+VACUUM = float(laws.vacuum_permittivity())  # F/m
 PERMITTIVITY_AT = ("maximum", "mean", "two_thirds")
-MEAN, MEAN_WEIGHT = np.polynomial.legendre.leggauss(8)
-MEAN = (1 + MEAN) / 2  # on 0 to 1, where the weights add up to one half
 
 
 def density_ratio(pressure: Numbers) -> Numbers:
     """rho/rho_0 of a lubricant under `pressure` in Pa (eq 11, Dowson-Higginson)."""
-    return (0.59e9 + 1.34 * pressure) / (0.59e9 + pressure)
+    return laws.density_ratio(pressure)
 
 
 def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
@@ -29,21 +28,7 @@ def permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
     """
     if np.any(np.asarray(ambient) < 1):
         raise ValueError(f"permittivity = {ambient} must be one or more")
-    try:
-        return permittivity_at(ambient, density_ratio(pressure))
-    except ValueError:
-        raise ValueError(
-            f"permittivity = {ambient} is too large for Clausius-Mossotti at {pressure} Pa"
-        ) from None
-
-
-def permittivity_at(ambient: Numbers, ratio: Numbers) -> Numbers:
-    """Relative permittivity where the density is `ratio` times that which has `ambient`: (e - 1)/(e
-    + 2) in proportion to the density (eq 10). Raises `ValueError` where none follows."""
-    x = (ambient - 1) / (ambient + 2) * ratio
-    if np.any(x >= 1):
-        raise ValueError(f"permittivity = {ambient} is too large at {ratio} times its density")
-    return (1 + 2 * x) / (1 - x)
+    return _finite(laws.permittivity(ambient, pressure), ambient, pressure)
 
 
 def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
@@ -53,9 +38,8 @@ def mean_permittivity(ambient: Numbers, pressure: Numbers) -> Numbers:
     >>> print(f"{mean_permittivity(2.2, 1.5e9):.3f}, at its largest {permittivity(2.2, 1.5e9):.3f}")
     2.578, at its largest 2.654
     """
-    # p = pressure sqrt(1 - r^2): with u for the root, the area is 2 u du
-    parts = [w * u * permittivity(ambient, pressure * u) for u, w in zip(MEAN, MEAN_WEIGHT)]
-    return sum(parts[1:], parts[0])
+    permittivity(ambient, pressure)  # raises
+    return laws.mean_permittivity(ambient, pressure)
 
 
 def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") -> Numbers:
@@ -71,7 +55,7 @@ def film_permittivity(ambient: Numbers, pressure: Numbers, at: str = "maximum") 
 
 def contact(ambient: Numbers, pressure: Numbers, a: Numbers, b: Numbers, h_c: Numbers) -> Numbers:
     """eps_0 eps_r(p) pi a b/h_c of one contact; `pressure` in Pa, lengths in m (eq 8)."""
-    return VACUUM * permittivity(ambient, pressure) * np.pi * a * b / h_c
+    return laws.contact_capacitance(permittivity(ambient, pressure), a, b, h_c)
 
 
 def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
@@ -80,12 +64,17 @@ def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
     >>> ball([3e-10, 3e-10], [6e-10, 0.0]).tolist()
     [2e-10, 0.0]
     """
-    inner, outer = np.asarray(inner, dtype=float), np.asarray(outer, dtype=float)
-    both = (inner > 0) & (outer > 0)
-    total = np.where(both, inner + outer, 1.0)
-    return np.where(both, inner * outer / total, 0.0)[()]
+    return laws.series_capacitance(inner, outer)
 
 
 def bearing(inner: ArrayLike, outer: ArrayLike, background: float = 0.0) -> Numbers:
     """All balls in parallel, F, over the last axis (eq 12), plus `background` when asked."""
     return np.sum(ball(inner, outer), axis=-1) + background
+
+
+def _finite(found, ambient, pressure):
+    if not np.all(found > 0):
+        raise ValueError(
+            f"permittivity = {ambient} is too large for Clausius-Mossotti at {pressure} Pa"
+        )
+    return found

@@ -6,34 +6,15 @@ Numbers or arrays of one shape, SI units. All formulas are derived on docs/elect
 `capacitance_exact` has the integrals that they stand for.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from raceway.arrays import Numbers
+from raceway.core import laws
 from raceway.theory import hertz
 from raceway.theory.groove_width import HalfWidths
 
 FILLS = ("flooded", "cavitated", "dry")
 SMALLEST_KAPPA = 1.0  # the fits of beside and beyond are for ellipses across the groove
-
-
-class Gap(NamedTuple):
-    """The gap around a loaded contact in its own measures."""
-
-    scale: Numbers  # g_s = overlap/F, m
-    a: Numbers  # m, across the groove
-    b: Numbers  # m, along rolling
-
-
-def gap(ellipse: hertz.Ellipse, modulus: float, load: Numbers) -> Gap:
-    """`Gap` of a contact under `load` in N with E' = `modulus` in Pa. Raises `ValueError` for a
-    load that is not positive."""
-    if not np.all(np.asarray(load) > 0):
-        raise ValueError(f"load = {load} N must be positive: a contact without load is rigid")
-    a, b = hertz.semi_axes(ellipse, modulus, load)
-    overlap = (load / hertz.stiffness(ellipse, modulus)) ** (2 / 3)
-    return Gap(overlap / ellipse.first, a, b)
 
 
 def beside(ratio: Numbers) -> Numbers:
@@ -43,28 +24,13 @@ def beside(ratio: Numbers) -> Numbers:
     >>> [round(float(beside(h)), 3) for h in (1e-3, 1.0, 1e3)]
     [33.802, 2.462, 0.098]
     """
-    x = np.asarray(ratio, float) ** (1 / 6)
-    bend = 0.88494 * (1 - 0.12025 * x) / (1 + x * (0.95409 + 0.86606 * x))
-    return np.pi / (x * x * (x + bend))
+    return laws.gap_beside(ratio)
 
 
 def beyond(ratio: Numbers, kappa: Numbers, reach: Numbers) -> Numbers:
     """P: the gap beyond one end of the ellipse, the integral of dy/sqrt(H + E(y)) in units of a
     from 1 to `reach` = S/a; zero where the ellipse fills the groove. H = h/g_s = `ratio`."""
-    ratio, reach = np.asarray(ratio, float), np.asarray(reach, float)
-    length = np.log(4 * kappa)
-    excess = length - 1
-    x = ratio ** (1 / 6)
-    start = (
-        np.sqrt(ratio)
-        + np.sqrt(excess)
-        - 1 / (-1.254 + 0.4523 * length + x * (4.773 + x * (-3.520 + 3.690 * x)))
-    )
-    room = reach > 0
-    s = np.where(room, reach, 1.0)
-    root = np.sqrt(np.maximum(excess * s * s + ratio - length + 2 / (3 * s), 0.0))
-    value = np.log((np.sqrt(excess) * s + root) / start) / np.sqrt(excess)
-    return np.where(room, np.maximum(value, 0.0), 0.0)[()]
+    return laws.gap_beyond(ratio, kappa, reach)
 
 
 def loaded(
@@ -90,11 +56,9 @@ def loaded(
     _positive("separation", separation)
     if np.any(np.asarray(ellipse.kappa) < SMALLEST_KAPPA):
         raise ValueError(f"kappa = {ellipse.kappa} must be {SMALLEST_KAPPA:g} or more")
-    around = gap(ellipse, modulus, load)
-    ratio = separation / around.scale
-    end = sum(beyond(ratio, ellipse.kappa, width / around.a) for width in widths) / 2
-    factor = 4 * ellipse.kappa * ellipse.second * ellipse.radius
-    return factor * (beside(ratio) + np.pi * end * np.sqrt(2 * r_x * around.scale) / around.b)
+    if not np.all(np.asarray(load) > 0):
+        raise ValueError(f"load = {load} N must be positive: a contact without load is rigid")
+    return laws.gap_loaded(*ellipse, modulus, r_x, load, separation, *widths)
 
 
 def rigid(
@@ -121,16 +85,9 @@ def rigid(
     656.3
     """
     _positive("separation", separation)
-    across = ellipse.kappa**2 * ellipse.second * ellipse.radius / (np.log(4 * ellipse.kappa) - 1)
     closer = np.asarray(separation if play is None else play, float)
-    curve = 1 - closer / (groove - ball_radius)  # over 1/across
-    size = np.maximum(np.abs(curve), 1e-9) / across  # the limit is straight
-    mean = 0.0
-    for width in widths:
-        reach = np.maximum(width, 0.0) * np.sqrt(size / (2 * separation))
-        turn = np.where(curve > 0, np.arcsinh(reach), np.arcsin(np.minimum(reach, 1.0)))
-        mean = mean + turn / 2
-    return (4 * np.pi * np.sqrt(r_x / size) * mean)[()]
+    flatness = 1 - closer / (groove - ball_radius)
+    return laws.gap_open(*ellipse, r_x, separation, flatness, *widths)
 
 
 def fill(permittivity: Numbers, kind: str = "flooded", outlet: float = 1.0) -> Numbers:

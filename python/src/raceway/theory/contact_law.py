@@ -49,6 +49,8 @@ class FilmInGap:
     spin: float  # of the inner ring, rad/s
     starvation: float = 1.0  # factor on the thickness
     share: float = 1.0  # zeta
+    # (C, Z), m/s; that of rolling at each contact's angle unless given
+    entrainment: Floats | None = None
 
     def factor(self, speed: Numbers) -> Numbers:
         """phi_T of Murch and Wilson times the starvation factor, at u in m/s."""
@@ -68,7 +70,9 @@ class FilmInGap:
         )
         r_x, r_y = radii[:, 0], radii[:, 1]
         kappa = hertz.ellipticity(r_y / r_x)
-        speed = kinematics.entrainment(bearing, self.spin, angle)
+        speed = self.entrainment
+        if speed is None:
+            speed = kinematics.entrainment(bearing, self.spin, angle)
         exponent, cut = film.load_exponent(kappa), film_gap.CUT
         thickness = film_gap.power_law(
             self.fluid.viscosity,

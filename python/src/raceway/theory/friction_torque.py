@@ -2,7 +2,8 @@
 """Friction torque of a bearing at rest in its loads: the power each contact loses while its balls
 roll freely, by part, over the speed of the ring.
 
-rolling     hydrodynamic, 2 f u times the factors of inlet shear and starvation (`rolling`)
+rolling     hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and
+            starvation (`rolling`)
 slip        differential slip in free rolling: Eyring's stress with its limit in the film's share of
             the load, Coulomb's with the boundary coefficient in the asperities' (`sliding`)
 spin        about the contact normals, at the raceway that holds the ball less (`spin`); or, with
@@ -10,12 +11,10 @@ spin        about the contact normals, at the raceway that holds the ball less (
 hysteresis  of the steel (`rolling`)
 drag        of the balls in oil and air (`drag`)
 
-A ball with more than two contacts cannot roll on all of them. It moves so that all of them together
-lose least, which is the balance of Coulomb's forces and moments on it.
+A ball with more than two contacts cannot roll on all of them (`ball_motion`).
 """
 
 from dataclasses import dataclass
-from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +23,7 @@ from scipy.optimize import brentq, root
 from raceway.arrays import Floats
 from raceway.theory import (
     asperity,
+    ball_motion,
     drag,
     film_factors,
     hertz,
@@ -165,17 +165,22 @@ def _pressed(bearing, contacts, films, friction, clearance):
     return _Pressed(*(np.array(part) for part in zip(*rows)))
 
 
-def starvation(boundary: makers.Boundary, fluid: Fluid, ring: float) -> float:
-    """SKF's phi_rs of a bearing with an oil bath or jet, the inner ring at `ring` rad/s."""
-    rpm = abs(ring) * 30 / np.pi
-    return float(makers.skf(boundary, 1.0, 0.0, rpm, fluid.kinematic).starvation)
+def surfaces(
+    boundary: makers.Boundary | None, fluid: Fluid, ring: float, film: float | None = None
+) -> Surfaces:
+    """`Surfaces` with the coefficient `film` and SKF's starvation factor of a bearing with an oil
+    bath or jet, the inner ring at `ring` rad/s; without its `boundary` dimensions none."""
+    if boundary is None:
+        return Surfaces(film=film)
+    found = makers.skf(boundary, 1.0, 0.0, abs(ring) * 30 / np.pi, fluid.kinematic)
+    return Surfaces(film=film, starvation=float(found.starvation))
 
 
 def _one(bearing, side, contact, film, fluid, clearance, surfaces):
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     load, a, b = contact.load[live], contact.a[live], contact.b[live]
-    speed, h_c = film.entrainment[live], film.h_c[live]
+    speed, turns, h_c = film.entrainment[live], film.rolling[live], film.h_c[live]
     r_x, r_y = bearing.effective_radii(side, contact.angle[live], clearance)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
     force = rolling.hydrodynamic(fluid.viscosity, bearing.effective_modulus, r_x, r_y, speed, load)
@@ -192,9 +197,9 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces):
         smooth = surfaces.film * unit
     slid = traction.mixed(share, surfaces.boundary * unit, np.array(smooth))
     values[:, live] = (
-        2 * force * speed * factor,
+        2 * force * turns * factor,
         slid,
-        rolling.hysteresis(load, b, surfaces.loss) * speed / r_x,
+        rolling.hysteresis(load, b, surfaces.loss) * turns / r_x,
         share,
         slid / unit,
     )
@@ -276,29 +281,16 @@ def _together(both, rates, ball):
 
 
 def _several(bearing, one, sides, ring, spin_law):
-    """(slip, spin) of one ball with more than two contacts (C,), powers at each.
-
-    The ball's rotation and its orbit are free. Sliding beyond free rolling and spin of the contacts
-    are linear in these three. The least of Coulomb's powers is where three of them are 0.
-    """
-    radius, pitch = bearing.ball_radius, bearing.pitch_radius
-    out = np.where(sides == INNER, -1.0, 1.0)
-    radial, axial = out * np.cos(one.angle), out * np.sin(one.angle)  # from ball to raceway
-    turning = np.where(sides == INNER, ring, 0.0)
-    # by rotation (radial, axial) in rad/s and speed of the ball's centre in m/s
-    slides = np.stack([-radius * axial, radius * radial, np.ones(len(sides))], 1)
-    spins = np.stack([radial, axial, np.zeros(len(sides))], 1)
-    with_ring = turning * (pitch + radius * radial), turning * axial
-    lines, goal = np.concatenate([slides, spins]), np.concatenate(with_ring)
+    """(slip, spin) of one ball with more than two contacts (C,), powers at each, as it moves by
+    `ball_motion`; by slices, where the forces and moments of both together balance."""
+    lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
     limit = one.friction * one.load
     weight = np.concatenate([limit, one.spin_moment])
-    triples = np.array(list(combinations(range(len(goal)), 3)))
-    size = np.array([radius, radius, 1.0])
-    regular = np.abs(np.linalg.det((lines / size)[triples])) > 1e-6
-    tried = np.linalg.solve(lines[triples[regular]], goal[triples[regular]][..., None])[..., 0]
-    motion = tried[np.argmin(np.abs(tried @ lines.T - goal) @ weight)]
+    motion = ball_motion.least(lines, goal, weight, bearing.ball_radius)
     free = sliding.free_slip(one.speed, one.a, one.r_d, one.r_x)
-    way = -out * np.sign(ring)  # of the ball's surface past the contact
+    # of the ball's surface past the contact
+    way = np.where(sides == INNER, 1.0, -1.0) * np.sign(ring)
+    size = np.array([bearing.ball_radius, bearing.ball_radius, 1.0])
 
     def rates(motion):
         slide, rate = np.split(lines @ motion - goal, 2)

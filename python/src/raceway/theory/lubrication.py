@@ -2,19 +2,20 @@
 """Film and capacitance of a bearing at rest in its loads and rolling without slip: statics,
 kinematics and film together.
 
-Each contact has the entrainment speed of pure rolling at its own contact angle
-(`kinematics.entrainment`), the film of its elastic load after Masjedi and Khonsari (eqs 6, 7, 9)
-and the capacitance of eqs 8, 10-12.
+Each contact has the entrainment speed of pure rolling at its own contact angle, or of how its ball
+moves on several grooves (`ball_motion`), the film of its elastic load after Masjedi and Khonsari
+(eqs 6, 7, 9) and the capacitance of eqs 8, 10-12.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from raceway.arrays import Floats
 from raceway.inputs import Oil
-from raceway.theory import capacitance, film, hertz, kinematics
+from raceway.theory import ball_motion, capacitance, film, hertz, kinematics
 from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Equilibrium, equilibrium
 
@@ -27,6 +28,7 @@ class Film(NamedTuple):
     h_c: Floats  # m
     ratio: Floats  # Lambda
     capacitance: Floats  # F
+    rolling: Floats  # m/s, as `ball_motion.speeds` has it
 
 
 class Lubrication(NamedTuple):
@@ -60,20 +62,24 @@ def lubricate(
     >>> round(1e12 * float(films.total), 1)  # pF
     303.5
     """
+    speeds = np.array(ball_motion.speeds(bearing, spin, state))
+    inner = bearing.raceways.count(INNER)
     sides = [
-        _film(bearing, side, contact, oil, spin, clearance, factor)
-        for side, contact in ((INNER, state.inner), (OUTER, state.outer))
+        _film(bearing, side, contact, own.reshape(2, *contact.load.shape), oil, clearance, factor)
+        for side, contact, own in (
+            (INNER, state.inner, speeds[:, :inner]),
+            (OUTER, state.outer, speeds[:, inner:]),
+        )
     ]
     ball = capacitance.ball(*(np.atleast_2d(side.capacitance).sum(0) for side in sides))
     return Lubrication(*sides, ball, float(np.sum(ball)))
 
 
-def _film(bearing, side, contact, oil, spin, clearance, factor):
+def _film(bearing, side, contact, speeds, oil, clearance, factor):
     live = contact.load > 0
-    values = np.zeros((5, *live.shape))
-    angle = contact.angle[live]
+    values = np.zeros((6, *live.shape))
+    angle, (speed, rolling) = contact.angle[live], speeds[:, live]
     r_x, r_y = bearing.effective_radii(side, angle, clearance)
-    speed = kinematics.entrainment(bearing, spin, angle)
     group = film.group(
         oil.viscosity,
         oil.pressure_viscosity,
@@ -88,7 +94,7 @@ def _film(bearing, side, contact, oil, spin, clearance, factor):
     electric = capacitance.contact(
         oil.permittivity, contact.pressure[live], contact.a[live], contact.b[live], h_c
     )
-    values[:, live] = speed, h_min, h_c, film.ratio(h_min, oil.roughness), electric
+    values[:, live] = speed, h_min, h_c, film.ratio(h_min, oil.roughness), electric, rolling
     return Film(*values)
 
 
@@ -112,12 +118,18 @@ def turning(
 ) -> tuple[Equilibrium, float | Floats]:
     """(`Equilibrium`, `orbit` in rad/s) with the centrifugal load of balls that roll at `spin`
     rad/s of the inner ring; loads and options as those of `static.equilibrium`. The contact angles
-    decide the speed and the speed the angles.
+    decide the speed and the speed the angles. Likewise for the film in the gap of several grooves.
     """
-    speed = spin * kinematics.frequencies(bearing).cage
+    speed, film = spin * kinematics.frequencies(bearing).cage, options.get("film")
     for _ in range(30):
         state = equilibrium(bearing, *loads, orbital_speed=speed, **options)
         before, speed = speed, orbit(bearing, state, spin)
-        if np.all(np.abs(speed - before) <= 1e-9 * abs(spin)):
+        same = np.all(np.abs(speed - before) <= 1e-9 * abs(spin))
+        if film is not None and len(bearing.raceways) > 2:
+            drawn, _ = ball_motion.speeds(bearing, spin, state)
+            known = options["film"].entrainment
+            same = same and known is not None and np.allclose(drawn, known, rtol=1e-6, atol=0)
+            options["film"] = replace(film, entrainment=drawn)
+        if same:
             break
     return state, before

@@ -137,9 +137,12 @@ def turning_ring(
     _, orbit = turning(bearing, spin, load, axial, **options)
 
     def at(phase):
-        state = equilibrium(
-            bearing, load, axial, phase=phase, orbital_speed=orbit, film=film, **options
-        )
+        if film is not None and len(bearing.raceways) > 2:  # its balls draw the oil in otherwise
+            state, _ = turning(bearing, spin, load, axial, phase=phase, film=film, **options)
+        else:
+            state = equilibrium(
+                bearing, load, axial, phase=phase, orbital_speed=orbit, film=film, **options
+            )
         if oil is None or not spin:
             return response(state.linear, 0.0, frequency)
         films = lubricate(bearing, state, oil, spin, clearance, film and film.factor)

@@ -11,9 +11,8 @@ import numpy as np
 from scipy.special import ndtr
 
 from raceway.arrays import Numbers
-from raceway.theory.film_factors import rough_capacitance
+from raceway.core import laws
 
-GAMMA_FROM = 2.5  # L from which the gamma film is good; below, gaps are closed
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
 HIGHEST = 8.0  # sigmas above the mean that count
 
@@ -32,7 +31,7 @@ def factor(ratio: Numbers) -> Numbers:
     >>> [round(float(factor(L)), 4) for L in (3.0, 10.0)]
     [1.125, 1.0101]
     """
-    return rough_capacitance(np.maximum(ratio, GAMMA_FROM))
+    return laws.rough_film_factor(1 / np.asarray(ratio))
 
 
 def gauss_cut(ratio: Numbers, cut: float = 3.0) -> Numbers:

@@ -21,7 +21,6 @@ from raceway.rows import Row, lines
 from raceway.theory import friction_torque, heat, makers
 from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubricant import Lubricant
 from raceway.theory.lubrication import lubricate, turning
 
@@ -97,11 +96,15 @@ class Scene:
         axial: float,
         rpm: float,
         density: float = 7800.0,
+        spin_law: str = "closed",
+        film_friction: float | None = None,
     ) -> None:
-        """`roughness` is composite, m; `density` of the balls in kg/m^3."""
+        """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
+        `film_friction` are those of `operating_point.figures`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
+        self.spin_law, self.film_friction = spin_law, film_friction
         self.share = 1.0  # of the friction that the laws give; `by_runs` sets it
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
@@ -122,12 +125,16 @@ class Scene:
             fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
         )
         films = lubricate(self.bearing, state, oil, ring, clearance, film.factor)
-        surfaces = Surfaces()
-        if self.boundary is not None:
-            starved = friction_torque.starvation(self.boundary, fluid, ring)
-            surfaces = Surfaces(starvation=starved)
         losses = friction_torque.losses(
-            self.bearing, state, films, fluid, ring, orbit, clearance=clearance, surfaces=surfaces
+            self.bearing,
+            state,
+            films,
+            fluid,
+            ring,
+            orbit,
+            clearance=clearance,
+            surfaces=friction_torque.surfaces(self.boundary, fluid, ring, self.film_friction),
+            spin_law=self.spin_law,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
         inner = self.bearing.raceways.count(INNER)
@@ -197,9 +204,11 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
 
 @dataclass(frozen=True)
 class Case:
-    """What `figures` are asked for, by the names of data files; SI units, degrees C.
+    """What `figures` are asked for; SI units, degrees C.
 
-    Cooling: `nodes`, or `conductance` in W/K, or that of ISO 15312.
+    `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
+    (`catalogue.find`); the lubricant's must have physical data. Cooling: `nodes`, or `conductance`
+    in W/K, or that of ISO 15312.
     """
 
     bearing: str
@@ -214,6 +223,8 @@ class Case:
     nodes: Nodes | None = None
     four_point: float | None = None  # these two as `inputs.bearing` has them
     double_row: DoubleRow | None = None
+    spin_law: str = "closed"  # these two as `operating_point.figures` has them
+    film_friction: float | None = None
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
@@ -240,6 +251,8 @@ class Case:
             self.axial,
             self.rpm,
             float(inputs.values(path).get("ball_density", 7800.0)),
+            self.spin_law,
+            self.film_friction,
         )
 
     def cooling(self) -> float | None:
@@ -282,29 +295,10 @@ class Case:
         )
 
 
-def figures(
-    bearing: str,
-    lubricant: str,
-    folder: FilePath | None = None,
-    *,
-    load: float = 0.0,
-    axial: float = 0.0,
-    rpm: float,
-    clearance: float = 0.0,
-    ambient: float = 20.0,
-    conductance: float | None = None,
-    nodes: Nodes | None = None,
-    four_point: float | None = None,
-    double_row: DoubleRow | None = None,
-) -> dict[str, Any]:
-    """Steady figures by name in SI units, temperatures in degrees C.
-
-    `bearing` and `lubricant` are names or paths of data files; the lubricant's must have physical
-    data. Cooling: `nodes`, or `conductance` in W/K, or that of ISO 15312. `four_point` and
-    `double_row` as `inputs.bearing` has them. Raises `RacewayError`.
-    """
-    point = (load, axial, rpm, clearance, ambient, conductance, nodes, four_point, double_row)
-    case = Case(bearing, lubricant, folder, *point)
+def figures(*names: Any, **point: Any) -> dict[str, Any]:
+    """Steady figures by name in SI units, temperatures in degrees C, of the `Case` with these
+    arguments. Raises `RacewayError`."""
+    case = Case(*names, **point)
     case.files()
     case.cooling()
     scene = case.scene()

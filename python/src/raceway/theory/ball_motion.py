@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How a ball moves that touches more grooves than it can roll on.
+
+A ball rotates in the plane through the bearing's axis, (radial, axial), and its centre goes round.
+Sliding and spin of its contacts are linear in these three. Under Coulomb's law forces and moments
+on the ball balance where all contacts together lose least power. Spin counts with its moment in
+closed form. That power has straight edges, so its least is where three of the terms are 0.
+"""
+
+from itertools import combinations
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.theory import hertz, kinematics, spin
+from raceway.theory.bearing import INNER, Bearing
+from raceway.theory.static import Equilibrium
+
+
+def rates(
+    bearing: Bearing, raceways: Floats, angle: Floats, ring: float
+) -> tuple[Floats, Floats, Floats]:
+    """(lines (2 C, 3), goal (2 C,), ring speeds (C,)) of the C contacts of a ball on `raceways` at
+    contact angles (rad): `lines` times its motion less `goal` is how much faster than the ring it
+    goes at each contact in m/s, then how fast it spins on each in rad/s.
+
+    The motion is the rotation (radial, axial) in rad/s and the speed of the centre in m/s; the
+    inner ring turns at `ring` rad/s, with surface speeds in m/s.
+    """
+    radius, pitch = bearing.ball_radius, bearing.pitch_radius
+    out = np.where(raceways == INNER, -1.0, 1.0)
+    radial, axial = out * np.cos(angle), out * np.sin(angle)  # from ball to raceway
+    turning = np.where(raceways == INNER, ring, 0.0)
+    slides = np.stack([-radius * axial, radius * radial, np.ones(len(out))], 1)
+    spins = np.stack([radial, axial, np.zeros(len(out))], 1)
+    surface = turning * (pitch + radius * radial)
+    return np.concatenate([slides, spins]), np.concatenate([surface, turning * axial]), surface
+
+
+def least(lines: Floats, goal: Floats, weight: Floats, radius: float) -> Floats:
+    """The motion (3,) of `rates` with the least sum of `weight` (2 C,) times the sizes of all
+    slidings and spins."""
+    triples = np.array(list(combinations(range(len(goal)), 3)))
+    size = np.array([radius, radius, 1.0])
+    regular = triples[np.abs(np.linalg.det((lines / size)[triples])) > 1e-6 * radius**-2]
+    tried = np.linalg.solve(lines[regular], goal[regular][..., None])[..., 0]
+    return tried[np.argmin(np.abs(tried @ lines.T - goal) @ weight)]
+
+
+def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, Floats]:
+    """(entrainment, rolling) speeds (C, Z) in m/s of all contacts of an `Equilibrium`, loaded or
+    not. The first is half the sum of both surfaces' speeds, the second R_x times the rotation of
+    the ball against the ring about the axis of rolling: one number without sliding.
+
+    They are those of rolling at each contact's own angle, and where a ring has several grooves
+    those of the motion of each ball that both rings hold, with one coefficient of friction.
+    """
+    angle = np.vstack([state.inner.angle, state.outer.angle])
+    speed = kinematics.entrainment(bearing, ring, angle)
+    raceways = np.array(bearing.raceways)
+    if len(raceways) == 2 or not ring:
+        return speed, speed
+    rolling, radius = speed.copy(), bearing.ball_radius
+    load, a = (
+        np.vstack([getattr(side, name) for side in (state.inner, state.outer)])
+        for name in ("load", "a")
+    )
+    for ball in range(angle.shape[1]):
+        live = load[:, ball] > 0
+        if not {*raceways[live]} == {*raceways}:
+            continue
+        turns = [
+            spin.moment(q, 1.0, half, hertz.exact(*bearing.effective_radii(side, lean)).second)
+            for q, half, side, lean in zip(load[:, ball], a[:, ball], raceways, angle[:, ball])
+        ]
+        lines, goal, surface = rates(bearing, raceways, angle[:, ball], ring)
+        weight = np.concatenate([load[:, ball], turns])
+        seen = np.tile(live, 2)
+        motion = least(lines[seen], goal[seen], weight[seen], radius)
+        faster = (lines @ motion - goal)[: len(raceways)]
+        # of the contact's distance from the bearing's axis over the ball's, and R_x/R_b
+        out = np.where(raceways == INNER, -1.0, 1.0) * np.cos(angle[:, ball])
+        ratio = 1 + radius * out / bearing.pitch_radius
+        slips = ~live | (live.sum() > 2)  # the others roll
+        own = np.abs(surface + faster / 2 - motion[2] * ratio)
+        turned = ratio * np.abs(surface / ratio + faster - motion[2])
+        speed[slips, ball], rolling[slips, ball] = own[slips], turned[slips]
+    return speed, rolling

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Cost of a step of this tree against that of another revision.
+
+    python3 tests/bench/against.py REVISION|FOLDER [--rounds 9] [--out PAGE]
+
+REVISION of git is built in a temporary worktree; FOLDER is the root of a tree that is built
+already. Each tree runs its own decks with its own program. Both take turns in every round, now one
+first, now the other, and a ratio is formed within a round. What counts is the processor time of the
+user in the steps: that of a run less that of a run of a tenth of its steps. Where the kernel counts
+instructions (`perf stat`), their ratio stands beside it; it does not depend on the machine's load.
+
+The page has median and range of the ratios, by scene.
+"""
+
+import argparse
+import contextlib
+import os
+import resource
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+from machine import machine
+
+ROOT = Path(__file__).resolve().parents[2]
+IMPLICIT, VERLET = ("in.implicit_cost", 20_000), ("in.cost", 100_000)
+SCENES = [  # name, (deck, steps), variables
+    ("dry, implicit", IMPLICIT, {"lubricant": "dry"}),
+    ("paper, implicit", IMPLICIT, {}),
+    ("paper, implicit, five degrees of freedom", IMPLICIT, {"tilts": 1}),
+    ("film, implicit", IMPLICIT, {"models": "film"}),
+    ("full, implicit", IMPLICIT, {"models": "full"}),
+    ("dry, Verlet", VERLET, {"lubricant": "dry"}),
+    ("paper, Verlet", VERLET, {}),
+    ("film, Verlet", VERLET, {"models": "film", "dt": 1e-7}),
+    ("full, Verlet", VERLET, {"models": "full", "dt": 1e-7}),
+]
+
+
+def parsed(arguments):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("other", help="a revision of git, or the root of a tree that is built")
+    parser.add_argument("--rounds", type=int, default=9)
+    parser.add_argument("--out", type=Path, help="page to write, besides printing it")
+    return parser.parse_args(arguments)
+
+
+@contextlib.contextmanager
+def built(other):
+    """Root of the tree to hold this one against."""
+    if Path(other).is_dir():
+        yield Path(other).resolve()
+        return
+    folder = Path(tempfile.mkdtemp(prefix="against-"))
+    tree = folder / "tree"
+    try:
+        git("worktree", "add", "--detach", "-q", str(tree), other)
+        subprocess.run(["make", "-s", "-j2", "build/liggghts"], cwd=tree, check=True)
+        yield tree
+    finally:
+        subprocess.run(["git", "-C", ROOT, "worktree", "remove", "--force", tree], check=False)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def git(*words):
+    done = subprocess.run(["git", "-C", ROOT, *words], check=True, capture_output=True, text=True)
+    return done.stdout.strip()
+
+
+def counts():
+    """Whether `perf stat` counts instructions here."""
+    if not shutil.which("perf"):
+        return False
+    done = subprocess.run(
+        ["perf", "stat", "-x,", "-e", "instructions:u", "true"], capture_output=True, text=True
+    )
+    return done.returncode == 0 and done.stderr.split(",")[0].strip().isdigit()
+
+
+def spent(tree, deck, variables, steps, instructions):
+    """(seconds, instructions or None) of one run."""
+    words = [str(tree / "build/liggghts"), "-in", f"tests/bench/{deck}", "-log", "none"]
+    for name, value in {**variables, "steps": steps}.items():
+        words += ["-var", name, str(value)]
+    with tempfile.NamedTemporaryFile("r") as report:
+        if instructions:
+            words = ["perf", "stat", "-x,", "-e", "instructions:u", "-o", report.name, *words]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        environment = dict(os.environ, OMP_NUM_THREADS="1")
+        done = subprocess.run(words, cwd=tree, env=environment, capture_output=True, text=True)
+        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        if done.returncode:
+            sys.exit(f"{' '.join(words)} in {tree}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        counted = [line for line in report.read().splitlines() if "instructions" in line]
+    return seconds, int(counted[0].split(",")[0]) if counted else None
+
+
+def cost(tree, scene, instructions):
+    """The same of nine tenths of the steps, without what a run begins with."""
+    _, (deck, steps), variables = scene
+    long = spent(tree, deck, variables, steps, instructions)
+    short = spent(tree, deck, variables, steps // 10, instructions)
+    return [a - b if instructions or k == 0 else None for k, (a, b) in enumerate(zip(long, short))]
+
+
+def ratios(other, rounds, instructions):
+    """{scene: ([ratio of seconds, ...], [ratio of instructions, ...])}"""
+    found = {scene[0]: ([], []) for scene in SCENES}
+    for n in range(rounds):
+        for scene in SCENES:
+            trees = [ROOT, other] if n % 2 else [other, ROOT]
+            by_tree = {tree: cost(tree, scene, instructions) for tree in trees}
+            for k in range(2 if instructions else 1):
+                found[scene[0]][k].append(by_tree[ROOT][k] / by_tree[other][k])
+        print(f"round {n + 1} of {rounds}", file=sys.stderr)
+    return found
+
+
+def spread(values):
+    if not values:
+        return "-"
+    return f"{statistics.median(values):.3f} ({min(values):.3f} to {max(values):.3f})"
+
+
+def page(name, found, rounds):
+    here = git("rev-parse", "--short", "HEAD")
+    lines = [
+        f"Cost of a step of {here} over that of {name}, {date.today()}; {rounds} rounds in turns.",
+        "Median (range) of the ratios within a round. Above 1: this tree is slower.",
+        "",
+        f"{'scene':44} {'seconds of the user':28} instructions",
+    ]
+    lines += [f"{scene:44} {spread(s):28} {spread(i)}" for scene, (s, i) in found.items()]
+    return "\n".join([*lines, "", *machine()]) + "\n"
+
+
+def main(arguments=None):
+    options = parsed(arguments)
+    if not (ROOT / "build/liggghts").exists():
+        sys.exit("build/liggghts is missing: run make run or make build first")
+    with built(options.other) as other:
+        text = page(options.other, ratios(other, options.rounds, counts()), options.rounds)
+    print(text, end="")
+    if options.out:
+        options.out.write_text(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The motion of a ball on several grooves: closed forms, and its least power by linear
+programming."""
+
+import numpy as np
+import pytest
+from raceway import ball_motion, catalogue, friction_torque, hertz, inputs, lubrication, static
+from raceway.theory.bearing import INNER, OUTER, Bearing
+from scipy.optimize import linprog
+
+ANGLE, RING = np.radians(35), 200.0
+FOUR = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3).four_point(ANGLE)
+SIDES = np.array([INNER, INNER, OUTER, OUTER])
+ANGLES = np.array([-ANGLE, ANGLE, ANGLE, -ANGLE])
+R, PITCH = FOUR.ball_radius, FOUR.pitch_radius
+
+
+def test_contacts_alike_roll_and_spin():
+    """Four of one load: the ball turns about an axis along the bearing's, rolls at all and spins on
+    each by the speed of ball against ring times the sine of the angle."""
+    lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES, RING)
+    motion = ball_motion.least(lines, goal, np.repeat([1.0, 1e-4], 4), R)
+    gamma = R * np.cos(ANGLE) / PITCH
+    cage = RING * (1 - gamma) / 2
+    assert motion == pytest.approx([0.0, -cage * PITCH / (R * np.cos(ANGLE)), cage * PITCH])
+    slides, spins = np.split(lines @ motion - goal, 2)
+    assert slides == pytest.approx(np.zeros(4), abs=1e-12)
+    against = np.where(SIDES == INNER, motion[1] - RING, motion[1]) * np.sin(ANGLE)
+    assert np.abs(spins) == pytest.approx(np.abs(against))
+
+
+def test_least_power_of_linear_programming():
+    """min w |A m - g| as a linear programme, for loads and angles at random."""
+    draw = np.random.default_rng(3)
+    for _ in range(20):
+        lines, goal, _ = ball_motion.rates(FOUR, SIDES, ANGLES + draw.normal(0, 0.05, 4), RING)
+        weight = draw.uniform(0, 1, 4) ** 3
+        weight = np.concatenate([weight, weight * draw.uniform(3e-4, 9e-4, 4)])
+        lost = np.abs(lines @ ball_motion.least(lines, goal, weight, R) - goal) @ weight
+        size = np.array([R, R, 1.0])
+        slack = np.eye(8)
+        bounds = np.block([[lines / size, -slack], [-lines / size, -slack]])
+        free = [(None, None)] * 3 + [(0, None)] * 8
+        cost = np.concatenate([np.zeros(3), weight])
+        best = linprog(cost, bounds, np.concatenate([goal, -goal]), bounds=free)
+        assert lost == pytest.approx(best.fun, rel=1e-6)
+
+
+def test_light_contacts_are_drawn_over_by_the_heavy_ones():
+    """Under a thrust the ball rolls on one inner and one outer groove. Seen from its cage it turns
+    about an axis across their line, as far as it does not spin, so on the others its surface goes
+    cos(2 alpha) as fast and the film draws in half of that and of the ring."""
+    state = static.equilibrium(FOUR, axial_load=2000.0, clearance=5e-6)
+    entrained, rolling = ball_motion.speeds(FOUR, RING, state)
+    heavy, alpha = [1, 2], state.inner.angle[1, 0]
+    own = RING * PITCH * (1 - (R * np.cos(alpha) / PITCH) ** 2) / 2
+    assert entrained[heavy] == pytest.approx(np.full((2, 9), own), rel=1e-9)
+    assert rolling[heavy] == pytest.approx(entrained[heavy], rel=1e-9)
+    other = -state.outer.angle[1, 0]  # of the light outer contact, against the heavy line
+    drawn = own * (1 + np.cos(alpha + other)) / 2
+    # it spins on one raceway, by the ring's speed times the sine
+    spun = RING * np.sin(alpha) * R * np.sin(alpha + other) / 2
+    assert np.all(np.abs(entrained[3] - drawn) < spun)
+    assert np.all(rolling[3] < 0.6 * entrained[3])
+
+
+@pytest.mark.parametrize("law", friction_torque.SPIN_LAWS)
+def test_four_points_lose_little_more_than_their_spin(law):
+    """Preload alone: four contacts alike, each of which spins as `test_contacts_alike` has it. Slip
+    and spin together lose less than one after the other, and not a fifth less."""
+    state = static.equilibrium(FOUR, clearance=-20e-6)
+    path = catalogue.find("lubricants", "vg46")
+    oil, fluid = inputs.oil(path), inputs.fluid(path)
+    films = lubrication.lubricate(FOUR, state, oil, RING, -20e-6)
+    orbit = lubrication.orbit(FOUR, state, RING)
+    surfaces = friction_torque.Surfaces(film=0.05, boundary=0.05)
+    lost = friction_torque.losses(
+        FOUR, state, films, fluid, RING, orbit, clearance=-20e-6, surfaces=surfaces, spin_law=law
+    )
+    angle = state.inner.angle[1, 0]
+    gamma = R * np.cos(angle) / PITCH
+    spins = RING * (1 + np.array([1, -1]) * gamma) / 2 / gamma * np.sin(angle)
+    each = []
+    for side, contact, rate in zip((INNER, OUTER), (state.inner, state.outer), spins):
+        shape = hertz.exact(*FOUR.effective_radii(side, angle, -20e-6))
+        moment = 3 / 8 * 0.05 * contact.load * contact.a * shape.second
+        each.append(moment.sum() * rate)
+    assert lost.spin.sum() == pytest.approx(sum(each), rel=0.01)
+    assert lost.power > sum(each)

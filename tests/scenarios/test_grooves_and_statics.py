@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs of four-point and double row bearings with the models `full` against statics: places, loads,
+losses, stiffness, and the steady temperature. Both have Coulomb's law for the film and spin by
+slices. All balls are loaded: others roll in statics and skid in a run."""
+
+import numpy as np
+import pytest
+from host import ROOT, frames, succeed
+from raceway import catalogue, friction_torque, inputs, lubrication, steady_heat
+from raceway.runs.summary import summary
+from raceway.runs.tables import RunTables
+from raceway.theory.bearing import DoubleRow
+from raceway.theory.contact_law import FilmInGap
+from raceway.theory.friction_torque import Surfaces
+from raceway.theory.operating_point import figures
+
+MU = 0.05  # of the film with the models `full`
+LAWS = {"spin_law": "slices", "film_friction": MU}
+OIL = {"lubricant": "vg46", "rpm": 1910}
+HELD = {"rx": 0.0, "ry": 0.0}
+# N, and m of clearance: two contacts a ball, four, four under a thrust
+CASES = {"thrust": (2000.0, 0.0), "preload": (200.0, -20e-6), "both": (1500.0, -20e-6)}
+FOUR = {"four_point": np.radians(35)}
+
+
+def four_point(folder, **words):
+    """Summary of a run of the main deck under a thrust."""
+    common = {"load": 0.001, "four_point": 35, "passes": 1, "spin_law": "slices", "models": "full"}
+    succeed("inputs/in.6208", out=folder, **OIL, **common, **words)
+    return summary(RunTables(folder))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_four_points(tmp_path, name):
+    axial, clearance = CASES[name]
+    run = four_point(tmp_path, axial=axial, clearance=clearance)
+    point = {"axial": axial, "clearance": clearance, "models": "full", "held": HELD}
+    still = figures("6208", "vg46", ROOT / "inputs", rpm=1910.0, **point, **LAWS, **FOUR)
+    for key in ("shift_z_m", "q_inner_max_N", "q_outer_max_N", "h_c_m", "friction_torque_N_m"):
+        assert run[key] == pytest.approx(still[key], rel=1e-2), key
+    for part in ("spin", "hysteresis"):
+        assert run["losses_W"][part] == pytest.approx(still["losses_W"][part], rel=1e-2), part
+    # by slices the axis of a ball is between those of statics' films
+    assert run["losses_W"]["rolling"] == pytest.approx(still["losses_W"]["rolling"], rel=2e-2)
+
+
+@pytest.mark.parametrize("name", ["thrust", "preload"])
+def test_stiffness_of_four_points(tmp_path, name):
+    """Displacement from one thrust to the next."""
+    axial, clearance = CASES[name]
+    step = 40.0
+    ends = [
+        four_point(tmp_path / str(way), axial=axial + way * step, clearance=clearance)
+        for way in (-1, 1)
+    ]
+    found = 2 * step / (ends[1]["shift_z_m"] - ends[0]["shift_z_m"])
+    point = {"axial": axial, "clearance": clearance, "models": "full", "held": HELD}
+    still = figures("6208", "vg46", ROOT / "inputs", rpm=1910.0, **point, **FOUR)
+    assert found == pytest.approx(still["stiffness_z_N_m"], rel=1e-2)
+
+
+def test_heat_of_four_points(tmp_path):
+    """At the steady temperature a run makes the heat that the cooling takes."""
+    cooling = {"conductance": 0.6, "ambient": 20.0}
+    point = {"axial": 2000.0, "rpm": 1910.0}
+    steady = steady_heat.figures(
+        "6208", "vg46", ROOT / "inputs", **point, **cooling, **LAWS, **FOUR
+    )
+    warm = steady["temperature_C"]
+    run = four_point(tmp_path, axial=2000.0, temperature=warm)
+    assert warm > 50
+    assert run["power_loss_W"] == pytest.approx(0.6 * (warm - 20), rel=1e-2)
+
+
+# ---- double row
+ROWS = DoubleRow(0.018, 8e-6)
+ANGLE, SPIN = np.radians(40), 20 * np.pi
+COLUMNS = "friction_power rolling_power hysteresis_power spin_power drag_power"
+LOADS = {"across": 400.0, "thrust": 300.0, "moment": 4.0}
+
+
+def double_row(folder, fluid, **changes):
+    """(y m, z m, tilt rad), {part: W}: means over the last 30 ms of the deck with the models `full`
+    and other loads."""
+    folder.mkdir(exist_ok=True)
+    loads = LOADS | changes
+    film = f"{fluid.temperature_viscosity} {fluid.conductivity}"
+    words = (
+        f"lubricant {fluid.viscosity} {fluid.pressure_viscosity} roughness 1.0e-7 0"
+        f" friction mixed 0.12 {MU} slices 1.0e-4 1 rolling {film} 1 rolling_hysteresis 0.01"
+        f" drag {fluid.density} 0.1 gap 1 gap_film power film_damping branch"
+        f" inlet_shear murch {film}"
+    )
+    text = (ROOT / "docs/decks/in.double_row").read_text()
+    old = "lubricant 0.03969 22.57e-9 roughness 1.0e-7 0 friction stribeck 0.12 0.05"
+    some = " ".join(f"c_each[{k}]" for k in range(1, 6))
+    for before, after in {
+        old: words,
+        "preload index 5.0e-6": f"preload index {ROWS.preload}",
+        "equal -1000*v_on": f"equal -{loads['across']}*v_on",
+        "equal 300*v_on": f"equal {loads['thrust']}*v_on",
+        "equal 10*v_on": f"equal {loads['moment']}*v_on",
+        "run 1000": (
+            f"compute each all bearing/contact {COLUMNS}\n"
+            f"dump each all local 20 ${{out}}/each.dump {some}\nrun 1600"
+        ),
+    }.items():
+        assert text.count(before) == 1, before
+        text = text.replace(before, after)
+    folder.joinpath("in.deck").write_text(text)
+    succeed(folder / "in.deck", out=folder)
+    late = list(frames(folder / "each.dump").values())[-30:]
+    powers = np.mean([np.array([r.split() for r in one], float).sum(0) for one in late], axis=0)
+    parts = dict(zip(("slip", "rolling", "hysteresis", "spin", "drag"), powers))
+    return np.loadtxt(folder / "line.dat")[-30:, 1:].mean(axis=0), parts
+
+
+def of_statics(fluid):
+    """The same of statics, means over a ball pass; stiffness along z as well."""
+    path = catalogue.find("bearings", "7208")
+    bearing = inputs.bearing(path, double_row=ROWS)
+    oil = inputs.Oil(fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, 1e-7)
+    film, places, powers, stiff = FilmInGap(fluid, SPIN), [], [], []
+    for phase in np.arange(2) * np.pi / 13:
+        options = {"load_azimuth": -np.pi / 2, "moment": (LOADS["moment"], 0.0), "phase": phase}
+        loads = LOADS["across"], LOADS["thrust"]
+        state, orbit = lubrication.turning(bearing, SPIN, *loads, film=film, **options)
+        assert (state.inner.load > 0).all()
+        films = lubrication.lubricate(bearing, state, oil, SPIN, factor=film.factor)
+        lost = friction_torque.losses(
+            bearing, state, films, fluid, SPIN, orbit, surfaces=Surfaces(film=MU), spin_law="slices"
+        )
+        places.append([*state.shift[1:], state.tilt[0]])
+        powers.append([lost.parts[part] for part in friction_torque.PARTS])
+        stiff.append(1 / np.linalg.inv(state.stiffness)[2, 2])
+    parts = dict(zip(friction_torque.PARTS, np.mean(powers, axis=0)))
+    return np.mean(places, axis=0), parts, np.mean(stiff)
+
+
+def test_double_row(tmp_path):
+    fluid = inputs.fluid(catalogue.find("lubricants", "vg46"))
+    place, parts = double_row(tmp_path / "one", fluid)
+    want, losses, stiffness = of_statics(fluid)
+    assert place == pytest.approx(want, rel=1e-2)
+    assert sum(parts.values()) == pytest.approx(sum(losses.values()), rel=1e-2)
+    for part in ("rolling", "spin", "hysteresis", "drag"):
+        assert parts[part] == pytest.approx(losses[part], rel=1e-2), part
+    more, _ = double_row(tmp_path / "more", fluid, thrust=LOADS["thrust"] + 40.0)
+    assert 40.0 / (more[1] - place[1]) == pytest.approx(stiffness, rel=1e-2)
+
+
+def test_heat_of_a_double_row(tmp_path):
+    """At the steady temperature a run makes the heat that the cooling takes."""
+    cooling = {"conductance": 0.2, "ambient": 20.0}
+    point = {"load": 400.0, "axial": 300.0, "rpm": 600.0, "double_row": ROWS}
+    steady = steady_heat.figures("7208", "vg46", ROOT / "inputs", **point, **cooling, **LAWS)
+    warm = steady["temperature_C"]
+    path = catalogue.find("lubricants", "vg46")
+    _, parts = double_row(tmp_path, inputs.fluid(path, warm), moment=0.0)
+    assert sum(parts.values()) == pytest.approx(0.2 * (warm - 20), rel=1e-2)
