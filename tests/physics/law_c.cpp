@@ -292,7 +292,11 @@ template <class L> int bit_differences(const L &law, const Scene &s)
   const auto one = found_by(law, s, false), dual = found_by(law, s, true);
   int different = different_numbers(one.c, dual.c) + different_numbers(one.after, dual.after);
 #ifdef __x86_64__
+#ifdef RACEWAY_ONE_TARGET
+  const LawFunctions &functions = wide_law;
+#else
   const LawFunctions &functions = wide_lanes() ? wide_law : narrow_law;
+#endif
 #else
   const LawFunctions &functions = wide_law;
 #endif
