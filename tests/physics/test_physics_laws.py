@@ -27,6 +27,7 @@ def some(law):
 
 
 def test_duals_are_differences(physics):
+    wrong = set()
     for law, name in enumerate(laws(physics)):
         if physics.call("law_explicit", law):
             continue
@@ -42,8 +43,11 @@ def test_duals_are_differences(physics):
                         rounding = 4 * EPSILON * np.abs(forces[rows]).max() / (1e-5 * size)
                         worst = np.abs(block - difference[rows, columns]).max()
                         bound = 1e-9 * np.abs(block).max() + rounding
-                        assert worst <= bound, (name, sample, dual, difference)
+                        if not worst <= bound and name not in wrong:
+                            print("wrong slope:", name)
+                            wrong.add(name)
             assert np.abs(dual[0, 0]) > 0, "the normal force depends on the approach"
+    assert not wrong
 
 
 def test_sets_that_nobody_listed_are_there(physics):

@@ -8,15 +8,18 @@ tables of the docs and in a deck.
 import importlib.util
 import json
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
+import xarray as xr
 import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 RECIPES = ROOT / "docs" / "recipes"
+PYTHON = str(ROOT / ".venv" / "bin" / "python")
 COLUMNS = "python/src/raceway/runs/columns.json"  # that `make columns` writes
 MOST_FILES = {"law": 6, "column": 2, "lubricant": 6, "keyword": 3}
 
@@ -41,6 +44,42 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
     return touched
 
 
+def add_wrong_toy(tree: Path) -> None:
+    """A second toy that the derivative test must refuse: its slope is twice that of its value."""
+    physics = tree / "src-package/physics"
+    text = (physics / "part_toy.h").read_text()
+    for old, new in {
+        "ToyPart": "WrongToyPart",
+        "ToyLoss": "WrongToyLoss",
+        '"toy': '"wrong_toy',
+    }.items():
+        text = text.replace(old, new)
+    text = text.replace("PART_TOY_H", "PART_WRONG_TOY_H")
+    text = text.replace("  using Losses = LossList<WrongToyLoss>;\n", "")  # the toy has this loss
+    text = text.replace(
+        "struct WrongToyLoss",
+        """template <class T> T twice_the_slope(const T &x) { return x; }
+template <class B, int n> Dual<B, n> twice_the_slope(Dual<B, n> x)
+{
+  for (B &slope : x.d) slope = 2.0 * slope;
+  return x;
+}
+
+struct WrongToyLoss""",
+    )
+    law = "own.stiffness * own.time * (1.0 - left) * c.roll_w"
+    assert text.count(law) == 1
+    (physics / "part_wrong_toy.h").write_text(text.replace(law, f"twice_the_slope(T({law}))"))
+    contact = (physics / "contact.h").read_text()
+    for old, new in (
+        ('#include "part_toy.h"', '#include "part_toy.h"\n#include "part_wrong_toy.h"'),
+        ("ToyPart,\n", "ToyPart, WrongToyPart,\n"),
+    ):
+        assert contact.count(old) == 1, old
+        contact = contact.replace(old, new)
+    (physics / "contact.h").write_text(contact)
+
+
 def run(command: list[str], tree: Path, **more) -> str:
     path = {"PYTHONPATH": str(tree / "python" / "src")}
     done = subprocess.run(
@@ -54,7 +93,8 @@ def run(command: list[str], tree: Path, **more) -> str:
 def touched(tmp_path_factory):
     """(tree, {recipe: files touched}) of a copy with all recipes, built without optimisation."""
     tree = tmp_path_factory.mktemp("recipes") / "tree"
-    for folder in ("src-package", "inputs", "docs/decks", "tests/physics", "python"):
+    folders = ("src-package", "inputs", "docs/decks", "tests/physics", "tests/references", "python")
+    for folder in folders:
         shutil.copytree(ROOT / folder, tree / folder, ignore=shutil.ignore_patterns("__pycache__"))
     for file in ("Makefile", "docs/column_table.py"):
         shutil.copy(ROOT / file, tree / file)
@@ -63,6 +103,7 @@ def touched(tmp_path_factory):
     # what no recipe touches is not compiled again
     shutil.copytree(ROOT / "build" / "obj", tree / "build" / "obj")
     files = {recipe: carry_out(recipe, tree) for recipe in MOST_FILES}
+    add_wrong_toy(tree)
     targets = ["build/liggghts", "build/libraceway_physics.so", "build/columns"]
     # nice: ranks of other tests wait for each other while a compiler has their core
     nice = ["nice", "-n", "19", "make", "-s", "-j2"]
@@ -78,12 +119,14 @@ def test_few_files(touched, recipe):
     assert len(touched[1][recipe]) <= MOST_FILES[recipe], sorted(touched[1][recipe])
 
 
-def test_every_law_passes_the_derivative_test(touched):
-    tree = touched[0]
-    python = str(ROOT / ".venv" / "bin" / "python")
+def test_the_derivative_test_refuses_the_wrong_toy_alone(touched):
+    """Every set of parts passes, with the toy too; those with the wrong toy alone do not."""
     tests = "tests/physics/test_physics_laws.py"
-    out = run([python, "-m", "pytest", "-q", "-c", "tests/pytest.ini", "--rootdir=.", tests], tree)
-    assert " passed" in out and "failed" not in out
+    command = [PYTHON, "-m", "pytest", "-q", "-c", "tests/pytest.ini", "--rootdir=.", tests]
+    done = subprocess.run(command, cwd=touched[0], capture_output=True, text=True)
+    assert "1 failed" in done.stdout and " passed" in done.stdout, done.stdout + done.stderr
+    refused = re.findall(r"^wrong slope: (.*)$", done.stdout, re.MULTILINE)
+    assert refused and all("wrong_toy" in parts for parts in refused), done.stdout
 
 
 def test_docs_have_the_part_its_keywords_and_columns(touched):
@@ -92,12 +135,12 @@ def test_docs_have_the_part_its_keywords_and_columns(touched):
     table = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(table)
     parts = {row[0]: row for row in table.part_rows()}
-    assert parts["*toy*"][2:] == ("*toy*", "1", "*toy_couple*")
+    assert parts["*toy*"][2:] == ("*toy*", "1", "*toy_couple*, *toy_power*")
     keywords = [row[0] for row in table.keyword_rows(False) + table.keyword_rows(True)]
     for keyword in ("*toy* S TAU", "*density* RHO", "*hysteresis_limit* C"):
         assert keyword in keywords
     columns = [name for name, _ in table.rows("contact", False)]
-    assert {"*depth*", "*density*", "*toy_couple*"} <= set(columns)
+    assert {"*depth*", "*density*", "*toy_couple*", "*toy_power*"} <= set(columns)
 
 
 def rows(dump: Path) -> list[list[float]]:
@@ -107,24 +150,64 @@ def rows(dump: Path) -> list[list[float]]:
     return sorted([float(x) for x in line.split()] for line in lines[first:])
 
 
-def test_the_deck_runs_with_both_integrators(touched):
+@pytest.fixture(scope="module")
+def ran(touched):
+    """{0 velocity Verlet, 1 implicit: folder} of docs/decks/in.toy."""
+    folders = {}
+    for implicit in ("0", "1"):
+        folders[implicit] = touched[0] / f"run{implicit}"
+        folders[implicit].mkdir()
+        deck = touched[0] / "docs/decks/in.toy"
+        command = [touched[0] / "build/liggghts", "-log", "none", "-in", deck]
+        run([*map(str, command), "-var", "implicit", implicit], folders[implicit])
+    return folders
+
+
+def test_the_deck_runs_with_both_integrators(ran):
     """The couple of a ball that rolls steadily is stiffness times time times its rolling speed.
 
     After ten times the toy's time the integrators agree within the first order of Verlet's step in
     the memory, 1e-6/1e-3. Balls that hardly touch are left out: they come and go.
     """
-    tree, found = touched[0], {}
-    for implicit in ("0", "1"):
-        folder = tree / f"run{implicit}"
-        folder.mkdir()
-        command = [tree / "build/liggghts", "-log", "none", "-in", tree / "docs/decks/in.toy"]
-        run([*map(str, command), "-var", "implicit", implicit], folder)
-        found[implicit] = rows(folder / "toys.dump")
+    found = {key: rows(folder / "toys.dump") for key, folder in ran.items()}
     loaded = {key: [row for row in found[key] if row[2] > 100] for key in found}
     assert len(loaded["0"]) == len(loaded["1"]) >= 8
     for one, other in zip(loaded["0"], loaded["1"]):
         assert one[:2] == other[:2] and abs(one[3]) > 1e-5
         assert one[3] == pytest.approx(other[3], rel=1e-3)
+
+
+SHOWN = """
+import json, sys
+from raceway.report.of_run import page
+from raceway.runs.run import Run
+from raceway.sweeps.scene_parts import figures
+run = Run(sys.argv[1])
+found = run.summary()
+report = page(run.tables).write(sys.argv[2]).read_text()
+print(json.dumps({"summary": found, "needs": figures(found), "report": report}))
+"""
+
+
+def test_the_loss_arrives_in_torque_summary_needs_and_report(touched, ran):
+    """In the friction torque, losses_W, what raceway needs judges, and the page of the run: the sum
+    over the contacts of the record, which is all but the damping that the law has beside it."""
+    folder = ran["1"] / "toy"
+    found = json.loads(
+        run([PYTHON, "-c", SHOWN, str(folder), str(folder / "report.html")], touched[0])
+    )
+    with xr.open_dataset(folder / "record.nc") as data:
+        lost = float(data["toy_power"].sum(("raceway", "ball")).mean())
+        bearing = float(data["bearing_toy_power"].mean())
+    summary = found["summary"]
+    assert lost > 1e-4 and bearing == pytest.approx(lost, rel=1e-13)
+    assert summary["losses_W"]["toy"] == pytest.approx(lost, rel=1e-12)
+    known = [loss for loss in summary["losses_W"].values() if loss]
+    assert summary["power_loss_W"] == pytest.approx(sum(known), rel=1e-12)
+    torque = summary["friction_torque_N_m"]
+    assert torque == pytest.approx(summary["power_loss_W"] / 50.0, rel=1e-6)
+    assert found["needs"]["torque"] == torque
+    assert "to the toy" in found["report"]
 
 
 def test_the_main_deck_has_the_new_columns(touched):
