@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "record_rows.h"
 
-
 #include <algorithm>
 #include <cstring>
 
