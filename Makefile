@@ -38,7 +38,7 @@ SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-om
 # These see no header of a host, nor MPI: all hosts link the same objects
 HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit physics record))) \
             $(addprefix src-package/,$(addsuffix .cpp, \
-              $(addprefix contacts/,capacitor_table contact_columns contact_reader raceway_options) \
+              $(addprefix contacts/,bearing_figures capacitor_table contact_columns contact_reader raceway_options) \
               $(addprefix deck/,arguments data_table folder_lock restart_sum) \
               $(addprefix styles/,bending_file circuit_settings profile_settings ring_settings shaft_settings)))
 STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
@@ -345,7 +345,8 @@ build/obj-laws/%.o: src-package/%.cpp src-package/core/compile_flags.txt
 $(VENV_STAMP): | $(CORE_LIBRARY)
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: build/obj/host/print_columns.o build/obj/contacts/contact_columns.o $(filter build/obj/physics/%,$(CORE))
+build/columns: build/obj/host/print_columns.o $(addprefix build/obj/contacts/,contact_columns.o bearing_figures.o) \
+               $(filter build/obj/physics/%,$(CORE))
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Columns of balls, rings and whole bearings, a line each, in the order of their numbers. No host
-// here.
+// Columns of balls, of the motion of rings and of what a bearing is, a line each, in the order of
+// their numbers; bearing_figures.h has sums and extremes. No host here.
 #ifndef BEARING_BEARING_COLUMNS_H
 #define BEARING_BEARING_COLUMNS_H
 
@@ -26,7 +26,7 @@ const Column list[N] = {
 inline bool needs_turn(int k) { return k >= TURN_W; }
 }    // namespace of_ball
 
-// ---- compute bearing/ring
+// ---- motion of a ring and what acts on it
 namespace of_ring {
 enum {
   RING,
@@ -50,17 +50,6 @@ enum {
   AX,
   AY,
   AZ,
-  CONTACTS,
-  BALLS,
-  LOAD,
-  PRESSURE,
-  H_MIN,
-  LAMBDA,
-  ORBIT,
-  FRICTION_POWER,
-  DAMPING_POWER,
-  CAPACITANCE,
-  CAPACITANCE_TOTAL,
   N
 };
 const Column list[N] = {
@@ -85,116 +74,8 @@ const Column list[N] = {
     {"ax", "m/s^2", "acceleration of the ring along x, 0 where the displacement is not free"},
     {"ay", "m/s^2", "acceleration of the ring along y, 0 where the displacement is not free"},
     {"az", "m/s^2", "acceleration of the ring along z, 0 where the displacement is not free"},
-    {"contacts", "", "contacts of balls with the ring", raceway::has_none, as_whole},
-    {"balls", "", "balls on the ring in contact with both raceways", raceway::has_none, as_whole},
-    {"load", "N", "largest elastic contact load"},
-    {"pressure", "Pa", "largest Hertz pressure"},
-    {"h_min", "m", "smallest minimum film thickness of the contacts"},
-    {"lambda", "", "smallest film parameter of the contacts"},
-    {"orbit", "rad/s", "mean speed of the balls about the ring's axis"},
-    {"friction_power", "W", "power lost to tangential forces"},
-    {"damping_power", "W", "power lost to normal damping"},
-    {"capacitance", "F", "sum over balls in contact with both raceways, their two in series"},
-    {"capacitance_total", "F", "sum over all balls with their surroundings, their two in series"},
 };
-inline bool needs_capacitance(int k) { return k == CAPACITANCE || k == CAPACITANCE_TOTAL; }
-inline bool needs_film(int k) { return k == H_MIN || k == LAMBDA || needs_capacitance(k); }
 }    // namespace of_ring
-
-// ---- compute bearing/total: all bearings of the run
-namespace of_total {
-enum {
-  CONTACTS,
-  LOADED_BALLS,
-  LOAD_INNER,
-  LOAD_OUTER,
-  PRESSURE,
-  H_MIN,
-  LAMBDA,
-  CAGE_SPEED,
-  FRICTION_POWER,
-  DAMPING_POWER,
-  CAGE_FORCE,
-  N
-};
-const Column list[N] = {
-    {"contacts", "", "contacts of balls with raceways", raceway::has_none, as_whole},
-    {"loaded_balls", "", "balls in contact with both raceways", raceway::has_none, as_whole},
-    {"load_inner", "N", "largest elastic contact load on the inner raceway"},
-    {"load_outer", "N", "largest elastic contact load on the outer raceway"},
-    {"pressure", "Pa", "largest Hertz pressure"},
-    {"h_min", "m", "smallest minimum film thickness of the contacts; 0 when dry"},
-    {"lambda", "", "smallest film parameter of the contacts; 0 when dry"},
-    {"cage_speed", "rad/s", "mean speed of the balls about the axis of their ring"},
-    {"friction_power", "W", "power lost to tangential forces"},
-    {"damping_power", "W", "power lost to normal damping"},
-    {"cage_force", "N", "largest contact force of ball and cage ball"},
-};
-}    // namespace of_total
-
-// ---- one bearing in a record: sums and extremes over its balls
-namespace of_bearing {
-enum {
-  CONTACTS,
-  LOADED_BALLS,
-  LOAD_INNER,
-  LOAD_OUTER,
-  PRESSURE_INNER,
-  PRESSURE_OUTER,
-  H_MIN,
-  LAMBDA,
-  CAGE_SPEED,
-  FRICTION_POWER,
-  DAMPING_POWER,
-  ENTRAINMENT_TOP,
-  H_MIN_TOP,
-  LAMBDA_TOP,
-  H_C_TOP,
-  CAPACITANCE,
-  CAPACITANCE_TOP,
-  ROLLING_POWER,
-  HYSTERESIS_POWER,
-  SPIN_POWER,
-  DRAG_POWER,
-  CAGE_POWER,
-  CAGE_FORCE,
-  ASPERITY_SHARE_TOP,
-  CAPACITANCE_TOTAL,
-  CAPACITANCE_TOTAL_TOP,
-  N
-};
-const Column list[N] = {
-    {"contacts", "", "contacts of balls with raceways", raceway::has_none, as_whole},
-    {"loaded_balls", "", "balls in contact with both raceways", raceway::has_none, as_whole},
-    {"load_inner", "N", "largest elastic contact load on the inner raceway"},
-    {"load_outer", "N", "largest elastic contact load on the outer raceway"},
-    {"pressure_inner", "Pa", "largest Hertz pressure on the inner raceway"},
-    {"pressure_outer", "Pa", "largest Hertz pressure on the outer raceway"},
-    {"h_min", "m", "smallest film thickness of the contacts"},
-    {"lambda", "", "smallest film parameter of the contacts"},
-    {"cage_speed", "rad/s", "mean speed of the balls about the axis of the outer ring"},
-    {"friction_power", "W", "power lost to tangential forces"},
-    {"damping_power", "W", "power lost to normal damping"},
-    {"entrainment_top", "m/s", "entrainment speed at the largest load on the inner raceway"},
-    {"h_min_top", "m", "smallest film thickness at the largest load on the inner raceway"},
-    {"lambda_top", "", "film parameter at the largest load on the inner raceway"},
-    {"h_c_top", "m", "central film thickness at the largest load on the inner raceway"},
-    {"capacitance", "F", "capacitance of the bearing, without background"},
-    {"capacitance_top", "F", "largest capacitance of one ball, its two contacts in series"},
-    {"rolling_power", "W", "power lost to the hydrodynamic couple"},
-    {"hysteresis_power", "W", "power lost to hysteresis in rolling"},
-    {"spin_power", "W", "power lost to spin"},
-    {"drag_power", "W", "power lost to drag of the oil on balls"},
-    {"cage_power", "W", "power lost between balls and cage balls"},
-    {"cage_force", "N", "largest contact force of balls with cage balls or one another"},
-    {"asperity_share_top", "", "share of asperities at the largest load on the inner raceway"},
-    {"capacitance_total", "F", "capacitance of all balls with their surroundings, no background"},
-    {"capacitance_total_top", "F", "largest of one ball with its surroundings, both in series"},
-};
-inline bool needs_surroundings(int k) { return k >= CAPACITANCE_TOTAL; }
-// with a law that has couples
-inline bool needs_couples(int k) { return k >= ROLLING_POWER && k <= CAGE_POWER; }
-}    // namespace of_bearing
 
 // ---- what a bearing is, without time
 namespace of_kind {

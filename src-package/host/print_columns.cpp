@@ -2,6 +2,7 @@
 // Prints every output column and the parts of the contact law as JSON: `make columns` keeps it for
 // Python and the pages. No host.
 #include "../contacts/bearing_columns.h"
+#include "../contacts/bearing_figures.h"
 #include "../contacts/contact_columns.h"
 #include "../contacts/fix_columns.h"
 #include "../physics/part_table.h"
@@ -35,6 +36,17 @@ template <size_t n> static void section(const char *name, const Column (&list)[n
 {
   printf("  ],\n  \"%s\": [\n", name);
   for (size_t k = 0; k < n; ++k) print(list[k], "", k + 1 == n);
+}
+
+static void section(const char *name, const std::vector<bearing::Figure> &list,
+                    const std::vector<Column> &before = {})
+{
+  printf("  ],\n  \"%s\": [\n", name);
+  for (const Column &c : before) print(c, "", false);
+  for (const bearing::Figure &f : list) {
+    const std::string key = *f.key ? ", \"loss\": \"" + std::string(f.key) + "\"" : "";
+    print(f.is, key.c_str(), &f == &list.back());
+  }
 }
 
 // What the parts of the contact law say of themselves: name, when they are part of it, the numbers
@@ -89,9 +101,10 @@ int main()
               .c_str(),
           &c == &contacts.back());
   section("ball", bearing::of_ball::list);
-  section("ring", bearing::of_ring::list);
-  section("total", bearing::of_total::list);
-  section("bearing", bearing::of_bearing::list);
+  section("ring", bearing::ring_figures(),
+          {std::begin(bearing::of_ring::list), std::end(bearing::of_ring::list)});
+  section("total", bearing::total_figures());
+  section("bearing", bearing::record_figures());
   section("kind", bearing::of_kind::list);
   section("atom", bearing::of_atom::list);
   section("fix_ring", bearing::of_fix_ring::list);

@@ -18,7 +18,7 @@
 //   beyond()     overlap past the place where the load begins, m; a part has it that has misses()
 //   act()        what it does to a contact: reads motions and what earlier parts left, writes its
 //                own
-//   loss()       the power that it takes out of the motion, W
+//   Losses       the losses that it makes (loss.h): power that it takes out of the motion
 //   energy()     what it stores, J
 //
 // PartBase has the defaults. docs/extend says how to add a part.
@@ -27,6 +27,7 @@
 
 #include "column.h"
 #include "contact_state.h"
+#include "loss.h"
 #include "raceway.h"
 
 #include <vector>
@@ -108,12 +109,9 @@ struct PartBase {
   static constexpr int states = 0;
   static constexpr bool couples = false, explicit_step = false, needs_film = false;
   struct Parameters {};
+  using Losses = LossList<>;
   static std::vector<Keyword<Parameters>> keywords() { return {}; }
   static std::vector<StateColumn> columns() { return {}; }
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &)
-  {
-    return Value<T>();
-  }
   template <class Own, class T>
   static RACEWAY_INLINE Value<T> energy(const Own &, const Raceway &, const ContactStateT<T> &)
   {

@@ -84,19 +84,29 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// W, lost to a contact's normal damping: of a film's branch f^2/(k_m tau).
-inline double damping_power(const ContactState &s);
+// The column of all normal damping: of the steel, and of the film by a damper or a branch.
+struct DampingPower {
+  static constexpr LossColumn column = {"damping_power", "film", "power lost to normal damping",
+                                        true};
+};
+
+struct NormalForceLoss : DampingPower {
+  // what the film's branch stores on the way is no loss: its own is with it
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return (held(c.normal) - held(c.load) - c.film_force) * held(c.overlap_rate);
+  }
+};
 
 struct NormalForcePart : PartBase {
   static constexpr const char *name = "normal_force";
   static constexpr When when = When::always;
+  using Losses = LossList<NormalForceLoss>;
 
   static std::vector<StateColumn> columns()
   {
     return {{{"normal", "N", "normal force with damping", vanishes},
-             [](const Raceway &, const ContactState &s) { return s.normal; }},
-            {{"damping_power", "W", "power lost to normal damping", vanishes},
-             [](const Raceway &, const ContactState &s) { return damping_power(s); }}};
+             [](const Raceway &, const ContactState &s) { return s.normal; }}};
   }
 
   template <class T>
@@ -107,19 +117,7 @@ struct NormalForcePart : PartBase {
     const T N = c.load + c.damping * c.overlap_rate;
     c.normal = where(N > 0.0, N, 0.0);
   }
-
-  // what the film's branch stores on the way is no loss: its own is with it
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return (held(c.normal) - held(c.load) - c.film_force) * held(c.overlap_rate);
-  }
 };
-
-inline double damping_power(const ContactState &s)
-{
-  const double dashpots = NormalForcePart::loss(s);
-  return s.branch_energy > 0.0 ? dashpots + 2.0 * s.branch_energy * s.film_rate : dashpots;
-}
 
 }    // namespace raceway
 

@@ -20,6 +20,7 @@ struct DifferentialSlipPart : PartBase {
   static constexpr int states = 2;    // N, forces along t and w
   static constexpr bool couples = true;
   using Parameters = SlipParameters;
+  using Losses = LossList<FrictionLoss>;
 
   static std::vector<Keyword<Parameters>> keywords()
   {
@@ -82,11 +83,6 @@ struct DifferentialSlipPart : PartBase {
     const B against = -slip_couple(force_root(used)) * most * curve * curve / width;    // N m s
     c.slip_couple = against * turn;
     c.couple_w += c.slip_couple + where(against > 0.0, against, 0.0) * (c.roll_w - turn);
-  }
-
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return friction_power(c);
   }
 
  private:

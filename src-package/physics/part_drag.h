@@ -10,9 +10,18 @@
 
 namespace raceway {
 
+struct DragLoss {
+  static constexpr LossColumn column = {"drag_power", "drag", "power lost to drag", false};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return c.drag_power;
+  }
+};
+
 struct DragPart : PartBase {
   static constexpr const char *name = "drag";
   static constexpr bool needs_film = true, couples = true;
+  using Losses = LossList<DragLoss>;
   struct Parameters {
     double density = 870.0, share = 0.0;       // kg/m^3; of oil in the bearing
     double reynolds = 0.0, prefactor = 0.0;    // derived: s/m, N s^2/m^2
@@ -48,10 +57,6 @@ struct DragPart : PartBase {
         {{"drag", "N", "drag of oil and air on the ball, booked at the outer raceway", vanishes},
          [](const Raceway &, const ContactState &s) { return s.drag; },
          Needs::nothing,
-         false},
-        {{"drag_power", "W", "power lost to drag", vanishes},
-         [](const Raceway &, const ContactState &s) { return s.drag_power; },
-         Needs::nothing,
          false}};
   }
 
@@ -71,11 +76,6 @@ struct DragPart : PartBase {
     const B number = where(re > 1e-30, re, 1e-30);
     c.drag = own.prefactor * drag_coefficient(own.table, number) * v * (number / own.reynolds);
     c.drag_power = c.drag * v;
-  }
-
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return c.drag_power;
   }
 };
 

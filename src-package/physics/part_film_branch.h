@@ -9,10 +9,19 @@
 
 namespace raceway {
 
+// Of the dashpot of the branch: f^2/(k_m tau).
+struct FilmBranchLoss : DampingPower {
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return where(c.branch_energy > 0.0, Value<T>(2.0 * c.branch_energy * c.film_rate), 0.0);
+  }
+};
+
 struct FilmBranchPart : PartBase {
   static constexpr const char *name = "film_branch", *slot = "film_damping", *needs = "film_in_gap";
   static constexpr bool needs_film = true;
   static constexpr int states = 1;    // N, the force of the branch
+  using Losses = LossList<FilmBranchLoss>;
 
   static std::vector<Keyword<Parameters>> keywords()
   {
@@ -53,10 +62,6 @@ struct FilmBranchPart : PartBase {
     c.branch_energy = where(f.stiffness > 0.0, B(0.5 * now * now / f.stiffness), 0.0);
   }
 
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return 2.0 * c.branch_energy * c.film_rate;
-  }
   template <class T>
   static RACEWAY_INLINE Value<T> energy(const Parameters &, const Raceway &,
                                         const ContactStateT<T> &c)

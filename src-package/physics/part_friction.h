@@ -13,14 +13,27 @@
 
 namespace raceway {
 
-// What tangential laws lose: what a spring stores on the way counts as lost until given back.
-template <class T> RACEWAY_INLINE Value<T> friction_power(const ContactStateT<T> &c)
-{
-  const Value<T> slid =
-      held(c.friction_t) * held(c.sliding_t) + held(c.friction_w) * held(c.sliding_w);
-  const Value<T> turned = c.slip_couple * held(c.roll_w);
-  return where(turned == 0.0, slid, Value<T>(slid + turned));
-}
+// The loss of all tangential laws: what a spring stores on the way counts as lost until given back.
+struct FrictionLoss {
+  static constexpr LossColumn column = {"friction_power", "slip",
+                                        "power lost to the tangential force", true};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    const Value<T> slid =
+        held(c.friction_t) * held(c.sliding_t) + held(c.friction_w) * held(c.sliding_w);
+    const Value<T> turned = c.slip_couple * held(c.roll_w);
+    return where(turned == 0.0, slid, Value<T>(slid + turned));
+  }
+};
+
+// The loss of all laws of spin.
+struct SpinLoss {
+  static constexpr LossColumn column = {"spin_power", "spin", "power lost to spin", false};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return held(c.couple_n) * held(c.spin_n);
+  }
+};
 
 // The columns of all friction coefficients, and of all tangential laws.
 inline std::vector<StateColumn> coefficient_columns()
@@ -41,18 +54,7 @@ inline std::vector<StateColumn> tangential_columns()
           {{"friction_w", "N", "tangential force across rolling, on the ring", vanishes},
            [](const Raceway &, const ContactState &s) { return s.friction_w; },
            Needs::nothing,
-           false},
-          {{"friction_power", "W", "power lost to the tangential force", vanishes},
-           [](const Raceway &, const ContactState &s) { return friction_power(s); }}};
-}
-
-// The column of all laws of spin.
-inline StateColumn spin_column()
-{
-  return {{"spin_power", "W", "power lost to spin", vanishes},
-          [](const Raceway &, const ContactState &s) { return s.couple_n * s.spin_n; },
-          Needs::nothing,
-          false};
+           false}};
 }
 
 struct ConstantFrictionPart : PartBase {
@@ -122,6 +124,7 @@ struct TangentialSpringPart : PartBase {
   static constexpr const char *name = "tangential_spring", *slot = "tangential";
   static constexpr int states = 2;    // m, elongation along t and w
   static constexpr bool explicit_step = true;
+  using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double ratio = -1.0;    // k_t/k_n as set; < 0: Mindlin
     double zeta = 0.3;      // dashpot over critical of the rolling mode, mass 2/7 m_b
@@ -162,15 +165,11 @@ struct TangentialSpringPart : PartBase {
     tangential_force(TangentialSpringT<T>{c.kt, c.ct}, T(c.mu * c.normal), c.sliding_t, c.sliding_w,
                      m.after, c.friction_t, c.friction_w);
   }
-
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return friction_power(c);
-  }
 };
 
 struct SmoothedFrictionPart : PartBase {
   static constexpr const char *name = "smoothed_friction", *slot = "tangential";
+  using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double creep = 0.01;          // v_0 = creep * entrainment speed
     double creep_floor = 1e-4;    // m/s, least v_0: a bearing at rest
@@ -201,11 +200,6 @@ struct SmoothedFrictionPart : PartBase {
     c.ct = smoothed_friction(T(c.mu * c.normal), held(c.sliding_t), held(c.sliding_w), c.v_0);
     c.friction_t = c.ct * c.sliding_t;
     c.friction_w = c.ct * c.sliding_w;
-  }
-
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return friction_power(c);
   }
 };
 

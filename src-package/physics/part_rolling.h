@@ -21,9 +21,19 @@ template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
 }
 }    // namespace detail
 
+struct HydrodynamicRollingLoss {
+  static constexpr LossColumn column = {"rolling_power", "rolling",
+                                        "power lost to the hydrodynamic couple", false};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return c.rolling_couple * held(c.roll_w);
+  }
+};
+
 struct HydrodynamicRollingPart : PartBase {
   static constexpr const char *name = "rolling";
   static constexpr bool needs_film = true, couples = true;
+  using Losses = LossList<HydrodynamicRollingLoss>;
   struct Parameters {
     double beta = 0.0, conductivity = 0.14, starvation = 1.0;    // 1/K, W/(m K), 1
     // derived
@@ -59,14 +69,6 @@ struct HydrodynamicRollingPart : PartBase {
              "hydrodynamic couple against rolling; BETA 0 is isothermal"}};
   }
 
-  static std::vector<StateColumn> columns()
-  {
-    return {{{"rolling_power", "W", "power lost to the hydrodynamic couple", vanishes},
-             [](const Raceway &, const ContactState &s) { return loss(s); },
-             Needs::nothing,
-             false}};
-  }
-
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
@@ -85,11 +87,6 @@ struct HydrodynamicRollingPart : PartBase {
     c.couple_w += against;
   }
 
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return c.rolling_couple * held(c.roll_w);
-  }
-
  private:
   // Radial ones are exact, as the constants of a raceway are.
   template <class B>
@@ -104,9 +101,19 @@ struct HydrodynamicRollingPart : PartBase {
   }
 };
 
+struct RollingHysteresisLoss {
+  static constexpr LossColumn column = {"hysteresis_power", "hysteresis",
+                                        "power lost to hysteresis in rolling", false};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return c.hysteresis_couple * held(c.roll_w);
+  }
+};
+
 struct RollingHysteresisPart : PartBase {
   static constexpr const char *name = "rolling_hysteresis";
   static constexpr bool couples = true;
+  using Losses = LossList<RollingHysteresisLoss>;
   struct Parameters {
     double alpha = 0.01;
   };
@@ -123,14 +130,6 @@ struct RollingHysteresisPart : PartBase {
              "couple of the steel against rolling"}};
   }
 
-  static std::vector<StateColumn> columns()
-  {
-    return {{{"hysteresis_power", "W", "power lost to hysteresis in rolling", vanishes},
-             [](const Raceway &, const ContactState &s) { return loss(s); },
-             Needs::nothing,
-             false}};
-  }
-
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
@@ -142,11 +141,6 @@ struct RollingHysteresisPart : PartBase {
     const T against = B(couple * detail::over_rolling(held(c.roll_w), radius)) * c.roll_w;
     c.hysteresis_couple = held(against);
     c.couple_w += against;
-  }
-
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return c.hysteresis_couple * held(c.roll_w);
   }
 };
 

@@ -23,6 +23,7 @@ struct SlipSlicesPart : PartBase {
   static constexpr const char *name = "slip_slices", *slot = "tangential";
   static constexpr int states = 4;    // N, forces along t and w; m/s, slips
   static constexpr bool couples = true;
+  using Losses = LossList<FrictionLoss, SpinLoss>;
   struct Parameters : SlipParameters {
     double share = 1.0;
   };
@@ -38,12 +39,7 @@ struct SlipSlicesPart : PartBase {
              "of the contact ellipse"}};
   }
 
-  static std::vector<StateColumn> columns()
-  {
-    std::vector<StateColumn> list = tangential_columns();
-    list.push_back(spin_column());
-    return list;
-  }
+  static std::vector<StateColumn> columns() { return tangential_columns(); }
 
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &,
@@ -89,11 +85,6 @@ struct SlipSlicesPart : PartBase {
         lever * f.moment + B(lever * own.share * a * f.slope_moment) * (c.spin_n - held(c.spin_n));
     c.slip_couple = most * curve * f.couple;
     c.couple_w += c.slip_couple + B(most * curve * curve * f.slope_couple) * (c.roll_w - turn);
-  }
-
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return friction_power(c) + held(c.couple_n) * held(c.spin_n);
   }
 
  private:

@@ -34,6 +34,7 @@ inline double pure_spin_couple(double limit, double a, double E) { return 0.375 
 struct SpinPart : PartBase {
   static constexpr const char *name = "spin", *needs = "differential_slip";
   static constexpr bool couples = true;
+  using Losses = LossList<SpinLoss>;
   struct Parameters {
     double share = 1.0;
     double modulus = 0.0;    // derived: Pa, E'
@@ -49,8 +50,6 @@ struct SpinPart : PartBase {
              nullptr,
              "couple about the contact normal, where the contact angle makes spin"}};
   }
-
-  static std::vector<StateColumn> columns() { return {spin_column()}; }
 
   template <class T>
   static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,
@@ -72,11 +71,6 @@ struct SpinPart : PartBase {
     const B taken = c.slip_couple * (1.0 - where(rest > 0.0, rest, 0.0));
     c.slip_couple = c.slip_couple - taken;
     c.couple_w += B(-taken);
-  }
-
-  template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
-  {
-    return held(c.couple_n) * held(c.spin_n);
   }
 };
 

@@ -2,6 +2,7 @@
 #include "part_table.h"
 
 #include "contact.h"
+#include "loss_table.h"
 
 #include <cstdio>
 
@@ -39,6 +40,8 @@ template <class Part> PartEntry part_entry()
   PartEntry e = {
       Part::name,  Part::slot,   Part::when, Part::when == When::with_film || Part::needs_film,
       Part::needs, Part::states, {},         Part::columns()};
+  for (const LossEntry &loss : loss_table())
+    if (loss.parts & Parts::bit<Part>()) e.columns.push_back(loss.column());
   for (const auto &k : Part::keywords()) {
     std::vector<ParameterEntry> parameters;
     for (const auto &p : k.parameters) parameters.push_back(parameter_entry<Part>(p));

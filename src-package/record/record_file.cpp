@@ -92,17 +92,10 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
     }
   for (int k = 0; k < RING_VALUES; ++k)
     ring_.push_back(add("ring_", of_ring::list[FIRST_OF_RING + k], {time, ring}));
-  for (int k = 0; k < of_bearing::N; ++k) {
-    const bool film = k == of_bearing::H_MIN || k == of_bearing::LAMBDA ||
-                      k == of_bearing::H_MIN_TOP || k == of_bearing::LAMBDA_TOP,
-               capacitance = k == of_bearing::CAPACITANCE || k == of_bearing::CAPACITANCE_TOP ||
-                             k == of_bearing::H_C_TOP;
-    const bool there = (!film || content_.film) && (!capacitance || content_.capacitance) &&
-                       (!of_bearing::needs_couples(k) || content_.couples) &&
-                       (k != of_bearing::CAGE_FORCE || m) &&
-                       (k != of_bearing::ASPERITY_SHARE_TOP || content_.asperities) &&
-                       (!of_bearing::needs_surroundings(k) || content_.surroundings);
-    bearing_.push_back(there ? add("bearing_", of_bearing::list[k], {time, bearing}) : nowhere);
+  for (const Figure &f : record_figures()) {
+    const bool given = f.given(content_.film, content_.capacitance, content_.surroundings,
+                               content_.law, content_.spheres);
+    bearing_.push_back(given ? add("bearing_", f.is, {time, bearing}) : nowhere);
   }
   header_.layout();
   const auto place = [this](size_t &k) {
@@ -118,7 +111,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
 size_t RecordFile::width(Kind kind) const
 {
   switch (kind) {
-    case BALL: return MOTION + share;
+    case BALL: return MOTION + BallFigures::numbers();
     case CONTACT: return content_.contact.size();
     case CAGE: return MOTION;
     case RING: return RING_VALUES;
@@ -152,7 +145,7 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
     else
       for (size_t k = 0; k < columns; ++k) put_real(to + column[k], value[k]);
     if (kind == BALL)
-      memcpy(static_cast<void *>(&shares_[place]), value + MOTION, sizeof(BallShare));
+      memcpy(static_cast<void *>(&shares_[place]), value + MOTION, sizeof(BallFigures));
     reported_ += kind != CONTACT;
     row = value + width(kind);
   }
@@ -175,48 +168,14 @@ std::string RecordFile::end_sample(double time, double step)
 
 void RecordFile::sum_up()
 {
-  using namespace of_bearing;
+  const std::vector<Figure> &figures = record_figures();
   size_t ball = 0;
   for (size_t b = 0; b < layout_.bearings.size(); ++b) {
-    double v[N] = {};
-    v[H_MIN] = v[LAMBDA] = HUGE_VAL;
-    v[ENTRAINMENT_TOP] = v[H_MIN_TOP] = v[LAMBDA_TOP] = v[H_C_TOP] = v[ASPERITY_SHARE_TOP] = NAN;
-    const size_t first = ball;
-    for (; ball < shares_.size() && layout_.balls[ball].bearing == static_cast<int>(b); ++ball) {
-      const BallShare &s = shares_[ball];
-      v[CONTACTS] += s.contacts;
-      v[LOADED_BALLS] += s.loaded[0] * s.loaded[1];
-      if (s.load[0] > v[LOAD_INNER]) {
-        v[ENTRAINMENT_TOP] = s.entrainment;
-        v[H_MIN_TOP] = s.film[0];
-        v[LAMBDA_TOP] = s.film[1];
-        v[H_C_TOP] = s.film[2];
-        v[ASPERITY_SHARE_TOP] = s.asperity_share;
-      }
-      v[LOAD_INNER] = std::max(v[LOAD_INNER], s.load[0]);
-      v[LOAD_OUTER] = std::max(v[LOAD_OUTER], s.load[1]);
-      v[PRESSURE_INNER] = std::max(v[PRESSURE_INNER], s.pressure[0]);
-      v[PRESSURE_OUTER] = std::max(v[PRESSURE_OUTER], s.pressure[1]);
-      v[H_MIN] = std::min(v[H_MIN], s.h_min);
-      v[LAMBDA] = std::min(v[LAMBDA], s.lambda);
-      v[CAGE_SPEED] += s.orbit;
-      v[FRICTION_POWER] += s.friction_power;
-      v[DAMPING_POWER] += s.damping_power;
-      v[ROLLING_POWER] += s.rolling;
-      v[HYSTERESIS_POWER] += s.hysteresis;
-      v[SPIN_POWER] += s.spin;
-      v[DRAG_POWER] += s.drag;
-      v[CAGE_POWER] += s.cage;
-      if (!(s.cage_force <= v[CAGE_FORCE])) v[CAGE_FORCE] = s.cage_force;    // NaN of all, or none
-      v[CAPACITANCE] += s.capacitance;
-      v[CAPACITANCE_TOP] = std::max(v[CAPACITANCE_TOP], s.capacitance);
-      v[CAPACITANCE_TOTAL] += s.capacitance_total;
-      v[CAPACITANCE_TOTAL_TOP] = std::max(v[CAPACITANCE_TOTAL_TOP], s.capacitance_total);
-    }
-    v[CAGE_SPEED] /= static_cast<double>(ball - first);
-    if (v[CONTACTS] == 0.0) v[H_MIN] = v[LAMBDA] = NAN;
-    for (int k = 0; k < N; ++k)
-      if (bearing_[k] != nowhere) put_real(sample_ + bearing_[k] + 8 * b, v[k]);
+    BearingFigures sum;
+    for (; ball < shares_.size() && layout_.balls[ball].bearing == static_cast<int>(b); ++ball)
+      sum.add(shares_[ball]);
+    for (size_t k = 0; k < figures.size(); ++k)
+      if (bearing_[k] != nowhere) put_real(sample_ + bearing_[k] + 8 * b, figures[k].value(sum));
   }
 }
 

@@ -5,6 +5,7 @@
 #ifndef BEARING_RECORD_FILE_H
 #define BEARING_RECORD_FILE_H
 
+#include "../contacts/bearing_figures.h"
 #include "netcdf_file.h"
 #include "record_layout.h"
 
@@ -17,14 +18,14 @@ class RecordFile {
     bool single = false;            // their precision
     bool motion = true;             // of balls and cage
     bool film = false, capacitance = false, surroundings = false;
-    bool couples = false, asperities = false;    // of the law
+    unsigned law = 0;        // parts of it
+    bool spheres = false;    // balls touch cage balls or one another
     NetcdfHeader::Attributes about;
   };
   // A row is its kind, its place in the layout and its values; a sample ends with its time and
   // step. The place of a contact is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
   enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
-  static constexpr size_t share = sizeof(BallShare) / sizeof(double);
 
   RecordFile(const RecordLayout &, const Content &);
 
@@ -51,7 +52,7 @@ class RecordFile {
   size_t time_, step_;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_;
   unsigned char *sample_ = nullptr;    // the present one, if a part has reported
-  std::vector<BallShare> shares_;
+  std::vector<BallFigures> shares_;
   size_t reported_ = 0;
 };
 

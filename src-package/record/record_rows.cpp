@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "record_rows.h"
 
-#include "../physics/contact.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace bearing {
 
-using raceway::ContactState;
 using raceway::Side;
 using raceway::Vec3;
 
 void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const Columns &columns,
-                       bool film, size_t batch)
+                       size_t batch)
 {
   columns_ = columns;
-  film_ = film;
   grooves_ = layout.grooves;
   batch_ = batch;
   double top = 0.0;
@@ -31,7 +28,7 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
   put(layout.balls, RecordFile::BALL);
   put(layout.cage, RecordFile::CAGE);
   put(layout.rings, RecordFile::RING);
-  shares_.assign(layout.balls.size(), Share());
+  shares_.assign(layout.balls.size(), BallFigures());
   for (Kind k : {RecordFile::BALL, RecordFile::CONTACT, RecordFile::CAGE, RecordFile::RING})
     widths_[k] = file.width(k);
   said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.parts()));
@@ -61,39 +58,11 @@ double *RecordRows::contact_row(int ball, const ContactView &view)
 
 void RecordRows::contact(int ball, const ContactView &view)
 {
-  const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
   if (!columns_.empty()) {
     double *to = contact_row(ball, view);
     for (const ContactColumn *c : columns_) *to++ = c->value(view);
   }
-  Share &share = shares_[ball];
-  BallShare &sum = share.sum;
-  const ContactState &state = view.state;
-  sum.contacts += 1.0;
-  sum.loaded[s] = 1.0;
-  // of two grooves of the inner ring the one with the larger load
-  const bool top = s == 0 && !(state.load < sum.load[0]);
-  sum.load[s] = std::max(sum.load[s], state.load);
-  sum.pressure[s] = std::max(sum.pressure[s], view.raceway.law.at(state.cos_angle).p * state.root);
-  sum.friction_power += friction_power(state);
-  sum.damping_power += raceway::NormalForcePart::loss(state);
-  sum.rolling += raceway::HydrodynamicRollingPart::loss(state);
-  sum.hysteresis += raceway::RollingHysteresisPart::loss(state);
-  sum.spin += raceway::SpinPart::loss(state);
-  sum.drag += raceway::DragPart::loss(state);
-  if (top) sum.asperity_share = state.asperity_share;
-  share.capacitance[s] += view.capacitor.capacitance;
-  sum.capacitance = raceway::series_capacitance(share.capacitance[0], share.capacitance[1]);
-  add_total(ball, view);
-  if (top) sum.entrainment = state.entrainment;
-  if (!film_) return;
-  sum.h_min = std::min(sum.h_min, state.h_min);
-  sum.lambda = std::min(sum.lambda, state.lambda);
-  if (top) {
-    sum.film[0] = state.h_min;
-    sum.film[1] = state.lambda;
-    sum.film[2] = view.capacitor.h_c;
-  }
+  shares_[ball].contact(view);
 }
 
 void RecordRows::gap(int ball, const ContactView &view)
@@ -103,14 +72,7 @@ void RecordRows::gap(int ball, const ContactView &view)
     for (const ContactColumn *c : columns_)
       *to++ = c->needs_surroundings() ? c->value(view) : c->is.absent;
   }
-  add_total(ball, view);
-}
-
-void RecordRows::add_total(int ball, const ContactView &view)
-{
-  Share &share = shares_[ball];
-  share.total[view.raceway.groove.side == Side::inner ? 0 : 1] += view.capacitor.total();
-  share.sum.capacitance_total = raceway::series_capacitance(share.total[0], share.total[1]);
+  shares_[ball].gap(view);
 }
 
 void RecordRows::body(Tag tag, const Vec3 &x, const Vec3 &v, const Vec3 &w)
@@ -122,8 +84,9 @@ void RecordRows::body(Tag tag, const Vec3 &x, const Vec3 &v, const Vec3 &w)
   v.to(to + 3);
   w.to(to + 6);
   if (p.kind == RecordFile::CAGE) return;
-  memcpy(to + RecordFile::MOTION, &shares_[p.at].sum, sizeof(BallShare));
-  shares_[p.at] = Share();
+  shares_[p.at].balls = 1.0;
+  memcpy(to + RecordFile::MOTION, &shares_[p.at], sizeof(BallFigures));
+  shares_[p.at] = BallFigures();
 }
 
 void RecordRows::ring(const double *of)

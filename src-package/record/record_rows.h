@@ -4,7 +4,6 @@
 #ifndef BEARING_RECORD_ROWS_H
 #define BEARING_RECORD_ROWS_H
 
-#include "../contacts/contact_columns.h"
 #include "record_file.h"
 
 #include <cstdint>
@@ -17,25 +16,20 @@ class RecordRows {
   using Columns = std::vector<const ContactColumn *>;
 
   // For samples of that file, `batch` at a time.
-  void begin(const RecordLayout &, const RecordFile &, const Columns &, bool film, size_t batch);
+  void begin(const RecordLayout &, const RecordFile &, const Columns &, size_t batch);
 
   int ball(Tag) const;    // its place in the layout; -1: it is none of the record
   // The speed of a ball about the axis of the outer ring, or of the only ring it has, rad/s.
   bool needs_orbit(int ball, raceway::Side s) const
   {
-    return s == raceway::Side::outer || shares_[ball].sum.orbit == 0.0;
+    return s == raceway::Side::outer || shares_[ball].orbit == 0.0;
   }
-  void orbit(int ball, double value) { shares_[ball].sum.orbit = value; }
+  void orbit(int ball, double value) { shares_[ball].orbit = value; }
   void contact(int ball, const ContactView &);    // a live one
   // Surfaces that do not touch; only what surrounds contacts has a value.
   void gap(int ball, const ContactView &);
   // A contact with a cage ball or another ball: what the ball loses there (W), the force (N).
-  void cage(int ball, double loss, double force)
-  {
-    BallShare &sum = shares_[ball].sum;
-    sum.cage += loss;
-    if (!(force <= sum.cage_force)) sum.cage_force = force;
-  }
+  void cage(int ball, double loss, double force) { shares_[ball].cage(loss, force); }
   // A ball or cage ball; its contacts are complete.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
   void ring(const double *of);    // from of_ring::RING on
@@ -57,11 +51,6 @@ class RecordRows {
     Kind kind;
     int at;
   };
-  struct Share {
-    BallShare sum;
-    double capacitance[2] = {0.0, 0.0}, total[2] = {0.0, 0.0};
-  };
-  void add_total(int ball, const ContactView &);
   Place place(Tag t) const
   {
     return static_cast<size_t>(t) < places_.size() ? places_[t] : Place{RecordFile::END, 0};
@@ -77,14 +66,13 @@ class RecordRows {
   }
 
   Columns columns_;
-  bool film_ = false;
   int grooves_ = 1;              // a ring
   std::vector<Place> places_;    // by tag
   size_t widths_[4] = {};
   size_t batch_ = 1, samples_ = 0;
   std::vector<double> said_;    // the first used_ of it
   size_t used_ = 0;
-  std::vector<Share> shares_;    // by ball, of the present sample
+  std::vector<BallFigures> shares_;    // by ball, of the present sample
 };
 
 }    // namespace bearing

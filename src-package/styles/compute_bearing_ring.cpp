@@ -2,40 +2,24 @@
 #include "compute_bearing_ring.h"
 
 #include "../contacts/bearing_columns.h"
-#include "../physics/contact.h"
 #include "contact_context.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"
 
-#include <algorithm>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace raceway;
+using bearing::BallFigures;
+using bearing::BearingFigures;
+using bearing::Figure;
 using bearing::RacewayContact;
 using bearing::RingSum;
 namespace of_ring = bearing::of_ring;
 
-namespace {
-
-// What a contact says about its ring.
-enum Said {
-  LIVE,
-  LOADED,
-  LOAD,
-  PRESSURE,
-  H_MIN,
-  LAMBDA,
-  FRICTION,
-  DAMPING,
-  CAPACITANCE,
-  CAPACITANCE_TOTAL,
-  ORBIT,
-  ALONG,
-  N_SAID = ALONG + 3
-};
-
-}    // namespace
+// A contact tells its ring its figures, then the direction of the orbit over its radius.
+static constexpr size_t ALONG = BallFigures::numbers(), N_SAID = ALONG + 3;
 
 // compute ID group bearing/ring all|value ...
 ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
@@ -44,27 +28,30 @@ ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
   bearing::Arguments args(lmp, std::string("compute ") + id + " bearing/ring", narg, arg,
                           BRG_COMPUTE_FIRST);
   const bearing::Offer offer = bearing::offer_of(lmp, *pair_);
+  const std::vector<Figure> &figures = bearing::ring_figures();
   do {
     const std::string name = args.word("a value");
     if (name == "all") {
-      for (int k = 0; k < of_ring::N; ++k)
-        if (k == of_ring::CAPACITANCE         ? offer.capacitance
-            : k == of_ring::CAPACITANCE_TOTAL ? offer.surroundings
-                                              : offer.film || !of_ring::needs_film(k))
-          columns_.push_back(k);
+      for (int k = 0; k < of_ring::N; ++k) columns_.push_back({of_ring::list[k], k, nullptr});
+      for (const Figure &f : figures)
+        if (f.given(offer.film, offer.capacitance, offer.surroundings, pair_->law(), false))
+          columns_.push_back({f.is, -1, &f});
       continue;
     }
-    int k = 0;
-    while (k < of_ring::N && name != of_ring::list[k].name) ++k;
-    if (k == of_ring::N) {
-      std::string known;
-      for (const raceway::Column &c : of_ring::list)
-        known += (known.empty() ? "" : ", ") + std::string(c.name);
-      args.fail("unknown value '" + name + "'; known: all, " + known);
+    const size_t before = columns_.size();
+    for (int k = 0; k < of_ring::N; ++k)
+      if (name == of_ring::list[k].name) columns_.push_back({of_ring::list[k], k, nullptr});
+    for (const Figure &f : figures)
+      if (name == f.is.name) columns_.push_back({f.is, -1, &f});
+    if (columns_.size() == before) {
+      std::string known = "all";
+      for (const raceway::Column &c : of_ring::list) known += ", " + std::string(c.name);
+      for (const Figure &f : figures) known += ", " + std::string(f.is.name);
+      args.fail("unknown value '" + name + "'; known: " + known);
     }
-    if (of_ring::needs_film(k) && !pair_->lubricated())
+    const Figure *f = columns_.back().figure;
+    if (f && f->needs != Needs::nothing && !pair_->lubricated())
       args.fail("value '" + name + "' needs a lubricant: use pair_style bearing/ehd");
-    columns_.push_back(k);
   } while (args.more());
   local_flag = 1;
   size_local_rows = 0;
@@ -77,10 +64,12 @@ void ComputeBearingRing::init()
   const std::string name = std::string("compute ") + id + " bearing/ring";
   pair_ = PairBearingHertz::find(lmp, name);
   capacitor_ = nullptr;
-  for (int k : columns_) {
-    const std::string wants = std::string("value '") + of_ring::list[k].name + "'";
-    if (of_ring::needs_capacitance(k)) capacitor_ = bearing::capacitor_of(lmp, name, wants);
-    if (k == of_ring::CAPACITANCE_TOTAL) bearing::check_surroundings(lmp, *pair_, name, wants);
+  for (const Output &c : columns_) {
+    const std::string wants = std::string("value '") + c.is.name + "'";
+    if (!c.figure || c.figure->needs < Needs::capacitance) continue;
+    capacitor_ = bearing::capacitor_of(lmp, name, wants);
+    if (c.figure->needs == Needs::surroundings)
+      bearing::check_surroundings(lmp, *pair_, name, wants);
   }
 }
 
@@ -89,40 +78,31 @@ void ComputeBearingRing::tell()
 {
   said_.assign(static_cast<size_t>(pair_->ring_sum().claims()) * N_SAID, 0.0);
   const std::vector<RacewayContact> &table = pair_->table().raceway;
+  const bearing::ContactContext context = {pair_->axis_index(), capacitor_};
   for (size_t first = 0, end; first < table.size(); first = end) {
-    double side[2] = {}, whole[2] = {};    // capacitance, inner and outer; with surroundings
-    int loaded = 0;
+    BallFigures ball;    // over all rings
+    std::vector<BallFigures> each;
     for (end = first; end < table.size() && table[end].ball == table[first].ball; ++end) {
-      const RacewayContact &c = table[end];
-      const int s = c.side() == Side::inner ? 0 : 1;
-      if (c.live) loaded |= 1 << s;
-      if (!capacitor_) continue;
-      const FilmCapacitorT<double> of = capacitor_(c);
-      if (c.live) side[s] += of.capacitance;
-      whole[s] += of.total();
+      const bearing::ContactView view = context.view(table[end]);
+      each.emplace_back();
+      if (table[end].live) each.back().contact(view);
+      if (table[end].live) ball.contact(view);
+      else if (capacitor_) ball.gap(view);
     }
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
-      double *said = &said_[static_cast<size_t>(c.claim) * N_SAID];
+      BallFigures &own = each[k - first];
+      // what both contacts of a ball make together counts once a ball and ring
+      if (k == first || table[k - 1].ring != c.ring) own.take_pairs(ball);
+      else own.take_pairs(BallFigures());
       // the ring's own velocity is its owner's business: that of a ghost is half a step old
       const GroovePosition g = locate(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
                                       pair_->state()->axis(c.i_ring), c.raceway->centre_circle);
-      said[ORBIT] = dot(Vec3::from(atom->v[c.i_ball]), g.t) / g.r;
+      own.balls = 1.0;
+      own.orbit = dot(Vec3::from(atom->v[c.i_ball]), g.t) / g.r;
+      double *said = &said_[static_cast<size_t>(c.claim) * N_SAID];
+      memcpy(said, &own, sizeof own);
       (g.t * (1.0 / g.r)).to(said + ALONG);
-      if (k == first || table[k - 1].ring != c.ring) {    // once a ball and ring
-        said[LOADED] = loaded == 3;
-        said[CAPACITANCE] = series_capacitance(side[0], side[1]);
-        said[CAPACITANCE_TOTAL] = series_capacitance(whole[0], whole[1]);
-      }
-      if (!c.live) continue;
-      const ContactState &s = c.state;
-      said[LIVE] = 1.0;
-      said[LOAD] = s.load;
-      said[PRESSURE] = c.raceway->law.at(s.cos_angle).p * s.root;
-      said[H_MIN] = s.h_min;
-      said[LAMBDA] = s.lambda;
-      said[FRICTION] = friction_power(s);
-      said[DAMPING] = NormalForcePart::loss(s);
     }
   }
 }
@@ -134,37 +114,22 @@ void ComputeBearingRing::compute_local()
       lmp, "compute bearing/ring");    // it may have been replaced between runs
   tell();
   const RingSum &rings = pair_->ring_sum();
-  std::vector<double> of(static_cast<size_t>(rings.rings()) * of_ring::N, 0.0),
-      balls(rings.rings(), 0.0);
-  for (int n = 0; n < rings.rings(); ++n)
-    bearing::ring_values(*atom, *pair_, n, &of[static_cast<size_t>(n) * of_ring::N]);
+  std::vector<BearingFigures> sums(rings.rings());
   pair_->ring_sum().collect(N_SAID, said_, [&](int n, RingSum::Source source, const double *said) {
     if (source != RingSum::ball) return;
-    double *v = &of[static_cast<size_t>(n) * of_ring::N];
-    balls[n] += 1.0;
-    v[of_ring::ORBIT] +=
-        said[ORBIT] - dot(Vec3::from(atom->v[rings.ring(n)]), Vec3::from(said + ALONG));
-    v[of_ring::BALLS] += said[LOADED];
-    v[of_ring::CAPACITANCE] += said[CAPACITANCE];
-    v[of_ring::CAPACITANCE_TOTAL] += said[CAPACITANCE_TOTAL];
-    if (said[LIVE] == 0.0) return;
-    v[of_ring::LOAD] = std::max(v[of_ring::LOAD], said[LOAD]);
-    v[of_ring::PRESSURE] = std::max(v[of_ring::PRESSURE], said[PRESSURE]);
-    v[of_ring::H_MIN] =
-        v[of_ring::CONTACTS] == 0.0 ? said[H_MIN] : std::min(v[of_ring::H_MIN], said[H_MIN]);
-    v[of_ring::LAMBDA] =
-        v[of_ring::CONTACTS] == 0.0 ? said[LAMBDA] : std::min(v[of_ring::LAMBDA], said[LAMBDA]);
-    v[of_ring::CONTACTS] += 1.0;
-    v[of_ring::FRICTION_POWER] += said[FRICTION];
-    v[of_ring::DAMPING_POWER] += said[DAMPING];
+    BallFigures ball;
+    memcpy(static_cast<void *>(&ball), said, sizeof ball);
+    ball.orbit -= dot(Vec3::from(atom->v[rings.ring(n)]), Vec3::from(said + ALONG));
+    sums[n].add(ball);
   });
 
   values_.clear();
   for (int n = 0; n < rings.rings(); ++n) {
     if (!(atom->mask[rings.ring(n)] & groupbit)) continue;
-    double *v = &of[static_cast<size_t>(n) * of_ring::N];
-    if (balls[n] > 0.0) v[of_ring::ORBIT] /= balls[n];
-    for (int k : columns_) values_.push_back(v[k]);
+    double motion[of_ring::N];
+    bearing::ring_values(*atom, *pair_, n, motion);
+    for (const Output &c : columns_)
+      values_.push_back(c.figure ? c.figure->value(sums[n]) : motion[c.motion]);
   }
   rows_.resize(values_.size() / columns_.size());
   for (size_t r = 0; r < rows_.size(); ++r) rows_[r] = &values_[r * columns_.size()];
@@ -176,7 +141,7 @@ void ComputeBearingRing::compute_local()
 std::vector<bearing::ColumnList::Item> ComputeBearingRing::columns() const
 {
   std::vector<Item> list;
-  for (int k : columns_) list.push_back({of_ring::list[k].name, of_ring::list[k].format});
+  for (const Output &c : columns_) list.push_back({c.is.name, c.is.format});
   return list;
 }
 

@@ -8,6 +8,7 @@ ComputeStyle(bearing/ring,ComputeBearingRing)
 #ifndef LMP_COMPUTE_BEARING_RING_H
 #define LMP_COMPUTE_BEARING_RING_H
 
+#include "../contacts/bearing_figures.h"
 #include "../contacts/contact_reader.h"
 #include "../deck/column_list.h"
 #include "bearing_compat.h"
@@ -30,7 +31,12 @@ class ComputeBearingRing : public Compute, public bearing::ColumnList {
   class PairBearingHertz *pair_;
   std::function<raceway::FilmCapacitorT<double>(const bearing::RacewayContact &)>
       capacitor_;    // or none
-  std::vector<int> columns_;
+  struct Output {
+    raceway::Column is;
+    int motion;                       // place in of_ring::list, or
+    const bearing::Figure *figure;    // not null
+  };
+  std::vector<Output> columns_;
   std::vector<double> said_;    // by the contacts of this rank
   std::vector<double> values_;
   std::vector<double *> rows_;

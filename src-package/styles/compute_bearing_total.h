@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/total: global vector for thermo output, contacts/bearing_columns.h in order.
+// compute bearing/total: global vector for thermo output, total_figures() in order.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/total,ComputeBearingTotal)
 #else
 #ifndef LMP_COMPUTE_BEARING_TOTAL_H
 #define LMP_COMPUTE_BEARING_TOTAL_H
 
-#include "../contacts/bearing_columns.h"
+#include "../contacts/bearing_figures.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {
@@ -16,10 +16,12 @@ class ComputeBearingTotal : public Compute {
   ComputeBearingTotal(BRG_COMPUTE_ARGS);
   void init() override;
   void compute_vector() override;
+  const bearing::BearingFigures &figures() const { return figures_; }
 
  private:
   class PairBearingHertz *pair_;
-  double values_[bearing::of_total::N] = {};
+  bearing::BearingFigures figures_;
+  std::vector<double> values_ = std::vector<double>(bearing::total_figures().size());
 };
 
 }    // namespace LAMMPS_NS

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_progress.h"
 
-#include "../contacts/bearing_columns.h"
 #include "../contacts/fix_columns.h"
 #include "compute_bearing_total.h"
 #include "fix_bearing_ring.h"
@@ -69,7 +68,7 @@ void FixBearingProgress::show()
     headed_ = true;
   }
   if (total_->invoked_vector != update->ntimestep) total_->compute_vector();
-  const double *of = total_->vector;
+  const bearing::BearingFigures &of = total_->figures();
   double moved = 0.0;    // the ring that has moved most, m
   for (FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp)) {
     double x[3];
@@ -81,12 +80,11 @@ void FixBearingProgress::show()
       update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
   char left[16] = "-";
   if (done > 0.0) snprintf(left, sizeof left, "%.1f", spent * (1.0 - done) / done);
-  namespace is = bearing::of_total;
   char line[160];
   snprintf(line, sizeof line, "%8.1f  %8s  %8.0f  %10.6f  %9.3f  %6.0f  %9.1f  %7.3f  %10.3f",
            100.0 * done, left, static_cast<double>(update->ntimestep), time, 1e6 * moved,
-           of[is::LOADED_BALLS], std::max(of[is::LOAD_INNER], of[is::LOAD_OUTER]),
-           1e-9 * of[is::PRESSURE], of[is::CAGE_SPEED]);
+           of.loaded_balls, std::max(of.load[0], of.load[1]),
+           1e-9 * std::max(of.pressure[0], of.pressure[1]), of.cage_speed());
   say(line);
 }
 

@@ -214,9 +214,8 @@ void FixBearingRecord::open()
   content.film = pair_->lubricated();
   content.capacitance = static_cast<bool>(context_.capacitor);
   content.surroundings = context_.surroundings;
-  const raceway::LawFacts law = raceway::law_facts(pair_->law());
-  content.couples = law.couples;
-  content.asperities = law.asperities;
+  content.law = pair_->law();
+  content.spheres = pair_->spheres();
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
   content.about = about_;
@@ -224,7 +223,7 @@ void FixBearingRecord::open()
   const size_t batch =
       std::min(most_in_batch, std::max<size_t>(1, batch_bytes / file->record_bytes()));
   // ranks wait for each other once a batch; alone, a sample is written while it is at hand
-  rows_.begin(layout_, *file, columns_, pair_->lubricated(), comm->nprocs > 1 ? batch : 1);
+  rows_.begin(layout_, *file, columns_, comm->nprocs > 1 ? batch : 1);
   open_ = true;
   if (comm->me != 0) return;
   std::string why;

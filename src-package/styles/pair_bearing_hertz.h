@@ -45,7 +45,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
   bool lubricated() const { return with_film_; }
-  int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
+  bool spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
+  int axis_index() const { return axis_; }              // 0 x, 1 y, 2 z
   raceway::Vec3 axis() const override;
   // A bearing was made with these balls and cage balls: they need a pair_coeff ... sphere.
   void expect_sphere(int ball_type, int cage_type);

@@ -72,7 +72,7 @@ static Resisted resisted(const Rolled &in, unsigned parts, const double *before)
   out.hysteresis_couple = c.hysteresis_couple;
   out.drag = c.drag;
   out.drag_power = c.drag_power;
-  out.friction_power = friction_power(c);
+  out.friction_power = FrictionLoss::of(c);
   return out;
 }
 

@@ -47,7 +47,8 @@ def test_each_contact(bearing):
                 b,
                 film.h_c(r_x, g),
             )
-            expected = [speed, film.h_min(r_x, g), film.h_c(r_x, g), film.h_min(r_x, g) / 1e-7, c]
+            h_min, h_c = film.h_min(r_x, g), film.h_c(r_x, g)
+            expected = [speed, h_min, h_c, h_min / 1e-7, c, speed]
             assert [values[ball] for values in found] == pytest.approx(expected, rel=1e-12)
             series.append(c)
         assert films.ball[ball] == pytest.approx(1 / (1 / series[0] + 1 / series[1]), rel=1e-12)

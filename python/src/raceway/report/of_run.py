@@ -14,7 +14,7 @@ from raceway.pictures.page import title
 from raceway.pictures.part import shown as part
 from raceway.report.page import Page
 from raceway.rows import cells
-from raceway.runs.columns import BEARING, CONTACT
+from raceway.runs.columns import BEARING, CONTACT, LOSSES
 from raceway.runs.summary import TOPICS, reasons, ring_displacement, shown, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.check import variables
@@ -31,8 +31,7 @@ CHARTS = {
     "Capacitance of the bearing": ("capacitance",),
     "Balls loaded on both raceways": ("loaded_balls",),
     "Cage speed": ("cage_speed",),
-    "Power lost": ("friction_power", "rolling_power", "hysteresis_power", "spin_power")
-    + ("damping_power", "drag_power", "cage_power"),
+    "Power lost": tuple(LOSSES.values()),
 }
 
 

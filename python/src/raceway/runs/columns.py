@@ -45,3 +45,5 @@ RING = {
     "shift": Column("displacement of the inner ring along the load", "m"),
 }
 BEARING = {**_table(_TABLES["total"]), **_table(_TABLES["bearing"])}
+# key of `losses_W`: column of the power lost, in W; of contacts, rings and bearings alike
+LOSSES = {row["loss"]: row["name"] for row in _TABLES["bearing"] if "loss" in row}

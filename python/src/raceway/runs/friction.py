@@ -5,20 +5,11 @@ import math
 from typing import Any
 
 from raceway import catalogue, inputs
+from raceway.runs.columns import LOSSES
 from raceway.runs.measured import loading
 from raceway.runs.tables import RunTables
 from raceway.theory import makers
 
-# part of `losses_W`: column of a run's sums over the bearing
-PARTS = {
-    "rolling": "rolling_power",
-    "slip": "friction_power",
-    "spin": "spin_power",
-    "hysteresis": "hysteresis_power",
-    "film": "damping_power",
-    "drag": "drag_power",
-    "cage": "cage_power",
-}
 KEYS = (
     "friction_torque_N_m",
     "power_loss_W",
@@ -36,7 +27,7 @@ def friction(tables: RunTables) -> dict[str, Any]:
     - `friction_torque_N_m`: the power lost over the inner ring's speed, as in statics. Without
       losses the mean moment of the balls against its spin, which a tolerance of 1 nm leaves
       uncertain by some 1e-5 N m
-    - `power_loss_W`, `losses_W`: lost in all contacts, and by part of the contact law
+    - `power_loss_W`, `losses_W`: lost in all contacts, and by kind of loss (`columns.LOSSES`)
     - `asperity_share`: of the load, at the largest inner load
     - `torque_skf_N_m`, `torque_palmgren_N_m`: the makers' figures at the measured forces, for
       bearings and lubricants whose files are at hand and have their data
@@ -45,7 +36,7 @@ def friction(tables: RunTables) -> dict[str, Any]:
     rings = rings[rings["sample"] > 0]
     result: dict[str, Any] = dict.fromkeys(KEYS)
     losses = {
-        part: float(totals[name].mean()) if name in totals else None for part, name in PARTS.items()
+        key: float(totals[name].mean()) if name in totals else None for key, name in LOSSES.items()
     }
     known = [loss for loss in losses.values() if loss is not None]
     result["losses_W"] = losses if known else None

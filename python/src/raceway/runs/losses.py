@@ -6,9 +6,8 @@ import xarray as xr
 
 from raceway.errors import RunError
 from raceway.runs.around import BINS, around
+from raceway.runs.columns import LOSSES
 from raceway.runs.run import Run
-
-SUMS = ("friction_power", "damping_power")
 
 
 def losses(run: Run) -> xr.Dataset:
@@ -17,21 +16,23 @@ def losses(run: Run) -> xr.Dataset:
 
     - `torque` (N m): what the balls hold against the inner ring's spin
     - `power_in` (W): torque times spin
-    - `friction_power` (W): lost in the contacts to tangential force
-    - `damping_power` (W): lost in the contacts to normal damping
+    - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... as far as the
+      contact law of the run has them (`columns.LOSSES`)
 
     Power in and power lost differ at any moment by what springs and moving balls store, and on
     average over whole ball passes by what the integrator adds or takes. The bearing's axis is z and
     the ring not tilted much: the torque is the moment about z. Raises `RunError` when the run did
-    not record the losses of its contacts.
+    not record its losses.
     """
-    _need(run)
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
         raise RunError(f"{run.tables.record.path} has no columns mz and spin")
     torque = -rings["mz"] * np.sign(rings["spin"])
     data = xr.merge(
-        [{"torque": torque, "power_in": -rings["mz"] * rings["spin"]}, bearing[list(SUMS)]],
+        [
+            {"torque": torque, "power_in": -rings["mz"] * rings["spin"]},
+            bearing[_known(bearing, run)],
+        ],
         join="inner",
         combine_attrs="drop_conflicts",
         compat="override",
@@ -42,17 +43,21 @@ def losses(run: Run) -> xr.Dataset:
 
 
 def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
-    """Dataset (raceway, from_load_line): mean `friction_power` and `damping_power` (W) of a contact
-    in each part of the ring, and `contacts`. Read in blocks. Raises as `losses` does."""
-    _need(run)
-    result = around(run, {name: lambda table, name=name: table[name] for name in SUMS}, bins)
-    for name in SUMS:
+    """Dataset (raceway, from_load_line): mean power lost of a contact (W) in each part of the ring,
+    by the columns that the contacts of the run have (`friction_power`, `damping_power`, ...), and
+    `contacts`. Read in blocks. Raises as `losses` does."""
+    names = _known(run.settings["contact_columns"].split(), run)
+    result = around(run, {name: lambda table, name=name: table[name] for name in names}, bins)
+    for name in names:
         result[name].attrs["units"] = "W"
     return result
 
 
-def _need(run):
-    if missing := [name for name in SUMS if name not in run.settings["contact_columns"].split()]:
-        raise RunError(
-            f"{run.tables.record.path} has no column {' '.join(missing)}: run the deck again"
-        )
+def _known(columns, run):
+    """The loss columns among `columns`; error naming the file where there is none."""
+    if known := [name for name in LOSSES.values() if name in columns]:
+        return known
+    raise RunError(
+        f"{run.tables.record.path} has no column of {', '.join(LOSSES.values())}: run the deck"
+        " again"
+    )

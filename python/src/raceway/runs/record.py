@@ -31,7 +31,7 @@ class Record:
     def __init__(self, folder: FilePath, bearing: int | None = None) -> None:
         self.path = Path(folder) / NAME
         if not self.path.exists():
-            raise RunError(f"{folder} {_what_it_is(Path(folder))}")
+            raise RunError(f"{folder} {_without_record(Path(folder))}")
         try:
             with netcdf_file(self.path, mmap=True) as file:
                 self.attrs = {name: _plain(value) for name, value in file._attributes.items()}
@@ -202,8 +202,8 @@ class Record:
             )
 
 
-def _what_it_is(folder):
-    """What the folder without a record is to its user, and what to do."""
+def _without_record(folder):
+    """Why the folder has no record, and what to do."""
     if not folder.is_dir():
         return "is no folder: a run makes one, -var out NAME"
     if (folder / "contacts.dump").exists() or (folder / "balls.dump").exists():

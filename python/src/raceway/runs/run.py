@@ -62,7 +62,7 @@ class Run:
         return self.tables.record.bearings
 
     def select(self, number: int) -> "Run":
-        """The same run, one bearing of it. Raises `RunError` when there is none of that number."""
+        """The same run, one bearing of it. Raises `RunError` for a number that none has."""
         if number not in self.bearing_numbers:
             raise RunError(
                 f"{self.tables.folder} has the bearings {self.bearing_numbers[0]} to"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Whether a record and the `run.yaml` beside it are of one run: both note what was set."""
+"""A record and the `run.yaml` beside it must be of one run: both note what was set."""
 
 import math
 from collections.abc import Mapping

@@ -12,8 +12,9 @@ from typing import Any
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
+from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
-from raceway.runs.friction import PARTS, friction
+from raceway.runs.friction import friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.model_range import model_ranges
 from raceway.runs.settings import LUBRICANT
@@ -75,13 +76,10 @@ TOPICS = {
         Row("torque_palmgren_N_m", "Palmgren, oil bath", "N m"),
         Row("asperity_share", "load share of asperities", "", "largest inner load"),
         Row("power_loss_W", "power lost", "W", "mean"),
-        Row("loss_rolling_W", "  hydrodynamic rolling", "W", "Biboulet-Houpert"),
-        Row("loss_slip_W", "  sliding", "W", "tangential forces, differential slip"),
-        Row("loss_spin_W", "  spin", "W"),
-        Row("loss_hysteresis_W", "  hysteresis in rolling", "W"),
-        Row("loss_film_W", "  normal damping", "W", "film and steel"),
-        Row("loss_drag_W", "  drag of the balls", "W"),
-        Row("loss_cage_W", "  balls and cage", "W"),
+        *(
+            Row(f"loss_{key}_W", "  " + BEARING[name].meaning.removeprefix("power lost "), "W")
+            for key, name in LOSSES.items()
+        ),
     ),
     "Cost": (
         Row("host", "host", None),
@@ -291,7 +289,7 @@ def reasons(figures: Mapping[str, Any]) -> list[str]:
 def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     """The figures by the keys of `TOPICS`, None for those that are next to nothing."""
     result = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
-    losses = figures["losses_W"] or dict.fromkeys(PARTS)
+    losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
         **result,

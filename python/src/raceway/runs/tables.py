@@ -22,12 +22,12 @@ READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
 
 
 class RunTables:
-    """What a run says of itself (`settings`) and, read when first asked for, what it recorded.
+    """The `settings` of a run and its samples as tables, read when first asked for.
 
     Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
-    window from 0. `samples`, a slice without step, keeps to some of them: the way to look into a
+    window from 0. `samples`, a slice without step, keeps to some of them: one way to look into a
     run larger than memory. The other is `blocks`. A run that is still going, or was stopped, can be
-    read as far as it is; `finished` tells. `bearing` chooses one of many by its number, from 1.
+    read as far as it is; it is not `finished`. `bearing` chooses one of many by its number, from 1.
 
     Raises `RunError` when the folder has no record, a broken one, or one of another run than its
     `run.yaml`.
@@ -42,8 +42,11 @@ class RunTables:
         self.first, self.stop = _window(samples)
 
     def window(self, samples: slice) -> "RunTables":
-        """The same run with other `samples`."""
-        return RunTables(self.folder, samples, self.record.bearing)
+        """The same run with other `samples`. Its settings are not read or measured again."""
+        part = RunTables.__new__(RunTables)
+        part.folder, part.record, part.settings = self.folder, self.record, self.settings
+        part.first, part.stop = _window(samples)
+        return part
 
     @property
     def lubricated(self) -> bool:

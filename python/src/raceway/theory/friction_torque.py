@@ -165,10 +165,15 @@ def _pressed(bearing, contacts, films, friction, clearance):
     return _Pressed(*(np.array(part) for part in zip(*rows)))
 
 
-def starvation(boundary: makers.Boundary, fluid: Fluid, ring: float) -> float:
-    """SKF's phi_rs of a bearing with an oil bath or jet, the inner ring at `ring` rad/s."""
-    rpm = abs(ring) * 30 / np.pi
-    return float(makers.skf(boundary, 1.0, 0.0, rpm, fluid.kinematic).starvation)
+def surfaces(
+    boundary: makers.Boundary | None, fluid: Fluid, ring: float, film: float | None = None
+) -> Surfaces:
+    """`Surfaces` with the coefficient `film` and SKF's starvation factor of a bearing with an oil
+    bath or jet, the inner ring at `ring` rad/s; without its `boundary` dimensions none."""
+    if boundary is None:
+        return Surfaces(film=film)
+    found = makers.skf(boundary, 1.0, 0.0, abs(ring) * 30 / np.pi, fluid.kinematic)
+    return Surfaces(film=film, starvation=float(found.starvation))
 
 
 def _one(bearing, side, contact, film, fluid, clearance, surfaces):

@@ -18,7 +18,6 @@ from raceway.files import FilePath
 from raceway.theory import clearance, friction_torque, life, makers, ring_response, validity
 from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
 from raceway.theory.operating_balls import balls
 from raceway.theory.operating_table import table
@@ -145,22 +144,24 @@ def figures(
         result.update(_damping(body, state, films, oil, models, clearance))
     if film is not None:
         boundary = inputs.boundary(path)
-        result.update(film_factor=film.factor(films.inner.entrainment.flat[top]))
+        lost = friction_torque.losses(
+            body,
+            state,
+            films,
+            _complete(fluid),
+            spin,
+            orbits,
+            clearance=clearance,
+            surfaces=friction_torque.surfaces(boundary, fluid, spin, film_friction),
+            spin_law=spin_law,
+        )
+        inner = lost.asperity_share[: body.raceways.count(INNER)]
         result.update(
-            _friction(
-                body,
-                boundary,
-                state,
-                films,
-                fluid,
-                spin,
-                orbits,
-                clearance,
-                load,
-                axial,
-                spin_law,
-                film_friction,
-            )
+            film_factor=film.factor(films.inner.entrainment.flat[top]),
+            **_makers(body, boundary, load, axial, abs(rpm), fluid.kinematic),
+            friction_torque_N_m=lost.power / abs(spin),
+            losses_W=lost.parts,
+            asperity_share=inner.flat[top],
         )
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
@@ -198,42 +199,23 @@ def _oil(lubricant, folder, temperature):
     return inputs.oil(path, temperature), inputs.fluid(path, temperature)
 
 
-def _friction(
-    body, boundary, state, films, fluid, spin, orbit, clearance, load, axial, spin_law, mu
-):
-    """Torque and losses; the makers' torque where the bearing's file has their data."""
+def _complete(fluid):
     if missing := [name for name, value in fluid._asdict().items() if math.isnan(value)]:
         raise inputs.InputError(
             f"models full need {', '.join(missing)} of the lubricant, and its file has none"
         )
-    result, surfaces = dict(torque_skf_N_m=None, torque_palmgren_N_m=None), Surfaces(film=mu)
-    if boundary is not None:
-        rpm, nu = abs(spin) * 30 / math.pi, fluid.kinematic
-        level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
-        own = makers.skf(boundary, load, axial, rpm, nu, level=level)
-        surfaces = Surfaces(film=mu, starvation=float(own.starvation))
-        if body.layout == Layout():  # their formulas are of one groove a ring
-            result = dict(
-                torque_skf_N_m=1e-3 * own.total,
-                torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, nu)),
-            )
-    found = friction_torque.losses(
-        body,
-        state,
-        films,
-        fluid,
-        spin,
-        orbit,
-        clearance=clearance,
-        surfaces=surfaces,
-        spin_law=spin_law,
-    )
-    top = int(np.argmax(state.inner.load))
+    return fluid
+
+
+def _makers(body, boundary, load, axial, rpm, viscosity):
+    """Torque of the makers' formulas, which are of one groove a ring, where the file has their
+    data."""
+    if boundary is None or body.layout != Layout():
+        return dict(torque_skf_N_m=None, torque_palmgren_N_m=None)
+    level = 500 * body.ball_diameter  # mm above the lowest raceway: the middle of a ball
     return dict(
-        result,
-        friction_torque_N_m=found.power / abs(spin),
-        losses_W=found.parts,
-        asperity_share=found.asperity_share[: body.raceways.count(INNER)].flat[top],
+        torque_skf_N_m=1e-3 * makers.skf(boundary, load, axial, rpm, viscosity, level=level).total,
+        torque_palmgren_N_m=1e-3 * sum(makers.palmgren(boundary, load, rpm, viscosity)),
     )
 
 

@@ -8,7 +8,7 @@ ring at their own, the oil at their mean, and the clearance of the warm parts in
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,6 @@ from raceway.rows import Row, lines
 from raceway.theory import friction_torque, heat, makers
 from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubricant import Lubricant
 from raceway.theory.lubrication import lubricate, turning
 
@@ -126,10 +125,6 @@ class Scene:
             fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
         )
         films = lubricate(self.bearing, state, oil, ring, clearance, film.factor)
-        surfaces = Surfaces(film=self.film_friction)
-        if self.boundary is not None:
-            starved = friction_torque.starvation(self.boundary, fluid, ring)
-            surfaces = replace(surfaces, starvation=starved)
         losses = friction_torque.losses(
             self.bearing,
             state,
@@ -138,7 +133,7 @@ class Scene:
             ring,
             orbit,
             clearance=clearance,
-            surfaces=surfaces,
+            surfaces=friction_torque.surfaces(self.boundary, fluid, ring, self.film_friction),
             spin_law=self.spin_law,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis

@@ -1,0 +1,309 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every figure of a bearing or a ring is the sum or the extreme of its contacts, and the power that
+shaft and loads put in is the losses plus what is stored: all models, kinds of bearing, integrators
+and hosts."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from host import BOX, frames, run
+from raceway.runs import columns
+
+TABLES = json.loads(Path(columns.__file__).with_name("columns.json").read_text())
+CONTACTS = [row["name"] for row in TABLES["contact"]]
+PLATES = {"capacitance", "capacitance_total"}  # what a dry bearing has no film for
+LOSSES = [name for name in CONTACTS if name.endswith("_power")]
+
+OIL = "lubricant 0.04 22e-9 roughness 1.0e-7 0 "
+FRICTION = (
+    "friction mixed 0.12 0.05 {slip} rolling 0.047 0.134 1.0 rolling_hysteresis 0.01 drag 870 0.1"
+)
+ROLLING = FRICTION.format(slip="heathcote 1.0e-4") + " spin 1.0"
+GAP = "gap 1 film_damping branch inlet_shear murch 0.047 0.134 "
+DRY = "friction constant 0.1 "
+LAWS = {
+    "dry": DRY + "smoothed 0.01",
+    "dry, spring": DRY,
+    "dry, rolling": DRY + "heathcote 1.0e-4 rolling_hysteresis 0.01 spin 1.0",
+    "dry, slices": DRY + "slices 1.0e-4 1.0 rolling_hysteresis 0.01",
+    "paper": OIL + "friction stribeck 0.12 0.05 smoothed 0.01",
+    "paper, spring": OIL + "friction stribeck 0.12 0.05",
+    "film": OIL + ROLLING,
+    "full": OIL + GAP + ROLLING,
+    "full, slices": OIL + GAP + FRICTION.format(slip="slices 1.0e-4 1.0"),
+    "full, no differential slip": OIL + GAP + FRICTION.format(slip="smoothed 0.01"),
+    "full, no friction": OIL + GAP,
+}
+RADIAL = "x free y free spin speed 50 force 0 -2000 0 ramp 1.0e-3"
+COMBINED = "x free y free z free rx free ry free spin speed 50 force 0 -1000 3000 ramp 1.0e-3"
+# kind: (motion of the inner ring, distance of two grooves from the middle plane, cage, bearings)
+KINDS = {
+    "radial": (RADIAL, 0.0, False, 1),
+    "cage": (RADIAL, 0.0, True, 1),
+    "angular contact": (COMBINED, 0.0, False, 1),
+    "four-point": (COMBINED, 0.1e-3, False, 1),
+    "two bearings": (RADIAL, 0.0, True, 2),
+}
+# law, kind, integrator, host, ranks
+SCENES = [
+    *((law, "radial", "implicit", "liggghts", 1) for law in LAWS if "spring" not in law),
+    *((law, "radial", "verlet", "liggghts", 1) for law in ("dry, spring", "paper, spring", "full")),
+    *(("full", kind, "implicit", "liggghts", 1) for kind in KINDS if kind != "radial"),
+    ("paper", "cage", "implicit", "liggghts", 1),
+    ("dry, spring", "four-point", "verlet", "liggghts", 1),
+    ("full", "two bearings", "implicit", "liggghts", 2),
+    ("full", "two bearings", "verlet", "lammps", 1),
+    ("full", "two bearings", "implicit", "wheel", 1),
+]
+SAMPLE, SAMPLES = 2.5e-5, 100  # s
+
+
+def test_every_loss_of_a_contact_is_one_of_bearings_and_rings():
+    for section in ("ring", "total", "bearing"):
+        assert set(LOSSES) <= {row["name"] for row in TABLES[section]}, section
+
+
+def ring_columns(wet):
+    names = [row["name"] for row in TABLES["ring"]]
+    names = ["ring", *names[names.index("az") + 1 :]]
+    return [n for n in names if wet or n not in PLATES | {"h_min", "lambda"}]
+
+
+def deck(law, kind, integrator, out):
+    wet = law.startswith("lubricant")
+    inner, arch, cage, number = KINDS[kind]
+    gap = 6.552e-3 - 6.3e-3
+    high = np.sqrt(gap**2 - arch**2)  # of the centre of a groove above the pitch circle
+    grooves = f"gothic_arch {arch}" if arch else ""
+    radii = (
+        (30.3e-3 + high - 6.552e-3, 30.3e-3 - high + 6.552e-3 - 2e-6) if arch else (24e-3, 36.6e-3)
+    )
+    substeps = 1 if integrator == "implicit" else 50
+    total = ["step"] + [f"c_total[{k}]" for k in range(1, len(TABLES["total"]) + 1)]
+    rings = ring_columns(wet)
+    values = " ".join(f"c_sides[{k}]" for k in range(1, len(rings) + 1))
+    power = "f_move[7] f_move[8] f_move[9] f_move[10]".split() if integrator == "implicit" else []
+    line = " ".join(f"${{w{k}}}" for k in range(len(total + power)))
+    box = BOX.replace("spheres", "bearings").replace(
+        "0.06 -0.06 0.06 -0.06", "0.26 -0.06 0.06 -0.06"
+    )
+    return "\n".join(
+        [
+            f"bearing_output {out}",
+            box.replace("every 20", "every 1"),
+            f"pair_style bearing/{'ehd' if wet else 'hertz'} {law}",
+            f"pair_coeff 1 3 inner {radii[0]} 6.552e-3 {grooves}",
+            f"pair_coeff 1 4 outer {radii[1]} 6.552e-3 {grooves}",
+            "pair_coeff 1 2 sphere 210e9 0.3 3.3e9 0.41" if cage else "",
+            *(
+                f"create_bearing 1 {'2' if cage else 'none'} 3 4 balls 9 diameter 12.6e-3"
+                " speed 50 0"
+                f" {'cage 8.446e-3' if cage else ''} centre {0.1 * k} 0 0 phase {0.1 * k}"
+                for k in range(number)
+            ),
+            "group balls type 1\ngroup cage type 2\ngroup inner type 3\ngroup moving type 1 2",
+            "group rings type 3 4",
+            "fix rails cage bearing/cage 4" if cage else "",
+            "fix move all bearing/implicit energy yes tolerance 1e-9 largest 2.5e-5"
+            if integrator == "implicit"
+            else "fix move moving nve/sphere",
+            f"fix inner inner bearing/ring mass 0.2 inertia 1.2e-4 6.5e-5 {inner}",
+            f"fix plates balls bearing/capacitance {substeps} permittivity 2.2 surroundings flooded"
+            if wet
+            else "",
+            "compute sides rings bearing/ring " + " ".join(rings),
+            "compute total all bearing/total",
+            *(f"variable w{k} equal {word}" for k, word in enumerate(total + power)),
+            f'fix totals all print {substeps} "{line}" file {out}/totals.txt screen no title none',
+            f"fix record all bearing/record {substeps} {out} overwrite yes contacts all",
+            f"dump sides all local {substeps} {out}/sides.dump {values}",
+            f'dump_modify sides ${{b_format}} "{" ".join(["%.17g"] * len(rings))}"',
+            "thermo_style custom step",
+            f"timestep {SAMPLE / substeps}",
+            f"run {SAMPLES * substeps}",
+        ]
+    )
+
+
+class Ran:
+    """A scene: its record, and by step what the computes and the account of the energy say."""
+
+    def __init__(self, folder, law, kind, integrator, host, ranks):
+        self.wet = LAWS[law].startswith("lubricant")
+        folder.joinpath("in.deck").write_text(deck(LAWS[law], kind, integrator, folder))
+        done = run(folder / "in.deck", host=host, ranks=ranks)
+        assert done.code == 0, done.text[-3000:]
+        with xr.open_dataset(folder / "record.nc") as data:
+            self.record = data.load()
+        self.steps = self.record["step"].to_numpy().astype(int).tolist()
+        lines = [
+            [float(word) for word in line.split()]
+            for line in (folder / "totals.txt").read_text().splitlines()
+            if line.strip() and line.split()[0][0].isdigit()
+        ]
+        self.totals = {int(line[0]): line[1:] for line in lines}
+        names = ring_columns(self.wet)
+        self.sides = {
+            step: [dict(zip(names, map(float, row.split()))) for row in rows]
+            for step, rows in frames(folder / "sides.dump").items()
+        }
+
+    def contacts(self, step):
+        """{column: array (raceway, ball)}, NaN where there is no contact; losses and loads 0."""
+        at = self.steps.index(step)
+        over_time = [n for n in CONTACTS if n in self.record and self.record[n].ndim == 3]
+        return {n: self.record[n][at].to_numpy() for n in over_time}
+
+    def inner(self):
+        return np.array([str(name).startswith("inner") for name in self.record["raceway"].values])
+
+
+@pytest.fixture(scope="module", params=SCENES, ids=lambda scene: ", ".join(map(str, scene)))
+def ran(request, tmp_path_factory):
+    return Ran(tmp_path_factory.mktemp("sums"), *request.param)
+
+
+def same(one, other, terms=()):
+    """To 1e-13 of the value, or of the largest of its terms."""
+    scale = max([abs(one), abs(other), *(abs(term) for term in np.ravel(terms))])
+    return one == other or abs(one - other) <= 1e-13 * scale or (np.isnan(one) and np.isnan(other))
+
+
+def figures(contacts, inner, balls, wet):
+    """{name: (figure, its terms)} of these balls' contacts, by the definitions of the columns."""
+    c = {name: values[:, balls] for name, values in contacts.items()}
+    live = c["load"] > 0
+    found = {"contacts": (live.sum(), ())}
+    found["loaded_balls"] = (live[inner].any(0) & live[~inner].any(0)).sum(), ()
+    for name in ("load", "pressure"):
+        for side, rows in (("inner", inner), ("outer", ~inner)):
+            found[f"{name}_{side}"] = np.where(live, c[name], 0.0)[rows].max(), ()
+    for name in LOSSES:
+        terms = np.where(live, c[name], 0.0)
+        found[name] = terms.sum(), terms
+    top = np.unravel_index(np.argmax(np.where(live, c["load"], -1)[inner]), live[inner].shape)
+    names = ["entrainment"]
+    if wet:
+        for name in ("h_min", "lambda"):
+            found[name] = c[name][live].min() if live.any() else np.nan, ()
+        for name in sorted(PLATES):
+            whole = name == "capacitance_total"
+            terms = np.where(live | whole, c[name], 0.0)
+            one, other = terms[inner].sum(0), terms[~inner].sum(0)
+            series = [a * b / (a + b) if a > 0 and b > 0 else 0.0 for a, b in zip(one, other)]
+            found[name] = sum(series), series
+            found[f"{name}_top"] = max(series), ()
+        names += ["h_min", "lambda", "h_c", "asperity_share"]
+    if live[inner].any():
+        found.update({f"{name}_top": (c[name][inner][top], ()) for name in names})
+    return found
+
+
+def test_a_record_has_the_sums_of_its_contacts(ran):
+    data, inner, checked = ran.record, ran.inner(), set()
+    for at, step in enumerate(ran.steps):
+        contacts = ran.contacts(step)
+        for k, bearing in enumerate(data["bearing"].values):
+            balls = data["ball_bearing"].to_numpy() == bearing
+            for name, (value, terms) in figures(contacts, inner, balls, ran.wet).items():
+                if f"bearing_{name}" not in data:
+                    assert name in LOSSES and not np.any(terms) or name == "asperity_share_top", (
+                        name
+                    )
+                    continue
+                told = float(data[f"bearing_{name}"][at, k])
+                assert same(told, value, terms), (step, name, told, value)
+                checked.add(name)
+    assert len(checked) >= 9
+
+
+def test_compute_ring_has_the_sums_of_its_contacts(ran):
+    data, inner = ran.record, ran.inner()
+    wanted = sorted(set(ran.sides) & set(ran.steps))
+    assert len(wanted) >= SAMPLES
+    for step in wanted:
+        contacts = ran.contacts(step)
+        rows = {int(row["ring"]): row for row in ran.sides[step]}
+        for tag, bearing, raceway in zip(
+            data["ring"].values, data["ring_bearing"].values, data["ring_raceway"].values
+        ):
+            balls = data["ball_bearing"].to_numpy() == bearing
+            both = figures(contacts, inner, balls, ran.wet)
+            on = inner if raceway == 0 else ~inner
+            apart = {n: np.where(on[:, None], v, 0.0) for n, v in contacts.items()}
+            own = figures(apart, inner, balls, ran.wet)
+            side = "inner" if raceway == 0 else "outer"
+            wanted = {n: own[n] for n in ("contacts", *LOSSES) if n in own}
+            wanted |= {n: own[f"{n}_{side}"] for n in ("load", "pressure")}
+            wanted["balls"] = both["loaded_balls"]
+            if ran.wet:
+                wanted |= {n: both[n] for n in PLATES}
+                live = apart["load"][:, balls] > 0
+                for n in ("h_min", "lambda"):
+                    films = contacts[n][:, balls][live]
+                    wanted[n] = films.min() if len(films) else 0.0, ()
+            for name in wanted.keys() & rows[tag].keys():
+                (value, terms), told = wanted[name], rows[tag][name]
+                assert same(told, value, terms), (step, tag, name, told, value)
+
+
+def test_compute_total_has_the_sums_of_all_bearings(ran):
+    data, names = ran.record, [row["name"] for row in TABLES["total"]]
+    whole = {n: data[f"bearing_{n}"] for n in names if f"bearing_{n}" in data}
+    steps = sorted(set(ran.totals) & set(ran.steps))
+    assert len(steps) >= SAMPLES - 1
+    for step in steps:
+        told, contacts = dict(zip(names, ran.totals[step])), ran.contacts(step)
+        wanted = figures(contacts, ran.inner(), slice(None), ran.wet)
+        wanted["pressure"] = max(wanted["pressure_inner"][0], wanted["pressure_outer"][0]), ()
+        at = ran.steps.index(step)
+        for n in ("loaded_balls", "cage_power"):
+            if n in whole:
+                wanted[n] = float(whole[n][at].sum()), whole[n][at].values
+        if "cage_force" in whole:
+            wanted["cage_force"] = float(whole["cage_force"][at].max()), ()
+        balls = np.array([(data["ball_bearing"] == b).sum() for b in data["bearing"]])
+        speeds = whole["cage_speed"][at].values * balls / balls.sum()
+        wanted["cage_speed"] = speeds.sum(), speeds
+        for name in names:
+            if name not in wanted:
+                continue
+            value, terms = wanted[name]
+            value = 0.0 if np.isnan(value) else value  # no contact
+            assert same(float(f"{value:.15g}"), told[name], terms) or abs(
+                told[name] - value
+            ) <= 1e-14 * max(abs(value), *np.abs(np.ravel(terms)), 0.0), (
+                step,
+                name,
+                told[name],
+                value,
+            )
+
+
+def test_power_in_is_losses_plus_what_is_stored(ran):
+    """By the account of fix bearing/implicit. A sum over samples is good to what every other and
+    every fourth sample change; the integrator's own error is the LOST of the account."""
+    if len(next(iter(ran.totals.values()))) == len(TABLES["total"]):
+        pytest.skip("velocity Verlet keeps no account")
+    data, steps = ran.record, ran.steps
+    names = [f"bearing_{row['name']}" for row in TABLES["bearing"]]
+    losses = [name for name in names if name.endswith("_power") and name in data]
+    power = sum(data[name].sum("bearing").to_numpy() for name in losses)
+    time = data["time"].to_numpy()
+    last = len(time) - 1
+    first = last - last // 8 * 4
+    sums = [
+        np.trapezoid(power[first : last + 1 : n], time[first : last + 1 : n]) for n in (1, 2, 4)
+    ]
+    lost = sums[0]
+    work, taken, stored, missing = np.array(ran.totals[steps[last]][-4:]) - np.array(
+        ran.totals[steps[first]][-4:]
+    )
+    error = np.abs(np.diff(sums)).max() + abs(missing)
+    assert lost > 0
+    assert abs(taken - lost) <= error
+    assert abs(work - stored - lost) <= error
+    assert error <= 0.1 * lost, "the estimate is no use"
