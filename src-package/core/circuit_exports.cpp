@@ -53,8 +53,8 @@ void put(const FilmFailure &f, int point, double *row)
 
 // Films are by point, side, ball; the outer circuit by point: beside, coupling, conductance,
 // driving. Voltages `before` are without the discharge of their point. Rows of failures, at most
-// `most`: point, side, ball, film voltage, bearing voltage, that after, film energy, energy. Returns
-// the number of failures.
+// `most`: point, side, ball, film voltage, bearing voltage, that after, film energy, energy.
+// Returns the number of failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *limit, const double *outer, double start,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oils by temperature (oil_data.h), SKF's starvation (starvation.h), rolling without slip (rolling.h).
+// Oils by temperature (oil_data.h), SKF's starvation (starvation.h), rolling without slip
+// (rolling.h).
 #include "../physics/oil_data.h"
 #include "../physics/rolling.h"
 #include "../physics/starvation.h"

@@ -39,8 +39,8 @@
 namespace raceway {
 
 constexpr int lanes = 4;
-// Code for AVX2 takes a Lane to be aligned to 32 bytes, but its type asks for 16 where the target has
-// no AVX2. So structs of lanes that are passed between functions say alignas(sizeof(T)).
+// Code for AVX2 takes a Lane to be aligned to 32 bytes, but its type asks for 16 where the target
+// has no AVX2. So structs of lanes that are passed between functions have alignas(sizeof(T)).
 typedef double Lane __attribute__((vector_size(8 * lanes)));
 using LaneMask = decltype(Lane() < Lane());    // of a comparison: 0 or all bits
 

@@ -29,8 +29,8 @@ constexpr bool same_text(const char *a, const char *b)
   while (*a && *a == *b) ++a, ++b;
   return *a == *b;
 }
-// The place of a column. Outputs keep the order they had before the parts declared their losses; new
-// columns follow in the order of the parts. A name without a loss gives the number of columns.
+// The place of a column. Outputs keep the order they had before the parts declared their losses;
+// new columns follow in the order of the parts. A name without a loss gives the number of columns.
 template <class... L> constexpr int loss_place(LossList<L...>, const char *name)
 {
   const char *const names[] = {"friction_power",   "damping_power", "rolling_power",
