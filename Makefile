@@ -137,7 +137,7 @@ CXX_SOURCES := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
 
 lint: setup
 	@$(MAKE) --no-print-directory -s $(TEST_STAMP)
-	.venv/bin/clang-format --dry-run --Werror $(CXX_SOURCES)
+	@.venv/bin/clang-format --dry-run --Werror $(CXX_SOURCES)
 	.venv/bin/ruff check -q
 	.venv/bin/ruff format -q --check
 	@! LC_ALL=C.UTF-8 grep -nE '^.{101,}$$' $(CXX_SOURCES) || { echo "lines over 100 columns"; exit 1; }
