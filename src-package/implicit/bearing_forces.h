@@ -4,9 +4,11 @@
 #ifndef RACEWAY_BEARING_FORCES_H
 #define RACEWAY_BEARING_FORCES_H
 
-#include "bearing_system.h"
+#include "bearing_bodies.h"
 
 namespace raceway {
+
+class BearingSystem;
 
 enum class Evaluate {
   only,          // forces on rings, power, energy; without looks the right-hand side, too

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Contacts in lanes, with any set of parts, for processors without AVX2.
-#include "../physics/targets.h"
+#include "../physics/lane.h"
 
 #ifdef RACEWAY_TWO_TARGETS    // else contact_lanes.cpp is for one target
 #define RACEWAY_ONE_TARGET 1

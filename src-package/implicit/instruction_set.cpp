@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "instruction_set.h"
 
-#include "../physics/targets.h"
+#include "../physics/lane.h"
 
 #include <cstdlib>
 

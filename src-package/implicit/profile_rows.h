@@ -3,7 +3,7 @@
 #ifndef RACEWAY_PROFILE_ROWS_H
 #define RACEWAY_PROFILE_ROWS_H
 
-#include "bearing_forces.h"
+#include "bearing_system.h"
 #include "ring_motions.h"
 
 namespace raceway {

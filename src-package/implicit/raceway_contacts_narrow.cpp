@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The same for processors without AVX2.
-#include "../physics/targets.h"
+#include "../physics/lane.h"
 
 #ifdef RACEWAY_TWO_TARGETS    // else raceway_contacts_any.cpp is for one target
 #define RACEWAY_ONE_TARGET 1

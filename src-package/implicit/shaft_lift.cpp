@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "shaft_lift.h"
 
+#include "bearing_bodies.h"
+
 #include <algorithm>
 
 namespace raceway {

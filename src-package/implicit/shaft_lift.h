@@ -4,9 +4,11 @@
 #ifndef RACEWAY_SHAFT_LIFT_H
 #define RACEWAY_SHAFT_LIFT_H
 
-#include "bearing_bodies.h"
+#include <vector>
 
 namespace raceway {
+
+class BearingBodies;
 
 class ShaftLift {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // For processors without AVX2.
-#include "targets.h"
+#include "lane.h"
 
 #ifdef RACEWAY_TWO_TARGETS    // else any_law.cpp is for one target
 #define RACEWAY_ONE_TARGET 1

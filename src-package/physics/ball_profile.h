@@ -50,16 +50,17 @@ struct BallView {
 // One kind of ball on one kind of raceway.
 class BallProfile {
  public:
-  // `p` is prepared.
-  BallProfile(const BallShape &shape, const Raceway &p) :
-      radius_(p.groove.ball_radius), ellipse_(p.law.radial().a), stiffness_(p.law.radial().K),
-      waves_(shape.waves)
+  // Radius of the ball and effective radius along rolling, m; semi-axis of the contact patch across
+  // the groove over sqrt(overlap), sqrt(m); stiffness of the contact, N/m^1.5.
+  BallProfile(const BallShape &shape, double radius, double rolling, double ellipse,
+              double stiffness) :
+      radius_(radius), ellipse_(ellipse), stiffness_(stiffness), waves_(shape.waves)
   {
     for (const BallPitShape &s : shape.pits)
-      pits_.push_back({NotchPath(s, radius_ * std::cos(s.latitude), p.rolling_radius(1.0)),
+      pits_.push_back({NotchPath(s, radius_ * std::cos(s.latitude), rolling),
                        s.latitude, s.width});
     for (const PeriodicCurve &t : shape.tables) {
-      tables_.push_back(rolled(t, radius_, p.rolling_radius(1.0)));
+      tables_.push_back(rolled(t, radius_, rolling));
       spacings_.push_back(t.spacing());
     }
   }

@@ -175,6 +175,14 @@ inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
   return 4.0 * g / (0.5 * reduced_modulus(E1, nu1, E2, nu2));
 }
 
+// Overlap (m) from which on the semi-axis across the groove, a sqrt(overlap), is no smaller than
+// the groove radius: Hertz's half-spaces are none any more. The rule of `raceway static`.
+inline double widest_overlap(double a, double groove_radius)
+{
+  const double ratio = groove_radius / a;
+  return ratio * ratio;
+}
+
 }    // namespace raceway
 
 #endif

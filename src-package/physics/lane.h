@@ -9,9 +9,13 @@
 #ifndef RACEWAY_LANE_H
 #define RACEWAY_LANE_H
 
-#include "targets.h"
-
 #include <cmath>
+
+// Lanes are compiled for processors with AVX2 and for those without, but not by sanitizers, not
+// with RACEWAY_ONE_TARGET, and not for other families of processors.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(RACEWAY_ONE_TARGET)
+#define RACEWAY_TWO_TARGETS 1
+#endif
 
 // A function that takes a Lane must be compiled for the instruction set of its caller, so it is
 // never called. A function that calls such functions is compiled for several instruction sets; the
@@ -22,7 +26,7 @@
 // and once more in a file for one target; instruction_set.h tells which to call.
 //
 // For one target all are plain functions, which compile several times faster: sanitizers, which do
-// not know the mechanism, and builds that are not for speed (targets.h).
+// not know the mechanism, and builds that are not for speed (RACEWAY_ONE_TARGET).
 #if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_INLINE inline
 #else

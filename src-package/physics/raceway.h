@@ -7,7 +7,6 @@
 #include "dual.h"
 #include "film_factors.h"
 #include "raceway_law.h"
-#include "validity.h"
 
 namespace raceway {
 

@@ -10,9 +10,10 @@
 #define RACEWAY_RACEWAY_PROFILE_H
 
 #include "periodic_curve.h"
-#include "raceway.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace raceway {
 
@@ -112,11 +113,11 @@ inline PeriodicCurve rolled(const PeriodicCurve &surface, double raceway_radius,
 
 class RacewayProfile {
  public:
-  // `p` is prepared.
-  RacewayProfile(const ProfileShape &shape, const Raceway &p) :
-      radius_(p.groove.raceway_radius), ellipse_(p.law.radial().a), waves_(shape.waves)
+  // Radius of the raceway and effective radius along rolling, m; semi-axis of the contact patch
+  // across the groove over sqrt(overlap), sqrt(m).
+  RacewayProfile(const ProfileShape &shape, double radius, double rolling, double ellipse) :
+      radius_(radius), ellipse_(ellipse), waves_(shape.waves)
   {
-    const double rolling = p.rolling_radius(1.0);
     for (const NotchShape &n : shape.notches) notches_.emplace_back(n, radius_, rolling);
     for (const PeriodicCurve &t : shape.tables) {
       tables_.push_back(rolled(t, radius_, rolling));

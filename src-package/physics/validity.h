@@ -16,14 +16,6 @@
 
 namespace raceway {
 
-// Overlap (m) from which on the semi-axis across the groove, a sqrt(overlap), is no smaller than
-// the groove radius: Hertz's half-spaces are none any more. The rule of `raceway static`.
-inline double widest_overlap(double a, double groove_radius)
-{
-  const double ratio = groove_radius / a;
-  return ratio * ratio;
-}
-
 struct Validity {
   enum Doubt { PRESSURE, THICK_FILM, LAMBDA, CONDUCTS, FILM_FIT, SHOULDER, N };
 

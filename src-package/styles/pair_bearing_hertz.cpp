@@ -196,7 +196,8 @@ std::vector<const RacewayPhysics *> PairBearingHertz::raceways_under(int ball_ty
 void PairBearingHertz::add_profile(bearing::tag_t ring, const RacewayPhysics &p,
                                    const ProfileShape &shape)
 {
-  profiles_.emplace(std::make_pair(ring, &p), RacewayProfile(shape, p));
+  profiles_.emplace(std::make_pair(ring, &p), RacewayProfile(shape, p.groove.raceway_radius, p.rolling_radius(1.0),
+                                  p.law.radial().a));
 }
 
 const RacewayProfile *PairBearingHertz::profile(bearing::tag_t ring, const RacewayPhysics *p) const
@@ -208,7 +209,8 @@ const RacewayProfile *PairBearingHertz::profile(bearing::tag_t ring, const Racew
 void PairBearingHertz::add_profile(bearing::tag_t ball, const RacewayPhysics &p,
                                    const BallShape &shape)
 {
-  ball_profiles_.emplace(std::make_pair(ball, &p), BallProfile(shape, p));
+  ball_profiles_.emplace(std::make_pair(ball, &p), BallProfile(shape, p.groove.ball_radius, p.rolling_radius(1.0),
+                               p.law.radial().a, p.law.radial().K));
 }
 
 const BallProfile *PairBearingHertz::ball_profile(bearing::tag_t ball,
