@@ -36,12 +36,8 @@ FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isyst
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
 # These see no header of a host, nor MPI: all hosts link the same objects
-HOSTLESS := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,implicit physics record))) \
-            $(addprefix src-package/,$(addsuffix .cpp, \
-              $(addprefix contacts/,bearing_figures capacitor_table contact_columns contact_reader raceway_options) \
-              $(addprefix deck/,arguments data_table folder_lock restart_sum) \
-              $(addprefix styles/,bending_file circuit_settings profile_settings ring_settings shaft_settings)))
-STYLES := $(filter-out $(HOSTLESS),$(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck))))
+HOSTLESS := $(filter-out src-package/core/interface/%,$(wildcard src-package/core/*/*.cpp))
+STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck)))
 # Sources of styles are compiled together, a unit of several with one reading of the host's headers:
 # alone, each spends more than half of its time on them. The last unit takes what no other one asks for.
 UNITS := pair implicit ring record electric compute ranks deck
@@ -232,7 +228,7 @@ build/liggghts: src-package/host/main.cpp build/libraceway_liggghts.so
 	@echo "  LINK $@"
 	@$(CXX_MPI) $(FLAGS) $(FOR_LIGGGHTS) $< -o $@ -Wl,--no-as-needed -Lbuild -lraceway_liggghts -lliggghts -Wl,-rpath,'$$ORIGIN'
 
-# implicit/raceway_contacts_*.cpp take longest to compile: CORE starts first
+# core/step/raceway_contacts_*.cpp take longest to compile: CORE starts first
 build/libraceway_liggghts.so: $(CORE) $(call styles_in,build/obj,interposing_loader)
 	@echo "  LINK $@"
 	@$(CXX_MPI) -shared $^ -o $@ -lliggghts -ldl
@@ -318,7 +314,7 @@ tree: setup
 	@python3 tests/debian_tree.py
 
 # ---- physics for the tests: plain functions behind a C interface ---------------------------------------
-PHYSICS_CORE := $(filter build/obj/physics/%,$(CORE)) $(addprefix build/obj/implicit/,contact_lanes.o contact_lanes_narrow.o instruction_set.o)
+PHYSICS_CORE := $(filter build/obj/core/contact/% build/obj/core/numbers/%,$(CORE))
 PHYSICS_C := $(addprefix tests/physics/,physics_c.cpp law_c.cpp film_c.cpp friction_c.cpp capacitor_c.cpp circuit_c.cpp)
 build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%.o) $(PHYSICS_CORE)
 	@echo "  LINK $@"
@@ -332,21 +328,21 @@ build/obj-physics/%.o: tests/physics/%.cpp
 
 # ---- the laws as a library for Python; python/setup.py builds the same where there is no make -----------
 CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
-$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/*.cpp))
+$(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/interface/*.cpp))
 	@mkdir -p $(@D)
 	@echo "  LINK $@"
 	@g++ -shared $^ -o $@
 
-build/obj-laws/%.o: src-package/%.cpp src-package/core/compile_flags.txt
+build/obj-laws/%.o: src-package/%.cpp src-package/core/interface/compile_flags.txt
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
-	@g++ @src-package/core/compile_flags.txt -MMD -MP -c $< -o $@
+	@g++ @src-package/core/interface/compile_flags.txt -MMD -MP -c $< -o $@
 
 $(VENV_STAMP): | $(CORE_LIBRARY)
 
 # ---- the output columns as JSON ------------------------------------------------------------------------
-build/columns: build/obj/host/print_columns.o $(addprefix build/obj/contacts/,contact_columns.o bearing_figures.o) \
-               $(filter build/obj/physics/%,$(CORE))
+build/columns: build/obj/host/print_columns.o $(addprefix build/obj/core/figures/,contact_columns.o bearing_figures.o) \
+               $(PHYSICS_CORE)
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 

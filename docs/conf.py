@@ -10,7 +10,7 @@ project = "Raceway"
 author = "the Raceway authors"
 copyright = "the Raceway authors, GPL-2.0-or-later"
 version = release = "0.1.0"
-extensions = ["sphinx.ext.mathjax", "column_table", "statement_table"]
+extensions = ["sphinx.ext.mathjax", "column_table", "room_table", "statement_table"]
 highlight_language = "none"
 exclude_patterns = ["decks"]
 html_theme = "alabaster"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds the library of laws (src-package/core) into the package; pyproject.toml has the rest."""
+"""Builds the library of laws (src-package/core/interface) into the package; pyproject.toml has the rest."""
 
 import os
 import shutil
@@ -13,6 +13,7 @@ from setuptools.errors import CCompilerError
 
 HERE = Path(__file__).resolve().parent
 CORE = HERE.parent / "src-package" / "core"
+INTERFACE = CORE / "interface"
 BUILT = HERE / "src" / "raceway" / "core" / "lib" / "libraceway_core.so"
 
 
@@ -34,9 +35,8 @@ class Core(build_ext):
 
 def up_to_date(library):
     made = library.stat().st_mtime if library.exists() else 0.0
-    return all(path.stat().st_mtime <= made for path in CORE.parent.glob("*/*.h")) and all(
-        path.stat().st_mtime <= made for path in CORE.iterdir()
-    )
+    sources = [*CORE.glob("*/*.h"), *INTERFACE.iterdir()]
+    return all(path.stat().st_mtime <= made for path in sources)
 
 
 def build(target, folder):
@@ -45,7 +45,7 @@ def build(target, folder):
     compiler = os.environ.get("CXX") or next(filter(shutil.which, ("g++", "clang++", "c++")), None)
     if compiler is None:
         raise CCompilerError("raceway needs a C++ compiler for its laws: install g++, or set CXX")
-    flags = (CORE / "compile_flags.txt").read_text().split()
+    flags = (INTERFACE / "compile_flags.txt").read_text().split()
     folder.mkdir(parents=True, exist_ok=True)
 
     def run(*arguments):
@@ -59,7 +59,7 @@ def build(target, folder):
         return made
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        objects = list(pool.map(compiled, sorted(CORE.glob("*.cpp"))))
+        objects = list(pool.map(compiled, sorted(INTERFACE.glob("*.cpp"))))
     run("-shared", *objects, "-o", target)
 
 

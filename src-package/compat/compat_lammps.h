@@ -3,8 +3,8 @@
 #ifndef BEARING_COMPAT_LAMMPS_H
 #define BEARING_COMPAT_LAMMPS_H
 
+#include "../core/numbers/tag.h"
 #include "command.h"
-#include "tag.h"
 #include "timer.h"
 
 namespace bearing {

@@ -3,8 +3,8 @@
 #ifndef BEARING_COMPAT_LIGGGHTS_H
 #define BEARING_COMPAT_LIGGGHTS_H
 
+#include "../core/numbers/tag.h"
 #include "signal_handling.h"
-#include "tag.h"
 
 namespace bearing {
 typedef LAMMPS_NS::Pointers CommandBase;

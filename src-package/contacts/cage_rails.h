@@ -3,8 +3,8 @@
 #ifndef BEARING_CAGE_RAILS_H
 #define BEARING_CAGE_RAILS_H
 
-#include "../physics/rail.h"
-#include "tag.h"
+#include "../core/geometry/rail.h"
+#include "../core/numbers/tag.h"
 
 #include <vector>
 

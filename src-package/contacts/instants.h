@@ -4,9 +4,9 @@
 #ifndef BEARING_INSTANTS_H
 #define BEARING_INSTANTS_H
 
-#include "../physics/film_capacitor.h"
-#include "bearing_columns.h"
-#include "tag.h"
+#include "../core/electric/film_capacitor.h"
+#include "../core/figures/bearing_columns.h"
+#include "../core/numbers/tag.h"
 
 #include <functional>
 #include <string>

@@ -3,8 +3,8 @@
 #ifndef BEARING_RING_MOTION_H
 #define BEARING_RING_MOTION_H
 
-#include "../implicit/ring_program.h"
-#include "../physics/lab_axes.h"
+#include "../core/bodies/ring_program.h"
+#include "../core/numbers/lab_axes.h"
 #include "bearing_compat.h"
 
 namespace bearing {

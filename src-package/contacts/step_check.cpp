@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "step_check.h"
 
-#include "../deck/arguments.h"
-#include "../physics/step_limit.h"
+#include "../core/laws/step_limit.h"
+#include "../core/settings/arguments.h"
 #include "bearing_compat.h"
 
 using namespace LAMMPS_NS;

@@ -4,7 +4,7 @@
 #ifndef BEARING_STEP_CHECK_H
 #define BEARING_STEP_CHECK_H
 
-#include "contact_table.h"
+#include "../core/figures/contact_table.h"
 
 #include <string>
 

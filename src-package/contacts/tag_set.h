@@ -3,7 +3,7 @@
 #ifndef BEARING_TAG_SET_H
 #define BEARING_TAG_SET_H
 
-#include "tag.h"
+#include "../core/numbers/tag.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "validity_check.h"
 
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 #include "bearing_compat.h"
 
 using namespace LAMMPS_NS;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts in doubt (physics/validity.h), gathered over a run and said once.
+// Contacts in doubt (core/raceway/validity.h), gathered over a run and said once.
 #ifndef BEARING_VALIDITY_CHECK_H
 #define BEARING_VALIDITY_CHECK_H
 
-#include "../physics/film_capacitor.h"
-#include "contact_table.h"
+#include "../core/electric/film_capacitor.h"
+#include "../core/figures/contact_table.h"
+#include "../core/raceway/validity.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "../core/settings/arguments.h"
 #include "agree.h"
-#include "arguments.h"
 #include "bearing_compat.h"
 
 namespace bearing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "driven_value.h"
+#include "../core/settings/driven_value.h"
 
 #include "bearing_compat.h"
 

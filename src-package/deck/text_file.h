@@ -4,7 +4,7 @@
 #ifndef BEARING_TEXT_FILE_H
 #define BEARING_TEXT_FILE_H
 
-#include "arguments.h"
+#include "../core/settings/arguments.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #ifndef BEARING_VARIABLE_TABLE_H
 #define BEARING_VARIABLE_TABLE_H
 
-#include "arguments.h"
+#include "../core/settings/arguments.h"
 #include "bearing_compat.h"
 
 namespace bearing {

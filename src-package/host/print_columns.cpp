@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Prints every output column and the parts of the contact law as JSON: `make columns` keeps it for
 // Python and the pages. No host.
-#include "../contacts/bearing_columns.h"
-#include "../contacts/bearing_figures.h"
-#include "../contacts/contact_columns.h"
-#include "../contacts/fix_columns.h"
-#include "../physics/part_table.h"
-#include "../physics/validity.h"
+#include "../core/contact/part_table.h"
+#include "../core/figures/bearing_columns.h"
+#include "../core/figures/bearing_figures.h"
+#include "../core/figures/contact_columns.h"
+#include "../core/figures/fix_columns.h"
+#include "../core/raceway/validity.h"
 
 #include <cstdio>
 

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
-ROOMS = ("physics", "implicit", "deck", "ranks", "contacts", "record", "styles", "compat")
+ROOMS = ("core/*", "deck", "ranks", "contacts", "styles", "compat")
 MANIFEST = "raceway.manifest"
 
 
@@ -109,12 +109,12 @@ def flat_sources():
     includes."""
     found = {}
     for room in ROOMS:
-        for source in sorted((PACKAGE / room).glob("*")):
-            if source.suffix not in (".h", ".cpp"):
+        for source in sorted(PACKAGE.glob(f"{room}/*")):
+            if source.suffix not in (".h", ".cpp") or source.parent.name == "interface":
                 continue
             assert source.name not in found, f"two files of the package are called {source.name}"
             found[source.name] = re.sub(
-                rf'^#include "\.\./(?:{"|".join(ROOMS)})/',
+                r'^#include "\.\./(?:\w+/|\.\./)*',
                 '#include "',
                 source.read_text(),
                 flags=re.M,

@@ -12,9 +12,9 @@
 #define BEARING_BEARING_PARTS_H
 
 #include "../contacts/cage_rails.h"
-#include "../contacts/contact_table.h"
 #include "../contacts/ring_motion.h"
-#include "../implicit/bearing_model.h"
+#include "../core/bodies/bearing_model.h"
+#include "../core/figures/contact_table.h"
 #include "bearing_compat.h"
 
 #include <functional>

@@ -10,7 +10,7 @@
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 
-#include "../physics/vec3.h"
+#include "../core/numbers/vec3.h"
 #include "bearing_compat.h"
 #include "lammps.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bearing_case.h"
 
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 
 using namespace LAMMPS_NS;
 using bearing::Arguments;

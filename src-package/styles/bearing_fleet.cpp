@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bearing_fleet.h"
 
-#include "../deck/driven_value.h"
+#include "../core/settings/driven_value.h"
 #include "create_bearing.h"
 #include "deck_values.h"
 

@@ -7,7 +7,7 @@ CommandStyle(bearing_fleet,BearingFleet)
 #ifndef LMP_BEARING_FLEET_H
 #define LMP_BEARING_FLEET_H
 
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {

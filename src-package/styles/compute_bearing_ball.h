@@ -6,7 +6,7 @@ ComputeStyle(bearing/ball,ComputeBearingBall)
 #ifndef LMP_COMPUTE_BEARING_BALL_H
 #define LMP_COMPUTE_BEARING_BALL_H
 
-#include "../contacts/contact_reader.h"
+#include "../core/figures/contact_reader.h"
 #include "../deck/column_list.h"
 #include "bearing_compat.h"
 

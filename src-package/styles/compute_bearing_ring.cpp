@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_bearing_ring.h"
 
-#include "../contacts/bearing_columns.h"
+#include "../core/figures/bearing_columns.h"
 #include "contact_context.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"

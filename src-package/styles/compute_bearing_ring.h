@@ -8,8 +8,8 @@ ComputeStyle(bearing/ring,ComputeBearingRing)
 #ifndef LMP_COMPUTE_BEARING_RING_H
 #define LMP_COMPUTE_BEARING_RING_H
 
-#include "../contacts/bearing_figures.h"
-#include "../contacts/contact_reader.h"
+#include "../core/figures/bearing_figures.h"
+#include "../core/figures/contact_reader.h"
 #include "../deck/column_list.h"
 #include "bearing_compat.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_bearing_total.h"
 
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "contact_context.h"
 #include "pair_bearing_hertz.h"

@@ -6,7 +6,7 @@ ComputeStyle(bearing/total,ComputeBearingTotal)
 #ifndef LMP_COMPUTE_BEARING_TOTAL_H
 #define LMP_COMPUTE_BEARING_TOTAL_H
 
-#include "../contacts/bearing_figures.h"
+#include "../core/figures/bearing_figures.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {

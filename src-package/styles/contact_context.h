@@ -3,7 +3,7 @@
 #ifndef BEARING_CONTACT_CONTEXT_H
 #define BEARING_CONTACT_CONTEXT_H
 
-#include "../contacts/contact_reader.h"
+#include "../core/figures/contact_reader.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {

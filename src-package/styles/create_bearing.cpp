@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "create_bearing.h"
 
-#include "../deck/arguments.h"
-#include "../physics/rolling.h"
+#include "../core/laws/rolling.h"
+#include "../core/settings/arguments.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;

@@ -6,7 +6,7 @@ CommandStyle(create_bearing,CreateBearing)
 #ifndef LMP_CREATE_BEARING_H
 #define LMP_CREATE_BEARING_H
 
-#include "../physics/groove.h"
+#include "../core/geometry/groove.h"
 #include "new_atoms.h"
 
 namespace bearing {

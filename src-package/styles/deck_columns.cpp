@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "deck_columns.h"
 
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 #include "../deck/column_list.h"
 #include "spheres.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "deck_files.h"
 
+#include "../core/settings/arguments.h"
+#include "../core/settings/data_table.h"
+#include "../core/settings/folder_lock.h"
+#include "../core/settings/restart_sum.h"
 #include "../deck/agree.h"
-#include "../deck/arguments.h"
-#include "../deck/data_table.h"
-#include "../deck/folder_lock.h"
-#include "../deck/restart_sum.h"
 #include "../deck/variable_table.h"
 #include "record_settings.h"
 #include "spheres.h"

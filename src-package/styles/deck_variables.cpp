@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "deck_variables.h"
 
+#include "../core/settings/arguments.h"
+#include "../core/settings/data_table.h"
 #include "../deck/agree.h"
-#include "../deck/arguments.h"
-#include "../deck/data_table.h"
 #include "deck_values.h"
 
 #include <algorithm>

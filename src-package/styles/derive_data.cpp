@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What follows from the data of a bearing or an oil.
-#include "../physics/gothic_arch.h"
-#include "../physics/oil_data.h"
-#include "../physics/starvation.h"
-#include "../physics/usual_data.h"
+#include "../core/geometry/gothic_arch.h"
+#include "../core/geometry/usual_data.h"
+#include "../core/laws/oil_data.h"
+#include "../core/laws/starvation.h"
 #include "derive_laws.h"
 
 using bearing::DeckValues;

@@ -3,7 +3,7 @@
 #ifndef BEARING_FIND_RECORD_LAYOUT_H
 #define BEARING_FIND_RECORD_LAYOUT_H
 
-#include "../record/record_layout.h"
+#include "../core/record/record_layout.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {

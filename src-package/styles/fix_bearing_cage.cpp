@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_cage.h"
 
-#include "../contacts/fix_columns.h"
-#include "../deck/arguments.h"
+#include "../core/figures/fix_columns.h"
+#include "../core/settings/arguments.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"
 

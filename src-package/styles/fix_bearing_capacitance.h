@@ -8,11 +8,11 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 #ifndef LMP_FIX_BEARING_CAPACITANCE_H
 #define LMP_FIX_BEARING_CAPACITANCE_H
 
-#include "../contacts/capacitor_table.h"
 #include "../contacts/instants.h"
 #include "../contacts/tag_set.h"
+#include "../core/electric/film_figures.h"
+#include "../core/figures/capacitor_table.h"
 #include "../deck/text_file.h"
-#include "../physics/film_figures.h"
 #include "bearing_compat.h"
 
 namespace bearing {

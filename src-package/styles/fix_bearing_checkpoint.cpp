@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_checkpoint.h"
 
-#include "../deck/arguments.h"
-#include "../deck/restart_sum.h"
+#include "../core/settings/arguments.h"
+#include "../core/settings/restart_sum.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"

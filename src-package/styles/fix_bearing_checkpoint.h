@@ -11,7 +11,7 @@ FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 #ifndef LMP_FIX_BEARING_CHECKPOINT_H
 #define LMP_FIX_BEARING_CHECKPOINT_H
 
-#include "../deck/driven_value.h"
+#include "../core/settings/driven_value.h"
 #include "bearing_compat.h"
 
 #include <vector>

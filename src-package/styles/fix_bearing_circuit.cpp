@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_circuit.h"
 
-#include "../contacts/contact_columns.h"
-#include "../contacts/fix_columns.h"
-#include "../deck/arguments.h"
-#include "../physics/film_figures.h"
+#include "../core/electric/film_figures.h"
+#include "../core/figures/contact_columns.h"
+#include "../core/figures/fix_columns.h"
+#include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_capacitance.h"
 #include "fixes.h"

@@ -9,11 +9,11 @@ FixStyle(bearing/circuit,FixBearingCircuit)
 #define LMP_FIX_BEARING_CIRCUIT_H
 
 #include "../contacts/instants.h"
+#include "../core/electric/circuit.h"
+#include "../core/electric/film_capacitor.h"
+#include "../core/settings/circuit_settings.h"
 #include "../deck/text_file.h"
-#include "../physics/circuit.h"
-#include "../physics/film_capacitor.h"
 #include "bearing_compat.h"
-#include "circuit_settings.h"
 
 namespace bearing {
 struct RacewayContact;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/implicit: implicit steps for balls, cage balls and rings (implicit/bearing_step.h).
+// fix bearing/implicit: implicit steps for balls, cage balls and rings (core/step/bearing_step.h).
 //
 // Where it sits in the host's step: initial_integrate makes the whole step, in as many substeps as
 // the control asks for, with its own copy of the state and its own calls of the contact functions;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What fix bearing/implicit says of its steps, and the account of the energy.
-#include "../contacts/fix_columns.h"
+#include "../core/figures/fix_columns.h"
 #include "fix_bearing_implicit_solver.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #ifndef BEARING_IMPLICIT_SOLVER_H
 #define BEARING_IMPLICIT_SOLVER_H
 
-#include "../implicit/bearing_step.h"
+#include "../core/step/bearing_step.h"
 #include "../ranks/bearing_parts.h"
 #include "fix_bearing_implicit.h"
 

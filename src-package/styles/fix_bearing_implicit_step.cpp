@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The steps of fix bearing/implicit: bearings of a neighbour build, their state in, substeps, and
 // the state out.
-#include "../deck/arguments.h"
-#include "../implicit/alike_bearings.h"
+#include "../core/bodies/alike_bearings.h"
+#include "../core/settings/arguments.h"
 #include "fix_bearing_cage.h"
 #include "fix_bearing_implicit_solver.h"
 #include "fix_bearing_ring.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_profile.h"
 
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_ring.h"
 #include "fix_bearing_state.h"

@@ -7,9 +7,9 @@ FixStyle(bearing/profile,FixBearingProfile)
 #ifndef LMP_FIX_BEARING_PROFILE_H
 #define LMP_FIX_BEARING_PROFILE_H
 
-#include "../physics/raceway_physics.h"
+#include "../core/raceway/raceway_physics.h"
+#include "../core/settings/profile_settings.h"
 #include "bearing_compat.h"
-#include "profile_settings.h"
 
 #include <string>
 

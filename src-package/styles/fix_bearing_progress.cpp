@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_progress.h"
 
-#include "../contacts/fix_columns.h"
+#include "../core/figures/fix_columns.h"
 #include "compute_bearing_total.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"

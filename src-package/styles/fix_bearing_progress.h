@@ -7,7 +7,7 @@ FixStyle(bearing/progress,FixBearingProgress)
 #ifndef LMP_FIX_BEARING_PROGRESS_H
 #define LMP_FIX_BEARING_PROGRESS_H
 
-#include "../deck/driven_value.h"
+#include "../core/settings/driven_value.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/record: a folder with everything about the bearings of a group, sampled evenly, in
-// one netCDF file (record/record_file.h).
+// one netCDF file (core/record/record_file.h).
 //
 // At the end of a step every rank says what it owns, between steps what is at home there
-// (record/record_rows.h). Rows of a batch of samples go to rank 0 together, which puts them in
+// (core/record/record_rows.h). Rows of a batch of samples go to rank 0 together, which puts them in
 // order, sums over bearings and writes. How long the file was is in the restart file: a run that
 // goes on cuts the file to that and writes the same bytes.
 #ifdef FIX_CLASS
@@ -12,10 +12,10 @@ FixStyle(bearing/record,FixBearingRecord)
 #ifndef LMP_FIX_BEARING_RECORD_H
 #define LMP_FIX_BEARING_RECORD_H
 
-#include "../contacts/contact_reader.h"
 #include "../contacts/instants.h"
 #include "../contacts/tag_set.h"
-#include "../record/record_rows.h"
+#include "../core/figures/contact_reader.h"
+#include "../core/record/record_rows.h"
 #include "bearing_compat.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a run has taken: at its end, and in a restart file.
-#include "../contacts/fix_columns.h"
+#include "../core/figures/fix_columns.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_record.h"
 #include "fixes.h"

@@ -6,9 +6,9 @@ FixStyle(bearing/ring,FixBearingRing)
 #ifndef LMP_FIX_BEARING_RING_H
 #define LMP_FIX_BEARING_RING_H
 
+#include "../core/settings/ring_settings.h"
 #include "../deck/column_list.h"
 #include "bearing_compat.h"
-#include "ring_settings.h"
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What it tells of its rings: f_ID[k] and f_ID[row][k].
-#include "../contacts/fix_columns.h"
 #include "../contacts/ring_motion.h"
+#include "../core/figures/fix_columns.h"
 #include "fix_bearing_ring.h"
 #include "fix_bearing_state.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_shaft.h"
 
-#include "../contacts/fix_columns.h"
-#include "../implicit/shaft_ring.h"
+#include "../core/bodies/shaft_ring.h"
+#include "../core/figures/fix_columns.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"

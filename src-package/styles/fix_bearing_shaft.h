@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/shaft: the ring atoms of a group on one rigid shaft. It is a fix bearing/ring whose
 // rings move as one: freedoms, inertia and loads are those of the shaft. The shaft has no atom; it
-// is where its first ring says (implicit/shaft_ring.h). A flexible one has elastic modes beside
-// that motion (implicit/shaft_modes.h), whose state is here.
+// is where its first ring says (core/bodies/shaft_ring.h). A flexible one has elastic modes beside
+// that motion (core/bodies/shaft_modes.h), whose state is here.
 #ifdef FIX_CLASS
 FixStyle(bearing/shaft,FixBearingShaft)
 #else
 #ifndef LMP_FIX_BEARING_SHAFT_H
 #define LMP_FIX_BEARING_SHAFT_H
 
-#include "../implicit/shaft_bend.h"
+#include "../core/bodies/shaft_bend.h"
+#include "../core/settings/shaft_settings.h"
 #include "fix_bearing_ring.h"
-#include "shaft_settings.h"
 
 namespace LAMMPS_NS {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is there of a shaft that bends alone: its modes, their loads, and their state.
-#include "../contacts/fix_columns.h"
+#include "../core/figures/fix_columns.h"
 #include "fix_bearing_shaft.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"

@@ -3,9 +3,9 @@
 // acts on it under either integrator.
 #include "fix_bearing_shaft.h"
 
-#include "../contacts/fix_columns.h"
 #include "../contacts/ring_motion.h"
-#include "../implicit/shaft_ring.h"
+#include "../core/bodies/shaft_ring.h"
+#include "../core/figures/fix_columns.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_state.h"
 

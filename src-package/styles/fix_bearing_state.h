@@ -15,8 +15,8 @@ FixStyle(bearing/state,FixBearingState)
 #define LMP_FIX_BEARING_STATE_H
 
 #include "../contacts/ring_motion.h"
-#include "../physics/quaternion.h"
-#include "../physics/raceway_physics.h"
+#include "../core/numbers/quaternion.h"
+#include "../core/raceway/raceway_physics.h"
 #include "bearing_compat.h"
 
 #include <vector>

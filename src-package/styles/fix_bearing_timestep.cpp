@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_timestep.h"
 
-#include "../contacts/fix_columns.h"
 #include "../contacts/step_check.h"
-#include "../deck/arguments.h"
+#include "../core/figures/fix_columns.h"
+#include "../core/settings/arguments.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>

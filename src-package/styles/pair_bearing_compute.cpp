@@ -2,9 +2,9 @@
 // The step: fill the contact table, add forces.
 #include "pair_bearing_hertz.h"
 
-#include "../deck/arguments.h"
-#include "../implicit/contact_lanes.h"
-#include "../physics/damped_hertz.h"
+#include "../core/contact/contact_lanes.h"
+#include "../core/laws/damped_hertz.h"
+#include "../core/settings/arguments.h"
 #include "fix_bearing_state.h"
 
 #include <algorithm>

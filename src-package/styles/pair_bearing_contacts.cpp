@@ -2,7 +2,7 @@
 // Which ball may touch which raceway, cage ball or ball: found once per neighbour build.
 #include "pair_bearing_hertz.h"
 
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 #include "fix_bearing_state.h"
 
 #include <algorithm>

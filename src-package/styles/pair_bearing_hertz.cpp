@@ -3,9 +3,9 @@
 // pair_bearing_compute.cpp, the finding of contacts in pair_bearing_contacts.cpp.
 #include "pair_bearing_hertz.h"
 
-#include "../contacts/raceway_options.h"
-#include "../deck/arguments.h"
-#include "../physics/part_table.h"
+#include "../core/contact/part_table.h"
+#include "../core/settings/arguments.h"
+#include "../core/settings/raceway_options.h"
 #include "fixes.h"
 
 #include <algorithm>
@@ -196,8 +196,9 @@ std::vector<const RacewayPhysics *> PairBearingHertz::raceways_under(int ball_ty
 void PairBearingHertz::add_profile(bearing::tag_t ring, const RacewayPhysics &p,
                                    const ProfileShape &shape)
 {
-  profiles_.emplace(std::make_pair(ring, &p), RacewayProfile(shape, p.groove.raceway_radius, p.rolling_radius(1.0),
-                                  p.law.radial().a));
+  profiles_.emplace(
+      std::make_pair(ring, &p),
+      RacewayProfile(shape, p.groove.raceway_radius, p.rolling_radius(1.0), p.law.radial().a));
 }
 
 const RacewayProfile *PairBearingHertz::profile(bearing::tag_t ring, const RacewayPhysics *p) const
@@ -209,8 +210,9 @@ const RacewayProfile *PairBearingHertz::profile(bearing::tag_t ring, const Racew
 void PairBearingHertz::add_profile(bearing::tag_t ball, const RacewayPhysics &p,
                                    const BallShape &shape)
 {
-  ball_profiles_.emplace(std::make_pair(ball, &p), BallProfile(shape, p.groove.ball_radius, p.rolling_radius(1.0),
-                               p.law.radial().a, p.law.radial().K));
+  ball_profiles_.emplace(std::make_pair(ball, &p),
+                         BallProfile(shape, p.groove.ball_radius, p.rolling_radius(1.0),
+                                     p.law.radial().a, p.law.radial().K));
 }
 
 const BallProfile *PairBearingHertz::ball_profile(bearing::tag_t ball,

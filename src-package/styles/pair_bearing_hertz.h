@@ -8,9 +8,9 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #ifndef LMP_PAIR_BEARING_HERTZ_H
 #define LMP_PAIR_BEARING_HERTZ_H
 
-#include "../contacts/contact_table.h"
 #include "../contacts/validity_check.h"
-#include "../implicit/contact_lanes.h"
+#include "../core/contact/contact_lanes.h"
+#include "../core/figures/contact_table.h"
 #include "../ranks/ring_sum.h"
 #include "bearing_compat.h"
 #include "fix_bearing_state.h"
@@ -59,7 +59,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no
   // ring.
   double pitch_radius(int ring_type) const;
-  // parts of the contact law (physics/contact.h), one law for all raceways
+  // parts of the contact law (core/contact/contact.h), one law for all raceways
   unsigned law() const { return law_; }
   bool smooth_friction(
       double creep);    // raceways with a tangential spring take this creep instead: true

@@ -4,7 +4,7 @@
 #include "pair_bearing_hertz.h"
 
 #include "../contacts/step_check.h"
-#include "../deck/arguments.h"
+#include "../core/settings/arguments.h"
 
 using namespace LAMMPS_NS;
 using bearing::text;

@@ -4,8 +4,8 @@
 #ifndef BEARING_RECORD_SETTINGS_H
 #define BEARING_RECORD_SETTINGS_H
 
-#include "../record/netcdf_header.h"
-#include "../record/record_layout.h"
+#include "../core/record/netcdf_header.h"
+#include "../core/record/record_layout.h"
 #include "bearing_compat.h"
 
 #include <string>

@@ -3,8 +3,8 @@
 #ifndef BEARING_RING_VALUES_H
 #define BEARING_RING_VALUES_H
 
-#include "../implicit/ring_program.h"
-#include "../physics/lab_axes.h"
+#include "../core/bodies/ring_program.h"
+#include "../core/numbers/lab_axes.h"
 #include "bearing_compat.h"
 
 namespace LAMMPS_NS {
@@ -21,7 +21,7 @@ struct RingView {
   raceway::Vec3 force, moment, acceleration;
 };
 
-// of[of_ring::RING] to of[of_ring::AZ] (contacts/bearing_columns.h).
+// of[of_ring::RING] to of[of_ring::AZ] (core/figures/bearing_columns.h).
 void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 
 // The same of the n-th ring of this rank in the pair style's RingSum.

@@ -20,7 +20,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PART = "physics/part_drag.h"
+PART = "core/parts/part_drag.h"
 
 
 def environment():

@@ -2,8 +2,8 @@
 // Time of the contact laws alone, part by part: "NAME BASE explicit implicit" in ns a contact, one
 // line a law. Explicit is an evaluation in doubles, implicit one with derivatives, four contacts
 // side by side. For part_cost.py.
-#include "../../src-package/physics/contact.h"
-#include "../../src-package/physics/contact_slopes.h"
+#include "../../src-package/core/contact/contact.h"
+#include "../../src-package/core/contact/contact_slopes.h"
 
 #include <chrono>
 #include <cstdio>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The mathematics of the implicit step behind a C interface, for test_mathematics.py (called by
-// name, see src-package/core/exports.h).
-#include "../../src-package/core/exports.h"
-#include "../../src-package/implicit/bearing_step.h"
-#include "../../src-package/implicit/contact_rows.h"
-#include "../../src-package/implicit/lane_blocks.h"
-#include "../../src-package/physics/contact.h"
+// name, see src-package/core/interface/exports.h).
+#include "../../src-package/core/contact/contact.h"
+#include "../../src-package/core/interface/exports.h"
+#include "../../src-package/core/numbers/lane_blocks.h"
+#include "../../src-package/core/step/bearing_step.h"
+#include "../../src-package/core/step/contact_rows.h"
 
 #include <algorithm>
 

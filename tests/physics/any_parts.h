@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The law of any set of parts (physics/any_law.h) for the number types of tests.
+// The law of any set of parts (core/contact/any_law.h) for the number types of tests.
 #ifndef RACEWAY_TESTS_ANY_PARTS_H
 #define RACEWAY_TESTS_ANY_PARTS_H
 
-#include "../../src-package/physics/any_law_parts.h"
-#include "../../src-package/physics/contact_slopes.h"
+#include "../../src-package/core/contact/any_law_parts.h"
+#include "../../src-package/core/contact/contact_slopes.h"
 
 namespace raceway {
 namespace {

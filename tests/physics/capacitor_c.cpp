@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Capacitance with its surroundings, for test_physics_surroundings.py.
-#include "../../src-package/core/exports.h"
-#include "../../src-package/physics/contact.h"
-#include "../../src-package/physics/film_capacitor.h"
+#include "../../src-package/core/contact/contact.h"
+#include "../../src-package/core/electric/film_capacitor.h"
+#include "../../src-package/core/interface/exports.h"
 
 #include <chrono>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The impedance of a bearing, for test_physics_circuit.py.
-#include "../../src-package/core/exports.h"
-#include "../../src-package/physics/impedance.h"
+#include "../../src-package/core/electric/impedance.h"
+#include "../../src-package/core/interface/exports.h"
 
 using namespace raceway;
 

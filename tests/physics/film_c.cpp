@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Film factors, film in the gap and film branch, for test_physics_film_*.py.
-#include "../../src-package/core/exports.h"
-#include "../../src-package/physics/contact.h"
-#include "../../src-package/physics/contact_slopes.h"
-#include "../../src-package/physics/film_branch.h"
-#include "../../src-package/physics/film_factors.h"
-#include "../../src-package/physics/step_limit.h"
+#include "../../src-package/core/contact/contact.h"
+#include "../../src-package/core/contact/contact_slopes.h"
+#include "../../src-package/core/interface/exports.h"
+#include "../../src-package/core/laws/film_branch.h"
+#include "../../src-package/core/laws/film_factors.h"
+#include "../../src-package/core/laws/step_limit.h"
 
 using namespace raceway;
 

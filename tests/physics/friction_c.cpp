@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Parts of rolling friction in a law whose contact a test describes by its motions, for
 // test_physics_rolling_friction.py.
-#include "../../src-package/core/exports.h"
+#include "../../src-package/core/interface/exports.h"
 #include "any_parts.h"
 
 using namespace raceway;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Every possible contact law behind a C interface, for test_physics_laws.py: its slopes in duals
 // and by differences, its values one by one and four side by side, part by part and as a whole.
-#include "../../src-package/core/exports.h"
-#include "../../src-package/implicit/contact_lanes.h"
-#include "../../src-package/implicit/instruction_set.h"
-#include "../../src-package/physics/part_table.h"
+#include "../../src-package/core/contact/contact_lanes.h"
+#include "../../src-package/core/contact/part_table.h"
+#include "../../src-package/core/interface/exports.h"
+#include "../../src-package/core/numbers/instruction_set.h"
 
 #include <random>
 #include <sstream>

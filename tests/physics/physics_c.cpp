@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The physics headers behind a C interface, for the tests in this folder (called by name through
-// physics_c.py, see src-package/core/exports.h). Every number, choices included, is a double.
-#include "../../src-package/core/exports.h"
-#include "../../src-package/physics/damped_hertz.h"
-#include "../../src-package/physics/rail.h"
-#include "../../src-package/physics/ring_body.h"
-#include "../../src-package/physics/step_limit.h"
+// physics_c.py, see src-package/core/interface/exports.h). Every number, choices included, is a double.
+#include "../../src-package/core/geometry/rail.h"
+#include "../../src-package/core/geometry/ring_body.h"
+#include "../../src-package/core/interface/exports.h"
+#include "../../src-package/core/laws/damped_hertz.h"
+#include "../../src-package/core/laws/step_limit.h"
 #include "any_parts.h"
 
 #include <algorithm>

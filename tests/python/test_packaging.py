@@ -48,7 +48,7 @@ def test_lock_has_everything():
 def copy_sources(folder):
     """What a checkout has of the package before `make` or `pip` built anything."""
     built = shutil.ignore_patterns("libraceway_core.so", "build", "*.egg-info")
-    for name in ("python", "inputs", "src-package/core", "src-package/physics"):
+    for name in ("python", "inputs", "src-package/core"):
         shutil.copytree(ROOT / name, folder / name, symlinks=True, ignore=built)
     return folder / "python"
 

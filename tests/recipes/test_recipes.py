@@ -46,8 +46,8 @@ def carry_out(recipe: str, tree: Path) -> set[str]:
 
 def add_wrong_toy(tree: Path) -> None:
     """A second toy that the derivative test must refuse: its slope is twice that of its value."""
-    physics = tree / "src-package/physics"
-    text = (physics / "part_toy.h").read_text()
+    core = tree / "src-package/core"
+    text = (core / "parts/part_toy.h").read_text()
     for old, new in {
         "ToyPart": "WrongToyPart",
         "ToyLoss": "WrongToyLoss",
@@ -69,15 +69,15 @@ struct WrongToyLoss""",
     )
     law = "own.stiffness * own.time * (1.0 - left) * c.roll_w"
     assert text.count(law) == 1
-    (physics / "part_wrong_toy.h").write_text(text.replace(law, f"twice_the_slope(T({law}))"))
-    contact = (physics / "contact.h").read_text()
+    (core / "parts/part_wrong_toy.h").write_text(text.replace(law, f"twice_the_slope(T({law}))"))
+    contact = (core / "contact/contact.h").read_text()
     for old, new in (
-        ('#include "part_toy.h"', '#include "part_toy.h"\n#include "part_wrong_toy.h"'),
+        ('#include "../parts/part_toy.h"', '#include "../parts/part_toy.h"\n#include "../parts/part_wrong_toy.h"'),
         ("ToyPart,\n", "ToyPart, WrongToyPart,\n"),
     ):
         assert contact.count(old) == 1, old
         contact = contact.replace(old, new)
-    (physics / "contact.h").write_text(contact)
+    (core / "contact/contact.h").write_text(contact)
 
 
 def run(command: list[str], tree: Path, **more) -> str:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A netCDF file with one of each, for the tests: plain functions behind a C interface.
-#include "../../src-package/record/netcdf_file.cpp"
-#include "../../src-package/record/netcdf_header.cpp"
+#include "../../src-package/core/record/netcdf_file.cpp"
+#include "../../src-package/core/record/netcdf_header.cpp"
 
 #include <cmath>
 

@@ -15,7 +15,7 @@ from raceway.core import laws
 from raceway.errors import RunError
 from raceway.files import FilePath
 
-SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/physics/waveform.h
+SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/core/electric/waveform.h
 PER_CYCLE, FEWEST = 20, 8  # points in a period unless asked for, and at least
 
 

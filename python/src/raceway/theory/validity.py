@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Where the formulas of a contact are in doubt.
 
-The rules stand in C++ (`src-package/physics/validity.h`), which warns in a run; `make columns`
+The rules stand in C++ (`src-package/core/raceway/validity.h`), which warns in a run; `make columns`
 writes them to `columns.json`, and summary and statics judge by the same.
 """
 

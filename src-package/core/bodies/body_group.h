@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Four bodies side by side in the implicit step: motion, and their part of its linear system.
+#ifndef RACEWAY_BODY_GROUP_H
+#define RACEWAY_BODY_GROUP_H
+
+#include "../numbers/lane_frame.h"
+
+namespace raceway {
+
+// What holds lanes is aligned for the widest instructions and has its lanes first.
+struct alignas(32) BodyGroup {
+  Lane mass, inertia, radius;
+  LaneMask used;
+  LaneFrame from, base, now;
+  Vec3L v_from, w_from, v_base, w_base, v, w, v_first;
+  Lane turn = {};      // rad, base to now
+  Lane turned = {};    // rad, from to base
+  // the linear system: block, right-hand side, columns of the links (bearing_system.h)
+  Lane A[36], rhs[6], link[2][6];
+  Lane spring = {}, damper = {};    // N/m, N s/m, sums over contacts; with dampers_only
+  Lane stiffness = {};              // N/m, of the stiffest contact with a raceway
+  bool spins;
+  bool coupled = false;    // to the border
+  bool linked = false;
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What contacts keep (core/parts/part.h) belongs to the velocities at the end of a stage. The last
+// evaluation knows it at those before the last correction, and its slopes. To first order in that
+// correction this gives what the stage itself solved for: momentum and kept forces agree. Without
+// it a stiff tangential spring, one correction late, is an explicit step, which is unstable.
+#ifndef RACEWAY_KEPT_FOLLOW_H
+#define RACEWAY_KEPT_FOLLOW_H
+
+#include "../contact/contact_slopes.h"
+#include "../numbers/lane_frame.h"
+
+namespace raceway {
+
+struct alignas(32) KeptSlopes {    // of four contacts, from the last evaluation with derivatives
+  Vec3L normal, along, across,
+      lever;         // lever: from the centre of the ring or its shaft to the contact, m
+  Lane slope;        // of a profile along the path (profiled_contact.h)
+  Lane stiffness;    // N/m, of the elastic contact
+  LaneMask live;     // of the last evaluation
+  Lane of[most_states][6];
+};
+
+// Velocities that a correction adds, in the ball's frame.
+struct Correction {
+  Vec3L v, w;              // m/s, rad/s, of the balls
+  Vec3L ring_v, ring_w;    // of the ring
+};
+
+// The correction as motions of the contacts, in the order of contact_slopes.h.
+RACEWAY_INLINE void motions_of(const KeptSlopes &s, double radius, const Correction &c,
+                               Lane (&motion)[6])
+{
+  const Vec3L v = c.v - c.ring_v - cross(c.ring_w, s.lever), w = c.w - c.ring_w;
+  motion[0] = dot(s.normal, v);
+  motion[1] = dot(s.along, v) + radius * dot(s.across, c.w);
+  motion[2] = dot(s.across, v) - radius * dot(s.along, c.w);
+  motion[3] = dot(s.normal, w);
+  motion[4] = dot(s.along, w);
+  motion[5] = dot(s.across, w);
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Closed contacts between bodies (ball, cage ball, ball, ...) as scalar unknowns of a chain.
+//
+// Link i joins two bodies along the unit normal n_i with the stiffness a_i. Once the blocks A of
+// all bodies are condensed, the links' forces l solve
+//   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
+// with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
+// Links share at most two bodies with others, so c is tridiagonal, with one corner where a chain
+// closes to a circle; elimination carries that corner along. Order of operations depends on the
+// order of links only.
+#ifndef RACEWAY_LINK_CHAIN_H
+#define RACEWAY_LINK_CHAIN_H
+
+#include "../numbers/vec3.h"
+
+#include <vector>
+
+namespace raceway {
+
+class LinkChain {
+ public:
+  struct End {
+    int body;
+    Vec3 n;         // the link's normal in the body's own frame
+    Vec3 answer;    // velocity of the body for a unit force along n: first three numbers of A^-1 n
+    int slot;       // 0 or 1: which of the body's links this is
+  };
+  struct Link {
+    End end[2];
+    double inverse;    // 1/a
+  };
+
+  void resize(int bodies) { of_body_.assign(bodies, Pair()); }
+  void clear()
+  {
+    for (const Link &l : links)
+      for (const End &e : l.end) of_body_[e.body].count = 0;
+    links.clear();
+  }
+
+  // False if a body would have a third link: then it is no chain.
+  bool add(int first, int second, const Vec3 &n_first, const Vec3 &n_second, double a)
+  {
+    const int slot[2] = {of_body_[first].count, of_body_[second].count};
+    if (slot[0] == 2 || slot[1] == 2) return false;
+    const int i = static_cast<int>(links.size());
+    for (int k = 0; k < 2; ++k) {
+      Pair &p = of_body_[k == 0 ? first : second];
+      p.link[p.count++] = i;
+    }
+    links.push_back(
+        {{{first, n_first, Vec3(), slot[0]}, {second, n_second, Vec3(), slot[1]}}, 1.0 / a});
+    return true;
+  }
+
+  // Once every end's answer is known.
+  void factor()
+  {
+    const int n = static_cast<int>(links.size());
+    chains_.clear();
+    order_.clear();
+    exit_.clear();
+    done_.assign(n, false);
+    for (int pass = 0; pass < 2;
+         ++pass)    // open chains first, from their ends; what is left are circles
+      for (int i = 0; i < n; ++i) {
+        if (done_[i]) continue;
+        const bool open_0 = neighbour(i, 0) < 0, open_1 = neighbour(i, 1) < 0;
+        if (pass == 0 && !open_0 && !open_1) continue;
+        const int first = static_cast<int>(order_.size());
+        walk(i, open_0 || !open_1 ? 1 : 0);
+        chains_.push_back({first, static_cast<int>(order_.size()), pass == 1});
+      }
+    for (std::vector<double> *v : {&inv_, &up_, &low_, &col_, &row_}) v->assign(n, 0.0);
+    for (const Chain &c : chains_) factor(c);
+  }
+
+  // In place: right-hand sides to forces, by link.
+  void solve(double *x) const
+  {
+    for (const Chain &c : chains_) {
+      const int last = c.end - 1;
+      for (int q = c.begin; q < last; ++q) {
+        if (q + 1 < last) x[order_[q + 1]] -= low_[q + 1] * x[order_[q]];
+        x[order_[last]] -= row_[q] * x[order_[q]];
+      }
+      for (int q = last; q >= c.begin; --q) {
+        double &v = x[order_[q]];
+        if (q < last) {
+          v -= col_[q] * x[order_[last]];
+          if (q + 1 < last) v -= up_[q] * x[order_[q + 1]];
+        }
+        v *= inv_[q];
+      }
+    }
+  }
+
+  std::vector<Link> links;
+
+ private:
+  struct Pair {
+    int count = 0, link[2];
+  };
+  struct Chain {
+    int begin, end;
+    bool circle;
+  };
+
+  // The other link at this end of a link, or -1.
+  int neighbour(int i, int end) const
+  {
+    const Pair &p = of_body_[links[i].end[end].body];
+    return p.count < 2 ? -1 : p.link[0] == i ? p.link[1] : p.link[0];
+  }
+
+  void walk(int i, int end)
+  {
+    while (i >= 0 && !done_[i]) {
+      done_[i] = true;
+      order_.push_back(i);
+      exit_.push_back(end);
+      const int next = neighbour(i, end), shared = links[i].end[end].body;
+      if (next >= 0) end = links[next].end[0].body == shared ? 1 : 0;
+      i = next;
+    }
+  }
+
+  // c_ij at the body of end `end` of link i.
+  double coupling(int i, int end, int j) const
+  {
+    const End &e = links[i].end[end];
+    const int other = links[j].end[0].body == e.body ? 0 : 1;
+    const double d = dot(e.n, links[j].end[other].answer);
+    return end == other ? d : -d;
+  }
+
+  // low_ and row_ become multipliers, inv_ reciprocal pivots.
+  void factor(const Chain &c)
+  {
+    const int last = c.end - 1;
+    for (int q = c.begin; q < c.end; ++q) {
+      const int i = order_[q];
+      inv_[q] = links[i].inverse + coupling(i, 0, i) + coupling(i, 1, i);
+      if (q < last) {
+        up_[q] = coupling(i, exit_[q], order_[q + 1]);
+        low_[q + 1] = coupling(order_[q + 1], 1 - exit_[q + 1], i);
+      }
+    }
+    if (last > c.begin) {
+      if (c.circle) {
+        row_[c.begin] += coupling(order_[last], exit_[last], order_[c.begin]);
+        col_[c.begin] += coupling(order_[c.begin], 1 - exit_[c.begin], order_[last]);
+      }
+      row_[last - 1] += low_[last];
+      col_[last - 1] += up_[last - 1];
+    }
+    for (int q = c.begin; q < last; ++q) {
+      inv_[q] = 1.0 / inv_[q];
+      row_[q] *= inv_[q];
+      if (q + 1 < last) {
+        low_[q + 1] *= inv_[q];
+        inv_[q + 1] -= low_[q + 1] * up_[q];
+        col_[q + 1] -= low_[q + 1] * col_[q];
+        row_[q + 1] -= row_[q] * up_[q];
+      }
+      inv_[last] -= row_[q] * col_[q];
+    }
+    inv_[last] = 1.0 / inv_[last];
+  }
+
+  std::vector<Pair> of_body_;
+  std::vector<Chain> chains_;
+  std::vector<int> order_, exit_;
+  std::vector<char> done_;
+  std::vector<double> inv_, up_, low_, col_, row_;
+};
+
+}    // namespace raceway
+
+#endif

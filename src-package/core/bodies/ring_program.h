@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A ring under either integrator: what is free, fixed or driven of it, its loads, and its motion.
+//
+// Names here have the bearing axis third. Degrees of freedom: x, y, z, tilt about x, tilt about y,
+// spin about the ring's own axis e.
+//
+// Both integrators share displacements, driven tilts, the spin and the loads. They differ in how
+// they carry the angular velocity. Velocity Verlet keeps the vector w of the host (RingAtom): it
+// must go on with the host's own bits. The implicit step solves for rates (RingPose):
+// w = W + spin e with W across e, W = (rate_x, rate_y, .), so that
+//   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
+// (M_across = M - (M.e) e: along e sits what drives an imposed spin). The gyroscopic moment is the
+// term with the spin.
+#ifndef RACEWAY_RING_PROGRAM_H
+#define RACEWAY_RING_PROGRAM_H
+
+#include "../geometry/ring_body.h"
+#include "../numbers/cubic.h"
+
+namespace raceway {
+
+enum class Freedom { fixed, free, speed, position };
+
+// One of the numbers that a ring may have for itself: `which` is a degree of freedom, FORCE + k or
+// MOMENT + k of RingProgram.
+struct RingValue {
+  int which;
+  double value;
+};
+
+// A force across the bearing axis that turns about it, from its first axis across.
+struct TurningForce {
+  double size = 0.0, speed = 0.0, phase = 0.0;    // N, rad/s, rad
+};
+
+// A mass that turns with a ring of imposed spin, beside its axis.
+struct Unbalance {
+  double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, from the ring's angle
+};
+
+// A spring and a damper beside it, from a ring to the ground, where the ring was at the start, or
+// to another ring.
+struct Support {
+  double stiffness = 0.0, damping = 0.0;    // N/m and N s/m; of a tilt N m/rad and N m s/rad
+};
+
+struct RingPlace;
+
+inline Vec3 across_at(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
+
+// What happens to a ring over the host's step. Times within it are shares s, 0 at its start to 1 at
+// its end.
+struct RingProgram {
+  enum { TILT = 3, SPIN = 5, N_DOF = 6, FORCE = N_DOF, MOMENT = FORCE + 3, N_VALUE = MOMENT + 3 };
+  Freedom mode[N_DOF] = {Freedom::fixed, Freedom::fixed, Freedom::fixed,
+                         Freedom::fixed, Freedom::fixed, Freedom::fixed};
+  double mass = 0.0;
+  RingInertia inertia;
+  double target[2][N_DOF] =
+      {};    // driven speed or position (m or rad from the origin) at both ends, linear between
+  Vec3 force[2], moment[2];    // N, N m, at both ends, linear between, before the ramp
+  TurningForce turning;
+  Unbalance unbalance;
+  // Of a shaft: loads and unbalances apart from its centre, as first moments along its axis.
+  Vec3 leverage[2];         // N m, at both ends, linear between, before the ramp
+  Unbalance couple;         // kg m^2
+  bool apart = false;       // there are any
+  Support support[SPIN];    // of displacements and tilts
+  bool supported = false;
+  double spin_growth = 0.0;    // rad/s^2, of a driven spin
+  double ramp = 0.0;           // s, over which the loads come on (3s^2 - 2s^3)
+  double end = 0.0,
+         length = 0.0;    // s: age of the load at the end of the host's step, length of that step
+
+  bool free(int dof) const { return mode[dof] == Freedom::free; }
+  bool tilts_free() const { return free(TILT) && free(TILT + 1); }
+  bool tilts() const { return mode[TILT] != Freedom::fixed || mode[TILT + 1] != Freedom::fixed; }
+  double inertia_of(int dof) const
+  {
+    return dof < TILT ? mass : dof == SPIN ? inertia.axial : inertia.transverse;
+  }
+  // The N_VALUE numbers at one end (0 start, 1 end of the host's step).
+  void set_values(int at, const double *values)
+  {
+    for (int k = 0; k < N_DOF; ++k) target[at][k] = values[k];
+    force[at] = Vec3::from(values + FORCE);
+    moment[at] = Vec3::from(values + MOMENT);
+  }
+  double target_at(int dof, double s) const
+  {
+    return target[0][dof] + s * (target[1][dof] - target[0][dof]);
+  }
+  double age_at(double s) const { return end - (1.0 - s) * length; }
+  double share_of_load(double s) const
+  {
+    const double age = age_at(s);
+    if (age >= ramp) return 1.0;
+    const double x = age / ramp;
+    return x * x * (3.0 - 2.0 * x);
+  }
+  // The load of a ring that has turned by `angle`.
+  Vec3 force_at(double s, double angle) const
+  {
+    Vec3 total = force[0] + (force[1] - force[0]) * s;
+    if (turning.size != 0.0)
+      total += across_at(turning.speed * age_at(s) + turning.phase) * turning.size;
+    total = total * share_of_load(s);
+    return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
+  }
+  // The mass that is off centre lags behind its acceleration about the ring's centre.
+  Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
+  {
+    if (mode[SPIN] != Freedom::speed) return {};
+    const Vec3 out = across_at(angle + of.phase);
+    const double w = target_at(SPIN, s);
+    return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * of.moment;
+  }
+  // The load's moment about the centre of a ring that is there.
+  Vec3 moment_at(double s, const RingPlace &) const;
+  // Of the supports on the ring, N and N m; the rates of tilt are W across its axis.
+  Vec3 support_force(const RingPlace &) const;
+  Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
+  double support_energy(const RingPlace &) const;    // J, of the springs
+  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W, dampers
+  // m/s^2 of what is free, under all forces (N).
+  Vec3 acceleration(const Vec3 &push) const
+  {
+    return {free(0) ? push.x / mass : 0.0, free(1) ? push.y / mass : 0.0,
+            free(2) ? push.z / mass : 0.0};
+  }
+};
+
+// Where a ring is and how it got there.
+struct RingPlace {
+  Vec3 x, v, e{0.0, 0.0, 1.0}, origin;
+  double angle = 0.0;             // rad, turned about its axis
+  double tilt[2] = {0.0, 0.0};    // rad, rotation vector from the bearing axis to e
+};
+
+inline Vec3 RingProgram::moment_at(double s, const RingPlace &r) const
+{
+  const Vec3 total = (moment[0] + (moment[1] - moment[0]) * s) * share_of_load(s);
+  if (!apart) return total;
+  const Vec3 lever = (leverage[0] + (leverage[1] - leverage[0]) * s) * share_of_load(s);
+  return total + cross(r.e, lever + unbalance_force(couple, s, r.angle));
+}
+
+inline Vec3 RingProgram::support_force(const RingPlace &r) const
+{
+  const Vec3 d = r.x - r.origin;
+  return {-(support[0].stiffness * d.x + support[0].damping * r.v.x),
+          -(support[1].stiffness * d.y + support[1].damping * r.v.y),
+          -(support[2].stiffness * d.z + support[2].damping * r.v.z)};
+}
+
+inline Vec3 RingProgram::support_moment(const RingPlace &r, double rate_1, double rate_2) const
+{
+  const Support &first = support[TILT], &second = support[TILT + 1];
+  return {-(first.stiffness * r.tilt[0] + first.damping * rate_1),
+          -(second.stiffness * r.tilt[1] + second.damping * rate_2), 0.0};
+}
+
+inline double RingProgram::support_energy(const RingPlace &r) const
+{
+  const Vec3 d = r.x - r.origin;
+  const double moved[] = {d.x, d.y, d.z, r.tilt[0], r.tilt[1]};
+  double sum = 0.0;
+  for (int k = 0; k < SPIN; ++k) sum += 0.5 * support[k].stiffness * moved[k] * moved[k];
+  return sum;
+}
+
+inline double RingProgram::support_loss(const RingPlace &r, double rate_1, double rate_2) const
+{
+  const double rate[] = {r.v.x, r.v.y, r.v.z, rate_1, rate_2};
+  double sum = 0.0;
+  for (int k = 0; k < SPIN; ++k) sum += support[k].damping * rate[k] * rate[k];
+  return sum;
+}
+
+// Springs and dampers of velocity Verlet at the end of its step, whose velocities are half a step
+// behind (half, s; 0 where they are not). `push` (N) is everything else. A damper is implicit, so
+// it sets no limit to the step: v = v_half + half (push - K d - C v)/m.
+inline double verlet_support(const Support &on, double displacement, double behind, double push,
+                             double inertia, double half)
+{
+  const double spring = -on.stiffness * displacement;
+  const double rate =
+      (behind + half * (push + spring) / inertia) / (1.0 + half * on.damping / inertia);
+  return spring - on.damping * rate;
+}
+
+// What a support between two rings meets of one of them, in one degree of freedom of velocity
+// Verlet. `push` is everything else but `ground`, which holds it to the ground.
+struct SupportEnd {
+  bool free;
+  double displacement, behind, push, inertia;
+  Support ground;
+};
+
+// The same of a support between two rings: dampers, that of the second to the ground too, are
+// implicit in the velocities of both. Force on the first.
+inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
+                             double half)
+{
+  const double spring = -on.stiffness * (held.displacement - holder.displacement);
+  const double a = half / held.inertia, b = holder.free ? half / holder.inertia : 0.0;
+  const double v = held.behind + a * (held.push + spring),
+               u = holder.behind +
+                   b * (holder.push - spring - holder.ground.stiffness * holder.displacement);
+  const double first = a * on.damping, second = b * on.damping,
+               whole = 1.0 + second + b * holder.ground.damping;
+  const double determinant = (1.0 + first) * whole - first * second;
+  const double rate = (v * (whole - second) - u) / determinant;
+  return spring - on.damping * rate;
+}
+
+// As velocity Verlet carries it: the host's atom.
+struct RingAtom : RingPlace {
+  Vec3 w;    // rad/s
+};
+
+// As the implicit step carries it.
+struct RingPose : RingPlace {
+  double rate[2] = {0.0, 0.0};    // rad/s, W across the bearing axis
+  double spin = 0.0;              // rad/s
+
+  Vec3 across(const Vec3 &axis) const
+  {
+    return {rate[0], rate[1], -(rate[0] * axis.x + rate[1] * axis.y) / axis.z};
+  }
+  Vec3 across() const { return across(e); }
+  Vec3 angular_velocity() const { return across() + e * spin; }
+  void set_angular_velocity(const Vec3 &w)
+  {
+    spin = dot(w, e);
+    rate[0] = w.x - spin * e.x;
+    rate[1] = w.y - spin * e.y;
+  }
+};
+
+// A ring as another one sees it: what supports between the two know of it. Its axis is left alone.
+inline RingPose seen_from(const RingPose &r, const RingPose &from)
+{
+  RingPose s = r;
+  s.x -= from.x - from.origin;
+  s.v -= from.v;
+  for (int k = 0; k < 2; ++k) {
+    s.tilt[k] -= from.tilt[k];
+    s.rate[k] -= from.rate[k];
+  }
+  return s;
+}
+
+// The rotation vector (rad) across the bearing axis that turns it into e.
+inline void tilt_of(const Vec3 &e, double *tilt)
+{
+  const double sine = std::sqrt(e.x * e.x + e.y * e.y),
+               factor = sine > 0.0 ? std::atan2(sine, e.z) / sine : 1.0;
+  tilt[0] = -factor * e.y + 0.0;    // no minus zero
+  tilt[1] = factor * e.x + 0.0;
+}
+
+// ---- what both integrators share
+// -----------------------------------------------------------------
+
+// Velocities plus `gained` (3 values, m/s) where free.
+inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
+{
+  double v[3];
+  r.v.to(v);
+  for (int k = 0; k < 3; ++k)
+    if (p.free(k)) v[k] += gained[k];
+  r.v = Vec3::from(v);
+}
+
+// To the share s of the host's step, h seconds on, with the velocity it has where free.
+inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
+{
+  double x[3], v[3], origin[3];
+  r.x.to(x);
+  r.v.to(v);
+  r.origin.to(origin);
+  for (int k = 0; k < 3; ++k) {
+    if (p.mode[k] == Freedom::fixed) v[k] = 0.0;
+    if (p.mode[k] == Freedom::speed) v[k] = p.target_at(k, s);
+    if (p.mode[k] == Freedom::position) {
+      const double target = origin[k] + p.target_at(k, s);
+      v[k] = (target - x[k]) / h;
+      x[k] = target;
+    } else {
+      x[k] += h * v[k];
+    }
+  }
+  r.x = Vec3::from(x);
+  r.v = Vec3::from(v);
+}
+
+// Rates of tilt (rad/s): those given where free, fixed or driven ones elsewhere.
+inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, double h, double s)
+{
+  for (int k = 0; k < 2; ++k) {
+    const int dof = RingProgram::TILT + k;
+    switch (p.mode[dof]) {
+      case Freedom::fixed: rate[k] = 0.0; break;
+      case Freedom::free: break;
+      case Freedom::speed: rate[k] = p.target_at(dof, s); break;
+      case Freedom::position: rate[k] = (p.target_at(dof, s) - r.tilt[k]) / h; break;
+    }
+  }
+}
+
+// Driven tilts define the axis outright: no drift from adding up small rotations.
+inline void tilt_by(RingPlace &r, const double *rate, double h)
+{
+  for (int k = 0; k < 2; ++k) r.tilt[k] += rate[k] * h;
+  r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
+}
+
+// Spin (rad/s): the one given where free.
+inline double driven_spin(const RingProgram &p, double spin, double s)
+{
+  switch (p.mode[RingProgram::SPIN]) {
+    case Freedom::fixed: return 0.0;
+    case Freedom::free: return spin;
+    default: return p.target_at(RingProgram::SPIN, s);
+  }
+}
+
+// ---- velocity Verlet
+// ------------------------------------------------------------------------------
+
+// h seconds of force (N) and moment (N m); what is not free ignores them. Nothing moves.
+inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &force,
+                       const Vec3 &moment, double h)
+{
+  RingAtom r = base;
+  double gained[3] = {}, push[3];
+  force.to(push);
+  for (int k = 0; k < 3; ++k)
+    if (p.free(k)) gained[k] = h / p.mass * push[k];
+  gain(p, r, gained);
+  if (p.tilts_free()) {
+    // all of the gyroscopic coupling is in the momentum; an imposed spin takes its reaction
+    const double spin = dot(r.w, r.e);
+    r.w = angular_velocity(p.inertia, angular_momentum(p.inertia, r.w, r.e) + moment * h, r.e);
+    if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));
+    return r;
+  }
+  // one free tilt alone: no gyroscopic coupling
+  if (p.free(RingProgram::TILT)) r.w.x += h / p.inertia.transverse * moment.x;
+  if (p.free(RingProgram::TILT + 1)) r.w.y += h / p.inertia.transverse * moment.y;
+  if (p.free(RingProgram::SPIN)) r.w += r.e * (h / p.inertia.axial * dot(moment, r.e));
+  return r;
+}
+
+// On its way for h seconds to the end of the host's step.
+inline RingAtom coasted(const RingProgram &p, const RingAtom &base, double h)
+{
+  RingAtom r = base;
+  displace(p, r, h, 1.0);
+  const double along = dot(r.w, r.e), spin = driven_spin(p, along, 1.0);
+  if (p.tilts_free()) {
+    const Vec3 L = angular_momentum(p.inertia, r.w, r.e);
+    r.e = drift_axis(p.inertia, L, r.e, h);
+    r.w = angular_velocity(p.inertia, L, r.e);
+    r.w += r.e * (spin - dot(r.w, r.e));
+    tilt_of(r.e, r.tilt);
+  } else if (p.tilts()) {
+    const Vec3 across = r.w - r.e * along;
+    double rate[2] = {across.x, across.y};
+    drive_rates(p, r, rate, h, 1.0);
+    tilt_by(r, rate, h);
+    r.w = Vec3{rate[0], rate[1], 0.0} + r.e * spin;
+  } else if (!p.free(RingProgram::SPIN)) {
+    r.w = r.e * spin;
+  }
+  r.angle += spin * h;
+  return r;
+}
+
+// ---- the implicit step
+// ----------------------------------------------------------------------------
+
+// With the velocities of the base plus `gained` (N_DOF values) where free; nothing moves.
+inline RingPose kicked(const RingProgram &p, const RingPose &base, const double *gained)
+{
+  RingPose r = base;
+  gain(p, r, gained);
+  for (int k = 0; k < 2; ++k)
+    if (p.free(RingProgram::TILT + k)) r.rate[k] += gained[RingProgram::TILT + k];
+  if (p.free(RingProgram::SPIN)) r.spin += gained[RingProgram::SPIN];
+  return r;
+}
+
+// Everything but free tilts, whose axis the caller finds.
+inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, double s)
+{
+  RingPose r = base;
+  displace(p, r, h, s);
+  drive_rates(p, r, r.rate, h, s);
+  if (!p.tilts_free() && p.tilts()) tilt_by(r, r.rate, h);
+  r.spin = driven_spin(p, r.spin, s);
+  r.angle += h * r.spin;
+  return r;
+}
+
+// Implicit Euler from `base` over h to the share s of the host's step: pose = base + h (velocities
+// at the end), these being those of the base plus `gained` (N_DOF values) where free and the driven
+// ones elsewhere.
+inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h,
+                      double s)
+{
+  RingPose r = displaced(p, kicked(p, base, gained), h, s);
+  if (p.tilts_free()) {
+    r.e = implicit_axis(base.e, [&r](const Vec3 &e) { return r.across(e); }, h);
+    tilt_of(r.e, r.tilt);
+  }
+  return r;
+}
+
+// On its way for h seconds with the velocities that it has (driven ones: of the share s), to the
+// share s of the host's step.
+inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, double s)
+{
+  RingPose r = displaced(p, base, h, s);
+  if (p.tilts_free()) {
+    r.e = turned_axis(base.e, base.across(), h);
+    tilt_of(r.e, r.tilt);
+  }
+  return r;
+}
+
+// from + b (to - from) in every coordinate: the base of a second stage.
+inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
+{
+  RingPose r = to;
+  r.x = from.x + (to.x - from.x) * b;
+  r.v = from.v + (to.v - from.v) * b;
+  r.e.x = from.e.x + b * (to.e.x - from.e.x);
+  r.e.y = from.e.y + b * (to.e.y - from.e.y);
+  r.e.z = std::sqrt(1.0 - r.e.x * r.e.x - r.e.y * r.e.y);
+  for (int k = 0; k < 2; ++k) {
+    r.rate[k] = from.rate[k] + b * (to.rate[k] - from.rate[k]);
+    r.tilt[k] = from.tilt[k] + b * (to.tilt[k] - from.tilt[k]);
+  }
+  r.spin = from.spin + b * (to.spin - from.spin);
+  r.angle = from.angle + b * (to.angle - from.angle);
+  return r;
+}
+
+// Share s of a step of h seconds on its way from one pose to the next: places by the cubic that has
+// the velocities of both ends too, velocities linear between them.
+inline RingPose between(const RingPose &from, const RingPose &to, double h, double s)
+{
+  const Cubic at(s, h);
+  RingPose r = to;
+  r.x = at(from.x, from.v, to.x, to.v);
+  r.v = from.v + (to.v - from.v) * s;
+  if (from.e.x != to.e.x || from.e.y != to.e.y) {
+    r.e = at(from.e, cross(from.across(), from.e), to.e, cross(to.across(), to.e));
+    r.e = r.e * (1.0 / norm(r.e));
+  }
+  r.angle = at(from.angle, from.spin, to.angle, to.spin);
+  tilt_of(r.e, r.tilt);
+  for (int k = 0; k < 2; ++k) r.rate[k] = from.rate[k] + s * (to.rate[k] - from.rate[k]);
+  r.spin = from.spin + s * (to.spin - from.spin);
+  return r;
+}
+
+}    // namespace raceway
+
+#endif

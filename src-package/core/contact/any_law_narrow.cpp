@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// For processors without AVX2.
+#include "../numbers/lane.h"
+
+#ifdef RACEWAY_TWO_TARGETS    // else any_law.cpp is for one target
+#define RACEWAY_ONE_TARGET 1
+#include "any_law_parts.h"
+
+namespace raceway {
+
+const LawFunctions narrow_law = law_functions(Parts());
+
+}    // namespace raceway
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A law together with its derivative in the local motions of the contact: what an implicit step
+// solves with. The law is evaluated once, in duals (dual.h); nothing of a law is written here.
+//
+// Motions: approach of ball and raceway, sliding along t and w; if the law has couples, also the
+// relative rotation about n, t and w. Forces: N, f_t, f_w; couples about n, t, w. Over a time in
+// which positions follow velocities the overlap follows the approach.
+#ifndef RACEWAY_CONTACT_SLOPES_H
+#define RACEWAY_CONTACT_SLOPES_H
+
+#include "../parts/part.h"
+#include "../raceway/raceway_physics.h"
+
+namespace raceway {
+
+template <class T, int n> struct alignas(sizeof(Value<T>)) ContactSlopesT {
+  T of[n][n];                 // of[i][k]: force i over motion k
+  T state[most_states][n];    // what the contact keeps, over motion k
+};
+
+// As law.act(); c is what it was before but for what the law sets. `follows` (s): how long the
+// overlap follows the approach, the length of an implicit stage, 0 where positions are given.
+template <class L, class B>
+RACEWAY_INLINE void act_with_slopes(const L &law, const RacewayPhysics &p,
+                                    const LawStates<B> &memory, double follows, ContactStateT<B> &c,
+                                    ContactSlopesT<B, L::motions> &slopes)
+{
+  constexpr int n = L::motions;
+  using D = Dual<B, n>;
+  const B one = B() + 1.0;
+  ContactStateT<D> x;
+  copy_state(c, x);
+  x.overlap.d[0] = B() + follows;
+  x.overlap_rate.d[0] = one;
+  x.sliding_t.d[1] = one;
+  x.sliding_w.d[2] = one;
+  if constexpr (L::couples) {
+    x.spin_n.d[3] = one;
+    x.turn_t.d[4] = one;
+    x.roll_w.d[5] = one;
+  }
+  D after[L::room];
+  law.act(p, p.law.at(c.cos_angle), LawStates<D>{memory.dt, memory.before, after, memory.stage}, x);
+  for (int k = 0; k < law.states; ++k) {
+    memory.after[k] = held(after[k]);
+    for (int i = 0; i < n; ++i) slopes.state[k][i] = after[k].d[i];
+  }
+  copy_state(x, c);
+  const D *forces[] = {&x.normal,   &x.friction_t, &x.friction_w,
+                       &x.couple_n, &x.couple_t,   &x.couple_w};
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) slopes.of[i][k] = forces[i]->d[k];
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Columns of balls, of the motion of rings and of what a bearing is, a line each, in the order of
+// their numbers; bearing_figures.h has sums and extremes. No host here.
+#ifndef BEARING_BEARING_COLUMNS_H
+#define BEARING_BEARING_COLUMNS_H
+
+#include "../numbers/column.h"
+
+namespace bearing {
+
+using raceway::as_whole;
+using raceway::Column;
+
+// ---- compute bearing/ball, beside the columns of its two contacts
+namespace of_ball {
+enum { AZIMUTH, ORBIT, TURN_W, TURN_X, TURN_Y, TURN_Z, N };
+const Column list[N] = {
+    {"azimuth", "rad", "azimuth of the ball about the bearing's axis, from the lab's x"},
+    {"orbit", "rad/s", "speed of the ball's centre about the ring's axis"},
+    {"turn_w", "", "turn of the ball since the start, a unit quaternion: cosine of half the angle"},
+    {"turn_x", "",
+     "component along x of that quaternion's vector: sine of half the angle times axis"},
+    {"turn_y", "", "component along y of that quaternion's vector"},
+    {"turn_z", "", "component along z of that quaternion's vector"},
+};
+inline bool needs_turn(int k) { return k >= TURN_W; }
+}    // namespace of_ball
+
+// ---- motion of a ring and what acts on it
+namespace of_ring {
+enum {
+  RING,
+  X,
+  Y,
+  Z,
+  VX,
+  VY,
+  VZ,
+  SPIN,
+  ANGLE,
+  TILT_1,
+  TILT_2,
+  FX,
+  FY,
+  FZ,
+  MX,
+  MY,
+  MZ,
+  TORQUE,
+  AX,
+  AY,
+  AZ,
+  N
+};
+const Column list[N] = {
+    {"ring", "", "atom number of the ring", raceway::has_none, as_whole},
+    {"x", "m", "displacement of the ring along x, from the start"},
+    {"y", "m", "displacement of the ring along y, from the start"},
+    {"z", "m", "displacement of the ring along z, from the start"},
+    {"vx", "m/s", "velocity of the ring along x"},
+    {"vy", "m/s", "velocity of the ring along y"},
+    {"vz", "m/s", "velocity of the ring along z"},
+    {"spin", "rad/s", "spin of the ring about its axis"},
+    {"angle", "rad", "turned about its axis, from the start"},
+    {"tilt_1", "rad", "tilt of the ring about the first axis across the bearing's (x for z)"},
+    {"tilt_2", "rad", "tilt of the ring about the second axis across the bearing's (y for z)"},
+    {"fx", "N", "force of balls and cage on the ring along x"},
+    {"fy", "N", "force of balls and cage on the ring along y"},
+    {"fz", "N", "force of balls and cage on the ring along z"},
+    {"mx", "N m", "moment of balls and cage on the ring about x"},
+    {"my", "N m", "moment of balls and cage on the ring about y"},
+    {"mz", "N m", "moment of balls and cage on the ring about z"},
+    {"torque", "N m", "moment of balls and cage about the ring's axis, its friction"},
+    {"ax", "m/s^2", "acceleration of the ring along x, 0 where the displacement is not free"},
+    {"ay", "m/s^2", "acceleration of the ring along y, 0 where the displacement is not free"},
+    {"az", "m/s^2", "acceleration of the ring along z, 0 where the displacement is not free"},
+};
+}    // namespace of_ring
+
+// ---- what a bearing is, without time
+namespace of_kind {
+enum {
+  BALLS,
+  BALL_DIAMETER,
+  INNER_RADIUS,
+  OUTER_RADIUS,
+  INNER_GROOVE,
+  OUTER_GROOVE,
+  CLEARANCE,
+  CAGE_BALLS,
+  CAGE_BALL_DIAMETER,
+  BALL_MASS,
+  BALL_YOUNG,
+  BALL_POISSON,
+  RING_YOUNG,
+  RING_POISSON,
+  VISCOSITY,
+  PRESSURE_VISCOSITY,
+  PERMITTIVITY,
+  RING_ROUGHNESS,
+  BALL_ROUGHNESS,
+  INNER_ARCH,
+  OUTER_ARCH,
+  N
+};
+const Column list[N] = {
+    {"balls", "", "number of balls", raceway::has_none, as_whole},
+    {"ball_diameter", "m", "diameter of a ball"},
+    {"inner_radius", "m", "radius of the inner raceway at the bottom of its groove"},
+    {"outer_radius", "m", "radius of the outer raceway at the bottom of its groove"},
+    {"inner_groove", "m", "radius of the groove of the inner raceway, in section"},
+    {"outer_groove", "m", "radius of the groove of the outer raceway, in section"},
+    {"clearance", "m", "diametral clearance; negative is preload"},
+    {"cage_balls", "", "number of cage balls", raceway::has_none, as_whole},
+    {"cage_ball_diameter", "m", "diameter of a cage ball"},
+    {"ball_mass", "kg", "mass of a ball"},
+    {"ball_young", "Pa", "Young's modulus of the balls"},
+    {"ball_poisson", "", "Poisson's ratio of the balls"},
+    {"ring_young", "Pa", "Young's modulus of the inner ring"},
+    {"ring_poisson", "", "Poisson's ratio of the inner ring"},
+    {"viscosity", "Pa s", "viscosity of the lubricant"},
+    {"pressure_viscosity", "1/Pa", "pressure-viscosity coefficient of the lubricant"},
+    {"permittivity", "", "relative permittivity of the lubricant at ambient pressure"},
+    {"ring_roughness", "m", "roughness of the inner raceway"},
+    {"ball_roughness", "m", "roughness of the balls"},
+    {"inner_arch", "m", "inner ring with two grooves: of their centres from its middle plane"},
+    {"outer_arch", "m", "outer ring with two grooves: of their centres from its middle plane"},
+};
+inline bool of_two_grooves(int k) { return k == INNER_ARCH || k == OUTER_ARCH; }
+}    // namespace of_kind
+
+// ---- balls, cage balls and rings as the host has them
+namespace of_atom {
+enum { MOTION = 2 };    // the first of place, velocity and spin
+const Column list[] = {
+    {"id", "", "atom number", raceway::has_none, as_whole},
+    {"type", "", "1 ball, 2 cage ball, 3 inner ring, 4 outer ring", raceway::has_none, as_whole},
+    {"x", "m", "position along x"},
+    {"y", "m", "position along y"},
+    {"z", "m", "position along z"},
+    {"vx", "m/s", "velocity along x"},
+    {"vy", "m/s", "velocity along y"},
+    {"vz", "m/s", "velocity along z"},
+    {"omegax", "rad/s", "spin about x"},
+    {"omegay", "rad/s", "spin about y"},
+    {"omegaz", "rad/s", "spin about z"},
+};
+}    // namespace of_atom
+
+}    // namespace bearing
+
+#endif

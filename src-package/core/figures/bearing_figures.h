@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The figures of a bearing or a ring: sums and extremes over the contacts of its balls. Records and
+// computes take them from here, the losses by column from the parts of the law (loss_table.h). No
+// host here.
+#ifndef BEARING_BEARING_FIGURES_H
+#define BEARING_BEARING_FIGURES_H
+
+#include "../contact/loss_table.h"
+#include "contact_columns.h"
+
+namespace bearing {
+
+// The contacts of one ball. Doubles only: it travels between ranks as numbers. Arrays of two: inner
+// and outer raceway.
+struct BallFigures {
+  double balls = 0.0, contacts = 0.0, loaded[2] = {}, load[2] = {}, pressure[2] = {};
+  double h_min = HUGE_VAL, lambda = HUGE_VAL;
+  double orbit = 0.0;                              // rad/s
+  double loss[raceway::most_loss_columns] = {};    // W
+  double cage_loss = 0.0, cage_force = 0.0;        // W, N
+  double capacitance[2] = {}, whole[2] = {};       // F; with surroundings
+  // of the inner contact with the largest load
+  double entrainment = 0.0, asperity_share = NAN;
+  double film[3] = {NAN, NAN, NAN};    // h_min, lambda, h_c
+
+  static constexpr size_t numbers() { return sizeof(BallFigures) / sizeof(double); }
+  void contact(const ContactView &);    // loaded
+  void gap(const ContactView &);        // surfaces that do not touch: only surroundings count
+  // A contact with a cage ball or another ball: loss of this ball there (W), force (N).
+  void cage(double loss, double force);
+  // What both contacts of a ball make together: pairs in series, a ball that is loaded on both.
+  void take_pairs(const BallFigures &);
+};
+
+// The sum over balls.
+struct BearingFigures {
+  double balls = 0.0, contacts = 0.0, loaded_balls = 0.0, load[2] = {}, pressure[2] = {};
+  double h_min = HUGE_VAL, lambda = HUGE_VAL;
+  double orbit = 0.0;    // sum
+  double loss[raceway::most_loss_columns] = {};
+  double cage_loss = 0.0, cage_force = 0.0;
+  double capacitance = 0.0, capacitance_top = 0.0, whole = 0.0, whole_top = 0.0;
+  double entrainment = NAN, asperity_share = NAN, film[3] = {NAN, NAN, NAN};
+
+  void add(const BallFigures &);
+  double cage_speed() const { return balls > 0.0 ? orbit / balls : 0.0; }    // rad/s
+};
+
+// A figure as a column of an output.
+struct Figure {
+  raceway::Column is;
+  double (*of)(const BearingFigures &, int);
+  raceway::Needs needs = raceway::Needs::nothing;
+  unsigned parts = 0;      // the law has one of them; 0: of every law
+  bool spheres = false;    // balls touch cage balls or one another
+  int loss = 0;            // second argument of `of`: a column of loss_table()
+  const char *key = "";    // of a loss, in losses_W of `raceway summary`
+
+  double value(const BearingFigures &f) const { return of(f, loss); }
+  // A run has it that gives film, capacitance, surroundings, this law, contacts of spheres.
+  bool given(bool film, bool capacitance, bool surroundings, unsigned law, bool touches) const
+  {
+    using raceway::Needs;
+    return (needs != Needs::film || film) && (needs != Needs::capacitance || capacitance) &&
+           (needs != Needs::surroundings || surroundings) &&
+           ((!parts && !spheres) || (spheres && touches) || (law & parts));
+  }
+};
+
+const std::vector<Figure> &record_figures();    // of each bearing in a record
+const std::vector<Figure> &ring_figures();      // compute bearing/ring, after the ring's motion
+const std::vector<Figure> &total_figures();     // compute bearing/total
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The capacitors of the contact table with what surrounds them: found once for a filled table, four
+// contacts of a raceway side by side.
+#ifndef BEARING_CAPACITOR_TABLE_H
+#define BEARING_CAPACITOR_TABLE_H
+
+#include "../electric/film_capacitor.h"
+#include "contact_table.h"
+
+#include <functional>
+
+namespace bearing {
+
+class CapacitorTable {
+ public:
+  // Of these contacts, for a table whose indices have changed.
+  void plan(const ContactTable &, const raceway::CapacitorModel &,
+            const std::function<bool(const RacewayContact &)> &counts);
+  // For a table that was filled.
+  void fill(const ContactTable &);
+  // By place in the table; 0 for a contact that does not count.
+  const raceway::FilmCapacitorT<double> &operator[](size_t row) const { return of_[row]; }
+
+ private:
+  struct Batch {
+    raceway::SurroundedRaceway raceway;
+    std::vector<int> rows;
+  };
+  void fill(const ContactTable &, const Batch &);
+
+  std::vector<Batch> batches_;
+  std::vector<raceway::FilmCapacitorT<double>> of_;
+};
+
+}    // namespace bearing
+
+#endif

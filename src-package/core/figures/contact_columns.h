@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Every column that a contact has: those of its motions and of the parts of the law (physics/) and
+// those that need to know where in the run it is. No host here.
+#ifndef BEARING_CONTACT_COLUMNS_H
+#define BEARING_CONTACT_COLUMNS_H
+
+#include "../electric/film_capacitor.h"
+#include "../parts/motion_columns.h"
+
+#include <string>
+#include <vector>
+
+namespace bearing {
+
+// A contact as a column sees it.
+struct ContactView {
+  double ball, ring;    // atom numbers
+  const raceway::RacewayPhysics &raceway;
+  const raceway::ContactState &state;
+  int axis;                                     // of the bearing: 0 x, 1 y, 2 z
+  raceway::FilmCapacitorT<double> capacitor;    // 0 where no column asks for it
+};
+
+// Azimuth of a direction about the bearing axis, rad in (-pi, pi], from the next lab axis (x for
+// axis z).
+double azimuth(const raceway::Vec3 &u, int axis);
+
+class ContactColumn {
+ public:
+  using OfState = double (*)(const raceway::Raceway &, const raceway::ContactState &);
+  using OfView = double (*)(const ContactView &);
+
+  explicit ContactColumn(const raceway::StateColumn &c) :
+      is(c.is), needs(c.needs), usual(c.usual), of_state_(c.value)
+  {
+  }
+  ContactColumn(const raceway::Column &c, raceway::Needs what, OfView value, bool name,
+                bool grooves) :
+      is(c), needs(what), usual(true), names_it(name), of_many_grooves(grooves), of_view_(value)
+  {
+  }
+  double value(const ContactView &c) const
+  {
+    return of_state_ ? of_state_(c.raceway, c.state) : of_view_(c);
+  }
+  bool needs_film() const { return needs != raceway::Needs::nothing; }
+  bool needs_capacitance() const { return needs >= raceway::Needs::capacitance; }
+  // has a value for surfaces that do not touch, too
+  bool needs_surroundings() const { return needs == raceway::Needs::surroundings; }
+
+  raceway::Column is;
+  raceway::Needs needs;
+  bool usual;                      // part of a record unless more is asked for
+  bool names_it = false;           // says which contact it is: the same in all samples
+  bool of_many_grooves = false;    // no part of `all` where rings have one groove each
+
+ private:
+  OfState of_state_ = nullptr;
+  OfView of_view_ = nullptr;
+};
+
+const std::vector<ContactColumn> &contact_columns();    // in the order of every output
+const ContactColumn *find_contact_column(const std::string &name);    // or null
+std::string contact_column_names();
+
+}    // namespace bearing
+
+#endif

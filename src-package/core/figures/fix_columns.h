@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the fixes give as f_ID[k], a line each, in the order of their numbers. The size of a vector
+// and the table on its page come from here. No host here.
+#ifndef BEARING_FIX_COLUMNS_H
+#define BEARING_FIX_COLUMNS_H
+
+#include "../numbers/column.h"
+
+namespace bearing {
+
+using raceway::as_whole;
+using raceway::Column;
+
+// ---- fix bearing/ring, a row per ring; an axis across is one of the two lab axes across the
+// bearing's axis
+namespace of_fix_ring {
+enum {
+  X,
+  Y,
+  Z,
+  VX,
+  VY,
+  VZ,
+  TILT1,
+  TILT2,
+  SPIN,
+  ANGLE,
+  FX,
+  FY,
+  FZ,
+  MX,
+  MY,
+  MZ,
+  TORQUE,
+  LOAD_X,
+  LOAD_Y,
+  LOAD_Z,
+  SUPPORT_X,
+  SUPPORT_Y,
+  SUPPORT_Z,
+  AX,
+  AY,
+  AZ,
+  N
+};
+const Column list[N] = {
+    {"x", "m", "displacement along x, from the start"},
+    {"y", "m", "displacement along y, from the start"},
+    {"z", "m", "displacement along z, from the start"},
+    {"vx", "m/s", "velocity along x"},
+    {"vy", "m/s", "velocity along y"},
+    {"vz", "m/s", "velocity along z"},
+    {"tilt_1", "rad", "tilt about the first axis across"},
+    {"tilt_2", "rad", "tilt about the second axis across"},
+    {"spin", "rad/s", "spin about the ring's axis"},
+    {"angle", "rad", "turned about the ring's axis, from the start"},
+    {"fx", "N", "force of balls and cage on the ring along x, without the load"},
+    {"fy", "N", "force of balls and cage on the ring along y, without the load"},
+    {"fz", "N", "force of balls and cage on the ring along z, without the load"},
+    {"mx", "N m", "moment of balls and cage about x through the ring's centre"},
+    {"my", "N m", "moment of balls and cage about y through the ring's centre"},
+    {"mz", "N m", "moment of balls and cage about z through the ring's centre"},
+    {"torque", "N m", "moment of balls and cage about the ring's axis, its friction"},
+    {"load_x", "N", "load on the ring along x: force, rotating force and unbalance"},
+    {"load_y", "N", "load on the ring along y: force, rotating force and unbalance"},
+    {"load_z", "N", "load on the ring along z"},
+    {"support_x", "N", "force of the supports on the ring along x"},
+    {"support_y", "N", "force of the supports on the ring along y"},
+    {"support_z", "N", "force of the supports on the ring along z"},
+    {"ax", "m/s^2", "acceleration along x, 0 where the displacement is not free"},
+    {"ay", "m/s^2", "acceleration along y, 0 where the displacement is not free"},
+    {"az", "m/s^2", "acceleration along z, 0 where the displacement is not free"},
+};
+}    // namespace of_fix_ring
+
+// ---- fix bearing/shaft with *flexible*: these follow in the row of a ring
+namespace of_bend {
+enum { X, Y, Z, TILT1, TILT2, N };
+const Column list[N] = {
+    {"bend_x", "m", "displacement along x by bending, against the rigid shaft"},
+    {"bend_y", "m", "displacement along y by bending"},
+    {"bend_z", "m", "displacement along z by bending, 0 along the shaft"},
+    {"bend_tilt_1", "rad", "slope by bending as a tilt about the first axis across"},
+    {"bend_tilt_2", "rad", "slope by bending as a tilt about the second axis across"},
+};
+}    // namespace of_bend
+
+// ---- fix bearing/implicit: all its bearings, since the start of the run
+namespace of_fix_implicit {
+enum {
+  MEAN_STEP,
+  SMALLEST_STEP,
+  STEPS,
+  CORRECTIONS,
+  REFUSED,
+  ERROR,
+  WORK,
+  DISSIPATED,
+  STORED,
+  LOST,
+  N
+};
+const Column list[N] = {
+    {"mean_step", "s", "mean internal step"},
+    {"smallest_step", "s", "smallest internal step"},
+    {"steps", "", "number of internal steps", raceway::has_none, as_whole},
+    {"corrections", "", "corrections per internal step"},
+    {"refused", "", "internal steps refused and repeated", raceway::has_none, as_whole},
+    {"error", "m", "largest accepted estimated error; with *solve damping* the largest movement"},
+    {"work", "J", "work put in by loads and driven motions; 0 without *energy yes*, as the next"},
+    {"dissipated", "J",
+     "energy dissipated in films, by hysteresis, by sliding, at the cage and in dampers"},
+    {"stored", "J", "growth of the energy of motion, of contact springs and of bent shafts"},
+    {"lost", "J", "energy lost by the integrator: work, less dissipated, less stored"},
+};
+}    // namespace of_fix_implicit
+
+// ---- fix bearing/cage: at the last step
+namespace of_fix_cage {
+enum { SUM, LARGEST, N };
+const Column list[N] = {
+    {"rail_force_sum", "N", "sum of all rail forces"},
+    {"rail_force", "N", "largest force of a rail on a cage ball"},
+};
+}    // namespace of_fix_cage
+
+// ---- fix bearing/capacitance
+namespace of_fix_capacitance {
+enum {
+  TOTAL,
+  LARGEST,
+  ACTIVE,
+  MEAN,
+  LEAST,
+  MOST,
+  ALL_TOTAL,
+  ALL_LARGEST,
+  ALL_MEAN,
+  ALL_LEAST,
+  ALL_MOST,
+  LEAK,
+  IMPEDANCE,
+  PHASE,
+  THRESHOLD,
+  THRESHOLD_LOCAL,
+  THRESHOLD_ENERGY,
+  HERTZ_AREA,
+  N
+};
+const Column list[N] = {
+    {"total", "F", "sum over the balls, with background, at the end of the step"},
+    {"largest", "F", "largest value of one ball at the end of the step"},
+    {"balls", "", "balls in contact with both raceways", raceway::has_none, as_whole},
+    {"mean", "F", "mean of the total over the instants of the step"},
+    {"least", "F", "smallest total over the instants of the step"},
+    {"most", "F", "largest total over the instants of the step"},
+    {"capacitance_total", "F", "total with surroundings; 0 unless asked for, as the next"},
+    {"capacitance_total_top", "F", "largest value of one ball with its surroundings"},
+    {"capacitance_total_mean", "F", "mean of capacitance_total over the instants of the step"},
+    {"capacitance_total_least", "F", "smallest capacitance_total over the instants of the step"},
+    {"capacitance_total_most", "F", "largest capacitance_total over the instants of the step"},
+    {"leak", "ohm", "resistance of the films to direct current; 0 without *resistivity*"},
+    {"impedance", "ohm", "modulus of the impedance; 0 without *frequency*, as the next"},
+    {"phase", "rad", "phase of the impedance"},
+    {"threshold_voltage", "V", "smallest voltage at which a film fails; 0 without *strength*"},
+    {"threshold_voltage_local", "V", "likewise, of films less three times the roughness"},
+    {"threshold_energy", "J", "energy of the bearing and background at threshold_voltage"},
+    {"hertz_area", "m2", "area of all contact ellipses; 0 without these three keywords"},
+};
+}    // namespace of_fix_capacitance
+
+// ---- fix bearing/circuit: at the last sample, after its discharge; work, heat and numbers since
+// the first one
+namespace of_fix_circuit {
+enum {
+  VOLTAGE,
+  DRIVING,
+  CAPACITANCE,
+  RATIO,
+  THRESHOLD,
+  DISCHARGES,
+  FAILURES,
+  DISCHARGE_ENERGY,
+  SOURCE_WORK,
+  MECHANICAL_WORK,
+  LEAK_HEAT,
+  RESISTOR_HEAT,
+  STORED,
+  CHARGE_ERROR,
+  ENERGY_ERROR,
+  CURRENT,
+  N
+};
+const Column list[N] = {
+    {"bearing_voltage", "V", "voltage of the inner ring to the outer ring"},
+    {"driving_voltage", "V", "voltage of the outer circuit"},
+    {"bearing_capacitance", "F", "capacitance between the rings, balls without charge"},
+    {"bearing_voltage_ratio", "", "bearing voltage over common-mode voltage; 0 without a motor"},
+    {"threshold_voltage", "V", "smallest voltage at which a film fails; 0 where none can"},
+    {"discharges", "", "number of discharges", raceway::has_none, as_whole},
+    {"failures", "", "number of films that failed", raceway::has_none, as_whole},
+    {"discharge_energy", "J", "heat of discharges"},
+    {"source_work", "J", "work of the driving voltage"},
+    {"mechanical_work", "J", "work that moving the plates of the films put in"},
+    {"leak_heat", "J", "heat in the conductance of films"},
+    {"resistor_heat", "J", "heat in the resistance of the source"},
+    {"stored_energy", "J", "energy stored in films, beside them and in the coupling"},
+    {"charge_error", "C", "largest difference of a node's charge by currents and by voltages"},
+    {"energy_error", "J", "largest lack of the balance of energy in a step"},
+    {"current", "A", "mean current into the inner ring's films in the last step of the circuit"},
+};
+}    // namespace of_fix_circuit
+
+// ---- fix bearing/timestep
+namespace of_fix_timestep {
+enum { LIMIT, SMALLEST, TIME, WALL, N };
+const Column list[N] = {
+    {"limit", "s", "largest stable step of velocity Verlet now"},
+    {"smallest_limit", "s", "smallest limit since the fix was made"},
+    {"time", "s", "simulated time"},
+    {"wall", "s", "wall time since the start of the run"},
+};
+}    // namespace of_fix_timestep
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A cage ball on a torus rail (docs/theory, Rings): elastic, frictionless, critically damped.
+//
+// The rail is a torus: centre-circle radius, tube radius, axial offset of that circle along the
+// ring axis. Contact when the ball centre is nearer to the centre circle than ball radius + tube
+// radius. Hertz constants are those of the seat: the ball touches the tube from the axis side under
+// the seat angle (0 = radially outside the ball), so that along the rail the surface is concave.
+#ifndef RACEWAY_RAIL_H
+#define RACEWAY_RAIL_H
+
+#include "../laws/damped_hertz.h"
+#include "../laws/hertz.h"
+#include "../numbers/vec3.h"
+
+namespace raceway {
+
+struct Rail {
+  double circle = 0.0;    // m, radius of the centre circle
+  double tube = 0.0;      // m, radius of the tube
+  double offset = 0.0;    // m, along the axis
+};
+
+// Two rails outside the pitch circle, one on each side, touching a cage ball of radius R that is
+// centred on the pitch circle (gap = 0). Squeezed between two balls a cage ball is pushed outwards
+// (the chord of the balls lies inside the pitch circle): outside rails at +-45 degrees form a V in
+// which that push seats it, and the V holds it axially. See docs/theory, "Cage".
+inline Rail seat_rail(double pitch, double ball_radius, double tube, double gap, double sign)
+{
+  const double reach = (ball_radius + tube + gap) * 0.70710678118654752440;
+  return {pitch + reach, tube, sign * reach};
+}
+
+// Stiffness of ball on rail, N/m^1.5. pitch: radius of the ball path.
+inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch, double Eprime)
+{
+  const double dr = rail.circle - pitch, dz = rail.offset;
+  const double distance = std::sqrt(dr * dr + dz * dz);
+  const double cos_seat = dr / distance;
+  const double contact_radius =
+      pitch + ball_radius * cos_seat;    // of the contact point about the axis
+  const double along = 1.0 / ball_radius - cos_seat / contact_radius;
+  const double across = 1.0 / ball_radius + 1.0 / rail.tube;
+  return hertz_contact(1.0 / along, 1.0 / across, Eprime, Ellipse::exact).K;
+}
+
+// One cage ball on one rail in the meridional plane of the ring: ball centre at radius r and height
+// z, moving at vr, ve against the ring. Without a branch, so that a loop over many balls becomes
+// vector code; without contact the force is 0.
+template <class T> struct RailContactT {
+  T nr, ne;     // rail -> ball
+  T overlap;    // m
+  DampedHertzT<T> h;
+};
+using RailContact = RailContactT<double>;
+
+template <class T>
+RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T &r, const T &z,
+                                            const T &vr, const T &ve, const T &radius,
+                                            const T &mass)
+{
+  RailContactT<T> c;
+  const T dr = r - rail.circle, dz = z - rail.offset, s = square_root(T(dr * dr + dz * dz));
+  const T inverse = 1.0 / s, overlap = radius + rail.tube - s;
+  c.nr = dr * inverse;
+  c.ne = dz * inverse;
+  c.overlap = overlap;
+  c.h = damped_hertz(K, T(where(overlap > 0.0, overlap, 0.0)), T(-(vr * c.nr + ve * c.ne)), mass);
+  return c;
+}
+
+// Whether a cage ball may be within `margin` (m) of the rail, without the root. Rounding never
+// denies it where rail_contact() finds an overlap.
+template <class T>
+RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
+                              double margin)
+{
+  const T dr = r - rail.circle, dz = z - rail.offset;
+  const T reach = (radius + (rail.tube + margin)) * (1.0 + 1.0e-12);
+  return dr * dr + dz * dz < reach * reach;
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Film thickness: power laws (film.h), all regimes (film_regimes.h), factors (film_factors.h); its
+// damping (film_branch.h).
+#include "../laws/film_branch.h"
+#include "../laws/film_factors.h"
+#include "../laws/film_regimes.h"
+#include "exports.h"
+
+#include <algorithm>
+
+using namespace raceway;
+
+RECORD(FilmThickness, double h_min, h_c;)
+RECORD(FilmExponents, double speed, load;)
+RECORD(GuptaParts, double unpressed, lost;)
+RECORD(MaxwellBranch, double stiffness, rate;)
+RECORD(BranchStep, double left, slope;)
+
+// of R_x, by U, G, W; model: 0 Masjedi and Khonsari, 1 that as printed, 2 Hamrock and Dowson
+FORMULA(FilmThickness, film_thickness,
+        (int model, double speed, double material, double load, double kappa))
+{
+  // along an array these are mostly the same, and cost more than the rest
+  thread_local double known[3] = {-1.0, 0.0, 0.0};
+  thread_local FilmPair laws;
+  const double asked[3] = {double(model), material, kappa};
+  if (!std::equal(asked, asked + 3, known)) {
+    std::copy(asked, asked + 3, known);
+    laws = film_laws(FilmModel(model), kappa, {1.0, material}, 1.0, 1.0);
+  }
+  const FilmPointT<double> at = film_point(speed, load);
+  return {film_thickness(laws.min, at), film_thickness(laws.central, at)};
+}
+
+// of the central thickness
+FORMULA(FilmExponents, film_exponents, (int model, double kappa))
+{
+  const FilmLaw law = film_laws(FilmModel(model), kappa, {1.0, 1.0}, 1.0, 1.0).central;
+  return {law.p, law.m};
+}
+
+FORMULA(double, composite_roughness, (double one, double other))
+{
+  return composite_roughness(one, other);
+}
+
+// of sqrt(U_s) R_x, by Moes' M, L and lambda = R_x/R_y
+FORMULA(double, film_all_regimes, (double load, double material, double ratio))
+{
+  MoesRaceway raceway;
+  raceway.ln_material = logarithm(material);
+  const MoesShapeT<double> shape = moes_shape(1.0, -logarithm(ratio));
+  return MoesFilmT<double>(raceway, shape, 0.0, 0.0).at(logarithm(load)).thickness;
+}
+
+FORMULA(double, thermal_loading,
+        (double temperature_viscosity, double viscosity, double speed, double conductivity))
+{
+  return thermal_loading(temperature_viscosity, viscosity, speed, conductivity);
+}
+
+// by the thermal loading; law: 1 Murch and Wilson, 2 Wilson
+FORMULA(double, inlet_shear, (int law, double loading))
+{
+  FilmFactors f;
+  f.inlet_shear = InletShear(law);
+  f.ln_loading = logarithm(loading);
+  return f.of(0.0);
+}
+
+// the factor without pressure, and the share that the pressure takes from it, not limited
+FORMULA(GuptaParts, gupta_parts, (double loading, double pressure, double slide_roll))
+{
+  FilmFactors f;
+  f.ln_loading = logarithm(loading);
+  const GuptaFactorT<double> g = f.gupta(0.0, slide_roll * slide_roll);
+  return {g.unpressed, g.per_pressure * pressure};
+}
+
+FORMULA(MaxwellBranch, film_branch,
+        (double k, double h_c, double compression, double b, double speed))
+{
+  const FilmBranchT<double> f = film_branch(k, h_c, compression, b, speed);
+  return {f.stiffness, f.rate};
+}
+
+FORMULA(BranchStep, film_branch_step, (double stiffness, double rate, double dt, bool stage))
+{
+  const BranchStepT<double> step = branch_step(FilmBranchT<double>{stiffness, rate}, dt, stage);
+  return {step.left, step.slope};
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The film in the gap (film_gap.h, gap_film.h) of a contact that is given by its numbers.
+#include "../raceway/gap_film.h"
+#include "exports.h"
+
+using namespace raceway;
+
+RECORD(FilmAtLoad, double thickness, fall;)
+RECORD(FilmInGap, double load, h_c, elastic, slope;)
+
+namespace {
+// One film over the load. `shape` is R_y (m) in all regimes, else kappa. With a thermal loading it
+// has Gupta's factor, `peak` being p_max/E' under 1 N. Below the load `cut` (N) a power law keeps
+// its thickness, and any film Gupta's factor.
+struct FilmOverLoad {
+  bool all;
+  double viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor, loading, peak,
+      slide_roll, cut;
+
+  bool rests() const { return speed == 0.0; }
+  bool heated() const { return loading > 0.0; }
+
+  PowerFilmT<double> power(double more = 1.0) const
+  {
+    const FilmLaw law =
+        film_laws(FilmModel::masjedi_khonsari, shape, {viscosity, pressure_viscosity}, modulus, r_x)
+            .central;
+    return {law.lnA + law.p * logarithm(std::fabs(speed)) + logarithm(factor * more), -law.m};
+  }
+  MoesFilmT<double> moes(double more = 1.0) const
+  {
+    const MoesRaceway raceway({viscosity, pressure_viscosity}, modulus, r_x, shape);
+    return {raceway, raceway.radial, logarithm(std::fabs(speed)), logarithm(factor * more)};
+  }
+  GuptaFactorT<double> gupta() const
+  {
+    FilmFactors f;
+    f.ln_loading = logarithm(loading);
+    return f.gupta(0.0, slide_roll * slide_roll);
+  }
+
+  FilmAtLoadT<double> at(double load) const
+  {
+    if (rests()) return {0.0, all || load < cut ? 0.0 : power().fall};
+    const double kept = load > cut ? load : cut;
+    FilmAtLoadT<double> f = all ? moes().at(logarithm(load)) : power().at(logarithm(kept));
+    if (!all && load < cut) f.fall = 0.0;
+    if (!heated()) return f;
+    const GuptaFactorT<double> g = gupta();
+    const double lost = g.loss(peak * std::cbrt(kept));
+    f.thickness *= g.unpressed * (1.0 - lost);
+    if (load >= cut && lost < g.most) f.fall += lost / (3.0 * (1.0 - lost));
+    return f;
+  }
+};
+
+template <class Film, bool all>
+FilmRootT<double> root(const Film &film, const GuptaFactorT<double> *steep, double overlap,
+                       double K, double share, double least)
+{
+  const GapFilmT<double, all> law(film, steep, K);
+  return squeeze(law, overlap, share, law.start(overlap, least));
+}
+
+FilmInGap in_gap(const FilmOverLoad &film, double overlap, double K, double share)
+{
+  const auto loaded = [K](double x, double h, double slope) -> FilmInGap {
+    return {hertz_load(K, x), h, x, 1.5 * K * std::sqrt(x) * slope};
+  };
+  if (film.rests() || share == 0.0) {
+    const double x = overlap > 0.0 ? overlap : 0.0;
+    return loaded(x, film.at(hertz_load(K, x)).thickness, 1.0);
+  }
+  GuptaFactorT<double> g = film.heated() ? film.gupta() : GuptaFactorT<double>{1.0, 0.0};
+  const double below = g.unpressed * (1.0 - g.loss(film.peak * std::cbrt(film.cut)));
+  const double kept = std::pow(film.cut / K, 2.0 / 3.0);    // compression at the cut
+  if (!film.all && film.cut > 0.0) {
+    const PowerFilmT<double> law = film.power(below);
+    const double edge = law.at(logarithm(film.cut)).thickness, least = overlap + share * edge;
+    if (least <= 0.0) return {0.0, edge, 0.0, 0.0};
+    if (!film.heated()) {
+      const FilmGapT<double> found = compress(overlap, share * edge, kept, law.fall);
+      return loaded(found.compression, edge * found.thinning, found.slope);
+    }
+    if (least <= kept) return loaded(least, edge, 1.0);
+  }
+  constexpr double none = 1e-100;    // m, below any compression
+  const auto solve = [&](double more, const GuptaFactorT<double> *steep, double from) {
+    return film.all
+               ? root<MoesFilmT<double>, true>(film.moes(more), steep, overlap, K, share, from)
+               : root<PowerFilmT<double>, false>(film.power(more), steep, overlap, K, share, from);
+  };
+  FilmRootT<double> found = solve(below, nullptr, none);
+  if (film.heated() && found.compression > kept) {
+    const double unpressed = g.unpressed;
+    g = {1.0, g.per_pressure * film.peak * std::cbrt(K)};    // by the root of the compression
+    found = solve(unpressed, &g, kept > none ? kept : none);
+  }
+  return loaded(found.compression, found.thickness, found.slope);
+}
+}    // namespace
+
+FORMULA(FilmAtLoad, film_at_load,
+        (double load, bool all_regimes, double viscosity, double pressure_viscosity, double modulus,
+         double r_x, double shape, double speed, double factor, double loading, double peak,
+         double slide_roll, double cut))
+{
+  const FilmAtLoadT<double> f =
+      FilmOverLoad{all_regimes, viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor,
+                   loading,     peak,      slide_roll,         cut}
+          .at(load);
+  return {f.thickness, f.fall};
+}
+
+FORMULA(FilmInGap, film_in_gap,
+        (double overlap, double stiffness, double share, bool all_regimes, double viscosity,
+         double pressure_viscosity, double modulus, double r_x, double shape, double speed,
+         double factor, double loading, double peak, double slide_roll, double cut))
+{
+  return in_gap({all_regimes, viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor,
+                 loading, peak, slide_roll, cut},
+                overlap, stiffness, share);
+}
+
+FORMULA(double, thinning_work,
+        (double share, double exponent, double load, double h_c, double cut, double edge))
+{
+  return thinning_work(share, exponent, load, h_c, cut, edge);
+}
+
+FORMULA(double, hertz_energy, (double load, double elastic)) { return 0.4 * load * elastic; }

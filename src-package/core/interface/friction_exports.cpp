@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Damping, mixed friction, slip, spin, resistance to rolling and drag of one contact.
+#include "../laws/asperities.h"
+#include "../laws/ball_drag.h"
+#include "../laws/damping.h"
+#include "../laws/differential_slip.h"
+#include "../laws/film_traction.h"
+#include "../laws/friction.h"
+#include "../laws/rolling_resistance.h"
+#include "../laws/slip_slices.h"
+#include "../parts/part_spin.h"
+#include "exports.h"
+
+using namespace raceway;
+
+// ---- damping
+FORMULA(double, hysteretic_damping, (double alpha, double load))
+{
+  return hysteretic_damping(alpha, load);
+}
+
+FORMULA(double, film_damping,
+        (double viscosity, double length, double radius, double h, double floor))
+{
+  return film_damping(film_damping_prefactor(viscosity, radius, 1.0), length, h, floor);
+}
+
+// ---- mixed friction
+FORMULA(double, asperity_share, (double ratio, double b, double c))
+{
+  return asperity_share(Asperities{b, c}, logarithm(ratio));
+}
+
+FORMULA(double, mixed_friction, (double boundary, double film, double share))
+{
+  return mixed_friction(boundary, film, share);
+}
+
+FORMULA(double, stribeck,
+        (double mu_boundary, double mu_full, double lambda_1, double lambda_2, double ratio))
+{
+  return stribeck({mu_boundary, mu_full, lambda_1, lambda_2}, ratio);
+}
+
+FORMULA(double, film_regime, (double lambda_1, double lambda_2, double ratio))
+{
+  return regime({0.0, 0.0, lambda_1, lambda_2}, ratio);
+}
+
+// rate: s/h, 1/s, not negative
+FORMULA(double, eyring_shear, (double viscosity, double rate, double stress, double limit))
+{
+  return eyring_shear(stress, viscosity * rate / stress, limit);
+}
+
+FORMULA(double, roelands, (double viscosity, double pressure_viscosity, double pressure))
+{
+  return viscosity * exponential(Roelands({viscosity, pressure_viscosity}).ln_rise(pressure));
+}
+
+FORMULA(double, roelands_exponent, (double viscosity, double pressure_viscosity))
+{
+  return Roelands({viscosity, pressure_viscosity}).exponent;
+}
+
+FORMULA(double, film_coefficient,
+        (double viscosity, double pressure_viscosity, double stress, double limit, double pressure,
+         double rate))
+{
+  FilmTraction f;
+  f.stress = stress;
+  f.limit = limit;
+  f.prepare({viscosity, pressure_viscosity});
+  return f.coefficient(pressure, logarithm(rate));
+}
+
+// ---- differential slip
+RECORD(SlipConstants, double free_root, free_speed, free_lean;)
+FORMULA(SlipConstants, slip_constants, ()) { return {free_root, free_speed, free_lean}; }
+
+FORMULA(double, deformed_radius, (double groove, double ball))
+{
+  return deformed_radius(groove, ball);
+}
+
+FORMULA(double, edge_slip, (double speed, double a, double r_d, double r_x))
+{
+  return edge_slip(speed, a, r_d, r_x);
+}
+
+// Over mu Q and, for the couple, a^2/(2 R_d); `off` is the distance from free rolling over s_e.
+RECORD(SlipLaw, double root, secant, force, couple;)
+FORMULA(SlipLaw, differential_slip, (double off))
+{
+  const double root = slip_root(off);
+  return {root, slip_secant(off), slip_force(off), slip_couple(root)};
+}
+
+// t0 of a force over mu Q
+FORMULA(double, slip_root_of_force, (double force)) { return force_root(force); }
+
+// ---- spin
+FORMULA(double, pure_spin_couple, (double limit, double a, double second))
+{
+  return pure_spin_couple(limit, a, second);
+}
+
+RECORD(SlidingForces, double along, across, moment, couple, slope_along, slope_across, slope_moment,
+       slope_couple;)
+FORMULA(SlidingForces, slip_slices,
+        (double along, double across, double spin, double edge, double aspect, double least))
+{
+  const auto f = SlipSlices::forces<true>({along, across, spin, edge, aspect, least});
+  return {f.along,       f.across,       f.moment,       f.couple,
+          f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
+}
+
+// ---- rolling
+FORMULA(double, rolling_force,
+        (double viscosity, double modulus, double r_x, double r_y, double speed, double load))
+{
+  const RollingConstants k(viscosity, modulus, r_y);
+  return rolling_force(rolling_shape(k, r_x), logarithm(std::fabs(speed)), load, std::cbrt(load));
+}
+
+FORMULA(double, hysteresis_couple, (double alpha, double load, double b))
+{
+  return hysteresis_couple(alpha, load, b);
+}
+
+// ---- drag
+FORMULA(double, drag_coefficient, (double reynolds))
+{
+  return drag_coefficient(drag_table(), reynolds);
+}

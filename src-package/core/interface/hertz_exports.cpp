@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Hertz's contact and the radii of a ball in its groove (hertz.h).
+#include "../laws/hertz.h"
+#include "exports.h"
+
+using namespace raceway;
+
+EXPORTS
+
+RECORD(HertzEllipse, double kappa, first, second, radius;)
+RECORD(SemiAxes, double a, b;)
+RECORD(RadiiOfContact, double r_x, r_y;)
+RECORD(CompleteElliptic, double K, E, D;)
+
+// form: 0 exact, 1 fit of Hamrock and Brewe, 2 that fit as printed in the paper
+FORMULA(HertzEllipse, hertz_ellipse, (double r_x, double r_y, int form))
+{
+  const ContactEllipse c = contact_ellipse(r_x, r_y, Ellipse(form));
+  return {c.kappa, c.Fbar, c.Ebar, hertz_radius(r_x, r_y)};
+}
+
+FORMULA(double, hertz_stiffness,
+        (double kappa, double first, double second, double radius, double modulus))
+{
+  return hertz_stiffness({kappa, second, first}, radius, modulus);
+}
+
+FORMULA(SemiAxes, hertz_semi_axes,
+        (double kappa, double second, double radius, double modulus, double load))
+{
+  const double a = hertz_semi_axis({kappa, second, 0.0}, radius, modulus, load);
+  return {a, a / kappa};
+}
+
+// by the semi-axes under 1 N, so that it is 0 without load
+FORMULA(double, hertz_pressure,
+        (double kappa, double second, double radius, double modulus, double load))
+{
+  const double a = hertz_semi_axis({kappa, second, 0.0}, radius, modulus, 1.0);
+  return hertz_pressure(1.0, a, a / kappa) * std::cbrt(load);
+}
+
+FORMULA(double, hertz_load, (double stiffness, double overlap))
+{
+  return hertz_load(stiffness, overlap);
+}
+
+FORMULA(double, sphere_stiffness, (double radius_1, double radius_2, double modulus))
+{
+  return sphere_stiffness(radius_1, radius_2, modulus);
+}
+
+FORMULA(double, reduced_modulus,
+        (double young_1, double poisson_1, double young_2, double poisson_2))
+{
+  return reduced_modulus(young_1, poisson_1, young_2, poisson_2);
+}
+
+FORMULA(double, tangential_ratio,
+        (double young_1, double poisson_1, double young_2, double poisson_2))
+{
+  return tangential_ratio(young_1, poisson_1, young_2, poisson_2);
+}
+
+FORMULA(RadiiOfContact, effective_radii,
+        (double ball, double groove, double pitch, bool inner, double cos_angle))
+{
+  const EffectiveRadii r = groove_radii(ball, groove, pitch, inner, cos_angle);
+  return {r.x, r.y};
+}
+
+FORMULA(CompleteElliptic, complete_elliptic, (double m1))
+{
+  const EllipticIntegrals v = complete_elliptic(m1);
+  return {v.K, v.E, v.D};
+}

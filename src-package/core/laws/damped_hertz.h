@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Frictionless sphere-like contact of cage parts: Hertz spring with critical damping (docs/theory,
+// Friction).
+#ifndef RACEWAY_DAMPED_HERTZ_H
+#define RACEWAY_DAMPED_HERTZ_H
+
+#include "../numbers/lane.h"
+
+namespace raceway {
+
+template <class T> struct DampedHertzT {
+  T stiffness = T();    // N/m, dF/d(overlap) of the spring
+  T damping = T();      // N s/m
+  T growth = T();       // N/m, of the force with the overlap: damping grows with it, too
+  T force = T();        // N, >= 0 (no adhesion)
+};
+using DampedHertz = DampedHertzT<double>;
+
+// K overlap^1.5 with the critical damping 2 sqrt(k m) of the reduced mass m at the present
+// stiffness k. Pre-conditions: overlap >= 0 (m), K >= 0 (N/m^1.5), m > 0 (kg); overlap_rate in m/s,
+// > 0 when closing.
+template <class T>
+RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T &overlap_rate,
+                                            const T &m)
+{
+  DampedHertzT<T> h;
+  const T root = square_root(overlap);
+  h.stiffness = 1.5 * K * root;
+  h.damping = 2.0 * square_root(T(h.stiffness * m));
+  const T f = K * overlap * root + h.damping * overlap_rate;
+  const T closing = where(overlap_rate > 0.0, overlap_rate, 0.0);
+  h.growth = h.stiffness + where(overlap > 0.0, T(0.25 * h.damping * closing / overlap), 0.0);
+  h.force = where(f > 0.0, f, 0.0);
+  return h;
+}
+
+}    // namespace raceway
+
+#endif

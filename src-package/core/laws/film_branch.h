@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Damping by the film of a rolling contact: a spring k_m and a dashpot k_m tau in series, beside
+// Hertz's spring (docs/tribology, Damping by the film).
+//
+//   df/dt = k_m d(overlap)/dt - f/tau,  k_m = 0.44 k h_c/x,  tau = 1.33 b/u
+//   k = 1.5 Q/x of Hertz, N/m;  x what the bodies give way, m;  h_c/x at most 1
+// A fit to the linear response of a steady elastohydrodynamic line contact, carried to the ellipse.
+#ifndef RACEWAY_FILM_BRANCH_H
+#define RACEWAY_FILM_BRANCH_H
+
+#include "../numbers/exp_log.h"
+
+namespace raceway {
+
+template <class T> struct FilmBranchT {
+  T stiffness;    // k_m, N/m
+  T rate;         // 1/tau, 1/s; 0 at rest
+};
+
+template <class T>
+RACEWAY_INLINE FilmBranchT<T> film_branch(const T &k, const T &h_c, const T &compression,
+                                          const T &b, const T &speed)
+{
+  const T thin = where(h_c < compression, T(h_c / compression), 1.0);
+  return {0.44 * k * thin, speed / (1.33 * b)};
+}
+
+// A step over dt: f becomes `left` f + `slope` d(overlap)/dt. Exact at a constant rate, or as a
+// stage of an implicit method has it (LawStates).
+template <class T> struct BranchStepT {
+  T left;     // 1
+  T slope;    // N s/m
+};
+template <class T>
+RACEWAY_INLINE BranchStepT<T> branch_step(const FilmBranchT<T> &f, double dt, bool stage)
+{
+  const T part = dt * f.rate;
+  if (stage) {
+    const T left = 1.0 / (1.0 + part);
+    return {left, f.stiffness * dt * left};
+  }
+  const T left = exponential(T(-part));
+  // (1 - e^-part)/part; its series where the difference would lose digits
+  const T series = 1.0 - part * (0.5 - part * (1.0 / 6 - part * (1.0 / 24 - part * (1.0 / 120))));
+  const T mean = where(part > 1e-3, T((1.0 - left) / part), series);
+  return {left, f.stiffness * dt * mean};
+}
+
+}    // namespace raceway
+
+#endif

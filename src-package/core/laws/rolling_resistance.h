@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Couples that resist rolling (docs/theory, Rolling resistance).
+//
+// Hydrodynamic: the inlet of the film pushes back with f and takes the power 2 f u (Biboulet and
+// Houpert 2010, part 2, eq 32; here in powers of u and Q, Balan et al. 2015, within 0.6 % of it):
+//   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
+//   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
+//   M = 0.5549 r^-0.6029 W U^(-3/4).
+// Inlet shear warms the oil (murch_wilson in film_factors.h).
+//
+// Hysteresis of the steel: couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
+#ifndef RACEWAY_ROLLING_RESISTANCE_H
+#define RACEWAY_ROLLING_RESISTANCE_H
+
+#include "../numbers/exp_log.h"
+
+namespace raceway {
+
+// Logarithms of what does not change in a run.
+struct RollingConstants {
+  double speed = 0.0, modulus = 0.0, transverse = 0.0;    // of eta/E', E' and R_y
+
+  RollingConstants() = default;
+  RollingConstants(double viscosity, double E, double transverse_radius) :
+      speed(std::log(viscosity / E)), modulus(std::log(E)), transverse(std::log(transverse_radius))
+  {
+  }
+};
+
+// What the geometry of a contact makes of the law, SI: with v = u^(1/12)
+//   f = rigid Q^(1/3) v^8 ((1 - elastic v) v^9/(v^9 + mean Q) + elastic v).
+template <class T> struct RollingShapeT {
+  T rigid, elastic, mean;
+};
+template <class T>
+RACEWAY_INLINE RollingShapeT<T> rolling_shape(const RollingConstants &k, const T &rolling_radius)
+{
+  const T ln_x = logarithm(rolling_radius), u = k.speed - ln_x, unit = k.modulus + 2.0 * ln_x;
+  const T r = k.transverse - ln_x;
+  return {2.9766 * exponential(T(0.3316 * r + unit * (2.0 / 3.0) + u * (2.0 / 3.0))),
+          (7.5826 / 2.9766) * exponential(T(0.0739 * r + u * (1.0 / 12.0))),
+          (0.5549 / 6.6) * exponential(T(-0.6029 * r - unit - 0.75 * u))};
+}
+
+// f, N. ln_u: of u (m/s); root: Q^(1/3) (N^(1/3)).
+template <class T>
+RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T &load,
+                               const T &root)
+{
+  const T v = exponential(T(ln_u * (1.0 / 12.0))), v2 = v * v, v4 = v2 * v2, v8 = v4 * v4;
+  const T v9 = v8 * v, elastic = k.elastic * v;
+  return k.rigid * root * v8 * ((1.0 - elastic) * v9 / (v9 + k.mean * load) + elastic);
+}
+
+// N m
+template <class T> RACEWAY_INLINE T hysteresis_couple(double alpha, const T &load, const T &b)
+{
+  return alpha * load * b * (2.0 / (3.0 * 3.14159265358979323846));
+}
+
+}    // namespace raceway
+
+#endif

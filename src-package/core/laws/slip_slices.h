@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Differential slip, spin and sliding of one contact together, under Coulomb's law: sums over
+// slices of the contact ellipse across its major axis (docs/tribology, Slip and spin in slices).
+//
+// At (x along rolling, z across, both over a) ball and ring slide on one another at
+//   v_t = s_t - q z - e z^2,  v_w = s_w + q x,
+// q = omega_n a of spin and e = Omega a^2/(2 R_d) of differential slip, m/s. The stress is mu p
+// along v. A slice has the load of Hertz's pressure on it, half at each of the two Gauss points of
+// its chord. Within it v is taken for a straight line, of which the mean direction is
+//   mean(v/|v|) = 2 mean(v)/(|v| at one end + |v| at the other),
+// exact where v keeps its line. So forces have no steps where the sliding of a point turns about.
+// One weight per point stands in all sums: what they lose is positive at any motion.
+#ifndef RACEWAY_SLIP_SLICES_H
+#define RACEWAY_SLIP_SLICES_H
+
+#include "../numbers/lane.h"
+
+#include <cstring>
+
+namespace raceway {
+
+// Motions at the ellipse's centre, and the speed below which friction grows with it, m/s.
+template <class T> struct SlipMotionT {
+  T along, across, spin, edge;    // s_t, s_w, q, e
+  T aspect;                       // b/a
+  T least;
+};
+// Forces over mu Q and the moment over mu Q a, each against its motion; `couple`, over mu Q, works
+// on e. Slopes, s/m, are for implicit steps: of the forces the tangent, and as far as the contact
+// slides as a whole the secant; of moment and couple the secant, positive.
+template <class T> struct SlipForcesT {
+  T along, across, moment, couple;
+  T slope_along, slope_across, slope_moment, slope_couple;
+};
+
+class SlipSlices {
+ public:
+  // The slices lie side by side and the function stands alone: compiled once, not into every law.
+  // Without slopes these are 0.
+  template <bool slopes>
+  __attribute__((noinline)) static SlipForcesT<double> forces(const SlipMotionT<double> &m)
+  {
+    const Table &t = table();
+    Lane along = {}, across = {}, moment = {}, couple = {};
+    Lane all = {}, tangent_t = {}, tangent_w = {}, turned = {}, bent = {};
+    for (int half = -1; half < 2; half += 2) {
+      const double spin = m.spin, lever = half * m.aspect;
+      double size[borders], part_t[borders], part_w[borders];
+      for (int k = 0; k < borders; k += lanes) {
+        const Lane v_t = m.along - spin * load(t.z + k) - m.edge * load(t.z2 + k);
+        const Lane v_w = m.across + spin * lever * load(t.chord + k);
+        const Lane v = square_root(Lane(v_t * v_t + v_w * v_w + m.least * m.least));
+        store(v, size + k);
+        if constexpr (slopes) {
+          const Lane over = 1.0 / v;
+          store(Lane(v_t * over), part_t + k);
+          store(Lane(v_w * over), part_w + k);
+        }
+      }
+      for (int k = 0; k < slices; k += lanes) {
+        const Lane z = mean(t.z + k), z2 = mean(t.z2 + k), x = lever * mean(t.chord + k);
+        const Lane over = 1.0 / mean(size + k), weight = 0.5 * load(t.load + k) * over;
+        const Lane f_t = weight * (m.along - spin * z - m.edge * z2);
+        const Lane f_w = weight * (m.across + spin * x);
+        along += f_t;
+        across += f_w;
+        moment += x * f_w - z * f_t;
+        couple -= z2 * f_t;
+        if constexpr (slopes) {
+          all += weight;
+          tangent_t += weight - f_t * mean(part_t + k) * over;
+          tangent_w += weight - f_w * mean(part_w + k) * over;
+          turned += weight * (z * z + x * x);
+          bent += weight * z2 * z2;
+        }
+      }
+    }
+    SlipForcesT<double> f = {};
+    f.along = sum(along);
+    f.across = sum(across);
+    f.moment = sum(moment);
+    f.couple = sum(couple);
+    if constexpr (slopes) {
+      const double whole = (f.along * f.along + f.across * f.across) * sum(all);
+      f.slope_along = sum(tangent_t) + whole;
+      f.slope_across = sum(tangent_w) + whole;
+      const bool turns = std::fabs(m.spin) > m.least, rolls = std::fabs(m.edge) > m.least;
+      f.slope_moment = turns ? std::fabs(f.moment / m.spin) : sum(turned);
+      f.slope_couple = rolls ? std::fabs(f.couple / m.edge) : sum(bent);
+    }
+    return f;
+  }
+
+  template <bool slopes> RACEWAY_INLINE static SlipForcesT<Lane> forces(const SlipMotionT<Lane> &m)
+  {
+    SlipForcesT<Lane> f;
+    for (int i = 0; i < lanes; ++i) {
+      const SlipForcesT<double> one = forces<slopes>(SlipMotionT<double>{
+          m.along[i], m.across[i], m.spin[i], m.edge[i], m.aspect[i], m.least[i]});
+      f.along[i] = one.along;
+      f.across[i] = one.across;
+      f.moment[i] = one.moment;
+      f.couple[i] = one.couple;
+      f.slope_along[i] = one.slope_along;
+      f.slope_across[i] = one.slope_across;
+      f.slope_moment[i] = one.slope_moment;
+      f.slope_couple[i] = one.slope_couple;
+    }
+    return f;
+  }
+
+ private:
+  static constexpr int slices = 24, borders = slices + lanes;    // the last three are not read
+
+  // At the borders of the slices: z; z^2, less what the mean of both ends of a slice is above the
+  // mean over it; the Gauss point of the chord, over b. Of the slices the load.
+  struct Table {
+    double z[borders], z2[borders], chord[borders], load[slices];
+  };
+
+  static const Table &table()
+  {
+    static const Table made = [] {
+      constexpr double width = 2.0 / slices;
+      // 3/4 (1 - z^2) lies on a chord
+      auto up_to = [](double z) { return 0.75 * (z - z * z * z / 3.0); };
+      Table t = {};
+      for (int k = 0; k < borders; ++k) {
+        t.z[k] = std::fmin(width * k - 1.0, 1.0);
+        t.z2[k] = t.z[k] * t.z[k] - width * width / 6.0;
+        t.chord[k] = 0.5 * std::sqrt(1.0 - t.z[k] * t.z[k]);
+      }
+      for (int k = 0; k < slices; ++k) t.load[k] = up_to(t.z[k + 1]) - up_to(t.z[k]);
+      return t;
+    }();
+    return made;
+  }
+
+  RACEWAY_INLINE static Lane load(const double *from)
+  {
+    Lane a;
+    std::memcpy(&a, from, sizeof a);
+    return a;
+  }
+  RACEWAY_INLINE static void store(const Lane &a, double *to) { std::memcpy(to, &a, sizeof a); }
+  RACEWAY_INLINE static Lane mean(const double *ends)
+  {
+    return 0.5 * (load(ends) + load(ends + 1));
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A struct that is made of lanes, as four of the same struct of doubles.
+#ifndef RACEWAY_LANES_APART_H
+#define RACEWAY_LANES_APART_H
+
+#include "lane.h"
+
+#include <cstring>
+#include <type_traits>
+
+namespace raceway {
+
+// Four numbers of each lane at a time: a transposition.
+template <class One, class Four>
+RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
+{
+  static_assert(sizeof(Four) == lanes * sizeof(One) && std::is_trivially_copyable<One>::value,
+                "the same numbers in the same order");
+  constexpr size_t numbers = sizeof(One) / sizeof(double);
+  const char *from = reinterpret_cast<const char *>(&four);
+  const auto lane = [from](size_t k) __attribute__((always_inline)) {
+    Lane a;
+    memcpy(&a, from + k * sizeof a, sizeof a);
+    return a;
+  };
+  const auto put = [&to](int one, size_t k, const auto &a) __attribute__((always_inline)) {
+    memcpy(reinterpret_cast<char *>(to[one]) + k * sizeof(double), &a, sizeof a);
+  };
+  constexpr size_t in_fours = numbers / lanes * lanes;
+  for (size_t k = 0; k < in_fours; k += lanes) {
+    const Lane a = lane(k), b = lane(k + 1), c = lane(k + 2), d = lane(k + 3);
+    const Lane ab_02 = __builtin_shuffle(a, b, LaneMask{0, 4, 2, 6}),
+               ab_13 = __builtin_shuffle(a, b, LaneMask{1, 5, 3, 7}),
+               cd_02 = __builtin_shuffle(c, d, LaneMask{0, 4, 2, 6}),
+               cd_13 = __builtin_shuffle(c, d, LaneMask{1, 5, 3, 7});
+    put(0, k, __builtin_shuffle(ab_02, cd_02, LaneMask{0, 1, 4, 5}));
+    put(1, k, __builtin_shuffle(ab_13, cd_13, LaneMask{0, 1, 4, 5}));
+    put(2, k, __builtin_shuffle(ab_02, cd_02, LaneMask{2, 3, 6, 7}));
+    put(3, k, __builtin_shuffle(ab_13, cd_13, LaneMask{2, 3, 6, 7}));
+  }
+  for (size_t k = in_fours; k < numbers; ++k)
+    for (int i = 0; i < lanes; ++i) put(i, k, double(lane(k)[i]));
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The losses of a contact. A loss is a struct with the column that shows it and its power; a part
+// of the contact law lists its losses:
+//
+//   struct SpinLoss {
+//     static constexpr LossColumn column = {"spin_power", "spin", "power lost to spin", false};
+//     template <class T> static Value<T> of(const ContactStateT<T> &c);    // W
+//   };
+//   using Losses = LossList<SpinLoss>;
+//
+// Parts that exclude each other share a loss; losses of different parts may share a column. The
+// loss of a law, the columns of contacts, rings, bearings and records, and losses_W of `raceway
+// summary` all follow from these lists (loss_table.h).
+#ifndef RACEWAY_LOSS_H
+#define RACEWAY_LOSS_H
+
+#include "../raceway/contact_state.h"
+
+namespace raceway {
+
+struct LossColumn {
+  const char *name;    // of the column, W
+  const char *key;     // in losses_W of `raceway summary`
+  const char *meaning;
+  bool usual;    // a column of every law and part of a record unless more is asked for
+};
+
+template <class... L> struct LossList {
+  // W
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    Value<T> sum = Value<T>();
+    ((sum += L::of(c)), ...);
+    return sum;
+  }
+};
+template <> struct LossList<> {
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &)
+  {
+    return Value<T>();
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Drag of the oil on the balls (ball_drag.h), at their speed against the outer ring, which takes
+// the reaction. A ball that has left the outer raceway has none. The derivative holds the force:
+// over an implicit step it changes the speed of a ball by 1e-3 of it at most.
+#ifndef RACEWAY_PART_DRAG_H
+#define RACEWAY_PART_DRAG_H
+
+#include "../laws/ball_drag.h"
+#include "part.h"
+
+namespace raceway {
+
+struct DragLoss {
+  static constexpr LossColumn column = {"drag_power", "drag", "power lost to drag", false};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return c.drag_power;
+  }
+};
+
+struct DragPart : PartBase {
+  static constexpr const char *name = "drag";
+  static constexpr bool needs_film = true, couples = true;
+  using Losses = LossList<DragLoss>;
+  struct Parameters {
+    double density = 870.0, share = 0.0;       // kg/m^3; of oil in the bearing
+    double reynolds = 0.0, prefactor = 0.0;    // derived: s/m, N s^2/m^2
+    DragTable table;
+    void prepare(const Raceway &p)
+    {
+      const double R = p.groove.ball_radius;
+      reynolds = density * 2.0 * R / p.model.lubricant.viscosity;
+      prefactor = p.groove.side == Side::outer
+                      ? 0.5 * share * density * 3.14159265358979323846 * R * R
+                      : 0.0;
+      table = drag_table();
+    }
+  };
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    using P = Parameter<Parameters>;
+    return {{"drag",
+             "",
+             true,
+             {P::positive("RHO", "density of the oil (kg/m^3)",
+                          [](Raceway &, Parameters &own) -> double & { return own.density; }),
+              P::within("X", "share of oil in the bearing", 0.0, 1.0,
+                        [](Raceway &, Parameters &own) -> double & { return own.share; })},
+             nullptr,
+             "of oil and air on the balls"}};
+  }
+
+  static std::vector<StateColumn> columns()
+  {
+    return {
+        {{"drag", "N", "drag of oil and air on the ball, booked at the outer raceway", vanishes},
+         [](const Raceway &, const ContactState &s) { return s.drag; },
+         Needs::nothing,
+         false}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,
+                                 const RacewayConstantsT<Value<T>> &, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    using B = Value<T>;
+    if (own.prefactor == 0.0) {
+      c.drag = c.drag_power = B();
+      return;
+    }
+    // of the ball's centre against the ring, along t
+    const B v = held(c.sliding_t) - p.groove.ball_radius * held(c.roll_w);
+    const B re = own.reynolds * magnitude(v);
+    const B number = where(re > 1e-30, re, 1e-30);
+    c.drag = own.prefactor * drag_coefficient(own.table, number) * v * (number / own.reynolds);
+    c.drag_power = c.drag * v;
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Damping by the film as a spring and a dashpot in series (film_branch.h), in place of eq 5. It
+// comes after the normal force and adds to it. The derivative holds the branch.
+#ifndef RACEWAY_PART_FILM_BRANCH_H
+#define RACEWAY_PART_FILM_BRANCH_H
+
+#include "../laws/film_branch.h"
+#include "part_damping.h"
+
+namespace raceway {
+
+// Of the dashpot of the branch: f^2/(k_m tau).
+struct FilmBranchLoss : DampingPower {
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return where(c.branch_energy > 0.0, Value<T>(2.0 * c.branch_energy * c.film_rate), 0.0);
+  }
+};
+
+struct FilmBranchPart : PartBase {
+  static constexpr const char *name = "film_branch", *slot = "film_damping", *needs = "film_in_gap";
+  static constexpr bool needs_film = true;
+  static constexpr int states = 1;    // N, the force of the branch
+  using Losses = LossList<FilmBranchLoss>;
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    return {{"film_damping",
+             "branch",
+             true,
+             {},
+             nullptr,
+             "one Maxwell branch beside Hertz's spring, after *gap*"}};
+  }
+
+  static std::vector<StateColumn> columns()
+  {
+    return {{{"film_force", "N", "force of the film's branch", vanishes},
+             [](const Raceway &, const ContactState &s) { return s.film_force; },
+             Needs::film,
+             false}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &, const Raceway &,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &m,
+                                 ContactStateT<T> &c)
+  {
+    using B = Value<T>;
+    const B root = held(c.root);
+    const FilmBranchT<B> f = film_branch(B(1.5 * k.K * root), c.h_c, B(held(c.compression)),
+                                         B(k.b * root), c.entrainment);
+    const BranchStepT<B> step = branch_step(f, m.dt, m.stage);
+    const T force = step.slope * c.overlap_rate + m.before[0] * step.left;
+    m.after[0] = force;
+    const T N = c.load + c.damping * c.overlap_rate + force;
+    c.normal = where(N > 0.0, N, 0.0);
+    const B now = held(force);
+    c.film_force = now;
+    c.film_stiffness = f.stiffness;
+    c.film_rate = f.rate;
+    c.branch_energy = where(f.stiffness > 0.0, B(0.5 * now * now / f.stiffness), 0.0);
+  }
+
+  template <class T>
+  static RACEWAY_INLINE Value<T> energy(const Parameters &, const Raceway &,
+                                        const ContactStateT<T> &c)
+  {
+    return c.branch_energy;
+  }
+};
+
+}    // namespace raceway
+
+#endif

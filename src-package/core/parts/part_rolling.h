@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Couples against rolling, opposite on ball and ring (rolling_resistance.h). Through zero speed
+// they are straight lines. The derivative is the couple over the speed: at rest, where it is large,
+// an implicit step needs it.
+#ifndef RACEWAY_PART_ROLLING_H
+#define RACEWAY_PART_ROLLING_H
+
+#include "../laws/rolling_resistance.h"
+#include "part.h"
+
+namespace raceway {
+
+namespace detail {
+constexpr double least_rolling = 1e-3;    // m/s: below it the couples grow with the speed
+
+// 1/s, over the speed that a couple is divided by
+template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
+{
+  const T size = magnitude(turn), least = least_rolling / radius;
+  return 1.0 / where(size > least, size, least);
+}
+}    // namespace detail
+
+struct HydrodynamicRollingLoss {
+  static constexpr LossColumn column = {"rolling_power", "rolling",
+                                        "power lost to the hydrodynamic couple", false};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return c.rolling_couple * held(c.roll_w);
+  }
+};
+
+struct HydrodynamicRollingPart : PartBase {
+  static constexpr const char *name = "rolling";
+  static constexpr bool needs_film = true, couples = true;
+  using Losses = LossList<HydrodynamicRollingLoss>;
+  struct Parameters {
+    double beta = 0.0, conductivity = 0.14, starvation = 1.0;    // 1/K, W/(m K), 1
+    // derived
+    double ln_heating = 0.0;
+    double of_film = 0.0;    // not 0: inlet shear over the factor of the film, which has the same
+    RollingConstants force;
+    RollingShapeT<double> radial{};    // at no contact angle
+    void prepare(const Raceway &p)
+    {
+      const double eta = p.model.lubricant.viscosity;
+      ln_heating = std::log(beta * eta / conductivity);
+      force = {eta, p.material.Eprime(), p.transverse_radius()};
+      radial = rolling_shape(force, p.rolling_radius(1.0));
+      const bool same =
+          p.factors.inlet_shear == InletShear::murch && ln_heating == p.factors.ln_loading;
+      of_film = same ? 1.0 / p.factors.starvation : 0.0;
+    }
+  };
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    using P = Parameter<Parameters>;
+    return {{"rolling",
+             "",
+             true,
+             {P::non_negative("BETA", "fall of ln(viscosity) with temperature (1/K)",
+                              [](Raceway &, Parameters &own) -> double & { return own.beta; }),
+              P::positive("K_F", "thermal conductivity of the oil (W/(m K))",
+                          [](Raceway &, Parameters &own) -> double & { return own.conductivity; }),
+              P::within("PHI_RS", "starvation factor of the rolling couple", 0.0, 1.0,
+                        [](Raceway &, Parameters &own) -> double & { return own.starvation; })},
+             nullptr,
+             "hydrodynamic couple against rolling; BETA 0 is isothermal"}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    using B = Value<T>;
+    const B radius = p.rolling_radius(c.cos_angle);
+    const B root = k.K * k.unit * held(c.root);    // cubic, of the load
+    const B f =
+        rolling_force(shape(own, p, c.cos_angle, radius), c.ln_speed, B(held(c.load)), root);
+    const B shear = own.of_film > 0.0 ? B(own.of_film * c.film_factor)
+                                      : murch_wilson(B(own.ln_heating + 2.0 * c.ln_speed));
+    const B couple = 2.0 * own.starvation * f * radius * shear;
+    const T against = B(couple * detail::over_rolling(held(c.roll_w), radius)) * c.roll_w;
+    c.rolling_couple = held(against);
+    c.couple_w += against;
+  }
+
+ private:
+  // Radial ones are exact, as the constants of a raceway are.
+  template <class B>
+  static RACEWAY_INLINE RollingShapeT<B> shape(const Parameters &own, const Raceway &p,
+                                               const B &cos_angle, const B &radius)
+  {
+    const auto oblique = 1.0 - cos_angle >= 1e-12;
+    if (any(oblique))
+      return rolling_shape(own.force, B(where(oblique, radius, p.rolling_radius(1.0))));
+    const B n = B();
+    return {n + own.radial.rigid, n + own.radial.elastic, n + own.radial.mean};
+  }
+};
+
+struct RollingHysteresisLoss {
+  static constexpr LossColumn column = {"hysteresis_power", "hysteresis",
+                                        "power lost to hysteresis in rolling", false};
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return c.hysteresis_couple * held(c.roll_w);
+  }
+};
+
+struct RollingHysteresisPart : PartBase {
+  static constexpr const char *name = "rolling_hysteresis";
+  static constexpr bool couples = true;
+  using Losses = LossList<RollingHysteresisLoss>;
+  struct Parameters {
+    double alpha = 0.01;
+  };
+
+  static std::vector<Keyword<Parameters>> keywords()
+  {
+    using P = Parameter<Parameters>;
+    return {{"rolling_hysteresis",
+             "",
+             true,
+             {P::within("ALPHA", "share of elastic energy lost in rolling", 0.0, 0.5,
+                        [](Raceway &, Parameters &own) -> double & { return own.alpha; })},
+             nullptr,
+             "couple of the steel against rolling"}};
+  }
+
+  template <class T>
+  static RACEWAY_INLINE void act(const Parameters &own, const Raceway &p,
+                                 const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
+                                 ContactStateT<T> &c)
+  {
+    using B = Value<T>;
+    const B couple = hysteresis_couple(own.alpha, held(c.load), B(k.b * held(c.root)));
+    const B radius = p.rolling_radius(c.cos_angle);
+    const T against = B(couple * detail::over_rolling(held(c.roll_w), radius)) * c.roll_w;
+    c.hysteresis_couple = held(against);
+    c.couple_w += against;
+  }
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A contact at one instant: motions, and what the parts of the law make of them.
+//
+// T is double, Lane, or a Dual of one of them; what no derivative follows is of T's plain type.
+// Frame of groove.h: n from ball to raceway, t along rolling, w = n x t across. Units are SI.
+#ifndef RACEWAY_CONTACT_STATE_H
+#define RACEWAY_CONTACT_STATE_H
+
+#include "../geometry/groove.h"
+#include "../numbers/dual.h"
+
+#include <utility>
+
+namespace raceway {
+
+// Quantities that carry derivatives.
+template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
+  // motions of the ball against the raceway (kinematics.h)
+  T overlap = T();         // m, of the rigid surfaces; negative for a gap
+  T compression = T();     // m, what the elastic bodies give way: the overlap and what parts add
+  T overlap_rate = T();    // m/s
+  T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
+  T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; if the law has couples
+  // what parts leave for one another and for output
+  T root = T();      // sqrt(m), of the compression
+  T load = T();      // N, Q, elastic
+  T normal = T();    // N, max(0, Q + C d(overlap)/dt)
+  T ct = T();        // N s/m, tangential dashpot
+  // the force of the ring on the ball is -normal n - friction_t t - friction_w w
+  T friction_t = T(), friction_w = T();    // N
+  // the couple of the ring on the ball is -couple_n n - couple_t t - couple_w w
+  T couple_n = T(), couple_t = T(), couple_w = T();    // N m
+};
+
+// Quantities that derivatives hold.
+template <class T> struct alignas(sizeof(T)) ContactFiguresT {
+  T cos_angle = T();      // of the contact angle
+  T entrainment = T();    // m/s
+  T stiffness = T();      // N/m, dQ/d(overlap)
+  T damping = T();        // N s/m, C
+  T film_load = T();      // N, at which the film is taken
+  // logarithms of the entrainment speed (m/s) and of film_load; the factors of the film
+  T ln_speed = T(), ln_film_load = T(), film_factor = T();
+  T h_edge = T(), h_c = T();      // m, central film, where it begins and here
+  T h_min = T(), lambda = T();    // m; film parameter
+  T film_energy = T();            // J, of the film in the gap
+  T film_force = T();             // N, of the film's branch
+  T film_stiffness = T();         // N/m, of the film's branch
+  T film_rate = T();              // 1/s, 1/tau of the film's branch
+  T branch_energy = T();          // J, of the film's branch
+  T mu = T();                     // friction coefficient
+  T kt = T();                     // N/m, tangential spring
+  T v_0 = T();                    // m/s, of the smoothed Coulomb law
+  T slip_width = T();             // m/s, of the differential slip
+  T asperity_share = T();         // of the load
+  // parts of couple_w, N m
+  T slip_couple = T(), rolling_couple = T(), hysteresis_couple = T();
+  // of the oil on the ball's centre, -drag t, if the law has couples; its power
+  T drag = T(), drag_power = T();    // N, W
+};
+
+template <class T>
+struct ContactStateT : GroovePositionT<Value<T>>, ContactVariablesT<T>, ContactFiguresT<Value<T>> {
+  using Plain = Value<T>;
+};
+using ContactState = ContactStateT<double>;
+
+namespace detail {
+constexpr size_t n_variables = sizeof(ContactVariablesT<double>) / sizeof(double);
+
+template <class A, class B, size_t... k>
+RACEWAY_INLINE void copy_variables(const A *from, B *to, std::index_sequence<k...>)
+{
+  ((to[k] = held(from[k])), ...);
+}
+}    // namespace detail
+
+// The whole state, from one number type to another; derivatives become 0 or are left behind.
+template <class A, class B>
+RACEWAY_INLINE void copy_state(const ContactStateT<A> &from, ContactStateT<B> &to)
+{
+  using P = Value<A>;
+  using From = ContactVariablesT<A>;
+  using To = ContactVariablesT<B>;
+  static_assert(std::is_same<P, Value<B>>::value, "of the same plain type");
+  static_assert(sizeof(From) == detail::n_variables * sizeof(A), "nothing but numbers of type T");
+  static_cast<GroovePositionT<P> &>(to) = from;
+  static_cast<ContactFiguresT<P> &>(to) = from;
+  detail::copy_variables(reinterpret_cast<const A *>(static_cast<const From *>(&from)),
+                         reinterpret_cast<B *>(static_cast<To *>(&to)),
+                         std::make_index_sequence<detail::n_variables>());
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A contact on a raceway with a profile, or of a ball with one. The law of the contact takes the
+// overlap that is left. Its force acts along G = n - slope t on the ball's centre: the gradient of
+// the stored energy, because the depth changes along the raceway.
+#ifndef RACEWAY_PROFILED_CONTACT_H
+#define RACEWAY_PROFILED_CONTACT_H
+
+#include "../geometry/ball_profile.h"
+#include "kinematics.h"
+
+namespace raceway {
+
+template <class T> struct alignas(sizeof(T)) ProfiledContactT {
+  T overlap = T();    // m, with the profile
+  T slope = T();      // of the depth along the path of the ball's centre
+  T bend = T();       // 1/m, its derivative along the path, of what goes across the whole groove
+  // of a pit: what its energy has beyond that of the overlap's own, J; how the overlap follows the
+  // approach, less 1; stiffness between approach and path, and along the path, N/m
+  T energy = T(), follows = T(), cross = T(), side = T();
+};
+using ProfiledContact = ProfiledContactT<double>;
+
+// `azimuth` (rad) in the ring's frame; the ball's centre is r (m) from the ring's axis.
+inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p, double azimuth,
+                                double r, double overlap)
+{
+  const CurveAt wide = profile.across(azimuth);
+  const double d = overlap - wide.value;
+  ProfiledContact c;
+  c.overlap = d;
+  c.slope = wide.slope / r;
+  c.bend = wide.bend / (r * r);
+  const NotchPath *pit = profile.pit(azimuth);
+  if (!pit) return c;
+  const CurveAt deep = pit->at(pit->from_middle(azimuth));
+  const double x = 0.5 * pit->shape().width / profile.ellipse(), e = x * x;
+  if (!(d > 0.0)) {
+    c.overlap = d - std::fmin(deep.value, e);
+    return c;
+  }
+  const PitLoad q = pit_load(d, deep.value, e);
+  if (!(q.load > 0.0)) {
+    c.overlap = d - std::fmin(deep.value, e);
+    c.slope += deep.value < e ? deep.slope / r : 0.0;
+    return c;
+  }
+  const double K = p.law.radial().K, flat = wide.slope / r, steep = deep.slope / r;
+  c.overlap = std::pow(q.load, 2.0 / 3.0);
+  c.slope = flat + steep * q.side / q.load;
+  c.energy = K * (q.energy - 0.4 * c.overlap * q.load);
+  c.follows = q.dd / (1.5 * std::sqrt(c.overlap)) - 1.0;
+  c.cross = K * (q.dd * q.side / q.load + q.dD) * steep;
+  c.side = K * (q.dd * (flat * flat - c.slope * c.slope) - 2.0 * q.dD * flat * steep +
+                q.DD * steep * steep - q.side * deep.bend / (r * r)) +
+           2.0 * c.slope * c.cross;
+  return c;
+}
+
+// The same where the ball, the ring or both have a profile; `view` and b are those of the ball.
+inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *ball,
+                                const Raceway &p, double azimuth, double r, double overlap,
+                                const BallView &view, BallSlopes &b)
+{
+  const double d = ball ? ball->all_round(overlap, view, b) : overlap;
+  ProfiledContact c;
+  if (ring) c = profiled(*ring, p, azimuth, r, d);
+  else c.overlap = d;
+  if (ball) c.overlap = ball->pits(c.overlap, view, b, c.energy, c.follows);
+  return c;
+}
+
+// How a number that depends on the direction of the normal in the ball's axes changes: by the
+// velocity v of the ball's centre against the ring's material there, and by the spin w of the ball
+// against the ring. `along` and `across` are its derivatives in the direction.
+template <class T> struct TurnRowT {
+  Vec3T<T> v, w;
+
+  RACEWAY_INLINE T rate(const BallStateT<T> &ball, const RingStateT<T> &ring,
+                        const Vec3T<T> &from_ring) const
+  {
+    return dot(v, ball.v - ring.v - cross(ring.w, from_ring)) + dot(w, ball.w - ring.w);
+  }
+};
+
+using TurnRow = TurnRowT<double>;
+
+template <class T>
+RACEWAY_INLINE TurnRowT<T> turn_row(const T &along, const T &across, const Vec3T<T> &e,
+                                    const GroovePositionT<T> &c)
+{
+  const Vec3T<T> aside = e * c.nu - c.u * c.ne;
+  return {c.t * T(along * c.nu / c.r) + aside * T(across / c.s), c.t * across - aside * along};
+}
+
+// Rate of approach (m/s) along G in place of that along n: v is the velocity of the ball's centre
+// along t against the ring's material there.
+template <class T>
+RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &ring,
+                               const ContactStateT<T> &c)
+{
+  return dot(ball.v - ring.v, c.t) - (dot(ring.w, ring.e) * c.r - dot(ring.w, c.u) * c.z);
+}
+
+// What the slope adds to the forces of a contact: the normal force along slope t, at the ball's
+// centre r u + z e of the ring.
+template <class T>
+RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactStateT<T> &c,
+                               ContactForcesT<T> &f)
+{
+  const T push = c.normal * slope;
+  f.force += c.t * push;
+  f.ring_torque -= e * T(c.r * push) - c.u * T(c.z * push);
+}
+
+// The same of a ball's profile, with the row of its depth; d is the ball's centre from the ring's.
+template <class T>
+RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,
+                               const ContactStateT<T> &c, ContactForcesT<T> &f)
+{
+  const Vec3T<T> force = depth.v * c.normal, torque = depth.w * c.normal;
+  f.force += force;
+  f.ball_torque += torque;
+  f.ring_torque -= torque + cross(d, force);
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A raceway as every part of the contact law sees it: groove, materials, lubricant, surfaces, and
+// the constants that follow from them. What belongs to one part alone is with that part (law.h).
+#ifndef RACEWAY_RACEWAY_H
+#define RACEWAY_RACEWAY_H
+
+#include "../laws/film_factors.h"
+#include "../numbers/dual.h"
+#include "raceway_law.h"
+
+namespace raceway {
+
+struct Raceway {
+  int number = 0;    // of the grooves that a ring has for one ball, from 0 along the axis
+  Groove groove;
+  RacewayMaterial material;
+  RacewayModel model;
+  double ring_roughness = 0.0;    // m
+  double ball_roughness = 0.0;    // m
+  FilmFactors factors;
+  // film parameter at the end of the boundary regime and at the start of the full film
+  double lambda_1 = 1.0, lambda_2 = 3.0;
+
+  // derived by prepare()
+  RacewayLaw law;
+  double overlap_limit = 0.0;                                        // of the ball's radius
+  double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
+  double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
+  double ln_inverse_roughness = 0.0;    // of 1/m; minus infinity without a roughness
+  double ball_mass = 0.0;               // kg
+  double pitch_radius = 0.0;            // m
+  double reach = 0.0;    // m, gap at which a contact begins; 0 unless a part of the law asks for it
+
+  // What sets the largest overlap, for messages.
+  const char *limit() const
+  {
+    return largest_overlap < overlap_limit * groove.ball_radius
+               ? "the contact ellipse is as wide as the groove"
+               : "overlap_limit of the ball radius";
+  }
+
+  // Effective radii along and across rolling, m (groove_radii).
+  template <class T> RACEWAY_INLINE T rolling_radius(const T &cos_angle) const
+  {
+    const double gamma = groove.ball_radius / pitch_radius;
+    return groove.ball_radius * (1.0 + (groove.side == Side::inner ? -gamma : gamma) * cos_angle);
+  }
+  double transverse_radius() const
+  {
+    return groove.ball_radius * groove.groove_radius / (groove.groove_radius - groove.ball_radius);
+  }
+
+  // pitch (m) sets gamma; limit is a fraction of the ball's radius.
+  void prepare(double pitch, double mass, double limit)
+  {
+    overlap_limit = limit;
+    law = RacewayLaw(groove, pitch, material, model);
+    centre_circle = groove.centre_circle();
+    slack = groove.slack();
+    largest_overlap = std::fmin(overlap_limit * groove.ball_radius,
+                                widest_overlap(law.radial().a, groove.groove_radius));
+    roughness = composite_roughness(ring_roughness, ball_roughness);
+    inverse_roughness = roughness > 0.0 ? 1.0 / roughness : 0.0;
+    ln_inverse_roughness = std::log(inverse_roughness);
+    ball_mass = mass;
+    pitch_radius = pitch;
+    factors.prepare(model.lubricant.viscosity);
+  }
+};
+
+// All factors of the film together, at a load and a speed.
+template <class T, class State>
+RACEWAY_INLINE T film_factor(const Raceway &p, const RacewayConstantsT<T> &k, const State &c,
+                             const FilmPointT<T> &at)
+{
+  if (!p.factors.by_pressure) return p.factors.of(at.ln_speed);
+  const T along = held(c.sliding_t), across = held(c.sliding_w);
+  const T root = exponential(T((at.ln_load - logarithm(k.K)) * (1.0 / 3.0)));
+  return p.factors.gupta(at.ln_speed, T(along * along + across * across))
+      .of(T(k.p * root / p.material.Eprime()));
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A record as one netCDF file: which variables it has, a sample from the rows that its parts
+// report, and the sums over each bearing. Rows may come in any order; the bytes do not depend on
+// it. No host here.
+#ifndef BEARING_RECORD_FILE_H
+#define BEARING_RECORD_FILE_H
+
+#include "../figures/bearing_figures.h"
+#include "netcdf_file.h"
+#include "record_layout.h"
+
+namespace bearing {
+
+class RecordFile {
+ public:
+  struct Content {
+    std::vector<Column> contact;    // columns of contacts
+    bool single = false;            // their precision
+    bool motion = true;             // of balls and cage
+    bool film = false, capacitance = false, surroundings = false;
+    unsigned law = 0;        // parts of it
+    bool spheres = false;    // balls touch cage balls or one another
+    NetcdfHeader::Attributes about;
+  };
+  // A row is its kind, its place in the layout and its values; a sample ends with its time and
+  // step. The place of a contact is (raceway * grooves + groove) * balls + ball.
+  enum Kind { BALL, CONTACT, CAGE, RING, END };
+  enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
+
+  RecordFile(const RecordLayout &, const Content &);
+
+  size_t width(Kind) const;    // values in a row
+  size_t record_bytes() const { return header_.record_bytes(); }
+  int finished() const { return finished_; }
+  const NetcdfHeader &header() const { return header_; }
+  NetcdfFile &file() { return file_; }
+
+  // Rows from here on to the end of a sample, or of the list; where they stop.
+  const double *take(const double *row, const double *end, bool &whole);
+  // All parts have reported: write the sample. A complaint, or empty.
+  std::string end_sample(double time, double step);
+
+ private:
+  void sum_up();
+
+  RecordLayout layout_;
+  Content content_;
+  NetcdfHeader header_;
+  NetcdfFile file_;
+  int finished_ = -1;
+  // bytes from the start of a sample, by column
+  size_t time_, step_;
+  std::vector<size_t> contact_, ball_, cage_, ring_, bearing_;
+  unsigned char *sample_ = nullptr;    // the present one, if a part has reported
+  std::vector<BallFigures> shares_;
+  size_t reported_ = 0;
+};
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What fix bearing/circuit is told: the outer circuit, its voltage, breakdown and leak.
+#ifndef BEARING_CIRCUIT_SETTINGS_H
+#define BEARING_CIRCUIT_SETTINGS_H
+
+#include "../electric/film_network.h"
+#include "../electric/waveform.h"
+#include "arguments.h"
+
+namespace bearing {
+
+struct CircuitSettings {
+  enum Outer { floating, source, motor } outer = floating;
+  double start = 0.0;                               // V, of a floating inner ring
+  double resistance = 0.0;                          // ohm, of a source
+  double winding_rotor = 0.0, rotor_frame = 0.0;    // F, of a motor
+  double second = 0.0, second_factor = 0.0;         // F; over this bearing's capacitance
+  double beside = 0.0, stray = 0.0;                 // F
+  raceway::Waveform voltage;
+  double strength = 0.0, film_floor = 1e-9;    // V/m, 0: no breakdown; m
+  bool rough = true;                           // local thickness less 3 sigma
+  double resistivity = 0.0;                    // ohm m, 0: no leak
+  double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; of the load
+  double arc = 0.0;                            // ohm, of a film that fails; 0: not known
+  int points = 1;                              // of the circuit a sample
+  int within = 1;                              // samples a step, the last one its end
+  std::string events;                          // file
+
+  bool breaks_down() const { return strength > 0.0; }
+  // At a time (s), beside a bearing of so much capacitance (F).
+  raceway::OuterPoint at(double time, double bearing) const;
+  // Coupling over all of the inner ring's capacitance; 0 without a motor.
+  double voltage_ratio(const raceway::OuterPoint &, double bearing) const;
+
+  static CircuitSettings read(Arguments &);
+};
+
+}    // namespace bearing
+
+#endif

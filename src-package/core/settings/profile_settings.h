@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Flaws and waves that a deck gives the raceways of rings, or balls.
+#ifndef BEARING_PROFILE_SETTINGS_H
+#define BEARING_PROFILE_SETTINGS_H
+
+#include "../geometry/ball_profile.h"
+#include "../geometry/raceway_profile.h"
+#include "arguments.h"
+
+namespace bearing {
+
+struct ProfileSettings {
+  int groove = 0;                   // of each ring, by number
+  raceway::ProfileShape raceway;    // departure from the torus
+  bool of_balls = false;
+  raceway::BallShape ball;    // departure from the sphere
+
+  bool departs() const
+  {
+    return !(raceway.notches.empty() && raceway.waves.empty() && raceway.tables.empty() &&
+             ball.pits.empty() && ball.waves.empty() && ball.tables.empty());
+  }
+
+  // All words of a fix bearing/profile; a ring has at most so many grooves.
+  static ProfileSettings read(Arguments &, int most_grooves);
+};
+
+}    // namespace bearing
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A bearing between two steps, for those who sample faster than the motion changes: places by the
+// cubic through both ends of the internal step (cubic.h), velocities and what contacts keep linear,
+// and forces by the evaluation that the step itself uses. Nothing of it feeds back.
+#ifndef RACEWAY_BEARING_INSTANTS_H
+#define RACEWAY_BEARING_INSTANTS_H
+
+#include "../electric/film_capacitor.h"
+#include "bearing_forces.h"
+
+namespace raceway {
+
+// What is wanted: at shares k/number of the host's step, k = 1 to number - 1. number 0: nothing;
+// permittivity 0: no capacitances.
+struct Instants {
+  int number = 0;
+  CapacitorModel capacitor;
+};
+
+class BearingInstants {
+ public:
+  struct Contact {
+    double orbit;                        // rad/s, of the ball about the ring's axis
+    double load;                         // N
+    bool live;                           // the state is set where it is
+    FilmCapacitorT<double> capacitor;    // 0 where none is wanted
+    ContactState state;                  // only where whole states are asked for
+  };
+  struct Ring {
+    RingPose pose;
+    Vec3 force, moment;    // of balls and cage, N and N m
+    Vec3 acceleration;     // m/s^2
+  };
+
+  BearingInstants(BearingBodies &b, BearingForces &f) : b_(b), forces_(f) {}
+
+  void want(const Instants &);
+  // Of the last host step; k from 1, the others as in the model.
+  void contacts(int k, bool whole_states, std::vector<Contact> &) const;    // by groove
+  BodyPose body(int k, int body) const;
+  const Ring &ring(int k, int ring) const { return rings_[(k - 1) * b_.rings.size() + ring]; }
+
+  // Those that a step of h seconds passes, from share s0 to s1 of the host's, before it is
+  // accepted.
+  Failure pass(double h, double s0, double s1);
+
+ private:
+  struct alignas(32) Motion {    // of a group
+    LaneFrame frame;
+    Vec3L v, w;
+  };
+  struct alignas(32) Bodies {    // of a group, in the lab
+    Vec3L x, v, w;
+  };
+  struct alignas(32) Capacitors {    // of a group of contacts
+    FilmCapacitorT<Lane> of;
+  };
+  void keep();
+  void put_back();
+  void move(double h, double s);
+  Failure look_at(int k, double s);
+  void capacitors(int k);
+  void surrounded(int k);
+
+  BearingBodies &b_;
+  BearingForces &forces_;
+  Instants instants_;
+  int next_ = 1;
+  // instant by instant, then by group of contacts, group or ring
+  std::vector<ContactLook> looks_;
+  std::vector<Capacitors> capacitors_;
+  std::vector<SurroundedRaceway> surrounded_;    // by track, where surroundings are wanted
+  std::vector<Bodies> bodies_;
+  std::vector<Ring> rings_;
+  // the end of the step, while the bearing is put elsewhere
+  std::vector<Motion> end_;
+  std::vector<RingPose> ring_end_;
+  std::vector<BendState> bend_end_;
+  std::vector<BearingBodies::States> kept_end_;
+};
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "bearing_system.h"
+
+#include "../numbers/lane_blocks.h"
+
+#include <algorithm>
+
+namespace raceway {
+
+void BearingSystem::resize()
+{
+  const size_t nf = b_.columns, n = b_.unknowns;
+  if (y_.size() == n && B_.size() == b_.groups.size() * nf) return;
+  B_.assign(b_.groups.size() * nf, Column());
+  C_.assign(b_.groups.size() * nf, Column());
+  border_.resize(static_cast<int>(n));
+  y_.assign(n, 0.0);
+  corner_ = border_.a.data();
+  motions_ = y_.data();
+  if (b_.bends.empty()) return;
+  corner_apart_.assign(nf * nf, 0.0);
+  motions_apart_.assign(nf, 0.0);
+  corner_ = corner_apart_.data();
+  motions_ = motions_apart_.data();
+}
+
+RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
+{
+  if (fresh) resize();
+  for (BodyGroup &g : b_.groups) {
+    const Lane rate = g.v.y / g.now.r;
+    Vec3L free_fall = frame_acceleration(rate, g.v);
+    if (b_.heavy) free_fall += g.now.local(b_.gravity);
+    const Vec3L dv = (g.v_base - g.v + free_fall * h) * g.mass;
+    dv.to(g.rhs);
+    if (g.spins) {
+      const Vec3L dw = (g.w_base - g.w + frame_acceleration(rate, g.w) * h) * g.inertia;
+      dw.to(g.rhs + 3);
+    }
+    if (!fresh) continue;
+    for (Lane &a : g.A) a = Lane{};
+    for (int m = 0; m < 3; ++m) g.A[7 * m] = g.mass;
+    for (int m = 3; m < 6; ++m) g.A[7 * m] = g.inertia;
+    g.coupled = g.linked = false;
+    g.spring = g.damper = g.stiffness = Lane{};
+  }
+  if (!fresh) return;
+  for (RingBody &r : b_.rings) r.spring = 0.0;
+  for (Column &c : B_) c = Column();
+  for (Column &c : C_) c = Column();
+  std::fill(border_.a.begin(), border_.a.end(), 0.0);
+  std::fill(corner_apart_.begin(), corner_apart_.end(), 0.0);
+}
+
+void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
+{
+  const int nf = b_.unknowns;
+  for (int f = 0; f < static_cast<int>(b_.free.size()); ++f) {
+    const int dof = b_.free[f].dof;
+    const RingBody &r = b_.rings[b_.free[f].ring];
+    const RingPose &now = r.now;
+    const double inertia = r.program.inertia_of(dof);
+    if (fresh) {
+      border_.a[f * nf + f] += inertia;
+      if (r.program.supported && dof < RingProgram::SPIN) {
+        const Support &on = r.program.support[dof];
+        const double stiff = h * (on.damping + follows * on.stiffness);
+        border_.a[f * nf + f] += stiff;
+        const int u = r.holder < 0 ? -1 : b_.rings[r.holder].unknown[dof];
+        if (u >= 0) {
+          border_.a[f * nf + u] -= stiff;
+          border_.a[u * nf + f] -= stiff;
+          border_.a[u * nf + u] += stiff;
+        }
+      }
+    }
+    if (dof < RingProgram::TILT) {
+      const Vec3 push = b_.force_on(r, s);
+      y_[f] = h * (dof == 0 ? push.x : dof == 1 ? push.y : push.z) - inertia * r.gained[dof];
+      continue;
+    }
+    if (dof == RingProgram::SPIN) {    // supports hold tilts alone
+      y_[f] = h * dot(r.moment + r.program.moment_at(s, now), now.e) - inertia * r.gained[dof];
+      continue;
+    }
+    const Vec3 M = b_.moment_on(r, s);
+    const double along = dot(M, now.e);
+    const double momentum = r.program.inertia.axial * now.spin;
+    const Vec3 turn = cross(now.across(), now.e);
+    const double M_across =
+        dof == RingProgram::TILT ? M.x - along * now.e.x : M.y - along * now.e.y;
+    y_[f] = h * (M_across - momentum * (dof == RingProgram::TILT ? turn.x : turn.y)) -
+            inertia * r.gained[dof];
+    const int other = r.unknown[dof == RingProgram::TILT ? dof + 1 : dof - 1];
+    if (fresh && other >= 0)
+      border_.a[f * nf + other] += dof == RingProgram::TILT ? h * momentum : -h * momentum;
+  }
+  add_bends(h, follows, s, fresh);
+}
+
+// Modes, and the gyroscopic moments between them and their rigid shaft.
+void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
+{
+  const int nf = b_.unknowns;
+  for (ShaftBend &b : b_.bends) {
+    const RingBody &shaft = b_.rings[b.shaft];
+    const ShaftModes &m = *b.modes;
+    const int n = m.size(), first = shaft.unknown[RingProgram::TILT],
+              second = shaft.unknown[RingProgram::TILT + 1];
+    const Vec3 moment = moment_of_modes(m, b.now, shaft.now.spin);
+    y_[first] += h * moment.x;
+    y_[second] += h * moment.y;
+    const std::vector<double> &forces = b.forces(shaft.program, shaft.now, s);
+    for (int k = 0; k < 2 * n; ++k) {
+      const int u = b.unknown + k, mode = k % n;
+      y_[u] = h * forces[k] - m.mass[mode] * b.gained[k];
+      if (!fresh) continue;
+      double *row = &border_.a[u * nf];
+      row[u] += m.mass[mode] + h * (m.damping[mode] + follows * m.stiffness[mode]);
+      const double turn = h * shaft.now.spin;
+      for (int j = 0; j < n; ++j) {
+        const double g = turn * m.g(mode + 1, j + 1);
+        row[k < n ? b.unknown + n + j : b.unknown + j] += k < n ? g : -g;
+      }
+      const double g = turn * m.g(0, mode + 1);
+      const int tilt = k < n ? first : second;
+      row[tilt] -= g;
+      border_.a[tilt * nf + u] += g;
+    }
+    if (fresh && shaft.program.supported) add_supports(b, h, follows);
+  }
+}
+
+// Of a shaft that bends: its centre moves with its own degrees of freedom, which add_rings() has,
+// and with the modes.
+void BearingSystem::add_supports(const ShaftBend &b, double h, double follows)
+{
+  const int nf = b_.unknowns, n = b.modes->size(), tilt = RingProgram::TILT;
+  const RingBody &shaft = b_.rings[b.shaft];
+  for (int dof : {0, 1, tilt, tilt + 1}) {
+    const Support &on = shaft.program.support[dof];
+    const double stiff = h * (on.damping + follows * on.stiffness);
+    if (stiff == 0.0) continue;
+    // a tilt about the first axis counts against the slope in the second plane
+    const double sign = dof == tilt ? -1.0 : 1.0;
+    const int own = shaft.unknown[dof], first = b.unknown + (dof == 0 || dof == tilt + 1 ? 0 : n);
+    const std::vector<double> &share = dof < tilt ? b.centre->moved : b.centre->tilted;
+    for (int k = 0; k < n; ++k) {
+      border_.a[own * nf + first + k] += sign * stiff * share[k];
+      border_.a[(first + k) * nf + own] += sign * stiff * share[k];
+      for (int j = 0; j < n; ++j)
+        border_.a[(first + k) * nf + first + j] += stiff * share[k] * share[j];
+    }
+  }
+}
+
+RACEWAY_LANES void BearingSystem::factor_groups()
+{
+  const size_t nf = b_.columns;
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    BodyGroup &g = b_.groups[k];
+    if (g.spins) raceway::factor<6>(g.A);
+    else raceway::factor<3>(g.A);
+    if (g.coupled)
+      for (int f : b_.columns_of_group[k]) {
+        if (g.spins) substitute<6>(g.A, B_[k * nf + f].a);
+        else substitute<3>(g.A, B_[k * nf + f].a);
+      }
+    if (!g.linked) continue;
+    for (Lane(&column)[6] : g.link) {
+      if (g.spins) substitute<6>(g.A, column);
+      else substitute<3>(g.A, column);
+    }
+  }
+}
+
+// Takes the bodies out of the border, once B has what their blocks and links make of it.
+RACEWAY_LANES void BearingSystem::condense_groups()
+{
+  const size_t nf = b_.columns;
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    const BodyGroup &g = b_.groups[k];
+    if (!g.coupled) continue;
+    const int n = g.spins ? 6 : 3;
+    for (int i : b_.columns_of_group[k])
+      for (int j : b_.columns_of_group[k]) {
+        Lane s = {};
+        for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * B_[k * nf + j].a[m];
+        D(i, j) -= sum(where(g.used, s, 0.0));
+      }
+  }
+}
+
+void BearingSystem::factor()
+{
+  const int nf = b_.columns;
+  for (BodyGroup &g : b_.groups)
+    if (g.linked)
+      for (Lane(&column)[6] : g.link) std::fill(column, column + 6, Lane{});
+  for (const LinkChain::Link &l : chain_.links)
+    for (const LinkChain::End &e : l.end) {
+      Lane *column = b_.groups[e.body / lanes].link[e.slot];
+      const int i = e.body % lanes;
+      column[0][i] = e.n.x;
+      column[1][i] = e.n.y;
+      column[2][i] = e.n.z;
+    }
+  factor_groups();
+  if (!chain_.links.empty()) {
+    for (LinkChain::Link &l : chain_.links)
+      for (LinkChain::End &e : l.end) {
+        const Lane *column = b_.groups[e.body / lanes].link[e.slot];
+        const int i = e.body % lanes;
+        e.answer = {column[0][i], column[1][i], column[2][i]};
+      }
+    chain_.factor();
+    for (int f = 0; f < nf; ++f)
+      condense_links([&](int group) { return B_[group * nf + f].a; }, true);
+  }
+  condense_groups();
+  if (!b_.bends.empty()) {
+    lift_.find(b_);
+    lift_.add_matrix(corner_apart_, border_.a);
+  }
+  border_.factor();
+}
+
+// Takes the links' forces out of columns that are already A^-1 times something.
+template <class ColumnOf> void BearingSystem::condense_links(ColumnOf column, bool mark)
+{
+  forces_.resize(chain_.links.size());
+  for (size_t i = 0; i < chain_.links.size(); ++i) {
+    double v = 0.0;
+    for (int k = 0; k < 2; ++k) {
+      const LinkChain::End &e = chain_.links[i].end[k];
+      const Lane *x = column(e.body / lanes);
+      const int lane = e.body % lanes;
+      const double along = e.n.x * x[0][lane] + e.n.y * x[1][lane] + e.n.z * x[2][lane];
+      v += k == 0 ? along : -along;
+    }
+    forces_[i] = v;
+  }
+  chain_.solve(forces_.data());
+  for (size_t i = 0; i < chain_.links.size(); ++i)
+    for (int k = 0; k < 2; ++k) {
+      const LinkChain::End &e = chain_.links[i].end[k];
+      BodyGroup &g = b_.groups[e.body / lanes];
+      if (mark) g.coupled = true;
+      Lane *x = column(e.body / lanes);
+      const int lane = e.body % lanes, n = g.spins ? 6 : 3;
+      const double f = k == 0 ? forces_[i] : -forces_[i];
+      for (int m = 0; m < n; ++m) x[m][lane] -= f * g.link[e.slot][m][lane];
+    }
+}
+
+RACEWAY_LANES void BearingSystem::solve()
+{
+  const int nf = b_.columns;
+  std::fill(motions_apart_.begin(), motions_apart_.end(), 0.0);
+  for (BodyGroup &g : b_.groups) {
+    if (g.spins) substitute<6>(g.A, g.rhs);
+    else substitute<3>(g.A, g.rhs);
+  }
+  if (!chain_.links.empty())
+    condense_links([this](int group) { return b_.groups[group].rhs; }, false);
+  if (nf == 0) return;
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    const BodyGroup &g = b_.groups[k];
+    if (!g.coupled) continue;
+    const int n = g.spins ? 6 : 3;
+    for (int i : b_.columns_of_group[k]) {
+      Lane s = {};
+      for (int m = 0; m < n; ++m) s += C_[k * nf + i].a[m] * g.rhs[m];
+      motions_[i] -= sum(where(g.used, s, 0.0));
+    }
+  }
+  if (!b_.bends.empty()) lift_.add_forces(motions_apart_, y_);
+  border_.solve(y_.data());
+  if (!b_.bends.empty()) lift_.find_motions(y_, motions_apart_);
+  for (size_t k = 0; k < b_.groups.size(); ++k) {
+    BodyGroup &g = b_.groups[k];
+    if (!g.coupled) continue;
+    const int n = g.spins ? 6 : 3;
+    for (int f : b_.columns_of_group[k])
+      for (int m = 0; m < n; ++m) g.rhs[m] -= B_[k * nf + f].a[m] * motions_[f];
+  }
+}
+
+}    // namespace raceway

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The linear system of one Newton correction:
+//   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k of a body
+//   sum_k C_k x_k + D y                  = r_y        y of the free degrees of freedom of the rings
+//   l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
+// with s_ik = +1 for the first and -1 for the second body of link i. It is solved block by block,
+// link by link, then y, and back: a time proportional to the number of balls. factor() keeps what
+// solve() needs, so that later corrections with the same derivatives cost one right-hand side.
+//
+// Contacts write columns B and rows C for motions of rings. Those are the unknowns y themselves,
+// but for rings on shafts that bend: these have columns of their own, and y moves them by T
+// (shaft_lift.h). So the modes of a shaft cost the bodies nothing.
+#ifndef RACEWAY_BEARING_SYSTEM_H
+#define RACEWAY_BEARING_SYSTEM_H
+
+#include "../bodies/bearing_bodies.h"
+#include "../bodies/link_chain.h"
+#include "../bodies/shaft_lift.h"
+#include "../numbers/dense_lu.h"
+
+namespace raceway {
+
+class BearingSystem {
+ public:
+  explicit BearingSystem(BearingBodies &b) : b_(b)
+  {
+    chain_.resize(static_cast<int>(b.body_at.size()));
+  }
+
+  // What is still missing of M (V_base - V) + h frame; `fresh`: masses into the blocks, all else 0.
+  void start(double h, bool fresh);
+  // The rings' right-hand sides and, if fresh, the part of D that no contact brings, at share s of
+  // the step. Positions follow velocities over `follows` seconds.
+  void add_rings(double h, double follows, double s, bool fresh);
+  void factor();
+  void solve();    // corrections: BodyGroup::rhs and y()
+  void halve()     // those of the border
+  {
+    for (double &one : y_) one *= 0.5;
+    for (double &one : motions_apart_) one *= 0.5;
+  }
+
+  struct alignas(32) Column {
+    Lane a[6];
+  };
+  int columns() const { return b_.columns; }
+  Lane *B(int group, int column) { return B_[group * columns() + column].a; }
+  Lane *C(int group, int column) { return C_[group * columns() + column].a; }
+  double &D(int row, int column) { return corner_[row * columns() + column]; }
+  double y(int unknown) const { return y_[unknown]; }
+  double motion(int column) const { return motions_[column]; }
+  LinkChain &links() { return chain_; }
+
+ private:
+  void resize();
+  void add_bends(double h, double follows, double s, bool fresh);
+  void add_supports(const ShaftBend &, double h, double follows);
+  void factor_groups();
+  void condense_groups();
+  template <class ColumnOf> void condense_links(ColumnOf column, bool mark);
+
+  BearingBodies &b_;
+  std::vector<Column> B_, C_;    // group by group, column by column
+  DenseLU border_;
+  std::vector<double> y_, forces_;    // border, links
+  // Of the columns: those of the border, or apart where a shaft bends.
+  double *corner_ = nullptr, *motions_ = nullptr;
+  std::vector<double> corner_apart_, motions_apart_;
+  ShaftLift lift_;
+  LinkChain chain_;
+};
+
+}    // namespace raceway
+
+#endif

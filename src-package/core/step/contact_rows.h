@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The slopes of a contact (core/contact/contact_slopes.h) as rows of the bodies' velocities.
+//
+// Local motions are rows over the ball's velocity and spin: approach [n | 0], sliding [t | R w] and
+// [w | -R t], rotations [0 | n], [0 | t], [0 | w]. A motion of the ring has the same rows with the
+// velocity of its contact point. With L the slopes of the local forces in the local motions, the
+// ball's block is rows' L rows, the ring's columns and the border come from the same product.
+// Displacement also turns the normal: along the groove by 1/r, across it by 1/s, with the force N.
+#ifndef RACEWAY_CONTACT_ROWS_H
+#define RACEWAY_CONTACT_ROWS_H
+
+#include "../contact/contact_slopes.h"
+#include "../numbers/lane_frame.h"
+
+namespace raceway {
+
+// Directions of a contact and its slopes times h (s), 0 where nothing touches; positions follow
+// velocities for the time `follows` (s).
+template <int n> struct ScaledSlopes {
+  Vec3L normal, along, across;    // n, t, w
+  Lane slope[n][n];
+  Lane turn_along, turn_across;    // of the normal
+};
+
+template <int n>
+RACEWAY_INLINE ScaledSlopes<n> scaled(double h, double follows, const ContactStateT<Lane> &c,
+                                      const Vec3L &e, const LaneMask &live,
+                                      const ContactSlopesT<Lane, n> &slopes)
+{
+  ScaledSlopes<n> s;
+  s.normal = c.u * c.nu + e * c.ne;
+  s.along = c.t;
+  s.across = e * c.nu - c.u * c.ne;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) s.slope[i][k] = where(live, Lane(h * slopes.of[i][k]), 0.0);
+  const double turning = h * follows;
+  const Lane N = where(live, Lane(turning * c.normal), 0.0);
+  s.turn_along = N * c.nu / c.r;
+  s.turn_across = N / c.s;
+  return s;
+}
+
+// A motion of the ball, by local motion: rows over (velocity, spin).
+template <int n>
+RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n][6])
+{
+  const Lane none = {};
+  s.normal.to(row[0]);
+  row[0][3] = row[0][4] = row[0][5] = none;
+  s.along.to(row[1]);
+  (s.across * R).to(row[1] + 3);
+  s.across.to(row[2]);
+  (s.along * -R).to(row[2] + 3);
+  if constexpr (n == 6) {
+    for (int k = 3; k < 6; ++k) row[k][0] = row[k][1] = row[k][2] = none;
+    s.normal.to(row[3] + 3);
+    s.along.to(row[4] + 3);
+    s.across.to(row[5] + 3);
+  }
+}
+
+// Local forces per unit of a motion that is a row of velocities; `displaces`: and of displacements.
+template <int n>
+RACEWAY_INLINE void local_forces(const ScaledSlopes<n> &s, const Lane (&motion)[n], bool displaces,
+                                 Lane (&force)[n])
+{
+  for (int i = 0; i < n; ++i) {
+    force[i] = s.slope[i][0] * motion[0];
+    for (int k = 1; k < n; ++k) force[i] += s.slope[i][k] * motion[k];
+  }
+  if (!displaces) return;
+  force[1] += s.turn_along * motion[1];
+  force[2] += s.turn_across * motion[2];
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Profiles of raceways and balls for four contacts: their place, and what they add to the matrix.
+#ifndef RACEWAY_PROFILE_ROWS_H
+#define RACEWAY_PROFILE_ROWS_H
+
+#include "../bodies/ring_motions.h"
+#include "bearing_system.h"
+
+namespace raceway {
+
+// What a profile adds to the matrix beyond the slope in its rows: the slope changes along the path
+// of the ball's centre. h2 (s^2) is 0 where nothing touches.
+static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
+                               const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
+                               const Lane &h2, const ProfiledContactT<Lane> &on)
+{
+  const Lane cross = h2 * on.cross, side = h2 * (on.side - c.normal * on.bend);
+  const Vec3L along = c.t, approach = c.u * c.nu + e * c.ne - along * on.slope;
+  Lane G[3], t[3];
+  approach.to(G);
+  along.to(t);
+  for (int m = 0; m < 3; ++m)
+    for (int k = 0; k < 3; ++k)
+      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
+  if (!ring.loose) return;
+  const Vec3L lever = lever_of(ring, e, d);
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    const int u = ring.unknown[dof];
+    if (u < 0) continue;
+    const Vec3L v = motion_of(dof, g.now, e, lever);
+    const Lane path = dot(along, v), near = dot(approach, v), force_G = cross * path,
+               force_t = cross * near + side * path;
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < 3; ++k) {
+      const Lane both = G[k] * force_G + t[k] * force_t;
+      B[k] -= both;
+      C[k] -= both;
+    }
+    for (int o = 0; o < RingProgram::N_DOF; ++o) {
+      if (ring.unknown[o] < 0) continue;
+      const Vec3L w = motion_of(o, g.now, e, lever);
+      system.D(ring.unknown[o], u) += sum(dot(approach, w) * force_G + dot(along, w) * force_t);
+    }
+  }
+}
+
+static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<Lane> &on)
+{
+  on.overlap[i] = one.overlap;
+  on.slope[i] = one.slope;
+  on.bend[i] = one.bend;
+  on.energy[i] = one.energy;
+  on.follows[i] = one.follows;
+  on.cross[i] = one.cross;
+  on.side[i] = one.side;
+}
+
+// The same of balls with profiles, along the row `path` of their azimuth.
+static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int group,
+                                    const RingBody &ring, const Vec3L &d, const Vec3L &e,
+                                    const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,
+                                    const TurnRowT<Lane> &depth, const BallSlopesT<Lane> &b)
+{
+  const Lane cross = h2 * b.cross, side = h2 * (b.side - c.normal * b.bend);
+  const TurnRowT<Lane> path = turn_row(b.path_along, b.path_across, e, c),
+                       approach = {c.u * c.nu + e * c.ne - c.t * slope - depth.v, -depth.w};
+  Lane G[6], t[6];
+  approach.v.to(G);
+  approach.w.to(G + 3);
+  path.v.to(t);
+  path.w.to(t + 3);
+  for (int m = 0; m < 6; ++m)
+    for (int k = 0; k < 6; ++k)
+      g.A[6 * m + k] += cross * (G[m] * t[k] + t[m] * G[k]) + side * t[m] * t[k];
+  if (!ring.loose) return;
+  const Vec3L lever = lever_of(ring, e, d);
+  const auto changes = [&](const TurnRowT<Lane> &row, int dof) {
+    return dot(row.v, motion_of(dof, g.now, e, lever)) + dot(row.w, rotation_of(dof, g.now, e));
+  };
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
+    const int u = ring.unknown[dof];
+    if (u < 0) continue;
+    const Lane turned = changes(path, dof), near = changes(approach, dof), force_G = cross * turned,
+               force_t = cross * near + side * turned;
+    Lane *B = system.B(group, u), *C = system.C(group, u);
+    for (int k = 0; k < 6; ++k) {
+      const Lane both = G[k] * force_G + t[k] * force_t;
+      B[k] -= both;
+      C[k] -= both;
+    }
+    for (int o = 0; o < RingProgram::N_DOF; ++o)
+      if (ring.unknown[o] >= 0)
+        system.D(ring.unknown[o], u) +=
+            sum(changes(approach, o) * force_G + changes(path, o) * force_t);
+  }
+}
+
+// Place of the ring's profile and the balls'.
+static inline void look_at_profiles(const BearingBodies::Track &track,
+                                    const BearingBodies::BallProfiles &balls,
+                                    const BallTurns &turns, const LaneFrame &f,
+                                    const RingPose &ring, const Vec3L &e,
+                                    const ContactStateT<Lane> &c, ProfiledContactT<Lane> &on,
+                                    BallSlopesT<Lane> &turned)
+{
+  const Vec3L u = f.lab(c.u), n = c.u * c.nu + e * c.ne, w = e * c.nu - c.u * c.ne;
+  for (int i = 0; i < lanes; ++i) {
+    const auto one_of = [i](const Vec3L &v) { return Vec3{v.x[i], v.y[i], v.z[i]}; };
+    BallSlopes b;
+    const ProfiledContact one = profiled(
+        track.profile, balls.of[i], *track.physics, std::atan2(u.y[i], u.x[i]) - ring.angle, c.r[i],
+        c.overlap[i], BallTurns::view(turns.now[i], one_of(n), one_of(c.t), one_of(w)), b);
+    put_lane(i, one, on);
+    turned.along[i] = b.along;
+    turned.across[i] = b.across;
+    turned.path_along[i] = b.path_along;
+    turned.path_across[i] = b.path_across;
+    turned.bend[i] = b.bend;
+    turned.cross[i] = b.cross;
+    turned.side[i] = b.side;
+  }
+}
+
+static inline void look_at_profile(const BearingBodies::Track &track, const LaneFrame &f,
+                                   const RingPose &ring, const ContactStateT<Lane> &c,
+                                   ProfiledContactT<Lane> &on)
+{
+  const Vec3L u = f.lab(c.u);
+  for (int i = 0; i < lanes; ++i) {
+    const ProfiledContact one =
+        profiled(*track.profile, *track.physics, std::atan2(u.y[i], u.x[i]) - ring.angle, c.r[i],
+                 c.overlap[i]);
+    put_lane(i, one, on);
+  }
+}
+
+}    // namespace raceway
+
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The same for processors without AVX2.
+#include "../numbers/lane.h"
+
+#ifdef RACEWAY_TWO_TARGETS    // else raceway_contacts_any.cpp is for one target
+#define RACEWAY_ONE_TARGET 1
+#include "raceway_contacts.h"
+
+namespace raceway {
+
+Failure BearingForces::narrow_raceways(const Stage &stage)
+{
+  Failure failure = Failure::none;
+  with_any_law(b_.model.parts, narrow_law,
+               [&](const auto &law) { failure = raceways(law, stage); });
+  return failure;
+}
+
+}    // namespace raceway
+#endif
