@@ -23,8 +23,9 @@ def build(folder):
     program = Path(folder) / "part_cost"
     words = "-std=c++17 -O3 -fno-math-errno -fno-trapping-math -ffp-contract=off -Wno-psabi"
     source = ROOT / "tests/bench/part_cost.cpp"
-    raceway = ROOT / "build/obj/physics/raceway_physics.o"
-    subprocess.run(["g++", *words.split(), source, raceway, "-o", program], check=True)
+    contact = sorted((ROOT / "build/obj/core/contact").glob("*.o"))
+    target = ROOT / "build/obj/core/numbers/instruction_set.o"
+    subprocess.run(["g++", *words.split(), source, *contact, target, "-o", program], check=True)
     return program
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The functions of src-package/physics, callable from Python by names (physics_c.cpp)."""
+"""The functions of src-package/core, callable from Python by names (physics_c.cpp)."""
 
 import numpy as np
 from raceway.core import laws

@@ -3,7 +3,7 @@
 
 The ellipse has semi-axis a across the groove and b along rolling; kappa = a/b may be below one.
 Everything takes and returns numbers or arrays that broadcast, SI units. The formulas are those of
-src-package/physics/hertz.h.
+src-package/core/laws/hertz.h.
 """
 
 from typing import NamedTuple
