@@ -68,7 +68,7 @@ def by_runs(
             change = found["temperature_C"] - asked
             say(
                 f"run {number} of at most {runs}: {asked:.2f} C, {power:.4g} W, "
-                f"{scene.share:.4f} of statics; next {found['temperature_C']:.2f} C"
+                f"{scene.share:.2f} of statics; next {found['temperature_C']:.2f} C"
             )
             if abs(change) < CLOSE:
                 break
