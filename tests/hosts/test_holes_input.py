@@ -8,8 +8,8 @@ import pytest
 from host import ROOT, liggghts
 
 BEARING = (ROOT / "inputs" / "bearings" / "6208").read_text()
-# what the decks need; the rest is for makers' formulas
-OF_BEARING = re.findall(r"^variable (\w+)", BEARING.split("# As in the makers")[0], re.MULTILINE)
+NEEDED = (ROOT / "inputs" / "variables" / "bearing").read_text()
+OF_BEARING = re.findall(r"^variable (\w+) +needed", NEEDED, re.MULTILINE)
 MINERAL = (ROOT / "inputs" / "lubricants" / "mineral").read_text()
 
 NUMBERS = {

@@ -5,6 +5,7 @@ the limit."""
 import numpy as np
 import pytest
 from physics_c import BALL_MASS
+from raceway.core import laws
 
 SPRING, DAMPER = 4.19e8, 2 * 8.7e3
 
@@ -60,11 +61,8 @@ def test_numbers_of_the_6208(
         8.8e-6, abs=0.05e-6
     )
     # both raceways' fluid dampers at h = 100 nm
-    prefactor = physics.call("damper_prefactor", viscosity=0.04, radius=6.3e-3, length_factor=1.0)
-    both = sum(
-        physics.call("film_damper", prefactor=prefactor, a=a, h=100e-9, floor=0.0)
-        for a in (2.059e-3, 1.993e-3)
-    )
+    axes = np.array([2.059e-3, 1.993e-3])
+    both = laws.film_damping(0.04, axes, 6.3e-3, 100e-9, 0.0).sum()
     assert physics.call("largest_step", k=0.0, c=both, m=BALL_MASS) == pytest.approx(
         0.94e-6, abs=0.02e-6
     )

@@ -72,7 +72,10 @@ struct WrongToyLoss""",
     (core / "parts/part_wrong_toy.h").write_text(text.replace(law, f"twice_the_slope(T({law}))"))
     contact = (core / "contact/contact.h").read_text()
     for old, new in (
-        ('#include "../parts/part_toy.h"', '#include "../parts/part_toy.h"\n#include "../parts/part_wrong_toy.h"'),
+        (
+            '#include "../parts/part_toy.h"',
+            '#include "../parts/part_toy.h"\n#include "../parts/part_wrong_toy.h"',
+        ),
         ("ToyPart,\n", "ToyPart, WrongToyPart,\n"),
     ):
         assert contact.count(old) == 1, old
