@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds the library of laws (src-package/core/interface) into the package; pyproject.toml has the rest."""
+"""Builds the library of laws (src-package/core/interface) into the package; pyproject.toml has the
+rest."""
 
 import os
 import shutil

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A C++ library that describes itself (src-package/core/interface/exports.h): its functions are called, its
-records filled and read by name. A name that one side does not know is an error."""
+"""A C++ library that describes itself (src-package/core/interface/exports.h): its functions are
+called, its records filled and read by name. A name that one side does not know is an error."""
 
 import ctypes
 import math

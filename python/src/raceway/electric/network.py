@@ -4,7 +4,8 @@
 
 Unknowns are charges: that of every ball and that of the inner ring. Resistances move them from
 point to point, by the two-stage SDIRK method of second order that is L-stable. Without resistances
-charges stay, and voltages follow from them at every point alone (src-package/core/electric/circuit.h).
+charges stay, and voltages follow from them at every point alone
+(src-package/core/electric/circuit.h).
 """
 
 from typing import NamedTuple
