@@ -23,7 +23,7 @@ CommandStyle(bearing_parts,BearingParts)
 namespace LAMMPS_NS {
 
 // bearing_input FOLDER NAME [needs KEY ...]: include FOLDER/NAME, or the row NAME of a table
-// FOLDER/*.csv (core/settings/data_table.h); it must set these variables. If it is not there, say what is.
+// FOLDER/*.csv (core/settings/data_table.h); it must set these variables.
 // With `set` for `needs` it has been included, and only the variables are checked: those as well
 // that files set which it includes. After `set table FILE` they are those of a table
 // (deck/variable_table.h), with their defaults and ranges.

@@ -98,7 +98,7 @@ class BearingStep {
   void load_states(const double *values) { bodies_.load_states(values); }
   void store_states(double *values) const { bodies_.store_states(values); }
 
-  // s, that a step from here may take for the flaws of the raceways (core/geometry/raceway_profile.h)
+  // Longest step from here for the flaws of the raceways (core/geometry/raceway_profile.h), s
   double longest_step() const { return forces_.longest_step(); }
 
   // From share s0 to share s1 of the host's step, h seconds. Nothing has moved until accept().
