@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Adds what balls and cage exert on a ring, in an order that does not depend on the number of
-// ranks.
+// Sums the forces and torques of balls and cage on a ring, in an order that does not depend on the
+// number of ranks.
 //
 // Only the owner of a ball computes its contacts, so a ring on another rank must be told. After a
 // neighbour build every contact claims its place in the sum of its ring. Ranks that have claims on
