@@ -13,7 +13,7 @@ CommandStyle(bearing_fleet,BearingFleet)
 namespace LAMMPS_NS {
 
 // bearing_fleet FILE numbers FIRST LAST STEP [only K] grid COLUMNS SPACING tables FOLDER NOTE
-// create WORD ...: bearings in a grid, each with the load, speed and phase that FILE has for its
+// create WORD ...: bearings in a grid, each with the load, speed and phase given in FILE for its
 // number.
 class BearingFleet : public bearing::CommandBase {
  public:
