@@ -24,7 +24,7 @@ class TextFile {
   TextFile &operator=(const TextFile &) = delete;
 
   bool wanted() const { return wanted_; }    // on every rank
-  FILE *file() const { return file_; }       // of rank 0, else null
+  FILE *file() const { return file_; }       // on rank 0, elsewhere null
   void open(const Arguments &args, const std::string &name, const char *head, MPI_Comm world)
   {
     int rank, trouble = 0;

@@ -116,7 +116,7 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   struct RingState {
     raceway::RingPose pose;
     double step;
-  };    // of a ring, on its way
+  };    // data of a ring, on its way
   raceway::BodyPose read_body(int i) const;
   RingState read_ring(int i) const;
   void write_body(int i, const raceway::BodyPose &) const;

@@ -78,7 +78,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   };
   struct Letter {
     int rank;
-    std::vector<int> claims;    // of this rank, in a letter that goes out
+    std::vector<int> claims;    // claims of this rank, in an outgoing letter
     int terms;
     std::vector<double> text;
   };
@@ -88,7 +88,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
 
   bool ways_known_ = false;
   std::vector<Claim> claims_;
-  std::vector<int> owner_;    // of the ring of a claim
+  std::vector<int> owner_;    // owner of the ring of a claim
   std::vector<Part> parts_;
   std::vector<Ring> rings_;    // owned, by tag
   std::vector<Letter> out_, in_;

@@ -22,12 +22,12 @@ class BearingFleet : public bearing::CommandBase {
 
  private:
   struct Fleet {
-    std::vector<std::string> commands;    // of FILE
+    std::vector<std::string> commands;    // commands in FILE
     int first = 0, last = 0, step = 1, only = 0;
     int columns = 0;
     double spacing = 0.0;    // m, of the grid
     std::string folder, note;
-    std::vector<std::string> words;    // of create_bearing
+    std::vector<std::string> words;    // arguments of create_bearing
   };
 
   Fleet parse(bearing::Arguments &);

@@ -101,14 +101,14 @@ class FixBearingCapacitance : public Fix {
   int within_ = 1;                 // instants a step, the last one its end
   std::vector<bearing::InstantSource *> integrators_;    // that provide instants between steps
   bearing::TagSet members_;    // balls of the group; known where integrators_ are
-  std::vector<Row> mine_;      // of this step, kept for its memory
+  std::vector<Row> mine_;      // rows of this step; reused buffer
   bearing::TextFile totals_, contacts_;
   bool grooves_ = false;                       // the second file lists the grooves separately
   bool between_ = false, summed_ = true;       // kind of mine_; sums below are current
   Total total_ = {};                           // at the end of the step
-  std::vector<raceway::SampledBall> balls_;    // of one instant, kept for its memory
+  std::vector<raceway::SampledBall> balls_;    // balls of one instant; reused buffer
   bigint written_ = -1;                        // step of the last row in the files
-  Spread plates_ = {}, whole_ = {};            // of the sum
+  Spread plates_ = {}, whole_ = {};            // spread of the sum
 };
 
 }    // namespace LAMMPS_NS

@@ -52,7 +52,7 @@ class FixBearingCheckpoint : public Fix {
   std::vector<bearing::DrivenValue> means_;       // averaged over samples
   std::vector<bearing::DrivenValue> counters_;    // each restarts from 0 in every run
   double samples_ = 0.0;
-  std::string ring_id_;    // of a fix bearing/ring whose balance is averaged; empty: none
+  std::string ring_id_;    // ID of a fix bearing/ring whose balance is averaged; empty: none
   FixBearingRing *ring_ = nullptr;
   std::vector<double> sums_;      // of the means, then of load and residual (N) of the ring
   std::vector<double> before_;    // counters of the runs before this one

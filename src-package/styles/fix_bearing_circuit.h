@@ -87,12 +87,12 @@ class FixBearingCircuit : public Fix {
   std::vector<bearing::InstantSource *> integrators_;    // that provide instants between steps
   bearing::TextFile events_;
   bool begun_ = false, restored_ = false;
-  bigint first_step_ = 0, last_step_ = -1;    // of the first and of the last sample
+  bigint first_step_ = 0, last_step_ = -1;    // steps of the first and the last sample
   double last_time_ = 0.0;                    // s, of the last sample
   double dt_ = 0.0;                           // s, of all steps between them
   std::vector<Ball> balls_;                   // at the last sample, by tag
   raceway::CircuitState state_;
-  int order_ = 0;    // of a breakdown in its discharge
+  int order_ = 0;    // number of the breakdown within its discharge
 };
 
 }    // namespace LAMMPS_NS

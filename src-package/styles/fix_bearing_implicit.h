@@ -66,7 +66,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   bearing::Instants instants_;
-  std::set<std::string> readers_;    // of instants
+  std::set<std::string> readers_;    // commands that request instants
   double largest_ = HUGE_VAL;        // s, substep
   double creep_ = 0.01;
   std::vector<FixBearingRing *> rings_;    // integrated by this fix

@@ -58,7 +58,7 @@ class FixBearingRecord : public Fix {
   double time_of(double step) const;
   struct Spent {
     double wall = 0.0, processor = 0.0;       // s, of this rank
-    double steps = 0.0, evaluations = 0.0;    // of the integrator, a bearing
+    double steps = 0.0, evaluations = 0.0;    // of the integrator, per bearing
   };
   void start_clocks();
   void stop_clocks();
@@ -76,9 +76,9 @@ class FixBearingRecord : public Fix {
   bearing::TagSet capacitors_;                             // balls with a capacitance
 
   bool open_ = false;
-  std::unique_ptr<bearing::RecordFile> file_;    // of rank 0
+  std::unique_ptr<bearing::RecordFile> file_;    // on rank 0 only
   bearing::RecordLayout layout_;
-  bearing::RecordRows rows_;    // of this rank, since the last flush
+  bearing::RecordRows rows_;    // rows of this rank since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
   bool resumed_ = false, running_ = false;

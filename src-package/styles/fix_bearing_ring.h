@@ -79,7 +79,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   };
   enum class Words { unread };
   FixBearingRing(class LAMMPS *, int, char **, Words);    // settings are read after it,
-  void settings_are_read();                               // and then this is called
+  void settings_are_read();                               // to be called after that
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
@@ -111,12 +111,12 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
   double time_ = 0.0;
-  Values now_, before_;                 // of all rings; in the step before
+  Values now_, before_;                 // values of all rings; those of the step before
   std::vector<int> own_;                // indices of the values given per ring
   std::vector<Values> per_ring_;        // these, by local atom
   bool called_back_ = false;            // the host moves per_ring_ with the atoms
   bool by_another_ = false;             // a fix bearing/implicit integrates these rings
-  std::vector<bearing::tag_t> tags_;    // of the rings, rising
+  std::vector<bearing::tag_t> tags_;    // tags of the rings, ascending
   bearing::tag_t holder_ = 0;
   FixBearingRing *holder_moves_by_ = nullptr;
   // N, bearing axis third: forces of supports between two rings on rings of this fix in this step

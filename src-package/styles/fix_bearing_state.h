@@ -26,7 +26,7 @@ namespace bearing {
 // The hooks of a fix that the pair style needs; fix bearing/state calls them.
 class PairHooks {
  public:
-  virtual raceway::Vec3 axis() const = 0;    // of the bearings at the start
+  virtual raceway::Vec3 axis() const = 0;    // axis of the bearings at the start
   virtual void indices_changed() = 0;        // local ones, after a neighbour build
   virtual void forces_known() = 0;           // at the end of the set-up of a run
   virtual void after_step() = 0;             // every tenth step

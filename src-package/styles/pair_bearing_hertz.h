@@ -178,13 +178,13 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
   bearing::ValidityCheck validity_;
-  bigint atoms_ = 0;    // of the types that pair_coeff names, at the start of the run
+  bigint atoms_ = 0;    // number with types named by pair_coeff, at the start of the run
   bool rebuild_ = true;
   int builds_ = 0;
   bigint fills_ = 0;
   bool capacitors_ = false;    // there is a fix bearing/capacitance
   bool gaps_ = false;          // one needs the surroundings of contacts
-  bool warned_ = false;        // of a too long step
+  bool warned_ = false;        // warned of a too long step
 };
 
 }    // namespace LAMMPS_NS
