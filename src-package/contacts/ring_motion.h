@@ -15,7 +15,7 @@ struct RingMotion {
   double angle = 0.0;             // rad, rotation about its axis
   double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two axes across
   raceway::Vec3 acceleration;     // m/s^2, of the last step
-  double step = 0.0;    // s, next internal step that fix bearing/implicit wishes, at its first
+  double step = 0.0;    // s, next substep requested by fix bearing/implicit, stored at the first
                         // ring; 0: none yet
 };
 

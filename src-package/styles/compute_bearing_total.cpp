@@ -54,7 +54,7 @@ void ComputeBearingTotal::compute_vector()
     shares.push_back(ball);
   }
   for (const bearing::SphereContact &s : pair_->table().sphere) {
-    if (s.i >= atom->nlocal) continue;    // counted on the rank that owns atom i
+    if (s.i >= atom->nlocal) continue;    // counted on the rank that owns s.i
     shares.push_back({s.tag_i, s.tag_j, {}});
     shares.back().of.cage(s.loss, s.force);
   }

@@ -135,7 +135,7 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
     }
 }
 
-// The first of these fixes passes the sum of all profiles to the pair style.
+// The first of these fixes passes the sums of all profiles to the pair style.
 void FixBearingProfile::init()
 {
   const std::vector<FixBearingProfile *> all = bearing::fixes_of<FixBearingProfile>(lmp);
