@@ -31,7 +31,8 @@ class CreateBearing : public bearing::CommandBase {
     double centre[3] = {0.0, 0.0, 0.0};
     double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
-    int seat = 0;    // +1, -1: the inner ring is seated on all balls, moved along +axis or -axis
+    int seat =
+        0;    // +1, -1: the inner ring touches all balls, displaced forward or back along the axis
     double middle = 0.0;                   // m, radius half-way between the raceways
     double pitch = 0.0;                    // m, of the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, along the axis

@@ -95,8 +95,8 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
   }
 }
 
-// Adds claims and tangential springs; every ball must be in one ring on each side where its type
-// has a raceway.
+// Adds the contacts with their claims and contact states; every ball must be in one ring on each
+// side where its type has a raceway.
 void PairBearingHertz::add_raceway_contacts()
 {
   std::vector<int> sides(atom->nlocal, 0);

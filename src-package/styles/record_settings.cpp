@@ -40,7 +40,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
   };
   for (int k = 0; k < of_kind::N; ++k) {
     const raceway::Column &c = of_kind::list[k];
-    // that of a bearing without clearance; the clearance is a separate value
+    // outer radius of a bearing without clearance; the clearance is a separate value
     const double outside = k == of_kind::OUTER_RADIUS ? 0.5 * of[of_kind::CLEARANCE] : 0.0;
     add(c.name + std::string(suffix.at(c.unit)), of[k] - outside);
   }
