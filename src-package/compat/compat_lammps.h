@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LAMMPS 29Sep2021 and later.
+// Interface of LAMMPS 29Sep2021 and later.
 #ifndef BEARING_COMPAT_LAMMPS_H
 #define BEARING_COMPAT_LAMMPS_H
 
@@ -11,15 +11,14 @@ namespace bearing {
 static_assert(sizeof(tag_t) == sizeof(LAMMPS_NS::tagint), "LAMMPS_BIGBIG as the host has it");
 typedef LAMMPS_NS::Command CommandBase;
 
-// Ends the run after the step that is being made, with its output. All ranks must call it in the
-// same step.
+// Ends the run after the current step, with its output. All ranks must call it in the same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_timeout(); }
 }    // namespace bearing
 
 #define BRG_HOST_KIND "lammps"
 #define BRG_HOST_NAME (std::string("LAMMPS ") + lmp->version)
 #define BRG_GHOST_COMMAND "comm_modify"
-#define BRG_TEXT(msg) std::string(msg)    // a literal would pick a fmt template
+#define BRG_TEXT(msg) std::string(msg)    // a literal would select a fmt template
 #define BRG_EV_INIT(e, v) ev_init(e, v)
 #define BRG_PACK_FORWARD pack_forward_comm
 #define BRG_UNPACK_FORWARD unpack_forward_comm
@@ -27,7 +26,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_UNUSED_RESTART_ARGS \
   do {                          \
   } while (0)
-// the total; LIGGGHTS wants values per atom
+// the total; LIGGGHTS expects values per atom
 #define BRG_COMM_RETURN(total, peratom) ((void)(peratom), (total))
 #define BRG_ARRAYS_ARE_SET() \
   do {                       \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LIGGGHTS 3.x: the interface of LAMMPS of about 2014.
+// Interface of LIGGGHTS 3.x, that of LAMMPS from about 2014.
 #ifndef BEARING_COMPAT_LIGGGHTS_H
 #define BEARING_COMPAT_LIGGGHTS_H
 
@@ -9,8 +9,7 @@
 namespace bearing {
 typedef LAMMPS_NS::Pointers CommandBase;
 
-// Ends the run after the step that is being made, with its output. All ranks must call it in the
-// same step.
+// Ends the run after the current step, with its output. All ranks must call it in the same step.
 inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 {
   LAMMPS_NS::SignalHandler::request_write_restart = false;
@@ -35,10 +34,10 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
     (void)major;                \
     (void)minor;                \
   } while (0)
-// values per atom; LAMMPS wants the total
+// values per atom; LAMMPS expects the total
 #define BRG_COMM_RETURN(total, peratom) ((void)(total), (peratom))
-// LIGGGHTS calls set_arrays() for all atoms in the first setup, after forces and restart data are
-// there
+// LIGGGHTS calls set_arrays() for all atoms in the first setup, when forces and restart data are
+// already set
 #define BRG_ARRAYS_ARE_SET() just_created = 0
 #define BRG_FORWARD_FIX(fix) comm->forward_comm_fix(fix)
 #define BRG_SET_MAXEXCHANGE(n) \

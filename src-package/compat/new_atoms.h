@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Spheres for the host: each is made by the rank in whose part of the box it lies. All ranks give
-// the same list.
+// Creates spheres in the host, each on the rank whose subdomain contains it. All ranks pass the
+// same list.
 #ifndef BEARING_NEW_ATOMS_H
 #define BEARING_NEW_ATOMS_H
 
@@ -13,13 +13,13 @@
 #if BEARING_IS_LIGGGHTS
 #include "atom_vec.h"
 #else
-#include "library.h"    // the wheel has no atom_vec.h; the C interface makes atoms as well
+#include "library.h"    // the wheel ships no atom_vec.h; the C interface can create atoms
 #endif
 
 namespace bearing {
 
 struct NewAtom {
-  tag_t tag;    // rising by one
+  tag_t tag;    // consecutive
   int type;
   double x[3], v[3], omega[3];
   double radius, mass;
@@ -66,16 +66,16 @@ inline void make_atoms(LAMMPS_NS::LAMMPS *lmp, const std::vector<NewAtom> &list)
   }
 }
 
-// The host's map from tags to atoms, after a rank has made those from `first` on. All ranks had
-// atoms_before until then; `top` is the largest tag now. All ranks.
+// Updates the host's map from tags to atoms after this rank has created those from `first` on.
+// atoms_before: number of atoms on all ranks before; `top`: the largest tag now. Collective.
 inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, tag_t top)
 {
   LAMMPS_NS::Atom &atom = *lmp->atom;
 #if BEARING_IS_LIGGGHTS
-  // A map made anew for every bearing takes a time that grows with their square. So it is made for
-  // twice as many tags, and then takes the new atoms only. The host has an array by local atom as
-  // well, with 1000 places (EXTRA of its atom_map.cpp) more than atoms when the map was made, and
-  // none on a rank without atoms.
+  // Rebuilding the map for every bearing takes time quadratic in their number. So it is built for
+  // twice as many tags and then extended by the new atoms only. The host also keeps an array by
+  // local atom, with 1000 entries (EXTRA in its atom_map.cpp) more than atoms at the time of the
+  // build, and none on a rank without atoms.
   constexpr double spare = 1000.0;
   const bool array = atom.map_style == 1;
   int mine = array && atom.nghost == 0 && (first > 0 || atom.nlocal == 0), all;
@@ -86,7 +86,7 @@ inline void map_atoms(LAMMPS_NS::LAMMPS *lmp, int first, double atoms_before, ta
     for (int i = first; i < atom.nlocal; ++i) atom.map_one(atom.tag[i], i);
     return;
   }
-  // the host asks its atoms for the largest tag
+  // the host takes the largest tag from its atoms
   const bool twice = array && atom.nlocal > 0 && top < std::numeric_limits<tag_t>::max() / 2;
   const tag_t own = twice ? atom.tag[atom.nlocal - 1] : 0;
   if (twice) atom.tag[atom.nlocal - 1] = 2 * top;

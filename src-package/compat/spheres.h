@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a deck of spheres spells differently in LIGGGHTS and LAMMPS.
+// Keywords for spheres that differ between LIGGGHTS and LAMMPS.
 #ifndef BEARING_SPHERES_H
 #define BEARING_SPHERES_H
 
@@ -10,12 +10,12 @@ namespace bearing {
 inline bool is_liggghts() { return std::string(BRG_HOST_KIND) == "liggghts"; }
 
 inline const char *sphere_style() { return is_liggghts() ? "granular" : "sphere"; }
-// Ghosts with velocities
+// Command for ghost atoms with velocities
 inline const char *ghost_velocities()
 {
   return is_liggghts() ? "communicate single vel yes" : "comm_modify mode single vel yes";
 }
-// Of dump_modify, before the format of a line
+// Keyword of dump_modify before the format of a line
 inline const char *line_format() { return is_liggghts() ? "format" : "format line"; }
 
 }    // namespace bearing

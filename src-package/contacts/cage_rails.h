@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The rails of one cage, and which cage balls of this rank they hold.
+// The rails of one cage and the cage balls that they hold on this rank.
 #ifndef BEARING_CAGE_RAILS_H
 #define BEARING_CAGE_RAILS_H
 

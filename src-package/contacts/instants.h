@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bearings between the steps of the host, as fix bearing/implicit knows them; vectors are in the
-// lab.
+// State of the bearings within a host step, from fix bearing/implicit; vectors are in the lab
+// frame.
 #ifndef BEARING_INSTANTS_H
 #define BEARING_INSTANTS_H
 
@@ -13,23 +13,23 @@
 
 namespace bearing {
 
-// What is wanted: everything at the shares k/number of a host's step, k = 1 to number - 1. number
-// 0: nothing; permittivity 0: no capacitances.
+// Requested instants: at the fractions k/number of a host step, k = 1 to number - 1. number 0:
+// none; permittivity 0: no capacitances.
 struct Instants {
   int number = 0;
   raceway::CapacitorModel capacitor;
-  bool states = false;    // of contacts
+  bool states = false;    // contact states too
 };
 
-// A ball and a groove that may touch.
+// A possible contact of a ball and a groove.
 struct InstantContact {
   tag_t ball, ring;
   const raceway::RacewayPhysics &raceway;
   double orbit;    // rad/s, of the ball about the ring's axis
   bool live;
   double load;                                         // N
-  const raceway::FilmCapacitorT<double> &capacitor;    // 0 where none is wanted
-  const raceway::ContactState &state;                  // if anybody wants states, and live
+  const raceway::FilmCapacitorT<double> &capacitor;    // 0 if not requested
+  const raceway::ContactState &state;    // if states are requested and the contact is live
 };
 
 struct InstantBody {
@@ -38,22 +38,23 @@ struct InstantBody {
 };
 
 struct InstantRing {
-  double of[of_ring::AZ + 1];    // from of_ring::RING on
+  double of[of_ring::AZ + 1];    // starting at of_ring::RING
 };
 
-// Who is told of the parts of a bearing; contacts come ball by ball, and before the bodies.
+// Callbacks for the parts of a bearing; contacts come first, ball by ball, then the bodies.
 struct InstantReader {
   std::function<void(const InstantContact &)> contact;
   std::function<void(const InstantBody &)> body;    // or none
   std::function<void(const InstantRing &)> ring;    // or none
 };
 
-// A fix that makes steps of its own within those of the host (fix bearing/implicit).
+// A fix with substeps of its own within the host step (fix bearing/implicit).
 class InstantSource {
  public:
-  // Asked for in another fix's setup(), there after every step; `command` is named in errors.
+  // Called in another fix's setup(); the instants are available after every step. Errors name
+  // `command`.
   virtual void want_instants(const Instants &, const std::string &command) = 0;
-  // The k-th instant, from 1, of the bearings at home here.
+  // The k-th instant (from 1) of the bearings at home on this rank.
   virtual void read_instant(int k, const InstantReader &) const = 0;
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a ring carries from step to step beyond the position, velocity and spin of its atom.
+// State of a ring from step to step besides the position, velocity and spin of its atom.
 #ifndef BEARING_RING_MOTION_H
 #define BEARING_RING_MOTION_H
 
@@ -11,15 +11,15 @@ namespace bearing {
 
 struct RingMotion {
   raceway::Vec3 axis;
-  raceway::Vec3 origin;           // m, where the ring was at the start
-  double angle = 0.0;             // rad, turned about its axis
+  raceway::Vec3 origin;           // m, position of the ring at the start
+  double angle = 0.0;             // rad, rotation about its axis
   double tilt[2] = {0.0, 0.0};    // rad, imposed, about the two axes across
   raceway::Vec3 acceleration;     // m/s^2, of the last step
-  double step = 0.0;    // s, next internal step that fix bearing/implicit wishes, at its first
+  double step = 0.0;    // s, next substep requested by fix bearing/implicit, stored at the first
                         // ring; 0: none yet
 };
 
-// From and to the ring atom i and its motion, which have lab components.
+// Conversion from and to ring atom i and its motion, which are in the lab frame.
 inline void read_place(const LAMMPS_NS::Atom &atom, int i, const RingMotion &m,
                        const raceway::LabAxes &axes, raceway::RingPlace &p)
 {

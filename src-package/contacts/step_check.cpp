@@ -28,14 +28,14 @@ static void keep_smaller(StepLimit &limit, double k, double c, double m, int cau
 {
   const double step = verlet_step_limit(k, c, m, film);
   if (step >= limit.step) return;
-  // a damper is to blame when the spring alone would allow twice as much
+  // the damper is the cause if the spring alone would allow more than twice the step
   if (cause == StepLimit::spring && verlet_step_limit(k, 0.0, m) > 2.0 * step)
     cause = StepLimit::film_damper;
   limit = StepLimit{step, cause, ball, k, c};
 }
 
-// N s/m. Smoothed friction is steepest where nothing slides; at the present sliding an instability
-// would hide itself.
+// N s/m. Slope of smoothed friction at zero sliding, where it is steepest; the slope at the present
+// sliding speed would hide an instability.
 static double steepest_friction(const raceway::ContactState &c)
 {
   return c.v_0 > 0.0 ? c.mu * c.normal / c.v_0 : c.ct;
@@ -53,7 +53,7 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
     double k = 0.0, c = 0.0, kt = 0.0, ct = 0.0, k0 = 0.0;
     FilmBranches film;
     for (; i < rows.size() && rows[i].ball == first.ball; ++i) {
-      k0 += 1.5 * rows[i].raceway->law.radial().K * 1e-3;    // sqrt(1 um)
+      k0 += 1.5 * rows[i].raceway->law.radial().K * 1e-3;    // sqrt(1 um) in m^0.5
       if (!rows[i].live) continue;
       k += rows[i].state.stiffness;
       c += rows[i].state.damping;
@@ -70,7 +70,7 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
       keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
   if (unloaded < limit.step) limit = StepLimit{unloaded, StepLimit::unloaded, 0, 0.0, 0.0};
 
-  // the rank with the smallest step tells the others (lowest rank on a tie)
+  // the rank with the smallest step broadcasts its limit (lowest rank on a tie)
   struct {
     double step;
     int rank;

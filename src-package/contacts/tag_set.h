@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Atoms by tag, asked for contact by contact.
+// A set of atom tags with a fast lookup, used for every contact.
 #ifndef BEARING_TAG_SET_H
 #define BEARING_TAG_SET_H
 
@@ -23,13 +23,13 @@ class TagSet {
   }
   bool has(tag_t t) const
   {
-    const size_t at = static_cast<size_t>(t - first_);    // huge below the first
+    const size_t at = static_cast<size_t>(t - first_);    // huge if t is below first_
     return at < in_.size() && in_[at];
   }
 
  private:
   tag_t first_ = 0;
-  std::vector<char> in_;    // from the first to the last tag
+  std::vector<char> in_;    // one entry per tag from the first to the last
 };
 
 }    // namespace bearing

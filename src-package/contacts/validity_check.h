@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts in doubt (core/raceway/validity.h), gathered over a run and said once.
+// Contacts outside the validity of the models (core/raceway/validity.h), collected over a run; each
+// kind is reported once.
 #ifndef BEARING_VALIDITY_CHECK_H
 #define BEARING_VALIDITY_CHECK_H
 
@@ -15,15 +16,15 @@ namespace bearing {
 
 class ValidityCheck {
  public:
-  // Shoulders of the grooves that balls of a group run in, where a deck says them
+  // Shoulders of the grooves of a group's balls, if the deck gives them
   void forget_shoulders() { shoulders_.clear(); }
   void add_shoulders(int groupbit, const raceway::CapacitorModel &m)
   {
     if (m.inner_shoulder > 0.0 || m.outer_shoulder > 0.0) shoulders_.push_back({groupbit, m});
   }
-  // At the contacts of this step and rank; `mask` says the groups of atoms.
+  // Checks the contacts of this step on this rank; `mask` has the groups of the atoms.
   void look(const ContactTable &, const int *mask, bool film);
-  // Warns of what was found since the last call, once for each doubt. All ranks call it.
+  // Warns of the findings since the last call, once per kind of violation. Collective.
   void report(LAMMPS_NS::LAMMPS *, bool capacitance);
 
  private:

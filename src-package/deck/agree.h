@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What rank 0 found out about files, on every rank.
+// Broadcasts the result of a file check on rank 0 to every rank.
 #ifndef BEARING_AGREE_H
 #define BEARING_AGREE_H
 
@@ -8,7 +8,7 @@
 
 namespace bearing {
 
-// The text of rank 0; empty means all is well.
+// The text of rank 0; empty: no error.
 inline std::string agree(std::string complaint, MPI_Comm world)
 {
   int n = static_cast<int>(complaint.size());

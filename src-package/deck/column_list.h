@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a compute has for a dump, or a fix for fix print: the command bearing_columns asks it.
+// Columns of a compute for a dump or of a fix for fix print; used by the command bearing_columns.
 #ifndef BEARING_COLUMN_LIST_H
 #define BEARING_COLUMN_LIST_H
 
@@ -16,7 +16,7 @@ class ColumnList {
   virtual std::vector<Item> columns() const = 0;
 
  protected:
-  ~ColumnList() = default;    // nobody owns a style by this name
+  ~ColumnList() = default;    // styles are never deleted through this interface
 };
 
 }    // namespace bearing

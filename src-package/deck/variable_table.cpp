@@ -29,7 +29,7 @@ void check_range(Arguments &args, const std::string &label, const std::string &v
   const std::string advice = args.take("advice") ? " (" + args.word("advice") + ")" : "";
   if (args.more()) args.unknown("whole, or, advice");
   const double v = args.number_in(value, label);
-  // what else C reads as a number, the host's formulas do not
+  // the host's formulas do not accept the other number formats of C (hex, inf, nan)
   if (value.find_first_not_of("0123456789.eE+-") != std::string::npos || value[0] == '+')
     args.fail(label + " must be a number like 5000 or 5.0e3, not '" + value + "'");
   if (or_more && v == also) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables of a deck's variables (inputs/variables): defaults, units and what a value may be.
+// Tables of a deck's variables (inputs/variables): defaults, units and allowed values.
 #ifndef BEARING_VARIABLE_TABLE_H
 #define BEARING_VARIABLE_TABLE_H
 
@@ -8,22 +8,22 @@
 
 namespace bearing {
 
-// Of one value: LO HI [whole] [or V] [advice TEXT], or one_of WORD ...; the words that `args` has
-// left. Stops the run with a message that names the value as `label`.
+// Checks one value against the remaining words of `args`: LO HI [whole] [or V] [advice TEXT], or
+// one_of WORD .... Stops the run with a message that names the value as `label`.
 void check_range(Arguments &args, const std::string &label, const std::string &value);
 
 class VariableTable : protected LAMMPS_NS::Pointers {
  public:
-  // Of a file with a row `variable NAME index DEFAULT|needed [unit U] [range ...|one_of ...]` for
-  // each variable; an error of the command `args` if there is no such file. On all ranks.
+  // Reads a file with a row `variable NAME index DEFAULT|needed [unit U] [range ...|one_of ...]`
+  // for each variable; an error of the command `args` if the file is missing. Collective.
   VariableTable(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::string &file);
 
-  std::vector<std::string> missing() const;    // those needed that the deck does not have
-  void check() const;    // set defaults where there is no variable yet, and check all
+  std::vector<std::string> missing() const;    // needed variables that the deck has not set
+  void check() const;    // sets defaults of undefined variables, then checks all
 
  private:
   struct Row {
-    std::string name, label, value;    // value: the default, empty where it is needed
+    std::string name, label, value;    // value: the default, empty if needed
     std::vector<std::string> range;
   };
   std::vector<Row> rows_;

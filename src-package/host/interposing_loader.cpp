@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Puts the styles into an unmodified LIGGGHTS, or a LAMMPS without plugins: this shared object
-// comes before the host's library in the search order and so answers for LAMMPS::post_create(),
+// Loads the styles into an unmodified LIGGGHTS, or a LAMMPS without plugins: this shared object
+// precedes the host's library in the symbol search order and so interposes LAMMPS::post_create(),
 // which the host calls when it starts and after every `clear`. Link it (build/liggghts,
 // build/lammps), preload it, or load it from Python with RTLD_GLOBAL.
 #ifndef _GNU_SOURCE
@@ -15,7 +15,7 @@
 
 #include <dlfcn.h>
 
-// Also callable by hand on a LAMMPS object made elsewhere.
+// Can also be called directly on a LAMMPS object created elsewhere.
 extern "C" __attribute__((visibility("default"))) void raceway_register(void *lmp)
 {
   Registry registry{static_cast<LAMMPS *>(lmp)};
@@ -32,7 +32,7 @@ __attribute__((visibility("default"))) void LAMMPS::post_create()
             "raceway: this is not the host it was built for: LAMMPS::post_create() not found\n");
     abort();
   }
-  // the host ends a failed rank with MPI_Abort, which drops a buffered message: keep whole lines
+  // the host ends a failed rank with MPI_Abort, which drops buffered output: buffer by line
   setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   raceway_register(this);
   next(this);

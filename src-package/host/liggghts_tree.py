@@ -6,8 +6,8 @@ needs, or take them out.
     python3 src-package/host/liggghts_tree.py install TREE
     python3 src-package/host/liggghts_tree.py uninstall TREE
 
-The styles register themselves there as all of the host's do: its Make.sh collects the headers that
-name a style. Sources are copied flat into TREE/src, since the host compiles what lies there; a
+The styles register themselves like those of the host: its Make.sh collects the headers that name a
+style. Sources are copied flat into TREE/src, where the host compiles all sources; a
 machine file MAKE/Makefile.raceway is added. TREE/src/raceway.manifest lists what was done.
 """
 

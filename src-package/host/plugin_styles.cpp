@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The styles for LAMMPS with plugins. raceway_plugin.so loads this object once it knows that the
-// host fits.
+// The styles for LAMMPS with plugins. raceway_plugin.so loads this object after it has checked the
+// host.
 #include "bearing_styles.h"
 #include "plugin_interface.h"
 
@@ -51,7 +51,7 @@ struct Registry {
   PluginStyle &tell(const char *kind, const char *name)
   {
     style.style = kind;
-    style.name = style.info = name;    // LAMMPS says: Loading plugin: INFO by AUTHOR
+    style.name = style.info = name;    // LAMMPS prints: Loading plugin: INFO by AUTHOR
     return style;
   }
   void call() { add(&style, lmp); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prints every output column and the parts of the contact law as JSON: `make columns` keeps it for
-// Python and the pages. No host.
+// Prints every output column and the parts of the contact law as JSON, which `make columns` stores
+// for Python and the pages. Needs no host.
 #include "../core/contact/part_table.h"
 #include "../core/figures/bearing_columns.h"
 #include "../core/figures/bearing_figures.h"
@@ -12,7 +12,7 @@
 
 using raceway::Column;
 
-// The texts of the tables hold neither quotes nor backslashes nor control characters.
+// The texts of the tables contain no quotes, backslashes or control characters.
 static void print(const Column &c, const char *more, bool last)
 {
   printf("    {\"name\": \"%s\", \"unit\": \"%s\", \"meaning\": \"%s\", \"absent\": ", c.name,
@@ -49,8 +49,7 @@ static void section(const char *name, const std::vector<bearing::Figure> &list,
   }
 }
 
-// What the parts of the contact law say of themselves: name, when they are part of it, the numbers
-// that a contact keeps for them, their keywords.
+// The parts of the contact law: name, condition of use, state variables per contact, keywords.
 static void print_law()
 {
   const char *const when[] = {"always", "with a lubricant", "when asked for"};

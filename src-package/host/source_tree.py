@@ -2,7 +2,8 @@
 """Put the styles into a source tree of a host, or take them out.
 
 Everything is checked before anything is written; a manifest lists what was done, and uninstall
-undoes just that. What a host's tree is and gets is in a `Host`: liggghts_tree.py, lammps_tree.py.
+undoes exactly that. A `Host` describes the tree of a host and the changes to it: liggghts_tree.py,
+lammps_tree.py.
 """
 
 import hashlib
@@ -18,11 +19,11 @@ MANIFEST = "raceway.manifest"
 
 
 class Refused(Exception):
-    """A tree that this script leaves alone, and why."""
+    """The script leaves the tree unchanged; the message gives the reason."""
 
 
 class Replace:
-    """A passage of a file of the host, exactly once there, and what takes its place."""
+    """Replacement of a passage that occurs exactly once in a file of the host."""
 
     def __init__(self, before, after):
         self.before, self.after = before, after
@@ -60,7 +61,7 @@ class Wrap:
 
 
 class Both:
-    """Two patches of one file, the second on what the first leaves."""
+    """Two patches of one file, the second applied to the result of the first."""
 
     def __init__(self, first, second):
         self.first, self.second = first, second
@@ -79,34 +80,33 @@ class Both:
 
 
 class Host:
-    """A host whose tree is known: its names, and three answers about a tree of it."""
+    """A host with a known source tree: its names, and methods for a tree of it."""
 
     name = variable = version = ""
 
     def base(self, tree):
-        """The folder that names in the manifest start from. Refuses what is no tree of it."""
+        """Folder that names in the manifest are relative to. Refuses any other tree."""
         raise NotImplementedError
 
     def patches(self, base):
-        """{name: patch} of files of the host."""
+        """Patches of files of the host, {name: patch}."""
         raise NotImplementedError
 
     def added(self, base):
-        """{name: text} of new files."""
+        """New files, {name: text}."""
         raise NotImplementedError
 
     def hint(self, tree):
-        """How to build it, and how to remove what was built."""
+        """Commands that build it and that remove the build."""
         raise NotImplementedError
 
     def in_use(self, base):
-        """Why it cannot be taken out now, or nothing."""
+        """Reason why it cannot be taken out now, or empty."""
         return ""
 
 
 def flat_sources():
-    """The sources of the package: {name: text}, folders between the rooms taken out of the
-    includes."""
+    """Sources of the package, {name: text}, with the folders removed from their includes."""
     found = {}
     for room in ROOMS:
         for source in sorted(PACKAGE.glob(f"{room}/*")):
@@ -135,7 +135,7 @@ def read(path):
 
 
 def write(path, text, stat=None):
-    """Whole or not at all; with the times of `stat` if given."""
+    """Write the file atomically; with the times of `stat` if given."""
     temporary = path.with_name(path.name + ".raceway-new")
     try:
         with open(temporary, "w", encoding="utf-8", newline="") as file:
@@ -193,7 +193,7 @@ def install(host, tree):
             folder.mkdir(parents=True, exist_ok=True)
         for name, text in new.items():
             write(src / name, text)
-        # their objects stay as good as they were: no need to compile the host again
+        # with their old times, so that make does not compile the host again
         for name, patch in patches.items():
             write(src / name, patch.apply(read(src / name)), (src / name).stat())
     except BaseException as error:
@@ -205,8 +205,8 @@ def install(host, tree):
 
 
 def take_out(src, manifest, patches):
-    """Undo what was done of `manifest`; what an interrupted installation had not come to is
-    left."""
+    """Undo the entries of `manifest`; those that an interrupted installation had not reached are
+    skipped."""
     for name in manifest["patched"]:
         path, patch = src / name, patches[name]
         if path.is_file() and patch.is_in(read(path)):
@@ -261,7 +261,7 @@ def uninstall(host, tree):
 
 
 def main(host, usage, words):
-    """The command of a `Host`: `words` are install or uninstall and the tree."""
+    """Run the command of a `Host`; `words` are install or uninstall, and the tree."""
     if len(words) != 2 or words[0] not in ("install", "uninstall"):
         print(usage, file=sys.stderr)
         return 2

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// State of the bearings: from the owners of the atoms to the homes and back, every step. The
-// finding of bearings is in bearing_parts_build.cpp.
+// State of the bearings: from the owners of the atoms to the homes and back, every step.
+// bearing_parts_build.cpp finds the bearings.
 #include "bearing_parts.h"
 
 #include "letters.h"
@@ -14,9 +14,9 @@ using raceway::Vec3;
 
 namespace bearing {
 
-static constexpr int pose_letters = 6208;    // message tag of this file alone
+static constexpr int pose_letters = 6208;    // MPI message tag, used in this file only
 
-// States travel as numbers, as they lie in memory.
+// States are sent as raw memory, as numbers.
 static_assert(std::is_trivially_copyable<BodyPose>::value &&
                   std::is_trivially_copyable<RingPose>::value,
               "sent as they are");

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bearings of a box, each whole on one rank: what an implicit integrator needs, since it solves
-// for all bodies of a bearing at once.
+// The bearings in the box, each whole on one rank: the implicit integrator solves for all bodies of
+// a bearing at once.
 //
 // A bearing is everything connected through possible contacts. Its home is the rank that owns its
-// ring of lowest tag. build() finds the bearings after a neighbour build and sends what they are
-// made of to their homes; every step gather() brings the state of the bodies there and scatter()
-// brings it back to the owners of the atoms. A model lists everything by tag, so nothing that is
-// computed from it depends on the number of ranks. Messages go from owner to home and back only,
-// one a pair of ranks; a bearing that lies on its home rank alone costs none.
+// ring of lowest tag. build() finds the bearings after a neighbour build and sends their parts to
+// their homes; in every step gather() brings the state of the bodies home and scatter() returns it
+// to the owners of the atoms. A model lists everything by tag, so its results do not depend on the
+// number of ranks. Messages go from owner to home and back only, one a pair of ranks; a bearing
+// that lies on its home rank alone costs none.
 #ifndef BEARING_BEARING_PARTS_H
 #define BEARING_BEARING_PARTS_H
 
@@ -23,50 +23,50 @@
 
 namespace bearing {
 
-// What a rank knows of the bearings it has a part of.
+// Input of a rank to the bearings that it has parts of.
 struct BearingSources {
   struct MovedRing {
     int i;        // owned atom
-    int mover;    // who says how it moves: a number that means the same on all ranks
+    int mover;    // index of the fix that moves it, the same on all ranks
     std::vector<raceway::RingValue> own;
-    tag_t shaft = 0;     // first ring of the shaft that it is on, 0: of none
+    tag_t shaft = 0;     // first ring of its shaft, 0: no shaft
     double at = 0.0;     // m, along the shaft from its centre
-    tag_t holder = 0;    // ring that its supports hold it to, 0: the ground
+    tag_t holder = 0;    // ring that its supports connect it to, 0: ground
   };
   const ContactTable *table = nullptr;
-  int states = 0;    // numbers that the law keeps of a contact
+  int states = 0;    // state variables of the contact law per contact
   raceway::LabAxes axes;
   std::vector<const CageRails *> cages;    // the same cages in the same order on all ranks
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;
   std::function<const raceway::RacewayProfile *(tag_t ring, const raceway::RacewayPhysics *)>
-      profile;    // of a raceway, or null; need not be given
+      profile;    // profile of a raceway, or null; optional
   std::function<const raceway::BallProfile *(tag_t ball, const raceway::RacewayPhysics *)>
-      ball_profile;                                    // likewise
-  std::function<raceway::Quaternion &(int i)> turn;    // of a ball, where it matters
+      ball_profile;                                    // profile of a ball, or null; optional
+  std::function<raceway::Quaternion &(int i)> turn;    // orientation of a ball, if needed
   std::function<RingMotion &(int i)> motion;           // of a ring
 };
 
 class BearingParts : protected LAMMPS_NS::Pointers {
  public:
-  // command: what messages begin with
+  // command: prefix of messages
   BearingParts(LAMMPS_NS::LAMMPS *lmp, const std::string &command) :
       Pointers(lmp), command_(command)
   {
   }
 
-  // All bearings with atoms of the group; error if such an atom is part of none, or a bearing only
-  // partly in the group.
+  // Finds all bearings with atoms of the group; error if such an atom is in no bearing, or a
+  // bearing is only partly in the group.
   void build(const BearingSources &, int groupbit);
 
   int size() const { return static_cast<int>(parts_.size()); }    // bearings at home here, by name
   const raceway::BearingModel &model(int p) const { return parts_[p].model; }
   std::vector<raceway::BodyPose> &bodies(int p) { return parts_[p].bodies; }
   std::vector<raceway::RingPose> &rings(int p) { return parts_[p].rings; }
-  // What the contacts keep, groove by groove of the model.
+  // State variables of the contacts, groove by groove of the model.
   std::vector<double> &states(int p) { return parts_[p].states; }
-  // s, the next internal step that the bearing wishes: kept with its first ring
+  // s, the next substep requested by the step control; stored with the bearing's first ring
   double &wished_step(int p) { return parts_[p].steps.front(); }
 
   void gather();     // from the atoms of all ranks to the homes
@@ -84,20 +84,20 @@ class BearingParts : protected LAMMPS_NS::Pointers {
     tag_t name;
     int home;
     bool inside;
-  };    // what all ranks know; inside: has atoms of the group
-  struct Piece;    // of a model, on the way to its home
+  };    // known on all ranks; inside: has atoms of the group
+  struct Piece;    // part of a model on its way to the home rank
   struct Place {
     int part, at;
   };
   struct Local {
     int i;
     Place place;
-  };    // an atom whose home is here too
+  };    // an atom owned and at home on this rank
   struct LocalContact {
     double *kept;
     Place place;
-  };    // of a ball whose home is here too
-  struct Letter {    // to or from another rank: bodies, rings, what contacts keep
+  };    // contact of a ball owned and at home on this rank
+  struct Letter {    // message to or from another rank: bodies, rings, contact states
     int rank;
     std::vector<int> body_atom, ring_atom;                       // at the owner
     std::vector<double *> kept;                                  // at the owner
@@ -116,7 +116,7 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   struct RingState {
     raceway::RingPose pose;
     double step;
-  };    // of a ring, on its way
+  };    // data of a ring, on its way
   raceway::BodyPose read_body(int i) const;
   RingState read_ring(int i) const;
   void write_body(int i, const raceway::BodyPose &) const;

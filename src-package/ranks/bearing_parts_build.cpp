@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// After a neighbour build: which bearings there are, where their homes are, and what they are made
-// of.
+// After a neighbour build: finds the bearings, their home ranks and their parts.
 #include "bearing_parts.h"
 
 #include "exchange.h"
@@ -14,11 +13,11 @@ using raceway::BearingModel;
 
 namespace bearing {
 
-// What a rank tells all others about what hangs together: `tag` is in a piece of bearing with the
-// atom `piece`.
+// Connectivity that a rank sends to all others: `tag` is in one piece of a bearing with the atom
+// `piece`.
 struct Node {
   tag_t piece, tag;
-  int owner;     // rank, -1: another one's
+  int owner;     // rank, -1: owned by another rank
   int ring;      // 1: `tag` is a ring
   int inside;    // 1: the piece has atoms of the group
 };
@@ -29,8 +28,8 @@ struct BearingParts::Piece {
   tag_t a, b;
   int first, second;    // types of ball and ring; or the number of a cage, of what moves a ring, or
                         // of a ring's own value, in `first`
-  int number;           // of a groove; 1: of a ring on a shaft
-  int inside;           // the atom is of the group
+  int number;           // of a groove; 1 for a ring on a shaft
+  int inside;           // the atom is in the group
   double radius, mass, K;    // a pocket's reach is in `radius`; in K a ring's own value, or where
                              // it is on its shaft
 };
@@ -43,9 +42,9 @@ void BearingParts::build(const BearingSources &sources, int groupbit)
   assemble(bearing::exchange(cut(bearing_of, bearings, groupbit), world));
 }
 
-// Number of the bearing of each owned atom, -1: of none with atoms of the group. Every rank joins
-// what its own balls may touch; rings, and balls that touch across a cut, say which of these pieces
-// belong together.
+// Bearing number of each owned atom, -1: no bearing with atoms of the group. Every rank joins the
+// possible contacts of its own balls; rings, and balls in contact across a subdomain boundary,
+// connect these pieces.
 std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> &bearings)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
@@ -89,7 +88,7 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
     return found.first->second;
   };
   for (const Node &n : nodes) {
-    const int a = of(n.piece), b = of(n.tag);    // both are in before they are joined
+    const int a = of(n.piece), b = of(n.tag);    // both are added before they are joined
     all.join(a, b);
   }
   bearings.assign(all.size(), {0, -1, false});    // at the roots
@@ -115,8 +114,8 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   return bearing_of;
 }
 
-// Everything this rank owns of the bearings, by home; the lists of atoms whose state goes there
-// follow that order.
+// The parts of bearings that this rank owns, by home rank; the lists of atoms whose state is sent
+// there have the same order.
 std::vector<std::vector<BearingParts::Piece>>
 BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing> &bearings,
                   int groupbit)
@@ -169,7 +168,7 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
   }
   for (const SphereContact &s : sources_.table->sphere) {
     if (s.i >= atom->nlocal || bearing_of[s.i] < 0)
-      continue;    // two ranks know it: the owner of the first tells
+      continue;    // known to two ranks: the owner of the first sends it
     Piece &p = add(s.i, Piece::pocket, s.tag_i, s.tag_j);
     p.radius = s.reach;
     p.mass = s.mass;
@@ -201,7 +200,7 @@ static bool before(const BearingModel::Groove &a, const BearingModel::Groove &b)
   return a.ring != b.ring ? a.ring < b.ring : a.physics->number < b.physics->number;
 }
 
-// Its place in the model.
+// Index of a groove in the model.
 int BearingParts::groove_of(const BearingModel &m, int body, int ring, const Piece &p) const
 {
   const BearingModel::Groove wanted = {body, ring, sources_.raceway(p.first, p.second, p.number),
@@ -210,7 +209,7 @@ int BearingParts::groove_of(const BearingModel &m, int body, int ring, const Pie
                           m.grooves.begin());
 }
 
-// Rings that one shaft carries.
+// Rings on a common shaft.
 static void find_shafts(BearingModel &m)
 {
   for (int k = 0; k < static_cast<int>(m.rings.size()); ++k) {
@@ -223,7 +222,7 @@ static void find_shafts(BearingModel &m)
   }
 }
 
-// Rings that hold others.
+// Rings that support other rings.
 static void find_holders(BearingModel &m)
 {
   for (BearingModel::Ring &ring : m.rings)
@@ -231,7 +230,7 @@ static void find_holders(BearingModel &m)
       if (m.rings[k].tag == ring.held_by) ring.holder = k;
 }
 
-// At home: models in the order of names, everything in them in the order of tags.
+// On the home rank: models in the order of names, their parts in the order of tags.
 void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
 {
   std::vector<Piece> pieces;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What every rank has for every other one, delivered: the p-th list of the result is what rank p
-// had for this rank.
+// All-to-all exchange: the p-th list of the result is the one that rank p has for this rank.
 #ifndef BEARING_EXCHANGE_H
 #define BEARING_EXCHANGE_H
 

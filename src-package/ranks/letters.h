@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Messages between ranks that have something for each other: letters with a rank and a text of
-// numbers. Nobody else waits.
+// Point-to-point messages: letters with a rank and a text of numbers. Ranks without letters do not
+// wait.
 #ifndef BEARING_LETTERS_H
 #define BEARING_LETTERS_H
 
@@ -10,7 +10,7 @@
 
 namespace bearing {
 
-// `from` go out, `to` come in; both sides know how long a text is.
+// Sends `from` and receives `to`; both sides know the length of each text.
 template <class Letter>
 void deliver(std::vector<Letter> &from, std::vector<Letter> &to, int message, MPI_Comm world)
 {

@@ -11,7 +11,7 @@ using raceway::Vec3;
 
 namespace bearing {
 
-static constexpr int sum_letters = 6209;    // message tag of this file alone
+static constexpr int sum_letters = 6209;    // MPI message tag, used in this file only
 
 void RingSum::reset()
 {
@@ -38,7 +38,7 @@ int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
   return claims() - 1;
 }
 
-// Who sends what to whom, and what every ring adds in which order.
+// Sets up the messages between ranks, and the terms of every ring's sum in their order.
 void RingSum::find_ways()
 {
   const int np = comm->nprocs, me = comm->me;
@@ -86,7 +86,7 @@ void RingSum::find_ways()
   ways_known_ = true;
 }
 
-// `width` numbers a claim, said(claim), to the owners of the rings.
+// Sends said(claim), `width` numbers per claim, to the owners of the rings.
 template <class Said> void RingSum::send(int width, Said said)
 {
   for (Letter &l : out_) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Adds what balls and cage exert on a ring, in an order that does not depend on the number of
-// ranks.
+// Sums the forces and torques of balls and cage on a ring, in an order that does not depend on the
+// number of ranks.
 //
-// Only the owner of a ball computes its contacts, so a ring on another rank must be told. After a
-// neighbour build every contact claims its place in the sum of its ring. Ranks that have claims on
-// the rings of another one tell it once, and from then on send it six numbers a claim each step;
-// the ring's owner adds by source, then by rising tag of the partner. A ring with all of its claims
-// on its own rank is added to at once, in the order of the calls, which is the same order.
+// Only the owner of a ball computes its contacts, so their forces must be sent to a ring on another
+// rank. After a neighbour build every contact claims a term in the sum of its ring. A rank with
+// claims on the rings of another one sends them once, and from then on six numbers per claim each
+// step; the ring's owner adds them by source, then by ascending tag of the partner. A ring with all
+// claims on its own rank is summed directly, in the order of the calls, which is the same order.
 #ifndef BEARING_RING_SUM_H
 #define BEARING_RING_SUM_H
 
@@ -26,8 +26,8 @@ class RingSum : protected LAMMPS_NS::Pointers {
 
   void reset();    // after a neighbour build, on all ranks: forget all claims
   void own(int i_ring, tag_t ring);
-  // A place in the sum of a ring of the rank `owner`; valid until reset(). All claims come before
-  // the first flush().
+  // Claims a term in the sum of a ring owned by the rank `owner`; valid until reset(). All claims
+  // come before the first flush().
   int claim(tag_t ring, int owner, Source source, tag_t partner);
 
   void add(int claim, const raceway::Vec3 &force, const raceway::Vec3 &torque)
@@ -41,16 +41,16 @@ class RingSum : protected LAMMPS_NS::Pointers {
       torque.to(p.said + 3);
     }
   }
-  void flush();    // into atom->f and atom->torque of owned rings; all ranks
+  void flush();    // adds to atom->f and atom->torque of owned rings; collective
 
   // Owned rings by tag: local index, force and torque of the last flush().
   int rings() const { return static_cast<int>(rings_.size()); }
   int ring(int n) const { return rings_[n].i; }
   const raceway::Vec3 &force(int n) const { return rings_[n].summed[0]; }
   const raceway::Vec3 &torque(int n) const { return rings_[n].summed[1]; }
-  // Other numbers by the same ways: `said` has `width` of them a claim; heard(n, source, numbers)
-  // is called for every claim on the n-th owned ring, ring by ring in the order of the sums. All
-  // ranks; after a flush().
+  // Sends other numbers in the same way: `said` has `width` of them per claim; heard(n, source,
+  // numbers) is called for every claim on the n-th owned ring, ring by ring in the order of the
+  // sums. All ranks; after a flush().
   void collect(int width, const std::vector<double> &said,
                const std::function<void(int n, Source, const double *)> &heard);
   int claims() const { return static_cast<int>(parts_.size()); }
@@ -78,7 +78,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   };
   struct Letter {
     int rank;
-    std::vector<int> claims;    // of this rank, in a letter that goes out
+    std::vector<int> claims;    // claims of this rank, in an outgoing letter
     int terms;
     std::vector<double> text;
   };
@@ -88,7 +88,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
 
   bool ways_known_ = false;
   std::vector<Claim> claims_;
-  std::vector<int> owner_;    // of the ring of a claim
+  std::vector<int> owner_;    // owner of the ring of a claim
   std::vector<Part> parts_;
   std::vector<Ring> rings_;    // owned, by tag
   std::vector<Letter> out_, in_;

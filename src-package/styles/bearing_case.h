@@ -11,9 +11,9 @@ CommandStyle(bearing_case,BearingCase)
 
 namespace LAMMPS_NS {
 
-// bearing_case NAME VALUE WORD "COMMAND" ... WORD "COMMAND" ...: carry out the commands that follow
-// the WORD that is VALUE; stop if there is none. A command has a blank, a word has not. LIGGGHTS
-// compares numbers only in `if`.
+// bearing_case NAME VALUE WORD "COMMAND" ... WORD "COMMAND" ...: run the commands that follow the
+// WORD equal to VALUE; error if none matches. A command contains a blank, a word does not. Needed
+// because the `if` of LIGGGHTS compares only numbers.
 class BearingCase : public bearing::CommandBase {
  public:
   explicit BearingCase(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -11,7 +11,8 @@ CommandStyle(bearing_derive,BearingDerive)
 
 namespace LAMMPS_NS {
 
-// bearing_derive LAW: set variables of the deck from others by a law. What is given outright stays.
+// bearing_derive LAW: set variables of the deck from others by a law. Values that the user gave are
+// kept.
 class BearingDerive : public bearing::CommandBase {
  public:
   explicit BearingDerive(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

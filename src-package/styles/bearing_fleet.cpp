@@ -55,7 +55,7 @@ BearingFleet::Fleet BearingFleet::parse(Arguments &args)
   return f;
 }
 
-// The host carries out an include only when this command has ended: its lines are read here.
+// The host runs an include only after this command has ended, so the file is read here.
 void BearingFleet::read(Arguments &args, const std::string &file, Fleet &f)
 {
   const std::optional<std::string> all = args.content(file);

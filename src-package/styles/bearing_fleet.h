@@ -13,7 +13,7 @@ CommandStyle(bearing_fleet,BearingFleet)
 namespace LAMMPS_NS {
 
 // bearing_fleet FILE numbers FIRST LAST STEP [only K] grid COLUMNS SPACING tables FOLDER NOTE
-// create WORD ...: bearings in a grid, each with the load, speed and phase that FILE has for its
+// create WORD ...: bearings in a grid, each with the load, speed and phase given in FILE for its
 // number.
 class BearingFleet : public bearing::CommandBase {
  public:
@@ -22,12 +22,12 @@ class BearingFleet : public bearing::CommandBase {
 
  private:
   struct Fleet {
-    std::vector<std::string> commands;    // of FILE
+    std::vector<std::string> commands;    // commands in FILE
     int first = 0, last = 0, step = 1, only = 0;
     int columns = 0;
     double spacing = 0.0;    // m, of the grid
     std::string folder, note;
-    std::vector<std::string> words;    // of create_bearing
+    std::vector<std::string> words;    // arguments of create_bearing
   };
 
   Fleet parse(bearing::Arguments &);

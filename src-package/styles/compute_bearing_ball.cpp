@@ -62,7 +62,7 @@ void ComputeBearingBall::init()
               "' needs a fix bearing/profile with a profile of balls, which follows how they turn");
 }
 
-// 0 where the ball does not touch that raceway, and for atoms that are no balls.
+// 0 for a ball that does not touch that raceway, and for atoms other than balls.
 void ComputeBearingBall::compute_peratom()
 {
   invoked_peratom = update->ntimestep;

@@ -23,8 +23,8 @@ class ComputeBearingBall : public Compute, public bearing::ColumnList {
 
  private:
   struct Column {
-    int own;                                    // of the ball itself, -1: of a contact
-    bool inner;                                 // of that with the inner raceway
+    int own;                                    // column of the ball itself, -1: of a contact
+    bool inner;                                 // contact with the inner raceway
     const bearing::ContactColumn *attribute;    // of a contact
   };
   double own_value(int own, const bearing::RacewayContact &) const;

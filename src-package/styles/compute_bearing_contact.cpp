@@ -18,7 +18,7 @@ ComputeBearingContact::ComputeBearingContact(BRG_COMPUTE_ARGS) :
   while (args.more());
   local_flag = 1;
   size_local_rows = 0;
-  // one column is a vector to the host, several are an array
+  // the host expects a vector for one column, an array for several
   size_local_cols = columns_.size() == 1 ? 0 : static_cast<int>(columns_.size());
 }
 

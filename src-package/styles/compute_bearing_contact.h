@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/contact: local data, a row per live raceway contact, columns as asked for.
+// compute bearing/contact: local data, a row per live raceway contact with the requested columns.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/contact,ComputeBearingContact)
 #else

@@ -18,7 +18,7 @@ using bearing::RacewayContact;
 using bearing::RingSum;
 namespace of_ring = bearing::of_ring;
 
-// A contact tells its ring its figures, then the direction of the orbit over its radius.
+// A contact sends its ring its figures, then the direction of the orbit over its radius.
 static constexpr size_t ALONG = BallFigures::numbers(), N_SAID = ALONG + 3;
 
 // compute ID group bearing/ring all|value ...
@@ -55,7 +55,7 @@ ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
   } while (args.more());
   local_flag = 1;
   size_local_rows = 0;
-  // one column is a vector to the host, several are an array
+  // the host expects a vector for one column, an array for several
   size_local_cols = columns_.size() == 1 ? 0 : static_cast<int>(columns_.size());
 }
 
@@ -73,7 +73,7 @@ void ComputeBearingRing::init()
   }
 }
 
-// By claim, which is how a contact reaches the owner of its ring.
+// Fills the numbers by claim, the index by which a contact reaches the owner of its ring.
 void ComputeBearingRing::tell()
 {
   said_.assign(static_cast<size_t>(pair_->ring_sum().claims()) * N_SAID, 0.0);
@@ -92,10 +92,10 @@ void ComputeBearingRing::tell()
     for (size_t k = first; k < end; ++k) {
       const RacewayContact &c = table[k];
       BallFigures &own = each[k - first];
-      // what both contacts of a ball make together counts once a ball and ring
+      // quantities of both contacts of a ball together count once per ball and ring
       if (k == first || table[k - 1].ring != c.ring) own.take_pairs(ball);
       else own.take_pairs(BallFigures());
-      // the ring's own velocity is its owner's business: that of a ghost is half a step old
+      // the ring's velocity is subtracted by its owner: that of a ghost is half a step old
       const GroovePosition g = locate(Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
                                       pair_->state()->axis(c.i_ring), c.raceway->centre_circle);
       own.balls = 1.0;

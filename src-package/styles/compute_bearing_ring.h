@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// compute bearing/ring: a row per ring of a group: its motion, the sum of what acts on it, sums and
-// extremes of its contacts. With a group of inner rings that is a row per bearing, whatever the
-// number of bearings.
+// compute bearing/ring: a row per ring of a group: its motion, the total force and moment on it,
+// sums and extremes over its contacts. A group of inner rings gives a row per bearing.
 #ifdef COMPUTE_CLASS
 ComputeStyle(bearing/ring,ComputeBearingRing)
 #else
@@ -33,11 +32,11 @@ class ComputeBearingRing : public Compute, public bearing::ColumnList {
       capacitor_;    // or none
   struct Output {
     raceway::Column is;
-    int motion;                       // place in of_ring::list, or
-    const bearing::Figure *figure;    // not null
+    int motion;                       // index in of_ring::list, used if figure is null
+    const bearing::Figure *figure;    // else this figure of the contacts
   };
   std::vector<Output> columns_;
-  std::vector<double> said_;    // by the contacts of this rank
+  std::vector<double> said_;    // sent by the contacts of this rank
   std::vector<double> values_;
   std::vector<double *> rows_;
 };

@@ -32,8 +32,8 @@ void ComputeBearingTotal::compute_vector()
   invoked_vector = update->ntimestep;
   pair_ = PairBearingHertz::find(
       lmp, "compute bearing/total");    // it may have been replaced between runs
-  // added up in the order of the tags, for the same bits on any ranks; a contact of two balls, or
-  // of a ball and a cage ball, has both of its tags
+  // summed in the order of tags, for the same bits on any number of ranks; a contact of two balls,
+  // or of a ball and a cage ball, is sorted by both tags
   struct Share {
     bearing::tag_t tag, other;
     BallFigures of;
@@ -46,14 +46,15 @@ void ComputeBearingTotal::compute_vector()
     const size_t first = i;
     for (; i < rows.size() && rows[i].ball == ball.tag; ++i)
       if (rows[i].live) ball.of.contact(context.view(rows[i]));
-    // the orbit is seen from the outer ring where there is one, as in compute bearing/ball
+    // the orbital speed is relative to the outer ring if the ball touches one, as in compute
+    // bearing/ball
     const RacewayContact &c = rows[first].side() == Side::outer ? rows[first] : rows[i - 1];
     ball.of.balls = 1.0;
     ball.of.orbit = bearing::orbit_of(*atom, *pair_, c);
     shares.push_back(ball);
   }
   for (const bearing::SphereContact &s : pair_->table().sphere) {
-    if (s.i >= atom->nlocal) continue;    // the other rank has it too
+    if (s.i >= atom->nlocal) continue;    // counted on the rank that owns s.i
     shares.push_back({s.tag_i, s.tag_j, {}});
     shares.back().of.cage(s.loss, s.force);
   }

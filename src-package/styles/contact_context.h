@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What contact columns need beside the contact, from the pair style and the fixes of a run.
+// Input of contact columns besides the contact, from the pair style and the fixes of a run.
 #ifndef BEARING_CONTACT_CONTEXT_H
 #define BEARING_CONTACT_CONTEXT_H
 
@@ -12,20 +12,20 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// What the commands so far give: the film of the pair style, the capacitance of a fix.
+// Data available from the commands so far: the film of the pair style, the capacitance of a fix.
 Offer offer_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &);
 
-// Capacitor of a contact by the fix bearing/capacitance with its ball in the group, else 0; without
-// contact what surrounds it, if the fix gives that. Error
-// naming `asked_by` and what it wants if there is no such fix.
+// Capacitor of a contact from the fix bearing/capacitance whose group has its ball, 0 if none;
+// without contact the capacitance of the surroundings, if the fix computes it. Without such a fix:
+// error naming `asked_by` and `wants`.
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
 capacitor_of(LAMMPS_NS::LAMMPS *, const std::string &asked_by, const std::string &wants);
 
-// Error naming `asked_by` and what it wants if no fix bearing/capacitance gives surroundings.
+// Error naming `asked_by` and `wants` if no fix bearing/capacitance computes surroundings.
 void check_surroundings(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                         const std::string &asked_by, const std::string &wants);
 
-// For these columns; error naming `asked_by` where a fix they need is missing.
+// Context for these columns; error naming `asked_by` if a fix that they need is missing.
 ContactContext context_of(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &,
                           const ContactSelection &, const std::string &asked_by);
 

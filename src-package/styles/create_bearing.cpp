@@ -35,7 +35,7 @@ void CreateBearing::command(int narg, char **arg)
   if (plan.groups) make_groups(plan);
 }
 
-// Bearings of several commands share them.
+// The groups are shared by the bearings of all commands.
 void CreateBearing::make_groups(const Plan &p)
 {
   const auto add = [this](const char *name, int type) {
@@ -116,7 +116,7 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
     args.fail("two rings at odds: inner raceway radius " + text(Ri) +
               " m is not smaller than the outer one, " + text(Re) + " m");
   p.pitch = p.middle = 0.5 * (Ri + Re);
-  // both contacts share the interference -P_d/2 of a ball that has no room
+  // with interference, both contacts of a ball share -P_d/2
   const double clearance = 2.0 * (Re - Ri - 2.0 * R), squeeze = -0.25 * clearance;
   const double allowed = 0.02 * R;
   if (squeeze > allowed)
@@ -153,9 +153,9 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
                 " to " + text(hi[k]) + " m");
 }
 
-// The inner ring is pushed along the axis until the grooves that then carry, one of each ring, are
-// in contact. Of two grooves of a ring it is that with its centre ahead for the inner ring and
-// behind for the outer one. With preload all grooves are in contact already, and it stays.
+// Moves the inner ring along the axis until the load-carrying grooves, one of each ring, are in
+// contact. If a ring has two grooves, the carrying one is centred ahead on the inner ring and
+// behind on the outer one. With preload all grooves are in contact already, and the ring stays.
 void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &outer,
                          double clearance, Plan &p)
 {
@@ -194,7 +194,7 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   const double pi = 3.14159265358979323846;
   const Vec3 e = pair.axis(), centre = Vec3::from(p.centre);
   const Vec3 a = {e.z, e.x, e.y}, b = {e.y, e.z, e.x};    // azimuth 0 and 90 degrees
-  // contacts lie at the ball's radius times the cosine from its axis of spin
+  // distance of a contact from the ball's spin axis: ball radius times cosine
   const Rolling roll =
       pure_rolling(p.ball_radius * p.cosine, p.pitch, p.inner_speed, p.outer_speed);
   auto mass = [pi](double R, double rho) { return 4.0 / 3.0 * pi * R * R * R * rho; };
@@ -202,7 +202,7 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
     for (int k = 0; k < p.balls; ++k) {
       const double phi = p.phase + 2.0 * pi * (k + 0.5 * cage) / p.balls;
       const Vec3 u = a * std::cos(phi) + b * std::sin(phi);
-      // cage balls stay between the rails, half-way between the raceways
+      // cage balls start between the rails, half-way between the raceways
       const Vec3 at = centre + (cage ? u * p.middle : u * p.pitch + e * p.ball_z);
       const Vec3 v = cross(e, u) * (roll.orbit * (cage ? p.middle : p.pitch));
       if (cage) add(p.cage_type, at, p.cage_radius, mass(p.cage_radius, p.cage_density), v, Vec3());

@@ -32,13 +32,13 @@ class CreateBearing : public bearing::CommandBase {
     double phase = 0.0;                             // rad, azimuth of the first ball
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
     int seat =
-        0;    // +1, -1: the inner ring touches all balls, pushed forth or back along the axis
+        0;    // +1, -1: the inner ring touches all balls, displaced forward or back along the axis
     double middle = 0.0;                   // m, radius half-way between the raceways
     double pitch = 0.0;                    // m, of the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, along the axis
     double cosine = 1.0;                   // of the contact angle
-    bool groups = false;                   // make them
-    bool resumed = false;                  // the atoms are there, from a restart file
+    bool groups = false;                   // create the groups
+    bool resumed = false;                  // the atoms exist already, from a restart file
   };
 
   Plan parse(bearing::Arguments &);

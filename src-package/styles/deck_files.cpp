@@ -23,7 +23,7 @@ using bearing::Arguments;
 using bearing::check_range;
 using bearing::VariableTable;
 
-// Of UTF-8: editors put it in front, the host takes it for a command.
+// Byte order mark of UTF-8: some editors write it, and the host would read it as a command.
 static bool starts_with_mark(const fs::path &file)
 {
   char first[3] = {};
@@ -40,10 +40,10 @@ static std::string joined(const std::vector<std::string> &names, const char *bet
 
 namespace {
 
-// The data behind FOLDER and NAME: a file, else a row of a table
+// The data of FOLDER and NAME: a file or a row of a table
 struct Data {
   std::string complaint = {}, label = {}, commands = {};
-  std::set<std::string> variables = {};    // set by itself, not by files that it includes
+  std::set<std::string> variables = {};    // set by the file itself, not by its includes
 };
 
 Data data_file(const fs::path &file)
@@ -124,7 +124,7 @@ void BearingOutput::command(int narg, char **arg)
   if (args.more())
     args.fail("a folder's name is one word without blanks, not '" + folder + " " +
               args.word("folder") + "'");
-  // the host's commands take these for more than letters
+  // characters that the host's commands interpret
   if (folder.find_first_of("%*\"'$&#") != std::string::npos)
     args.fail("the folder's name '" + folder + "' may not hold any of % * \" ' $ & #");
   bearing::FolderClaim claim;
@@ -157,7 +157,7 @@ void BearingRange::command(int narg, char **arg)
   table.check();
 }
 
-// A string variable; one of that name and style gets the new value
+// Sets a string variable; an existing one of that name and style gets the new value
 static void replace(Variable *variable, std::string name, std::string value)
 {
   std::string style = "string";
@@ -165,7 +165,7 @@ static void replace(Variable *variable, std::string name, std::string value)
   variable->set(3, words);
 }
 
-// A string variable, unless a variable of that name is there already
+// Sets a string variable unless a variable of that name exists
 static void suggest(Variable *variable, std::string name, const std::string &value)
 {
   if (variable->find(&name[0]) < 0) replace(variable, name, value);
@@ -187,7 +187,7 @@ void BearingHost::command(int narg, char **arg)
   input->one((std::string("atom_style ") + bearing::sphere_style()).c_str());
   input->one(bearing::ghost_velocities());
   if (!bearings) return;
-  // what the styles need, and no cut through a bearing along its axis
+  // settings the styles need, and one subdomain along the axis
   for (const char *command : {"atom_modify map array sort 0 0.0", "newton off", "processors * * 1"})
     input->one(command);
 }
@@ -261,6 +261,6 @@ void BearingStep::command(int narg, char **arg)
   const double time =
       update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
   input->one(("reset_timestep " + std::to_string(step)).c_str());
-  update->atime = time;    // the hosts differ in what they make of it
+  update->atime = time;    // the hosts treat it differently
   update->atimestep = update->ntimestep;
 }

@@ -23,18 +23,18 @@ CommandStyle(bearing_parts,BearingParts)
 namespace LAMMPS_NS {
 
 // bearing_input FOLDER NAME [needs KEY ...]: include FOLDER/NAME, or the row NAME of a table
-// FOLDER/*.csv (core/settings/data_table.h); it must set these variables.
-// With `set` for `needs` it has been included, and only the variables are checked: those as well
-// that files set which it includes. After `set table FILE` they are those of a table
-// (deck/variable_table.h), with their defaults and ranges.
+// FOLDER/*.csv (core/settings/data_table.h); it must set these variables. If it does not exist, the
+// error lists what does. With `set` instead of `needs` the file has been included already and only
+// the variables are checked, including those set by its own includes. `set table FILE` checks those
+// of a table (deck/variable_table.h), with their defaults and ranges.
 class BearingInput : public bearing::CommandBase {
  public:
   explicit BearingInput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_output FOLDER [remove NAME ...]: make the folder (and those above it), make sure that it
-// can be written and that no other run does, and remove the files NAME from it.
+// bearing_output FOLDER [remove NAME ...]: create the folder and its parents, check that it is
+// writable and that no other run writes to it, and remove the files NAME from it.
 class BearingOutput : public bearing::CommandBase {
  public:
   explicit BearingOutput(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
@@ -42,7 +42,7 @@ class BearingOutput : public bearing::CommandBase {
 };
 
 // bearing_range NAME VALUE LO HI [whole] [or V] [advice TEXT]: stop with a message unless LO <=
-// VALUE <= HI (and it is a whole number), or VALUE = V; TEXT says what to do.
+// VALUE <= HI (and it is a whole number), or VALUE = V; TEXT is the advice in the message.
 // bearing_range table FILE: the same of all variables of a table, after setting its defaults.
 class BearingRange : public bearing::CommandBase {
  public:
@@ -51,42 +51,42 @@ class BearingRange : public bearing::CommandBase {
 };
 
 // bearing_host KIND NAME: set the string variables KIND to liggghts or lammps and NAME to the
-// host's name and version, unless they are there already (-var). With `spheres FORMAT` set up atoms
-// that are spheres, and FORMAT to what dump_modify has before the format of a line. `bearings` for
-// `spheres` adds what decks of bearings begin with.
+// host's name and version, unless they exist already (-var). `spheres FORMAT` sets up sphere atoms
+// and sets FORMAT to the keyword of dump_modify before the format of a line. `bearings` instead of
+// `spheres` adds the first commands of bearing decks.
 class BearingHost : public bearing::CommandBase {
  public:
   explicit BearingHost(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_resume NAME yes|no FILE [overwrite yes|no]: set the index variable NAME to yes if asked
-// to and FILE is there, else to no. A finished run beside FILE is then refused, with `overwrite
-// no`.
+// bearing_resume NAME yes|no FILE [overwrite yes|no]: set the index variable NAME to yes if
+// requested and FILE exists, otherwise to no. A finished run beside FILE is then refused, with
+// `overwrite no`.
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_step N: the number of the present step is N; the time goes on.
+// bearing_step N: set the number of the current step to N; the time is kept.
 class BearingStep : public bearing::CommandBase {
  public:
   explicit BearingStep(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_words NAME WORD ...: set the string variable NAME to these words. In quotes, where the
-// hosts take several words for one, they put no variable's value.
+// bearing_words NAME WORD ...: set the string variable NAME to these words. Needed because the
+// hosts do not substitute variables within quotes, which make one word of several.
 class BearingWords : public bearing::CommandBase {
  public:
   explicit BearingWords(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_parts PREFIX WITHOUT NAME ...: set a string variable PREFIXNAME for each NAME, to 0
-// where WITHOUT, names joined by +, has it, else to 1, and PREFIXparts to all names. WITHOUT is
-// `none` for no name.
+// bearing_parts PREFIX WITHOUT NAME ...: for each NAME set a string variable PREFIXNAME to 0 if the
+// list WITHOUT (names joined by +, or `none`) contains it, otherwise to 1; set PREFIXparts to all
+// names.
 class BearingParts : public bearing::CommandBase {
  public:
   explicit BearingParts(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The variables of the deck, for commands that set some of them from others.
+// Variables of the deck, for commands that derive some of them from others.
 #ifndef BEARING_DECK_VALUES_H
 #define BEARING_DECK_VALUES_H
 
@@ -11,7 +11,7 @@ class DeckValues : protected LAMMPS_NS::Pointers {
  public:
   DeckValues(LAMMPS_NS::LAMMPS *lmp, const Arguments &args) : Pointers(lmp), args_(args) {}
 
-  // As the host writes the value of a formula
+  // Text of a value as the host writes that of a formula
   static std::string written(double value)
   {
     char buf[32];
@@ -27,21 +27,21 @@ class DeckValues : protected LAMMPS_NS::Pointers {
     return value;
   }
   double number(const std::string &name) const { return args_.number_in(word(name), name); }
-  // With all digits, where word() has fifteen
+  // Value with all digits; word() has fifteen
   double formula(const std::string &name) const
   {
     const int k = input->variable->find(letters(name));
     return k >= 0 && input->variable->equalstyle(k) ? input->variable->compute_equal(k)
                                                     : number(name);
   }
-  // Stops unless the value is in the range, in the words of bearing_range.
+  // Stops the run unless the value is in the range; syntax as in bearing_range.
   void range(const std::string &label, const std::string &value,
              const std::vector<std::string> &range) const
   {
     Arguments words(lmp, "bearing_derive", range);
     check_range(words, label, value);
   }
-  // An index variable, unless there is a variable of that name.
+  // Sets an index variable unless a variable of that name exists.
   void suggest(const std::string &name, const std::string &value)
   {
     if (!there(name)) make(name, "index", value);

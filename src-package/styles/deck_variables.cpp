@@ -20,7 +20,7 @@ namespace {
 
 typedef std::set<std::string> Names;
 
-// The words the program was started with. The host keeps no copy of them.
+// Command line of the program; the host keeps no copy of it.
 std::vector<std::string> command_line()
 {
   std::ifstream file("/proc/self/cmdline");
@@ -29,7 +29,7 @@ std::vector<std::string> command_line()
   return words;
 }
 
-// The words that follow one of two options
+// Words that follow either of two options
 Names words_after(const char *option, const char *other)
 {
   Names found;
@@ -39,9 +39,8 @@ Names words_after(const char *option, const char *other)
   return found;
 }
 
-// What a deck may take from the command line: variables of the styles that keep a value of -var,
-// those of tables (deck/variable_table.h), and the two of bearing_host. False: the file cannot be
-// read.
+// Collects the variables that -var may set in a deck: those of styles that keep such a value, those
+// of tables (deck/variable_table.h), and the two of bearing_host. False: the file cannot be read.
 bool collect(const fs::path &path, Names &names)
 {
   static const Names styles = {"index", "string", "loop", "uloop", "universe", "world", "needed"};
@@ -57,7 +56,7 @@ bool collect(const fs::path &path, Names &names)
   return true;
 }
 
-// Of all files and tables in a folder; the error when it cannot be read.
+// Collects them from all files and tables in a folder; returns the error if it cannot be read.
 std::error_code collect_folder(const std::string &folder, Names &names)
 {
   std::error_code ec;
@@ -90,7 +89,7 @@ void BearingVariables::command(int narg, char **arg)
     for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);
     for (const std::string &folder : folders) collect_folder(folder, names);
     for (std::string set : words_after("-var", "-v"))
-      // a word after -v of another program, python for one, is no variable
+      // the word after -v of another program, such as python, is not a variable
       if (!names.empty() && !names.count(set) && input->variable->find(&set[0]) >= 0)
         complaint += (complaint.empty() ? "" : "; ") + ("-var " + set) +
                      ": the deck has no such variable, nearest is '" + nearest(set, names) + "'";

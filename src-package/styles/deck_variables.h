@@ -14,15 +14,15 @@ CommandStyle(bearing_forget,BearingForget)
 namespace LAMMPS_NS {
 
 // bearing_variables FOLDER ...: stop with a message if -var sets a variable that neither the deck
-// nor a file in a FOLDER has. The host would take it and nobody would read it.
+// nor a file in a FOLDER uses. The host would accept it silently.
 class BearingVariables : public bearing::CommandBase {
  public:
   explicit BearingVariables(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 
-// bearing_given NAME TABLE ...: set the string variable NAME to what -var gave of the variables of
-// the TABLEs, name=value joined by commas, or none. With it a run can be repeated.
+// bearing_given NAME TABLE ...: set the string variable NAME to the variables of the TABLEs given
+// by -var, as name=value joined by commas, or none. It allows a run to be repeated.
 class BearingGiven : public bearing::CommandBase {
  public:
   explicit BearingGiven(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

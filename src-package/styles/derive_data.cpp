@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What follows from the data of a bearing or an oil.
+// Variables derived from the data of a bearing or an oil.
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"
@@ -31,10 +31,10 @@ void usual_data(DeckValues &deck)
   deck.suggest("inner_mass", ring.mass(deck.number("ball_density")));
   deck.suggest("inner_inertia", ring.inertia(deck.number("inner_mass")));
   deck.suggest("inner_inertia_t", ring.inertia_t(deck.number("inner_mass")));
-  deck.set("b_usual", deck.word("bearing"));    // whose data they are
+  deck.set("b_usual", deck.word("bearing"));    // the bearing that the data are of
 }
 
-// The temperature has its range here, as in Python.
+// Checks the range of the temperature, as in Python.
 raceway::OilData oil_data(const DeckValues &deck)
 {
   deck.range("temperature", deck.word("temperature"), {"-40", "200"});
@@ -73,7 +73,7 @@ void vogel(DeckValues &deck)
                                    at));
 }
 
-// 1 for a bearing whose file does not have its boundary dimensions
+// Starvation factor: 1 for a bearing whose file lacks its boundary dimensions
 void starvation(DeckValues &deck)
 {
   deck.suggest("bore_diameter", 0.0);
@@ -86,7 +86,7 @@ void starvation(DeckValues &deck)
                            : 1.0);
 }
 
-// With `four_point` 0 one groove a ring. b_four_point is what a run notes of it.
+// With `four_point` 0, one groove per ring. b_four_point is the value stored in a run's notes.
 void four_point(DeckValues &deck)
 {
   const double angle = deck.number("four_point") * degree,

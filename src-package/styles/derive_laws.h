@@ -11,8 +11,8 @@ namespace bearing {
 
 typedef std::map<std::string, void (*)(DeckValues &)> DeriveLaws;
 
-DeriveLaws data_laws();    // of bearings and oils
-DeriveLaws run_laws();     // of loads, motion, steps and samples
+DeriveLaws data_laws();    // laws of bearings and oils
+DeriveLaws run_laws();     // laws of loads, motion, steps and samples
 
 }    // namespace bearing
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What follows from how a deck's user loads and turns a bearing, and samples its motion.
+// Variables derived from loads, speeds and sampling that the user of a deck chooses.
 #include "derive_laws.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@ using bearing::DeckValues;
 namespace {
 
 // The speed, and where the rings start: with a contact angle, or four points and a thrust, balls
-// are in contact with both raceways on the side that the thrust pushes to. A contact angle is one
-// of the usual data of a bearing.
+// are in contact with both raceways on the side of the thrust. The contact angle is one of the
+// usual data of a bearing.
 void start(DeckValues &deck)
 {
   if (deck.number("contact_angle") != 0.0)
@@ -25,8 +25,8 @@ void start(DeckValues &deck)
                                                       : "none");
 }
 
-// The radial load, to 15 digits: along -y nothing is left along x. The ring is held along its axis
-// without an axial load, and its tilts are held without a moment.
+// The radial load, rounded to 15 digits so that a load along -y has no x component. The ring is
+// held along its axis without an axial load, and its tilts are held without a moment.
 void loads(DeckValues &deck)
 {
   const double azimuth = deck.number("load_azimuth"), load = deck.number("load");
@@ -40,9 +40,9 @@ void loads(DeckValues &deck)
   deck.set("b_tilt", tilts ? "free" : "fixed");
 }
 
-// The time in which one ball moves to the position of the next, and that in which the run settles:
-// what the ring needs to come to rest, or a longer ramp, and ball passes under the whole load.
-// The bits of a run depend on both, so the mean diameter is rounded as it is written.
+// Ball pass period, and settling time: the time for the ring to come to rest, or the ramp if
+// longer, plus ball passes under full load. The bits of a run depend on both, so the mean diameter
+// is rounded as it is written.
 void ball_pass(DeckValues &deck)
 {
   deck.set("b_pitch", 0.5 * (deck.number("inner_radius") + deck.number("b_outer_raceway")));
@@ -54,8 +54,8 @@ void ball_pass(DeckValues &deck)
                                 std::max(1.0e-2, deck.number("ramp")));
 }
 
-// Samples of a host step, unless the user says: ten, five, two or one, so that a ball pass is a
-// whole number of steps and at least twenty. A step that is given has one.
+// Samples per host step, unless given: ten, five, two or one, such that a ball pass is a whole
+// number of steps and at least twenty. A given step has one sample.
 void samples_within(DeckValues &deck)
 {
   const double asked = deck.number("within"), samples = deck.number("samples");
@@ -66,7 +66,7 @@ void samples_within(DeckValues &deck)
 }
 
 // Host steps of the measurement, between restart files, and between rows of the progress table.
-// b_sampling and b_housing are what a run notes, unless integrator and housing have said more.
+// b_sampling and b_housing are stored in a run's notes unless integrator and housing set more.
 void measurement(DeckValues &deck)
 {
   const double within = deck.number("b_within"), every = deck.number("b_every");
@@ -80,7 +80,7 @@ void measurement(DeckValues &deck)
   deck.set("b_rows", std::ceil(deck.number("b_steps") / 20));
 }
 
-// Of the kind of bearings number b_q of `kinds`: its four atom types, and whether it is built.
+// Kind number b_q of the `kinds` of bearings: its four atom types, and b_wanted, 1 if it is built.
 void kind(DeckValues &deck)
 {
   const int kinds = static_cast<int>(deck.number("kinds")),

@@ -22,12 +22,12 @@ namespace bearing {
 
 namespace {
 
-// What a home tells all ranks of its bearings.
+// Data of a bearing sent by its home to all ranks.
 struct Piece {
   enum Kind { kind, ball, cage, ring } what;
-  double bearing, tag;    // the bearing's by its name
+  double bearing, tag;    // the bearing by its name
   int raceway;
-  double of[of_kind::N];    // of a bearing; a ring's origin in the first three
+  double of[of_kind::N];    // values of a bearing; of a ring, its origin in the first three
 };
 
 bool before(const Piece &a, const Piece &b)
@@ -51,7 +51,7 @@ std::map<double, double> permittivities(LAMMPS *lmp)
   return of;
 }
 
-// The two raceways of a bearing, inner and outer; null where it has none.
+// Inner and outer raceway of a bearing, null if missing.
 struct Raceways {
   const RacewayPhysics *of[2] = {};
 };
@@ -77,7 +77,7 @@ void describe(const BearingModel &m, const Raceways &both, double permittivity, 
     of[of_kind::OUTER_GROOVE] = outer->groove.groove_radius;
     if (outer->groove.offset != 0.0) of[of_kind::OUTER_ARCH] = std::fabs(outer->groove.offset);
   }
-  // to a picometre: what is left of the radii's last digits is none
+  // rounded to a picometre: the rounding error of the radii is not a clearance
   if (inner && outer)
     of[of_kind::CLEARANCE] =
         std::round(2e12 * (outer->groove.middle_radius() - inner->groove.middle_radius() -

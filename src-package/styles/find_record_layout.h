@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a record of the bearings of a group has in it: the same on all ranks.
+// Layout of the record of the bearings of a group, the same on all ranks.
 #ifndef BEARING_FIND_RECORD_LAYOUT_H
 #define BEARING_FIND_RECORD_LAYOUT_H
 
@@ -12,8 +12,8 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// After forces have been computed. Error naming `command` for an atom of the group outside all
-// bearings, and for a ball on two raceways of one side.
+// Call after the forces have been computed. Error naming `command` for an atom of the group outside
+// all bearings, and for a ball on two raceways of one side.
 RecordLayout find_record_layout(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, int groupbit,
                                 const std::string &command);
 

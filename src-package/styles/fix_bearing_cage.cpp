@@ -58,7 +58,7 @@ int FixBearingCage::setmask() { return PRE_NEIGHBOR | PRE_FORCE; }
 void FixBearingCage::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/cage");
-  // one radius and one pitch circle for the whole cage: where create_bearing puts its balls
+  // one radius and one pitch circle for the whole cage, as in create_bearing
   double radius = 0.0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) radius = std::max(radius, atom->radius[i]);
@@ -79,8 +79,8 @@ void FixBearingCage::pre_neighbor() { find_balls(); }
 
 // The ring whose pitch circle is nearest, within two pitch radii of its centre, carries the cage
 // ball: the centre of a housing may be nearer than that of the ring. Local indices hold until the
-// next build. Only rings in a slab about the ball are looked at, across the direction in which they
-// are spread out most.
+// next build. Only rings in a slab about the ball, normal to the direction of their largest spread,
+// are searched.
 void FixBearingCage::find_balls()
 {
   cage_.balls.clear();
@@ -129,8 +129,7 @@ void FixBearingCage::find_balls()
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
 
-// All cage balls on one rail after the other, four side by side. Four that touch no rail cost a
-// comparison.
+// Rail by rail, all cage balls in lanes of four. Four that touch no rail cost one comparison.
 void FixBearingCage::pre_force(int)
 {
   pair_->state()->forward_axes();
@@ -144,7 +143,8 @@ void FixBearingCage::pre_force(int)
                                            bearing::RingSum::rail, ball.tag);
     const Vec3 e = pair_->state()->axis(ball.i_ring);
     const Vec3 d = Vec3::from(x[ball.i]) - Vec3::from(x[ball.i_ring]);
-    // velocity of the ball against the ring, radial and axial: all that a frictionless torus feels
+    // radial and axial velocity of the ball relative to the ring; frictionless contact needs no
+    // other
     const Vec3 dv = Vec3::from(v[ball.i]) - Vec3::from(v[ball.i_ring]) -
                     cross(Vec3::from(atom->omega[ball.i_ring]), d);
     Four &four = fours_[i / lanes];
@@ -173,7 +173,7 @@ void FixBearingCage::pre_force(int)
   }
 }
 
-// Lanes from `first` on have no ball: they are as the one before, but far from any rail.
+// Lanes from `first` on have no ball: they copy the one before but lie far from any rail.
 void FixBearingCage::Four::spare(int first)
 {
   constexpr double far = 1.0e30;    // m^2: r is a square here

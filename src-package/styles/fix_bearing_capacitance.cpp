@@ -18,7 +18,7 @@ using bearing::RacewayContact;
 using bearing::tag_t;
 
 namespace {
-// Those of the vector that are figures of the films.
+// First figure of the films in the fix's vector.
 constexpr int first_figure = bearing::of_fix_capacitance::LEAK;
 
 double figure(const FilmFigures &f, double hertz_area, int k)
@@ -169,7 +169,7 @@ std::vector<int> FixBearingCapacitance::ball_types() const
   return there;
 }
 
-// Of the raceways that balls of the group may run on.
+// Checks the shoulders of the raceways that balls of the group may run on.
 void FixBearingCapacitance::check_shoulders()
 {
   const std::vector<int> there = ball_types();
@@ -201,7 +201,7 @@ void FixBearingCapacitance::setup(int)
 
 void FixBearingCapacitance::end_of_step() { sample(true); }
 
-// Those whose steps the instants lie within, and which of their balls count.
+// Finds the integrators that provide the instants, and their balls that belong to the group.
 void FixBearingCapacitance::find_integrators()
 {
   integrators_ = bearing::fixes_of<bearing::InstantSource>(lmp);
@@ -252,7 +252,7 @@ FixBearingCapacitance::Row FixBearingCapacitance::row_of(int instant, tag_t ball
   return row;
 }
 
-// What the homes of the bearings know.
+// Adds the instants of the bearings at home on this rank.
 void FixBearingCapacitance::add_instants()
 {
   for (bearing::InstantSource *f : integrators_)
@@ -266,8 +266,8 @@ void FixBearingCapacitance::add_instants()
                           {}});
 }
 
-// What the owners of the balls know. Sums over all ranks wait until somebody asks: a table by ring
-// does not.
+// Samples the balls owned by this rank. Sums over all ranks are computed on request only: a table
+// by ring does not need them.
 void FixBearingCapacitance::sample(bool between)
 {
   mine_.clear();
@@ -289,7 +289,7 @@ void FixBearingCapacitance::sample(bool between)
   if (totals_.wanted() || contacts_.wanted()) sum_up();
 }
 
-// Instant by instant, and by ball tag within one: the same bits on any number of ranks.
+// Sums instant by instant, in the order of ball tags: the same bits on any number of ranks.
 void FixBearingCapacitance::sum_up()
 {
   if (summed_) return;
@@ -320,7 +320,7 @@ void FixBearingCapacitance::sum_up()
   whole_.mean /= within_ - first_instant + 1;
 }
 
-// The mean is a sum until all are there.
+// `mean` is the sum until all instants are added.
 void FixBearingCapacitance::Spread::add(double value, bool first)
 {
   if (first) *this = {0.0, value, value};
@@ -329,8 +329,8 @@ void FixBearingCapacitance::Spread::add(double value, bool first)
   most = std::max(most, value);
 }
 
-// A ball's contacts stand side by side. Those with one ring add up; those with one ring alone add
-// nothing.
+// The contacts of a ball are adjacent. Capacitances to the same ring add up; a ball in contact with
+// one ring only contributes nothing.
 FixBearingCapacitance::Total FixBearingCapacitance::add_up(const Row *row, const Row *end)
 {
   Total t = {};

@@ -38,14 +38,15 @@ class FixBearingCapacitance : public Fix {
   void set_arrays(int) override;
   double memory_usage() override;
 
-  // Its balls, of all ranks.
+  // Tags of its balls on all ranks.
   std::vector<bearing::tag_t> find_members() const;
-  // At `number` instants of a step.
+  // Request for `number` instants of a step.
   bearing::Instants instants(int number) const { return {number, model_, ask_.any()}; }
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
-  std::string said() const { return said_; }    // the words of its command after N
-  // Of a contact in the table of the pair style; without contact what surrounds it, or 0.
+  std::string said() const { return said_; }    // words of the command after N
+  // Capacitor of a contact in the table of the pair style; without contact that of the
+  // surroundings, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
  private:
@@ -63,14 +64,14 @@ class FixBearingCapacitance : public Fix {
     void add(double value, bool first);
   };
   struct Row {
-    int instant;    // of within_
+    int instant;    // one of within_
     bearing::tag_t ball;
     raceway::Side side;
     int groove;
     bool live;
     double load;    // N
     raceway::FilmCapacitorT<double> of;
-    double area, roughness;    // m^2, m; where the questions need them
+    double area, roughness;    // m^2, m; if the outputs need them
   };
 
   void read_options(bearing::Arguments &);
@@ -98,16 +99,16 @@ class FixBearingCapacitance : public Fix {
   bigint filled_ = -1;
   double **per_ball_ = nullptr;    // inner, outer, series; the same with surroundings
   int within_ = 1;                 // instants a step, the last one its end
-  std::vector<bearing::InstantSource *> integrators_;    // that know what happens between steps
+  std::vector<bearing::InstantSource *> integrators_;    // that provide instants between steps
   bearing::TagSet members_;    // balls of the group; known where integrators_ are
-  std::vector<Row> mine_;      // of this step, kept for its memory
+  std::vector<Row> mine_;      // rows of this step; reused buffer
   bearing::TextFile totals_, contacts_;
-  bool grooves_ = false;                       // the second file tells them apart
-  bool between_ = false, summed_ = true;       // what mine_ holds; the numbers below are of it
+  bool grooves_ = false;                       // the second file lists the grooves separately
+  bool between_ = false, summed_ = true;       // kind of mine_; sums below are current
   Total total_ = {};                           // at the end of the step
-  std::vector<raceway::SampledBall> balls_;    // of one instant, kept for its memory
+  std::vector<raceway::SampledBall> balls_;    // balls of one instant; reused buffer
   bigint written_ = -1;                        // step of the last row in the files
-  Spread plates_ = {}, whole_ = {};            // of the sum
+  Spread plates_ = {}, whole_ = {};            // spread of the sum
 };
 
 }    // namespace LAMMPS_NS

@@ -57,7 +57,7 @@ double bytes(const std::string &file)
   return stat(file.c_str(), &s) == 0 ? static_cast<double>(s.st_size) : -1.0;
 }
 
-// Why the disk takes no more: empty if it takes 64 kB beside `file`.
+// Reason why the disk is full; empty if it accepts another 64 kB beside `file`.
 std::string no_room(const std::string &file)
 {
   const std::string probe = file + ".probe", content(65536, 'x');
@@ -76,7 +76,7 @@ std::string no_room(const std::string &file)
   return why;
 }
 
-// True when `file` is on the disk.
+// Flushes `file` to the disk; true if that succeeded.
 bool settle_on_disk(const std::string &file)
 {
   const int fd = open(file.c_str(), O_RDONLY);
@@ -118,7 +118,7 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
       if (f != this && dynamic_cast<const FixBearingCheckpoint *>(f))
         args.fail(std::string("fix ") + f->id + " is of this style already: the host keeps one " +
                   "kind of restart files");
-  if (means_.empty()) means_.emplace_back();    // of nothing: counters come second
+  if (means_.empty()) means_.emplace_back();    // an empty mean, since counters come second
   sums_.assign(means_.size() + (ring_id_.empty() ? 0 : 6), 0.0);
   before_.assign(counters_.size(), 0.0);
   length_.assign(files_.size(), 0.0);
@@ -128,7 +128,7 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   size_vector = static_cast<int>(means_.size() + counters_.size());
   extscalar = extvector = 0;
   global_freq = 1;
-  // the host writes under a name of its own; publish() gives the whole file its name
+  // the host writes under a temporary name; publish() renames the complete file
   const std::string n =
       std::to_string(every_restart_ ? every_restart_ : std::numeric_limits<int>::max());
   std::string words[] = {n, part_, part_};
@@ -158,7 +158,7 @@ void FixBearingCheckpoint::init()
     BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id +
             " of this style");
   if (!resumed_ && comm->me == 0 && !begun_)
-    unlink(file_.c_str());    // of a run that this one replaces
+    unlink(file_.c_str());    // file of a run that this one replaces
   begun_ = true;
 }
 
@@ -171,8 +171,8 @@ void FixBearingCheckpoint::find_ring()
             "'");
 }
 
-// Before the first step: what the set-up of a continued run wrote is in the files already. Later: a
-// restart file of the step before is whole now.
+// Before the first step: removes what the set-up of a continued run wrote, since the files have it
+// already. Later: the restart file of the step before is complete now.
 void FixBearingCheckpoint::initial_integrate(int)
 {
   if (resumed_ && !cut_) cut_files();
@@ -204,17 +204,17 @@ void FixBearingCheckpoint::post_run()
       caught;    // may differ over ranks after the last sample: only what all agreed on counts
   if (comm->nprocs > 1) MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);
   caught = signal;
-  if (resumed_ && !cut_) cut_files();    // a run of no step
+  if (resumed_ && !cut_) cut_files();    // a run of zero steps
   if (signal) stop();
   if (last_) output->write_restart(update->ntimestep);
   if (written_) publish();
-  if (comm->me == 0 && !files_.empty()) {    // of the last sample there is no next one to tell
+  if (comm->me == 0 && !files_.empty()) {    // no later sample detects a full disk
     const std::string room = no_room(file_);
     if (!room.empty()) BRG_ONE(command_ + ": the last output may be lost: " + room);
   }
 }
 
-// The run has ended after a whole step, its output is written: keep its state and leave.
+// The run has ended after a complete step and its output is written: save its state and exit.
 void FixBearingCheckpoint::stop()
 {
   output->write_restart(update->ntimestep);
@@ -238,7 +238,7 @@ void FixBearingCheckpoint::publish()
   written_ = false;
   if (comm->me != 0) return;
   for (const std::string &f : files_) settle_on_disk(f);
-  // the host does not look whether its writing succeeded: where there is room for more, it did
+  // the host does not check its writes: if the disk has room for more, they succeeded
   std::string why = no_room(file_);
   if (why.empty() && !bearing::write_sum(part_)) why = "its check sum does not get into it";
   if (why.empty() && !settle_on_disk(part_)) why = strerror(errno);
@@ -250,7 +250,7 @@ void FixBearingCheckpoint::publish()
           ". The one before it, if any, is still good: make room and go on from it");
 }
 
-// Output may be longer than it was when the restart file was written, but not shorter.
+// Output files may be longer than when the restart file was written, but not shorter.
 void FixBearingCheckpoint::check_files()
 {
   if (comm->me != 0) return;
@@ -270,11 +270,11 @@ void FixBearingCheckpoint::cut_files()
   for (size_t k = 0; k < files_.size(); ++k) {
     if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
       BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
-    seen_[k] = -1.0;    // the next sample of a dump comes after the next look at it
+    seen_[k] = -1.0;    // the next sample of a dump comes after the next check of its length
   }
 }
 
-// A full disk shows as a file that has stopped growing: the host does not look.
+// Detects a full disk by a file that has stopped growing, since the host does not check.
 void FixBearingCheckpoint::watch_files()
 {
   for (size_t k = 0; k < files_.size(); ++k) {
@@ -293,7 +293,7 @@ void FixBearingCheckpoint::watch_files()
   }
 }
 
-// The share of the mean load on the ring that its contacts do not carry
+// Fraction of the mean load on the ring that its contacts do not carry
 double FixBearingCheckpoint::compute_scalar()
 {
   if (ring_id_.empty() || samples_ == 0.0) return 0.0;
@@ -308,7 +308,7 @@ double FixBearingCheckpoint::compute_vector(int n)
   size_t k = static_cast<size_t>(n);
   if (k < means_.size()) return samples_ > 0.0 ? sums_[k] / samples_ : 0.0;
   k -= means_.size();
-  // asked for between runs, where a redefined variable has moved
+  // between runs a redefined variable may have a new index
   counters_[k].check(lmp, command_);
   return before_[k] + counters_[k].now(lmp);
 }
@@ -325,7 +325,7 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
   for (size_t k = 0; k < counters_.size(); ++k)
     data.push_back(compute_vector(static_cast<int>(means_.size() + k)));
   if (comm->me != 0) return;
-  // a deck may write restart files of its own: they are none of this fix's business
+  // a deck may write restart files of its own, which this fix leaves alone
   struct stat theirs, ours;
   written_ = fstat(fileno(fp), &theirs) == 0 && stat(part_.c_str(), &ours) == 0 &&
              theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;
@@ -356,7 +356,7 @@ void FixBearingCheckpoint::restart(char *buf)
   if (settings_ != rest)
     BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" +
             settings_ + "'. Remove it, or resume with its settings");
-  update->atime = head[0];    // the thermo keyword time goes on with the same bits
+  update->atime = head[0];    // the thermo keyword time continues with the same bits
   update->atimestep = static_cast<bigint>(head[1]);
   samples_ = head[2];
   resumed_ = true;

@@ -3,8 +3,8 @@
 // same files.
 //
 // The host writes the restart file, during or after a run; this fix adds what the host does not
-// know: how long the output files were then, and sums that must go on counting. A restart file gets
-// its name only when it is whole.
+// store: the lengths of the output files at that step, and running sums. A restart file gets its
+// name only when it is complete.
 #ifdef FIX_CLASS
 FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 #else
@@ -50,11 +50,11 @@ class FixBearingCheckpoint : public Fix {
   std::vector<double> seen_;                      // bytes at the last sample
   bool last_ = false;                             // restart file at the end of a run, too
   std::vector<bearing::DrivenValue> means_;       // averaged over samples
-  std::vector<bearing::DrivenValue> counters_;    // each starts from 0 with every run
+  std::vector<bearing::DrivenValue> counters_;    // each restarts from 0 in every run
   double samples_ = 0.0;
-  std::string ring_id_;    // of a fix bearing/ring whose balance is averaged; empty: none
+  std::string ring_id_;    // ID of a fix bearing/ring whose balance is averaged; empty: none
   FixBearingRing *ring_ = nullptr;
-  std::vector<double> sums_;      // of the means, then of load and what is left (N) of the ring
+  std::vector<double> sums_;      // of the means, then of load and residual (N) of the ring
   std::vector<double> before_;    // counters of the runs before this one
   // rank 0: the host has written part_, which is not published yet
   bool written_ = false;

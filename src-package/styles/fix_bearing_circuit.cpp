@@ -22,7 +22,7 @@ using bearing::CircuitSettings;
 using bearing::tag_t;
 
 namespace {
-constexpr int per_cycle = 8;    // points that a period of the voltage needs at least
+constexpr int per_cycle = 8;    // minimum number of points per period of the voltage
 constexpr double pi = 3.14159265358979323846;
 }    // namespace
 
@@ -64,7 +64,7 @@ void FixBearingCircuit::init()
 void FixBearingCircuit::setup(int)
 {
   if (settings_.within > 1) find_integrators();
-  if (restored_) {    // what a restart file leaves out, from what it has
+  if (restored_) {    // values that the restart file omits, from those it has
     last_time_ = time_of(last_step_);
     state_.films = films(balls_);
     state_.outer = settings_.at(time_of(last_step_), bearing_capacitance(state_.films));
@@ -75,7 +75,7 @@ void FixBearingCircuit::setup(int)
 
 void FixBearingCircuit::end_of_step() { sample(); }
 
-// Those whose steps the instants lie within.
+// Finds the integrators that provide the instants within steps.
 void FixBearingCircuit::find_integrators()
 {
   const std::string who = bearing::name_of(*this);
@@ -167,7 +167,7 @@ void FixBearingCircuit::Film::add(const Film &beside)
   area += beside.area;
 }
 
-// Balls by tag, from what the ranks know of their films.
+// Balls by tag, from the films sampled on all ranks.
 std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vector<tag_t> &tags,
                                                                  std::vector<Row> mine) const
 {
@@ -188,7 +188,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vect
               std::to_string(row.ring) + "; give each bearing a group and a fix");
     ring[row.side] = row.ring;
     const size_t k = std::lower_bound(tags.begin(), tags.end(), row.ball) - tags.begin();
-    balls[k].azimuth = row.azimuth;    // about the outer ring, the last one
+    balls[k].azimuth = row.azimuth;    // about the outer ring, which comes last
     balls[k].film[row.side].add(row.film);
   }
   return balls;
@@ -252,7 +252,7 @@ void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
   last_time_ = time;
 }
 
-// A point of the circuit; the first has no length (s).
+// Solves one point in time of the circuit; the first has zero length (s).
 void FixBearingCircuit::solve(const std::vector<Ball> &at, double time, double length)
 {
   const BearingFilms f = films(at);
@@ -268,7 +268,7 @@ void FixBearingCircuit::solve(const std::vector<Ball> &at, double time, double l
             bearing::text(time) + " s: give a stray capacitance");
 }
 
-// What the circuit sees of sampled films.
+// Films of the circuit from the sampled ones.
 BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
 {
   const auto film = [this](const Film &f) {
@@ -287,7 +287,8 @@ BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
   return all;
 }
 
-// `share` of the way between two samples. A film that one of them lacks has no thickness here.
+// Interpolates at the fraction `share` between two samples. A film missing in one of them has no
+// thickness here.
 std::vector<FixBearingCircuit::Ball>
 FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball> &to, double share)
 {
@@ -362,7 +363,8 @@ double FixBearingCircuit::compute_vector(int k)
   return 0.0;
 }
 
-// The last sample and what the circuit was there; films and outer circuit follow from them.
+// Stores the last sample and the state of the circuit there; films and outer circuit follow from
+// them.
 void FixBearingCircuit::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

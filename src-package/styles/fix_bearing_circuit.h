@@ -41,11 +41,11 @@ class FixBearingCircuit : public Fix {
   struct Film {
     double capacitance = 0.0;                                       // F
     double thickness = std::numeric_limits<double>::quiet_NaN();    // m
-    double rough = 0.0;    // m, that the surfaces' roughness takes
+    double rough = 0.0;    // m, taken up by the roughness of the surfaces
     double metal = 0.0;    // S, of asperities
-    double area = 0.0;     // m^2, of the contact ellipse, where an arc asks for it
+    double area = 0.0;     // m^2, of the contact patch, if the arc model needs it
 
-    // Another film between the same ball and ring: the one that is locally thinner fails.
+    // Adds another film between the same ball and ring: the locally thinner one breaks down.
     void add(const Film &beside);
   };
   struct Ball {
@@ -67,7 +67,7 @@ class FixBearingCircuit : public Fix {
   Film film_of(const raceway::RacewayPhysics &, bool live, const raceway::ContactState &,
                const raceway::FilmCapacitorT<double> &) const;
   bool needs_states() const { return settings_.metal > 0.0 || settings_.arc > 0.0; }
-  // Since the first sample, s; `back` steps before the end of one.
+  // Time since the first sample, s; `back` steps before the end of `step`.
   double time_of(bigint step, double back = 0.0) const
   {
     return (static_cast<double>(step - first_step_) - back) * dt_;
@@ -84,15 +84,15 @@ class FixBearingCircuit : public Fix {
   bearing::CircuitSettings settings_;
   PairBearingHertz *pair_ = nullptr;
   FixBearingCapacitance *cap_ = nullptr;
-  std::vector<bearing::InstantSource *> integrators_;    // that know what happens between steps
+  std::vector<bearing::InstantSource *> integrators_;    // that provide instants between steps
   bearing::TextFile events_;
   bool begun_ = false, restored_ = false;
-  bigint first_step_ = 0, last_step_ = -1;    // of the first and of the last sample
+  bigint first_step_ = 0, last_step_ = -1;    // steps of the first and the last sample
   double last_time_ = 0.0;                    // s, of the last sample
   double dt_ = 0.0;                           // s, of all steps between them
   std::vector<Ball> balls_;                   // at the last sample, by tag
   raceway::CircuitState state_;
-  int order_ = 0;    // of a failure in its discharge
+  int order_ = 0;    // number of the breakdown within its discharge
 };
 
 }    // namespace LAMMPS_NS

@@ -113,7 +113,7 @@ void FixBearingImplicit::find_rings()
   }
 }
 
-// Nobody else moves these atoms, and nobody pushes them unseen.
+// Error if another fix moves these atoms or applies forces that the step does not see.
 void FixBearingImplicit::check_fixes()
 {
   // an atom of this group and of the fix's, 0: none
@@ -129,7 +129,7 @@ void FixBearingImplicit::check_fixes()
                 " both move atom " + std::to_string(atom->tag[i - 1]));
   for (int k = 0; k < modify->nfix; ++k) {
     const Fix &f = *modify->fix[k];
-    if (strncmp(f.style, "bearing/", 8) == 0) continue;    // ours: the step knows what they do
+    if (strncmp(f.style, "bearing/", 8) == 0) continue;    // our own: the step accounts for them
     if (strcmp(f.style, "gravity") == 0) {
       add_gravity(*modify->fix[k]);
       continue;
@@ -144,7 +144,7 @@ void FixBearingImplicit::check_fixes()
   }
 }
 
-// Gravity is the same for all bodies of a bearing, or the step would not know where it acts.
+// Requires gravity on all bodies of a bearing alike, since the step applies it to all of them.
 void FixBearingImplicit::add_gravity(Fix &f)
 {
   int inside = 0;
@@ -157,8 +157,8 @@ void FixBearingImplicit::add_gravity(Fix &f)
   if (inside == 1) gravity_.push_back(&f);
 }
 
-// m/s^2 in this step, the bearing axis third: what the fixes do to an atom. All ranks ask, since a
-// variable may be evaluated.
+// m/s^2, bearing axis third: acceleration of an atom by the gravity fixes in this step. Collective,
+// since a variable may be evaluated.
 raceway::Vec3 FixBearingImplicit::gravity()
 {
   if (gravity_.empty()) return {};
@@ -178,7 +178,7 @@ void FixBearingImplicit::setup(int)
 {
   build_ = -1;
   solver_->parts.clear();
-  solver_->steps.clear();    // what moves the rings may have changed
+  solver_->steps.clear();    // the fixes that move the rings may have changed
   substeps_ = corrections_ = refused_ = time_ = worst_ = 0.0;
   solver_->energy = BearingStep::Energy();
   begun_ = false;

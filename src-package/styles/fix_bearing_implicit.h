@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/implicit: implicit steps for balls, cage balls and rings (core/step/bearing_step.h).
 //
-// Where it sits in the host's step: initial_integrate makes the whole step, in as many substeps as
-// the control asks for, with its own copy of the state and its own calls of the contact functions;
-// the host's force evaluation that follows fills the contact table at the end of the step. Chosen
-// because the host's step is then what output sees, however the control varies inside it; the table
-// and every output of it belong to the state that is written, not to a prediction; substeps and
-// repeats cost no neighbour check, no fix, no clearing of arrays; and nothing but positions,
-// velocities and one step size has to survive in a restart.
+// Place in the host's step: initial_integrate makes the whole step, in as many substeps as the step
+// control requires, with its own copy of the state and its own calls of the contact functions; the
+// host's force evaluation that follows fills the contact table at the end of the step. Reasons:
+// output is at host steps, however the substeps vary; the table and all output from it belong to
+// the state that is written, not to a prediction; substeps and repeats cost no neighbour check, no
+// calls of fixes and no clearing of arrays; and a restart needs only positions, velocities and one
+// step size.
 #ifdef FIX_CLASS
 FixStyle(bearing/implicit,FixBearingImplicit)
 #else
@@ -37,15 +37,16 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   void initial_integrate(int) override;
   double compute_scalar() override;
   double compute_vector(int) override;
-  // Of all ranks: bearings, where those on one shaft are one. Each has its own internal steps.
+  // Number of systems on all ranks: bearings, with those on one shaft counted as one. Each has its
+  // own substeps.
   double systems() const;
 
   void want_instants(const bearing::Instants &, const std::string &command) override;
   void read_instant(int k, const bearing::InstantReader &) const override;
 
  private:
-  // The solver, its settings and the bearings at home here: in the source alone, so that no other
-  // style depends on them.
+  // The solver, its settings and the bearings at home on this rank: defined in the sources only, so
+  // that no other style depends on them.
   struct Solver;
   struct Part;
 
@@ -65,15 +66,15 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known
   bool energy_wanted_ = false, begun_ = false;    // begun_: stored_before_ is known
   bearing::Instants instants_;
-  std::set<std::string> readers_;    // of instants
+  std::set<std::string> readers_;    // commands that request instants
   double largest_ = HUGE_VAL;        // s, substep
   double creep_ = 0.01;
-  std::vector<FixBearingRing *> rings_;    // whose motion this fix makes
-  std::vector<Fix *> gravity_;             // that pull all atoms of the group
-  std::vector<double> forces_;             // kept while these are asked
+  std::vector<FixBearingRing *> rings_;    // integrated by this fix
+  std::vector<Fix *> gravity_;             // gravity on all atoms of the group
+  std::vector<double> forces_;             // saved while gravity is evaluated
   std::unique_ptr<Solver> solver_;
   int build_ = -1;
-  // of the bearings at home here, since the start of the run
+  // of the bearings at home on this rank, since the start of the run
   double substeps_ = 0.0, corrections_ = 0.0, refused_ = 0.0, time_ = 0.0, smallest_ = HUGE_VAL;
   double worst_ = 0.0, stored_before_ = 0.0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Shafts that bend, between their fixes and the bearings at home here.
+// State of bending shafts, exchanged between their fixes and the bearings at home on this rank.
 #include "../ranks/gather.h"
 #include "fix_bearing_implicit_solver.h"
 #include "fix_bearing_shaft.h"
@@ -7,7 +7,7 @@
 using namespace LAMMPS_NS;
 using raceway::BearingModel;
 
-// From the fixes.
+// From the fixes to the bearings.
 void FixBearingImplicit::load_bends(int p)
 {
   int shaft = 0;
@@ -20,7 +20,7 @@ void FixBearingImplicit::load_bends(int p)
   }
 }
 
-// And back, to all ranks.
+// From the bearings to the fixes on all ranks.
 void FixBearingImplicit::store_bends()
 {
   for (int k = 0; k < static_cast<int>(rings_.size()); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bearings between the steps of the host: who wants to know, and what is there.
+// State of the bearings within host steps: requests and readout.
 #include "fix_bearing_implicit_solver.h"
 #include "pair_bearing_hertz.h"
 #include "ring_values.h"
@@ -9,7 +9,7 @@ using bearing::Instants;
 using bearing::tag_t;
 using raceway::BearingModel;
 
-// Those who want the same instants share one evaluation.
+// Requests for the same instants share one evaluation.
 void FixBearingImplicit::want_instants(const Instants &i, const std::string &command)
 {
   const bool others = instants_.number > 1;
@@ -56,7 +56,7 @@ void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell)
     if (tell.body)
       for (int b = 0; b < static_cast<int>(m.bodies.size()); ++b) {
         const raceway::BodyPose pose = at.body(k, b);
-        // the step leaves the spin of a cage ball alone
+        // the step does not change the spin of a cage ball
         const raceway::Vec3 &w = m.bodies[b].spins ? pose.w : solver_->bearings.bodies(p)[b].w;
         tell.body(
             {static_cast<tag_t>(m.bodies[b].tag), axes.lab(pose.x), axes.lab(pose.v), axes.lab(w)});

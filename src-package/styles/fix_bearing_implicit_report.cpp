@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What fix bearing/implicit says of its steps, and the account of the energy.
+// Output of fix bearing/implicit: its substeps and the energy balance.
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_implicit_solver.h"
 
@@ -8,7 +8,7 @@
 using namespace LAMMPS_NS;
 using raceway::BearingStep;
 
-// What is stored before the first step of a run.
+// Energy stored before the first step of a run.
 void FixBearingImplicit::begin_energy()
 {
   stored_before_ = 0.0;

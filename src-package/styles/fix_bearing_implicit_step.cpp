@@ -26,7 +26,7 @@ void FixBearingImplicit::build()
   if (build_ == pair_->table_build()) return;
   build_ = pair_->table_build();
   Solver &all = *solver_;
-  for (const auto &step : all.steps) {    // what the bearings of the last build have to say
+  for (const auto &step : all.steps) {    // totals of the bearings of the last neighbour build
     all.energy.work += step->spent().work;
     all.energy.dissipated += step->spent().dissipated;
   }
@@ -59,8 +59,8 @@ void FixBearingImplicit::build()
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.parts.clear();
-  // A solver knows nothing of the steps before, so it serves a bearing that is made of the same
-  // things on. An account of the energy begins with a solver.
+  // A solver has no memory of earlier steps, so it is reused for a bearing with the same parts. An
+  // energy balance starts with a new solver.
   std::vector<std::unique_ptr<BearingStep>> earlier;
   if (!energy_wanted_) earlier.swap(all.steps);
   all.steps.clear();
@@ -71,10 +71,10 @@ void FixBearingImplicit::build()
     return found == earlier.end() ? nullptr : std::move(*found);
   };
   all.unpacked.assign(readers_.size() > 1 ? (instants_.number - 1) * all.bearings.size() : 1, {});
-  // One solver for all bearings that are alike stays in the caches. An account of the energy and
-  // instants stay with a bearing after its step, so there each has its own.
+  // One solver shared by identical bearings stays in the caches. Energy balance and instants belong
+  // to a bearing after its step, so then each bearing has its own.
   const bool shared = !energy_wanted_ && instants_.number < 2;
-  using Kind = std::tuple<const void *, size_t, int>;    // tells most kinds apart
+  using Kind = std::tuple<const void *, size_t, int>;    // distinguishes most kinds
   std::map<Kind, std::vector<std::pair<int, BearingStep *>>> kinds;
   for (int p = 0; p < all.bearings.size(); ++p) {
     const BearingModel &model = all.bearings.model(p);
@@ -103,7 +103,7 @@ void FixBearingImplicit::build()
   }
 }
 
-// The state of a bearing, and what its rings are told to do in this step.
+// Loads the state of a bearing and the programs of its rings in this step.
 void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
 {
   bearing::BearingParts &bearings = solver_->bearings;
@@ -136,8 +136,8 @@ void FixBearingImplicit::initial_integrate(int)
   }
   for (int p = 0; p < bearings.size(); ++p) {
     load(p, fall);
-    // the control's wish is kept with the ring, so that it goes with the bearing to another home or
-    // into a restart file
+    // the requested substep is stored with the ring, so that it moves with the bearing to another
+    // home or into a restart file
     double &wish = bearings.wished_step(p);
     parts[p].step = wish > 0.0 ? wish : largest_;
     advance(parts[p]);
@@ -158,7 +158,7 @@ void FixBearingImplicit::advance(Part &p)
   double done = 0.0;
   while (done < whole) {
     const double left = whole - done;
-    // the edge of a flaw is an event: a step ends there, and over it steps are short
+    // the edge of a flaw is an event: a substep ends there, and substeps across it are short
     const double flaws = p.bearing->longest_step();
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
     const double free = pieces <= 1.0 ? left : left / pieces;
@@ -167,7 +167,7 @@ void FixBearingImplicit::advance(Part &p)
     p.outcome = p.bearing->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
     const BearingStep::Outcome &o = p.outcome;
     corrections_ += o.corrections;
-    // over what is allowed; grows like h^2
+    // ratio to the allowed value; grows as h^2
     const double excess = std::max(o.error / o.tolerance, o.stability);
     const double fit = 0.9 / std::sqrt(std::max(excess, 1e-6));
     if (!o.solved() || !(excess <= 1.0)) {
@@ -183,7 +183,7 @@ void FixBearingImplicit::advance(Part &p)
     substeps_ += 1.0;
     smallest_ = std::min(smallest_, h);
     worst_ = std::max(worst_, o.error);
-    // grow back where Newton had an easy time
+    // increase again where the Newton iteration converged easily
     const double grow = std::min(2.0, std::max(0.5, fit));
     if (o.corrections <= settings.corrections &&
         (grow < 1.0 || (!held && (!last || h > 0.99 * p.step))))

@@ -21,7 +21,7 @@ using raceway::ProfileShape;
 using raceway::RacewayPhysics;
 using raceway::Wave;
 
-// A word as a deck has it: in quotes if it has blanks.
+// A word as written in a deck: in quotes if it has blanks.
 static std::string quoted(const std::string &word)
 {
   if (word.find_first_of(" \t") == std::string::npos) return word;
@@ -74,7 +74,7 @@ std::vector<FixBearingProfile::Ball> FixBearingProfile::balls(PairBearingHertz &
   return bearing::gather_all(mine, world);
 }
 
-// What a ball can follow of it.
+// Checks that a ball can follow the notch.
 void FixBearingProfile::check_notch(const NotchShape &n, const char *what, double rolling) const
 {
   const double most = std::min(0.5 * n.length, std::sqrt(2.0 * rolling * n.depth));
@@ -135,7 +135,7 @@ void FixBearingProfile::check_pits(bearing::tag_t ring, const ProfileShape &shap
     }
 }
 
-// The first of the fixes tells the pair style what they all add up to.
+// The first of these fixes passes the sums of all profiles to the pair style.
 void FixBearingProfile::init()
 {
   const std::vector<FixBearingProfile *> all = bearing::fixes_of<FixBearingProfile>(lmp);
@@ -219,7 +219,7 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
     for (const auto &one : ball.second) pair.add_profile(ball.first, *one.first, one.second);
 }
 
-// Two strips of one contact would not add up.
+// Error if two pits overlap in azimuth: their strips in one contact would not add up.
 void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
                                     double radius) const
 {
@@ -236,8 +236,8 @@ void FixBearingProfile::check_apart(bearing::tag_t ball, const BallShape &shape,
     }
 }
 
-// Velocity Verlet: over a step a ball turns with the spin that it has in its middle. Balls of a fix
-// bearing/implicit are turned there.
+// Velocity Verlet: a ball rotates over a step with its mid-step spin. Fix bearing/implicit rotates
+// its own balls.
 void FixBearingProfile::pre_force(int)
 {
   if (!turns_) return;

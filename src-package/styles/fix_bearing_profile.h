@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/profile: what the raceways of the rings of a group depart from their torus by, or the
-// balls of a group from their sphere.
+// fix bearing/profile: deviation of the raceways of a group's rings from their torus, or of a
+// group's balls from their sphere.
 #ifdef FIX_CLASS
 FixStyle(bearing/profile,FixBearingProfile)
 #else
@@ -32,7 +32,7 @@ class FixBearingProfile : public Fix {
     bearing::tag_t tag;
     int type, turns_alone;    // 1: it spins, and no fix bearing/ring counts its angle
   };
-  std::vector<Ring> rings(PairBearingHertz &) const;    // of the group, of all ranks
+  std::vector<Ring> rings(PairBearingHertz &) const;    // of the group, on all ranks
   struct Ball {
     bearing::tag_t tag;
     int type;
@@ -52,7 +52,7 @@ class FixBearingProfile : public Fix {
 
   std::string said_;
   bearing::ProfileSettings settings_;
-  bool turns_ = false;    // this fix turns the balls of all
+  bool turns_ = false;    // this fix rotates the balls of all such fixes
 };
 
 }    // namespace LAMMPS_NS

@@ -61,7 +61,7 @@ void FixBearingProgress::show()
 {
   if (update->ntimestep == shown_) return;
   shown_ = update->ntimestep;
-  if (!headed_) {    // not at the set-up, of which the host says something
+  if (!headed_) {    // not at the set-up, where the host prints lines of its own
     say(title_);
     say("  done %    left s      step      time s    ring um  loaded     load N    p GPa"
         "  cage rad/s");
@@ -69,7 +69,7 @@ void FixBearingProgress::show()
   }
   if (total_->invoked_vector != update->ntimestep) total_->compute_vector();
   const bearing::BearingFigures &of = total_->figures();
-  double moved = 0.0;    // the ring that has moved most, m
+  double moved = 0.0;    // m, largest displacement of a ring
   for (FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp)) {
     double x[3];
     for (int k = 0; k < 3; ++k) x[k] = f->compute_vector(bearing::of_fix_ring::X + k);

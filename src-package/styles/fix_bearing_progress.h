@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/progress: how far a run is and what the bearings do, as a table to read: names with
-// units, share done, time left. The host's own table has eight letters a column and no units.
+// fix bearing/progress: progress of a run and state of the bearings, as a readable table: names
+// with units, share done, time left. The host's own table has eight letters a column and no units.
 #ifdef FIX_CLASS
 FixStyle(bearing/progress,FixBearingProgress)
 #else

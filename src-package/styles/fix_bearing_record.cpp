@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
-// A note becomes an attribute of the file. Names that scipy's reader of netCDF has for itself would
-// break it.
+// A note becomes an attribute of the file. Names that scipy's netCDF reader uses itself would break
+// it.
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
@@ -97,13 +97,13 @@ void FixBearingRecord::read_options(Arguments &args)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
   if (!chosen) bearing::select_columns(args, "usual", offer, columns_);
-  // what is one value for all samples of a contact is a coordinate, not a column
+  // values constant over the samples of a contact are coordinates, not columns
   columns_.erase(std::remove_if(columns_.begin(), columns_.end(),
                                 [](const bearing::ContactColumn *c) { return c->names_it; }),
                  columns_.end());
 }
 
-// NAME VALUE, or NAME=VARIABLE as often as wanted: what the deck's variable is now.
+// Reads NAME VALUE, or any number of NAME=VARIABLE, the present value of a variable of the deck.
 void FixBearingRecord::read_notes(Arguments &args, Note kind)
 {
   const char *what = kind == Note::text ? "name of a text" : "name of a number";
@@ -131,7 +131,7 @@ void FixBearingRecord::read_notes(Arguments &args, Note kind)
 
 int FixBearingRecord::setmask() { return END_OF_STEP | POST_RUN; }
 
-// The folder is there.
+// Error if the folder does not exist.
 void FixBearingRecord::check_path()
 {
   std::string why;
@@ -147,7 +147,7 @@ void FixBearingRecord::init()
 {
   pair_ = PairBearingHertz::find(lmp, command_);
   context_ = bearing::context_of(lmp, *pair_, columns_, command_);
-  // sums over bearings need it whatever the columns
+  // sums over bearings need it, whichever columns are selected
   const bearing::Offer offer = bearing::offer_of(lmp, *pair_);
   if (!context_.capacitor && offer.capacitance)
     context_.capacitor = bearing::capacitor_of(lmp, command_, "a capacitance");
@@ -182,7 +182,7 @@ void FixBearingRecord::check_time_step() const
             bearing::text(update->dt) + " s; samples of a record are even in time");
 }
 
-// A fix bearing/profile that came, went or changed between two runs.
+// Error if a fix bearing/profile was added, removed or changed between two runs.
 void FixBearingRecord::check_flaws() const
 {
   std::string noted;
@@ -195,7 +195,7 @@ void FixBearingRecord::check_flaws() const
             shown(now) + "; begin another record");
 }
 
-// From the first sample on, s.
+// Time since the first sample, s.
 double FixBearingRecord::time_of(double step) const { return (step - first_step_) * step_length_; }
 
 void FixBearingRecord::open()
@@ -222,7 +222,7 @@ void FixBearingRecord::open()
   std::unique_ptr<RecordFile> file(new RecordFile(layout_, content));
   const size_t batch =
       std::min(most_in_batch, std::max<size_t>(1, batch_bytes / file->record_bytes()));
-  // ranks wait for each other once a batch; alone, a sample is written while it is at hand
+  // several ranks synchronise once per batch; a single rank writes each sample at once
   rows_.begin(layout_, *file, columns_, comm->nprocs > 1 ? batch : 1);
   open_ = true;
   if (comm->me != 0) return;

@@ -2,10 +2,10 @@
 // fix bearing/record: a folder with everything about the bearings of a group, sampled evenly, in
 // one netCDF file (core/record/record_file.h).
 //
-// At the end of a step every rank says what it owns, between steps what is at home there
-// (core/record/record_rows.h). Rows of a batch of samples go to rank 0 together, which puts them in
-// order, sums over bearings and writes. How long the file was is in the restart file: a run that
-// goes on cuts the file to that and writes the same bytes.
+// At the end of a step every rank samples the atoms it owns, between steps the bearings at home on
+// it (core/record/record_rows.h). Rows of a batch of samples go to rank 0 together, which puts them
+// in order, sums over bearings and writes. The restart file has the length of the file: a continued
+// run truncates it to that length and writes the same bytes.
 #ifdef FIX_CLASS
 FixStyle(bearing/record,FixBearingRecord)
 #else
@@ -53,12 +53,12 @@ class FixBearingRecord : public Fix {
   void end_sample(double step);
   void flush();
   std::string gather(const std::vector<double> &said, size_t samples);
-  void refuse(const std::string &complaint) const;    // if there is one
+  void refuse(const std::string &complaint) const;    // error if there is a complaint
   void refuse_write(const std::string &complaint) const;
   double time_of(double step) const;
   struct Spent {
     double wall = 0.0, processor = 0.0;       // s, of this rank
-    double steps = 0.0, evaluations = 0.0;    // of the integrator, a bearing
+    double steps = 0.0, evaluations = 0.0;    // of the integrator, per bearing
   };
   void start_clocks();
   void stop_clocks();
@@ -68,17 +68,17 @@ class FixBearingRecord : public Fix {
   class PairBearingHertz *pair_;
   std::string command_, folder_, path_;
   bool single_ = false, sampled_ = true, motion_ = true, overwrite_ = false;
-  bearing::NetcdfHeader::Attributes notes_, about_;    // given in the command; with what is known
+  bearing::NetcdfHeader::Attributes notes_, about_;    // from the command; with the derived ones
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   int within_ = 1;                                         // samples a step, the last one its end
-  std::vector<class FixBearingImplicit *> integrators_;    // that know what happens between steps
-  bearing::TagSet capacitors_;                             // balls that have one
+  std::vector<class FixBearingImplicit *> integrators_;    // that provide instants between steps
+  bearing::TagSet capacitors_;                             // balls with a capacitance
 
   bool open_ = false;
-  std::unique_ptr<bearing::RecordFile> file_;    // of rank 0
+  std::unique_ptr<bearing::RecordFile> file_;    // on rank 0 only
   bearing::RecordLayout layout_;
-  bearing::RecordRows rows_;    // of this rank, since the last flush
+  bearing::RecordRows rows_;    // rows of this rank since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
   bool resumed_ = false, running_ = false;

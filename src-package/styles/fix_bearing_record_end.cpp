@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a run has taken: at its end, and in a restart file.
+// Time and steps spent by a run: at its end, and in a restart file.
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_record.h"
@@ -12,7 +12,7 @@
 using namespace LAMMPS_NS;
 using bearing::NetcdfHeader;
 
-// s, of this process
+// s, processor time of this process
 static double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void FixBearingRecord::start_clocks()
@@ -22,8 +22,8 @@ void FixBearingRecord::start_clocks()
   running_ = true;
 }
 
-// From the first sample until the system has the last one. The time until files are safe against a
-// loss of power is not in it: it is the disk's, and for a long record as long again.
+// Time from the first sample until the operating system has the last one. It excludes flushing the
+// files to the disk, which for a long record takes as long again.
 void FixBearingRecord::stop_clocks()
 {
   flush();
@@ -54,7 +54,7 @@ void FixBearingRecord::post_run()
          NetcdfHeader::attribute("wall_s", spent_.wall)}));
 }
 
-// All ranks. Velocity Verlet evaluates the forces once a step.
+// Collective. Velocity Verlet evaluates the forces once per step.
 FixBearingRecord::Spent FixBearingRecord::made() const
 {
   using namespace bearing::of_fix_implicit;
@@ -78,7 +78,7 @@ FixBearingRecord::Spent FixBearingRecord::made() const
   return s;
 }
 
-// What the run has taken up to now; all ranks.
+// Time and steps spent so far; collective.
 FixBearingRecord::Spent FixBearingRecord::spent_now() const
 {
   if (!running_) return spent_;
@@ -91,7 +91,7 @@ FixBearingRecord::Spent FixBearingRecord::spent_now() const
   return sum;
 }
 
-// All ranks: what the restart file counts is in the file.
+// Collective: every sample counted in the restart file is written to the record first.
 void FixBearingRecord::write_restart(FILE *fp)
 {
   flush();

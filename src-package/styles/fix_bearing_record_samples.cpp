@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a sample of fix bearing/record has: at the end of a step from what a rank owns, between
-// steps from the homes of the bearings.
+// Samples of fix bearing/record: at the end of a step from the owners of the atoms, between steps
+// from the homes of the bearings.
 #include "contact_context.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
@@ -16,7 +16,7 @@ using bearing::RacewayContact;
 using raceway::Vec3;
 namespace of_ring = bearing::of_ring;
 
-// Those whose steps the samples lie within, and which balls have a capacitance there.
+// Finds the integrators that provide samples within steps, and the balls with a capacitance there.
 void FixBearingRecord::find_integrators()
 {
   integrators_ = bearing::fixes_of<FixBearingImplicit>(lmp);
@@ -61,7 +61,7 @@ void FixBearingRecord::sample(bool between)
   samples_ += 1.0;
 }
 
-// What the bearings at home here did within the step.
+// Samples within the step of the bearings at home on this rank.
 void FixBearingRecord::sample_instants()
 {
   bearing::InstantReader tell;
@@ -102,13 +102,13 @@ void FixBearingRecord::sample_contacts()
   }
 }
 
-// Of a ball for which a fix gives surroundings.
+// Sample of a contact gap of a ball for which a fix computes surroundings.
 void FixBearingRecord::sample_gap(int ball, const bearing::ContactView &view)
 {
   if (view.capacitor.separation > 0.0) rows_.gap(ball, view);
 }
 
-// A ball has half of what it loses to other balls, and all that it loses to cage balls.
+// A ball is assigned half of its losses to other balls and all of its losses to cage balls.
 void FixBearingRecord::sample_cage()
 {
   for (const bearing::SphereContact &s : pair_->table().sphere) {

@@ -38,7 +38,7 @@ void FixBearingRecord::refuse_write(const std::string &complaint) const
   if (!complaint.empty()) BRG_ONE(command_ + ": " + path_ + ": " + complaint);
 }
 
-// What the ranks know of the same samples, put together by the first.
+// Merges the data of all ranks for the same samples, on rank 0.
 std::string FixBearingRecord::gather(const std::vector<double> &said, size_t samples)
 {
   std::vector<double> all;

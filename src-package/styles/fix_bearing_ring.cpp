@@ -54,7 +54,7 @@ void FixBearingRing::settings_are_read()
   }
 }
 
-// The group may change between two runs: every run looks anew.
+// Finds the rings anew for every run, since the group may change between two runs.
 void FixBearingRing::find_rings()
 {
   const std::string group_name = group->names[igroup];
@@ -74,11 +74,11 @@ void FixBearingRing::find_rings()
   size_array_rows = static_cast<int>(tags_.size());
 }
 
-// Each ring has one fix that says how it moves.
+// Error if another fix moves a ring of the group.
 void FixBearingRing::refuse_another_mover()
 {
   for (FixBearingRing *other : bearing::fixes_of<FixBearingRing>(lmp)) {
-    if (other == this) break;    // the later of two fixes tells
+    if (other == this) break;    // the later of two fixes reports the error
     for (int i = 0; i < atom->nlocal; ++i)
       if (moves(i) && other->moves(i))
         BRG_ONE(bearing::name_of(*this) + " and " + bearing::name_of(*other) +
@@ -105,12 +105,12 @@ void FixBearingRing::init()
     settings_.value[k].check(lmp, bearing::name_of(*this));
     if (settings_.value[k].by_atom()) own_.push_back(k);
   }
-  grow_arrays(atom->nmax);    // atoms are sorted and exchanged before the values are known
+  grow_arrays(atom->nmax);    // atoms are sorted and exchanged before the values are set
   int by_another = 0;
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i) && pair_->is_implicit(i)) by_another = 1;
   MPI_Allreduce(MPI_IN_PLACE, &by_another, 1, MPI_INT, MPI_MAX,
-                world);    // who owns no ring must know
+                world);    // ranks without rings need it too
   by_another_ = by_another;
   time_integrate = by_another_ ? 0 : 1;
   find_holder();
@@ -119,8 +119,8 @@ void FixBearingRing::init()
       if (moves(i)) atom->rmass[i] = mass_of_atom();    // kinetic energy in thermo output
 }
 
-// Of supports to another ring. That ring has a fix of its own, which makes its last half step
-// after the forces of these supports are there.
+// Finds the ring at the other end of the supports. That ring has a fix of its own, which must make
+// its final half step after the forces of these supports are added.
 void FixBearingRing::find_holder()
 {
   between_.clear();
@@ -151,7 +151,7 @@ void FixBearingRing::find_holder()
   holder_ = all.front();
 }
 
-// Driven speeds hold from the first instant; forces of the set-up get the load like any others.
+// Driven speeds hold from the first instant; the load is added to the set-up forces as in any step.
 void FixBearingRing::setup(int vflag)
 {
   if (holder_moves_by_ && holder_moves_by_->by_another_ != by_another_)
@@ -169,7 +169,7 @@ void FixBearingRing::setup(int vflag)
       if (settings_.program.mode[RingProgram::SPIN] == Freedom::speed) {
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
         const double missing = target.of[RingProgram::SPIN] - dot(w, e);
-        // rounding of a run that goes on is left alone: its bits are those of the unbroken run
+        // rounding of a continued run is not corrected: its bits are those of the uninterrupted run
         if (std::fabs(missing) > 1e-14 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
     }
@@ -178,14 +178,14 @@ void FixBearingRing::setup(int vflag)
   note_accelerations();
 }
 
-// Numbers and equal-style variables.
+// Evaluates numbers and equal-style variables.
 void FixBearingRing::evaluate(int first, int last)
 {
   for (int k = first; k < last; ++k) now_.of[k] = settings_.value[k].now(lmp);
 }
 
-// Atom-style variables hold for a run: evaluating them for every atom in every step would cost more
-// than the bearings.
+// Atom-style variables are evaluated once per run: for every atom in every step they would cost
+// more than the bearings.
 void FixBearingRing::find_own_values()
 {
   for (int k : own_) {
@@ -259,7 +259,7 @@ RingProgram FixBearingRing::program(const std::vector<RingValue> &own) const
   return p;
 }
 
-// Velocity Verlet asks for the end of its step only.
+// Velocity Verlet needs the program at the end of its step only.
 RingProgram FixBearingRing::at_end(const Values &of) const
 {
   RingProgram p = settings_.program;

@@ -37,22 +37,24 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // For fix bearing/implicit, which moves the rings of its group itself.
   bool moves(int i) const { return atom->mask[i] & groupbit; }
   bool tilts() const { return settings_.program.tilts(); }
-  // Tag of the first of its rings if all of them are on one shaft, else 0; where one is on it (m).
+  // Tag of its first ring if all of them are on one shaft, else 0; position of a ring on the shaft
+  // (m).
   virtual bearing::tag_t shaft() const { return 0; }
   virtual double place_on_shaft(int) const { return 0.0; }
   // Itself if it is a shaft that bends, else null.
   virtual FixBearingShaft *bending() { return nullptr; }
-  // Tag of the ring that its supports hold to, 0: the ground.
+  // Tag of the ring that its supports connect to, 0: ground.
   bearing::tag_t holder() const { return holder_; }
   void begin_step();
-  // Of its first ring, along what is free of it (N): the load, and what contacts leave of it.
+  // Force balance of its first ring along its free directions (N): the load and the residual after
+  // the contacts.
   struct Balance {
     raceway::Vec3 load, left;
   };
   Balance balance();
-  // What an atom-style variable gives a ring for itself.
+  // Values of a single ring from atom-style variables.
   std::vector<raceway::RingValue> own_values(int i) const;
-  // Of this step for a ring with these values.
+  // Program of this step for a ring with these values.
   raceway::RingProgram program(const std::vector<raceway::RingValue> &own) const;
 
   void grow_arrays(int) override;
@@ -63,21 +65,21 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
 
  protected:
   using RingProgram = raceway::RingProgram;
-  // Speeds, or positions at the end of the step; loads without the ramp. As RingProgram numbers
-  // them: components have the bearing axis third.
+  // Speeds, or positions at the end of the step; loads without the ramp. Numbered as in
+  // RingProgram: components have the bearing axis third.
   struct Values {
     double of[RingProgram::N_VALUE] = {};
     raceway::Vec3 leverage;         // N m, of the loads of a shaft, along it
     std::vector<double> bending;    // N, of loads on the modes of a shaft, without the ramp
   };
-  // What balls and cage exert on a ring; lab components, N and N m.
+  // Force and moment of balls and cage on a ring; lab components, N and N m.
   struct ContactLoad {
     bearing::tag_t ring;
     raceway::Vec3 force, moment;
   };
   enum class Words { unread };
   FixBearingRing(class LAMMPS *, int, char **, Words);    // settings are read after it,
-  void settings_are_read();                               // and then this is called
+  void settings_are_read();                               // to be called after that
   void find_rings();
   void refuse_another_mover();
   void find_own_values();
@@ -109,15 +111,15 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
   double time_ = 0.0;
-  Values now_, before_;                 // of all rings; in the step before
-  std::vector<int> own_;                // which values each ring has for itself
+  Values now_, before_;                 // values of all rings; those of the step before
+  std::vector<int> own_;                // indices of the values given per ring
   std::vector<Values> per_ring_;        // these, by local atom
   bool called_back_ = false;            // the host moves per_ring_ with the atoms
   bool by_another_ = false;             // a fix bearing/implicit integrates these rings
-  std::vector<bearing::tag_t> tags_;    // of the rings, rising
+  std::vector<bearing::tag_t> tags_;    // tags of the rings, ascending
   bearing::tag_t holder_ = 0;
   FixBearingRing *holder_moves_by_ = nullptr;
-  // N, the bearing axis third: on rings of this fix, of supports between two rings, this step
+  // N, bearing axis third: forces of supports between two rings on rings of this fix in this step
   std::map<bearing::tag_t, raceway::Vec3> between_;
   std::vector<ContactLoad> contacts_;    // of the owned rings of the group, by tag, last step
   std::vector<double> report_;

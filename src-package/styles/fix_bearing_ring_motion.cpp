@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Its place in the host's step: rings by velocity Verlet, and what acts on them under either
+// Fix bearing/ring within the host's step: velocity Verlet for rings, and their loads under either
 // integrator.
 #include "fix_bearing_ring.h"
 
@@ -29,7 +29,7 @@ void FixBearingRing::write(int i, const RingAtom &r)
   axes_.lab(r.w).to(atom->omega[i]);
 }
 
-// Half a step of velocity from the forces.
+// Half a velocity step from the forces.
 void FixBearingRing::kick()
 {
   const double half = 0.5 * update->dt * force->ftm2v;
@@ -89,11 +89,10 @@ void FixBearingRing::final_integrate()
   hold(by_another_ ? 0.0 : 0.5 * update->dt * force->ftm2v);
   if (!by_another_) kick();
   note_accelerations();
-  reported_ = -1;    // a variable may have asked in the middle of the step
+  reported_ = -1;    // a variable may have made the report in mid-step
 }
 
-// The supports' share of force and moment, when all other forces are there. Velocities are `half`
-// seconds behind.
+// Adds force and moment of the supports, after all other forces. Velocities lag by `half` seconds.
 void FixBearingRing::hold(double half)
 {
   if (!settings_.program.supported) return;
@@ -108,8 +107,8 @@ void FixBearingRing::hold(double half)
     }
 }
 
-// The same where they hold to another ring. All ranks compute all of them, because the two may be
-// on different ones.
+// The same for supports to another ring. All ranks compute all of them, because the two rings may
+// be on different ranks.
 void FixBearingRing::hold_between(double half)
 {
   struct End {
@@ -156,7 +155,7 @@ void FixBearingRing::hold_between(double half)
   holder_moves_by_->add_support(holder_, all);
 }
 
-// To the ring's force and moment, where it is, and to what is told of it.
+// Adds it to force and moment of the ring on its owner, and to the output.
 void FixBearingRing::add_support(bearing::tag_t ring, const double *on)
 {
   const Vec3 force = {on[0], on[1], on[2]};

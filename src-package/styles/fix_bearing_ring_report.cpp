@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What it tells of its rings: f_ID[k] and f_ID[row][k].
+// Output of fix bearing/ring: f_ID[k] and f_ID[row][k].
 #include "../contacts/ring_motion.h"
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_ring.h"
@@ -11,7 +11,7 @@ using namespace LAMMPS_NS;
 using raceway::RingProgram;
 using raceway::Vec3;
 
-// Rings live on one rank each: a sum over ranks only moves their numbers.
+// Each ring is owned by one rank: the sum over ranks only gathers the values.
 void FixBearingRing::make_report()
 {
   report_.assign(tags_.size() * bearing::of_fix_ring::N, 0.0);
@@ -19,7 +19,7 @@ void FixBearingRing::make_report()
     if (!moves(i)) continue;
     const auto known = std::lower_bound(tags_.begin(), tags_.end(), atom->tag[i]);
     if (known == tags_.end() || *known != atom->tag[i])
-      continue;    // in the group since the last run: the next run knows it
+      continue;    // joined the group since the last run: included in the next run
     using namespace bearing::of_fix_ring;
     double *r = &report_[(known - tags_.begin()) * N];
     const bearing::RingMotion &ring = state_->ring(i);
@@ -64,7 +64,7 @@ double FixBearingRing::compute_array(int row, int k)
 
 double FixBearingRing::reported(int row, int k)
 {
-  // before the first run, or after the pair style was replaced, there is nothing to tell
+  // no output before the first run or after the pair style was replaced
   if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
   if (reported_ != update->ntimestep) make_report();
   reported_ = update->ntimestep;
@@ -86,7 +86,7 @@ FixBearingRing::Balance FixBearingRing::balance()
 
 std::vector<bearing::ColumnList::Item> FixBearingRing::columns() const
 {
-  // its motion and what it meets; the load is what the deck gave
+  // its motion and the forces on it; the load is given by the deck
   std::vector<Item> list;
   for (int k = 0; k < bearing::of_fix_ring::LOAD_X; ++k)
     list.push_back({bearing::of_fix_ring::list[k].name, bearing::of_fix_ring::list[k].format});

@@ -70,7 +70,7 @@ double FixBearingShaft::mass_of_atom() const
   return settings_.program.mass / static_cast<double>(tags_.size());
 }
 
-// Rings began side by side on one axis, along that of the bearings.
+// Error unless the rings start on one axis, parallel to that of the bearings.
 void FixBearingShaft::check_axis() const
 {
   const std::vector<Ring> all = rings();
@@ -83,7 +83,8 @@ void FixBearingShaft::check_axis() const
   }
 }
 
-// At the start of a run the rings are where and as fast as a rigid body has them.
+// Error unless positions and velocities of the rings are those of a rigid body at the start of a
+// run.
 void FixBearingShaft::check_places() const
 {
   const std::vector<Ring> all = rings();
@@ -105,7 +106,7 @@ void FixBearingShaft::check_places() const
   }
 }
 
-// Its pull would act at the rings, and the centre of mass may be elsewhere.
+// Error for fix gravity: it would act at the rings, but the centre of mass may be elsewhere.
 void FixBearingShaft::check_gravity() const
 {
   for (int k = 0; k < modify->nfix; ++k) {
@@ -125,7 +126,7 @@ void FixBearingShaft::setup(int vflag)
   check_places();
 }
 
-// Loads at places along the shaft come to those at its centre.
+// Reduces loads along the shaft to those at its centre.
 void FixBearingShaft::evaluate(int first, int last)
 {
   FixBearingRing::evaluate(first, last);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix bearing/shaft: the ring atoms of a group on one rigid shaft. It is a fix bearing/ring whose
-// rings move as one: freedoms, inertia and loads are those of the shaft. The shaft has no atom; it
-// is where its first ring says (core/bodies/shaft_ring.h). A flexible one has elastic modes beside
-// that motion (core/bodies/shaft_modes.h), whose state is here.
+// rings move as one: freedoms, inertia and loads are those of the shaft. The shaft has no atom; its
+// first ring defines its position (core/bodies/shaft_ring.h). A flexible shaft also has elastic
+// modes (core/bodies/shaft_modes.h), whose state is stored here.
 #ifdef FIX_CLASS
 FixStyle(bearing/shaft,FixBearingShaft)
 #else
@@ -25,7 +25,8 @@ class FixBearingShaft : public FixBearingRing {
   void write_restart(FILE *) override;
   void restart(char *) override;
 
-  // For fix bearing/implicit. Every rank knows how the shaft bends, at the end of each host step.
+  // For fix bearing/implicit. Every rank has the bending state of the shaft at the end of each host
+  // step.
   FixBearingShaft *bending() override { return shaft_.of_file ? this : nullptr; }
   const raceway::ShaftModes &modes() const { return shaft_.of_file->modes; }
   const raceway::BendState &bend() const { return bend_; }
@@ -36,7 +37,7 @@ class FixBearingShaft : public FixBearingRing {
   double place_on_shaft(int i) const override;
 
  private:
-  // A ring, as its owner tells all ranks; components have the bearing axis third.
+  // A ring, sent by its owner to all ranks; components have the bearing axis third.
   struct Ring {
     bearing::tag_t tag;
     double at;    // m, from the shaft's centre
@@ -44,10 +45,10 @@ class FixBearingShaft : public FixBearingRing {
     raceway::Vec3 force, moment;    // of the atom
     raceway::Vec3 contact[2];       // of balls and cage: force and moment
   };
-  // The shaft and what acts at its centre.
+  // The shaft and the loads at its centre.
   struct Whole {
     raceway::RingAtom shaft;
-    raceway::Vec3 push, moment;    // all that the atoms of the rings got
+    raceway::Vec3 push, moment;    // total of the rings' atoms
     raceway::Vec3 contact[2];      // of balls and cage
     std::vector<Ring> rings;
   };
@@ -60,7 +61,7 @@ class FixBearingShaft : public FixBearingRing {
   void hold(double half) override;
   void note_accelerations() override;
   void make_report() override;
-  void report_loads(int, double *) const override {}    // they are the shaft's
+  void report_loads(int, double *) const override {}    // reported for the shaft
 
   double centre() const;
   // The rigid shaft of a ring that is `at` metres from its centre, and the other way.
@@ -68,7 +69,7 @@ class FixBearingShaft : public FixBearingRing {
   raceway::RingAtom seat(const raceway::RingAtom &shaft, double at,
                          const raceway::Vec3 &origin) const;
   raceway::Deflection deflection(double at) const;
-  // Of the shaft there: what supports hold of it.
+  // State of the shaft at its centre, for the supports.
   raceway::RingAtom at_centre(const raceway::RingAtom &shaft) const
   {
     return shaft_.of_file ? seat(shaft, 0.0, shaft.origin) : shaft;

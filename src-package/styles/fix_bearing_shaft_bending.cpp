@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is there of a shaft that bends alone: its modes, their loads, and their state.
+// Bending of a flexible shaft: modes, their loads and their state.
 #include "../core/figures/fix_columns.h"
 #include "fix_bearing_shaft.h"
 #include "fix_bearing_state.h"
@@ -51,7 +51,7 @@ void FixBearingShaft::check_stations() const
     check_station("an unbalance", u.at);
 }
 
-// At a place along the shaft (m, from its centre).
+// Adds a load on the modes at a position along the shaft (m, from its centre).
 void FixBearingShaft::load_modes(double at, const Vec3 &force, const Vec3 &moment)
 {
   add_to_modes(modes().station(at), {0.0, 0.0, 1.0}, force, moment, now_.bending);
@@ -63,7 +63,7 @@ BendProgram FixBearingShaft::bend_program() const
       {before_.bending, now_.bending}, shaft_.unbalances_of_modes(), modes().station(0.0).moved};
 }
 
-// N, at the end of the step.
+// Forces on the modes, N, at the end of the step.
 std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<Ring> &all,
                                                      const RingPose &shaft) const
 {
@@ -76,7 +76,7 @@ std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<Ring> &al
   return of;
 }
 
-// The strain energy, then both coordinates of each mode.
+// Strain energy, then both coordinates of each mode.
 double FixBearingShaft::bending_value(int k) const
 {
   if (k == 0) return strain_energy(modes(), bend_);
@@ -97,7 +97,7 @@ double FixBearingShaft::compute_array(int row, int k)
   return values[k - bearing::of_fix_ring::N];
 }
 
-// Fix time, then the modes.
+// Stores the time of the fix, then the modes.
 void FixBearingShaft::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Its place in the host's step: the shaft out of its rings and back, by velocity Verlet, and what
-// acts on it under either integrator.
+// Fix bearing/shaft within the host's step: conversion from rings to shaft and back, velocity
+// Verlet, and loads under either integrator.
 #include "fix_bearing_shaft.h"
 
 #include "../contacts/ring_motion.h"
@@ -24,7 +24,7 @@ int FixBearingShaft::first_ring() const
   return -1;
 }
 
-// All of them on all ranks, by tag.
+// All rings on all ranks, by tag.
 std::vector<FixBearingShaft::Ring> FixBearingShaft::rings() const
 {
   std::vector<Ring> mine;
@@ -70,7 +70,7 @@ void FixBearingShaft::move_rings(const RingAtom &shaft)
       write(i, raceway::carried(shaft, place_on_shaft(i), axes_.third(state_->ring(i).origin)));
 }
 
-// The atom of the first ring takes what acts on the shaft as a whole.
+// Adds loads on the whole shaft to the atom of the first ring.
 void FixBearingShaft::add_to_first(const RingAtom &shaft, const Vec3 &push, const Vec3 &moment)
 {
   const int i = first_ring();

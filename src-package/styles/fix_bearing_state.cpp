@@ -16,7 +16,7 @@ FixBearingState::FixBearingState(LAMMPS *lmp, int narg, char **arg) :
   restart_peratom = 1;
   create_attribute = 1;
   comm_forward = 5;
-  nevery = 10;    // how often contacts are looked at
+  nevery = 10;    // steps between checks of the contacts
   BRG_SET_MAXEXCHANGE(packed_size);
   grow_arrays(atom->nmax);
   atom->add_callback(0);
@@ -39,7 +39,7 @@ void FixBearingState::pre_neighbor()
   axes_sent_ = -1;    // ghosts are other atoms now
 }
 
-// Last of the fixes: put back the forces of the step before, if this run continues it.
+// Runs as the last fix: restores the forces of the step before if this run continues it.
 void FixBearingState::setup(int)
 {
   bearing::require_order(lmp, *modify->fix[modify->nfix - 1], *this,
@@ -99,7 +99,7 @@ double *FixBearingState::kept(int i, bearing::tag_t ring, int groove)
   return p.kept[n];
 }
 
-// Rails ask before the pair style does; the second in a step finds them sent. Axes that no fix
+// Called by rails and then by the pair style; only the first call in a step sends. Axes that no fix
 // turns are sent to new ghosts only.
 void FixBearingState::forward_axes()
 {
@@ -219,8 +219,8 @@ void FixBearingState::BRG_UNPACK_FORWARD(int n, int first, double *buf)
 }
 
 #if BEARING_IS_LIGGGHTS
-// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2): a ring centre lies
-// deeper.
+// LIGGGHTS sends ghosts only from a slab of half this width (plus skin/2), hence the factor 2 for
+// ring centres.
 double FixBearingState::extend_cut_ghost() { return 2.0 * reach_; }
 #endif
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of the bearing pair styles: what a ball or ring carries from step to step beyond
-// position and velocity, across ranks and restarts. Made by the pair style; users need not name it.
+// Internal fix of the bearing pair styles: state of balls and rings from step to step besides
+// position and velocity, across ranks and restarts. Created by the pair style; users need not name
+// it.
 //
-//   ball: what the contact law keeps, by ring and groove; orientation, if a profile needs it
-//   ring: axis, spin angle, origin, imposed tilt
-//   all:  force and torque at the end of a run
+// ball: contact state, by ring and groove; orientation, if a profile needs it ring: axis, spin
+// angle, origin, imposed tilt all:  force and torque at the end of a run
 //
 // The next run (or a restart) starts its first half kick from these forces, with the bits of the
 // step before, instead of from forces at full-step velocities.
@@ -26,10 +26,10 @@ namespace bearing {
 // The hooks of a fix that the pair style needs; fix bearing/state calls them.
 class PairHooks {
  public:
-  virtual raceway::Vec3 axis() const = 0;    // of the bearings at the start
+  virtual raceway::Vec3 axis() const = 0;    // axis of the bearings at the start
   virtual void indices_changed() = 0;        // local ones, after a neighbour build
   virtual void forces_known() = 0;           // at the end of the set-up of a run
-  virtual void after_step() = 0;             // of every tenth
+  virtual void after_step() = 0;             // every tenth step
   virtual void run_done() = 0;
 
  protected:
@@ -44,7 +44,7 @@ class FixBearingState : public Fix {
  public:
   struct PerAtom;
   static constexpr const char *fixed_id = "BEARING_STATE";
-  static constexpr int max_grooves = 4;    // that a ball keeps something of
+  static constexpr int max_grooves = 4;    // with contact state per ball
   static constexpr int room = raceway::most_states;
 
   using RingMotion = bearing::RingMotion;
@@ -61,17 +61,17 @@ class FixBearingState : public Fix {
   const raceway::Vec3 &axis(int i) const { return per_atom_[i].ring.axis; }
   double angle(int i) const { return per_atom_[i].ring.angle; }    // rad, of ghosts too
   RingMotion &ring(int i) { return per_atom_[i].ring; }
-  // From the own axes of a ball to those with the bearing axis third.
+  // Rotation from the body axes of a ball to those with the bearing axis third.
   raceway::Quaternion &turn(int i) { return per_atom_[i].turn; }
-  // What the contact law keeps of a ball in a groove; new ones start at 0.
+  // Contact state of a ball in a groove; new contacts start at 0.
   double *kept(int i_ball, bearing::tag_t ring, int groove);
-  void forward_axes();    // and angles and owners, of rings to ghosts, once a step
+  void forward_axes();    // sends axes, angles and owners of rings to ghosts, once per step
   int owner(int i) const
   {
     return i < atom->nlocal ? comm->me : per_atom_[i].owner;
   }    // rank; of ghosts since then
   std::vector<PerAtom> &per_atom() { return per_atom_; }
-  // In the set-up of a run: axes and angles of rings stay, until a fix says that they matter.
+  // In the set-up of a run: axes and angles of rings are constant unless a fix declares otherwise.
   void keep_axes() { axes_turn_ = false; }
   void follow_axes() { axes_turn_ = true; }
   void ghost_reach(double cut)

@@ -58,7 +58,7 @@ void FixBearingTimestep::check()
   limit_ = limit.step;
   smallest_limit_ = std::min(smallest_limit_, limit_);
   if (adapt_) {
-    // shrink at once, grow by a fifth a check: a contact that is about to close has no say yet
+    // shrink at once, grow by a fifth a check: a contact about to close is not in the limit yet
     const double wanted = std::min({safety_ * limit_, 1.2 * update->dt, largest_});
     if (!(wanted >= shortest_step))
       BRG_ALL(std::string("fix ") + id + " bearing/timestep: " + limit.why() + " allows only " +

@@ -15,7 +15,7 @@ using bearing::RacewayContact;
 using bearing::SphereContact;
 using bearing::text;
 
-// Room for four contacts side by side, and for what lanes without a contact find.
+// Four contacts in lanes, and results of lanes without a contact.
 struct PairBearingHertz::InLanes {
   ContactLanes four;
   ContactState state;
@@ -34,7 +34,7 @@ void PairBearingHertz::compute(int eflag, int vflag)
   ring_sum_.flush();
 }
 
-// Contacts of one groove that may touch, four at a time. Forces are added in the table's order.
+// Evaluates possible contacts of one groove, four at a time. Forces are added in the table's order.
 void PairBearingHertz::raceway_forces()
 {
   std::vector<RacewayContact> &table = table_.raceway;
@@ -103,8 +103,8 @@ double PairBearingHertz::orbit_of(const RacewayContact &c) const
   return dot(Vec3::from(atom->v[c.i_ball]) - Vec3::from(atom->v[c.i_ring]), c.state.t) / c.state.r;
 }
 
-// Whether this step moves what the law keeps of a contact. The forces of a set-up belong to a step
-// already made; fixes that advance it themselves are asked for by group.
+// True if this step advances the state of a contact. The forces of a set-up belong to a completed
+// step; groups of fixes that advance the state themselves are excluded.
 bool PairBearingHertz::advances(const RacewayContact &c) const
 {
   return !update->setupflag && !(atom->mask[c.i_ball] & implicit_bits_);
@@ -116,7 +116,7 @@ BallState PairBearingHertz::ball_of(const RacewayContact &c) const
           Vec3::from(atom->omega[c.i_ball])};
 }
 
-// The ring as its groove moves, which may lie beside the ring's middle plane.
+// Ring state at the groove, which may be offset from the ring's mid-plane.
 RingState PairBearingHertz::groove_of(const RacewayContact &c) const
 {
   RingState ring = {Vec3::from(atom->x[c.i_ring]), Vec3::from(atom->v[c.i_ring]),
@@ -129,7 +129,7 @@ RingState PairBearingHertz::groove_of(const RacewayContact &c) const
   return ring;
 }
 
-// Of the contacts of one groove, places `first` to `end` of by_groove_, those that may touch.
+// Finds the possible contacts among those of one groove, entries `first` to `end` of by_groove_.
 void PairBearingHertz::find_near(int first, int end)
 {
   near_.clear();
@@ -147,8 +147,8 @@ void PairBearingHertz::find_near(int first, int end)
   }
 }
 
-// Rows of the table into the lanes. Those that are left have the ball of the first one, and find
-// nothing for anybody.
+// Loads rows of the table into the lanes. Spare lanes copy the ball of the first one, and their
+// results are discarded.
 void PairBearingHertz::take(const int *rows, int count)
 {
   InLanes &room = *in_lanes_;
@@ -183,7 +183,7 @@ void PairBearingHertz::tally(const RacewayContact &c, const ContactForces &force
                forces.force.x, forces.force.y, forces.force.z, d.x, d.y, d.z);
 }
 
-// Place of a contact whose raceway or ball has a profile; whether it may touch.
+// Position of a contact whose raceway or ball has a profile; true if it may touch.
 bool PairBearingHertz::touch_profile(int row)
 {
   RacewayContact &c = table_.raceway[row];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which ball may touch which raceway, cage ball or ball: found once per neighbour build.
+// Possible contacts of balls with raceways, cage balls and balls, found once per neighbour build.
 #include "pair_bearing_hertz.h"
 
 #include "../core/settings/arguments.h"
@@ -95,7 +95,8 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
   }
 }
 
-// Claims and springs; every ball must sit in one ring of every side its type has a raceway on.
+// Adds the contacts with their claims and contact states; every ball must be in one ring on each
+// side where its type has a raceway.
 void PairBearingHertz::add_raceway_contacts()
 {
   std::vector<int> sides(atom->nlocal, 0);

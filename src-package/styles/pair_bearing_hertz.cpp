@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Set-up of the pair style: commands, coefficients, restart. The step itself is in
-// pair_bearing_compute.cpp, the finding of contacts in pair_bearing_contacts.cpp.
+// pair_bearing_compute.cpp, the contact search in pair_bearing_contacts.cpp.
 #include "pair_bearing_hertz.h"
 
 #include "../core/contact/part_table.h"
@@ -264,16 +264,16 @@ void PairBearingHertz::init_style()
   check_rings();
   check_ghosts();
   check_cages();
-  profiles_.clear();    // fixes bearing/profile give them again
+  profiles_.clear();    // set again by fixes bearing/profile
   ball_profiles_.clear();
   atoms_ = count_atoms();
   put_state_last();
   rebuild_ = true;
 }
 
-// The state fix puts back the forces of the step before after every other fix has had its set-up:
-// it must be the last one. Fixes defined since the run before move it to the end again, with all it
-// keeps.
+// The state fix puts back the forces of the step before after the set-up of every other fix, so it
+// must be the last one. If fixes were defined since the run before, it is moved to the end again,
+// with its state.
 void PairBearingHertz::put_state_last()
 {
   const int at = modify->find_fix(FixBearingState::fixed_id);
@@ -366,8 +366,8 @@ void PairBearingHertz::check_rings()
   }
 }
 
-// The hosts take the larger of what a deck asks for and what pairs need; who asks for less has
-// another thing in mind.
+// The hosts take the larger of the ghost cutoff in the deck and that of the pairs; a smaller one in
+// the deck is probably a mistake.
 void PairBearingHertz::check_ghosts()
 {
   double reach = 0.0;
@@ -385,15 +385,15 @@ void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
   cages_.insert({std::min(ball_type, cage_type), std::max(ball_type, cage_type)});
 }
 
-// Types that no pair_coeff names do not interact. For a cage that was made on purpose this is
-// hardly meant.
+// Types that no pair_coeff names do not interact. For a cage that was created this is hardly
+// intended.
 void PairBearingHertz::check_cages()
 {
   for (const TypePair &c : cages_)
     if (!spheres_.count(c) && comm->me == 0)
       BRG_WARN("cage balls pass through the balls: there is no 'pair_coeff " +
                std::to_string(c.first) + " " + std::to_string(c.second) + " sphere ...'");
-  cages_.clear();    // said once
+  cages_.clear();    // warn once
 }
 
 bigint PairBearingHertz::count_atoms() const
@@ -407,7 +407,7 @@ bigint PairBearingHertz::count_atoms() const
   return all;
 }
 
-// The hosts delete an atom that leaves the box; LIGGGHTS does so without a word.
+// The hosts delete an atom that leaves the box; LIGGGHTS does so silently.
 void PairBearingHertz::check_atoms() const
 {
   const bigint now = count_atoms();
@@ -436,7 +436,7 @@ double PairBearingHertz::init_one(int i, int j)
   return cut;
 }
 
-// A restart file keeps the commands themselves; reading it says them again.
+// A restart file stores the commands themselves; reading it replays them.
 static void write_words(FILE *fp, const std::vector<std::string> &words)
 {
   const int n = static_cast<int>(words.size());

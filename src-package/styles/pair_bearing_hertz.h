@@ -48,16 +48,17 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bool spheres() const { return !spheres_.empty(); }    // balls touch cage balls or one another
   int axis_index() const { return axis_; }              // 0 x, 1 y, 2 z
   raceway::Vec3 axis() const override;
-  // A bearing was made with these balls and cage balls: they need a pair_coeff ... sphere.
+  // Called when a bearing with these balls and cage balls was created: they need a pair_coeff ...
+  // sphere.
   void expect_sphere(int ball_type, int cage_type);
   bool is_ring_type(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball_type(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
-  // A groove of a ring for a ball, by number; null: none.
+  // Groove of a ring for a ball, by number; null if none.
   const raceway::RacewayPhysics *raceway(int ball_type, int ring_type, int groove = 0) const;
-  // Some ring has two grooves for a ball.
+  // True if some ring has two grooves for a ball.
   bool many_grooves() const;
-  // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if it is no
-  // ring.
+  // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if the type is
+  // not a ring.
   double pitch_radius(int ring_type) const;
   // parts of the contact law (core/contact/contact.h), one law for all raceways
   unsigned law() const { return law_; }
@@ -74,27 +75,27 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   void after_step() override;
   void run_done() override;
 
-  // Said by a fix bearing/capacitance in every init(), of the balls of a group.
+  // Called by fix bearing/capacitance in every init(), for the balls of a group.
   void add_capacitor(int groupbit, const raceway::CapacitorModel &);
 
-  // Profiles of the raceways, by ring: given anew in every init of the fixes.
+  // Profiles of the raceways, by ring: set anew in every init of the fixes.
   void add_profile(bearing::tag_t ring, const raceway::RacewayPhysics &,
                    const raceway::ProfileShape &);
   const raceway::RacewayProfile *profile(bearing::tag_t ring,
                                          const raceway::RacewayPhysics *) const;
-  // And of balls, by ball.
+  // Profiles of balls, by ball.
   void add_profile(bearing::tag_t ball, const raceway::RacewayPhysics &,
                    const raceway::BallShape &);
   const raceway::BallProfile *ball_profile(bearing::tag_t ball,
                                            const raceway::RacewayPhysics *) const;
   bool balls_turn() const { return !ball_profiles_.empty(); }    // their orientation matters
-  // An atom of a fix bearing/implicit, which advances its state.
+  // True for an atom of a fix bearing/implicit, which advances its state.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
-  // Raceways of a ring type, and those that balls of a type are on.
+  // Raceways of a ring type, and those of a ball type.
   std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
   std::vector<const raceway::RacewayPhysics *> raceways_under(int ball_type) const;
 
-  // The words of pair_style and of every pair_coeff.
+  // Words of pair_style and of every pair_coeff.
   const std::vector<std::vector<std::string>> &said() const { return said_; }
 
   // The pair style of the run; error naming `asked_by` if it is not one of this package.
@@ -156,8 +157,8 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   std::vector<char> ring_type_, ball_type_;
   std::vector<double> type_radius_;
   unsigned law_ = 0;
-  raceway::LawFacts facts_;    // of the law
-  int implicit_bits_ = 0;      // groups of fixes that advance themselves what contacts keep
+  raceway::LawFacts facts_;    // of the contact law
+  int implicit_bits_ = 0;      // groups of fixes that advance contact states themselves
 
   // the words of every command so far: what a restart file keeps and replays
   std::vector<std::vector<std::string>> said_;
@@ -177,13 +178,13 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::RingSum ring_sum_;
   FixBearingState *state_ = nullptr;
   bearing::ValidityCheck validity_;
-  bigint atoms_ = 0;    // of the types that pair_coeff names, at the start of the run
+  bigint atoms_ = 0;    // number with types named by pair_coeff, at the start of the run
   bool rebuild_ = true;
   int builds_ = 0;
   bigint fills_ = 0;
   bool capacitors_ = false;    // there is a fix bearing/capacitance
-  bool gaps_ = false;          // one asks for what surrounds contacts
-  bool warned_ = false;        // of a long step
+  bool gaps_ = false;          // one needs the surroundings of contacts
+  bool warned_ = false;        // warned of a too long step
 };
 
 }    // namespace LAMMPS_NS

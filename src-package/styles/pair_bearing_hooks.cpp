@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the pair style does outside the forces, at the hooks of fix bearing/state: places in the
-// sums of rings, checks of the step and of the laws' ranges.
+// Hooks of fix bearing/state in the pair style: claims in the sums of rings, checks of the step and
+// of the laws' ranges.
 #include "pair_bearing_hertz.h"
 
 #include "../contacts/step_check.h"
@@ -40,7 +40,7 @@ void PairBearingHertz::add_capacitor(int groupbit, const raceway::CapacitorModel
   validity_.add_shoulders(groupbit, model);
 }
 
-// Of velocity Verlet: fix bearing/implicit chooses its own steps.
+// Checks the step of velocity Verlet; fix bearing/implicit chooses its own substeps.
 void PairBearingHertz::check_step()
 {
   if (implicit_bits_) return;

@@ -28,7 +28,7 @@ static bool has(const Attributes &list, const std::string &name)
                      [&](const NetcdfHeader::Attribute &a) { return a.name == name; });
 }
 
-// What the one bearing of a record is: names with units, as in the decks' data files.
+// Data of a record's single bearing: names with units, as in the decks' data files.
 static void add_bearing(const RecordLayout &layout, Attributes &list)
 {
   static const std::map<std::string, const char *> suffix = {
@@ -40,7 +40,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
   };
   for (int k = 0; k < of_kind::N; ++k) {
     const raceway::Column &c = of_kind::list[k];
-    // that of a bearing without clearance, which stands beside it
+    // outer radius of a bearing without clearance; the clearance is a separate value
     const double outside = k == of_kind::OUTER_RADIUS ? 0.5 * of[of_kind::CLEARANCE] : 0.0;
     add(c.name + std::string(suffix.at(c.unit)), of[k] - outside);
   }
@@ -93,7 +93,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));
-  std::string surroundings;    // what the columns with surroundings are of
+  std::string surroundings;    // surroundings of the contacts in these columns
   for (const FixBearingCapacitance *f : fixes_of<FixBearingCapacitance>(lmp))
     if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
   if (!surroundings.empty())
@@ -103,7 +103,7 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
   return list;
 }
 
-// A text of YAML that a file's name may have made ambiguous.
+// YAML scalar for text that a file name may have made ambiguous.
 static std::string scalar(const std::string &words)
 {
   if (words.find(": ") == std::string::npos && words.find(" #") == std::string::npos) return words;

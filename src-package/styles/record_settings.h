@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a record says of a run beside its samples: as attributes of the file, and for people and
-// scripts in run.yaml.
+// Metadata of a run in a record: as attributes of the file, and in run.yaml for people and scripts.
 #ifndef BEARING_RECORD_SETTINGS_H
 #define BEARING_RECORD_SETTINGS_H
 
@@ -21,16 +20,17 @@ struct RunTimes {
 };
 
 // Every profile of a ring of the record: the ring's tag and the words of the fix bearing/profile,
-// with "; " between them. All ranks.
+// separated by "; ". Collective.
 std::string flaws_of(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &, const RecordLayout &);
 
-// The notes of the deck, what is known of the bearing if there is one, the host, the commands of
-// the pair style and the flaws.
+// Notes of the deck, data of the bearing if there is only one, the host, the commands of the pair
+// style and the flaws.
 NetcdfHeader::Attributes record_settings(LAMMPS_NS::LAMMPS *, LAMMPS_NS::PairBearingHertz &,
                                          const RecordLayout &,
                                          const NetcdfHeader::Attributes &notes, const RunTimes &);
 
-// Writes them to run.yaml in the folder, and `more`, which are numbers. A complaint, or empty.
+// Writes them and the numbers in `more` to run.yaml in the folder. Returns an error message, or
+// empty.
 std::string write_run_yaml(const std::string &folder, const NetcdfHeader::Attributes &,
                            const NetcdfHeader::Attributes &more);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Motion of a ring and what balls and cage exert on it.
+// Motion of a ring and the loads of balls and cage on it.
 #ifndef BEARING_RING_VALUES_H
 #define BEARING_RING_VALUES_H
 
@@ -13,7 +13,7 @@ class PairBearingHertz;
 
 namespace bearing {
 
-// A ring and what acts on it, with the bearing axis third.
+// A ring and its loads, with the bearing axis third.
 struct RingView {
   double tag;
   const raceway::RingPlace &place;

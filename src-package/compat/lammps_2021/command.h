@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Debian's liblammps-dev of 29Sep2021 leaves this header out: the class as LAMMPS calls it.
+// Missing in Debian's liblammps-dev of 29Sep2021: the class Command as LAMMPS declares it.
 #ifndef LMP_COMMAND_H
 #define LMP_COMMAND_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Debian's liblammps-dev of 29Sep2021 leaves fmt out, which its headers include. Declarations are
-// enough: nothing in this package calls a function of LAMMPS that takes a type of fmt.
+// Debian's liblammps-dev of 29Sep2021 does not ship fmt, which its headers include. Declarations
+// are enough: this package calls no LAMMPS function that takes a type of fmt.
 #ifndef BEARING_FMT_FORMAT_H
 #define BEARING_FMT_FORMAT_H
 
