@@ -28,7 +28,7 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
   return limit * root * (3.14159265358979323846 / 16.0 * modulus) * ab * ab * curvature / K;
 }
 
-// The same from E.
+// The same from a known E.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
 struct SpinPart : PartBase {
@@ -58,7 +58,7 @@ struct SpinPart : PartBase {
   {
     using B = Value<T>;
     const B root = held(c.root), a = k.a * root;
-    const B width = c.slip_width;    // of part_differential_slip.h, which comes before
+    const B width = c.slip_width;    // from part_differential_slip.h, which acts earlier
     const B along = held(c.sliding_t), across = held(c.sliding_w);
     const B slip = 1.9 * square_root(B(along * along + across * across));
     const B wide = 0.78 * width, speed = magnitude(held(c.spin_n)) * a;
