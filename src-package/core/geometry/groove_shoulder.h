@@ -32,7 +32,7 @@ template <class T> RACEWAY_INLINE T half_tangent(const T &sine, const T &cosine)
 {
   return sine / (1.0 + cosine);
 }
-// and of half of that again.
+// Tangent of half an angle from its tangent.
 template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
 {
   return tangent / (1.0 + square_root(T(1.0 + tangent * tangent)));

@@ -2,10 +2,10 @@
 // A part of the contact law: a struct with
 //
 //   name         one word, for tables and messages
-// when         always, with a film, or only on request by a keyword
+//   when         always, with a film, or only on request by a keyword
 //   slot         parts with the same slot exclude each other; "" for none
 //   needs_film   true if it has no meaning without a film
-// needs        name of another required part; "" for none
+//   needs        name of another required part; "" for none
 //   Parameters   its own numbers, with their defaults; prepare(raceway) where it derives some, and
 //                reach(raceway), the gap (m) at which its contacts begin, where that is not 0
 //   keywords()   the words that set them, with unit and range (Keyword below)
