@@ -49,7 +49,7 @@ GapShape shape_of(double kappa, double first, double second, double radius, doub
 }
 }    // namespace
 
-// G of the gap beside the ellipse, H = h/g_s
+// G of the gap outside the ellipse along rolling, H = h/g_s
 FORMULA(double, gap_beside, (double ratio))
 {
   const GapBeside<double> beside(std::pow(ratio, 1.0 / 6.0));

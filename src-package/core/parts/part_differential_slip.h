@@ -2,12 +2,12 @@
 // Differential slip along rolling and Coulomb's law of matching width across it, each in series
 // with the contact's tangential spring k_t (Mindlin):
 //   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
-// s the distance from free rolling, c the secant of the slip law. A slip law for dt >> tau, a
-// spring for dt << tau, sticking at rest. |f| stays below mu N. The states are the forces, in the
-// frame that turns with the ball's azimuth. Explicit steps see no more than the spring, so both
-// integrators take this law.
+// s the slip relative to free rolling, c the secant of the slip law. It acts as a slip law for dt
+// >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The states are the
+// forces, in the frame that turns with the ball's azimuth. Explicit steps see only the spring, so
+// both integrators support this law.
 //
-// The derivative holds mu, k_t, the ellipse and the shape of the secant; N it follows.
+// The derivative holds mu, k_t, the ellipse and the shape of the secant, but not N.
 #ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
 #define RACEWAY_PART_DIFFERENTIAL_SLIP_H
 

@@ -5,12 +5,13 @@
 //
 // The states are the forces f and the slip y after the spring, relative to free rolling:
 //   y' = (s - y)/tau,  f' = (F(y) + c (s - y) - f)/tau,  tau = c/k_t,
-// s the distance of the sliding from free rolling, F the sum over the slices. So f' is k_t (s - y)
-// while F lags: a slip law for dt >> tau, a spring for dt << tau. All that slices take but spin and
-// roll is y, which does not follow a swing of the spring; neither do then the couples. c is near
-// the slope of F in free rolling and above half of it anywhere, or a swing would grow.
+// s the slip relative to free rolling, F the sum over the slices. So f' is k_t (s - y) while F
+// lags: a slip law for dt >> tau, a spring for dt << tau. Apart from spin and roll the slices
+// depend only on y, which does not follow oscillations of the spring; neither do the couples. c is
+// near the slope of F in free rolling and above half of it everywhere, otherwise oscillations would
+// grow.
 //
-// The derivative holds mu, k_t, c and the ellipse; N it follows.
+// The derivative holds mu, k_t, c and the ellipse, but not N.
 #ifndef RACEWAY_PART_SLIP_SLICES_H
 #define RACEWAY_PART_SLIP_SLICES_H
 

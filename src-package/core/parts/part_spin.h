@@ -2,11 +2,11 @@
 // Couple against spin about the contact normal (docs/theory, Spin), (3/8) mu Q a E for pure spin
 // under Coulomb's law, E the complete elliptic integral of the ellipse.
 //
-// Where the contact also slips, small spin meets a couple in proportion to it. Gauss points over
-// the ellipse (python: theory/spin) give the width: omega a = 0.78 s_e beside differential slip,
-// omega a = 1.9 s beside gross sliding. Spin in turn takes over the couple of differential slip,
-// as 1 - 1.35 (omega a/s_e)^2. Moment and power agree with the Gauss points within
-// 5 % of mu Q a and mu Q s_e.
+// If the contact also slides, the couple at small spin is proportional to the spin. Gauss points
+// over the ellipse (python: theory/spin) give the width: omega a = 0.78 s_e with differential slip,
+// omega a = 1.9 s with gross sliding. Spin in turn reduces the couple of differential slip, by the
+// factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree with the Gauss points within 5 % of mu Q
+// a and mu Q s_e.
 //
 // The derivative is the couple over the spin.
 #ifndef RACEWAY_PART_SPIN_H
