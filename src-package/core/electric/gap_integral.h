@@ -8,8 +8,8 @@
 // ends along the groove's section, to S. Both are fits to integrals, good to 1 % of plates and
 // surroundings together for conformity 0.505 to 0.54, h 20 nm to 2 um, loads to 3 kN on a 6208.
 //
-// Without load, at the gap g_0, it is what that tends to as the load goes to 0 with h = g_0, so
-// that both meet:
+// Without load, at the gap g_0, it is the limit for load to 0 with h = g_0, so that both agree
+// there:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
 // e = ln(4 kappa) - 1. At c = 1 R_y' is the radius across the groove R_y within 1 %. c is
 // 1 - play/(r_c - R_b): with play the centres of ball and groove come closer, and the gap is

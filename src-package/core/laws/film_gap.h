@@ -7,11 +7,11 @@
 //   e the film at the load Q_0, m;  z its share
 //
 // With r = x/x_0, x_0 = (Q_0/K)^(2/3), n = 1.5 m this is r - H r^-n = D for r > 1, r - H = D below:
-// the left side grows with r and is concave, so there is one root, between 1 and D + H. A step from
-// r to r (1 + e) takes four terms of the inverse of Taylor's series, in Newton's relative step s.
-// All derivatives follow from r^-n. The step from D + H, with a rough r^-n, ends within 1e-3 of the
-// root for films up to 16 x_0. One with the exact r^-n then leaves rounding; other films take more.
-// Each lane stops by itself, so its bits do not depend on the others.
+// the left side increases with r and is concave, so there is one root, between 1 and D + H. A step
+// from r to r (1 + e) uses four terms of the inverted Taylor series in Newton's relative step s.
+// All derivatives follow from r^-n. The first step, from D + H with a rough r^-n, is within 1e-3 of
+// the root for films up to 16 x_0. One more with the exact r^-n is then exact to rounding; other
+// films need more steps. Each lane stops independently, so its bits do not depend on the others.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 

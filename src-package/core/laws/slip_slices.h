@@ -5,11 +5,11 @@
 // At (x along rolling, z across, both over a) the sliding velocity of the ball on the ring is
 //   v_t = s_t - q z - e z^2,  v_w = s_w + q x,
 // q = omega_n a of spin and e = Omega a^2/(2 R_d) of differential slip, m/s. The stress is mu p
-// along v. A slice has the load of Hertz's pressure on it, half at each of the two Gauss points of
-// its chord. Within it v is taken for a straight line, of which the mean direction is
+// along v. A slice carries the load of the Hertz pressure on it, half at each of the two Gauss
+// points of its chord. Within a slice v is taken as linear, with the mean direction
 //   mean(v/|v|) = 2 mean(v)/(|v| at one end + |v| at the other),
-// exact where v keeps its line. So forces have no steps where the sliding of a point turns about.
-// One weight per point stands in all sums: what they lose is positive at any motion.
+// exact where v keeps its line. Forces therefore have no steps where the sliding of a point
+// reverses. All sums share one weight per point: the power lost is positive for any motion.
 #ifndef RACEWAY_SLIP_SLICES_H
 #define RACEWAY_SLIP_SLICES_H
 
