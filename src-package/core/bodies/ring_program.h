@@ -106,7 +106,7 @@ struct RingProgram {
     total = total * share_of_load(s);
     return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
-  // The mass that is off centre lags behind its acceleration about the ring's centre.
+  // The eccentric mass lags behind its acceleration about the ring's centre.
   Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
   {
     if (mode[SPIN] != Freedom::speed) return {};
