@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bearings that one solver can serve in turn: they differ in their atoms' tags and in the values
-// that a ring has for itself, which are loaded with their state, and in nothing else.
+// Bearings that one solver can serve in turn: they differ only in the tags of their atoms and in
+// the values set per ring, which are loaded with the state.
 #ifndef RACEWAY_ALIKE_BEARINGS_H
 #define RACEWAY_ALIKE_BEARINGS_H
 

@@ -6,7 +6,7 @@
 
 namespace raceway {
 
-// About the axis, by the azimuth of the frame.
+// Rotation about the bearing axis by the azimuth of the frame.
 static Quaternion azimuth(const LaneFrame &f, int lane)
 {
   return Quaternion::by({0.0, 0.0, std::atan2(f.s[lane], f.c[lane])});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Orientations of four balls, where a profile of theirs asks for them: from the own axes of each
-// ball to the frame that turns with its azimuth (lane_frame.h). There the ball's spin less that of
-// the frame is constant over a stage, as all components are, so the turn by it is exact.
+// Orientations of four balls, kept if one of them has a profile: from the ball's own axes to the
+// frame that turns with its azimuth (lane_frame.h). In that frame the spin of the ball relative to
+// the frame is constant over a stage, like all components, so this rotation is exact.
 #ifndef RACEWAY_BALL_TURNS_H
 #define RACEWAY_BALL_TURNS_H
 
@@ -20,24 +20,25 @@ struct BallTurns {
   explicit BallTurns(int of) : group(of) {}
   void load(int lane, const LaneFrame &, const Quaternion &lab);
   Quaternion stored(int lane, const LaneFrame &) const;
-  void start();                                          // of a step: base is from
+  void start();                                          // starts a step: base = from
   void move(const BodyGroup &, double h);                // now is h seconds after base
-  void coast(const BodyGroup &, double h, bool on);      // from there, or from now
-  void second_base(double beyond);                       // base: so many times as far as now
-  void accept();                                         // from is now
-  void rest() { std::copy(from, from + lanes, now); }    // now is from
-  void keep() { std::copy(now, now + lanes, end); }      // while now is put elsewhere
+  void coast(const BodyGroup &, double h, bool on);      // starts at from, or at now if on
+  void second_base(double beyond);                       // base = from, turned by beyond times the
+                                                         // last turn
+  void accept();                                         // from = now
+  void rest() { std::copy(from, from + lanes, now); }    // now = from
+  void keep() { std::copy(now, now + lanes, end); }      // saves now while it is moved elsewhere
   void put_back() { std::copy(end, end + lanes, now); }
-  // At the share s of a step of h seconds that ends at end, with these velocities.
+  // Orientation at the share s of a step of h seconds that ends at end, v and w at its end.
   void between(const BodyGroup &, const LaneFrame &end_frame, const Vec3L &v, const Vec3L &w,
                double h, double s);
 
-  // rad/s, of a ball against its frame
+  // Angular velocity of a ball relative to its frame, rad/s.
   static Vec3 rate(const Vec3L &v, const Vec3L &w, const LaneFrame &f, int lane)
   {
     return {w.x[lane], w.y[lane], w.z[lane] - v.y[lane] / f.r[lane]};
   }
-  // Directions that are known in the frame, in the own axes.
+  // Directions n, t and w, given in the frame, in the ball's own axes.
   static BallView view(const Quaternion &ball, const Vec3 &n, const Vec3 &t, const Vec3 &w)
   {
     const Quaternion back = ball.back();

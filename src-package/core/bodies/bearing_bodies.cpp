@@ -26,14 +26,14 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
   }
 }
 
-// Balls on the same raceways stand side by side, and so do cage balls on the same rails.
+// Puts balls on the same raceways next to each other, likewise cage balls on the same rails.
 void BearingBodies::place()
 {
   using Key = std::vector<std::pair<int, const void *>>;
   std::vector<Key> key(model.bodies.size());
   for (const BearingModel::Groove &g : model.grooves) key[g.body].push_back({g.ring, g.physics});
   for (const BearingModel::Seat &s : model.seats) key[s.body].push_back({s.ring, s.rails});
-  // in order of their first body: addresses must not order anything
+  // ordered by first body: addresses must not decide the order
   std::vector<std::vector<int>> rows;
   for (int k = 0; k < static_cast<int>(key.size()); ++k) {
     auto same = [&](const std::vector<int> &row) {
@@ -186,7 +186,7 @@ void BearingBodies::find_unknowns_of(size_t k)
   }
 }
 
-// They do not change while a run lasts.
+// The unknowns do not change during a run.
 void BearingBodies::find_unknowns()
 {
   unknowns_known_ = true;
@@ -217,7 +217,7 @@ void BearingBodies::find_unknowns()
   if (!bends.empty()) find_columns();
 }
 
-// What hangs together by contacts alone: rings are numbered first, then groups.
+// Finds the parts of the bearing connected by contacts; rings are numbered first, then groups.
 void BearingBodies::find_columns()
 {
   const int n = static_cast<int>(rings.size());
@@ -237,7 +237,8 @@ void BearingBodies::find_columns()
   columns_of_column.assign(columns, {});
   for (int pass = 0; pass < 2; ++pass)
     for (int k = 0; k < n; ++k) {
-      if (rings[k].levered || is_bent_shaft(k)) continue;    // its shaft has them; meets no contact
+      if (rings[k].levered || is_bent_shaft(k)) continue;    // unknowns belong to its shaft, which
+                                                             // has no contacts
       for (int column : rings[k].unknown) {
         if (column < 0) continue;
         if (pass == 0) of_part[part[k]].push_back(column);
@@ -260,7 +261,7 @@ void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<
     rings[b.shaft].from =
         shaft_of(rings[first.ring].from, first.at, Deflection(*first.station, b.from));
   }
-  // balls circle the ring that is not free, the last one if there is a choice
+  // balls orbit the ring that is fixed, the last such ring if there are several
   bool found = false;
   for (const RingBody &r : rings) {
     if (r.empty) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bodies and rings of one bearing, laid out for the implicit step: four bodies side by side, balls
+// Bodies and rings of one bearing in the layout of the implicit step: four bodies per group, balls
 // on the same raceways and cage balls on the same rails next to each other.
 #ifndef RACEWAY_BEARING_BODIES_H
 #define RACEWAY_BEARING_BODIES_H
@@ -17,19 +17,19 @@ struct alignas(32) RingBody {
   RingProgram program;
   RingPose from, base, now, first;
   double gained[RingProgram::N_DOF] = {};
-  int unknown[RingProgram::N_DOF];    // number of a free degree of freedom, else -1; of a ring on
-                                      // a shaft that bends: its column (BearingBodies::columns)
-  bool loose = false;                 // some degree of freedom is free
+  int unknown[RingProgram::N_DOF];    // number of a free degree of freedom, else -1; on a flexible
+                                      // shaft: the ring's column (BearingBodies::columns)
+  bool loose = false;                 // at least one degree of freedom is free
   bool carried = false;               // by a shaft
-  bool levered = false;               // by a rigid one, whose unknowns it has
-  int holder = -1;                    // ring that its supports hold it to, -1: the ground
-  int bend = -1;                      // of a shaft that bends: in BearingBodies::bends
-  bool holds = false;                 // another one
-  bool empty = false;                 // without a raceway: a housing
-  double at = 0.0;                    // m, a carried ring from the shaft's centre
-  double span = 0.0;                  // m, of a shaft: to the farthest of its rings
+  bool levered = false;               // by a rigid shaft, whose unknowns it shares
+  int holder = -1;                    // ring to which its supports hold it, -1: ground
+  int bend = -1;                      // flexible shaft: index in BearingBodies::bends
+  bool holds = false;                 // another ring
+  bool empty = false;                 // no raceway: a housing
+  double at = 0.0;                    // m, position of a carried ring from the shaft's centre
+  double span = 0.0;                  // m, shaft: distance from its centre to its farthest ring
   double spring = 0.0;                // N/m, sum over contacts; with dampers_only
-  Vec3 force, moment;                 // of the contacts: sums of the lanes
+  Vec3 force, moment;                 // contact loads: sums over the lanes
 };
 
 class BearingBodies {
@@ -38,23 +38,23 @@ class BearingBodies {
 
   void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
   void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
-  void accept();        // what is now is the start of the next step
-  void carry();         // rings to where their shafts are now
-  void add_shafts();    // forces and moments of carried rings on their shafts
-  // What the supports of a ring see of it: from its holder, if it has one; of a shaft that bends,
-  // its centre.
+  void accept();        // the present state starts the next step
+  void carry();         // moves carried rings with their shafts
+  void add_shafts();    // adds forces and moments of carried rings to their shafts
+  // Pose that acts on the supports of a ring: relative to its holder if it has one; for a flexible
+  // shaft, the pose of its centre.
   RingPose held(const RingBody &r) const
   {
     if (r.bend >= 0) return bends[r.bend].bent_centre(r.now);
     return r.holder < 0 ? r.now : seen_from(r.now, rings[r.holder].now);
   }
-  // N, on a ring at the share s of the host's step: contacts, loads, supports and weight.
+  // Force on a ring at the share s of the host's step, N: contacts, loads, supports and weight.
   Vec3 force_on(const RingBody &, double s) const;
   Vec3 moment_on(const RingBody &, double s) const;    // N m, likewise
-  // N and N m, of supports that hold other rings to this one.
+  // Adds force (N) and moment (N m) of the supports that hold other rings to this one.
   void add_held(const RingBody &, Vec3 *force, Vec3 *moment) const;
 
-  // What contacts keep (part.h), groove by groove of the model, `states` numbers each.
+  // State variables of the contacts (part.h), groove by groove of the model, `states` values each.
   int states() const { return states_; }
   void load_states(const double *);
   void store_states(double *) const;
@@ -73,47 +73,47 @@ class BearingBodies {
     int ring, dof;
   };
   struct Carried {
-    int ring, shaft;    // both in rings
+    int ring, shaft;    // both index rings
   };
-  struct alignas(32) States {    // of four contacts: numbers of a contact at four instants
+  struct alignas(32) States {    // state variables of four contacts at four instants
     Lane from[most_states], base[most_states], now[most_states], first[most_states];
   };
 
   BearingModel model;
-  std::vector<int> slot, body_at;    // of a body; of a slot (group 4 k + lane), -1: padding
+  std::vector<int> slot, body_at;    // by body; by slot (group 4 k + lane), -1: padding
   std::vector<BodyGroup> groups;
   std::vector<Track> tracks;
-  bool flawed = false;    // some of them have a profile, or some of the balls
-  // By group of contacts, and the rows of their depths; empty if no ball has a profile.
+  bool flawed = false;    // some raceway or ball has a profile
+  // By group of contacts, with the rows of their depths; empty if no ball has a profile.
   struct BallProfiles {
     bool any = false;
     const BallProfile *of[lanes] = {};
   };
   std::vector<BallProfiles> ball_profiles;
   std::vector<TurnRowT<Lane>> ball_rows;
-  std::vector<BallTurns> turns;    // of groups with such balls
-  std::vector<int> turns_at;       // of a group, -1: none
+  std::vector<BallTurns> turns;    // of groups with profiled balls
+  std::vector<int> turns_at;       // by group, -1: none
   std::vector<RailTrack> rail_tracks;
   int n_contacts = 0;             // groups of contacts: the sum over the tracks
-  std::vector<int> contact_at;    // of a groove of the model: lanes * group of contacts + lane
-  std::vector<int> groove_at;     // the reverse, or -1
-  std::vector<States> kept;       // by group of contacts, where the law keeps any
+  std::vector<int> contact_at;    // by groove of the model: lanes * group of contacts + lane
+  std::vector<int> groove_at;     // inverse of contact_at, -1: none
+  std::vector<States> kept;       // by group of contacts, if the law has states
   std::vector<KeptSlopes> kept_slopes;
-  std::vector<RingBody> rings;    // those of the model, then a shaft each
+  std::vector<RingBody> rings;    // rings of the model, then one per shaft
   std::vector<Carried> on_shafts;
   std::vector<Free> free;    // degrees of freedom of the rings: the border
-  // With shafts that bend, their free degrees of freedom are the last ones, and their modes follow.
+  // Free degrees of freedom of flexible shafts come last, followed by their modes.
   std::vector<ShaftBend> bends;
   int unknowns = 0;    // of the border
-  // Motions of rings that contacts meet: the first unknowns, but for shafts that bend, then all of
-  // each ring on such a shaft.
+  // Ring motions at the contacts: first the unknowns except those of flexible shafts, then all
+  // motions of each ring on such a shaft.
   int columns = 0, straight = 0;
-  // Those that a group may have numbers in, by group: all, or with shafts that bend the ones of its
-  // own bearing. With such shafts the same by column.
+  // Columns that can be nonzero, by group: all of them, or with flexible shafts those of the
+  // group's own bearing. With flexible shafts likewise by column.
   std::vector<std::vector<int>> columns_of_group, columns_of_column;
-  Vec3 centre;           // of the turning frames
-  Vec3 gravity;          // m/s^2, on all bodies and rings
-  bool heavy = false;    // there is any
+  Vec3 centre;           // of the rotating frames
+  Vec3 gravity;          // m/s^2, acts on all bodies and rings
+  bool heavy = false;    // gravity is not zero
 
  private:
   void place();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One bearing: who may touch whom, what each ring is told to do, and the state of all of them. No
-// host in it: atoms have tags, and what moves a ring is a number in a list of the caller. Indices
-// point into bodies and rings. Names have the bearing axis third; units are SI.
+// One bearing: pairs of bodies that may touch, the program of each ring, and the state. Independent
+// of the host: atoms have tags, and the mover of a ring is an index into a list of the caller.
+// Indices refer to bodies and rings. The bearing axis is the third axis; units are SI.
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
@@ -27,22 +27,22 @@ struct BearingModel {
   struct Ring {
     Tag tag;
     int mover;                     // in the caller's list, -1: at rest
-    std::vector<RingValue> own;    // what this ring has for itself
+    std::vector<RingValue> own;    // values set for this ring alone
     bool on_shaft = false;         // moves as one body with all rings of its mover
-    double at = 0.0;               // m, along that shaft from its centre
-    Tag held_by = 0;               // ring that its supports hold it to, 0: the ground
-    int holder = -1;               // the same, in rings
+    double at = 0.0;               // m, position along that shaft from its centre
+    Tag held_by = 0;               // ring to which its supports hold it, 0: ground
+    int holder = -1;               // the same as an index into rings
   };
   struct Shaft {    // rings that move as one body
     int mover;
     std::vector<int> rings;               // by tag
-    const ShaftModes *modes = nullptr;    // of a shaft that bends
+    const ShaftModes *modes = nullptr;    // of a flexible shaft
   };
   struct Groove {    // a ball that may touch a raceway
     int body, ring;
     const RacewayPhysics *physics;
-    const RacewayProfile *profile = nullptr;    // where it is not a torus
-    const BallProfile *ball = nullptr;          // where that is not a sphere
+    const RacewayProfile *profile = nullptr;    // if it is not a torus
+    const BallProfile *ball = nullptr;          // if it is not a sphere
   };
   struct Pocket {    // two bodies that may touch, as spheres
     int a, b;
@@ -66,7 +66,7 @@ struct BearingModel {
 
 struct BodyPose {
   Vec3 x, v, w;
-  Quaternion turn;    // from the own axes of a ball, where that matters
+  Quaternion turn;    // from the ball's own axes, where needed
 };
 
 }    // namespace raceway

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four bodies side by side in the implicit step: motion, and their part of its linear system.
+// Four bodies of the implicit step: their motion and their part of the linear system.
 #ifndef RACEWAY_BODY_GROUP_H
 #define RACEWAY_BODY_GROUP_H
 
@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// What holds lanes is aligned for the widest instructions and has its lanes first.
+// Structs with lanes are aligned for the widest vector instructions and list their lanes first.
 struct alignas(32) BodyGroup {
   Lane mass, inertia, radius;
   LaneMask used;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What contacts keep (core/parts/part.h) belongs to the velocities at the end of a stage. The last
-// evaluation knows it at those before the last correction, and its slopes. To first order in that
-// correction this gives what the stage itself solved for: momentum and kept forces agree. Without
-// it a stiff tangential spring, one correction late, is an explicit step, which is unstable.
+// The states of the contacts (core/parts/part.h) depend on the velocities at the end of a stage.
+// The last evaluation gives them, with their slopes, at the velocities before the last correction.
+// The first-order update here gives the states that the stage itself solved for, so that momentum
+// and contact forces agree. Without it a stiff tangential spring would lag by one correction, as in
+// an explicit step, and be unstable.
 #ifndef RACEWAY_KEPT_FOLLOW_H
 #define RACEWAY_KEPT_FOLLOW_H
 
@@ -16,11 +17,11 @@ struct alignas(32) KeptSlopes {    // of four contacts, from the last evaluation
       lever;         // lever: from the centre of the ring or its shaft to the contact, m
   Lane slope;        // of a profile along the path (profiled_contact.h)
   Lane stiffness;    // N/m, of the elastic contact
-  LaneMask live;     // of the last evaluation
+  LaneMask live;     // contacts of the last evaluation
   Lane of[most_states][6];
 };
 
-// Velocities that a correction adds, in the ball's frame.
+// Change of velocities by a correction, in the ball's frame.
 struct Correction {
   Vec3L v, w;              // m/s, rad/s, of the balls
   Vec3L ring_v, ring_w;    // of the ring

@@ -6,8 +6,8 @@
 //   l_i/a_i + sum_j c_ij l_j = n_i . (x_first - x_second)
 // with c_ij = +-n_i . A^-1 n_j at a body that i and j share.
 // Links share at most two bodies with others, so c is tridiagonal, with one corner where a chain
-// closes to a circle; elimination carries that corner along. Order of operations depends on the
-// order of links only.
+// closes to a circle; elimination carries that corner along. The order of operations depends only
+// on the order of the links.
 #ifndef RACEWAY_LINK_CHAIN_H
 #define RACEWAY_LINK_CHAIN_H
 
@@ -23,7 +23,7 @@ class LinkChain {
     int body;
     Vec3 n;         // the link's normal in the body's own frame
     Vec3 answer;    // velocity of the body for a unit force along n: first three numbers of A^-1 n
-    int slot;       // 0 or 1: which of the body's links this is
+    int slot;       // 0 or 1: first or second link of the body
   };
   struct Link {
     End end[2];
@@ -38,7 +38,7 @@ class LinkChain {
     links.clear();
   }
 
-  // False if a body would have a third link: then it is no chain.
+  // False if a body would have a third link, so that the links form no chain.
   bool add(int first, int second, const Vec3 &n_first, const Vec3 &n_second, double a)
   {
     const int slot[2] = {of_body_[first].count, of_body_[second].count};
@@ -53,7 +53,7 @@ class LinkChain {
     return true;
   }
 
-  // Once every end's answer is known.
+  // Call once the answers of both ends of every link are set.
   void factor()
   {
     const int n = static_cast<int>(links.size());
@@ -62,7 +62,7 @@ class LinkChain {
     exit_.clear();
     done_.assign(n, false);
     for (int pass = 0; pass < 2;
-         ++pass)    // open chains first, from their ends; what is left are circles
+         ++pass)    // open chains first, from their ends; the rest are circles
       for (int i = 0; i < n; ++i) {
         if (done_[i]) continue;
         const bool open_0 = neighbour(i, 0) < 0, open_1 = neighbour(i, 1) < 0;
@@ -75,7 +75,7 @@ class LinkChain {
     for (const Chain &c : chains_) factor(c);
   }
 
-  // In place: right-hand sides to forces, by link.
+  // In place: turns right-hand sides into forces, by link.
   void solve(double *x) const
   {
     for (const Chain &c : chains_) {
@@ -106,7 +106,7 @@ class LinkChain {
     bool circle;
   };
 
-  // The other link at this end of a link, or -1.
+  // The other link at this end of a link, -1: none.
   int neighbour(int i, int end) const
   {
     const Pair &p = of_body_[links[i].end[end].body];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How a ring's degrees of freedom move it, in the turning frame of a ball (lane_frame.h).
+// Ring motion per degree of freedom, in the rotating frame of a ball (lane_frame.h).
 #ifndef RACEWAY_RING_MOTIONS_H
 #define RACEWAY_RING_MOTIONS_H
 
@@ -7,7 +7,7 @@
 
 namespace raceway {
 
-// Angular velocity of a ring for a unit of a degree of freedom; e is its axis.
+// Angular velocity of a ring per unit of a degree of freedom; e is its axis.
 RACEWAY_INLINE Vec3L rotation_of(int dof, const LaneFrame &f, const Vec3L &e)
 {
   const Lane none = {};
@@ -19,13 +19,13 @@ RACEWAY_INLINE Vec3L rotation_of(int dof, const LaneFrame &f, const Vec3L &e)
   }
 }
 
-// A lever from the ring's centre, from that of what moves as one with it.
+// Converts a lever from the ring's centre to one from the centre of the ring or its shaft.
 RACEWAY_INLINE Vec3L lever_of(const RingBody &ring, const Vec3L &e, const Vec3L &lever)
 {
   return ring.levered ? lever + e * ring.at : lever;
 }
 
-// Velocity of its point at `lever` from its centre.
+// Velocity of the ring's point at `lever` from its centre.
 RACEWAY_INLINE Vec3L motion_of(int dof, const LaneFrame &f, const Vec3L &e, const Vec3L &lever)
 {
   const Lane one = all_lanes(1.0), none = {};

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ring under either integrator: what is free, fixed or driven of it, its loads, and its motion.
+// A ring under either integrator: free, fixed and driven degrees of freedom, loads and motion.
 //
-// Names here have the bearing axis third. Degrees of freedom: x, y, z, tilt about x, tilt about y,
-// spin about the ring's own axis e.
+// The bearing axis is the third axis. Degrees of freedom: x, y, z, tilt about x, tilt about y, spin
+// about the ring's own axis e.
 //
-// Both integrators share displacements, driven tilts, the spin and the loads. They differ in how
-// they carry the angular velocity. Velocity Verlet keeps the vector w of the host (RingAtom): it
-// must go on with the host's own bits. The implicit step solves for rates (RingPose):
-// w = W + spin e with W across e, W = (rate_x, rate_y, .), so that
+// Both integrators share displacements, driven tilts, the spin and the loads; they differ in the
+// representation of the angular velocity. Velocity Verlet keeps the vector w of the host (RingAtom)
+// bit by bit. The implicit step solves for rates (RingPose):
+// w = W + spin e with W normal to e, W = (rate_x, rate_y, .), so that
 //   e' = W x e,    I_t W' = M_across - I_a spin (W x e),    I_a spin' = M.e
-// (M_across = M - (M.e) e: along e sits what drives an imposed spin). The gyroscopic moment is the
-// term with the spin.
+// (M_across = M - (M.e) e: the part along e includes the drive of an imposed spin). The gyroscopic
+// moment is the term with the spin.
 #ifndef RACEWAY_RING_PROGRAM_H
 #define RACEWAY_RING_PROGRAM_H
 
@@ -21,25 +21,24 @@ namespace raceway {
 
 enum class Freedom { fixed, free, speed, position };
 
-// One of the numbers that a ring may have for itself: `which` is a degree of freedom, FORCE + k or
-// MOMENT + k of RingProgram.
+// A value set for one ring: `which` is a degree of freedom, FORCE + k or MOMENT + k of RingProgram.
 struct RingValue {
   int which;
   double value;
 };
 
-// A force across the bearing axis that turns about it, from its first axis across.
+// A radial force that rotates about the bearing axis; phase from the first radial axis.
 struct TurningForce {
   double size = 0.0, speed = 0.0, phase = 0.0;    // N, rad/s, rad
 };
 
-// A mass that turns with a ring of imposed spin, beside its axis.
+// An eccentric mass that turns with a ring of imposed spin.
 struct Unbalance {
   double moment = 0.0, phase = 0.0;    // kg m, mass times eccentricity; rad, from the ring's angle
 };
 
-// A spring and a damper beside it, from a ring to the ground, where the ring was at the start, or
-// to another ring.
+// A parallel spring and damper from a ring to another ring, or to the ground at the ring's initial
+// position.
 struct Support {
   double stiffness = 0.0, damping = 0.0;    // N/m and N s/m; of a tilt N m/rad and N m s/rad
 };
@@ -48,8 +47,8 @@ struct RingPlace;
 
 inline Vec3 across_at(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
 
-// What happens to a ring over the host's step. Times within it are shares s, 0 at its start to 1 at
-// its end.
+// Program of a ring over the host's step. Times in the step are shares s, from 0 at its start to 1
+// at its end.
 struct RingProgram {
   enum { TILT = 3, SPIN = 5, N_DOF = 6, FORCE = N_DOF, MOMENT = FORCE + 3, N_VALUE = MOMENT + 3 };
   Freedom mode[N_DOF] = {Freedom::fixed, Freedom::fixed, Freedom::fixed,
@@ -61,10 +60,10 @@ struct RingProgram {
   Vec3 force[2], moment[2];    // N, N m, at both ends, linear between, before the ramp
   TurningForce turning;
   Unbalance unbalance;
-  // Of a shaft: loads and unbalances apart from its centre, as first moments along its axis.
+  // Shaft: first moments along its axis of loads and unbalances away from its centre.
   Vec3 leverage[2];         // N m, at both ends, linear between, before the ramp
   Unbalance couple;         // kg m^2
-  bool apart = false;       // there are any
+  bool apart = false;       // such loads or unbalances exist
   Support support[SPIN];    // of displacements and tilts
   bool supported = false;
   double spin_growth = 0.0;    // rad/s^2, of a driven spin
@@ -79,7 +78,7 @@ struct RingProgram {
   {
     return dof < TILT ? mass : dof == SPIN ? inertia.axial : inertia.transverse;
   }
-  // The N_VALUE numbers at one end (0 start, 1 end of the host's step).
+  // The N_VALUE values at one end (0 start, 1 end of the host's step).
   void set_values(int at, const double *values)
   {
     for (int k = 0; k < N_DOF; ++k) target[at][k] = values[k];
@@ -98,7 +97,7 @@ struct RingProgram {
     const double x = age / ramp;
     return x * x * (3.0 - 2.0 * x);
   }
-  // The load of a ring that has turned by `angle`.
+  // Load of a ring turned by `angle`.
   Vec3 force_at(double s, double angle) const
   {
     Vec3 total = force[0] + (force[1] - force[0]) * s;
@@ -107,7 +106,7 @@ struct RingProgram {
     total = total * share_of_load(s);
     return unbalance.moment == 0.0 ? total : total + unbalance_force(unbalance, s, angle);
   }
-  // The mass that is off centre lags behind its acceleration about the ring's centre.
+  // The eccentric mass lags behind its acceleration about the ring's centre.
   Vec3 unbalance_force(const Unbalance &of, double s, double angle) const
   {
     if (mode[SPIN] != Freedom::speed) return {};
@@ -115,14 +114,15 @@ struct RingProgram {
     const double w = target_at(SPIN, s);
     return (out * (w * w) - Vec3{-out.y, out.x, 0.0} * spin_growth) * of.moment;
   }
-  // The load's moment about the centre of a ring that is there.
+  // Moment of the load about the centre of a ring at this place.
   Vec3 moment_at(double s, const RingPlace &) const;
-  // Of the supports on the ring, N and N m; the rates of tilt are W across its axis.
+  // Force (N) and moment (N m) of the supports on the ring; the tilt rates are W of its axis.
   Vec3 support_force(const RingPlace &) const;
   Vec3 support_moment(const RingPlace &, double rate_1, double rate_2) const;
   double support_energy(const RingPlace &) const;    // J, of the springs
-  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W, dampers
-  // m/s^2 of what is free, under all forces (N).
+  double support_loss(const RingPlace &, double rate_1, double rate_2) const;    // W, of the
+                                                                                 // dampers
+  // Acceleration of the free degrees of freedom under the total force (N), m/s^2.
   Vec3 acceleration(const Vec3 &push) const
   {
     return {free(0) ? push.x / mass : 0.0, free(1) ? push.y / mass : 0.0,
@@ -130,7 +130,7 @@ struct RingProgram {
   }
 };
 
-// Where a ring is and how it got there.
+// Position and orientation of a ring, with the turned angles.
 struct RingPlace {
   Vec3 x, v, e{0.0, 0.0, 1.0}, origin;
   double angle = 0.0;             // rad, turned about its axis
@@ -177,9 +177,9 @@ inline double RingProgram::support_loss(const RingPlace &r, double rate_1, doubl
   return sum;
 }
 
-// Springs and dampers of velocity Verlet at the end of its step, whose velocities are half a step
-// behind (half, s; 0 where they are not). `push` (N) is everything else. A damper is implicit, so
-// it sets no limit to the step: v = v_half + half (push - K d - C v)/m.
+// Springs and dampers in velocity Verlet at the end of its step, with velocities half a step behind
+// (half, s; 0 if they are not). `push` (N) is the sum of all other forces. A damper is implicit, so
+// it does not limit the time step: v = v_half + half (push - K d - C v)/m.
 inline double verlet_support(const Support &on, double displacement, double behind, double push,
                              double inertia, double half)
 {
@@ -189,16 +189,16 @@ inline double verlet_support(const Support &on, double displacement, double behi
   return spring - on.damping * rate;
 }
 
-// What a support between two rings meets of one of them, in one degree of freedom of velocity
-// Verlet. `push` is everything else but `ground`, which holds it to the ground.
+// One end of a support between two rings, in one degree of freedom of velocity Verlet. `push` is
+// the sum of all other forces except `ground`, the support to the ground.
 struct SupportEnd {
   bool free;
   double displacement, behind, push, inertia;
   Support ground;
 };
 
-// The same of a support between two rings: dampers, that of the second to the ground too, are
-// implicit in the velocities of both. Force on the first.
+// The same for a support between two rings: its damper and that of the second ring to the ground
+// are implicit in the velocities of both. Force on the first.
 inline double verlet_support(const Support &on, const SupportEnd &held, const SupportEnd &holder,
                              double half)
 {
@@ -214,12 +214,12 @@ inline double verlet_support(const Support &on, const SupportEnd &held, const Su
   return spring - on.damping * rate;
 }
 
-// As velocity Verlet carries it: the host's atom.
+// Ring in velocity Verlet: the host's atom.
 struct RingAtom : RingPlace {
   Vec3 w;    // rad/s
 };
 
-// As the implicit step carries it.
+// Ring in the implicit step.
 struct RingPose : RingPlace {
   double rate[2] = {0.0, 0.0};    // rad/s, W across the bearing axis
   double spin = 0.0;              // rad/s
@@ -238,7 +238,7 @@ struct RingPose : RingPlace {
   }
 };
 
-// A ring as another one sees it: what supports between the two know of it. Its axis is left alone.
+// Pose of a ring relative to another ring, for the supports between them. The axis is unchanged.
 inline RingPose seen_from(const RingPose &r, const RingPose &from)
 {
   RingPose s = r;
@@ -251,7 +251,7 @@ inline RingPose seen_from(const RingPose &r, const RingPose &from)
   return s;
 }
 
-// The rotation vector (rad) across the bearing axis that turns it into e.
+// Rotation vector (rad), normal to the bearing axis, that turns the bearing axis into e.
 inline void tilt_of(const Vec3 &e, double *tilt)
 {
   const double sine = std::sqrt(e.x * e.x + e.y * e.y),
@@ -263,7 +263,7 @@ inline void tilt_of(const Vec3 &e, double *tilt)
 // ---- what both integrators share
 // -----------------------------------------------------------------
 
-// Velocities plus `gained` (3 values, m/s) where free.
+// Adds `gained` (3 values, m/s) to the free velocities.
 inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
 {
   double v[3];
@@ -273,7 +273,7 @@ inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
   r.v = Vec3::from(v);
 }
 
-// To the share s of the host's step, h seconds on, with the velocity it has where free.
+// Moves a ring over h seconds to the share s of the host's step, at its own velocity where free.
 inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
 {
   double x[3], v[3], origin[3];
@@ -295,7 +295,7 @@ inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
   r.v = Vec3::from(v);
 }
 
-// Rates of tilt (rad/s): those given where free, fixed or driven ones elsewhere.
+// Tilt rates (rad/s): the given ones where free, otherwise fixed or driven.
 inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, double h, double s)
 {
   for (int k = 0; k < 2; ++k) {
@@ -309,14 +309,14 @@ inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, 
   }
 }
 
-// Driven tilts define the axis outright: no drift from adding up small rotations.
+// Driven tilts set the axis directly: no drift from adding up small rotations.
 inline void tilt_by(RingPlace &r, const double *rate, double h)
 {
   for (int k = 0; k < 2; ++k) r.tilt[k] += rate[k] * h;
   r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
 }
 
-// Spin (rad/s): the one given where free.
+// Spin (rad/s): the given one where free.
 inline double driven_spin(const RingProgram &p, double spin, double s)
 {
   switch (p.mode[RingProgram::SPIN]) {
@@ -329,7 +329,7 @@ inline double driven_spin(const RingProgram &p, double spin, double s)
 // ---- velocity Verlet
 // ------------------------------------------------------------------------------
 
-// h seconds of force (N) and moment (N m); what is not free ignores them. Nothing moves.
+// Applies force (N) and moment (N m) over h seconds to the free degrees of freedom; no motion.
 inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &force,
                        const Vec3 &moment, double h)
 {
@@ -340,7 +340,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
     if (p.free(k)) gained[k] = h / p.mass * push[k];
   gain(p, r, gained);
   if (p.tilts_free()) {
-    // all of the gyroscopic coupling is in the momentum; an imposed spin takes its reaction
+    // the momentum contains the gyroscopic coupling; an imposed spin takes its reaction
     const double spin = dot(r.w, r.e);
     r.w = angular_velocity(p.inertia, angular_momentum(p.inertia, r.w, r.e) + moment * h, r.e);
     if (!p.free(RingProgram::SPIN)) r.w += r.e * (spin - dot(r.w, r.e));
@@ -353,7 +353,7 @@ inline RingAtom kicked(const RingProgram &p, const RingAtom &base, const Vec3 &f
   return r;
 }
 
-// On its way for h seconds to the end of the host's step.
+// Moves at constant velocity over h seconds to the end of the host's step.
 inline RingAtom coasted(const RingProgram &p, const RingAtom &base, double h)
 {
   RingAtom r = base;
@@ -381,7 +381,7 @@ inline RingAtom coasted(const RingProgram &p, const RingAtom &base, double h)
 // ---- the implicit step
 // ----------------------------------------------------------------------------
 
-// With the velocities of the base plus `gained` (N_DOF values) where free; nothing moves.
+// Velocities of the base plus `gained` (N_DOF values) where free; no motion.
 inline RingPose kicked(const RingProgram &p, const RingPose &base, const double *gained)
 {
   RingPose r = base;
@@ -392,7 +392,7 @@ inline RingPose kicked(const RingProgram &p, const RingPose &base, const double 
   return r;
 }
 
-// Everything but free tilts, whose axis the caller finds.
+// Moves everything except free tilts, whose axis the caller finds.
 inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, double s)
 {
   RingPose r = base;
@@ -405,8 +405,8 @@ inline RingPose displaced(const RingProgram &p, const RingPose &base, double h, 
 }
 
 // Implicit Euler from `base` over h to the share s of the host's step: pose = base + h (velocities
-// at the end), these being those of the base plus `gained` (N_DOF values) where free and the driven
-// ones elsewhere.
+// at the end). These are the velocities of the base plus `gained` (N_DOF values) where free,
+// otherwise the driven ones.
 inline RingPose moved(const RingProgram &p, const RingPose &base, const double *gained, double h,
                       double s)
 {
@@ -418,8 +418,8 @@ inline RingPose moved(const RingProgram &p, const RingPose &base, const double *
   return r;
 }
 
-// On its way for h seconds with the velocities that it has (driven ones: of the share s), to the
-// share s of the host's step.
+// Moves at constant velocity (driven velocities at the share s) over h seconds to the share s of
+// the host's step.
 inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, double s)
 {
   RingPose r = displaced(p, base, h, s);
@@ -430,7 +430,7 @@ inline RingPose coasted(const RingProgram &p, const RingPose &base, double h, do
   return r;
 }
 
-// from + b (to - from) in every coordinate: the base of a second stage.
+// from + b (to - from) in every coordinate: base of the second stage.
 inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
 {
   RingPose r = to;
@@ -448,8 +448,8 @@ inline RingPose beyond(const RingPose &from, const RingPose &to, double b)
   return r;
 }
 
-// Share s of a step of h seconds on its way from one pose to the next: places by the cubic that has
-// the velocities of both ends too, velocities linear between them.
+// Pose at the share s of a step of h seconds between two poses: positions by the cubic that also
+// matches the velocities at both ends, velocities by linear interpolation.
 inline RingPose between(const RingPose &from, const RingPose &to, double h, double s)
 {
   const Cubic at(s, h);

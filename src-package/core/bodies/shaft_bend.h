@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A shaft that bends, in the implicit step: its modes are unknowns beside those of the rigid shaft.
+// A flexible shaft in the implicit step: its modes are unknowns in addition to those of the rigid
+// shaft.
 #ifndef RACEWAY_SHAFT_BEND_H
 #define RACEWAY_SHAFT_BEND_H
 
@@ -7,13 +8,13 @@
 
 namespace raceway {
 
-// What the modes get over the host's step from loads, as RingProgram says it of the rigid shaft.
+// Modal loads over the host's step, as RingProgram gives the loads on the rigid shaft.
 struct BendProgram {
   std::vector<double> load[2];         // N, by mode of both planes, at both ends, before the ramp
   std::vector<Unbalance> unbalance;    // by mode of a plane
   std::vector<double> centre;          // displacement of the centre by mode, for a turning force
 
-  // N, by mode, at the share s of the host's step; `of` keeps its memory.
+  // Modal forces at the share s of the host's step, N; `of` keeps its memory between calls.
   void forces(const RingProgram &shaft, double s, double angle, std::vector<double> &of) const
   {
     const size_t n = unbalance.size();
@@ -36,34 +37,35 @@ struct BendProgram {
 
 struct ShaftBend {
   struct Seat {
-    int ring, column;    // column: the first of the ring's own in the linear system
+    int ring, column;    // column: first of the ring's own columns in the linear system
     double at;           // m, from the centre
     const ShaftModes::Station *station;
   };
   const ShaftModes *modes = nullptr;
-  const ShaftModes::Station *centre = nullptr;    // of mass
+  const ShaftModes::Station *centre = nullptr;    // centre of mass
   int shaft = -1;                                 // in BearingBodies::rings
   int unknown = -1;                               // of the first mode
   std::vector<Seat> seats;
   BendProgram program;
   BendState from, base, now, first;
-  std::vector<double> gained;      // m/s, by mode, since the base
-  std::vector<double> contacts;    // N, by mode, of the bearings
+  std::vector<double> gained;      // m/s, by mode, change since the base
+  std::vector<double> contacts;    // N, by mode, from the bearings
 
-  int size() const { return 2 * modes->size(); }    // unknowns
-  // Where the centre of mass has bent to: what supports hold.
+  int size() const { return 2 * modes->size(); }    // number of unknowns
+  // Pose of the centre of mass with the deflection: supports act there.
   RingPose bent_centre(const RingPose &shaft) const
   {
     return carried(shaft, 0.0, shaft.origin, Deflection(*centre, now));
   }
-  // N, by mode: of the loads, and of contacts, loads, supports, springs, dampers and the spin of
-  // the rigid shaft. Valid until the next call: every correction asks, and memory is kept for it.
+  // Modal forces, N: of the loads alone, and of contacts, loads, supports, springs, dampers and the
+  // spin of the rigid shaft. Valid until the next call: every correction calls them and memory is
+  // reused.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
-  void start();                       // a step, from `from`
-  void move(double h);                // to the end of a stage
-  void second_base(double beyond);    // of order 2
-  // On its way from `from` to `end` over h seconds, at the share s.
+  void start();                       // starts a step at `from`
+  void move(double h);                // moves to the end of a stage
+  void second_base(double beyond);    // for order 2
+  // State at the share s of a step of h seconds from `from` to `end`.
   void between(const BendState &end, double h, double s);
 
  private:

@@ -21,7 +21,7 @@ void ShaftLift::find(const BearingBodies &all)
         if (unknown >= 0) entries_.push_back({seat.column + dof, unknown, factor});
       };
       for (int dof = 0; dof < RingProgram::N_DOF; ++dof) add(dof, shaft.unknown[dof], 1.0);
-      // the velocity of a lever along the axis, by tilts of the shaft
+      // axial velocity at a lever, from tilts of the shaft
       add(0, shaft.unknown[tilt + 1], seat.at * e.z);
       add(1, shaft.unknown[tilt], -seat.at * e.z);
       add(2, shaft.unknown[tilt], seat.at * e.y);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How the unknowns of the border move the rings that contacts meet: columns = T unknowns. A ring on
-// a shaft that bends moves with the rigid shaft and with its modes. All others are unknowns.
+// Map T from the unknowns of the border to the motions of rings at contacts: columns = T unknowns.
+// A ring on a flexible shaft moves with the rigid shaft and its modes. For all other rings T is the
+// identity.
 #ifndef RACEWAY_SHAFT_LIFT_H
 #define RACEWAY_SHAFT_LIFT_H
 
@@ -26,7 +27,7 @@ class ShaftLift {
     double factor;
   };
   std::vector<Entry> entries_;
-  const std::vector<std::vector<int>> *coupled_ = nullptr;    // columns that one column meets
+  const std::vector<std::vector<int>> *coupled_ = nullptr;    // columns coupled to a column
   std::vector<double> half_;                                  // columns T
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How a round shaft bends: elastic modes beside its motion as a rigid body, the same in the planes
-// of both axes across (names have the bearing axis third). A mode's coordinate is a length; modes
-// stand still while the shaft turns. They are free of the rigid body in mass, and
+// Bending of a round shaft: elastic modes in addition to its rigid-body motion, equal in the planes
+// of both radial axes (the bearing axis is the third). Modal coordinates are lengths; the modes do
+// not rotate with the shaft. They are mass-orthogonal to the rigid-body motion, and
 //   m a'' + c a' + k a + spin g b' = f_a,    m b'' + c b' + k b - spin g a' = f_b
-// with the coordinates a of the first plane and b of the second. The gyroscopic matrix g also joins
-// them to the slopes of the rigid shaft, which are its first row and column.
+// with the coordinates a of the first plane and b of the second. The gyroscopic matrix g also
+// couples them to the slopes of the rigid shaft, its first row and column.
 #ifndef RACEWAY_SHAFT_MODES_H
 #define RACEWAY_SHAFT_MODES_H
 
@@ -35,7 +35,7 @@ struct ShaftModes {
   }
 };
 
-// Of all modes: those of the first plane, then those of the second.
+// Of all modes: first plane, then second plane.
 struct BendState {
   std::vector<double> place, rate;    // m, m/s
 
@@ -46,9 +46,9 @@ struct BendState {
   }
 };
 
-// Of a place of the shaft against the rigid one.
+// Deflection at a position of the shaft relative to the rigid shaft.
 struct Deflection {
-  double moved[2] = {}, slope[2] = {};    // m, rad: of the axis, along both axes across
+  double moved[2] = {}, slope[2] = {};    // m, rad: of the axis, along both radial axes
   double speed[2] = {}, rate[2] = {};     // m/s, rad/s
 
   Deflection(const ShaftModes::Station &s, const BendState &b)
@@ -65,14 +65,14 @@ struct Deflection {
   }
 };
 
-// An axis with other slopes, and how fast it moves.
+// Axis with these slopes, and its rate of change.
 inline Vec3 axis_of(double x, double y) { return {x, y, std::sqrt(1.0 - x * x - y * y)}; }
 inline Vec3 axis_speed(const Vec3 &e, double x, double y)
 {
   return {x, y, -(e.x * x + e.y * y) / e.z};
 }
 
-// The axis `from` of a place becomes e; the rates of its slopes grow by the two given.
+// Turns the axis `from` of a place into e; the rates of its slopes grow by the two given.
 template <class Place>
 void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double rate_2)
 {
@@ -88,7 +88,7 @@ void turn_axis(Place &r, const Vec3 &e, const Vec3 &from, double rate_1, double 
   tilt_of(r.e, r.tilt);
 }
 
-// A ring on a shaft that bends.
+// Ring on a flexible shaft.
 template <class Place>
 Place carried(const Place &shaft, double at, const Vec3 &origin, const Deflection &d)
 {
@@ -100,7 +100,7 @@ Place carried(const Place &shaft, double at, const Vec3 &origin, const Deflectio
   return ring;
 }
 
-// The rigid shaft of a ring on it.
+// Rigid shaft of a ring on it.
 template <class Place> Place shaft_of(const Place &ring, double at, const Deflection &d)
 {
   Place straight = ring;
@@ -111,7 +111,7 @@ template <class Place> Place shaft_of(const Place &ring, double at, const Deflec
   return shaft_of(straight, at);
 }
 
-// Adds to the modes' forces (N) a force and a moment at a station; e is the axis there.
+// Adds a force and a moment at a station to the modal forces (N); e is the axis there.
 inline void add_to_modes(const ShaftModes::Station &s, const Vec3 &e, const Vec3 &force,
                          const Vec3 &moment, std::vector<double> &of)
 {
@@ -123,7 +123,7 @@ inline void add_to_modes(const ShaftModes::Station &s, const Vec3 &e, const Vec3
   }
 }
 
-// The same of the supports at a station, which is there.
+// Adds the supports at a station; the place is that of the station.
 inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, const RingPose &there,
                          std::vector<double> &of)
 {
@@ -131,8 +131,8 @@ inline void add_supports(const ShaftModes::Station &s, const RingProgram &p, con
                p.support_moment(there, there.rate[0], there.rate[1]), of);
 }
 
-// About the centre of the rigid shaft, with its axis e: what a ring with the axis `own` gets. What
-// turns the ring about its own axis turns the shaft about its.
+// Moment about the centre of the rigid shaft with axis e, from the force and moment on a ring with
+// the axis `own`. The moment about the ring's own axis acts about the shaft's axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const Vec3 &force,
                                 const Vec3 &moment)
 {
@@ -141,7 +141,7 @@ inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &own, const
   return moment_about_centre(e, at, force, across + e * (torque - dot(across, e)));
 }
 
-// N, by mode, of springs, dampers and the spin on the modes of a shaft; `of` keeps its memory.
+// Modal forces of springs, dampers and the spin on the modes of a shaft, N; `of` keeps its memory.
 inline void own_forces(const ShaftModes &m, const BendState &b, const RingPose &shaft,
                        std::vector<double> &of)
 {
@@ -159,7 +159,7 @@ inline void own_forces(const ShaftModes &m, const BendState &b, const RingPose &
   }
 }
 
-// N m, of the modes' gyroscopic forces on the tilts of their shaft.
+// Gyroscopic moment of the modes on the tilts of their shaft, N m.
 inline Vec3 moment_of_modes(const ShaftModes &m, const BendState &b, double spin)
 {
   Vec3 sum;
@@ -181,7 +181,7 @@ inline double strain_energy(const ShaftModes &m, const BendState &b)    // J
   return sum;
 }
 
-// m/s^2, of a ring on a shaft that bends, over that of the rigid one.
+// Acceleration of a ring on a flexible shaft relative to the rigid shaft, m/s^2.
 inline Vec3 bending_acceleration(const ShaftModes &m, const ShaftModes::Station &s,
                                  const std::vector<double> &forces)
 {

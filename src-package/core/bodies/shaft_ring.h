@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A shaft is a ring without raceways (RingProgram, RingPose) that carries rings: each is fixed to
-// it on its axis, `at` metres from its centre. So a carried ring has the axis, the angular velocity
+// A shaft is a ring without raceways (RingProgram, RingPose) that carries rings, each fixed on its
+// axis at a distance `at` (m) from its centre. A carried ring has the axis, the angular velocity
 // and the turned angle of its shaft.
 #ifndef RACEWAY_SHAFT_RING_H
 #define RACEWAY_SHAFT_RING_H
@@ -12,7 +12,7 @@ namespace raceway {
 inline Vec3 turning(const RingPose &r) { return r.across(); }
 inline Vec3 turning(const RingAtom &r) { return r.w; }
 
-// A ring on its shaft. The origin is the ring's own.
+// Ring on its shaft. The origin is that of the ring.
 template <class Place> Place carried(const Place &shaft, double at, const Vec3 &origin)
 {
   Place ring = shaft;
@@ -22,7 +22,7 @@ template <class Place> Place carried(const Place &shaft, double at, const Vec3 &
   return ring;
 }
 
-// The shaft of a ring. At the start its axis was the bearing axis.
+// Shaft of a ring. Its initial axis was the bearing axis.
 template <class Place> Place shaft_of(const Place &ring, double at)
 {
   Place shaft = ring;
@@ -32,14 +32,14 @@ template <class Place> Place shaft_of(const Place &ring, double at)
   return shaft;
 }
 
-// About the shaft's centre: a moment, and a force that acts `at` metres along its axis.
+// Moment about the shaft's centre: of a moment and of a force `at` metres along its axis.
 inline Vec3 moment_about_centre(const Vec3 &e, double at, const Vec3 &force, const Vec3 &moment)
 {
   return moment + cross(e * at, force);
 }
 
-// m/s^2, of a carried ring; push (N) and moment (N m) act at the shaft's centre. What is not free
-// has no acceleration of its own.
+// Acceleration of a carried ring, m/s^2; push (N) and moment (N m) act at the shaft's centre. Fixed
+// and driven degrees of freedom have no acceleration of their own.
 inline Vec3 carried_acceleration(const RingProgram &p, const RingPose &shaft, double at,
                                  const Vec3 &push, const Vec3 &moment)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The law of any set of parts, on lanes: each part is a function of its own, compiled once
-// (any_law_parts.h), and those of the set are called one after the other. It has the bits of a law
-// that is compiled as a whole (contact.h), and takes 1.3 to 1.9 times as long.
+// A contact law of any set of parts, on lanes: each part is a separate function, compiled once
+// (any_law_parts.h), and the parts of the set are called in turn. The results are bit-identical to
+// those of a law compiled as a whole (contact.h); it takes 1.3 to 1.9 times as long.
 #ifndef RACEWAY_ANY_LAW_H
 #define RACEWAY_ANY_LAW_H
 
@@ -25,7 +25,7 @@ struct LawFunctions {
 };
 extern const LawFunctions wide_law, narrow_law;    // narrow: for processors without AVX2
 
-// Members as those of LawOf (law.h). n: motions that forces depend on, 3 or 6.
+// Same members as LawOf (law.h). n: number of motions that forces depend on, 3 or 6.
 template <int n> class AnyLaw {
  public:
   static constexpr int room = most_states, motions = n;

@@ -2,7 +2,7 @@
 // For processors without AVX2.
 #include "../numbers/lane.h"
 
-#ifdef RACEWAY_TWO_TARGETS    // else any_law.cpp is for one target
+#ifdef RACEWAY_TWO_TARGETS    // otherwise any_law.cpp covers the only target
 #define RACEWAY_ONE_TARGET 1
 #include "any_law_parts.h"
 

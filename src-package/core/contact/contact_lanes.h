@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts of balls with one groove, four at a time and without derivatives: what the host's step
-// asks for.
-// A lane has the bits that a contact alone has.
+// Contacts of balls with one groove, four at a time and without derivatives, for the host's step.
+// Each lane is bit-identical to the contact evaluated alone.
 #ifndef RACEWAY_CONTACT_LANES_H
 #define RACEWAY_CONTACT_LANES_H
 
@@ -10,45 +9,45 @@
 
 namespace raceway {
 
-// Where a profile of the raceway or of the ball lets a contact be.
+// Contact position on a profile of the raceway or of the ball.
 struct FlawedPlace {
-  bool ring = false, ball = false;    // which of them has one
+  bool ring = false, ball = false;    // which of them has a profile
   ProfiledContact on;
-  BallSlopes turned;    // of the ball's
+  BallSlopes turned;    // of the ball's profile
 };
 
-// Contacts of up to four balls with one groove. A lane without a ball takes one that another lane
-// has, and places of its own for what is found.
+// Contacts of up to four balls with one groove. A lane without a ball points to the ball of another
+// lane and has its own storage for results.
 struct ContactLanes {
   struct Ball {
-    const double *x, *v, *w;    // three numbers each
+    const double *x, *v, *w;    // three components each
   };
 
-  // set by whoever has contacts
+  // input, set by the caller
   Ball ball[lanes];
   RingState groove;
-  double dt = 0.0;        // s, over which the law moves what it keeps
-  double *kept[lanes];    // that
-  bool gaps = false;      // places and motions of balls that do not touch are wanted
+  double dt = 0.0;        // s, step of the law's state variables
+  double *kept[lanes];    // state variables
+  bool gaps = false;      // also positions and motions of balls that do not touch
   ContactState *state[lanes];
   ContactForces *force[lanes];
   const FlawedPlace *flaw[lanes] = {};    // null: both are smooth
-  bool flawed = false;                    // one of them is not
-  bool energies = false;                  // wanted
+  bool flawed = false;                    // at least one is set
+  bool energies = false;                  // requested
 
-  bool live[lanes];        // found: they touch
-  double energy[lanes];    // J, found: stored in them
+  bool live[lanes];        // result: in contact
+  double energy[lanes];    // J, result: stored energy
 
-  // kept for its memory: what the law does not set stays as it is
+  // reused memory: values that the law does not set stay as they are
   ContactStateT<Lane> all;
 };
 
-// Which of them may touch.
+// Finds the contacts that may touch.
 void find_places(const RacewayPhysics &, ContactLanes &);
-// What law and kinematics make of contacts: states, forces, and with dt > 0 what is kept. Only of
-// contacts that touch this has a meaning. Those of a law without a reach must be near.
+// Evaluates law and kinematics: contact states, forces, and with dt > 0 the state variables. Valid
+// only for contacts that touch. Contacts of a law without a reach must be near.
 void act_in_lanes(const RacewayPhysics &, ContactLanes &);
-// The same with each part of the law as a function of its own, whatever the law.
+// The same for any law, with each part as a separate function.
 void act_by_parts(const RacewayPhysics &, ContactLanes &);
 
 }    // namespace raceway

@@ -2,7 +2,7 @@
 // Contacts in lanes, with any set of parts, for processors without AVX2.
 #include "../numbers/lane.h"
 
-#ifdef RACEWAY_TWO_TARGETS    // else contact_lanes.cpp is for one target
+#ifdef RACEWAY_TWO_TARGETS    // otherwise contact_lanes.cpp covers the only target
 #define RACEWAY_ONE_TARGET 1
 #include "contact_lanes_law.h"
 

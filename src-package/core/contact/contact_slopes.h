@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A law together with its derivative in the local motions of the contact: what an implicit step
-// solves with. The law is evaluated once, in duals (dual.h); nothing of a law is written here.
+// A contact law with its derivatives in the local motions of the contact, for the implicit step.
+// The law is evaluated once, in dual numbers (dual.h); this file is independent of the law.
 //
 // Motions: approach of ball and raceway, sliding along t and w; if the law has couples, also the
 // relative rotation about n, t and w. Forces: N, f_t, f_w; couples about n, t, w. Over a time in
@@ -15,11 +15,11 @@ namespace raceway {
 
 template <class T, int n> struct alignas(sizeof(Value<T>)) ContactSlopesT {
   T of[n][n];                 // of[i][k]: force i over motion k
-  T state[most_states][n];    // what the contact keeps, over motion k
+  T state[most_states][n];    // state variables of the contact, over motion k
 };
 
-// As law.act(); c is what it was before but for what the law sets. `follows` (s): how long the
-// overlap follows the approach, the length of an implicit stage, 0 where positions are given.
+// As law.act(); c keeps its values except those set by the law. `follows` (s): time over which the
+// overlap follows the approach, the length of an implicit stage; 0 if positions are given.
 template <class L, class B>
 RACEWAY_INLINE void act_with_slopes(const L &law, const RacewayPhysics &p,
                                     const LawStates<B> &memory, double follows, ContactStateT<B> &c,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact law as a compile-time list of parts (part.h), each in a file of its own: what a scene
-// does not ask for is not in its list and costs nothing.
+// A contact law as a compile-time list of parts (part.h), each in its own file: parts that a scene
+// does not use are not in its list and cost nothing.
 #ifndef RACEWAY_LAW_H
 #define RACEWAY_LAW_H
 
@@ -19,7 +19,7 @@ constexpr bool same_text(const char *a, const char *b)
 }
 }    // namespace detail
 
-// All parts there are; a set of them is a word of bits, in the order of the list.
+// All available parts; a set of them is a word of bits, in the order of the list.
 template <class... P> struct PartList {
   using Parameters = std::tuple<typename P::Parameters...>;
   static constexpr int size = sizeof...(P);
@@ -41,7 +41,7 @@ template <class... P> struct PartList {
   {
     return ((detail::same_text(P::slot, slot) ? bit<P>() : 0u) | ...);
   }
-  // that a set can keep of a contact: parts of one slot exclude each other
+  // Largest number of state variables per contact of a set: parts of one slot exclude each other.
   static constexpr int most_states()
   {
     const int states[] = {P::states...};
@@ -73,7 +73,7 @@ struct Decides<
     : std::true_type {};
 }    // namespace detail
 
-// What a law begins with, whatever its parts.
+// Initial values of every law, whatever its parts.
 template <bool couples, class T> RACEWAY_INLINE void begin_law(ContactStateT<T> &c)
 {
   c.compression = c.overlap;
@@ -93,11 +93,11 @@ template <class All, class... P> struct LawOf {
   static constexpr int room = states > 0 ? states : 1;    // of an array of states
   static constexpr bool couples = (P::couples || ...);
   static constexpr bool explicit_step = (P::explicit_step || ...);
-  static constexpr int motions = couples ? 6 : 3;    // that forces depend on
+  static constexpr int motions = couples ? 6 : 3;    // number of motions that forces depend on
   static constexpr bool decides = (detail::Decides<P>::value || ...);
-  static constexpr bool takes_profiles = false;    // loops for smooth raceways alone
+  static constexpr bool takes_profiles = false;    // loops for smooth raceways only
 
-  // Everything that the law makes of the motions in c.
+  // Evaluates all parts at the motions in c.
   template <class T>
   static RACEWAY_INLINE void act(const RacewayPhysics &p, const RacewayConstantsT<Value<T>> &k,
                                  LawStates<T> m, ContactStateT<T> &c)
@@ -106,7 +106,7 @@ template <class All, class... P> struct LawOf {
     (one<P>(p, k, m, c), ...);
   }
 
-  // Whether there is no contact, although the overlap is above -reach: a part may know.
+  // True if there is no contact although the overlap exceeds -reach, as decided by a part.
   template <class T>
   static RACEWAY_INLINE auto misses(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                                     ContactStateT<T> &c)
@@ -116,7 +116,7 @@ template <class All, class... P> struct LawOf {
     return some;
   }
 
-  // m, overlap past the place where the load begins, by the part that knows
+  // m, overlap beyond the onset of the load, by the part that defines the onset
   template <class T>
   static RACEWAY_INLINE T beyond(const RacewayPhysics &p, const ContactStateT<T> &c)
   {
@@ -134,7 +134,7 @@ template <class All, class... P> struct LawOf {
     return sum;
   }
 
-  // W, lost to damping, friction and whatever else a part takes
+  // W, dissipated by damping, friction and all other parts
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();

@@ -8,7 +8,7 @@
 namespace raceway {
 
 namespace {
-// Known with those of the lists that follow, each once.
+// Known, followed by the new losses of the lists, each once.
 template <class Known, class... Lists> struct DistinctLosses {
   using type = Known;
 };
@@ -29,7 +29,7 @@ constexpr bool same_text(const char *a, const char *b)
   while (*a && *a == *b) ++a, ++b;
   return *a == *b;
 }
-// The place of a column. Outputs keep the order they had before the parts declared their losses;
+// Position of a column. Outputs keep the column order from before the parts declared their losses;
 // new columns follow in the order of the parts. A name without a loss gives the number of columns.
 template <class... L> constexpr int loss_place(LossList<L...>, const char *name)
 {

@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// Room for the losses of a contact; loss_table.cpp asserts that it is enough.
+// Maximum number of loss columns; loss_table.cpp asserts that it suffices.
 constexpr int most_loss_columns = 16;
 
 // W, by column
@@ -18,12 +18,12 @@ struct LossPowers {
   double of[most_loss_columns] = {};
 };
 
-// Of a contact that is loaded; a loss of a part that its law leaves out is 0.
+// Losses of a loaded contact; 0 for parts that are not in its law.
 LossPowers loss_powers(const ContactState &c);
 
 struct LossEntry {
   LossColumn is;
-  unsigned parts;                                            // that have this loss
+  unsigned parts;                                            // parts with this loss
   double (*value)(const Raceway &, const ContactState &);    // W, of a contact
   StateColumn column() const
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All parts of the contact law as data: what readers of keywords, error messages and tables in the
-// docs go through. Made from what the parts say of themselves (part.h).
+// All parts of the contact law as data, for readers of keywords, error messages and tables in the
+// docs. Generated from the declarations of the parts (part.h).
 #ifndef RACEWAY_PART_TABLE_H
 #define RACEWAY_PART_TABLE_H
 
@@ -17,14 +17,14 @@ struct ParameterEntry {
   std::string symbol, meaning;
   double least, most;
   bool open;
-  std::vector<std::string> choices;    // of a word; empty for a number
-  std::string initial;                 // what holds without the keyword, as text
+  std::vector<std::string> choices;    // of a keyword with words; empty for a number
+  std::string initial;                 // default value, as text
 };
 
 struct KeywordEntry {
   std::string name, form;    // form "": none
   std::vector<ParameterEntry> parameters;
-  std::function<void(RacewayPhysics &, const double *)> set;    // and switches its part on
+  std::function<void(RacewayPhysics &, const double *)> set;    // also enables its part
   const char *(*wrong)(const double *);                         // or null
   std::string note;
 };
@@ -44,8 +44,8 @@ const std::vector<PartEntry> &part_table();
 // "hertz + hysteresis + normal_force", for messages
 std::string law_text(unsigned parts);
 
-// Why no contact can have these parts; "" if it can. Sets that keywords make have one part of a
-// slot at most.
+// Reason why no contact can have these parts; "" if it can. A set made by keywords has at most one
+// part per slot.
 std::string contradiction(unsigned parts);
 
 }    // namespace raceway

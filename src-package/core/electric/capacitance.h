@@ -24,14 +24,14 @@ template <class T> RACEWAY_INLINE T permittivity_at(double eps_ambient, const T 
   return (1.0 + 2.0 * c) / (1.0 - c);
 }
 
-// Its mean over the area of a Hertz ellipse with the largest pressure p. With q = pressure/p the
-// area above q is 1 - q^2, and by eqs 10 and 11 eps(q p) = eps_ambient + slope p q/(1 + r q).
+// Mean relative permittivity over a Hertz contact with the maximum pressure p. With q = pressure/p
+// the area above q is 1 - q^2, and by eqs 10 and 11 eps(q p) = eps_ambient + slope p q/(1 + r q).
 template <class T> RACEWAY_INLINE T mean_permittivity(double eps_ambient, const T &p)
 {
   const double c = (eps_ambient - 1.0) / (eps_ambient + 2.0), reference = 0.59e9;
   const double slope = 1.02 * c / ((1.0 - c) * (1.0 - c) * reference);
   const T r = (1.0 - 1.34 * c) / ((1.0 - c) * reference) * p;
-  // the integral of 2 q^2/(1 + r q) from 0 to 1; by its series where differences lose digits
+  // the integral of 2 q^2/(1 + r q) from 0 to 1; a series where the difference would lose digits
   const auto small = magnitude(r) < 0.03;
   const T series =
       2.0 * (1.0 / 3 -
@@ -49,9 +49,9 @@ RACEWAY_INLINE T contact_capacitance(const T &eps_r, const T &a, const T &b, con
   return vacuum_permittivity * eps_r * 3.14159265358979323846 * a * b / h;
 }
 
-// Mean 1/gap of rough surfaces over 1/h, for a gap with a gamma distribution:
-// Lambda^2/(Lambda^2 - 1), Lambda = h/sigma. Takes sigma/h. Rougher than Lambda = 2.5 the factor
-// stays what it is there: what would come closer is contact, not a gap.
+// Mean 1/gap of rough surfaces over 1/h, for a gap with a gamma distribution: Lambda^2/(Lambda^2 -
+// 1), Lambda = h/sigma. Argument sigma/h. Below Lambda = 2.5 the factor stays constant: anything
+// closer is contact instead of a gap.
 template <class T> RACEWAY_INLINE T rough_film_factor(const T &sigma_over_h)
 {
   const T s = where(sigma_over_h > 0.4, 0.4, sigma_over_h);

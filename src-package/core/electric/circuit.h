@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing in its outer circuit, from point to point, with the account of its energy
+// A bearing in its outer circuit, time step by time step, with its energy balance
 // (docs/electric_circuit, Energy).
 #ifndef RACEWAY_CIRCUIT_H
 #define RACEWAY_CIRCUIT_H
@@ -10,25 +10,26 @@
 
 namespace raceway {
 
-// Since the start, J and C, and the last step's current. Plain numbers: a restart file keeps them.
+// Totals since the start, J and C, and the last step's current. Plain doubles, stored in restart
+// files.
 struct CircuitAccount {
   double source_work = 0.0, mechanical_work = 0.0, leak_heat = 0.0, resistor_heat = 0.0;
   double discharge_energy = 0.0;
-  double discharges = 0.0, failures = 0.0;          // numbers
-  double film_charge = 0.0;                         // largest, with all of the voltage across it
-  double charge_error = 0.0, energy_error = 0.0;    // largest of a node, of a step
-  double current = 0.0;    // A, mean of the last step, into the inner ring's films
+  double discharges = 0.0, failures = 0.0;          // counts
+  double film_charge = 0.0;                         // largest, charge of a film at the full voltage
+  double charge_error = 0.0, energy_error = 0.0;    // largest of a node and of a step
+  double current = 0.0;    // A, mean of the last step, into the films of the inner ring
 };
 
-// What a circuit is at a point, after its discharge.
+// State of a circuit at a point, after its discharge.
 struct CircuitState {
   BearingFilms films;
   OuterPoint outer;
   NodeValues charge, voltage;
   CircuitAccount account;
 
-  // of the last step
-  NodeValues before;    // voltages without the discharge at its end
+  // for the last step
+  NodeValues before;    // voltages before the discharge at its end
   StepCharges moved;
   double discharge_work = 0.0;    // J, of the driving voltage
 };
@@ -63,8 +64,8 @@ inline double largest_film_charge(const CircuitState &s)
   return most * std::abs(s.voltage.ring);
 }
 
-// Books the discharge of the point where `s` stands; `before` is the energy that stood there, with
-// all that came in since.
+// Accounts for the discharge at the present point of `s`; `before` is the stored energy before it,
+// including all input since.
 template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
 {
   CircuitAccount &a = s.account;
@@ -89,8 +90,8 @@ template <class Failed> void settle(CircuitState &s, double before, Failed &&fai
 
 }    // namespace circuit_detail
 
-// The first point: balls without charge, the inner ring at `start` (V) where no voltage drives it.
-// `failed` gets every FilmFailure, in order.
+// The first point: balls without charge, the inner ring at `start` (V) unless a voltage drives it.
+// `failed` is called for every FilmFailure, in order.
 template <class Failed>
 void begin_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint &outer,
                    double start, Failed &&failed)
@@ -109,8 +110,8 @@ void begin_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint 
   circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
 }
 
-// The first ball with a charge and without any film, or -1. Its voltage has no bound. What
-// additions leave of a charge does not count.
+// The first ball with a charge but without any film, or -1: its voltage is unbounded. Rounding
+// residues of a charge do not count.
 inline int charged_without_film(const CircuitState &s)
 {
   const double rounding = 1e-12 * s.account.film_charge;
@@ -137,7 +138,7 @@ void advance_circuit(CircuitState &s, const BearingFilms &films, const OuterPoin
     moved.supplied = s.charge.ring - charge;
     for (double q : moved.inner) moved.supplied += q;
   }
-  // every element's charge times the mean of its voltages; what is left of a capacitance is the
+  // charge of every element times the mean of its voltages; the remainder of a capacitance is the
   // work of its plates
   double plates = v0.ring * v1.ring * (outer.beside - s.outer.beside), leak = 0.0;
   for (size_t k = 0; k < films.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Breakdown of films and the discharge that follows (docs/electric_circuit, Breakdown).
+// Breakdown of films and the subsequent discharge (docs/electric_circuit, Breakdown).
 #ifndef RACEWAY_FILM_BREAKDOWN_H
 #define RACEWAY_FILM_BREAKDOWN_H
 
@@ -15,18 +15,18 @@ struct FilmFailure {
   double film_energy, energy;                               // J
 };
 
-// Standard deviations of the roughness that a film is locally thinner.
+// Local thinning of a film in standard deviations of the roughness.
 constexpr double film_peaks = 3.0;
 
-// m, of a film of `thickness` where `less` (m) is what the surfaces' roughness takes; at least
-// `floor` (m).
+// Local thickness of a film, m: `thickness` less `less` (m) for the roughness of the surfaces; at
+// least `floor` (m).
 inline double local_thickness(double thickness, double less, double floor)
 {
   return std::fmax(thickness - less, floor);
 }
 
 // Current of a failure through a resistance of `arc` (ohm), A, and the time (s) in which it falls
-// to 1/e. What stands behind the film is a capacitance C, and energy = C film_voltage^2/2.
+// to 1/e. The capacitance C behind the film follows from energy = C film_voltage^2/2.
 struct ArcCurrent {
   double peak, duration;
 
@@ -37,14 +37,14 @@ struct ArcCurrent {
   }
 };
 
-// V at which such a film fails, with `strength` (V/m). Infinite without a film.
+// Breakdown voltage of such a film, V, with `strength` (V/m). Infinite without a film.
 inline double film_limit(double thickness, double strength, double less, double floor)
 {
   if (!(thickness > 0.0)) return std::numeric_limits<double>::infinity();
   return strength * local_thickness(thickness, less, floor);
 }
 
-// Smallest voltage between the rings at which a film fails while balls have no charge, V.
+// Smallest voltage between the rings at which a film fails with uncharged balls, V.
 inline double threshold_voltage(const BearingFilms &films)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ inline double threshold_voltage(const BearingFilms &films)
   return least;
 }
 
-// Energy in films, beside them and in the coupling, J.
+// Energy in films, parallel capacitances and the coupling, J.
 inline double stored_energy(const BearingFilms &films, const OuterPoint &outer, const NodeValues &v)
 {
   const double across = v.ring - outer.driving;
@@ -68,7 +68,7 @@ inline double stored_energy(const BearingFilms &films, const OuterPoint &outer, 
   return 0.5 * twice;
 }
 
-// Which films of a ball conduct.
+// Conducting films of a ball.
 struct Broken {
   bool inner = false, outer = false;
 };
@@ -106,9 +106,9 @@ inline void redistribute(const BearingFilms &films, const OuterPoint &outer,
   }
 }
 
-// The film that is loaded most fails, as long as one is over its limit; `failed` gets each. Broken
-// films conduct to the end and are whole again afterwards. Returns the work of the driving voltage
-// while charges move, J.
+// The most overloaded film fails, as long as one exceeds its limit; `failed` is called for each.
+// Broken films conduct until the end and are whole again afterwards. Returns the work of the
+// driving voltage while charges move, J.
 template <class Failed>
 double discharge(const BearingFilms &films, const OuterPoint &outer, NodeValues &charge,
                  NodeValues &voltage, Failed &&failed)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The capacitor that a ball and a raceway are: plates of the contact ellipse, and where it is asked
-// for what surrounds them, also where they do not touch (docs/fix_bearing_capacitance).
+// Capacitor of a ball and a raceway: the contact ellipse as plates, and on request its
+// surroundings, also without contact (docs/fix_bearing_capacitance).
 #ifndef RACEWAY_FILM_CAPACITOR_H
 #define RACEWAY_FILM_CAPACITOR_H
 
@@ -12,21 +12,21 @@
 
 namespace raceway {
 
-enum class PermittivityAt { maximum, mean, two_thirds };    // of the Hertz pressure
+enum class PermittivityAt { maximum, mean, two_thirds };    // of the Hertz contact pressure
 enum class Surroundings { none, flooded, dry, cavitated };
 
-// What is asked for.
+// Settings of the capacitor.
 struct CapacitorModel {
   double permittivity = 0.0;    // relative, of the lubricant at ambient pressure; 0: no capacitor
   double film_floor = 1e-9;     // m; below it a capacitor of this model would be a short circuit
   PermittivityAt at = PermittivityAt::maximum;
   bool rough = false;
   Surroundings surroundings = Surroundings::none;
-  double permittivity_outlet = 1.0;    // of what fills the downstream half, if cavitated
+  double permittivity_outlet = 1.0;    // of the medium in the downstream half, if cavitated
   double inner_shoulder = 0.0, outer_shoulder = 0.0;    // m, diameters; 0: usual depth
 
   bool surrounded() const { return surroundings != Surroundings::none; }
-  // Relative, of what fills the gap outside; both halves of it are alike.
+  // Relative permittivity of the gap outside the ellipse; both halves are alike.
   double outside() const
   {
     return surroundings == Surroundings::flooded ? permittivity
@@ -50,8 +50,8 @@ struct CapacitorModel {
   bool operator!=(const CapacitorModel &m) const { return !(*this == m); }
 };
 
-// The central film (eq 9) and the capacitance of the ellipse; what surrounds it, 0 unless asked
-// for.
+// Central film thickness (eq 9) and capacitance of the ellipse; capacitance of its surroundings, 0
+// unless requested.
 template <class T> struct FilmCapacitorT {
   T h_c, capacitance;       // m, F; 0 without contact
   T separation, outside;    // m, F
@@ -67,7 +67,7 @@ RACEWAY_INLINE T film_permittivity(const CapacitorModel &m, const T &largest_pre
   return permittivity_at(m.permittivity, largest_pressure);
 }
 
-// The power law at any load; c has the sliding speed.
+// Power law at any load; c has the sliding speed.
 template <class T>
 RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T> &k,
                               const ContactStateT<T> &c, const FilmPointT<T> &at)
@@ -77,7 +77,7 @@ RACEWAY_INLINE T central_film(const RacewayPhysics &p, const RacewayConstantsT<T
   return h;
 }
 
-// The plates of a lubricated contact.
+// Plates of a lubricated contact.
 template <class T>
 RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const ContactStateT<T> &c,
                                                 const CapacitorModel &m)
@@ -93,14 +93,14 @@ RACEWAY_INLINE FilmCapacitorT<T> film_capacitor(const RacewayPhysics &p, const C
   return {h_c, C, T(), T()};
 }
 
-// A raceway and what surrounds its contacts.
+// A raceway and the surroundings of its contacts.
 //
-// The separation is that of the film at no less than the load Q_u of a ball that only the outer
-// raceway guides, m_b r_pitch omega_c^2, nor than 0.1 N: so it has a value where the contact load
-// vanishes. Without contact it is the gap, if that is larger. With film in the gap (part_film_gap)
-// contacts begin at a gap already; the gap then counts from where it equals the film, and the play
-// from where contacts begin. So capacitances do not jump there. A film that has a thickness at any
-// load is the separation.
+// The separation is the film thickness at a load of at least 0.1 N and at least Q_u, the load of a
+// ball guided by the outer raceway alone, m_b r_pitch omega_c^2: so it is defined where the contact
+// load vanishes. Without contact it is the gap, if that is larger. With film in the gap
+// (part_film_gap) contacts begin at a gap; the gap then counts from where it equals the film, and
+// the play from the onset of contact, so that capacitances do not jump there. A film with a
+// thickness at any load is itself the separation.
 class SurroundedRaceway {
  public:
   static constexpr double least_load = 0.1;    // N
@@ -125,8 +125,8 @@ class SurroundedRaceway {
     return shoulder_.reach(sine, cosine);
   }
 
-  // cage_speed of the ball (rad/s). Of a ball that does not touch the state has place, overlap and
-  // entrainment speed.
+  // cage_speed of the ball (rad/s). Without contact the state has position, overlap and entrainment
+  // speed.
   template <class T, class Mask>
   RACEWAY_INLINE FilmCapacitorT<T> capacitor(const ContactStateT<T> &c, const Mask &live,
                                              const T &cage_speed) const
@@ -161,9 +161,9 @@ class SurroundedRaceway {
  private:
   template <class T> struct Films {
     RacewayConstantsT<T> law;
-    T h, apart, ln_apart;    // m, under the load, and under no less than the least; logarithm
-    T ln_load;               // of what presses the surfaces together
-    T begins;                // m, the gap at which a contact begins
+    T h, apart, ln_apart;    // m, at the load, and at the load limited from below; its logarithm
+    T ln_load;               // of the load on the film
+    T begins;                // m, gap at the onset of contact
   };
 
   template <class T, class Mask>
@@ -194,7 +194,7 @@ class SurroundedRaceway {
     }
     f.begins = none;
     if (begins_ > 0.0) {
-      // a film is that of no less than this load, whatever presses
+      // film thickness at no less than this load
       const auto cut = live & (Q <= least_load_);
       if (any(cut)) f.ln_load = where(cut, logarithm(c.load), f.ln_load);
       if (any(!live))
@@ -204,7 +204,7 @@ class SurroundedRaceway {
     return f;
   }
 
-  // The film h, and its logarithm.
+  // Film thickness h and its logarithm.
   template <class T>
   RACEWAY_INLINE T film(const ContactStateT<T> &c, const RacewayConstantsT<T> &k,
                         const FilmPointT<T> &at, T &h) const
@@ -222,7 +222,7 @@ class SurroundedRaceway {
   RACEWAY_INLINE T integral(const ContactStateT<T> &c, const Films<T> &f, const Mask &live,
                             const T &h, const T &ln_film, const T &play) const
   {
-    // as the law's constants: radial ones are exact
+    // like the constants of the law: exact at zero contact angle
     const auto oblique = 1.0 - c.cos_angle >= 1e-12;
     const GapShapeT<T> s =
         any(oblique)
@@ -267,12 +267,12 @@ class SurroundedRaceway {
   double modulus_ = 0.0;    // Pa
   GrooveShoulder shoulder_;
   GapShape radial_;
-  GrooveReachT<double> upright_;    // of radial contacts
-  double flatter_ = 0.0;            // 1/m, by play
+  GrooveReachT<double> upright_;    // of contacts at zero contact angle
+  double flatter_ = 0.0;            // 1/m, due to play
   double ln_floor_ = 0.0;
-  double begins_ = 0.0;    // share of the film at which contacts begin
+  double begins_ = 0.0;    // share of the film at the onset of contact
   double least_load_ = least_load;
-  bool any_load_ = false;    // a film has a thickness at any load
+  bool any_load_ = false;    // the film has a thickness at any load
 };
 
 }    // namespace raceway

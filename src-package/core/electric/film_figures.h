@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a voltage meets in a bearing at one instant: leak, impedance, the smallest voltage at which
-// a film fails, the energy of that discharge (docs/electric, Breakdown and Impedance).
+// Electrical figures of a bearing at one instant: leak, impedance, smallest voltage at which a film
+// fails, energy of that discharge (docs/electric, Breakdown and Impedance).
 #ifndef RACEWAY_FILM_FIGURES_H
 #define RACEWAY_FILM_FIGURES_H
 
@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// What is asked for; 0: not that.
+// Requested figures; 0: not requested.
 struct FilmQuestions {
   double resistivity = 0.0;    // of the lubricant, ohm m
   double frequency = 0.0;      // Hz
@@ -26,7 +26,7 @@ struct SampledFilm {
   double roughness = 0.0;      // m, composite
   double paths = 0.0;          // m, resistivity of the oil over the film's resistance
 
-  // Another film between the same ball and ring: of two it is the thinner one that fails.
+  // Adds another film between the same ball and ring: the thinner of the two fails.
   void add(const SampledFilm &beside)
   {
     if (!(beside.capacitance > 0.0)) return;
@@ -42,7 +42,7 @@ struct SampledBall {
   SampledFilm film[2];    // inner, outer
 };
 
-// 0 for what was not asked for, and for what is infinite.
+// 0 if not requested, and for infinite values.
 struct FilmFigures {
   double leak = 0.0;                      // ohm, direct current
   double impedance = 0.0, phase = 0.0;    // ohm, rad
@@ -50,20 +50,20 @@ struct FilmFigures {
   double energy = 0.0;                    // J, at the threshold over thickness
 };
 
-// m^2, of a contact's ellipse
+// Area of a contact ellipse, m^2.
 inline double hertz_area(const RacewayPhysics &p, const ContactState &c)
 {
   const RacewayConstants k = p.law.at(c.cos_angle);
   return 3.14159265358979323846 * k.a * k.b * c.root * c.root;
 }
 
-// What of the gap outside the ellipse is oil.
+// Share of oil in the gap outside the ellipse.
 inline double wet_share(Surroundings s)
 {
   return s == Surroundings::flooded ? 1.0 : s == Surroundings::cavitated ? 0.5 : 0.0;
 }
 
-// The sample of a capacitor with that contact ellipse (m^2) and composite roughness (m).
+// Sample of a capacitor with this contact ellipse (m^2) and composite roughness (m).
 inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<double> &c,
                                 double area, double roughness)
 {
@@ -77,7 +77,7 @@ inline SampledFilm sampled_film(const CapacitorModel &m, const FilmCapacitorT<do
   return f;
 }
 
-// `beside` (F) lies between the rings, next to the films.
+// `beside` (F) lies between the rings, parallel to the films.
 inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<SampledBall> &balls,
                                 double beside)
 {

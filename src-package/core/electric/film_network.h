@@ -21,10 +21,10 @@ struct BallFilms {
 };
 using BearingFilms = std::vector<BallFilms>;    // by ball
 
-// What hangs between the rings, at one point.
+// Elements between the rings, at one point.
 struct OuterPoint {
-  double beside = 0.0;         // of the inner ring to the frame, F
-  double coupling = 0.0;       // of the inner ring to the driving voltage, F
+  double beside = 0.0;         // from the inner ring to the frame, F
+  double coupling = 0.0;       // from the inner ring to the driving voltage, F
   double conductance = 0.0;    // likewise, S; infinite: the ring has the driving voltage
   double driving = 0.0;        // V
 
@@ -37,7 +37,7 @@ struct NodeValues {
   double ring = 0.0;
 };
 
-// Charges that resistances carried in a step, C: through the films of each ball towards the outer
+// Charges through the resistances in a step, C: through the films of each ball towards the outer
 // ring, and from the driving voltage.
 struct StepCharges {
   std::vector<double> inner, outer;
@@ -46,7 +46,7 @@ struct StepCharges {
 
 inline double inverse_or_zero(double x) { return x != 0.0 ? 1.0 / x : 0.0; }
 
-// Voltages of `charge`, with conductances times `length` (s) beside the capacitances.
+// Voltages from `charge`, with conductances times `length` (s) parallel to the capacitances.
 inline void find_voltages(const BearingFilms &films, const OuterPoint &outer, double length,
                           const NodeValues &charge, NodeValues &voltage)
 {
@@ -100,7 +100,7 @@ inline bool has_resistance(const BearingFilms &films, const OuterPoint &outer)
   return false;
 }
 
-// A point in between, `share` of the way; limits are no part of it.
+// Interpolates at `share` of the way; without limits.
 inline BallFilms between(const BallFilms &from, const BallFilms &to, double share)
 {
   const auto film = [share](const CircuitFilm &a, const CircuitFilm &b) {
@@ -112,8 +112,8 @@ inline BallFilms between(const BallFilms &from, const BallFilms &to, double shar
   return {film(from.inner, to.inner), film(from.outer, to.outer)};
 }
 
-// One step of `length` (s) to the films and the outer circuit at its end: two stages of SDIRK,
-// L-stable and of second order.
+// One step of `length` (s) to the films and the outer circuit at its end: two-stage SDIRK, L-stable
+// and of second order.
 inline void network_step(const BearingFilms &from, const BearingFilms &to,
                          const OuterPoint &outer_from, const OuterPoint &outer_to, double length,
                          NodeValues &charge, NodeValues &voltage, StepCharges &moved)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Integral of dA/gap over what lies outside the contact ellipse, in m: times the permittivity it is
-// the capacitance there (docs/fix_bearing_capacitance, Surroundings).
+// Integral of dA/gap over the area outside the contact ellipse, m: times the permittivity it is the
+// capacitance there (docs/fix_bearing_capacitance, Surroundings).
 //
-// Loaded, with h between the surfaces of the ellipse and g the Hertz gap outside:
+// Loaded, with the film thickness h within the ellipse and the Hertz gap g outside:
 //   I = 4 kappa Ebar R {G + pi P sqrt(2 R_x g_s)/b},  g_s = overlap/Fbar,  H = h/g_s,
 // G beside the ellipse (strips along rolling, each a line contact; universal in H), P beyond its
 // ends along the groove's section, to S. Both are fits to integrals, good to 1 % of plates and
 // surroundings together for conformity 0.505 to 0.54, h 20 nm to 2 um, loads to 3 kN on a 6208.
 //
-// Without load, at the gap g_0, it is what that tends to as the load goes to 0 with h = g_0, so
-// that both meet:
+// Without load, at the gap g_0, it is the limit for load to 0 with h = g_0, so that both agree
+// there:
 //   I = 4 pi sqrt(R_x R_y') asinh(S/sqrt(2 R_y' g_0)),  R_y' = Fbar a^2/(2 e overlap c),
 // e = ln(4 kappa) - 1. At c = 1 R_y' is the radius across the groove R_y within 1 %. c is
 // 1 - play/(r_c - R_b): with play the centres of ball and groove come closer, and the gap is
@@ -24,7 +24,7 @@
 
 namespace raceway {
 
-// What of it does not depend on load or film.
+// The part independent of load and film.
 template <class T> struct GapShapeT {
   T a;        // sqrt(m), semi-axis across over sqrt(overlap)
   T Fbar;     // overlap/g_s
@@ -69,8 +69,8 @@ template <class T> struct GapBeside {
   }
 };
 
-// P is ln(stretch)/sqrt(e); the end of the ellipse takes the stretch 1/v, v = X^3 + sqrt(e) - 1/D,
-// that is down/D.
+// P is ln(stretch)/sqrt(e); the end of the ellipse has the stretch 1/v, v = X^3 + sqrt(e) - 1/D,
+// which is down/D.
 template <class T> struct GapEnd {
   T D, down;
 
@@ -83,7 +83,8 @@ template <class T> struct GapEnd {
   }
 };
 
-// Of a loaded contact: root of its overlap (sqrt(m)), load (N) and h (m), both by logarithms, too.
+// For a loaded contact: root of its overlap (sqrt(m)), load (N) and h (m), the last two also by
+// logarithms.
 template <class T> struct LoadedGapT {
   const GapShapeT<T> &shape;
   T root, H, end, G;
@@ -115,14 +116,14 @@ template <class T> struct LoadedGapT {
   }
 };
 
-// The stretch whose logarithm is the inverse sine of z, at most 1.
+// The stretch whose logarithm is the inverse sine of z; z is limited to 1.
 RACEWAY_INLINE double sine_stretch(double z) { return std::exp(std::asin(z < 1.0 ? z : 1.0)); }
 RACEWAY_INLINE Lane sine_stretch(const Lane &z)
 {
   return Lane{sine_stretch(z[0]), sine_stretch(z[1]), sine_stretch(z[2]), sine_stretch(z[3])};
 }
 
-// Of surfaces that do not touch, at the gap g (m), with c of them; G is 0 there.
+// For surfaces without contact, at the gap g (m), with their c; G is 0 there.
 template <class T> struct OpenGapT {
   T wider;    // 1/sqrt(c); the limit for concentric circles, to rounding
 

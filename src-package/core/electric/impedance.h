@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Impedance of films, of balls and of a bearing, and back to what an instrument reads from it
-// (docs/electric, Impedance). A film is a capacitor beside its leak: Z = 1/(G + j omega C).
+// Impedance of films, balls and a bearing, and the inverse for instrument readings (docs/electric,
+// Impedance). A film is a capacitor parallel to its leak: Z = 1/(G + j omega C).
 #ifndef RACEWAY_IMPEDANCE_H
 #define RACEWAY_IMPEDANCE_H
 
@@ -35,7 +35,7 @@ inline double capacitance_of(const Complex &z, double omega)
   return -z.imag() / (omega * std::norm(z));
 }
 
-// R (ohm) beside that C, |Z|/cos(phi).
+// R (ohm) parallel to that C, |Z|/cos(phi).
 inline double resistance_of(const Complex &z) { return std::norm(z) / z.real(); }
 
 }    // namespace raceway

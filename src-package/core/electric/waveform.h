@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Voltage over time that drives an outer circuit (docs/electric_circuit, Outer circuit).
+// Driving voltage of an outer circuit over time (docs/electric_circuit, Outer circuit).
 #ifndef RACEWAY_WAVEFORM_H
 #define RACEWAY_WAVEFORM_H
 
@@ -12,19 +12,19 @@ namespace raceway {
 
 struct Waveform {
   enum Kind { constant, sine, common_mode, table } kind = constant;
-  double voltage = 0.0;                      // V: the constant, an amplitude, that of a link
+  double voltage = 0.0;                      // V: constant, amplitude, or DC link voltage
   double frequency = 0.0, phase = 0.0;       // Hz, rad: of a sine, of the phases of an inverter
   double carrier = 0.0, modulation = 0.0;    // Hz; 0 to 1
   std::vector<double> times, voltages;       // s, rising; V: straight lines between
 
-  // Shortest period, s; infinite where nothing bounds a step.
+  // Shortest period, s; infinite if it does not limit the step.
   double shortest() const
   {
     if (kind == sine) return 1.0 / frequency;
     return kind == common_mode ? 1.0 / carrier : std::numeric_limits<double>::infinity();
   }
 
-  // V at time t (s).
+  // Voltage at time t (s), V.
   double at(double t) const
   {
     const double turn = 2.0 * 3.14159265358979323846;
@@ -34,8 +34,8 @@ struct Waveform {
   }
 
  private:
-  // The mean of three legs. Each is at half the link's voltage while its sine is not below a
-  // triangle that begins at +1, else at minus that.
+  // Mean of three legs. Each is at half the link voltage while its sine is not below a triangle
+  // that starts at +1, otherwise at minus half.
   double inverter(double t, double turn) const
   {
     const double cycles = carrier * t;
@@ -46,7 +46,7 @@ struct Waveform {
     return voltage * (on / 3.0 - 0.5);
   }
 
-  // The ends hold before and after.
+  // Constant before the first and after the last time.
   double between(double t) const
   {
     const size_t k = std::upper_bound(times.begin(), times.end(), t) - times.begin();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Columns of balls, of the motion of rings and of what a bearing is, a line each, in the order of
-// their numbers; bearing_figures.h has sums and extremes. No host here.
+// Columns for balls, for ring motion and for the constant data of a bearing, one line each, in
+// numerical order; sums and extremes are in bearing_figures.h. Independent of the host.
 #ifndef BEARING_BEARING_COLUMNS_H
 #define BEARING_BEARING_COLUMNS_H
 
@@ -11,7 +11,7 @@ namespace bearing {
 using raceway::as_whole;
 using raceway::Column;
 
-// ---- compute bearing/ball, beside the columns of its two contacts
+// ---- compute bearing/ball, in addition to the columns of its two contacts
 namespace of_ball {
 enum { AZIMUTH, ORBIT, TURN_W, TURN_X, TURN_Y, TURN_Z, N };
 const Column list[N] = {
@@ -26,7 +26,7 @@ const Column list[N] = {
 inline bool needs_turn(int k) { return k >= TURN_W; }
 }    // namespace of_ball
 
-// ---- motion of a ring and what acts on it
+// ---- motion of a ring and loads on it
 namespace of_ring {
 enum {
   RING,
@@ -77,7 +77,7 @@ const Column list[N] = {
 };
 }    // namespace of_ring
 
-// ---- what a bearing is, without time
+// ---- constant data of a bearing
 namespace of_kind {
 enum {
   BALLS,
@@ -129,9 +129,9 @@ const Column list[N] = {
 inline bool of_two_grooves(int k) { return k == INNER_ARCH || k == OUTER_ARCH; }
 }    // namespace of_kind
 
-// ---- balls, cage balls and rings as the host has them
+// ---- balls, cage balls and rings as stored by the host
 namespace of_atom {
-enum { MOTION = 2 };    // the first of place, velocity and spin
+enum { MOTION = 2 };    // first of position, velocity and spin
 const Column list[] = {
     {"id", "", "atom number", raceway::has_none, as_whole},
     {"type", "", "1 ball, 2 cage ball, 3 inner ring, 4 outer ring", raceway::has_none, as_whole},

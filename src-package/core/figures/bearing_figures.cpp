@@ -18,7 +18,7 @@ void BallFigures::contact(const ContactView &view)
   const int s = view.raceway.groove.side == Side::inner ? 0 : 1;
   contacts += 1.0;
   loaded[s] = 1.0;
-  const bool top = s == 0 && !(state.load < load[0]);    // of two grooves of the inner ring
+  const bool top = s == 0 && !(state.load < load[0]);    // for two grooves of the inner ring
   load[s] = std::max(load[s], state.load);
   pressure[s] = std::max(pressure[s], view.raceway.law.at(state.cos_angle).p * state.root);
   h_min = std::min(h_min, state.h_min);
@@ -72,7 +72,7 @@ void BearingFigures::add(const BallFigures &b)
   orbit += b.orbit;
   for (int k = 0; k < raceway::most_loss_columns; ++k) loss[k] += b.loss[k];
   cage_loss += b.cage_loss;
-  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // NaN of all, or none
+  if (!(b.cage_force <= cage_force)) cage_force = b.cage_force;    // one NaN makes the result NaN
   const double series = raceway::series_capacitance(b.capacitance[0], b.capacitance[1]),
                surrounded = raceway::series_capacitance(b.whole[0], b.whole[1]);
   capacitance += series;
@@ -101,7 +101,7 @@ const Figure cage_force = {
     0,
     true};
 
-// The parts of which this is true.
+// The parts with this property.
 unsigned parts_with(bool raceway::LawFacts::*fact)
 {
   unsigned parts = 0;
@@ -110,8 +110,8 @@ unsigned parts_with(bool raceway::LawFacts::*fact)
   return parts;
 }
 
-// The losses of all laws, or those of some only. A law of rolling friction has all: 0 where a part
-// is left out.
+// The losses of all laws, or only those with the given `usual`. A law of rolling friction has all
+// of them: 0 if a part is absent.
 void add_losses(std::vector<Figure> &list, bool usual)
 {
   const unsigned couples = parts_with(&raceway::LawFacts::couples);
@@ -210,7 +210,7 @@ std::vector<Figure> of_ring()
       {{"orbit", "rad/s", "mean speed of the balls about the ring's axis"}, cage_speed}};
   add_losses(list, true);
   add_losses(list, false);
-  list.pop_back();    // the cage is no contact of a ring
+  list.pop_back();    // the cage has no contact with a ring
   add(list,
       {{{"capacitance", "F", "sum over balls in contact with both raceways, their two in series"},
         [](F f, int) { return f.capacitance; },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The figures of a bearing or a ring: sums and extremes over the contacts of its balls. Records and
-// computes take them from here, the losses by column from the parts of the law (loss_table.h). No
-// host here.
+// Figures of a bearing or a ring: sums and extremes over the contacts of its balls. Records and
+// computes use them; the losses by column come from the parts of the law (loss_table.h).
+// Independent of the host.
 #ifndef BEARING_BEARING_FIGURES_H
 #define BEARING_BEARING_FIGURES_H
 
@@ -10,8 +10,8 @@
 
 namespace bearing {
 
-// The contacts of one ball. Doubles only: it travels between ranks as numbers. Arrays of two: inner
-// and outer raceway.
+// The contacts of one ball. Doubles only, for transfer between ranks. Arrays of two: inner and
+// outer raceway.
 struct BallFigures {
   double balls = 0.0, contacts = 0.0, loaded[2] = {}, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
@@ -24,15 +24,15 @@ struct BallFigures {
   double film[3] = {NAN, NAN, NAN};    // h_min, lambda, h_c
 
   static constexpr size_t numbers() { return sizeof(BallFigures) / sizeof(double); }
-  void contact(const ContactView &);    // loaded
-  void gap(const ContactView &);        // surfaces that do not touch: only surroundings count
+  void contact(const ContactView &);    // adds a loaded contact
+  void gap(const ContactView &);        // surfaces without contact: only the surroundings count
   // A contact with a cage ball or another ball: loss of this ball there (W), force (N).
   void cage(double loss, double force);
-  // What both contacts of a ball make together: pairs in series, a ball that is loaded on both.
+  // Combines both contacts of a ball: capacitances in series, a ball loaded on both raceways.
   void take_pairs(const BallFigures &);
 };
 
-// The sum over balls.
+// Sum over the balls.
 struct BearingFigures {
   double balls = 0.0, contacts = 0.0, loaded_balls = 0.0, load[2] = {}, pressure[2] = {};
   double h_min = HUGE_VAL, lambda = HUGE_VAL;
@@ -51,13 +51,14 @@ struct Figure {
   raceway::Column is;
   double (*of)(const BearingFigures &, int);
   raceway::Needs needs = raceway::Needs::nothing;
-  unsigned parts = 0;      // the law has one of them; 0: of every law
+  unsigned parts = 0;      // at least one must be in the law; 0: any law
   bool spheres = false;    // balls touch cage balls or one another
   int loss = 0;            // second argument of `of`: a column of loss_table()
   const char *key = "";    // of a loss, in losses_W of `raceway summary`
 
   double value(const BearingFigures &f) const { return of(f, loss); }
-  // A run has it that gives film, capacitance, surroundings, this law, contacts of spheres.
+  // True for a run with these properties: film, capacitance, surroundings, law, contacts of
+  // spheres.
   bool given(bool film, bool capacitance, bool surroundings, unsigned law, bool touches) const
   {
     using raceway::Needs;

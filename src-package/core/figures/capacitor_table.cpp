@@ -23,7 +23,7 @@ void CapacitorTable::plan(const ContactTable &table, const CapacitorModel &model
   }
 }
 
-// Those that touch stand side by side: four of a kind cost less than both kinds.
+// Contacts that touch are grouped: four of a kind cost less than a mix.
 void CapacitorTable::fill(const ContactTable &table)
 {
   for (Batch &b : batches_) {
@@ -39,12 +39,12 @@ RACEWAY_LANES void CapacitorTable::fill(const ContactTable &table, const Batch &
   const bool slides = p.factors.any, gap = p.facts().film_in_gap;
   ContactStateT<Lane> c;
   for (int first = 0; first < n; first += lanes) {
-    if (first + 1 == n) {    // one alone costs less than four
+    if (first + 1 == n) {    // a single contact costs less than four
       const RacewayContact &one = table.raceway[batch.rows[first]];
       of_[batch.rows[first]] = batch.raceway.capacitor(one.state, one.live, one.orbit);
       break;
     }
-    const RacewayContact *four[lanes];    // the last one fills up
+    const RacewayContact *four[lanes];    // the last contact fills empty lanes
     for (int i = 0; i < lanes; ++i)
       four[i] = &table.raceway[batch.rows[std::min(first + i, n - 1)]];
     const auto take = [&four](auto of) __attribute__((always_inline)) {

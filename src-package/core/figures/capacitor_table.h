@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The capacitors of the contact table with what surrounds them: found once for a filled table, four
-// contacts of a raceway side by side.
+// Capacitors of the contact table with their surroundings: computed once per filled table, four
+// contacts of a raceway at a time.
 #ifndef BEARING_CAPACITOR_TABLE_H
 #define BEARING_CAPACITOR_TABLE_H
 
@@ -13,12 +13,12 @@ namespace bearing {
 
 class CapacitorTable {
  public:
-  // Of these contacts, for a table whose indices have changed.
+  // Selects the contacts; call when the indices of the table have changed.
   void plan(const ContactTable &, const raceway::CapacitorModel &,
             const std::function<bool(const RacewayContact &)> &counts);
-  // For a table that was filled.
+  // Call after the table has been filled.
   void fill(const ContactTable &);
-  // By place in the table; 0 for a contact that does not count.
+  // By row of the table; 0 for a contact that does not count.
   const raceway::FilmCapacitorT<double> &operator[](size_t row) const { return of_[row]; }
 
  private:

@@ -64,7 +64,8 @@ const PlaceColumn place_columns[] = {
      Needs::surroundings},
 };
 
-// Outputs keep the order that they had before parts had columns; the others follow as they come.
+// Outputs keep the column order from before parts had columns; the others follow in the order of
+// the parts.
 const char *const first[] = {
     "ball",       "ring",           "raceway",       "azimuth", "angle",    "overlap",
     "load",       "normal",         "stiffness",     "damping", "a",        "b",

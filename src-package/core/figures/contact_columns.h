@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Every column that a contact has: those of its motions and of the parts of the law (physics/) and
-// those that need to know where in the run it is. No host here.
+// All columns of a contact: those of its motions and of the parts of the law, and those that depend
+// on its position in the run. Independent of the host.
 #ifndef BEARING_CONTACT_COLUMNS_H
 #define BEARING_CONTACT_COLUMNS_H
 
@@ -12,13 +12,13 @@
 
 namespace bearing {
 
-// A contact as a column sees it.
+// A contact as input of a column.
 struct ContactView {
   double ball, ring;    // atom numbers
   const raceway::RacewayPhysics &raceway;
   const raceway::ContactState &state;
   int axis;                                     // of the bearing: 0 x, 1 y, 2 z
-  raceway::FilmCapacitorT<double> capacitor;    // 0 where no column asks for it
+  raceway::FilmCapacitorT<double> capacitor;    // 0 if no column uses it
 };
 
 // Azimuth of a direction about the bearing axis, rad in (-pi, pi], from the next lab axis (x for
@@ -45,14 +45,14 @@ class ContactColumn {
   }
   bool needs_film() const { return needs != raceway::Needs::nothing; }
   bool needs_capacitance() const { return needs >= raceway::Needs::capacitance; }
-  // has a value for surfaces that do not touch, too
+  // also has a value for surfaces without contact
   bool needs_surroundings() const { return needs == raceway::Needs::surroundings; }
 
   raceway::Column is;
   raceway::Needs needs;
-  bool usual;                      // part of a record unless more is asked for
-  bool names_it = false;           // says which contact it is: the same in all samples
-  bool of_many_grooves = false;    // no part of `all` where rings have one groove each
+  bool usual;                      // in records by default
+  bool names_it = false;           // identifies the contact: the same in all samples
+  bool of_many_grooves = false;    // not part of `all` if rings have one groove each
 
  private:
   OfState of_state_ = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The columns of contacts that a command asks for, and their values.
+// The contact columns requested by a command, and their values.
 #ifndef BEARING_CONTACT_READER_H
 #define BEARING_CONTACT_READER_H
 
@@ -13,21 +13,21 @@ namespace bearing {
 
 using ContactSelection = std::vector<const ContactColumn *>;
 
-// What a pair style and its fixes can give.
+// Data available from a pair style and its fixes.
 struct Offer {
   bool film, capacitance, surroundings, many_grooves;
   bool gives(const ContactColumn &) const;
 };
 
-// `name`, or `all` or `usual` columns that are offered. Error for a name that is unknown or needs a
-// lubricant that is not there.
+// Adds `name`, or the available columns of `all` or `usual`. Error for an unknown name or one that
+// needs a lubricant in a dry bearing.
 void select_columns(const Arguments &, const std::string &name, const Offer &, ContactSelection &);
 
-// What columns need beside the contact.
+// Input of the columns in addition to the contact.
 struct ContactContext {
   int axis = 2;
   std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)> capacitor;    // or none
-  bool surroundings = false;    // it has values for surfaces that do not touch
+  bool surroundings = false;    // also has values for surfaces without contact
 
   ContactView view(const RacewayContact &c) const
   {
@@ -37,8 +37,8 @@ struct ContactContext {
   }
 };
 
-// Orbital speed of a ball about a ring, rad/s, from its place and velocity relative to the ring's
-// centre; the surfaces need not touch.
+// Orbital speed of a ball about a ring, rad/s, from its position and velocity relative to the
+// ring's centre, also without contact.
 double orbit(const raceway::Vec3 &d, const raceway::Vec3 &dv, const raceway::Vec3 &axis,
              const raceway::RacewayPhysics &);
 

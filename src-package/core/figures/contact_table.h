@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one idea in the middle: a row per ball and raceway that may touch, filled once a step by the
-// pair style. Forces, step control, capacitance and every output read it; nobody computes a contact
+// The central data: one row per ball and raceway that may touch, filled once per step by the pair
+// style. Forces, step control, capacitance and every output read it, so no contact is computed
 // twice.
 #ifndef BEARING_CONTACT_TABLE_H
 #define BEARING_CONTACT_TABLE_H
@@ -13,19 +13,19 @@
 
 namespace bearing {
 
-// A ball and a groove: a ring may have several grooves for it (raceway->number).
+// A ball and a groove: a ring may have several grooves per ball (raceway->number).
 struct RacewayContact {
   tag_t ball = 0, ring = 0;
   int i_ball = -1, i_ring = -1;    // local indices, valid until the next neighbour build
   int claim = -1;                  // in RingSum
   const raceway::RacewayPhysics *raceway = nullptr;
-  const raceway::RacewayProfile *profile = nullptr;      // where it is not a torus
-  const raceway::BallProfile *ball_profile = nullptr;    // where it is not a sphere
-  double *kept = nullptr;         // what the law keeps of it from step to step
-  bool live = false;              // surfaces overlap
-  raceway::ContactState state;    // of this step; beyond the frame only where live
-  // where the pair style looks at gaps: rad/s, of the ball about the ring; and without contact the
-  // state has frame, overlap and entrainment speed
+  const raceway::RacewayProfile *profile = nullptr;      // if it is not a torus
+  const raceway::BallProfile *ball_profile = nullptr;    // if it is not a sphere
+  double *kept = nullptr;                                // state variables of the law
+  bool live = false;                                     // surfaces overlap
+  raceway::ContactState state;    // at this step; if not live, only the frame is set
+  // if the pair style looks at gaps: rad/s, of the ball about the ring; without contact the state
+  // has frame, overlap and entrainment speed
   double orbit = 0.0;
 
   bool flawed() const { return profile || ball_profile; }
@@ -33,8 +33,7 @@ struct RacewayContact {
   int groove() const { return raceway->number; }
 };
 
-// Two spheres that touch each other frictionless: ball and cage ball, or ball and ball without a
-// cage.
+// Two spheres in frictionless contact: ball and cage ball, or ball and ball without a cage.
 struct SphereContact {
   tag_t tag_i = 0, tag_j = 0;    // tag_i < tag_j
   int i = -1, j = -1;
@@ -56,8 +55,8 @@ struct ContactTable {
     return n;
   }
 
-  // Rows of one ball and ring stand together, one a groove. The row stands for all of them where
-  // one value is wanted: it carries the largest load.
+  // Rows of one ball and ring are consecutive, one per groove. The row with the largest load
+  // represents them where a single value is needed.
   bool leads(const RacewayContact &c) const
   {
     const RacewayContact *const first = raceway.data(), *const end = first + raceway.size();

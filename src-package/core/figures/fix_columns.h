@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the fixes give as f_ID[k], a line each, in the order of their numbers. The size of a vector
-// and the table on its page come from here. No host here.
+// Output of the fixes as f_ID[k], one line each, in numerical order. The size of a vector and the
+// table on its page are generated from here. Independent of the host.
 #ifndef BEARING_FIX_COLUMNS_H
 #define BEARING_FIX_COLUMNS_H
 
@@ -11,8 +11,8 @@ namespace bearing {
 using raceway::as_whole;
 using raceway::Column;
 
-// ---- fix bearing/ring, a row per ring; an axis across is one of the two lab axes across the
-// bearing's axis
+// ---- fix bearing/ring, one row per ring; the radial axes are the two lab axes normal to the
+// bearing axis
 namespace of_fix_ring {
 enum {
   X,
@@ -73,7 +73,7 @@ const Column list[N] = {
 };
 }    // namespace of_fix_ring
 
-// ---- fix bearing/shaft with *flexible*: these follow in the row of a ring
+// ---- fix bearing/shaft with *flexible*: appended to the row of a ring
 namespace of_bend {
 enum { X, Y, Z, TILT1, TILT2, N };
 const Column list[N] = {
@@ -85,7 +85,7 @@ const Column list[N] = {
 };
 }    // namespace of_bend
 
-// ---- fix bearing/implicit: all its bearings, since the start of the run
+// ---- fix bearing/implicit: totals over all its bearings since the start of the run
 namespace of_fix_implicit {
 enum {
   MEAN_STEP,

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a ball departs from its sphere by, in its own axes: pits, waviness and tables. A direction
-// from the ball's centre has an azimuth about the third axis and a latitude from the equator.
+// Departure of a ball from its sphere, in its own axes: pits, waviness and tables. A direction from
+// the ball's centre has an azimuth about the third axis and a latitude from the equator.
 //
-// A contact sees the depth at the direction of its normal, as a raceway sees that at the ball's
-// azimuth (raceway_profile.h). The path over a pit is the same: what counts is the effective
-// radius along rolling. A wave is a spherical harmonic,
+// The depth at a contact is that in the direction of its normal, as for a raceway at the ball's
+// azimuth (raceway_profile.h). The path over a pit is the same: it depends on the effective radius
+// along rolling. A wave is a spherical harmonic,
 //   depth = A cos(n azimuth + phase) cos^n(latitude),
 // smooth everywhere, and A cos(n azimuth + phase) on the equator. A table is measured along the
 // equator and fades as cos^2(latitude), so its slope is zero at the poles; the path over it is that
 // over a table of a raceway.
 //
-// A pit that the contact ellipse is wider than takes a strip of it from y1 to y2, counted from the
-// middle of the ellipse. Its share of the load is half the difference of those of two pits in the
-// middle, of half widths |y2| and |y1|; half the sum if they lie on both sides.
+// A pit narrower than the contact patch takes a strip of it from y1 to y2, counted from the middle
+// of the patch. Its share of the load is half the difference of the shares of two central pits of
+// half widths |y2| and |y1|; half the sum if y1 and y2 lie on both sides.
 #ifndef RACEWAY_BALL_PROFILE_H
 #define RACEWAY_BALL_PROFILE_H
 
@@ -23,7 +23,7 @@
 namespace raceway {
 
 struct BallPitShape : NotchShape {
-  double latitude = 0.0;    // rad, of its middle
+  double latitude = 0.0;    // rad, of the pit's middle
 };
 
 struct BallShape {
@@ -32,8 +32,7 @@ struct BallShape {
   std::vector<PeriodicCurve> tables;    // depth along the equator, m
 };
 
-// The depth at a direction, and how it changes with the direction: along rolling and across
-// (groove.h).
+// Depth in a direction and its derivatives by the direction: along and across rolling (groove.h).
 template <class T> struct alignas(sizeof(T)) BallSlopesT {
   T along = T(), across = T();              // m/rad, of the depth
   T path_along = T(), path_across = T();    // of the azimuth in the ball's axes
@@ -42,12 +41,12 @@ template <class T> struct alignas(sizeof(T)) BallSlopesT {
 };
 using BallSlopes = BallSlopesT<double>;
 
-// Normal and directions along and across rolling (groove.h), in the ball's axes.
+// Normal and directions along and across rolling (groove.h), in the ball's own axes.
 struct BallView {
   Vec3 n, t, w;
 };
 
-// One kind of ball on one kind of raceway.
+// A kind of ball on a kind of raceway.
 class BallProfile {
  public:
   // Radius of the ball and effective radius along rolling, m; semi-axis of the contact patch across
@@ -64,7 +63,7 @@ class BallProfile {
     }
   }
 
-  // What is left of the overlap. Waves and tables come off before a raceway's profile, pits after
+  // Overlap reduced by waves and tables. They are subtracted before a raceway's profile, pits after
   // it.
   double all_round(double overlap, const BallView &view, BallSlopes &b) const
   {
@@ -95,7 +94,7 @@ class BallProfile {
     return overlap;
   }
 
-  // `energy` (J) and `follows` are those of ProfiledContact.
+  // Overlap reduced by pits; `energy` (J) and `follows` are those of ProfiledContact.
   double pits(double d, const BallView &view, BallSlopes &b, double &energy, double &follows) const
   {
     if (pits_.empty()) return d;
@@ -110,7 +109,7 @@ class BallProfile {
     return d;
   }
 
-  // How long (s) a step may be where n moves over the ball at the rate `moves` (1/s).
+  // Longest step (s) for a normal n that moves over the ball at the rate `moves` (1/s).
   double longest_step(const Vec3 &n, const Vec3 &moves) const
   {
     const double round = n.x * n.x + n.y * n.y, speed = norm(moves);
@@ -156,7 +155,7 @@ class BallProfile {
     const bool middle = y1 < 0.0 && y2 > 0.0;
     const double least = std::fmin(y1 * y1, y2 * y2) * to_e;
     if (!(d > 0.0)) return middle ? d - std::fmin(deep.value, least) : d;
-    if (!middle && least >= d) return d;    // beside the ellipse
+    if (!middle && least >= d) return d;    // outside the contact patch
     const double D = deep.value;
     const PitLoad one = pit_load(d, D, y1 * y1 * to_e), two = pit_load(d, D, y2 * y2 * to_e);
     const double a = y1 < 0.0 ? 0.5 : -0.5, c = y2 > 0.0 ? 0.5 : -0.5, whole = 1.0 - a - c;
@@ -187,7 +186,7 @@ class BallProfile {
   double radius_, ellipse_, stiffness_;    // m, sqrt(m), N/m^1.5
   std::vector<Wave> waves_;
   std::vector<PeriodicCurve> tables_;    // paths
-  std::vector<double> spacings_;         // rad, of the tables as they were given
+  std::vector<double> spacings_;         // rad, of the tables as given
   std::vector<Pit> pits_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A raceway of a four-point contact bearing: two grooves, of centres beside the middle plane, which
-// a ball in the middle is in contact with at an angle. The ball is where one groove in the middle
-// plane would hold it.
+// A raceway of a four-point contact bearing: two grooves with centres off the middle plane, both in
+// contact at an angle with a ball in the middle plane. The ball has the same position as in a
+// single groove in the middle plane.
 #ifndef RACEWAY_GOTHIC_ARCH_H
 #define RACEWAY_GOTHIC_ARCH_H
 
@@ -14,7 +14,7 @@ struct GothicArch {
   double angle;    // rad
 
   double offset() const { return slack * std::sin(angle); }    // m, of the groove centres
-  // m, how much farther from the ball the bottoms of the grooves are than that of one groove
+  // Distance of the groove bottoms beyond the bottom of that single groove, m.
   double depth() const { return slack * (1.0 - std::cos(angle)); }
 };
 

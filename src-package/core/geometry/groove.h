@@ -33,8 +33,8 @@ struct Groove {
   }
   // Distance of the ball centre from that circle at which the surfaces touch, m.
   double slack() const { return groove_radius - ball_radius; }
-  // A ball in the ring's middle plane that is in contact with a groove beside it: cosine of the
-  // contact angle, and the bottom of a groove in that plane that would hold it as far out (m).
+  // For a ball in the ring's middle plane in contact with an offset groove: cosine of the contact
+  // angle, and the bottom radius of an equivalent groove in that plane (m).
   double middle_cosine() const
   {
     const double sine = offset / slack();
@@ -58,7 +58,7 @@ template <class T> struct GroovePositionT {
 };
 using GroovePosition = GroovePositionT<double>;
 
-// Frame of a ball once r, z, the radial vector and s are known.
+// Frame of a ball from r, z, the radial vector and s.
 template <class T>
 RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double centre_circle,
                               const T &s2, GroovePositionT<T> &p)
@@ -71,10 +71,9 @@ RACEWAY_INLINE void set_frame(const Vec3T<T> &radial, const Vec3T<T> &e, double 
   p.ne = p.z * inverse;
 }
 
-// Where a ball centre at d from the ring centre sits; e is the unit axis of the ring. False, and
-// only r and z set, if it is no farther than `slack` from the circle of groove centres (no
-// contact); slack < 0 always locates. True for a position that is not a number: it must not pass
-// for a gap.
+// Locates a ball centre at d from the ring centre; e is the unit axis of the ring. False, with only
+// r and z set, if it is no farther than `slack` from the circle of groove centres (no contact);
+// slack < 0 always locates. True for NaN: it must not count as a gap.
 inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, double slack,
                           GroovePosition &p)
 {
@@ -87,7 +86,7 @@ inline bool locate_beyond(const Vec3 &d, const Vec3 &e, double centre_circle, do
   return true;
 }
 
-// The same for every position, without a branch.
+// The same without a branch, for every position.
 template <class T>
 RACEWAY_INLINE void locate(const Vec3T<T> &d, const Vec3T<T> &e, double centre_circle,
                            GroovePositionT<T> &p)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How far a groove of finite depth reaches across a ball, for the gap beside the contact
+// Reach of a groove of finite depth around a ball, for the gap outside the contact
 // (docs/fix_bearing_capacitance).
 //
 // The shoulder of a groove of depth t lies at the angle theta_b from the bottom, seen from the
@@ -8,15 +8,15 @@
 // Along y across the groove the gap's parabola ends at
 //   S = R_b [4 tan((theta_b -+ alpha)/4) +- 0.09 gamma],  +0.09 inner, -0.09 outer,
 // on the two sides of a contact at the contact angle alpha; gamma = R_b cos(alpha)/r_pitch. Within
-// the contact ellipse the groove is that parabola already. What the arc adds there comes off:
-// 4 R_b q_a - a of the first term and (q_a/q)^2 of the second, q the tangent in S, q_a =
-// tan(a/(4 R_b)), a the semi-axis across.
+// the contact ellipse the groove already is that parabola, so the excess of the arc there is
+// subtracted: 4 R_b q_a - a from the first term and (q_a/q)^2 from the second, q the tangent in S,
+// q_a = tan(a/(4 R_b)), a the semi-axis across.
 //
-// Of two grooves of a ring each ends at the other one, in the ring's middle plane. Seen from a ball
-// in that plane its shoulder is at tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1 -
-// cos alpha_0)), with the distance G of its centres from the plane and the contact angle alpha_0
-// there. Its other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term of 0.09
-// is of sides that are twice as long and begin at the bottom, and is left out.
+// With two grooves per ring, each ends at the other one, in the ring's middle plane. Seen from a
+// ball in that plane its shoulder is at tan theta_b = (r_c sin theta - G)/(R_b - t + (r_c - R_b)(1
+// - cos alpha_0)), with the distance G of its centres from the plane and the contact angle alpha_0
+// there. Its other end is at the angle 0, so S = 4 R_b tan(alpha/4) on that side. The term with
+// 0.09 applies to sides twice as long that begin at the bottom, and is omitted.
 #ifndef RACEWAY_GROOVE_SHOULDER_H
 #define RACEWAY_GROOVE_SHOULDER_H
 
@@ -24,7 +24,7 @@
 
 namespace raceway {
 
-// Depth of a groove without data of its shoulder, over the ball's diameter.
+// Default depth of a groove over the ball diameter, without shoulder data.
 constexpr double usual_groove_depth = 0.18;
 
 // Tangent of half an angle from its sine and cosine; 0 <= angle < pi.
@@ -32,7 +32,7 @@ template <class T> RACEWAY_INLINE T half_tangent(const T &sine, const T &cosine)
 {
   return sine / (1.0 + cosine);
 }
-// and of half of that again.
+// Tangent of half an angle from its tangent.
 template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
 {
   return tangent / (1.0 + square_root(T(1.0 + tangent * tangent)));
@@ -40,10 +40,10 @@ template <class T> RACEWAY_INLINE T half_tangent(const T &tangent)
 
 template <class T> struct GrooveSideT {
   T reach;        // m
-  T cotangent;    // of a quarter of the shoulder's angle from the contact
+  T cotangent;    // of a quarter of the angle from the contact to the shoulder
 };
 template <class T> struct GrooveReachT {
-  GrooveSideT<T> near, far;    // the side to which the contact leans, and the other
+  GrooveSideT<T> near, far;    // the side towards which the contact leans, and the other side
 };
 
 class GrooveShoulder {
@@ -66,8 +66,8 @@ class GrooveShoulder {
     quarter_ = half_tangent(across / (down + std::hypot(across, down)));
   }
 
-  // sine and cosine (0 or more) of the contact angle. A shoulder that the contact has passed is at
-  // less than 0. Of two grooves of a ring the far side ends at the other one.
+  // Reach for the sine and cosine (0 or more) of the contact angle. A shoulder passed by the
+  // contact is at less than 0. With two grooves per ring the far side ends at the other groove.
   template <class T> RACEWAY_INLINE GrooveReachT<T> reach(const T &sine, const T &cosine) const
   {
     const T lean = half_tangent(half_tangent(sine, cosine)), both = quarter_ * lean,
@@ -78,12 +78,12 @@ class GrooveShoulder {
             {radius_ * (4.0 * far + curved), 1.0 / far}};
   }
 
-  // The reach around an ellipse of the semi-axis a (m) across.
+  // Reach around an ellipse with the semi-axis a (m) across.
   template <class T>
   RACEWAY_INLINE T around(const GrooveSideT<T> &side, const T &cosine, const T &a) const
   {
     const T curved = curved_ * cosine, u = a * (0.25 / radius_), u2 = u * u;
-    // the tangent, to 3e-7 of it where an ellipse is a radius wide
+    // the tangent, relative error 3e-7 for an ellipse one radius wide
     const T within = u * (1.0 + u2 * (1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315))));
     const T ratio = within * side.cotangent;
     const T part = where((side.cotangent > 0.0) & (ratio < 1.0), ratio, 1.0);

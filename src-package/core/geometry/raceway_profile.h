@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a raceway departs from its torus by: notches and pits, waviness, a measured table. Depths
-// count from the torus into the ring, azimuths in the ring's own frame.
+// Departure of a raceway from its torus: notches and pits, waviness, a measured table. Depths are
+// measured from the torus into the ring, azimuths in the ring's own frame.
 //
-// A ball follows a flaw only as far as its size lets it (docs/theory, Flaws of a raceway). With R_x
+// A ball follows a flaw only as far as its size allows (docs/theory, Flaws of a raceway). With R_x
 // the effective radius along rolling and edges of radius E, its path over a notch of length w is
 //   depth = (w/2 - |s|)^2/(2 (R_x + E)), at most the notch's depth, s along the raceway from its
 // middle. Where the path turns, in the middle or at the bottom, the turn is spread over +-E.
@@ -18,7 +18,7 @@
 namespace raceway {
 
 struct NotchShape {
-  double azimuth = 0.0;                             // rad, of its middle
+  double azimuth = 0.0;                             // rad, of the notch's middle
   double length = 0.0, width = 0.0, depth = 0.0;    // m; width HUGE_VAL: across the whole groove
   double edge = 0.0;                                // m
 };
@@ -34,7 +34,7 @@ struct ProfileShape {
   std::vector<PeriodicCurve> tables;    // depth, m
 };
 
-// The path of one kind of ball over a notch.
+// The path of a kind of ball over a notch.
 class NotchPath {
  public:
   NotchPath(const NotchShape &n, double raceway_radius, double rolling_radius) :
@@ -49,12 +49,12 @@ class NotchPath {
 
   const NotchShape &shape() const { return shape_; }
   double half_angle() const { return half_ / raceway_; }    // rad
-  double deepest() const { return deepest_; }               // m, that the ball goes
-  // The path falls before it turns.
+  double deepest() const { return deepest_; }               // m, largest depth reached by the ball
+  // The path has a slope before its turn.
   bool falls() const { return half_ > turns_; }
 
-  // How far (rad) a step may go from an azimuth in the direction of `rate`: up to the edge, and
-  // inside a fifth of its radius.
+  // Largest step (rad) from an azimuth in the direction of `rate`: up to the edge, and inside the
+  // notch a fifth of the edge radius.
   double longest_turn(double azimuth, double rate) const
   {
     const double fine = 0.2 * shape_.edge / raceway_;
@@ -90,7 +90,7 @@ class NotchPath {
   double turned_, turns_, steepest_, deepest_;    // m, m, 1, m: the turn from `turns_` inwards
 };
 
-// The path of a ball over a surface that a table describes: what of it the ball reaches.
+// The path of a ball over a surface given by a table: the part of it within reach of the ball.
 inline PeriodicCurve rolled(const PeriodicCurve &surface, double raceway_radius,
                             double rolling_radius)
 {
@@ -128,7 +128,7 @@ class RacewayProfile {
   const std::vector<NotchPath> &notches() const { return notches_; }
   double ellipse() const { return ellipse_; }    // sqrt(m), semi-axis across over sqrt(overlap)
 
-  // All that goes across the whole groove.
+  // Sum of the profiles across the whole groove.
   CurveAt across(double azimuth) const
   {
     CurveAt sum;
@@ -156,9 +156,9 @@ class RacewayProfile {
     return nullptr;
   }
 
-  // How long (s) a step may be for a ball at this azimuth that passes the raceway at `rate`
-  // (rad/s): up to the edge of a notch, and in it a fifth of its edge; a sixteenth of a wave; from
-  // one point of a table to the next.
+  // Longest step (s) for a ball at this azimuth that moves along the raceway at `rate` (rad/s): up
+  // to the edge of a notch, and in it a fifth of the edge; a sixteenth of a wave; from one point of
+  // a table to the next.
   double longest_step(double azimuth, double rate) const
   {
     if (rate == 0.0) return HUGE_VAL;
@@ -174,7 +174,7 @@ class RacewayProfile {
   std::vector<NotchPath> notches_;
   std::vector<Wave> waves_;
   std::vector<PeriodicCurve> tables_;
-  std::vector<double> spacings_;    // rad, of the tables as they were given
+  std::vector<double> spacings_;    // rad, of the tables as given
 };
 
 }    // namespace raceway

@@ -37,15 +37,15 @@ inline double rail_stiffness(const Rail &rail, double ball_radius, double pitch,
   const double distance = std::sqrt(dr * dr + dz * dz);
   const double cos_seat = dr / distance;
   const double contact_radius =
-      pitch + ball_radius * cos_seat;    // of the contact point about the axis
+      pitch + ball_radius * cos_seat;    // of the contact point, about the axis
   const double along = 1.0 / ball_radius - cos_seat / contact_radius;
   const double across = 1.0 / ball_radius + 1.0 / rail.tube;
   return hertz_contact(1.0 / along, 1.0 / across, Eprime, Ellipse::exact).K;
 }
 
 // One cage ball on one rail in the meridional plane of the ring: ball centre at radius r and height
-// z, moving at vr, ve against the ring. Without a branch, so that a loop over many balls becomes
-// vector code; without contact the force is 0.
+// z, velocities vr, ve relative to the ring. Branch-free, so that a loop over many balls
+// vectorises; without contact the force is 0.
 template <class T> struct RailContactT {
   T nr, ne;     // rail -> ball
   T overlap;    // m
@@ -68,8 +68,8 @@ RACEWAY_INLINE RailContactT<T> rail_contact(const Rail &rail, double K, const T 
   return c;
 }
 
-// Whether a cage ball may be within `margin` (m) of the rail, without the root. Rounding never
-// denies it where rail_contact() finds an overlap.
+// True if a cage ball may be within `margin` (m) of the rail, without the square root. Despite
+// rounding, true whenever rail_contact() finds an overlap.
 template <class T>
 RACEWAY_INLINE auto may_touch(const Rail &rail, const T &r, const T &z, const T &radius,
                               double margin)

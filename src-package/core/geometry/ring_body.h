@@ -23,8 +23,8 @@ inline Vec3 angular_velocity(const RingInertia &I, const Vec3 &L, const Vec3 &e)
   return L * (1.0 / I.transverse) + e * ((1.0 / I.axial - 1.0 / I.transverse) * dot(L, e));
 }
 
-// The axis e after the time h. Each integrator has its own way, because each knows something else
-// of the angular velocity within the step.
+// The axis e after the time h. The integrators differ here because they hold the angular velocity
+// within the step differently.
 
 // Velocity Verlet: the moments act in the half kicks around the drift, so the angular momentum L is
 // constant in it. Midpoint rule: second order, |e| kept to rounding.
@@ -34,8 +34,8 @@ inline Vec3 drift_axis(const RingInertia &I, const Vec3 &L, const Vec3 &e, doubl
   return rotate(e, angular_velocity(I, L, half) * h);
 }
 
-// An implicit stage: e_new = e + h W x e_new with the angular velocity at its end, as for every
-// other coordinate of the stage. `across` gives W (across the axis) from an axis; e.z > 0. The
+// An implicit stage: e_new = e + h W x e_new with the angular velocity at its end, like every other
+// coordinate of the stage. `across` gives W (normal to the axis) for an axis; e.z > 0. The
 // iteration is a contraction by h |W|.
 template <class Across> Vec3 implicit_axis(const Vec3 &e, Across across, double h)
 {
@@ -49,7 +49,7 @@ template <class Across> Vec3 implicit_axis(const Vec3 &e, Across across, double 
   return end;
 }
 
-// A drift with constant angular velocity W across the axis: exact.
+// A drift with constant angular velocity W normal to the axis: exact.
 inline Vec3 turned_axis(const Vec3 &e, const Vec3 &W, double h) { return rotate(e, W * h); }
 
 }    // namespace raceway

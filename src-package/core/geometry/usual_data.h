@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing from its usual data; the radii are those of raceway.inputs. SI units.
+// A bearing from its usual data; radii as in raceway.inputs. SI units.
 //
-// The pitch diameter is that of the balls' centres when they are in contact with both raceways at
-// the contact angle. So at an angle above 0 the clearance follows from it.
+// The pitch diameter is that of the ball centres in contact with both raceways at the contact
+// angle, so above 0 the contact angle determines the clearance.
 #ifndef RACEWAY_USUAL_DATA_H
 #define RACEWAY_USUAL_DATA_H
 
@@ -17,7 +17,7 @@ struct UsualData {
   // Radius of a raceway at the bottom of a groove of radius `groove`.
   double inner_radius(double groove) const { return 0.5 * pitch_diameter - groove + reach(groove); }
   double outer_radius(double groove) const { return 0.5 * pitch_diameter + groove - reach(groove); }
-  // Of the cage balls that leave a ball `play` along the pitch circle.
+  // Diameter of cage balls that leave a ball the clearance `play` along the pitch circle.
   double cage_ball_diameter(double play) const
   {
     return 2.0 * pitch_diameter * std::sin(0.5 * M_PI / balls) - ball_diameter - play;
@@ -30,7 +30,7 @@ struct UsualData {
   }
 };
 
-// The inner ring as a hollow cylinder, its shoulders 0.18 ball diameters above the bottom of the
+// The inner ring as a hollow cylinder with shoulders 0.18 ball diameters above the bottom of the
 // groove: an estimate.
 struct RingCylinder {
   double bore_diameter, width, outer_radius;
@@ -43,7 +43,7 @@ struct RingCylinder {
   {
     return density * M_PI * (outer_radius * outer_radius - bore2()) * width;
   }
-  // about its axis and across it, of a mass
+  // moments of inertia about its axis and about a diameter, for a mass
   double inertia(double mass) const { return 0.5 * mass * (outer_radius * outer_radius + bore2()); }
   double inertia_t(double mass) const { return 0.5 * inertia(mass) + mass * width * width / 12.0; }
 

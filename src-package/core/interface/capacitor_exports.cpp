@@ -35,7 +35,7 @@ FORMULA(double, rough_film_factor, (double sigma_over_h))
 }
 
 namespace {
-// An ellipse without a law; E' cancels in the shape of its gap.
+// An ellipse without a contact law; E' cancels in the shape of its gap.
 GapShape shape_of(double kappa, double first, double second, double radius, double r_x, double E,
                   double &K)
 {
@@ -49,7 +49,7 @@ GapShape shape_of(double kappa, double first, double second, double radius, doub
 }
 }    // namespace
 
-// G of the gap beside the ellipse, H = h/g_s
+// G of the gap outside the ellipse along rolling, H = h/g_s
 FORMULA(double, gap_beside, (double ratio))
 {
   const GapBeside<double> beside(std::pow(ratio, 1.0 / 6.0));
@@ -82,7 +82,7 @@ FORMULA(double, gap_loaded,
   return gap_integral(s, loaded.G, loaded.stretch(near), loaded.stretch(far));
 }
 
-// I (m) of a ball without load; flatness: 1 - play/(r_c - R_b)
+// I (m) of an unloaded ball; flatness: 1 - play/(r_c - R_b)
 FORMULA(double, gap_open,
         (double kappa, double first, double second, double radius, double r_x, double separation,
          double flatness, double near, double far))

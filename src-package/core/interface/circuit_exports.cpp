@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The circuit of a bearing over given films (circuit.h), its discharges (film_breakdown.h), and the
-// voltages that drive it (waveform.h).
+// The circuit of a bearing over given films (circuit.h), its discharges (film_breakdown.h) and its
+// driving voltages (waveform.h).
 #include "../electric/circuit.h"
 #include "../electric/impedance.h"
 #include "../electric/waveform.h"
@@ -40,7 +40,7 @@ void put(const NodeValues &v, double *ball, double *ring)
   *ring = v.ring;
 }
 
-// Numbers of a row of failures.
+// Columns in a row of failures.
 constexpr int columns = 8;
 void put(const FilmFailure &f, int point, double *row)
 {
@@ -51,10 +51,10 @@ void put(const FilmFailure &f, int point, double *row)
 }
 }    // namespace
 
-// Films are by point, side, ball; the outer circuit by point: beside, coupling, conductance,
-// driving. Voltages `before` are without the discharge of their point. Rows of failures, at most
-// `most`: point, side, ball, film voltage, bearing voltage, that after, film energy, energy.
-// Returns the number of failures.
+// Films are by point, side, ball; the outer circuit by point: parallel capacitance, coupling,
+// conductance, driving voltage. Voltages `before` exclude the discharge of their point. Rows of
+// failures, at most `most`: point, side, ball, film voltage, bearing voltage, bearing voltage
+// after, film energy, energy. Returns the number of failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *limit, const double *outer, double start,
@@ -99,7 +99,7 @@ EXPORT(int, bearing_circuit,
   return count;
 }
 
-// One point alone: its discharge in place, and its failures as above. Returns their number.
+// A single point: its discharge in place, and its failures as above. Returns their number.
 EXPORT(int, film_discharge,
        (int balls, const double *capacitance, const double *limit, double beside, double coupling,
         double driving, double *ball_charge, double *ring_charge, double *ball, double *ring,
@@ -130,7 +130,7 @@ EXPORT(void, film_redistribution,
   put(voltage, ball, ring);
 }
 
-// V between the rings at which the first film fails, by point
+// Voltage between the rings at which the first film fails, V, by point
 EXPORT(void, threshold_voltages,
        (int points, int balls, const double *capacitance, const double *limit, double *out))
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The C interface of a library, described to Python (raceway/core/exports.py) in the words of its
-// own source: parameters of every EXPORT and FORMULA by name, fields of every RECORD by name and
-// size. So nothing is passed by a position that only one side knows.
+// C interface of a library with a description for Python (raceway/core/exports.py), generated from
+// its own source: parameters of every EXPORT and FORMULA by name, fields of every RECORD by name
+// and size. No argument is passed by a position known to one side only.
 #ifndef RACEWAY_EXPORTS_H
 #define RACEWAY_EXPORTS_H
 #include <cstring>
@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-// hidden: two libraries in one process keep their own texts
+// hidden: each of two libraries in a process keeps its own text
 __attribute__((visibility("hidden"))) inline std::string &exported_text()
 {
   static std::string text;
@@ -20,7 +20,7 @@ struct ExportedLine {
   explicit ExportedLine(const std::string &line) { exported_text() += line + "\n"; }
 };
 
-// A C function. Arrays say their size, `double out[3]`, where it does not depend on the call.
+// A C function. Arrays state their size, `double out[3]`, if it does not depend on the call.
 #define EXPORT(result, name, parameters)                                                    \
   extern "C" result name parameters;                                                        \
   static const ExportedLine exported_##name("function|" #result "|" #name "|" #parameters); \
@@ -34,8 +34,8 @@ struct ExportedLine {
   static const ExportedLine exported_##Name("record|" #Name "|" + std::to_string(sizeof(Name)) + \
                                             "|" #__VA_ARGS__);
 
-// A function of single numbers that Python calls with arrays. It returns a double or a RECORD of
-// doubles; parameters are double, int or bool.
+// A scalar function that Python calls with arrays. It returns a double or a RECORD of doubles;
+// parameters are double, int or bool.
 #define FORMULA(result, name, parameters)                                                  \
   static result name##_of_one parameters;                                                  \
   extern "C" void name(long n, const double *in, double *out)                              \
@@ -66,7 +66,7 @@ void formula_over_arrays(Result (*one)(Numbers...), long n, const double *in, do
     formula_at(one, n, i, in, out, std::index_sequence_for<Numbers...>());
 }
 
-// once in a library
+// once per library
 #define EXPORTS \
   extern "C" const char *exports() { return exported_text().c_str(); }
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film thickness: power laws (film.h), all regimes (film_regimes.h), factors (film_factors.h); its
-// damping (film_branch.h).
+// Film thickness: power laws (film.h), all lubrication regimes (film_regimes.h), factors
+// (film_factors.h); film damping (film_branch.h).
 #include "../laws/film_branch.h"
 #include "../laws/film_factors.h"
 #include "../laws/film_regimes.h"
@@ -16,11 +16,11 @@ RECORD(GuptaParts, double unpressed, lost;)
 RECORD(MaxwellBranch, double stiffness, rate;)
 RECORD(BranchStep, double left, slope;)
 
-// of R_x, by U, G, W; model: 0 Masjedi and Khonsari, 1 that as printed, 2 Hamrock and Dowson
+// over R_x, by U, G, W; model: 0 Masjedi and Khonsari, 1 the same as printed, 2 Hamrock and Dowson
 FORMULA(FilmThickness, film_thickness,
         (int model, double speed, double material, double load, double kappa))
 {
-  // along an array these are mostly the same, and cost more than the rest
+  // mostly constant along an array, and more expensive than the rest
   thread_local double known[3] = {-1.0, 0.0, 0.0};
   thread_local FilmPair laws;
   const double asked[3] = {double(model), material, kappa};
@@ -44,7 +44,7 @@ FORMULA(double, composite_roughness, (double one, double other))
   return composite_roughness(one, other);
 }
 
-// of sqrt(U_s) R_x, by Moes' M, L and lambda = R_x/R_y
+// over sqrt(U_s) R_x, by Moes' M, L and lambda = R_x/R_y
 FORMULA(double, film_all_regimes, (double load, double material, double ratio))
 {
   MoesRaceway raceway;
@@ -68,7 +68,7 @@ FORMULA(double, inlet_shear, (int law, double loading))
   return f.of(0.0);
 }
 
-// the factor without pressure, and the share that the pressure takes from it, not limited
+// the factor without pressure, and its reduction by the pressure, not limited
 FORMULA(GuptaParts, gupta_parts, (double loading, double pressure, double slide_roll))
 {
   FilmFactors f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The film in the gap (film_gap.h, gap_film.h) of a contact that is given by its numbers.
+// The film in the gap (film_gap.h, gap_film.h) of a contact given by its parameters.
 #include "../raceway/gap_film.h"
 #include "exports.h"
 
@@ -9,9 +9,9 @@ RECORD(FilmAtLoad, double thickness, fall;)
 RECORD(FilmInGap, double load, h_c, elastic, slope;)
 
 namespace {
-// One film over the load. `shape` is R_y (m) in all regimes, else kappa. With a thermal loading it
-// has Gupta's factor, `peak` being p_max/E' under 1 N. Below the load `cut` (N) a power law keeps
-// its thickness, and any film Gupta's factor.
+// One film as a function of the load. `shape` is R_y (m) in all regimes, otherwise kappa. A thermal
+// loading adds Gupta's factor, `peak` being p_max/E' at 1 N. Below the load `cut` (N) a power law
+// keeps its thickness, and any film its Gupta factor.
 struct FilmOverLoad {
   bool all;
   double viscosity, pressure_viscosity, modulus, r_x, shape, speed, factor, loading, peak,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Damping, mixed friction, slip, spin, resistance to rolling and drag of one contact.
+// Damping, mixed friction, slip, spin, rolling resistance and drag of one contact.
 #include "../laws/asperities.h"
 #include "../laws/ball_drag.h"
 #include "../laws/damping.h"
@@ -88,7 +88,7 @@ FORMULA(double, edge_slip, (double speed, double a, double r_d, double r_x))
   return edge_slip(speed, a, r_d, r_x);
 }
 
-// Over mu Q and, for the couple, a^2/(2 R_d); `off` is the distance from free rolling over s_e.
+// Over mu Q and, for the couple, a^2/(2 R_d); `off` is the slip relative to free rolling over s_e.
 RECORD(SlipLaw, double root, secant, force, couple;)
 FORMULA(SlipLaw, differential_slip, (double off))
 {
@@ -115,7 +115,7 @@ FORMULA(SlidingForces, slip_slices,
           f.slope_along, f.slope_across, f.slope_moment, f.slope_couple};
 }
 
-// ---- rolling
+// ---- rolling resistance
 FORMULA(double, rolling_force,
         (double viscosity, double modulus, double r_x, double r_y, double speed, double load))
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Oils by temperature (oil_data.h), SKF's starvation (starvation.h), rolling without slip
+// Oil data over temperature (oil_data.h), SKF's starvation factor (starvation.h), pure rolling
 // (rolling.h).
 #include "../laws/oil_data.h"
 #include "../laws/rolling.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Share of the contact load that asperities carry, L_a = exp(-B Lambda^C) (Zhou and Hoeprich 1991,
+// Share of the contact load carried by asperities, L_a = exp(-B Lambda^C) (Zhou and Hoeprich 1991,
 // in Schwarz et al., Lubricants 2023, 11, 369; from roller bearings), and the friction coefficient
 // mu = L_a mu_b + (1 - L_a) mu_film (docs/theory, Mixed friction).
 #ifndef RACEWAY_ASPERITIES_H
@@ -10,16 +10,16 @@
 namespace raceway {
 
 struct Asperities {
-  double b = 2.1, c = 0.85;    // of a composite roughness of 0.1 um
+  double b = 2.1, c = 0.85;    // for a composite roughness of 0.1 um
 };
 
-// Of ln Lambda; 1 without a film.
+// Asperity share from ln Lambda; 1 without a film.
 template <class T> RACEWAY_INLINE T asperity_share(const Asperities &own, const T &ln_lambda)
 {
   return exponential(T(-own.b * exponential(T(own.c * ln_lambda))));
 }
 
-// mu of a contact where asperities carry the share L_a
+// Friction coefficient mu of a contact with the asperity share L_a.
 template <class Film, class T>
 RACEWAY_INLINE T mixed_friction(double boundary, const Film &film, const T &share)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Drag of a ball in a mixture of oil and air (docs/theory, Drag): C_D X rho A v^2/2, A = pi R_b^2,
-// X the share of oil, C_D of a sphere at Re = rho v 2R_b/eta with straight lines in the logarithms
-// of a table; below Re 0.1 Stokes's law, above 1e5 constant.
+// X the volume fraction of oil, C_D of a sphere at Re = rho v 2R_b/eta by log-log interpolation of
+// a table; Stokes's law below Re 0.1, constant above 1e5.
 #ifndef RACEWAY_BALL_DRAG_H
 #define RACEWAY_BALL_DRAG_H
 
@@ -11,7 +11,7 @@ namespace raceway {
 
 struct DragTable {
   static constexpr int size = 7;
-  double x[size], bend[size], first;    // ln Re; change of the slope there; ln C_D at the first
+  double x[size], bend[size], first;    // ln Re; change of slope there; first ln C_D
 };
 
 inline const DragTable &drag_table()

@@ -11,7 +11,7 @@ namespace raceway {
 template <class T> struct DampedHertzT {
   T stiffness = T();    // N/m, dF/d(overlap) of the spring
   T damping = T();      // N s/m
-  T growth = T();       // N/m, of the force with the overlap: damping grows with it, too
+  T growth = T();       // N/m, growth of the force with the overlap, including that of the damping
   T force = T();        // N, >= 0 (no adhesion)
 };
 using DampedHertz = DampedHertzT<double>;

@@ -14,7 +14,7 @@
 
 namespace raceway {
 
-// The constant in C_fluid = prefactor * a * h^-1.5, N s/m^0.5.
+// Prefactor in C_fluid = prefactor * a * h^-1.5, N s/m^0.5.
 inline double film_damping_prefactor(double viscosity, double radius, double length_factor)
 {
   const double pi = 3.14159265358979323846;

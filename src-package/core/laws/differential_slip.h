@@ -7,8 +7,8 @@
 //   s(z) = s - Omega z^2/(2 R_d),  s_e = |Omega| a^2/(2 R_d) from the centre to the edge z = a.
 // With slip s at the centre, along rolling, and t0 = sqrt(s/s_e) in [0, 1]:
 //   F/(mu Q) = 3 t0 - t0^3 - 1,  C/(mu Q a^2/(2 R_d)) = t0^3 - 3/5 t0^5 - 1/5,
-// beyond that range the values of its ends. The contact loses F s - C |Omega|.
-// Without slip Omega is u/R_x, u entrainment speed.
+// with the values at 0 and 1 beyond that range. The contact loses F s - C |Omega|. Without slip
+// Omega is u/R_x, u entrainment speed.
 #ifndef RACEWAY_DIFFERENTIAL_SLIP_H
 #define RACEWAY_DIFFERENTIAL_SLIP_H
 
@@ -17,31 +17,31 @@
 namespace raceway {
 
 constexpr double free_root = 0.34729635533386070;      // 2 sin(pi/18): F = 0
-constexpr double free_part = free_root * free_root;    // of s_e, slip of free rolling
-// mean sliding speed of free rolling over the load, of s_e
+constexpr double free_part = free_root * free_root;    // slip of free rolling over s_e
+// mean sliding speed of free rolling, weighted by the load, over s_e
 constexpr double free_speed = 0.2 + free_part * free_root * (0.6 * free_part - 1.0);
 constexpr double free_lean = 1.5 * (1.0 - free_part) / free_root;    // s_e dF/ds/(mu Q) there
 
-// m: curvature across the groove of the surface of contact.
+// Curvature radius of the contact surface across the groove, m.
 inline double deformed_radius(double groove, double ball)
 {
   return 2.0 * groove * ball / (groove + ball);
 }
 
-// m/s, s_e
+// Slip s_e at the edge, m/s.
 inline double edge_slip(double speed, double a, double deformed, double rolling_radius)
 {
   return std::fabs(speed) * a * a / (2.0 * deformed * rolling_radius);
 }
 
-// t0 of a slip that is `off` free rolling; both in units of s_e.
+// t0 at the slip `off` relative to free rolling; both in units of s_e.
 template <class T> RACEWAY_INLINE T slip_root(const T &off)
 {
   const T q = free_part + off;
   return square_root(T(where(q > 0.0, where(q < 1.0, q, 1.0), 0.0)));
 }
 
-// F/(mu Q) over that distance.
+// F/(mu Q) over that slip: the secant.
 template <class T> RACEWAY_INLINE T slip_secant(const T &off)
 {
   const T q = free_part + off, t = slip_root(off);
@@ -50,24 +50,25 @@ template <class T> RACEWAY_INLINE T slip_secant(const T &off)
   return where(q < 0.0, beyond, where(q > 1.0, beyond, inside));
 }
 
-// F/(mu Q) itself: 1 and -1 beyond.
+// F/(mu Q); 1 and -1 beyond the range.
 template <class T> RACEWAY_INLINE T slip_force(const T &off)
 {
   const T q = free_part + off;
   return where(q < 0.0, -1.0, where(q > 1.0, 1.0, slip_secant(off) * off));
 }
 
-// t0 of a force, in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. From a polynomial
-// in sqrt(1 - F), within 1e-3, a step of four terms of the inverse of Taylor's series leaves
-// rounding.
+// t0 of a force, in units of mu Q: 1 - t0 is the root x of x^2 (3 - x) = 1 - F. A polynomial in
+// sqrt(1 - F) is within 1e-3; one step with four terms of the inverted Taylor series is then exact
+// to rounding.
 template <class T> RACEWAY_INLINE T force_root(const T &force)
 {
-  constexpr double least = 1e-24;    // of 1 - F, where x divides
+  constexpr double least = 1e-24;    // lower limit of 1 - F, where x is a divisor
   const T rest = 1.0 - force, r = where(rest > least, where(rest < 2.0, rest, 2.0), least);
   const T q = square_root(r);
   const T x = q * (0.57692098 + q * (0.06107723 + q * (-0.00171489 + q * 0.01645284)));
   const T inverse = 1.0 / (3.0 * x * (2.0 - x)), s = (r - x * x * (3.0 - x)) * inverse;
-  const T a = 3.0 * (1.0 - x) * inverse, b = -inverse, a2 = a * a;    // of e^2, e^3 over the slope
+  const T a = 3.0 * (1.0 - x) * inverse, b = -inverse, a2 = a * a;    // coefficients of e^2, e^3
+                                                                      // over the slope
   const T e = s * (1.0 - s * (a - s * ((2.0 * a2 - b) - s * (5.0 * a * (a2 - b)))));
   return 1.0 - (x + e);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // EHD film thickness of a smooth elliptical contact (docs/theory, Film; Farah 2020 eqs 6, 7, 9).
 //
-// Every law here has the form h/R_x = c U^p G^g W^m (1 - k1 exp(-k2 kappa)) with
+// All laws here have the form h/R_x = c U^p G^g W^m (1 - k1 exp(-k2 kappa)) with
 //   U = eta u/(E' R_x),  G = xi E',  W = Q/(E' R_x^2),
 // and kappa constant per raceway and contact angle. So ln h = lnA + p ln u + m ln Q: the constants
-// are found once, a contact pays two logarithms and one exponential.
+// are computed once, and a contact costs two logarithms and one exponential.
 //   u  entrainment speed, m/s;  Q elastic contact load, N;  h, m.
 // Sources: Masjedi & Khonsari 2015 (smooth part, point contact); Hamrock & Dowson 1977.
 #ifndef RACEWAY_FILM_H
@@ -69,7 +69,7 @@ inline FilmPair film_laws(FilmModel model, double kappa, const Lubricant &oil, d
   return f;
 }
 
-// What both thicknesses of a contact are made of.
+// Input of both film thicknesses of a contact.
 template <class T> struct FilmPointT {
   T ln_speed, ln_load;
 };
@@ -79,19 +79,19 @@ template <class T> RACEWAY_INLINE FilmPointT<T> film_point(const T &speed, const
   return {logarithm(speed), logarithm(load)};
 }
 
-// Logarithm of h (m) from the law.
+// Logarithm of the film thickness h (m).
 template <class T> RACEWAY_INLINE T ln_film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
 {
   return f.lnA + f.p * at.ln_speed + f.m * at.ln_load;
 }
 
-// h from the law, m; a speed of 0 gives 0 (no film at rest).
+// Film thickness h, m; 0 at zero speed (no film at rest).
 template <class T> RACEWAY_INLINE T film_thickness(const FilmLawT<T> &f, const FilmPointT<T> &at)
 {
   return exponential(ln_film_thickness(f, at));
 }
 
-// Composite roughness sqrt(s1^2 + s2^2), m; the film parameter is Lambda = h_min/composite (eq 7).
+// Composite roughness sqrt(s1^2 + s2^2), m; the lambda ratio is Lambda = h_min/composite (eq 7).
 inline double composite_roughness(double s1, double s2) { return std::sqrt(s1 * s1 + s2 * s2); }
 
 }    // namespace raceway

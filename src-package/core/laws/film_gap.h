@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A film between the bodies: it adds to the overlap that Hertz's law sees (docs/tribology, Film in
-// the gap).
+// A film between the bodies adds to the overlap in the Hertz contact (docs/tribology, Film in the
+// gap).
 //
 //   x = d + z h(Q),  Q = K x^1.5,  h = e (Q/Q_0)^-m,  h = e below Q_0
-//   x what the bodies give way, d the overlap of the rigid surfaces, negative for a gap, m
+//   x elastic approach of the bodies, d the overlap of the rigid surfaces, negative for a gap, m
 //   e the film at the load Q_0, m;  z its share
 //
 // With r = x/x_0, x_0 = (Q_0/K)^(2/3), n = 1.5 m this is r - H r^-n = D for r > 1, r - H = D below:
-// the left side grows with r and is concave, so there is one root, between 1 and D + H. A step from
-// r to r (1 + e) takes four terms of the inverse of Taylor's series, in Newton's relative step s.
-// All derivatives follow from r^-n. The step from D + H, with a rough r^-n, ends within 1e-3 of the
-// root for films up to 16 x_0. One with the exact r^-n then leaves rounding; other films take more.
-// Each lane stops by itself, so its bits do not depend on the others.
+// the left side increases with r and is concave, so there is one root, between 1 and D + H. A step
+// from r to r (1 + e) uses four terms of the inverted Taylor series in Newton's relative step s.
+// All derivatives follow from r^-n. The first step, from D + H with a rough r^-n, is within 1e-3 of
+// the root for films up to 16 x_0. One more with the exact r^-n is then exact to rounding; other
+// films need more steps. Each lane stops independently, so its bits do not depend on the others.
 #ifndef RACEWAY_FILM_GAP_H
 #define RACEWAY_FILM_GAP_H
 
@@ -29,7 +29,8 @@ template <class T> struct FilmGapT {
 };
 
 namespace detail {
-// r = D + H q from r, q = r^-n: Newton's step s, and that of four terms, e; both over r.
+// One step from r towards r = D + H q, q = r^-n: Newton's step s, and the four-term step e; both
+// over r.
 template <class T> struct GapStepT {
   T s, e;
 };
@@ -38,7 +39,7 @@ RACEWAY_INLINE GapStepT<T> gap_step(const T &r, const T &h, const T &D, const T 
 {
   const T inverse = 1.0 / (r + n * h), s = (D + h - r) * inverse, w = n * h * inverse;
   const T a = -0.5 * (n + 1.0) * w, b = (-1.0 / 3) * (n + 2.0) * a, c = -0.25 * (n + 3.0) * b,
-          a2 = a * a;    // of e^2, e^3, e^4 over the slope
+          a2 = a * a;    // coefficients of e^2, e^3, e^4 over the slope
   const T fourth = a * (5.0 * a2 - 5.0 * b) + c;
   return {s, s * (1.0 - s * (a - s * ((2.0 * a2 - b) - s * fourth)))};
 }
@@ -50,8 +51,8 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
                                     const T &load_exponent)
 {
   constexpr int most = 30;
-  constexpr double small = 1e-3;       // its fifth power is rounding
-  constexpr double long_step = 0.1;    // beyond it the series may stray: Newton's step alone
+  constexpr double small = 1e-3;       // its fifth power is below rounding
+  constexpr double long_step = 0.1;    // beyond it the series may diverge: Newton's step alone
   const T n = 1.5 * load_exponent, per = 1.0 / zero, D = overlap * per, H = film * per, all = D + H;
   const auto thinned = all > 1.0;
   const T from = where(thinned, all, 1.0);
@@ -81,7 +82,7 @@ RACEWAY_INLINE FilmGapT<T> compress(const T &overlap, const T &film, const T &ze
   return {zero * x, thinning, slope, 1.5 * ln_r};
 }
 
-// J, work of thinning a power law's film h from its thickness `edge` (m) at the load `cut` (N).
+// Work to thin a power-law film h from its thickness `edge` (m) at the load `cut` (N), J.
 template <class T>
 RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &load, const T &h,
                                double cut, const T &edge)
@@ -90,8 +91,8 @@ RACEWAY_INLINE T thinning_work(double share, const T &load_exponent, const T &lo
          where(load > cut, T(h * load - edge * cut), 0.0);
 }
 
-// Any law of the film, thickness and fall over ln x: ln(x + gap) = ln(z h + squeezed), which is
-// nearly straight in ln x on both sides, by Newton's method from `start`. Law::at(ln x) gives both.
+// For any film law with thickness and fall over ln x: solves ln(x + gap) = ln(z h + squeezed),
+// nearly linear in ln x on both sides, by Newton iteration from `start`. Law::at(ln x) gives both.
 template <class T> struct FilmRootT {
   T compression, thickness, slope;    // m, m, dx/dd
 };

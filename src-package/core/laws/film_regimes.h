@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Central film thickness in all regimes, from a rigid isoviscous to an elastic piezoviscous contact
-// (Nijenbanning, Venner, Moes 1994; docs/tribology, Film in the gap). It stays right as the load
-// goes to zero, where the power laws of film.h do not.
+// Central film thickness in all lubrication regimes, from a rigid isoviscous to an elastic
+// piezoviscous contact (Nijenbanning, Venner, Moes 1994; docs/tribology, Film in the gap). It
+// remains valid as the load goes to zero, unlike the power laws of film.h.
 //
 // With U = 2 eta u/(E' R_x), M = Q/(E' R_x^2) U^(-3/4), L = xi E' U^(1/4), lambda = R_x/R_y:
 //   h = R_x sqrt(U) {[RI^1.5 + (EI^-4 + H_0^-4)^(-3/8)]^(2s/3) + (RP^-8 + EP^-8)^(-s/8)}^(1/s),
@@ -15,12 +15,12 @@
 
 namespace raceway {
 
-// A film at a load. `fall` is -d(ln h)/d(ln Q).
+// Film at a load. `fall` is -d(ln h)/d(ln Q).
 template <class T> struct FilmAtLoadT {
   T thickness, fall;    // m, 1
 };
 
-// Logarithms of what the geometry of a contact makes of the asymptotes, at M = L = 1.
+// Logarithms of the geometry factors of the asymptotes, at M = L = 1.
 template <class T> struct MoesShapeT {
   T radius;            // of R_x, m
   T ri, rp, ei, ep;    // of RI, RP, EI, EP
@@ -43,11 +43,11 @@ RACEWAY_INLINE MoesShapeT<T> moes_shape(const T &rolling_radius, double ln_trans
           std::log(1.8) - l};
 }
 
-// What does not change in a run.
+// Constants of a run.
 struct MoesRaceway {
   double ln_speed = 0.0, ln_material = 0.0;        // of 2 eta/E' and xi E'
   double ln_modulus = 0.0, ln_transverse = 0.0;    // of E' and R_y
-  MoesShapeT<double> radial{};                     // at no contact angle
+  MoesShapeT<double> radial{};                     // at zero contact angle
 
   MoesRaceway() = default;
   MoesRaceway(const Lubricant &oil, double modulus, double rolling_radius, double transverse) :
@@ -57,7 +57,7 @@ struct MoesRaceway {
   {
   }
 
-  // Radial ones are exact, as the constants of a raceway are.
+  // At zero contact angle they are exact, like the constants of a raceway.
   template <class T>
   RACEWAY_INLINE MoesShapeT<T> shape(const T &cos_angle, const T &rolling_radius,
                                      double radial_radius) const
@@ -71,11 +71,11 @@ struct MoesRaceway {
   }
 };
 
-// The film of one contact at one entrainment speed (m/s, not zero), by the logarithm of its load.
+// Film of one contact at one entrainment speed (m/s, not zero), by the logarithm of its load.
 template <class T> class MoesFilmT {
  public:
   MoesFilmT() = default;
-  // ln_factor: of a factor on the film
+  // ln_factor: logarithm of a factor on the film thickness
   RACEWAY_INLINE MoesFilmT(const MoesRaceway &k, const MoesShapeT<T> &shape, const T &ln_u,
                            const T &ln_factor)
   {
@@ -109,9 +109,9 @@ template <class T> class MoesFilmT {
     return {exponential(T(scale_ + ln_H)), fall};
   }
 
-  // Logarithm of a load below that of a film of the thickness e^ln_h: of a rigid contact alone.
+  // Logarithm of a load below that of a film of the thickness e^ln_h: the load of a rigid contact.
   RACEWAY_INLINE T below(const T &ln_h) const { return unit_ + 0.5 * (ri_ - (ln_h - scale_)); }
-  // Of the thickness that only a rigid contact exceeds.
+  // Logarithm of the thickness exceeded only by a rigid contact.
   RACEWAY_INLINE T widest() const { return widest_; }
 
  private:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction coefficient of a film that slides under a Hertz contact (docs/tribology, Traction):
+// Friction coefficient of a sliding film in a Hertz contact (docs/tribology, Traction):
 //   tau(p) = min(tau_0 asinh(eta(p) s/(h tau_0)), Lambda_L p),  eta(p) after Roelands,
 //   mu Q = integral of tau over the ellipse = 3 Q/p_max integral of tau(t p_max) t dt, t in 0 to 1,
 // by eight Gauss points in t = sqrt(1 - r^2), r the radius in units of the semi-axes: within 0.9 %
-// (six: 2.8 %), most of it where tau bends. s is one speed for the whole ellipse.
+// (six: 2.8 %), mostly from the bend of tau. s is one speed for the whole ellipse.
 #ifndef RACEWAY_FILM_TRACTION_H
 #define RACEWAY_FILM_TRACTION_H
 
@@ -18,7 +18,7 @@ template <class T> RACEWAY_INLINE T inverse_sinh(const T &x)
   return where(x < 1e-3, small, logarithm(T(x + square_root(T(x2 + 1.0)))));
 }
 
-// tau, Pa, of x = eta s/(h tau_0)
+// Shear stress tau, Pa, from x = eta s/(h tau_0).
 template <class T> RACEWAY_INLINE T eyring_shear(double stress, const T &x, const T &most)
 {
   const T tau = stress * inverse_sinh(x);
@@ -57,11 +57,11 @@ struct FilmTraction {
     ln_rate = std::log(oil.viscosity / stress);
   }
 
-  // Of the largest pressure (Pa) and the logarithm of the shear rate s/h (1/s). The points lie side
-  // by side and the function stands alone: compiled once, not into every law.
+  // Coefficient from the largest pressure (Pa) and the logarithm of the shear rate s/h (1/s). The
+  // points are evaluated in lanes, in a function compiled once rather than inlined into every law.
   __attribute__((noinline)) double coefficient(double pressure, double ln_shear) const
   {
-    // of Gauss and Legendre on 0 to 1
+    // Gauss-Legendre on 0 to 1
     constexpr Lane node[2] = {
         {0.019855071751231912, 0.10166676129318664, 0.2372337950418355, 0.40828267875217511},
         {0.59171732124782483, 0.7627662049581645, 0.89833323870681336, 0.98014492824876809}};
@@ -85,7 +85,7 @@ struct FilmTraction {
   }
 
  private:
-  static constexpr double most = 300.0;    // its asinh is far above any limit
+  static constexpr double most = 300.0;    // its asinh is far beyond any limit
 };
 
 }    // namespace raceway

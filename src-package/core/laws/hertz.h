@@ -70,9 +70,9 @@ inline ContactEllipse fitted_ellipse_major(double alpha, Ellipse form)
   return c;
 }
 
-// The ellipse for R_y/R_x on either side of 1, with F and E of the modulus^2 1 - 1/kappa^2. Below 1
-// the axes change places: F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2), E that over kappa', with
-// kappa' = 1/kappa.
+// Ellipse for R_y/R_x above or below 1, with F and E of the modulus^2 1 - 1/kappa^2. Below 1 the
+// axes are swapped: F(1 - 1/kappa^2) = kappa' F(1 - 1/kappa'^2), E that over kappa', with kappa' =
+// 1/kappa.
 inline ContactEllipse contact_ellipse(double Rx, double Ry, Ellipse form)
 {
   const bool swapped = Ry < Rx;
@@ -92,14 +92,14 @@ inline double hertz_stiffness(const ContactEllipse &c, double R, double Eprime)
   return pi * c.kappa * Eprime * std::sqrt(c.Ebar * R / (4.5 * c.Fbar * c.Fbar * c.Fbar));
 }
 
-// m, a under a load (N); b is a/kappa
+// Semi-axis a at a load (N), m; b is a/kappa.
 inline double hertz_semi_axis(const ContactEllipse &c, double R, double Eprime, double load)
 {
   const double pi = 3.14159265358979323846;
   return std::cbrt(6.0 * c.kappa * c.kappa * c.Ebar * load * R / (pi * Eprime));
 }
 
-// Pa, largest pressure of an ellipse with those semi-axes (m)
+// Maximum pressure of an ellipse with these semi-axes (m), Pa.
 inline double hertz_pressure(double load, double a, double b)
 {
   const double pi = 3.14159265358979323846;
@@ -175,8 +175,8 @@ inline double tangential_ratio(double E1, double nu1, double E2, double nu2)
   return 4.0 * g / (0.5 * reduced_modulus(E1, nu1, E2, nu2));
 }
 
-// Overlap (m) from which on the semi-axis across the groove, a sqrt(overlap), is no smaller than
-// the groove radius: Hertz's half-spaces are none any more. The rule of `raceway static`.
+// Smallest overlap (m) at which the semi-axis across the groove, a sqrt(overlap), reaches the
+// groove radius: the half-space assumption of Hertz no longer holds. Same rule as `raceway static`.
 inline double widest_overlap(double a, double groove_radius)
 {
   const double ratio = groove_radius / a;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Load of a ball over a pit that is narrower than the contact ellipse is across (docs/theory, Flaws
-// of a raceway). The strip of the ellipse over the pit, the share chi of its load, gives way by the
-// depth D, the rest does not:
+// Load of a ball over a pit narrower than the contact patch is across (docs/theory, Flaws of a
+// raceway). The strip of the patch over the pit, with the share chi of the load, has its overlap
+// reduced by the depth D, the rest has not:
 //   Q/K = chi max(0, d - D)^1.5 + (1 - chi) d^1.5,    chi = 1.5 x - 0.5 x^3, x = sqrt(e/d)
-// for d > e, chi = 1 below. d is the overlap without the pit, e that at which the ellipse is as
-// wide as the pit. All in closed form: stored energy, its gradient and second derivatives, in d and
-// D.
+// for d > e, chi = 1 below. d is the overlap without the pit, e the overlap at which the patch is
+// as wide as the pit. Stored energy, gradient and second derivatives in d and D are in closed form.
 #ifndef RACEWAY_PIT_LOAD_H
 #define RACEWAY_PIT_LOAD_H
 
@@ -17,7 +16,7 @@ struct PitLoad {
   double energy;        // m^2.5, over K
   double load, side;    // m^1.5, over K: derivatives of the energy in d and in -D
   double dd, dD, DD;    // m^0.5, its second derivatives
-  double wide;          // m^2, what the energy loses as sqrt(e) grows
+  double wide;          // m^2, minus the derivative of the energy in sqrt(e)
 };
 
 namespace detail {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Kinematics of pure rolling at zero contact angle: the start of a bearing that already turns.
+// Kinematics of pure rolling at zero contact angle: initial state of a rotating bearing.
 #ifndef RACEWAY_ROLLING_H
 #define RACEWAY_ROLLING_H
 

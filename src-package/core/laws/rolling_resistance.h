@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples that resist rolling (docs/theory, Rolling resistance).
+// Couples of rolling resistance (docs/theory, Rolling resistance).
 //
-// Hydrodynamic: the inlet of the film pushes back with f and takes the power 2 f u (Biboulet and
+// Hydrodynamic: the film inlet resists with the force f and consumes the power 2 f u (Biboulet and
 // Houpert 2010, part 2, eq 32; here in powers of u and Q, Balan et al. 2015, within 0.6 % of it):
 //   f/(E' R_x^2) = (I - E)/(1 + M/6.6) + E,  r = R_y/R_x,  U = eta u/(E' R_x),  W = Q/(E' R_x^2),
 //   I = 2.9766 r^0.3316 W^(1/3) U^(2/3),  E = 7.5826 r^0.4055 W^(1/3) U^(3/4),
 //   M = 0.5549 r^-0.6029 W U^(-3/4).
-// Inlet shear warms the oil (murch_wilson in film_factors.h).
+// Inlet shear heats the oil (murch_wilson in film_factors.h).
 //
 // Hysteresis of the steel: couple alpha Q 2b/(3 pi) (Johnson 1985, section 9.4).
 #ifndef RACEWAY_ROLLING_RESISTANCE_H
@@ -16,7 +16,7 @@
 
 namespace raceway {
 
-// Logarithms of what does not change in a run.
+// Logarithms of the constants of a run.
 struct RollingConstants {
   double speed = 0.0, modulus = 0.0, transverse = 0.0;    // of eta/E', E' and R_y
 
@@ -27,7 +27,7 @@ struct RollingConstants {
   }
 };
 
-// What the geometry of a contact makes of the law, SI: with v = u^(1/12)
+// Geometry factors of the law, SI: with v = u^(1/12)
 //   f = rigid Q^(1/3) v^8 ((1 - elastic v) v^9/(v^9 + mean Q) + elastic v).
 template <class T> struct RollingShapeT {
   T rigid, elastic, mean;
@@ -42,7 +42,7 @@ RACEWAY_INLINE RollingShapeT<T> rolling_shape(const RollingConstants &k, const T
           (0.5549 / 6.6) * exponential(T(-0.6029 * r - unit - 0.75 * u))};
 }
 
-// f, N. ln_u: of u (m/s); root: Q^(1/3) (N^(1/3)).
+// Force f, N. ln_u: of u (m/s); root: Q^(1/3) (N^(1/3)).
 template <class T>
 RACEWAY_INLINE T rolling_force(const RollingShapeT<T> &k, const T &ln_u, const T &load,
                                const T &root)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Differential slip, spin and sliding of one contact together, under Coulomb's law: sums over
-// slices of the contact ellipse across its major axis (docs/tribology, Slip and spin in slices).
+// Combined differential slip, spin and sliding of one contact under Coulomb's law: sums over slices
+// of the contact ellipse across its major axis (docs/tribology, Slip and spin in slices).
 //
-// At (x along rolling, z across, both over a) ball and ring slide on one another at
+// At (x along rolling, z across, both over a) the sliding velocity of the ball on the ring is
 //   v_t = s_t - q z - e z^2,  v_w = s_w + q x,
 // q = omega_n a of spin and e = Omega a^2/(2 R_d) of differential slip, m/s. The stress is mu p
-// along v. A slice has the load of Hertz's pressure on it, half at each of the two Gauss points of
-// its chord. Within it v is taken for a straight line, of which the mean direction is
+// along v. A slice carries the load of the Hertz pressure on it, half at each of the two Gauss
+// points of its chord. Within a slice v is taken as linear, with the mean direction
 //   mean(v/|v|) = 2 mean(v)/(|v| at one end + |v| at the other),
-// exact where v keeps its line. So forces have no steps where the sliding of a point turns about.
-// One weight per point stands in all sums: what they lose is positive at any motion.
+// exact where v keeps its line. Forces therefore have no steps where the sliding of a point
+// reverses. All sums share one weight per point: the power lost is positive for any motion.
 #ifndef RACEWAY_SLIP_SLICES_H
 #define RACEWAY_SLIP_SLICES_H
 
@@ -19,15 +19,16 @@
 
 namespace raceway {
 
-// Motions at the ellipse's centre, and the speed below which friction grows with it, m/s.
+// Motions at the centre of the ellipse, and the speed below which friction is proportional to it,
+// m/s.
 template <class T> struct SlipMotionT {
   T along, across, spin, edge;    // s_t, s_w, q, e
   T aspect;                       // b/a
   T least;
 };
-// Forces over mu Q and the moment over mu Q a, each against its motion; `couple`, over mu Q, works
-// on e. Slopes, s/m, are for implicit steps: of the forces the tangent, and as far as the contact
-// slides as a whole the secant; of moment and couple the secant, positive.
+// Forces over mu Q and the moment over mu Q a, each opposing its motion; `couple`, over mu Q,
+// belongs to e. Slopes, s/m, are for implicit steps: for the forces the tangent, and the secant as
+// far as the contact slides as a whole; for moment and couple the secant, positive.
 template <class T> struct SlipForcesT {
   T along, across, moment, couple;
   T slope_along, slope_across, slope_moment, slope_couple;
@@ -35,8 +36,8 @@ template <class T> struct SlipForcesT {
 
 class SlipSlices {
  public:
-  // The slices lie side by side and the function stands alone: compiled once, not into every law.
-  // Without slopes these are 0.
+  // The slices are evaluated in lanes, in a function compiled once rather than inlined into every
+  // law. Slopes are 0 unless requested.
   template <bool slopes>
   __attribute__((noinline)) static SlipForcesT<double> forces(const SlipMotionT<double> &m)
   {
@@ -110,10 +111,10 @@ class SlipSlices {
   }
 
  private:
-  static constexpr int slices = 24, borders = slices + lanes;    // the last three are not read
+  static constexpr int slices = 24, borders = slices + lanes;    // the last three are unused
 
-  // At the borders of the slices: z; z^2, less what the mean of both ends of a slice is above the
-  // mean over it; the Gauss point of the chord, over b. Of the slices the load.
+  // At the borders of the slices: z; z^2, less the excess of the mean of both ends of a slice over
+  // the mean within it; the Gauss point of the chord, over b. For the slices the load.
   struct Table {
     double z[borders], z2[borders], chord[borders], load[slices];
   };

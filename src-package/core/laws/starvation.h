@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// SKF's factor phi_rs of starvation on the rolling couple of a deep-groove ball bearing with an oil
+// SKF's starvation factor phi_rs of the rolling couple of a deep-groove ball bearing with an oil
 // bath or jet: Rolling bearings 10000 EN 2013.
 #ifndef RACEWAY_STARVATION_H
 #define RACEWAY_STARVATION_H

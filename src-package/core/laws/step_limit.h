@@ -8,7 +8,7 @@
 // A Maxwell branch k_m, tau whose force is advanced by its exact step adds one multiplier; the
 // limit is where one of them is -1:
 //   h^2 k/m + 2 h c/m + (2 h/m) k_m tau tanh(h/(2 tau)) = 4.
-// tanh(x) is below x and below 1: the branch counts no more than a spring k_m, and no more than a
+// tanh(x) is below x and below 1: the branch counts at most like a spring k_m, and at most like a
 // dashpot k_m tau. The larger of both bounds is safe.
 #ifndef RACEWAY_STEP_LIMIT_H
 #define RACEWAY_STEP_LIMIT_H
@@ -18,7 +18,7 @@
 
 namespace raceway {
 
-// The branches of a body, together.
+// Sum of the film branches of a body.
 struct FilmBranches {
   double stiffness = 0.0, dashpot = 0.0;    // N/m, N s/m: sums of k_m and of k_m tau
 
@@ -29,7 +29,7 @@ struct FilmBranches {
   }
 };
 
-// k N/m, c N s/m, m kg; infinite where nothing acts. Written so that k -> 0 is exact.
+// k N/m, c N s/m, m kg; infinite without spring and damper. Written so that k -> 0 is exact.
 inline double verlet_step_limit(double k, double c, double m)
 {
   const double q = c + std::sqrt(c * c + 4.0 * k * m);

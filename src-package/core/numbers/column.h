@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a column of an output says of itself. Computes, files, Python and the pages take it from
-// here.
+// Description of an output column, used by computes, Python and the pages.
 #ifndef RACEWAY_COLUMN_H
 #define RACEWAY_COLUMN_H
 
@@ -8,7 +7,7 @@
 
 namespace raceway {
 
-// The value of a contact that is not there: a column either vanishes with it or has no value.
+// Value of a column without a contact: zero, or none.
 constexpr double vanishes = 0.0, has_none = NAN;
 constexpr const char *const as_real = "%.12g", *const as_whole = "%.0f";    // as text
 
@@ -20,7 +19,7 @@ struct Column {
   const char *format = as_real;
 };
 
-// a lubricant; a fix bearing/capacitance too, and one with surroundings
+// a lubricant; also a fix bearing/capacitance, or one with surroundings
 enum class Needs { nothing, film, capacitance, surroundings };
 
 }    // namespace raceway

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The cubic between two instants h seconds apart that has place and velocity of both ends
-// (Hermite): at the share s of the way. Its error is h^4/384 times the fourth derivative of the
-// place.
+// The cubic through positions and velocities at two instants h seconds apart (Hermite), at the
+// share s of the interval. Its error is h^4/384 times the fourth derivative of the position.
 #ifndef RACEWAY_CUBIC_H
 #define RACEWAY_CUBIC_H
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A few unknowns, dense, with row pivots: factored once, solved often.
+// Dense LU for a few unknowns, with row pivoting: factored once, solved often.
 #ifndef RACEWAY_DENSE_LU_H
 #define RACEWAY_DENSE_LU_H
 

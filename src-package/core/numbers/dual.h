@@ -2,9 +2,9 @@
 // Numbers that carry their derivatives: a law written for a number type gives its derivative too.
 //
 // Dual<B, n> is a value of type B (double or Lane) with n partial derivatives (forward mode;
-// Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value is computed by the very
-// operations of the plain type, so it has the same bits. held(x) takes the value alone: what a
-// derivative keeps fixed is said in the text of the law. Of a plain number, held(x) is x.
+// Griewank and Walther, Evaluating Derivatives, 2008, ch. 3). The value uses the same operations as
+// the plain type, so it is bit-identical. held(x) is the value alone, without derivatives: each law
+// states what its derivative holds. For a plain number, held(x) is x.
 #ifndef RACEWAY_DUAL_H
 #define RACEWAY_DUAL_H
 
@@ -35,7 +35,7 @@ using IfPlain =
     std::enable_if_t<std::is_same<S, double>::value || std::is_same<S, Lane>::value, int>;
 }    // namespace detail
 
-// The plain type below T: T itself, or that of its value.
+// The plain type below T: T itself, or that of the value of a Dual.
 template <class T> using Value = typename detail::ValueOf<T>::type;
 
 RACEWAY_INLINE double held(double a) { return a; }
@@ -79,7 +79,7 @@ template <class B, int n> RACEWAY_INLINE Dual<B, n> operator-(const Dual<B, n> &
   return r;
 }
 
-// ---- a dual and a plain number, which does not depend on anything
+// ---- a dual and a plain number, a constant
 template <class B, int n, class S, detail::IfPlain<S> = 0>
 RACEWAY_INLINE Dual<B, n> operator+(const Dual<B, n> &a, const S &b)
 {

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Exponential and logarithm by series, for a double or four side by side: within 2 units in the
-// last place.
+// Exponential and logarithm by series, for a double or a Lane: within 2 units in the last place.
 //
-// Why not the C library's: it chooses its variant by processor, so its bits are a machine's, and it
-// takes one number at a time. Only + - * / and shifts here: every processor and every lane gives
-// the same bits.
+// The C library's functions depend on the processor in their last bits and take one number at a
+// time. Only + - * / and shifts are used here: all processors and all lanes give the same bits.
 //
 // Exponential: x = k ln 2 + r, |r| <= ln(2)/2; e^r by Taylor's series to r^13 (remainder below
-// 5e-18). 0 below -708 (the results that would have no full precision), infinite above 709.
+// 5e-18). 0 below -708 (results there would lose precision), infinite above 709.
 //
 // Logarithm: x = 2^k m, sqrt(1/2) <= m < sqrt(2); ln m = 2 artanh f, f = (m - 1)/(m + 1),
 // |f| < 0.1716, by its series to f^21 (remainder below 2e-18). Minus infinity below the smallest
 // normal number; no meaning for x < 0 or infinity.
 //
-// Rough ones, for the start of an iteration: logarithm within 3e-4; exponential within 2 % for
-// -1 <= x <= 0, and below -1 that of -1.
+// Rough versions, to start an iteration: logarithm within 3e-4; exponential within 2 % for -1 <= x
+// <= 0, below -1 the value at -1.
 //
-// Not a number gives not a number.
+// NaN gives NaN.
 #ifndef RACEWAY_EXP_LOG_H
 #define RACEWAY_EXP_LOG_H
 
@@ -47,7 +45,7 @@ RACEWAY_INLINE Lane number(const LaneBits &i) { return (Lane)i; }
 
 constexpr double ln2_high = 0x1.62e42fefap-1,
                  ln2_low = 0x1.cf79abc9e3b398p-40;    // the high part times k < 2^14 is exact
-constexpr double whole = 0x1.8p52;    // adding it leaves whole numbers in the last bits
+constexpr double whole = 0x1.8p52;    // adding it puts the integer part into the last bits
 }    // namespace detail
 
 template <class T> RACEWAY_INLINE T exponential(const T &x)
@@ -55,7 +53,7 @@ template <class T> RACEWAY_INLINE T exponential(const T &x)
   using namespace detail;
   const T shifted = x * 1.4426950408889634 + whole, k = shifted - whole;
   const T r = (x - k * ln2_high) - k * ln2_low, r2 = r * r, r4 = r2 * r2;
-  // grouped by four, so that sums need not wait for one another
+  // groups of four, to shorten the chain of dependent sums
   const T low = (1.0 / 6 + r * (1.0 / 24)) + r2 * (1.0 / 120 + r * (1.0 / 720));
   const T middle = (1.0 / 5040 + r * (1.0 / 40320)) + r2 * (1.0 / 362880 + r * (1.0 / 3628800));
   const T high = 1.0 / 39916800 + r * (1.0 / 479001600) + r2 * (1.0 / 6227020800);

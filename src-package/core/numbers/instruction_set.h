@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which of two compilations of a large function this processor runs (core/numbers/lane.h).
+// Selects between the two compilations of a large function on this processor (core/numbers/lane.h).
 #ifndef RACEWAY_INSTRUCTION_SET_H
 #define RACEWAY_INSTRUCTION_SET_H
 
 namespace raceway {
 
-// Whether functions with RACEWAY_WIDE run here. The environment variable RACEWAY_NARROW_LANES says
-// that they must not: to see that results do not depend on it.
+// True if functions with RACEWAY_WIDE run here. The environment variable RACEWAY_NARROW_LANES
+// disables them, to check that results do not depend on it.
 bool wide_lanes();
 
 }    // namespace raceway

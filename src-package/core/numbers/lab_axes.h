@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Components in the lab (x, y, z) and with the bearing axis third. The change is cyclic, so
+// Conversion between lab axes (x, y, z) and axes with the bearing axis third. It is cyclic, so
 // right-handed axes stay right-handed and no bit changes.
 #ifndef RACEWAY_LAB_AXES_H
 #define RACEWAY_LAB_AXES_H
@@ -11,7 +11,7 @@ namespace raceway {
 struct LabAxes {
   int along = 2;    // lab axis of the bearing: 0 x, 1 y, 2 z
 
-  // The lab axis that has the number k when the bearing axis is third.
+  // The lab axis of component k when the bearing axis is third.
   int lab_axis(int k) const { return (along + 1 + k) % 3; }
   Vec3 third(const Vec3 &lab) const
   {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four numbers side by side, one per ball: the formulas of this folder take them in place of a
-// double.
+// Four numbers, one per ball: the formulas of this folder accept them instead of a double.
 //
-// A Lane is the compiler's own vector type, so + - * / and comparisons work as they stand; what is
-// missing is here, for double and Lane alike. Nothing is reordered, fused or approximated: lane k
-// of a result has the bits that a double would have, on every instruction set the compiler may
-// choose.
+// A Lane is the compiler's own vector type, with + - * / and comparisons; the missing functions are
+// here, for double and Lane alike. Nothing is reordered, fused or approximated: lane k of a result
+// has the bits of the same operation on doubles, on every instruction set.
 #ifndef RACEWAY_LANE_H
 #define RACEWAY_LANE_H
 
@@ -17,16 +15,17 @@
 #define RACEWAY_TWO_TARGETS 1
 #endif
 
-// A function that takes a Lane must be compiled for the instruction set of its caller, so it is
-// never called. A function that calls such functions is compiled for several instruction sets; the
-// best one is chosen at run time. Without fused multiply-add, so all give the same bits.
+// A function with a Lane argument must be compiled for the instruction set of its caller, so it is
+// always inlined. A function that calls such functions is compiled for several instruction sets;
+// the best one is chosen at run time. No fused multiply-add, so all give the same bits.
 //
-// Functions with the laws of contacts in them are large, and what is for processors without AVX2
-// takes a compiler three quarters of the time. So these are compiled for AVX2 alone (RACEWAY_WIDE),
-// and once more in a file for one target; instruction_set.h tells which to call.
+// Functions that contain contact laws are large, and their version for processors without AVX2
+// takes three quarters of the compile time. They are therefore compiled for AVX2 only
+// (RACEWAY_WIDE), and once more in a file for one target; instruction_set.h selects the one to
+// call.
 //
-// For one target all are plain functions, which compile several times faster: sanitizers, which do
-// not know the mechanism, and builds that are not for speed (RACEWAY_ONE_TARGET).
+// For one target all are plain functions, which compile several times faster: for sanitizers, which
+// do not support the mechanism, and for builds without need for speed (RACEWAY_ONE_TARGET).
 #if defined(__SANITIZE_ADDRESS__) || defined(RACEWAY_ONE_TARGET)
 #define RACEWAY_INLINE inline
 #else
@@ -43,8 +42,8 @@
 namespace raceway {
 
 constexpr int lanes = 4;
-// Code for AVX2 takes a Lane to be aligned to 32 bytes, but its type asks for 16 where the target
-// has no AVX2. So structs of lanes that are passed between functions have alignas(sizeof(T)).
+// Code for AVX2 assumes a Lane to be aligned to 32 bytes, but its type requires only 16 where the
+// target lacks AVX2. Structs of lanes passed between functions therefore have alignas(sizeof(T)).
 typedef double Lane __attribute__((vector_size(8 * lanes)));
 using LaneMask = decltype(Lane() < Lane());    // of a comparison: 0 or all bits
 

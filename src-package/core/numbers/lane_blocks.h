@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Small dense systems, four side by side: L U without pivots and substitution. Rows of a matrix are
-// 6 apart. Pre-condition: the symmetric part of each matrix is positive (mass + h C + h^2 k), so no
+// Small dense systems, four at a time: LU without pivoting, and substitution. The row stride is 6.
+// Pre-condition: the symmetric part of each matrix is positive definite (mass + h C + h^2 k), so no
 // pivot can vanish.
 #ifndef RACEWAY_LANE_BLOCKS_H
 #define RACEWAY_LANE_BLOCKS_H

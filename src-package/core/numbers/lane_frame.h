@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bodies that circle an axis, four side by side, each in the frame that turns with it: radius r,
-// azimuth, height, and velocities along the radial, circumferential and axial direction of that
-// frame.
+// Four bodies on orbits about an axis, each in the frame that rotates with it: radius r, azimuth,
+// height, and velocities along the radial, circumferential and axial direction of that frame.
 //
 // Over a step h a body drifts as r += h v_r, azimuth += h v_c/r (the new r), z += h v_z and keeps
 // its components: on a circular path the drift is exact, while a straight line leaves the path by
@@ -17,8 +16,8 @@ namespace raceway {
 
 using Vec3L = Vec3T<Lane>;
 
-// Cosine and sine by Taylor series to x^16: error below 1e-18 up to 0.6 rad, which a stage may
-// turn, and 5e-15 at 1.2 rad, which a whole step of two stages or drifts may.
+// Cosine and sine by Taylor series to x^16: error below 1e-18 up to 0.6 rad, the limit of a stage,
+// and 5e-15 at 1.2 rad, the limit of a whole step of two stages or drifts.
 constexpr double largest_turn = 0.6;
 RACEWAY_INLINE void small_turn(const Lane &x, Lane &cosine, Lane &sine)
 {
@@ -65,7 +64,8 @@ struct LaneFrame {
     s[i] = x.y / r[i];
   }
 
-  // After the time h with local velocity v; `turn` is by how much (rad), good up to largest_turn.
+  // Frame after the time h at local velocity v; `turn` is the rotation (rad), good up to
+  // largest_turn.
   RACEWAY_INLINE LaneFrame drifted(const Vec3L &v, double h, Lane &turn) const
   {
     LaneFrame f;
@@ -86,7 +86,7 @@ struct LaneFrame {
   }
 };
 
-// Acceleration of the components of `vector` in a frame that turns at `rate` (rad/s).
+// Acceleration of the components of `vector` in a frame that rotates at `rate` (rad/s).
 RACEWAY_INLINE Vec3L frame_acceleration(const Lane &rate, const Vec3L &vector)
 {
   return {rate * vector.y, -rate * vector.x, Lane{}};

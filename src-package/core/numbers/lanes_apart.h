@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A struct that is made of lanes, as four of the same struct of doubles.
+// Conversion of a struct of lanes to four structs of doubles, and back.
 #ifndef RACEWAY_LANES_APART_H
 #define RACEWAY_LANES_APART_H
 
@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// Four numbers of each lane at a time: a transposition.
+// Transposes blocks of four numbers per lane.
 template <class One, class Four>
 RACEWAY_INLINE void lanes_apart(const Four &four, One *const (&to)[lanes])
 {

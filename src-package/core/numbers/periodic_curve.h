@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A smooth curve through values at even angles over one turn: cubic pieces with the slopes of
-// Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). It goes nowhere beyond its values, so a
-// step in a table stays a step; a spline would swing.
+// A smooth curve through values at evenly spaced angles over one turn: piecewise cubic with the
+// slopes of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984). It does not overshoot, so a
+// step in a table stays a step; a spline would oscillate.
 #ifndef RACEWAY_PERIODIC_CURVE_H
 #define RACEWAY_PERIODIC_CURVE_H
 
@@ -45,7 +45,7 @@ class PeriodicCurve {
 
  private:
   double first_, step_;
-  std::vector<double> y_, rise_;    // over one step
+  std::vector<double> y_, rise_;    // change per step
 };
 
 }    // namespace raceway

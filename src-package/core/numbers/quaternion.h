@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A rotation as a unit quaternion: from the axes of a body to those that it is seen from.
+// A rotation as a unit quaternion: from the axes of a body to those of the observer.
 #ifndef RACEWAY_QUATERNION_H
 #define RACEWAY_QUATERNION_H
 
@@ -11,7 +11,7 @@ struct Quaternion {
   double w = 1.0;
   Vec3 v;
 
-  // By the rotation vector a (rad).
+  // Rotation by the rotation vector a (rad).
   static Quaternion by(const Vec3 &a)
   {
     const double angle = norm(a), half = 0.5 * angle;
@@ -19,7 +19,7 @@ struct Quaternion {
     return {std::cos(half), a * share};
   }
 
-  // First b, then this.
+  // Applies b first, then this.
   Quaternion operator*(const Quaternion &b) const
   {
     return {w * b.w - dot(v, b.v), b.v * w + v * b.w + cross(v, b.v)};
@@ -35,7 +35,7 @@ struct Quaternion {
     const double inverse = 1.0 / std::sqrt(w * w + dot(v, v));
     return {w * inverse, v * inverse};
   }
-  // Its rotation vector, rad, by the shorter way.
+  // Rotation vector of the shorter rotation, rad.
   Vec3 vector() const
   {
     const double sine = norm(v), side = w < 0.0 ? -1.0 : 1.0;

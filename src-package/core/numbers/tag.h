@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Number of an atom, as the host counts them: known without its headers, which compat_*.h compare.
+// Atom number with the integer type of the host, independent of its headers; compat_*.h compare the
+// two types.
 #ifndef BEARING_TAG_H
 #define BEARING_TAG_H
 

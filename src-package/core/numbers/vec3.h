@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Three-component vector, just enough algebra for contacts and rings. T is double, or Lane
+// Three-component vector with the algebra needed for contacts and rings. T is double, or Lane
 // (lane.h).
 #ifndef RACEWAY_VEC3_H
 #define RACEWAY_VEC3_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The losses of a contact. A loss is a struct with the column that shows it and its power; a part
-// of the contact law lists its losses:
+// The losses of a contact. A loss is a struct with its output column and its power; a part of the
+// contact law lists its losses:
 //
 //   struct SpinLoss {
 //     static constexpr LossColumn column = {"spin_power", "spin", "power lost to spin", false};
@@ -22,11 +22,11 @@ struct LossColumn {
   const char *name;    // of the column, W
   const char *key;     // in losses_W of `raceway summary`
   const char *meaning;
-  bool usual;    // a column of every law and part of a record unless more is asked for
+  bool usual;    // a column of every law, and in records by default
 };
 
 template <class... L> struct LossList {
-  // W
+  // Power, W
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Output columns of the motions of a contact; those of its forces are with the parts of the law.
+// Output columns for the motions of a contact; those for its forces are in the parts of the law.
 #ifndef RACEWAY_MOTION_COLUMNS_H
 #define RACEWAY_MOTION_COLUMNS_H
 

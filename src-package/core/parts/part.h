@@ -2,26 +2,26 @@
 // A part of the contact law: a struct with
 //
 //   name         one word, for tables and messages
-//   when         always, with a film, or only when a keyword asks for it
+//   when         always, with a film, or only on request by a keyword
 //   slot         parts with the same slot exclude each other; "" for none
 //   needs_film   true if it has no meaning without a film
-//   needs        name of a part that must be there, too; "" for none
-//   Parameters   its own numbers, with their defaults; prepare(raceway) where it derives some, and
-//                reach(raceway), the gap (m) at which its contacts begin, where that is not 0
+//   needs        name of another required part; "" for none
+//   Parameters   its own numbers, with their defaults; prepare(raceway) if it derives some, and
+//                reach(raceway), the gap (m) at which its contacts begin, if that is not 0
 //   keywords()   the words that set them, with unit and range (Keyword below)
-//   states       how many numbers a contact keeps for it from step to step
+//   states       number of its state variables per contact, kept from step to step
 //   couples      true if it sets couple_n, couple_t, couple_w
-//   explicit_step   true if an implicit step cannot take it
-//   columns()    what of it can be read from a contact
-//   misses()     tells that there is no contact although the overlap is above -reach; writes what
-//                beyond() and act() take from it
-//   beyond()     overlap past the place where the load begins, m; a part has it that has misses()
-//   act()        what it does to a contact: reads motions and what earlier parts left, writes its
-//                own
-//   Losses       the losses that it makes (loss.h): power that it takes out of the motion
-//   energy()     what it stores, J
+//   explicit_step   true if it is not available in an implicit step
+//   columns()    output columns of a contact
+//   misses()     true if there is no contact although the overlap exceeds -reach; sets the input of
+//                beyond() and act()
+//   beyond()     overlap beyond the onset of the load, m; required with misses()
+//   act()        its effect on a contact: reads motions and results of earlier parts, writes its
+//                own results
+//   Losses       its losses (loss.h): power taken from the motion
+//   energy()     stored energy, J
 //
-// PartBase has the defaults. docs/extend says how to add a part.
+// PartBase has the defaults. docs/extend explains how to add a part.
 #ifndef RACEWAY_PART_H
 #define RACEWAY_PART_H
 
@@ -36,9 +36,8 @@ namespace raceway {
 
 enum class When { always, with_film, asked };
 
-// One value of a keyword: a number that lies somewhere in the raceway or in the part's own
-// Parameters, or a word out of several. `unset` says in words what holds without it, where that is
-// no number.
+// One value of a keyword: a number in the raceway or in the part's own Parameters, or one of
+// several words. `unset` describes the default where it is not a number.
 template <class Own> struct Parameter {
   using Number = double &(*)(Raceway &, Own &);
   using Choose = void (*)(Raceway &, Own &, int);
@@ -75,27 +74,26 @@ template <class Own> struct Parameter {
 };
 
 // A keyword of pair_style and pair_coeff. `form` is the word that must follow it, "" for none; a
-// keyword that `chooses` switches its part on.
+// keyword with `chooses` enables its part.
 template <class Own> struct Keyword {
   const char *name, *form;
   bool chooses;
   std::vector<Parameter<Own>> parameters;
-  const char *(*wrong)(const double *values) = nullptr;    // what is wrong with them together
+  const char *(*wrong)(const double *values) = nullptr;    // error in their combination
   const char *note = "";                                   // for the page of the command
 };
 
-// An output column that the state of a contact gives.
+// An output column computed from the state of a contact.
 struct StateColumn {
   Column is;
   double (*value)(const Raceway &, const ContactState &);
   Needs needs = Needs::nothing;
-  bool usual = true;    // part of a record unless more is asked for
+  bool usual = true;    // in records by default
 };
 
-// The numbers that a contact keeps: before and at the end of a time dt. dt = 0 changes nothing.
-// What decays at the rate r: exact, e^-(r dt), under motions that are constant over dt; in a stage
-// of an implicit method by 1/(1 + r dt), as backward Euler has it. The order of the method rests on
-// that.
+// State variables of a contact: before and at the end of a time dt. dt = 0 changes nothing. Decay
+// at the rate r is exact, e^-(r dt), for constant motions over dt; in a stage of an implicit method
+// it is 1/(1 + r dt), as in backward Euler, on which the order of the method depends.
 template <class T> struct LawStates {
   double dt = 0.0;
   const Value<T> *before = nullptr;

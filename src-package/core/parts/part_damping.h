@@ -84,14 +84,14 @@ struct FilmDamperPart : PartBase {
   }
 };
 
-// The column of all normal damping: of the steel, and of the film by a damper or a branch.
+// Column of all normal damping: of the steel, and of the film by a damper or a branch.
 struct DampingPower {
   static constexpr LossColumn column = {"damping_power", "film", "power lost to normal damping",
                                         true};
 };
 
 struct NormalForceLoss : DampingPower {
-  // what the film's branch stores on the way is no loss: its own is with it
+  // the energy stored in the film's branch is no loss; the branch has its own loss
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return (held(c.normal) - held(c.load) - c.film_force) * held(c.overlap_rate);

@@ -2,12 +2,12 @@
 // Differential slip along rolling and Coulomb's law of matching width across it, each in series
 // with the contact's tangential spring k_t (Mindlin):
 //   f' = k_t (s - f/c),  f <- f e^(-dt/tau) + c s (1 - e^(-dt/tau)),  tau = c/k_t,
-// s the distance from free rolling, c the secant of the slip law. A slip law for dt >> tau, a
-// spring for dt << tau, sticking at rest. |f| stays below mu N. The states are the forces, in the
-// frame that turns with the ball's azimuth. Explicit steps see no more than the spring, so both
-// integrators take this law.
+// s the slip relative to free rolling, c the secant of the slip law. It acts as a slip law for dt
+// >> tau, as a spring for dt << tau, and sticks at rest. |f| stays below mu N. The states are the
+// forces, in the frame that turns with the ball's azimuth. Explicit steps see only the spring, so
+// both integrators support this law.
 //
-// The derivative holds mu, k_t, the ellipse and the shape of the secant; N it follows.
+// The derivative holds mu, k_t, the ellipse and the shape of the secant, but not N.
 #ifndef RACEWAY_PART_DIFFERENTIAL_SLIP_H
 #define RACEWAY_PART_DIFFERENTIAL_SLIP_H
 
@@ -47,10 +47,10 @@ struct DifferentialSlipPart : PartBase {
     const T along = c.sliding_t - turn * curve * free_part;
     const B off_t = held(along) * forward / width, off_w = held(c.sliding_w) / width;
 
-    // secants in the plane: each direction shares the friction that the other uses
+    // secants in the plane: both directions share the friction limit
     const B alone = slip_secant(off_t), cross = alone * off_w;
     const B sharing = square_root(B(1.0 + cross * cross));
-    // m/s, mu N over the secants: known before mu N is
+    // m/s, mu N over the secants, available before mu N
     const B speed_t = width * sharing / alone;
     const B speed_w =
         width * square_root(B(off_t * off_t + off_w * off_w + 1.0 / (free_lean * free_lean)));
@@ -77,8 +77,8 @@ struct DifferentialSlipPart : PartBase {
     m.after[0] = c.friction_t;
     m.after[1] = c.friction_w;
 
-    // The couple belongs to the slip that the spring leaves. It follows from the force: as f/c,
-    // with c at the present sliding, a swing of the spring would feed itself in explicit steps.
+    // The couple belongs to the slip after the spring. It follows from the force: with f/c and c at
+    // the present sliding, an oscillation of the spring would amplify itself in explicit steps.
     const B used = held(c.friction_t) * sharing * forward / (most + none);
     const B against = -slip_couple(force_root(used)) * most * curve * curve / width;    // N m s
     c.slip_couple = against * turn;
@@ -86,14 +86,14 @@ struct DifferentialSlipPart : PartBase {
   }
 
  private:
-  // Of a force after a time dt, part = -dt k_t/(mu N). Where next to nothing is left, and a contact
-  // may have no load, without a derivative.
+  // Remainder of a force after a time dt, part = -dt k_t/(mu N). Without a derivative if the
+  // remainder is tiny, since a contact may have no load.
   template <class T> static RACEWAY_INLINE T left_of(const T &part, const Value<T> &speed)
   {
     const T x = part * speed;
     return exponential(T(where(x < -100.0, -100.0, x)));
   }
-  static constexpr double none = 1e-200;    // keeps 0/0 out of a contact without load or friction
+  static constexpr double none = 1e-200;    // prevents 0/0 in a contact without load or friction
 };
 
 }    // namespace raceway

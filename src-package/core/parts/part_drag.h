@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Drag of the oil on the balls (ball_drag.h), at their speed against the outer ring, which takes
-// the reaction. A ball that has left the outer raceway has none. The derivative holds the force:
-// over an implicit step it changes the speed of a ball by 1e-3 of it at most.
+// Oil drag on the balls (ball_drag.h) at their speed relative to the outer ring, which takes the
+// reaction. A ball off the outer raceway has no drag. The derivative holds the force: over an
+// implicit step it changes the speed of a ball by at most a fraction of 1e-3.
 #ifndef RACEWAY_PART_DRAG_H
 #define RACEWAY_PART_DRAG_H
 
@@ -23,7 +23,7 @@ struct DragPart : PartBase {
   static constexpr bool needs_film = true, couples = true;
   using Losses = LossList<DragLoss>;
   struct Parameters {
-    double density = 870.0, share = 0.0;       // kg/m^3; of oil in the bearing
+    double density = 870.0, share = 0.0;       // kg/m^3; volume fraction of oil in the bearing
     double reynolds = 0.0, prefactor = 0.0;    // derived: s/m, N s^2/m^2
     DragTable table;
     void prepare(const Raceway &p)
@@ -70,7 +70,7 @@ struct DragPart : PartBase {
       c.drag = c.drag_power = B();
       return;
     }
-    // of the ball's centre against the ring, along t
+    // of the ball's centre relative to the ring, along t
     const B v = held(c.sliding_t) - p.groove.ball_radius * held(c.roll_w);
     const B re = own.reynolds * magnitude(v);
     const B number = where(re > 1e-30, re, 1e-30);

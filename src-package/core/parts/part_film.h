@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Film thickness and film parameter at the present load and entrainment speed (film.h), times the
-// factors of film_factors.h. The derivative holds all of them: they change the rate of a Newton
+// Film thickness and lambda ratio at the present load and entrainment speed (film.h), times the
+// factors of film_factors.h. The derivative holds all of them: this affects the rate of the Newton
 // iteration, not its result.
 #ifndef RACEWAY_PART_FILM_H
 #define RACEWAY_PART_FILM_H
@@ -109,7 +109,8 @@ struct FilmThicknessPart : PartBase {
                                  ContactStateT<T> &c)
   {
     using B = Value<T>;
-    const bool in_gap = p.reach > 0.0;    // then the part of the film in the gap found all these
+    const bool in_gap = p.reach > 0.0;    // all of these are then set by the part of the film in
+                                          // the gap
     if (!in_gap) {
       const FilmPointT<B> at = film_point(c.entrainment, c.film_load);
       c.ln_speed = at.ln_speed;

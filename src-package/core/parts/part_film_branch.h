@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Damping by the film as a spring and a dashpot in series (film_branch.h), in place of eq 5. It
-// comes after the normal force and adds to it. The derivative holds the branch.
+// Film damping as a spring and a dashpot in series (film_branch.h) instead of eq 5. It acts after
+// the normal force and adds to it. The derivative holds the branch.
 #ifndef RACEWAY_PART_FILM_BRANCH_H
 #define RACEWAY_PART_FILM_BRANCH_H
 
@@ -9,7 +9,7 @@
 
 namespace raceway {
 
-// Of the dashpot of the branch: f^2/(k_m tau).
+// Loss in the dashpot of the branch: f^2/(k_m tau).
 struct FilmBranchLoss : DampingPower {
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
@@ -20,7 +20,7 @@ struct FilmBranchLoss : DampingPower {
 struct FilmBranchPart : PartBase {
   static constexpr const char *name = "film_branch", *slot = "film_damping", *needs = "film_in_gap";
   static constexpr bool needs_film = true;
-  static constexpr int states = 1;    // N, the force of the branch
+  static constexpr int states = 1;    // N, force of the branch
   using Losses = LossList<FilmBranchLoss>;
 
   static std::vector<Keyword<Parameters>> keywords()

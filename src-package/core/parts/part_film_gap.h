@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The elastic contact with its film in the gap (film_gap.h), in place of Hertz's alone: contacts
+// Elastic contact with its film in the gap (film_gap.h) instead of Hertz contact alone: contacts
 // begin at a gap as wide as the film of a lightly loaded contact. The slope over the overlap is
 // exact; the derivative holds the entrainment speed.
 //
-// The film is the power law of film.h, kept below 1 N, or that of all regimes (gap_film.h).
+// The film follows the power law of film.h, constant below 1 N, or that of all regimes
+// (gap_film.h).
 #ifndef RACEWAY_PART_FILM_GAP_H
 #define RACEWAY_PART_FILM_GAP_H
 
@@ -19,7 +20,7 @@ struct FilmInGapPart : PartBase {
   struct Parameters {
     double share = 1.0;
     bool all_regimes = false;
-    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression under it over that under 1 N
+    double unit_of_cut = std::pow(cut, 2.0 / 3.0);    // compression at the cut over that at 1 N
     MoesRaceway moes;                                 // derived
     void prepare(const Raceway &p)
     {
@@ -27,7 +28,7 @@ struct FilmInGapPart : PartBase {
         moes = {p.model.lubricant, p.material.Eprime(), p.rolling_radius(1.0),
                 p.transverse_radius()};
     }
-    // wider than films of bearings: none is cut off, or a force would jump
+    // wider than films in bearings: cutting a film off would make the force jump
     double reach(const Raceway &p) const { return 0.01 * p.groove.ball_radius; }
     double widest(const Raceway &p) const { return share > 0.0 ? p.reach / share : p.reach; }
   };
@@ -62,14 +63,14 @@ struct FilmInGapPart : PartBase {
              false}};
   }
 
-  // Whether there is no load at this position and speed. What is not a number is no gap.
+  // True without a load at this position and speed. NaN does not count as a gap.
   template <class T>
   static RACEWAY_INLINE auto misses(const Parameters &own, const Raceway &p,
                                     const RacewayConstantsT<T> &k, ContactStateT<T> &c)
   {
     c.ln_speed = logarithm(c.entrainment);
     if (p.factors.any && !p.factors.by_pressure) c.film_factor = p.factors.of(c.ln_speed);
-    if (own.all_regimes) {    // its film has no end: it counts up to the reach
+    if (own.all_regimes) {    // the film has no end: it counts up to the reach
       c.h_edge = where(c.entrainment > resting, T() + own.widest(p), 0.0);
     } else if (p.factors.by_pressure) {
       const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;
@@ -82,7 +83,7 @@ struct FilmInGapPart : PartBase {
     }
     return beyond(own, c) <= 0.0;
   }
-  // m, overlap past the place where the load begins, once misses() has looked for it
+  // m, overlap beyond the onset of the load; call after misses()
   template <class T>
   static RACEWAY_INLINE T beyond(const Parameters &own, const ContactStateT<T> &c)
   {
@@ -120,7 +121,7 @@ struct FilmInGapPart : PartBase {
     c.film_energy = thinning_work(own.share, exponent, Q, c.h_c, cut, c.h_edge);
   }
 
-  // The work against the film begins where it begins to thin; at a constant entrainment speed.
+  // The work against the film starts at the onset of thinning; constant entrainment speed.
   template <class T>
   static RACEWAY_INLINE Value<T> energy(const Parameters &own, const Raceway &p,
                                         const ContactStateT<T> &c)
@@ -132,16 +133,16 @@ struct FilmInGapPart : PartBase {
   }
 
  private:
-  static constexpr double resting = 1e-9;    // m/s, below it there is no film
+  static constexpr double resting = 1e-9;    // m/s, no film below this
 
-  // m, the compression below which a power law keeps its thickness
+  // m, compression below which a power law keeps its thickness
   template <class T>
   static RACEWAY_INLINE T kept(const Parameters &own, const RacewayConstantsT<T> &k)
   {
     return k.unit * own.unit_of_cut;
   }
 
-  // The root for films without a closed form; above c.h_edge a film is as thick as that.
+  // Root for films without a closed form; above c.h_edge the film thickness is h_edge.
   template <bool all, class T>
   static RACEWAY_INLINE FilmRootT<Value<T>> root(const Parameters &own, const Raceway &p,
                                                  const RacewayConstantsT<Value<T>> &k,
@@ -155,7 +156,7 @@ struct FilmInGapPart : PartBase {
             where(wide, c.h_edge, g.thickness), where(wide, 1.0, g.slope)};
   }
 
-  // Of squeezing the film: the integral of zeta m h over the load, m the fall of h.
+  // Energy of squeezing the film: the integral of zeta m h over the load, m the fall of h.
   template <bool all, class T>
   static RACEWAY_INLINE Value<T> work(const Parameters &own, const Raceway &p,
                                       const ContactStateT<T> &c)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction (friction.h): a coefficient, constant or by film parameter, and a tangential law, a
-// spring with history or Coulomb's law smoothed over a creep speed.
+// Friction (friction.h): a coefficient, constant or a function of the lambda ratio, and a
+// tangential law, either a spring with history or Coulomb's law smoothed over a creep speed.
 //
-// Of the smoothed law the derivative is the secant f/s: mu, v_0 and the denominator are held, N is
-// not. The tangent of a sliding contact is nearly flat, and one correction then throws a light ball
-// across zero sliding.
+// The derivative of the smoothed law is the secant f/s: mu, v_0 and the denominator are held, N is
+// not. The tangent of a sliding contact is nearly flat, and one correction would then throw a light
+// ball across zero sliding.
 #ifndef RACEWAY_PART_FRICTION_H
 #define RACEWAY_PART_FRICTION_H
 
@@ -13,7 +13,7 @@
 
 namespace raceway {
 
-// The loss of all tangential laws: what a spring stores on the way counts as lost until given back.
+// Loss of all tangential laws: energy stored in a spring counts as lost until it is returned.
 struct FrictionLoss {
   static constexpr LossColumn column = {"friction_power", "slip",
                                         "power lost to the tangential force", true};
@@ -26,7 +26,7 @@ struct FrictionLoss {
   }
 };
 
-// The loss of all laws of spin.
+// Loss of all spin laws.
 struct SpinLoss {
   static constexpr LossColumn column = {"spin_power", "spin", "power lost to spin", false};
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
@@ -35,7 +35,7 @@ struct SpinLoss {
   }
 };
 
-// The columns of all friction coefficients, and of all tangential laws.
+// Columns of all friction coefficients, and of all tangential laws.
 inline std::vector<StateColumn> coefficient_columns()
 {
   return {{{"mu", "", "friction coefficient"},
@@ -127,7 +127,7 @@ struct TangentialSpringPart : PartBase {
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double ratio = -1.0;    // k_t/k_n as set; < 0: Mindlin
-    double zeta = 0.3;      // dashpot over critical of the rolling mode, mass 2/7 m_b
+    double zeta = 0.3;      // dashpot over critical damping of the rolling mode, mass 2/7 m_b
     double kt_ratio = 0.0, ct_factor = 0.0;    // as used
     void prepare(const Raceway &p)
     {
@@ -172,7 +172,7 @@ struct SmoothedFrictionPart : PartBase {
   using Losses = LossList<FrictionLoss>;
   struct Parameters {
     double creep = 0.01;          // v_0 = creep * entrainment speed
-    double creep_floor = 1e-4;    // m/s, least v_0: a bearing at rest
+    double creep_floor = 1e-4;    // m/s, lower limit of v_0: a bearing at rest
   };
 
   static std::vector<Keyword<Parameters>> keywords()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Friction coefficient of a contact that asperities and film share (asperities.h). That of the film
-// is a constant, or Eyring's with a limit (film_traction.h) at the speed of free rolling and of
-// what the contact slides beside it. The derivative holds it.
+// Friction coefficient of a contact whose load is shared by asperities and film (asperities.h). The
+// coefficient of the film is a constant, or Eyring's with a limit (film_traction.h) at the speed of
+// free rolling combined with the sliding of the contact. The derivative holds it.
 #ifndef RACEWAY_PART_MIXED_FRICTION_H
 #define RACEWAY_PART_MIXED_FRICTION_H
 
@@ -77,7 +77,7 @@ struct MixedFrictionPart : PartBase {
                                  const RacewayConstantsT<Value<T>> &k, const LawStates<T> &,
                                  ContactStateT<T> &c)
   {
-    // from the film's law: lambda itself comes later
+    // from the film equation: lambda itself is computed later
     Value<T> ln_lambda = ln_film_thickness(k.film.min, {c.ln_speed, c.ln_film_load});
     if (p.factors.any) ln_lambda = ln_lambda + logarithm(c.film_factor);
     c.asperity_share =
@@ -91,7 +91,7 @@ struct MixedFrictionPart : PartBase {
   }
 
  private:
-  // Of the film. A contact with its film in the gap has its thickness already.
+  // Friction coefficient of the film. With the film in the gap, the thickness is already set.
   template <class T>
   static RACEWAY_INLINE Value<T> coefficient(const Parameters &own, const Raceway &p,
                                              const RacewayConstantsT<Value<T>> &k,

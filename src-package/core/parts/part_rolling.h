@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Couples against rolling, opposite on ball and ring (rolling_resistance.h). Through zero speed
-// they are straight lines. The derivative is the couple over the speed: at rest, where it is large,
+// Couples against rolling, opposite on ball and ring (rolling_resistance.h). They pass through zero
+// speed as straight lines. The derivative is the couple over the speed: it is large at rest, where
 // an implicit step needs it.
 #ifndef RACEWAY_PART_ROLLING_H
 #define RACEWAY_PART_ROLLING_H
@@ -11,9 +11,9 @@
 namespace raceway {
 
 namespace detail {
-constexpr double least_rolling = 1e-3;    // m/s: below it the couples grow with the speed
+constexpr double least_rolling = 1e-3;    // m/s: below it the couples are proportional to speed
 
-// 1/s, over the speed that a couple is divided by
+// Inverse of the speed that divides a couple, 1/s.
 template <class T> RACEWAY_INLINE T over_rolling(const T &turn, const T &radius)
 {
   const T size = magnitude(turn), least = least_rolling / radius;
@@ -38,9 +38,9 @@ struct HydrodynamicRollingPart : PartBase {
     double beta = 0.0, conductivity = 0.14, starvation = 1.0;    // 1/K, W/(m K), 1
     // derived
     double ln_heating = 0.0;
-    double of_film = 0.0;    // not 0: inlet shear over the factor of the film, which has the same
+    double of_film = 0.0;    // not 0: inlet shear over the factor of the film, which includes it
     RollingConstants force;
-    RollingShapeT<double> radial{};    // at no contact angle
+    RollingShapeT<double> radial{};    // at zero contact angle
     void prepare(const Raceway &p)
     {
       const double eta = p.model.lubricant.viscosity;
@@ -76,7 +76,7 @@ struct HydrodynamicRollingPart : PartBase {
   {
     using B = Value<T>;
     const B radius = p.rolling_radius(c.cos_angle);
-    const B root = k.K * k.unit * held(c.root);    // cubic, of the load
+    const B root = k.K * k.unit * held(c.root);    // cubic root of the load
     const B f =
         rolling_force(shape(own, p, c.cos_angle, radius), c.ln_speed, B(held(c.load)), root);
     const B shear = own.of_film > 0.0 ? B(own.of_film * c.film_factor)
@@ -88,7 +88,7 @@ struct HydrodynamicRollingPart : PartBase {
   }
 
  private:
-  // Radial ones are exact, as the constants of a raceway are.
+  // At zero contact angle they are exact, like the constants of a raceway.
   template <class B>
   static RACEWAY_INLINE RollingShapeT<B> shape(const Parameters &own, const Raceway &p,
                                                const B &cos_angle, const B &radius)

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Differential slip, spin and sliding together, over slices of the contact ellipse (slip_slices.h),
-// in series with the contact's tangential spring k_t (Mindlin). In place of the closed forms of
-// part_differential_slip.h and part_spin.h, which take them one by one.
+// Combined differential slip, spin and sliding, over slices of the contact ellipse (slip_slices.h),
+// in series with the contact's tangential spring k_t (Mindlin). Replaces the closed forms of
+// part_differential_slip.h and part_spin.h, which treat them separately.
 //
-// The states are the forces f and the slip y that the spring leaves, from free rolling:
+// The states are the forces f and the slip y after the spring, relative to free rolling:
 //   y' = (s - y)/tau,  f' = (F(y) + c (s - y) - f)/tau,  tau = c/k_t,
-// s the distance of the sliding from free rolling, F the sum over the slices. So f' is k_t (s - y)
-// while F lags: a slip law for dt >> tau, a spring for dt << tau. All that slices take but spin and
-// roll is y, which does not follow a swing of the spring; neither do then the couples. c is near
-// the slope of F in free rolling and above half of it anywhere, or a swing would grow.
+// s the slip relative to free rolling, F the sum over the slices. So f' is k_t (s - y) while F
+// lags: a slip law for dt >> tau, a spring for dt << tau. Apart from spin and roll the slices
+// depend only on y, which does not follow oscillations of the spring; neither do the couples. c is
+// near the slope of F in free rolling and above half of it everywhere, otherwise oscillations would
+// grow.
 //
-// The derivative holds mu, k_t, c and the ellipse; N it follows.
+// The derivative holds mu, k_t, c and the ellipse, but not N.
 #ifndef RACEWAY_PART_SLIP_SLICES_H
 #define RACEWAY_PART_SLIP_SLICES_H
 
@@ -88,21 +89,21 @@ struct SlipSlicesPart : PartBase {
   }
 
  private:
-  // c over mu N and the width, with spin over the width. Along rolling 3.80 without spin. Across it
-  // few slices turn about, and the slope is steep.
+  // c over mu N and the width, with spin over the width. Along rolling 3.80 without spin. Across
+  // rolling few slices reverse, and the slope is steep.
   template <class B> static RACEWAY_INLINE B lean(double most, double falls, const B &spin)
   {
     const B x = falls * spin;
     return most / square_root(B(1.0 + x * x));
   }
-  // Of a state after a time dt (LawStates); spring = dt k_t.
+  // Remainder of a state after a time dt (LawStates); spring = dt k_t.
   template <class B> static RACEWAY_INLINE B left_of(const B &spring, const B &c, bool stage)
   {
     if (stage) return c / (c + spring);
     const B x = -spring / c;
     return exponential(B(where(x < -100.0, -100.0, x)));
   }
-  static constexpr double none = 1e-200;    // keeps 0/0 out of a contact without load or friction
+  static constexpr double none = 1e-200;    // prevents 0/0 in a contact without load or friction
 };
 
 }    // namespace raceway

@@ -2,11 +2,11 @@
 // Couple against spin about the contact normal (docs/theory, Spin), (3/8) mu Q a E for pure spin
 // under Coulomb's law, E the complete elliptic integral of the ellipse.
 //
-// Where the contact also slips, small spin meets a couple in proportion to it. Gauss points over
-// the ellipse (python: theory/spin) give the width: omega a = 0.78 s_e beside differential slip,
-// omega a = 1.9 s beside gross sliding. Spin in turn takes over the couple of differential slip,
-// as 1 - 1.35 (omega a/s_e)^2. Moment and power agree with the Gauss points within
-// 5 % of mu Q a and mu Q s_e.
+// If the contact also slides, the couple at small spin is proportional to the spin. Gauss points
+// over the ellipse (python: theory/spin) give the width: omega a = 0.78 s_e with differential slip,
+// omega a = 1.9 s with gross sliding. Spin in turn reduces the couple of differential slip, by the
+// factor 1 - 1.35 (omega a/s_e)^2. Moment and power agree with the Gauss points within 5 % of mu Q
+// a and mu Q s_e.
 //
 // The derivative is the couple over the spin.
 #ifndef RACEWAY_PART_SPIN_H
@@ -28,7 +28,7 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
   return limit * root * (3.14159265358979323846 / 16.0 * modulus) * ab * ab * curvature / K;
 }
 
-// The same from E.
+// The same from a known E.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
 struct SpinPart : PartBase {
@@ -58,7 +58,7 @@ struct SpinPart : PartBase {
   {
     using B = Value<T>;
     const B root = held(c.root), a = k.a * root;
-    const B width = c.slip_width;    // of part_differential_slip.h, which comes before
+    const B width = c.slip_width;    // from part_differential_slip.h, which acts earlier
     const B along = held(c.sliding_t), across = held(c.sliding_w);
     const B slip = 1.9 * square_root(B(along * along + across * across));
     const B wide = 0.78 * width, speed = magnitude(held(c.spin_n)) * a;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact at one instant: motions, and what the parts of the law make of them.
+// A contact at one instant: its motions, and the results of the parts of the law.
 //
-// T is double, Lane, or a Dual of one of them; what no derivative follows is of T's plain type.
+// T is double, Lane, or a Dual of one of them; quantities without derivatives have T's plain type.
 // Frame of groove.h: n from ball to raceway, t along rolling, w = n x t across. Units are SI.
 #ifndef RACEWAY_CONTACT_STATE_H
 #define RACEWAY_CONTACT_STATE_H
@@ -17,11 +17,11 @@ namespace raceway {
 template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   // motions of the ball against the raceway (kinematics.h)
   T overlap = T();         // m, of the rigid surfaces; negative for a gap
-  T compression = T();     // m, what the elastic bodies give way: the overlap and what parts add
+  T compression = T();     // m, elastic approach of the bodies: the overlap and additions by parts
   T overlap_rate = T();    // m/s
   T sliding_t = T(), sliding_w = T();            // m/s, ball surface minus ring surface
   T spin_n = T(), turn_t = T(), roll_w = T();    // rad/s, ball minus ring; if the law has couples
-  // what parts leave for one another and for output
+  // intermediate results for other parts and for output
   T root = T();      // sqrt(m), of the compression
   T load = T();      // N, Q, elastic
   T normal = T();    // N, max(0, Q + C d(overlap)/dt)
@@ -32,17 +32,17 @@ template <class T> struct alignas(sizeof(Value<T>)) ContactVariablesT {
   T couple_n = T(), couple_t = T(), couple_w = T();    // N m
 };
 
-// Quantities that derivatives hold.
+// Quantities held constant by derivatives.
 template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T cos_angle = T();      // of the contact angle
   T entrainment = T();    // m/s
   T stiffness = T();      // N/m, dQ/d(overlap)
   T damping = T();        // N s/m, C
-  T film_load = T();      // N, at which the film is taken
+  T film_load = T();      // N, load used for the film thickness
   // logarithms of the entrainment speed (m/s) and of film_load; the factors of the film
   T ln_speed = T(), ln_film_load = T(), film_factor = T();
   T h_edge = T(), h_c = T();      // m, central film, where it begins and here
-  T h_min = T(), lambda = T();    // m; film parameter
+  T h_min = T(), lambda = T();    // m; lambda ratio
   T film_energy = T();            // J, of the film in the gap
   T film_force = T();             // N, of the film's branch
   T film_stiffness = T();         // N/m, of the film's branch
@@ -55,7 +55,7 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T asperity_share = T();         // of the load
   // parts of couple_w, N m
   T slip_couple = T(), rolling_couple = T(), hysteresis_couple = T();
-  // of the oil on the ball's centre, -drag t, if the law has couples; its power
+  // drag of the oil on the ball's centre, -drag t, if the law has couples; its power
   T drag = T(), drag_power = T();    // N, W
 };
 
@@ -75,7 +75,7 @@ RACEWAY_INLINE void copy_variables(const A *from, B *to, std::index_sequence<k..
 }
 }    // namespace detail
 
-// The whole state, from one number type to another; derivatives become 0 or are left behind.
+// Copies the whole state to another number type; derivatives become 0 or are dropped.
 template <class A, class B>
 RACEWAY_INLINE void copy_state(const ContactStateT<A> &from, ContactStateT<B> &to)
 {

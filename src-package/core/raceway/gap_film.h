@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The film of one contact over the compression x of its bodies, at one entrainment speed, where no
-// closed form has it: that of all regimes (film_regimes.h), or one whose factor follows the
-// pressure (Gupta, film_factors.h).
+// Film of one contact over the compression x of its bodies, at one entrainment speed, for films
+// without a closed form: the film of all regimes (film_regimes.h), or one whose factor depends on
+// the pressure (Gupta, film_factors.h).
 #ifndef RACEWAY_GAP_FILM_H
 #define RACEWAY_GAP_FILM_H
 
@@ -12,7 +12,7 @@
 
 namespace raceway {
 
-// The power law at a load given by its logarithm.
+// Power law at the logarithm of a load.
 template <class T> struct PowerFilmT {
   T ln_h, fall;    // at 1 N
   RACEWAY_INLINE FilmAtLoadT<T> at(const T &ln_load) const
@@ -21,13 +21,13 @@ template <class T> struct PowerFilmT {
   }
 };
 
-// all: in all regimes, else a power law.
+// all: all lubrication regimes, otherwise a power law.
 template <class T, bool all> class GapFilmT {
  public:
   using Film = std::conditional_t<all, MoesFilmT<T>, PowerFilmT<T>>;
 
-  // steep: Gupta's factor by the root of the compression, or null; it has no `unpressed`, which is
-  // in the film. K: stiffness, N/m^1.5
+  // steep: Gupta's factor by the root of the compression, or null; without its `unpressed`, which
+  // is in the film. K: stiffness, N/m^1.5
   RACEWAY_INLINE GapFilmT(const Film &film, const GuptaFactorT<T> *steep, const T &K) :
       film_(film), pressed_(steep != nullptr), ln_K_(logarithm(K))
   {
@@ -67,7 +67,8 @@ template <class T, bool all> class GapFilmT {
     return f;
   }
 
-  // Logarithm of a compression below that at the overlap d; kept: where a power law is cut.
+  // Logarithm of a compression below that at the overlap d; kept: compression at which a power law
+  // is cut.
   RACEWAY_INLINE T start(const T &d, const T &kept) const
   {
     const T squeezed = logarithm(T(where(d > 0.0, d, 1e-30)));
@@ -75,8 +76,8 @@ template <class T, bool all> class GapFilmT {
     return where(squeezed > least, squeezed, least);
   }
 
-  // J over zeta: what it takes to thin the film from `edge` (m) to that at the compression x, the
-  // integral of fall h over the load. By Gauss points in the logarithm of the compression.
+  // Work to thin the film from `edge` (m) to that at the compression x, over zeta, J: the integral
+  // of fall h over the load, by Gauss points in the logarithm of the compression.
   RACEWAY_INLINE T work(const T &x, const T &edge, const T &kept) const
   {
     constexpr int panels = 24, points = 4;
@@ -98,7 +99,7 @@ template <class T, bool all> class GapFilmT {
 
  private:
   // Logarithm of the compression of a rigid contact with the film h, or with the widest film of an
-  // elastic one.
+  // elastic contact.
   RACEWAY_INLINE T light(const T &h) const
   {
     if constexpr (all) {
@@ -109,7 +110,7 @@ template <class T, bool all> class GapFilmT {
     }
   }
 
-  // Logarithm of the compression at which the film is as thick as `edge`.
+  // Logarithm of the compression at which the film thickness equals `edge`.
   RACEWAY_INLINE T begins(const T &edge, const T &kept) const
   {
     T ln_x = all ? light(edge) : logarithm(kept);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From the motion of a ball and a ring to the local motions of their contact, and from local forces
-// back to forces and torques. The law between the two (law.h) knows neither.
+// back to forces and torques, independent of the contact law (law.h).
 //
 // The contact point is R_b along the normal from the ball centre; both bodies are taken rigid
 // there. The force of the raceway on the ball is -N n - f_t t - f_w w (frame of groove.h), its
@@ -37,31 +37,31 @@ template <class T> struct ContactForcesT {
 };
 using ContactForces = ContactForcesT<double>;
 
-// A groove may lie `offset` m along the axis from the ring's centre. Everything here then is about
-// the middle of the groove, which moves with v + w x (offset e). This takes the torque on the ring
-// from there to the ring's centre.
+// A groove may lie `offset` m along the axis from the ring's centre. The functions here refer to
+// the middle of the groove, which moves with v + w x (offset e). This one transfers the torque on
+// the ring from there to the ring's centre.
 template <class T>
 RACEWAY_INLINE void from_groove(const Vec3T<T> &e, double offset, ContactForcesT<T> &f)
 {
   f.ring_torque -= cross(e * offset, f.force);
 }
 
-// Overlap of a ball whose place in the groove is known, and whether it is out of reach of the law.
-// What is not a number must not pass for a gap.
+// Sets the overlap of a ball with a known position in the groove; true beyond the reach of the law.
+// NaN must not count as a gap.
 template <class T> RACEWAY_INLINE auto out_of_reach(const Raceway &p, ContactStateT<T> &c)
 {
   c.overlap = c.s - p.slack;
   return c.overlap <= -p.reach;
 }
 
-// Geometry only. True where the surfaces overlap, or are within reach of the law (or a position is
-// not a number); only then the frame is set.
+// Geometry only. True if the surfaces overlap or are within reach of the law (or a position is
+// NaN); only then is the frame set.
 inline bool touch(const Raceway &p, const Vec3 &d, const Vec3 &e, ContactState &c)
 {
   return locate_beyond(d, e, p.centre_circle, p.slack - p.reach, c) && !out_of_reach(p, c);
 }
 
-// Local motions of a contact whose position is known; `rotations` asks for those about n, t, w too.
+// Local motions of a contact with a known position; `rotations`: also those about n, t, w.
 template <bool rotations, class T>
 RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
                                  const RingStateT<T> &ring, ContactStateT<T> &c)
@@ -89,7 +89,7 @@ RACEWAY_INLINE void find_motions(const Raceway &p, const BallStateT<T> &ball,
   }
 }
 
-// Forces and torques of a contact whose local forces are known; T is a plain type, S has it below.
+// Forces and torques of a contact from its local forces; T is a plain type, that of S.
 template <bool couples, class T, class S>
 RACEWAY_INLINE ContactForcesT<T> assemble(const Raceway &p, const Vec3T<T> &e,
                                           const ContactStateT<S> &c)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A contact on a raceway with a profile, or of a ball with one. The law of the contact takes the
-// overlap that is left. Its force acts along G = n - slope t on the ball's centre: the gradient of
-// the stored energy, because the depth changes along the raceway.
+// A contact on a raceway with a profile, or of a ball with a profile. The contact law uses the
+// overlap reduced by the profile. Its force acts along G = n - slope t on the ball's centre: the
+// gradient of the stored energy, because the depth changes along the raceway.
 #ifndef RACEWAY_PROFILED_CONTACT_H
 #define RACEWAY_PROFILED_CONTACT_H
 
@@ -13,8 +13,9 @@ namespace raceway {
 template <class T> struct alignas(sizeof(T)) ProfiledContactT {
   T overlap = T();    // m, with the profile
   T slope = T();      // of the depth along the path of the ball's centre
-  T bend = T();       // 1/m, its derivative along the path, of what goes across the whole groove
-  // of a pit: what its energy has beyond that of the overlap's own, J; how the overlap follows the
+  T bend = T();       // 1/m, derivative of the slope along the path, for profiles across the whole
+                      // groove
+  // of a pit: energy beyond that of the overlap itself, J; derivative of the overlap by the
   // approach, less 1; stiffness between approach and path, and along the path, N/m
   T energy = T(), follows = T(), cross = T(), side = T();
 };
@@ -56,7 +57,7 @@ inline ProfiledContact profiled(const RacewayProfile &profile, const Raceway &p,
   return c;
 }
 
-// The same where the ball, the ring or both have a profile; `view` and b are those of the ball.
+// The same for a profile of the ball, the ring or both; `view` and b are those of the ball.
 inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *ball,
                                 const Raceway &p, double azimuth, double r, double overlap,
                                 const BallView &view, BallSlopes &b)
@@ -69,9 +70,9 @@ inline ProfiledContact profiled(const RacewayProfile *ring, const BallProfile *b
   return c;
 }
 
-// How a number that depends on the direction of the normal in the ball's axes changes: by the
-// velocity v of the ball's centre against the ring's material there, and by the spin w of the ball
-// against the ring. `along` and `across` are its derivatives in the direction.
+// Change of a number that depends on the direction of the normal in the ball's axes, with the
+// velocity v of the ball's centre relative to the ring's material there and the spin w of the ball
+// relative to the ring. `along` and `across` are its derivatives by the direction.
 template <class T> struct TurnRowT {
   Vec3T<T> v, w;
 
@@ -92,8 +93,8 @@ RACEWAY_INLINE TurnRowT<T> turn_row(const T &along, const T &across, const Vec3T
   return {c.t * T(along * c.nu / c.r) + aside * T(across / c.s), c.t * across - aside * along};
 }
 
-// Rate of approach (m/s) along G in place of that along n: v is the velocity of the ball's centre
-// along t against the ring's material there.
+// Replaces the rate of approach (m/s) along n by that along G: v is the velocity of the ball's
+// centre along t relative to the ring's material there.
 template <class T>
 RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &ring,
                                const ContactStateT<T> &c)
@@ -101,8 +102,8 @@ RACEWAY_INLINE T passing_speed(const BallStateT<T> &ball, const RingStateT<T> &r
   return dot(ball.v - ring.v, c.t) - (dot(ring.w, ring.e) * c.r - dot(ring.w, c.u) * c.z);
 }
 
-// What the slope adds to the forces of a contact: the normal force along slope t, at the ball's
-// centre r u + z e of the ring.
+// Adds the effect of the slope to the forces of a contact: the normal force along slope t, at the
+// ball's centre r u + z e of the ring.
 template <class T>
 RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactStateT<T> &c,
                                ContactForcesT<T> &f)
@@ -112,7 +113,8 @@ RACEWAY_INLINE void push_along(const T &slope, const Vec3T<T> &e, const ContactS
   f.ring_torque -= e * T(c.r * push) - c.u * T(c.z * push);
 }
 
-// The same of a ball's profile, with the row of its depth; d is the ball's centre from the ring's.
+// The same for a ball's profile, with the row of its depth; d is the ball's centre relative to the
+// ring's.
 template <class T>
 RACEWAY_INLINE void push_along(const TurnRowT<T> &depth, const Vec3T<T> &d,
                                const ContactStateT<T> &c, ContactForcesT<T> &f)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A raceway as every part of the contact law sees it: groove, materials, lubricant, surfaces, and
-// the constants that follow from them. What belongs to one part alone is with that part (law.h).
+// A raceway as seen by every part of the contact law: groove, materials, lubricant, surfaces, and
+// the constants derived from them. Parameters of a single part are in that part (law.h).
 #ifndef RACEWAY_RACEWAY_H
 #define RACEWAY_RACEWAY_H
 
@@ -11,27 +11,29 @@
 namespace raceway {
 
 struct Raceway {
-  int number = 0;    // of the grooves that a ring has for one ball, from 0 along the axis
+  int number = 0;    // index of the groove among those of a ring for one ball, from 0 along the
+                     // axis
   Groove groove;
   RacewayMaterial material;
   RacewayModel model;
   double ring_roughness = 0.0;    // m
   double ball_roughness = 0.0;    // m
   FilmFactors factors;
-  // film parameter at the end of the boundary regime and at the start of the full film
+  // lambda ratio at the end of the boundary regime and at the start of the full film
   double lambda_1 = 1.0, lambda_2 = 3.0;
 
   // derived by prepare()
   RacewayLaw law;
-  double overlap_limit = 0.0;                                        // of the ball's radius
+  double overlap_limit = 0.0;                                        // fraction of the ball's
+                                                                     // radius
   double centre_circle = 0.0, slack = 0.0, largest_overlap = 0.0;    // m
   double roughness = 0.0, inverse_roughness = 0.0;                   // m, 1/m
   double ln_inverse_roughness = 0.0;    // of 1/m; minus infinity without a roughness
   double ball_mass = 0.0;               // kg
   double pitch_radius = 0.0;            // m
-  double reach = 0.0;    // m, gap at which a contact begins; 0 unless a part of the law asks for it
+  double reach = 0.0;    // m, gap at which a contact begins; 0 unless set by a part of the law
 
-  // What sets the largest overlap, for messages.
+  // Origin of the largest overlap, for messages.
   const char *limit() const
   {
     return largest_overlap < overlap_limit * groove.ball_radius
@@ -68,7 +70,7 @@ struct Raceway {
   }
 };
 
-// All factors of the film together, at a load and a speed.
+// Product of all film factors at a load and a speed.
 template <class T, class State>
 RACEWAY_INLINE T film_factor(const Raceway &p, const RacewayConstantsT<T> &k, const State &c,
                              const FilmPointT<T> &at)

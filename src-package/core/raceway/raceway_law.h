@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All constants of one raceway that a contact needs, as functions of the contact angle.
+// Constants of one raceway for its contacts, as functions of the contact angle.
 //
 // The effective radii follow the contact angle (docs/theory, Geometry), and with them stiffness,
 // ellipse and film exponents. They depend on cos(alpha) only, so they are computed once on a
@@ -63,7 +63,7 @@ inline RacewayConstants raceway_constants(const Groove &g, double pitch_radius,
   return c;
 }
 
-// The constants one after the other.
+// The constants as an array.
 template <class T> RACEWAY_INLINE T *numbers(RacewayConstantsT<T> &c)
 {
   return reinterpret_cast<T *>(&c);
@@ -80,7 +80,7 @@ class RacewayLaw {
              const RacewayModel &model) :
       radial_(raceway_constants(g, pitch_radius, mat, model, 1.0)), grid_(cells + 3)
   {
-    // one node beyond each end so that every cell has its four points
+    // one node beyond each end so that every cell has four points
     for (int i = 0; i < cells + 3; ++i)
       grid_[i] = raceway_constants(g, pitch_radius, mat, model, double(i - 1) / cells);
   }

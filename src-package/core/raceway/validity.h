@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one place that judges whether the formulas of a contact hold there.
+// The single place for checks of whether the formulas of a contact hold.
 //
-// Refused: a contact ellipse as wide as the groove is, or an overlap beyond the limit of the deck.
-// Warned of: a pressure that leaves dents, a film thicker than the contact is long, a film
-// parameter beyond any bearing, a capacitance of a film that conducts, Hamrock and Dowson's film
-// outside their fit, a contact ellipse past the shoulder of its groove.
+// Error: a contact ellipse as wide as the groove, or an overlap beyond the limit of the deck.
+// Warning: a pressure that leaves dents, a film thicker than the contact is long, a lambda ratio
+// beyond that of any bearing, a capacitance of a film that conducts, a film outside the fit of
+// Hamrock and Dowson, a contact ellipse beyond the shoulder of its groove.
 #ifndef RACEWAY_VALIDITY_H
 #define RACEWAY_VALIDITY_H
 
@@ -20,15 +20,15 @@ struct Validity {
   enum Doubt { PRESSURE, THICK_FILM, LAMBDA, CONDUCTS, FILM_FIT, SHOULDER, N };
 
   struct Rule {
-    const char *name, *value, *unit, *limit;    // `value` beyond `bound` is in doubt
+    const char *name, *value, *unit, *limit;    // `value` beyond `bound` is doubtful
     double bound;
-    bool below;    // the bound is the least that holds, not the most
+    bool below;    // the bound is a minimum instead of a maximum
   };
   // ISO 76: the largest pressure at the basic static load rating of ball bearings, with a dent of
-  // 1e-4 of the ball diameter. Films of bearings have Lambda below 10; below 1 asperities touch
-  // all the time, and a contact is no capacitor. Hamrock and Dowson (J. Lubr. Technol. 99, 1977,
-  // 264, abstract) varied the ellipticity from one to eight. Python and the pages read these rules
-  // too (`make columns`).
+  // 1e-4 of the ball diameter. Films in bearings have Lambda below 10; below 1 asperities are in
+  // continuous contact, and the contact is no capacitor. Hamrock and Dowson (J. Lubr. Technol. 99,
+  // 1977, 264, abstract) varied the ellipticity from one to eight. Python and the pages read these
+  // rules, too (`make columns`).
   static const Rule &rule(int doubt)
   {
     static const Rule rules[N] = {
@@ -50,7 +50,7 @@ struct Validity {
   }
 
   std::array<double, N> worst;        // so far
-  std::array<double, N> ball = {};    // whose contact it was, an atom ID
+  std::array<double, N> ball = {};    // atom ID of the ball in that contact
 
   Validity()
   {
@@ -70,8 +70,8 @@ struct Validity {
     if (law == FilmModel::hamrock_dowson) keep(FILM_FIT, k.a / k.b, ball_id);
   }
 
-  // A groove of that depth (m) ends at the angle theta from its bottom, cos theta = 1 - depth/r_c.
-  // An ellipse of the semi-axis a (m) across reaches to the contact angle plus asin(a/r_c).
+  // A groove of this depth (m) ends at the angle theta from its bottom, cos theta = 1 - depth/r_c.
+  // An ellipse with the semi-axis a (m) across reaches to the contact angle plus asin(a/r_c).
   void note_reach(double ball_id, const Groove &g, double depth, double cos_angle, double a)
   {
     const double reach =

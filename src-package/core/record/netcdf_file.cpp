@@ -25,7 +25,7 @@ double now()
   return t.tv_sec + 1e-9 * t.tv_nsec;
 }
 
-// All of it, however many pieces the system makes of it.
+// Writes all bytes, even if the system splits the write.
 std::string write_all(int file, const void *from, size_t n, off_t at)
 {
   const char *bytes = static_cast<const char *>(from);
@@ -54,13 +54,13 @@ std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header
   sent_.resize(buffer_.size());
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0) return strerror(errno);
-  // some file systems know no locks: that is no reason to refuse
+  // some file systems do not support locks: no reason to refuse
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     return leave("another run is writing it");
   return "";
 }
 
-// A file that is not to be written stays as it is.
+// Leaves a file that must not be written as it is.
 std::string NetcdfFile::leave(const std::string &why)
 {
   ::close(file_);
@@ -113,8 +113,8 @@ unsigned char *NetcdfFile::start_record()
   return record;
 }
 
-// The system takes as long to copy a batch as the bearing to make it. A thread that knows nothing
-// but bytes waits for it.
+// Copying a batch takes the system as long as computing it takes the bearing, so a separate thread
+// waits for the write.
 std::string NetcdfFile::flush()
 {
   const std::string why = wait();
@@ -128,13 +128,13 @@ std::string NetcdfFile::flush()
   const auto write = [this, bytes, at] { return write_all(file_, sent_.data(), bytes, at); };
   try {
     writing_ = std::async(std::launch::async, write);
-  } catch (const std::system_error &) {    // the system gives no thread
+  } catch (const std::system_error &) {    // no thread available
     writing_ = std::async(std::launch::deferred, write);
   }
   return "";
 }
 
-// Until the batch that was sent last is written.
+// Waits until the last batch sent is written.
 std::string NetcdfFile::wait()
 {
   if (!writing_.valid()) return "";

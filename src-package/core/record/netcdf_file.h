@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A netCDF classic file that grows: records go to the system a batch at a time, one write each,
-// while the next batch fills.
+// A growing netCDF classic file: records are written in batches, one write each, while the next
+// batch fills.
 //
 // The header counts the records (4 bytes at offset 4). A reader of a growing or a killed file sees
-// whole records only: the count follows the writing. It is renewed a few times a second, with what
-// was written at the renewal before, because a reader that maps the file first and reads the count
-// after must not find more counted than mapped. A file cut behind a record is a good file again:
-// going on is a truncate().
+// whole records only: the count follows the writing. It is updated a few times a second, to what
+// was written at the previous update, because a reader that maps the file first and reads the count
+// afterwards must not find more records counted than mapped. A file cut at the end of a record is
+// valid: continuing a run is a truncate().
 #ifndef BEARING_NETCDF_FILE_H
 #define BEARING_NETCDF_FILE_H
 
@@ -23,14 +23,15 @@ class NetcdfFile {
   NetcdfFile(const NetcdfFile &) = delete;
   NetcdfFile &operator=(const NetcdfFile &) = delete;
 
-  // These return a complaint, empty if all is well.
-  // A new file, whatever was there; then records in batches of `batch`.
+  // These return an error message, empty on success.
+  // Creates or replaces a file; records follow in batches of `batch`.
   std::string create(const std::string &path, const NetcdfHeader &, size_t batch);
-  // One of the same header, but for the value of the scalar `changing`, cut to its first `records`.
+  // Continues a file with the same header except for the value of the scalar `changing`, cut to its
+  // first `records`.
   std::string go_on(const std::string &path, const NetcdfHeader &, size_t batch, size_t records,
                     int changing);
 
-  // The bytes of the next record, blank at first.
+  // The bytes of the next record, initially blank.
   unsigned char *start_record();
   void put(int variable, size_t first, const double *values, size_t n)
   {
@@ -41,9 +42,9 @@ class NetcdfFile {
   }
 
   bool full() const { return filled_ == batch_; }
-  std::string flush();        // send the batch so far; complaints about the one before
-  std::string hand_over();    // flush and wait until the system has everything
-  std::string settle();       // flush, count everything and wait until it is on the disk
+  std::string flush();        // sends the present batch; returns an error of the previous one
+  std::string hand_over();    // flush and wait until the system has all data
+  std::string settle();       // flush, update the count and wait until all is on disk
   std::string close();
   std::string put_fixed(int variable, double value);    // a scalar without time, at once
 

@@ -56,7 +56,7 @@ void add_list(std::string &s, Tag tag, size_t n)
   add_4(s, n);
 }
 
-// `changing` gets the places of the values that may change.
+// `changing` receives the positions of values that may change.
 void add_attributes(std::string &s, const Header::Attributes &list, std::vector<size_t> &changing)
 {
   add_list(s, attribute_list, list.size());

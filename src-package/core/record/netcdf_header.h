@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The header of a netCDF classic file with 64-bit offsets (CDF-2): dimensions, attributes,
-// variables, and the values of those without time. All numbers are big-endian (OGC 10-092r3). No
-// host and no library.
+// variables, and the values of variables without time. All numbers are big-endian (OGC 10-092r3).
+// Independent of host and libraries.
 #ifndef BEARING_NETCDF_HEADER_H
 #define BEARING_NETCDF_HEADER_H
 
@@ -20,7 +20,7 @@ class NetcdfHeader {
     Type type;
     std::string words;         // of type text
     std::vector<double> of;    // of other types
-    bool changes = false;      // a number that a run may change when it goes on
+    bool changes = false;      // a number that may change when a run continues
   };
   using Attributes = std::vector<Attribute>;
   struct Variable {
@@ -31,7 +31,7 @@ class NetcdfHeader {
     Attributes attributes;
     std::string words;         // values of a fixed variable of type text
     std::vector<double> of;    // of other types
-    double blank = 0.0;        // of a record's cells that nobody fills
+    double blank = 0.0;        // of empty cells in a record
     // set by layout()
     size_t size = 1;    // values, of a record or of all
     size_t at = 0;      // bytes from the start of the record, or of the file
@@ -47,7 +47,7 @@ class NetcdfHeader {
     return {name, real, "", {value}, false};
   }
 
-  // Numbers of what is added. The record dimension comes first, with length 0.
+  // Return the index of the new item. The record dimension comes first, with length 0.
   int dimension(const std::string &name, size_t length);
   int variable(const Variable &);
   void add(const Attribute &a) { attributes_.push_back(a); }
@@ -57,7 +57,7 @@ class NetcdfHeader {
   const std::string &bytes() const { return bytes_; }    // with the fixed values; no record yet
   size_t record_bytes() const { return record_bytes_; }
   std::vector<unsigned char> blank_record() const;
-  // Where the attributes that may change are: 8 bytes each.
+  // Positions of the attributes that may change: 8 bytes each.
   const std::vector<size_t> &changing() const { return changing_; }
 
  private:

@@ -10,7 +10,7 @@ namespace bearing {
 
 using Header = NetcdfHeader;
 
-static constexpr size_t nowhere = SIZE_MAX;    // a column that the record does not have
+static constexpr size_t nowhere = SIZE_MAX;    // a column that is not in the record
 
 static Header::Attributes said(const Column &c)
 {
@@ -73,7 +73,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
       fix(of_kind::list[k], bearing, Header::real,
           each(layout_.bearings, [k](const auto &b) { return b.of[k]; }));
 
-  // Numbers of variables, until the places in a sample are known.
+  // Variable indices, until the positions in a sample are known.
   const auto add = [&](const std::string &prefix, const Column &c, std::vector<int> dimensions,
                        Header::Type type = Header::real) -> size_t {
     return header_.variable(
@@ -136,7 +136,7 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
                                     : kind == CAGE ? cage_
                                     : kind == RING ? ring_
                                                    : contact_;
-    // copies, because bytes that are written might be anything's
+    // local copies, because written bytes may alias anything
     const size_t *const column = at.data(), columns = at.size();
     const bool single = kind == CONTACT && content_.single;
     unsigned char *const to = sample_ + (single ? 4 : 8) * place;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A record as one netCDF file: which variables it has, a sample from the rows that its parts
-// report, and the sums over each bearing. Rows may come in any order; the bytes do not depend on
-// it. No host here.
+// A record as one netCDF file: its variables, a sample from the rows of its parts, and the sums
+// over each bearing. Rows may come in any order; the bytes do not depend on it. Independent of the
+// host.
 #ifndef BEARING_RECORD_FILE_H
 #define BEARING_RECORD_FILE_H
 
@@ -22,22 +22,22 @@ class RecordFile {
     bool spheres = false;    // balls touch cage balls or one another
     NetcdfHeader::Attributes about;
   };
-  // A row is its kind, its place in the layout and its values; a sample ends with its time and
-  // step. The place of a contact is (raceway * grooves + groove) * balls + ball.
+  // A row is its kind, its index in the layout and its values; a sample ends with its time and
+  // step. The index of a contact is (raceway * grooves + groove) * balls + ball.
   enum Kind { BALL, CONTACT, CAGE, RING, END };
   enum { MOTION = 9, FIRST_OF_RING = of_ring::X, RING_VALUES = of_ring::AZ + 1 - of_ring::X };
 
   RecordFile(const RecordLayout &, const Content &);
 
-  size_t width(Kind) const;    // values in a row
+  size_t width(Kind) const;    // values per row
   size_t record_bytes() const { return header_.record_bytes(); }
   int finished() const { return finished_; }
   const NetcdfHeader &header() const { return header_; }
   NetcdfFile &file() { return file_; }
 
-  // Rows from here on to the end of a sample, or of the list; where they stop.
+  // Takes rows up to the end of a sample or of the list; returns the end of the rows taken.
   const double *take(const double *row, const double *end, bool &whole);
-  // All parts have reported: write the sample. A complaint, or empty.
+  // Writes the sample once all parts have reported. Returns an error message, or empty.
   std::string end_sample(double time, double step);
 
  private:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a record has samples of: bearings and what they are made of, in the order of the file. No
-// host here.
+// Bearings of a record and their parts, in the order of the file. Independent of the host.
 #ifndef BEARING_RECORD_LAYOUT_H
 #define BEARING_RECORD_LAYOUT_H
 
@@ -25,12 +24,12 @@ struct RecordLayout {
     double of[of_kind::N];
   };
 
-  // each bearing's parts side by side, by tag
+  // parts of each bearing are consecutive, by tag
   std::vector<Bearing> bearings;
   std::vector<Part> balls, cage;
   std::vector<Ring> rings;
 
-  int grooves = 1;    // a ring and ball: contacts are by raceway, groove and ball
+  int grooves = 1;    // per ring and ball: contacts are by raceway, groove and ball
 
   size_t parts() const { return balls.size() + cage.size() + rings.size(); }
 };

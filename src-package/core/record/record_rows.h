@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What one rank says of the parts of a record that it knows, sample by sample: rows for RecordFile
-// (record_file.h). Of a ball its contacts come first. No host here.
+// Rows of one rank for RecordFile (record_file.h), sample by sample. The contacts of a ball come
+// before the ball. Independent of the host.
 #ifndef BEARING_RECORD_ROWS_H
 #define BEARING_RECORD_ROWS_H
 
@@ -15,10 +15,10 @@ class RecordRows {
   using Tag = std::int64_t;
   using Columns = std::vector<const ContactColumn *>;
 
-  // For samples of that file, `batch` at a time.
+  // Starts samples for that file, `batch` at a time.
   void begin(const RecordLayout &, const RecordFile &, const Columns &, size_t batch);
 
-  int ball(Tag) const;    // its place in the layout; -1: it is none of the record
+  int ball(Tag) const;    // index in the layout; -1: not in the record
   // The speed of a ball about the axis of the outer ring, or of the only ring it has, rad/s.
   bool needs_orbit(int ball, raceway::Side s) const
   {
@@ -26,11 +26,11 @@ class RecordRows {
   }
   void orbit(int ball, double value) { shares_[ball].orbit = value; }
   void contact(int ball, const ContactView &);    // a live one
-  // Surfaces that do not touch; only what surrounds contacts has a value.
+  // Surfaces without contact; only the surroundings have a value.
   void gap(int ball, const ContactView &);
-  // A contact with a cage ball or another ball: what the ball loses there (W), the force (N).
+  // A contact with a cage ball or another ball: loss of this ball (W), force (N).
   void cage(int ball, double loss, double force) { shares_[ball].cage(loss, force); }
-  // A ball or cage ball; its contacts are complete.
+  // A ball or cage ball, after all of its contacts.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
   void ring(const double *of);    // from of_ring::RING on
   void end(double time, double step);
@@ -66,7 +66,7 @@ class RecordRows {
   }
 
   Columns columns_;
-  int grooves_ = 1;              // a ring
+  int grooves_ = 1;              // per ring
   std::vector<Place> places_;    // by tag
   size_t widths_[4] = {};
   size_t batch_ = 1, samples_ = 0;

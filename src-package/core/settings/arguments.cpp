@@ -33,10 +33,10 @@ void Arguments::fail(const std::string &why) const { stop_run(lmp_, command_ + "
 
 std::optional<std::string> Arguments::content(const std::string &file) const
 {
-  std::string found;    // "+" and the text of a file that can be read
+  std::string found;    // "+" and the text of a readable file
   if (is_first_rank(lmp_)) {
     std::ifstream in(file, std::ios::binary);
-    // a folder opens, too, but gives nothing
+    // a folder also opens, but yields no data
     const bool empty = in && in.peek() == std::ifstream::traits_type::eof() && !in.bad();
     std::ostringstream copy;
     if (empty || (in && copy << in.rdbuf())) found = "+" + copy.str();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reads the words of one command and turns every mistake into an error that names the command, the
-// value and the allowed range, on all ranks, before anything runs.
+// Reads the words of one command and reports every mistake as an error with the command, the value
+// and the allowed range, on all ranks, before the run starts.
 #ifndef BEARING_ARGUMENTS_H
 #define BEARING_ARGUMENTS_H
 
@@ -14,13 +14,13 @@ class LAMMPS;
 
 namespace bearing {
 
-// What reading a command needs of its host, without the host's headers (arguments_host.cpp). All
-// ranks call these together.
+// Host functions for reading a command, without the host's headers (arguments_host.cpp).
+// Collective: all ranks call them together.
 [[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error
 bool is_first_rank(LAMMPS_NS::LAMMPS *);
 std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // on every rank
 
-// A number as a user writes it ("6.3e-3") for messages.
+// A number in the user's notation ("6.3e-3") for messages.
 std::string text(double value);
 
 class Arguments {
@@ -31,12 +31,12 @@ class Arguments {
 
   bool more() const { return next_ < words_.size(); }
   size_t left() const { return words_.size() - next_; }
-  bool take(const char *keyword);    // true and consumed if the next word is this
+  bool take(const char *keyword);    // true and consumed if it is the next word
   bool next_is_number() const;
-  const std::string &next() const { return words_[next_]; }    // not consumed; there is one
-  std::string word(const std::string &what);                   // next word; error if there is none
+  const std::string &next() const { return words_[next_]; }    // not consumed; must exist
+  std::string word(const std::string &what);                   // next word; error without one
   double number(const std::string &what);
-  double number_in(const std::string &word, const std::string &what) const;    // of any word
+  double number_in(const std::string &word, const std::string &what) const;    // of a given word
   double positive(const std::string &what);                                    // > 0
   double non_negative(const std::string &what);                                // >= 0
   double within(const std::string &what, double lo, double hi);
@@ -44,7 +44,7 @@ class Arguments {
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   [[noreturn]] void unknown(const std::string &allowed);    // the next word is no keyword
   [[noreturn]] void fail(const std::string &why) const;
-  // Text of a file, read by rank 0, on all ranks; none if it cannot be read.
+  // Text of a file, read by rank 0, on all ranks; none if it is unreadable.
   std::optional<std::string> content(const std::string &file) const;
 
  private:

@@ -11,7 +11,7 @@ namespace bearing {
 
 static constexpr const char *title = "raceway-shaft 1", *units = "m kg s N rad";
 static constexpr int most_modes = 100, most_stations = 1000;
-static constexpr double even = 1e-9;    // largest asymmetry, of the largest number
+static constexpr double even = 1e-9;    // allowed asymmetry over the largest value
 
 namespace {
 
@@ -34,7 +34,7 @@ class Reader {
     if (!units_) fail(std::string("has no line 'units ") + units + "'");
   }
 
-  // The only line of a word, with so many numbers of a range.
+  // Values of the single line with this word: their count and range are checked.
   std::vector<double> one(const std::string &word, size_t count, double least, double most)
   {
     const std::vector<Line> &found = all(word, 1);

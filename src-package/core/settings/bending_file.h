@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The file of a shaft that bends, which `raceway shaft --reduced` writes (docs/shaft.rst).
+// The data file of a flexible shaft, written by `raceway shaft --reduced` (docs/shaft.rst).
 #ifndef BEARING_BENDING_FILE_H
 #define BEARING_BENDING_FILE_H
 
@@ -14,7 +14,7 @@ struct BendingShaft {
   raceway::ShaftModes modes;
 };
 
-// On all ranks alike; what is wrong ends the command with the file and the line.
+// Same result on all ranks; an error in the file ends the command with file and line.
 BendingShaft read_bending_shaft(const Arguments &, const std::string &name);
 
 }    // namespace bearing

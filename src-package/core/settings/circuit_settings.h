@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What fix bearing/circuit is told: the outer circuit, its voltage, breakdown and leak.
+// Settings of fix bearing/circuit: the outer circuit, its voltage, breakdown and leak.
 #ifndef BEARING_CIRCUIT_SETTINGS_H
 #define BEARING_CIRCUIT_SETTINGS_H
 
@@ -21,15 +21,15 @@ struct CircuitSettings {
   bool rough = true;                           // local thickness less 3 sigma
   double resistivity = 0.0;                    // ohm m, 0: no leak
   double metal = 0.0, metal_share = 0.0;       // ohm, 0: none; of the load
-  double arc = 0.0;                            // ohm, of a film that fails; 0: not known
-  int points = 1;                              // of the circuit a sample
-  int within = 1;                              // samples a step, the last one its end
+  double arc = 0.0;                            // ohm, of a failing film; 0: unknown
+  int points = 1;                              // circuit points per sample
+  int within = 1;                              // samples per step, the last at its end
   std::string events;                          // file
 
   bool breaks_down() const { return strength > 0.0; }
-  // At a time (s), beside a bearing of so much capacitance (F).
+  // Outer circuit at a time (s), for a bearing with this capacitance (F).
   raceway::OuterPoint at(double time, double bearing) const;
-  // Coupling over all of the inner ring's capacitance; 0 without a motor.
+  // Coupling over the total capacitance of the inner ring; 0 without a motor.
   double voltage_ratio(const raceway::OuterPoint &, double bearing) const;
 
   static CircuitSettings read(Arguments &);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tables of data files, FOLDER/*.csv: a row stands for a file of its name. docs/catalogue.rst has
-// the format.
+// Tables of data files, FOLDER/*.csv: a row represents a file of that name. Format:
+// docs/catalogue.rst.
 #ifndef BEARING_DATA_TABLE_H
 #define BEARING_DATA_TABLE_H
 
@@ -25,19 +25,19 @@ class DataTable {
 
  private:
   std::string file_, complaint_;
-  std::vector<std::string> common_;     // commands for all rows
+  std::vector<std::string> common_;     // commands shared by all rows
   std::vector<std::string> columns_;    // variables
   std::map<std::string, std::vector<std::string>> rows_;
 
   void read_row(const std::string &line, int number);
 };
 
-// The variable of a line `variable NAME ...`; empty of any other line
+// Name of the variable in a line `variable NAME ...`; empty for any other line.
 std::string variable_of(const std::string &line);
 
 std::vector<DataTable> tables_of(const std::string &folder);    // by the names of their files
 
-// The names, those that differ from `name` by a few letters first
+// The names, starting with those that differ from `name` by a few letters.
 std::vector<std::string> near_first(const std::string &name, const std::set<std::string> &names);
 
 // Levenshtein distance: letters to change, add or remove to turn one word into the other

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A number, an equal-style variable v_NAME evaluated once a step, or an atom-style one with a value
-// for every ring.
+// A number, an equal-style variable v_NAME evaluated once per step, or an atom-style one with a
+// value per ring.
 #ifndef BEARING_DRIVEN_VALUE_H
 #define BEARING_DRIVEN_VALUE_H
 
@@ -10,7 +10,7 @@ namespace bearing {
 
 class DrivenValue {
  public:
-  // The next word of a command: a number or v_NAME; with `each_ring` that may be an atom-style
+  // Reads the next word of a command: a number or v_NAME; with `each_ring` also an atom-style
   // variable.
   static DrivenValue read(Arguments &args, const std::string &what, bool each_ring = false)
   {
@@ -30,14 +30,14 @@ class DrivenValue {
 
   bool is_variable() const { return !name_.empty(); }
 
-  // Before a run: does the variable exist?
+  // Before a run: checks that the variable exists.
   void check(LAMMPS_NS::LAMMPS *, const std::string &command);
 
   bool by_atom() const { return by_atom_; }    // after check()
 
   double now(LAMMPS_NS::LAMMPS *) const;
 
-  // of every owned atom of a group, 0 for others
+  // for every owned atom of a group, 0 for others
   std::vector<double> of_atoms(LAMMPS_NS::LAMMPS *, int igroup) const;
 
   const std::string &name() const { return name_; }

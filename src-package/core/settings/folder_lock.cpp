@@ -27,15 +27,15 @@ bool same_file(const Claim &claim)
          now.st_ino == claim.inode;
 }
 
-// What this process has claimed. Its files go with the process, if it ends by itself; of one that
-// was killed the file stays, without its lock.
+// Claims of this process. Its lock files are removed when it exits normally; after a kill the file
+// remains without its lock.
 struct Claims {
   std::vector<Claim> list;
   const pid_t owner = getpid();
 
   ~Claims()
   {
-    if (getpid() != owner) return;    // of a fork: the locks are the parent's
+    if (getpid() != owner) return;    // in a fork: the locks belong to the parent
     for (const Claim &c : list)
       if (same_file(c)) unlink(c.file.c_str());
   }
@@ -100,7 +100,7 @@ FolderClaim claim_folder(const std::string &folder)
       }
       result.warning = "the file system of '" + folder + "' has no locks (" + strerror(errno) +
                        "): nothing keeps a second run from writing there";
-    } else if (!same_file(claim)) {    // its owner has ended and taken it away meanwhile
+    } else if (!same_file(claim)) {    // its owner has exited and removed it in the meantime
       close(descriptor);
       continue;
     }

@@ -13,7 +13,7 @@ namespace bearing {
 
 namespace {
 
-constexpr int most_points = 1000000;    // of a table
+constexpr int most_points = 1000000;    // per table
 
 BallPitShape read_pit(Arguments &args)
 {
@@ -47,7 +47,7 @@ Wave read_wave(Arguments &args)
   return w;
 }
 
-// Lines "azimuth depth", in rad and m, at even distances over one turn; # begins a comment.
+// Lines "azimuth depth", in rad and m, evenly spaced over one turn; # starts a comment.
 PeriodicCurve read_table(Arguments &args)
 {
   const std::string name = args.word("file");

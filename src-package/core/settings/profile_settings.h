@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Flaws and waves that a deck gives the raceways of rings, or balls.
+// Flaws and waviness of raceways or balls, as set in a deck.
 #ifndef BEARING_PROFILE_SETTINGS_H
 #define BEARING_PROFILE_SETTINGS_H
 
@@ -21,7 +21,7 @@ struct ProfileSettings {
              ball.pits.empty() && ball.waves.empty() && ball.tables.empty());
   }
 
-  // All words of a fix bearing/profile; a ring has at most so many grooves.
+  // Reads all words of a fix bearing/profile; most_grooves: largest number of grooves per ring.
   static ProfileSettings read(Arguments &, int most_grooves);
 };
 

@@ -48,7 +48,7 @@ std::string form_text(const KeywordEntry &k)
 // A keyword whose next word is one of several: "friction none|constant MU|...".
 void read_form(Arguments &args, const std::string &name, bool with_film, RacewayPhysics &p)
 {
-  if (args.take("none")) {    // a slot with the name of the keyword is left empty
+  if (args.take("none")) {    // leaves the slot with the name of the keyword empty
     for (size_t k = 0; k < part_table().size(); ++k)
       if (part_table()[k].slot == name) p.parts &= ~(1u << k);
     return;

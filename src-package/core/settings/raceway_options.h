@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The keywords that describe a raceway contact: given to pair_style they are the default of every
-// raceway, given to pair_coeff they hold for one pair of types.
+// Keywords for a raceway contact: in pair_style they are the default for all raceways, in
+// pair_coeff they apply to one pair of types.
 #ifndef BEARING_RACEWAY_OPTIONS_H
 #define BEARING_RACEWAY_OPTIONS_H
 
@@ -9,12 +9,11 @@
 
 namespace bearing {
 
-// Consume one keyword with its values. False if the next word is none of them.
-// with_film: accept the keywords of bearing/ehd (lubricant, film, roughness, floor, damper,
-// stribeck).
+// Reads one keyword with its values. False if the next word is not one of them. with_film: accept
+// the keywords of bearing/ehd (lubricant, film, roughness, floor, damper, stribeck).
 bool read_raceway_keyword(Arguments &args, bool with_film, raceway::RacewayPhysics &p);
 
-// For error messages.
+// Keywords for error messages.
 std::string raceway_keywords(bool with_film);
 
 }    // namespace bearing

@@ -30,7 +30,7 @@ uint32_t crc32(const std::string &bytes)
   return c ^ 0xffffffffu;
 }
 
-// The file with zeros in the place of the sum, and that place; npos: there is none.
+// The file with zeros instead of the sum, and the position of the sum; npos: none.
 struct Content {
   std::string bytes, sum;
   size_t place = std::string::npos;

@@ -33,7 +33,7 @@ std::string RingWords::known() const
 void RingWords::read_freedom(const std::string &name, int dof)
 {
   Freedom &mode = to_.program.mode[dof];
-  // as Freedom counts them
+  // in the order of Freedom
   mode = static_cast<Freedom>(args_.choice(name, {"fixed", "free", "speed", "position"}));
   if (mode == Freedom::speed || mode == Freedom::position)
     to_.value[dof] = DrivenValue::read(args_, name, each_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a deck says of the motion of rings: degrees of freedom, inertia, loads and supports.
+// Ring motion as set in a deck: degrees of freedom, inertia, loads and supports.
 #ifndef BEARING_RING_SETTINGS_H
 #define BEARING_RING_SETTINGS_H
 
@@ -18,10 +18,11 @@ struct RingSettings {
 // Reads them, keyword by keyword.
 class RingWords {
  public:
-  // each: a value may be another one for each ring
+  // each: values may differ from ring to ring
   RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
-  bool take();                  // a keyword and its values; false: the next word is none of these
-  void check() const;           // after all words: what one needs of another
+  bool take();                  // a keyword and its values; false: the next word is not one of
+                                // these
+  void check() const;           // after all words: checks words that depend on one another
   std::string known() const;    // all keywords, for messages
 
  private:
@@ -37,7 +38,7 @@ class RingWords {
   raceway::LabAxes axes_;
   RingSettings &to_;
   bool each_;
-  int number_[3];    // of a lab axis, with the bearing axis third
+  int number_[3];    // of a lab axis; the bearing axis is the third
 };
 
 }    // namespace bearing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a deck says of a shaft beyond what it says of a ring: its centre, and loads and unbalances
-// at places along its axis.
+// Settings of a shaft in addition to those of a ring: its centre, and loads and unbalances at
+// positions along its axis.
 #ifndef BEARING_SHAFT_SETTINGS_H
 #define BEARING_SHAFT_SETTINGS_H
 
@@ -25,16 +25,16 @@ struct ShaftSettings {
   double centre = 0.0;    // m, of mass
   std::vector<Load> loads;
   std::vector<Unbalance> unbalances;
-  std::string file;    // of a shaft that bends, else empty
+  std::string file;    // of a flexible shaft, otherwise empty
   std::shared_ptr<const BendingShaft> of_file;
 
-  // A keyword and its values; false: the next word is none of these.
+  // A keyword and its values; false: the next word is not one of these.
   bool take(Arguments &);
-  // The sums of the unbalances at a centre (m) and about it.
+  // Adds the unbalances and their moments about a centre (m).
   void add_unbalances(double about, raceway::RingProgram &) const;
-  // What they are for each mode of a shaft that bends.
+  // Unbalances by mode of a flexible shaft.
   std::vector<raceway::Unbalance> unbalances_of_modes() const;
-  // Reads the file, which gives mass, inertia and centre.
+  // Reads the file with mass, inertia and centre.
   void read_file(const Arguments &, raceway::RingProgram &);
 };
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The energy of a bearing and what a step does to it.
+// Energy of a bearing and its change over a step.
 #include "bearing_step.h"
 
 namespace raceway {
 
-// What loads and drives put in and contacts took out at the end of a stage, times its weight in
-// seconds.
+// Adds the work of loads and drives and the losses of the contacts at the end of a stage, times its
+// weight in seconds.
 void BearingStep::add_energy(const Stage &stage, double weight, double s)
 {
   system_.start(stage.h, false);
   forces_.evaluate(stage);
   system_.add_rings(stage.h, stage.follows(), s, false);
   double power = -power_of_residual(stage.h);
-  // what is free goes half the way with the velocity before, if dampers alone are implicit
+  // if only dampers are implicit, free degrees of freedom move half the way at the old velocity
   const double old_share = stage.dampers_only ? 0.5 : 0.0;
   for (const RingBody &r : bodies_.rings) {
-    if (r.carried) continue;    // the shaft has its forces
+    if (r.carried) continue;    // its forces act on the shaft
     double push[3], pull[3], v[3], way[3];
     r.program.force_at(s, r.now.angle).to(push);
     Vec3 met_force = r.force, met_moment = r.moment;
@@ -54,11 +54,11 @@ void BearingStep::add_energy(const Stage &stage, double weight, double s)
   pending_.dissipated += weight * lost;
 }
 
-// W, of what the last correction of a stage of h seconds left unsolved. Corrections end when places
-// are known. Friction at these velocities then differs from the friction that moved the bodies. A
-// drive must put in what that one took: a share of the losses, which are small beside the power
-// that goes to and fro between ring and balls. Bodies and what is free of the rings have the same
-// power, but for the slip at contacts.
+// Power of the residual of the last correction of a stage of h seconds, W. Corrections end once
+// positions have converged. Friction at these velocities then differs from the friction that moved
+// the bodies, and the drive must supply the latter. The difference is a share of the losses, which
+// are small compared with the power exchanged between ring and balls. Bodies and free degrees of
+// freedom of the rings have the same power except for the slip at contacts.
 double BearingStep::power_of_residual(double h) const
 {
   Lane of_bodies = {};
@@ -78,7 +78,8 @@ double BearingStep::power_of_residual(double h) const
   return power / h;
 }
 
-// W, on bodies and on what is free of the rings, with that share of the velocities before.
+// Power of gravity on bodies and free degrees of freedom of the rings, W, with old_share of the old
+// velocities.
 double BearingStep::power_of_gravity(double old_share) const
 {
   const double fall[] = {bodies_.gravity.x, bodies_.gravity.y, bodies_.gravity.z};
@@ -103,8 +104,8 @@ const BearingStep::Energy &BearingStep::energy()
   return energy_;
 }
 
-// At the present state: motion of bodies and of what is free of the rings, and the springs of the
-// contacts.
+// At the present state, J: kinetic energy of bodies and free degrees of freedom of the rings, and
+// elastic energy of the contacts.
 double BearingStep::stored_energy()
 {
   Lane motion = {};

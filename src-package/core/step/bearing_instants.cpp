@@ -28,7 +28,7 @@ RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
                                              std::vector<Contact> &to) const
 {
   to.resize(b_.contact_at.size());
-  Contact nobody;    // of a lane without a ball
+  Contact nobody;    // for lanes without a ball
   for (int group = 0; group < b_.n_contacts; ++group) {
     const int at = (k - 1) * b_.n_contacts + group;
     const ContactLook &look = looks_[at];
@@ -103,7 +103,7 @@ void BearingInstants::put_back()
   std::swap(b_.kept, kept_end_);
 }
 
-// Everything to the share s of the internal step.
+// Moves everything to the share s of the internal step.
 RACEWAY_LANES void BearingInstants::move(double h, double s)
 {
   const Cubic at(s, h);
@@ -188,7 +188,7 @@ RACEWAY_LANES void BearingInstants::surrounded(int k)
   Capacitors *to = capacitors_.data() + (k - 1) * b_.n_contacts;
   for (size_t t = 0; t < b_.tracks.size(); ++t)
     for (int g = b_.tracks[t].first; g < b_.tracks[t].end; ++g, ++look, ++to) {
-      // lanes without a ball are as the others, so that one kind of contact is all there is
+      // lanes without a ball copy the others, so that there is only one kind of contact
       const LaneMask spare = any(look->live) ? ~b_.groups[g].used : LaneMask{};
       to->of = surrounded_[t].capacitor(look->state, look->live | spare, look->orbit);
     }

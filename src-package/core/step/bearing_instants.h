@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A bearing between two steps, for those who sample faster than the motion changes: places by the
-// cubic through both ends of the internal step (cubic.h), velocities and what contacts keep linear,
-// and forces by the evaluation that the step itself uses. Nothing of it feeds back.
+// States of a bearing within a step, for output sampled faster than the time step: positions by the
+// cubic through both ends of the internal step (cubic.h), velocities and contact states by linear
+// interpolation, forces by the evaluation of the step itself. They have no effect on the motion.
 #ifndef RACEWAY_BEARING_INSTANTS_H
 #define RACEWAY_BEARING_INSTANTS_H
 
@@ -10,7 +10,7 @@
 
 namespace raceway {
 
-// What is wanted: at shares k/number of the host's step, k = 1 to number - 1. number 0: nothing;
+// Requested instants: shares k/number of the host's step, k = 1 to number - 1. number 0: none;
 // permittivity 0: no capacitances.
 struct Instants {
   int number = 0;
@@ -22,26 +22,26 @@ class BearingInstants {
   struct Contact {
     double orbit;                        // rad/s, of the ball about the ring's axis
     double load;                         // N
-    bool live;                           // the state is set where it is
-    FilmCapacitorT<double> capacitor;    // 0 where none is wanted
-    ContactState state;                  // only where whole states are asked for
+    bool live;                           // the contact has a state
+    FilmCapacitorT<double> capacitor;    // 0 if not requested
+    ContactState state;                  // only if whole states are requested
   };
   struct Ring {
     RingPose pose;
-    Vec3 force, moment;    // of balls and cage, N and N m
+    Vec3 force, moment;    // on balls and cage, N and N m
     Vec3 acceleration;     // m/s^2
   };
 
   BearingInstants(BearingBodies &b, BearingForces &f) : b_(b), forces_(f) {}
 
   void want(const Instants &);
-  // Of the last host step; k from 1, the others as in the model.
+  // Of the last host step; k from 1, other indices as in the model.
   void contacts(int k, bool whole_states, std::vector<Contact> &) const;    // by groove
   BodyPose body(int k, int body) const;
   const Ring &ring(int k, int ring) const { return rings_[(k - 1) * b_.rings.size() + ring]; }
 
-  // Those that a step of h seconds passes, from share s0 to s1 of the host's, before it is
-  // accepted.
+  // Evaluates the instants within a step of h seconds, from share s0 to s1 of the host's step,
+  // before the step is accepted.
   Failure pass(double h, double s0, double s1);
 
  private:
@@ -49,7 +49,7 @@ class BearingInstants {
     LaneFrame frame;
     Vec3L v, w;
   };
-  struct alignas(32) Bodies {    // of a group, in the lab
+  struct alignas(32) Bodies {    // of a group, lab frame
     Vec3L x, v, w;
   };
   struct alignas(32) Capacitors {    // of a group of contacts
@@ -66,13 +66,13 @@ class BearingInstants {
   BearingForces &forces_;
   Instants instants_;
   int next_ = 1;
-  // instant by instant, then by group of contacts, group or ring
+  // by instant, then by group of contacts, group or ring
   std::vector<ContactLook> looks_;
   std::vector<Capacitors> capacitors_;
-  std::vector<SurroundedRaceway> surrounded_;    // by track, where surroundings are wanted
+  std::vector<SurroundedRaceway> surrounded_;    // by track, if surroundings are requested
   std::vector<Bodies> bodies_;
   std::vector<Ring> rings_;
-  // the end of the step, while the bearing is put elsewhere
+  // end of the step, saved while the bearing is moved elsewhere
   std::vector<Motion> end_;
   std::vector<RingPose> ring_end_;
   std::vector<BendState> bend_end_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The course of a step; its energy is in bearing_energy.cpp.
+// Sequence of a step; its energy is in bearing_energy.cpp.
 #include "bearing_step.h"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
   return o;
 }
 
-// kg m^1.5/N, mass over stiffness of the slowest contact of a ball and a cage ball
+// Mass over stiffness of the slowest contact of a ball and a cage ball, kg m^1.5/N.
 static double slowest_contact(const BearingModel &model)
 {
   double slowest = 0.0;
@@ -89,10 +89,10 @@ BearingStep::BearingStep(const BearingModel &model) :
 {
 }
 
-// What counts of a cage ball's last correction in a stage of h seconds. It is ten times finer than
-// the error. What it leaves of a contact force throws the cage ball as far as the square of the
-// stage. So it is finer still where the stage is longer than an impact with that overlap, which
-// lasts half a period of the contact.
+// Weight of a cage ball's last correction in a stage of h seconds. Its tolerance is ten times finer
+// than that of the error. The error left in a contact force moves the cage ball by an amount that
+// grows with the square of the stage. The tolerance is therefore finer still if the stage is longer
+// than an impact with that overlap, which lasts half a period of the contact.
 double BearingStep::cage_correction(const Settings &set, double h) const
 {
   if (!(set.cage > 10.0)) return 1.0;
@@ -132,13 +132,13 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
     ++o.corrections;
     o.last = apply(h, cage_counts, o);
     if (!(o.last < HUGE_VAL)) return failed(o, Failure::not_a_number, o.body).solved();
-    // a contact that opens and closes in turn is met half-way
+    // a contact that alternately opens and closes gets half a correction
     if (n > 2 && o.last > 0.7 * before) halve();
     if (!move(h, s, set.dampers_only)) return failed(o, Failure::turned_too_far).solved();
     if (o.last <= set.newton && forces_.follow(set.newton)) return true;
 
-    // derivatives of the last correction will do for a small rest, as long as each correction is a
-    // tenth of the one before; farther off a contact may open or close
+    // derivatives of the last correction suffice for a small residual as long as each correction is
+    // at most a tenth of the previous one; farther away a contact may open or close
     fresh = !(o.last < 0.1 * before && o.last < 3.0 * set.newton);
     before = o.last;
   }
@@ -147,8 +147,8 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
   return true;
 }
 
-// Everything to the end of the stage with the present velocities. False: a body turns too far for
-// one stage.
+// Moves everything to the end of the stage at the present velocities. False if a body turns too far
+// for one stage.
 RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
 {
   if (dampers_only) {
@@ -160,7 +160,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
   for (BodyGroup &g : bodies_.groups) {
     g.now = g.base.drifted(g.v, h, g.turn);
     far |= ~(magnitude(g.turn) * beyond_2 <
-             largest_turn);    // the base of a second stage goes that far
+             largest_turn);    // extrapolation to the base of a second stage
   }
   for (BallTurns &t : bodies_.turns) t.move(bodies_.groups[t.group], h);
   for (RingBody &r : bodies_.rings) r.now = moved(r.program, r.base, r.gained, h, s);
@@ -169,7 +169,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
   return !any(far);
 }
 
-// Everything on its way for h seconds, to the middle of a step or from there to its end. False: a
+// Moves everything over h seconds, to the middle of a step or from there to its end. False if a
 // body turns too far.
 RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
 {
@@ -187,8 +187,8 @@ RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
   return !any(far);
 }
 
-// 1/s^2, of the supports of a ring, to another one if it is there. What both have to do with the
-// ground or a third one counts at the holder: a bound.
+// Stiffest support of a ring over its mass, 1/s^2; with a holder, over both masses. Supports of
+// both to the ground or to a third ring are counted at the holder: a bound.
 static double stiffest(const RingProgram &p, const RingProgram *holder)
 {
   double most = 0.0;
@@ -202,7 +202,7 @@ static double stiffest(const RingProgram &p, const RingProgram *holder)
   return most;
 }
 
-// m, what a radian moves: a tilt the balls, and the rings of a shaft.
+// Displacement per radian, m: of the balls by a tilt, or of the rings of a shaft.
 double BearingStep::lever(const BearingBodies::Free &f) const
 {
   if (f.dof < RingProgram::TILT) return 1.0;
@@ -258,7 +258,7 @@ RACEWAY_LANES void BearingStep::second_base()
   for (RingBody &r : bodies_.rings) {
     r.first = r.now;
     r.base = beyond(r.from, r.now, beyond_2);
-    // first guess: the velocities of the first stage
+    // first guess: velocities of the first stage
     double base[3], first[3];
     r.base.v.to(base);
     r.first.v.to(first);
@@ -268,13 +268,13 @@ RACEWAY_LANES void BearingStep::second_base()
   }
 }
 
-// The larger of the components across the raceways.
+// Larger of the two components normal to the rolling direction.
 static RACEWAY_INLINE Lane across(const Vec3L &v)
 {
   return where(magnitude(v.x) > magnitude(v.z), magnitude(v.x), magnitude(v.z));
 }
 
-// N/m, of a ball and a raceway at the last derivatives.
+// Stiffness of the stiffest ball-raceway contact at the last derivatives, N/m.
 RACEWAY_LANES double BearingStep::largest_stiffness() const
 {
   Lane most = {};
@@ -282,7 +282,7 @@ RACEWAY_LANES double BearingStep::largest_stiffness() const
   return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
 }
 
-// Contacts are as stiff as the cube root of their load; a fifth is a hundredth of the load.
+// Contact stiffness varies as the cube root of the load: a fifth is about a hundredth of the load.
 static constexpr double light = 0.2, least_count = 0.1;
 
 RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
@@ -325,8 +325,8 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
   return share * h * largest;
 }
 
-// Adds the correction; returns its size, m: largest over balls across the raceways, over the rings
-// and over the modes of shafts.
+// Adds the correction and returns its size, m: the largest over balls normal to the rolling
+// direction, rings and shaft modes.
 RACEWAY_LANES double BearingStep::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {};
@@ -363,7 +363,7 @@ RACEWAY_LANES double BearingStep::apply(double h, double cage_counts, Outcome &o
   return finite ? h * largest : HUGE_VAL;
 }
 
-// Takes half of the last correction back.
+// Undoes half of the last correction.
 RACEWAY_LANES void BearingStep::halve()
 {
   for (BodyGroup &g : bodies_.groups) {

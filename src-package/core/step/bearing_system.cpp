@@ -79,7 +79,7 @@ void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
       y_[f] = h * (dof == 0 ? push.x : dof == 1 ? push.y : push.z) - inertia * r.gained[dof];
       continue;
     }
-    if (dof == RingProgram::SPIN) {    // supports hold tilts alone
+    if (dof == RingProgram::SPIN) {    // supports act on tilts only
       y_[f] = h * dot(r.moment + r.program.moment_at(s, now), now.e) - inertia * r.gained[dof];
       continue;
     }
@@ -98,7 +98,7 @@ void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
   add_bends(h, follows, s, fresh);
 }
 
-// Modes, and the gyroscopic moments between them and their rigid shaft.
+// Adds the modes and the gyroscopic moments between them and their rigid shaft.
 void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
 {
   const int nf = b_.unknowns;
@@ -131,8 +131,8 @@ void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
   }
 }
 
-// Of a shaft that bends: its centre moves with its own degrees of freedom, which add_rings() has,
-// and with the modes.
+// Supports of a flexible shaft: its centre moves with its own degrees of freedom, handled in
+// add_rings(), and with the modes.
 void BearingSystem::add_supports(const ShaftBend &b, double h, double follows)
 {
   const int nf = b_.unknowns, n = b.modes->size(), tilt = RingProgram::TILT;
@@ -141,7 +141,7 @@ void BearingSystem::add_supports(const ShaftBend &b, double h, double follows)
     const Support &on = shaft.program.support[dof];
     const double stiff = h * (on.damping + follows * on.stiffness);
     if (stiff == 0.0) continue;
-    // a tilt about the first axis counts against the slope in the second plane
+    // a tilt about the first axis has the opposite sign of the slope in the second plane
     const double sign = dof == tilt ? -1.0 : 1.0;
     const int own = shaft.unknown[dof], first = b.unknown + (dof == 0 || dof == tilt + 1 ? 0 : n);
     const std::vector<double> &share = dof < tilt ? b.centre->moved : b.centre->tilted;
@@ -174,7 +174,7 @@ RACEWAY_LANES void BearingSystem::factor_groups()
   }
 }
 
-// Takes the bodies out of the border, once B has what their blocks and links make of it.
+// Eliminates the bodies from the border, after B has been condensed with their blocks and links.
 RACEWAY_LANES void BearingSystem::condense_groups()
 {
   const size_t nf = b_.columns;
@@ -225,7 +225,7 @@ void BearingSystem::factor()
   border_.factor();
 }
 
-// Takes the links' forces out of columns that are already A^-1 times something.
+// Eliminates the link forces from columns already multiplied by A^-1.
 template <class ColumnOf> void BearingSystem::condense_links(ColumnOf column, bool mark)
 {
   forces_.resize(chain_.links.size());

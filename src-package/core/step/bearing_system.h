@@ -7,9 +7,9 @@
 // link by link, then y, and back: a time proportional to the number of balls. factor() keeps what
 // solve() needs, so that later corrections with the same derivatives cost one right-hand side.
 //
-// Contacts write columns B and rows C for motions of rings. Those are the unknowns y themselves,
-// but for rings on shafts that bend: these have columns of their own, and y moves them by T
-// (shaft_lift.h). So the modes of a shaft cost the bodies nothing.
+// Contacts write columns B and rows C for motions of rings. These are the unknowns y themselves,
+// except for rings on flexible shafts: those have columns of their own, moved by y through T
+// (shaft_lift.h). The modes of a shaft therefore add no cost per body.
 #ifndef RACEWAY_BEARING_SYSTEM_H
 #define RACEWAY_BEARING_SYSTEM_H
 
@@ -27,14 +27,15 @@ class BearingSystem {
     chain_.resize(static_cast<int>(b.body_at.size()));
   }
 
-  // What is still missing of M (V_base - V) + h frame; `fresh`: masses into the blocks, all else 0.
+  // Starts the residual M (V_base - V) + h frame; `fresh`: sets the blocks to the masses and the
+  // rest to 0.
   void start(double h, bool fresh);
-  // The rings' right-hand sides and, if fresh, the part of D that no contact brings, at share s of
-  // the step. Positions follow velocities over `follows` seconds.
+  // Right-hand sides of the rings and, if fresh, the part of D without contacts, at share s of the
+  // step. Positions follow velocities over `follows` seconds.
   void add_rings(double h, double follows, double s, bool fresh);
   void factor();
   void solve();    // corrections: BodyGroup::rhs and y()
-  void halve()     // those of the border
+  void halve()     // the corrections of the border
   {
     for (double &one : y_) one *= 0.5;
     for (double &one : motions_apart_) one *= 0.5;
@@ -63,7 +64,7 @@ class BearingSystem {
   std::vector<Column> B_, C_;    // group by group, column by column
   DenseLU border_;
   std::vector<double> y_, forces_;    // border, links
-  // Of the columns: those of the border, or apart where a shaft bends.
+  // For the columns: the same as the border, or separate if a shaft is flexible.
   double *corner_ = nullptr, *motions_ = nullptr;
   std::vector<double> corner_apart_, motions_apart_;
   ShaftLift lift_;

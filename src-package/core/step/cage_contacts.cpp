@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Cage balls on their rails, and balls against cage balls (or one another).
+// Cage balls on their rails, and contacts of balls with cage balls or with one another.
 #include "bearing_forces.h"
 #include "bearing_system.h"
 
@@ -62,7 +62,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
       const Lane z = dot(d, e);
       const Vec3L radial = d - e * z;
       const Lane r = norm(radial);
-      // four that touch no rail are done here
+      // groups without a contact end here
       LaneMask near = {};
       for (const Rail &rail : *track.rails) near |= may_touch(rail, r, z, g.radius, margin);
       if (!any(near & g.used)) continue;
@@ -128,7 +128,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
 // Balls and cage balls: each closed contact is a link.
 Failure BearingForces::pockets(const Stage &stage)
 {
-  if (b_.model.pockets.empty() || stage.looks) return Failure::none;    // no force on a ring
+  if (b_.model.pockets.empty() || stage.looks) return Failure::none;    // no force on rings
   const bool only = stage.evaluate == Evaluate::only;
   const bool fresh = stage.evaluate == Evaluate::derivatives;
   const double h = stage.h;

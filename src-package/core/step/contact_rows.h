@@ -14,8 +14,8 @@
 
 namespace raceway {
 
-// Directions of a contact and its slopes times h (s), 0 where nothing touches; positions follow
-// velocities for the time `follows` (s).
+// Directions of a contact and its slopes times h (s), 0 without contact; positions follow
+// velocities over the time `follows` (s).
 template <int n> struct ScaledSlopes {
   Vec3L normal, along, across;    // n, t, w
   Lane slope[n][n];
@@ -40,7 +40,7 @@ RACEWAY_INLINE ScaledSlopes<n> scaled(double h, double follows, const ContactSta
   return s;
 }
 
-// A motion of the ball, by local motion: rows over (velocity, spin).
+// Motion of the ball, by local motion: rows over (velocity, spin).
 template <int n>
 RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n][6])
 {
@@ -59,7 +59,8 @@ RACEWAY_INLINE void ball_rows(const ScaledSlopes<n> &s, double R, Lane (&row)[n]
   }
 }
 
-// Local forces per unit of a motion that is a row of velocities; `displaces`: and of displacements.
+// Local forces per unit of a motion given as a row of velocities; `displaces`: also of
+// displacements.
 template <int n>
 RACEWAY_INLINE void local_forces(const ScaledSlopes<n> &s, const Lane (&motion)[n], bool displaces,
                                  Lane (&force)[n])

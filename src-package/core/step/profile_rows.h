@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Profiles of raceways and balls for four contacts: their place, and what they add to the matrix.
+// Profiles of raceways and balls for four contacts: position, and contribution to the matrix.
 #ifndef RACEWAY_PROFILE_ROWS_H
 #define RACEWAY_PROFILE_ROWS_H
 
@@ -8,8 +8,8 @@
 
 namespace raceway {
 
-// What a profile adds to the matrix beyond the slope in its rows: the slope changes along the path
-// of the ball's centre. h2 (s^2) is 0 where nothing touches.
+// Adds the contribution of a profile beyond the slope in its rows: the slope changes along the path
+// of the ball's centre. h2 (s^2) is 0 without contact.
 static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, const RingBody &ring,
                                const Vec3L &d, const Vec3L &e, const ContactStateT<Lane> &c,
                                const Lane &h2, const ProfiledContactT<Lane> &on)
@@ -55,7 +55,7 @@ static inline void put_lane(int i, const ProfiledContact &one, ProfiledContactT<
   on.side[i] = one.side;
 }
 
-// The same of balls with profiles, along the row `path` of their azimuth.
+// The same for balls with profiles, along the row `path` of their azimuth.
 static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int group,
                                     const RingBody &ring, const Vec3L &d, const Vec3L &e,
                                     const ContactStateT<Lane> &c, const Lane &h2, const Lane &slope,
@@ -95,7 +95,7 @@ static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int gro
   }
 }
 
-// Place of the ring's profile and the balls'.
+// Finds the positions on the profiles of the ring and of the balls.
 static inline void look_at_profiles(const BearingBodies::Track &track,
                                     const BearingBodies::BallProfiles &balls,
                                     const BallTurns &turns, const LaneFrame &f,

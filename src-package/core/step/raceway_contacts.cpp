@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is asked of all raceways of a bearing, whatever the law of their contacts.
+// Queries over all raceways of a bearing, independent of the contact law.
 #include "../numbers/instruction_set.h"
 #include "bearing_forces.h"
 #include "bearing_system.h"
@@ -19,7 +19,7 @@ Failure BearingForces::all_raceways(const Stage &stage)
   return any_raceways(stage);
 }
 
-// At the present state.
+// Evaluated at the present state.
 double BearingForces::longest_step() const
 {
   double longest = b_.ball_profiles.empty() ? HUGE_VAL : longest_step_of_balls();
@@ -67,7 +67,7 @@ double BearingForces::longest_step_of_balls() const
   return longest;
 }
 
-// Of smooth raceways: profiles are shallow beside the overlap of a loaded ball.
+// Neglects profiles: they are shallow compared with the overlap of a loaded ball.
 RACEWAY_LANES double BearingForces::largest_overlap() const
 {
   Lane most = {};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Balls on raceways, four side by side, in each ball's own turning frame. The law of the contacts
-// is any that has the members of AnyLaw (core/contact/any_law.h); nothing here knows its parts.
+// Balls on raceways in groups of four, in the rotating frame of each ball. The contact law can be
+// any class with the members of AnyLaw (core/contact/any_law.h); its parts do not appear here.
 //
-// Compiled with the laws of inputs/models inlined, for smooth raceways, and once with a law that is
-// called, for any set of parts and raceways with profiles.
+// Compiled with the laws of inputs/models inlined, for smooth raceways, and once with an indirect
+// law, for any set of parts and raceways with profiles.
 #ifndef RACEWAY_RACEWAY_CONTACTS_H
 #define RACEWAY_RACEWAY_CONTACTS_H
 
@@ -17,8 +17,8 @@
 
 namespace raceway {
 
-// Matrix of the linear system: the ball's block, the ring's columns and rows, and the border; the
-// ball is at d from the ring's centre.
+// Adds the contact to the matrix of the linear system: the ball's block, the ring's columns and
+// rows, and the border; d is the ball's position relative to the ring's centre.
 template <int n>
 static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int group,
                                       const RingBody &ring, double R, const Vec3L &d,
@@ -72,12 +72,13 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
   for (int j = 0; j < free; ++j) {
     const int u = ring.unknown[dofs[j]];
-    Lane force[n];    // the groove is a surface of revolution: its spin displaces nothing
+    Lane force[n];    // the groove is a surface of revolution: the ring's spin displaces nothing
     local_forces(s, motions[j], dofs[j] != RingProgram::SPIN, force);
     Lane *B = system.B(group, u), *C = system.C(group, u);
     for (int k = 0; k < 6; ++k)
       for (int i = 0; i < n; ++i) {
-        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // rows that are 0 there
+        if ((i == 0 && k >= 3 && !depth) || (i >= 3 && k < 3)) continue;    // rows that are zero
+                                                                            // there
         B[k] -= row[i][k] * force[i];
       }
     for (int k = 0; k < 6; ++k)
@@ -90,7 +91,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   }
 }
 
-// Place and motions of contacts that are all open.
+// Position and motions of contacts that are all open.
 static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT<Lane> &ball,
                                        const LaneFrame &f, const Vec3 &ring_v, const Vec3 &ring_w,
                                        RingStateT<Lane> ring, const GroovePositionT<Lane> &at,
@@ -103,7 +104,7 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
-// Slopes are set and read in the same stages, which the compiler does not see.
+// Slopes are set and read in the same stages, which the compiler cannot infer.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -116,7 +117,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
     RingBody &ring = b_.rings[track.ring];
     const RacewayPhysics &p = *track.physics;
     const Vec3 spin = ring.now.angular_velocity();
-    // of the groove, which may lie beside the ring's middle plane
+    // of the groove, possibly off the ring's middle plane
     const double offset = p.groove.offset;
     Vec3 centre = ring.now.x - b_.centre, velocity = ring.now.v;
     if (offset != 0.0) {
@@ -136,7 +137,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       auto apart = out_of_reach(p, c);
       const bool balls = flawed && !b_.ball_profiles.empty() && b_.ball_profiles[contact].any;
       const bool profiled = flawed && (track.profile || balls);
-      TurnRowT<Lane> *depth = nullptr;    // of the balls
+      TurnRowT<Lane> *depth = nullptr;    // of the ball profiles
       if (balls) {
         look_at_profiles(track, b_.ball_profiles[contact], b_.turns[b_.turns_at[k]], f, ring.now,
                          r.e, c, on_, turned_);
@@ -155,7 +156,7 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       if (law.states > 0)
         if (stage.evaluate != Evaluate::only) {
           for (int m = 0; m < law.states; ++m)
-            b_.kept[contact].now[m] = Lane{};    // a contact that opens forgets
+            b_.kept[contact].now[m] = Lane{};    // an open contact resets its state
           KeptSlopes &slopes = b_.kept_slopes[contact];
           slopes.live = LaneMask{};
           if (derive)

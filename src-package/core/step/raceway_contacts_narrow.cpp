@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The same for processors without AVX2.
+// Raceways, smooth or with profiles, for processors without AVX2.
 #include "../numbers/lane.h"
 
-#ifdef RACEWAY_TWO_TARGETS    // else raceway_contacts_any.cpp is for one target
+#ifdef RACEWAY_TWO_TARGETS    // otherwise raceway_contacts_any.cpp covers the only target
 #define RACEWAY_ONE_TARGET 1
 #include "raceway_contacts.h"
 
