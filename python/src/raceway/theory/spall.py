@@ -19,7 +19,7 @@ from raceway.theory import hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 STEP = 0.2  # over the ball's angular frequency between its raceways
-LONGEST = 0.4  # of the distance of two balls
+LONGEST = 0.4  # fraction of the ball pitch
 LENGTHS = 80  # in the table that `length` reads
 
 
@@ -155,7 +155,7 @@ def length(
 
 
 def _drop(on, w, edge, rolling):
-    """How far (m) a rigid ball has fallen `on` m after the entry."""
+    """Drop (m) of a rigid ball `on` m after the entry."""
     half, curve = 0.5 * w, rolling + edge
     off = np.minimum(np.abs(on - half), half)  # from the middle
     flank = (half - off) ** 2 / (2 * curve)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where the formulas of a contact are in doubt.
+"""Range of validity of the contact formulas.
 
 The rules stand in C++ (`src-package/core/raceway/validity.h`), which warns in a run; `make columns`
 writes them to `columns.json`, and summary and statics judge by the same.
