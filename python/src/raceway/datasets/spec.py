@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a data set is to hold: a YAML file, and the runs that it asks for."""
+"""Specification of a data set: a YAML file, and the runs that follow from it."""
 
 import math
 from collections.abc import Mapping
@@ -65,7 +65,7 @@ class Spec(NamedTuple):
     rates: list[int]  # Hz
     noise: float  # m/s^2
     axis: str  # x or y
-    files: list[str]  # of FILES
+    files: list[str]  # some of FILES
 
     @property
     def run_rate(self) -> int:
@@ -203,7 +203,7 @@ def _word(name, given):
 
 # ---- its runs --------------------------------------------------------------------------------
 def records(spec: Spec) -> list[Record]:
-    """The `Record`s that `spec` asks for, in its order: every flaw under all conditions.
+    """The `Record`s of `spec`, in its order: every flaw under all conditions.
 
     A seed draws the first ball's azimuth, where a flaw of the inner raceway or of a ball starts,
     which ball has it, and the phases of waves. Raises `RacewayError` for a bearing that there is

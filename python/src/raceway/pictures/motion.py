@@ -78,7 +78,7 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
-    # its mean, the friction torque, is far below the ripple: the summary has it from the losses
+    # its mean, the friction torque, is far below the ripple; the summary derives it from the losses
     torque = -tables.rings["mz"] * np.sign(tables.rings["spin"])
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)
