@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of a run: its figures with their errors, pictures, warnings and what was set."""
+"""The page of a run: figures with their errors, pictures, warnings and settings."""
 
 import shlex
 import tempfile

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The steady temperature of a bearing: statics, film and friction at the temperature at which
-cooling carries away the heat of that friction.
+"""Steady temperature of a bearing: statics, film and friction at the temperature where cooling
+balances the friction heat.
 
 One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
 ring at their own, the oil at their mean, and the clearance of the warm parts in the statics.
@@ -221,9 +221,9 @@ class Case:
     ambient: float = 20.0
     conductance: float | None = None
     nodes: Nodes | None = None
-    four_point: float | None = None  # these two as `inputs.bearing` has them
+    four_point: float | None = None  # these two as in `inputs.bearing`
     double_row: DoubleRow | None = None
-    spin_law: str = "closed"  # these two as `operating_point.figures` has them
+    spin_law: str = "closed"  # these two as in `operating_point.figures`
     film_friction: float | None = None
 
     def files(self) -> tuple[Path, Path]:
