@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How type hints name numbers. Shapes and units are in the docstrings."""
+"""Type hints for numbers and arrays. Shapes and units are in the docstrings."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -53,7 +53,7 @@ def _there(path):
 
 
 def _names(path):
-    """The names beside `path`; of many, those like its own."""
+    """Names in the folder of `path`; if there are many, similar ones only."""
     names = data_table.names(path.parent)
     if len(names) > MANY:
         near = sorted(difflib.get_close_matches(path.name, names, n=5, cutoff=0.5))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What can go wrong, by name. Formulas given values outside their domain raise `ValueError`."""
+"""Exceptions of the package. Formulas raise `ValueError` for values outside their domain."""
 
 
 class RacewayError(Exception):

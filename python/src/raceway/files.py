@@ -11,7 +11,8 @@ FilePath = str | os.PathLike[str]
 
 
 def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
-    """Let `write(part)` make a file beside `path`, then give it that name; return `path`, a `Path`.
+    """Let `write(part)` make a file in the folder of `path`, then rename it to `path`; return the
+    `Path`.
 
     Raises `RunError` when it cannot be written; what was there before stays.
     """

@@ -271,7 +271,7 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
 
 
 def physical(path: FilePath) -> bool:
-    """Whether a file of inputs/lubricants has physical data, for any temperature."""
+    """True if a file of inputs/lubricants has physical data, for any temperature."""
     return "oil_density_40" in values(path)
 
 

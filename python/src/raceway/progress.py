@@ -8,7 +8,7 @@ on = False
 
 
 def line(text: str, last: bool) -> None:
-    """Show `text` on the terminal in place of the line before it; after the `last`, the line goes
+    """Replace the last line on the terminal by `text`; after the `last`, the line goes
     away."""
     if on and sys.stderr.isatty():
         print("\r\033[K" + ("" if last else text), end="", file=sys.stderr, flush=True)

@@ -18,14 +18,14 @@ WRITE = "numpy.savez(FILE, M=r.M0, K=r.K0, C=r.C0, G=r.G0, z=r.nodes_pos) of a r
 
 
 class Read(NamedTuple):
-    """What a file has."""
+    """Content of a file."""
 
     rotor: rotor_matrices.Rotor
     bearings: list[float]  # m, places of the rotor's own, which are left out; an .npz has none
 
 
 def is_ross(path: FilePath) -> bool:
-    """Whether `path` ends as a rotor of ROSS does; a shaft's YAML file ends otherwise."""
+    """True if `path` has the suffix of a ROSS rotor; a shaft's YAML file has another."""
     return Path(path).suffix in SUFFIXES
 
 

@@ -53,10 +53,10 @@ OTHERS = {
 
 
 class Case(NamedTuple):
-    """What a file says."""
+    """Content of a file."""
 
     shaft: Shaft
-    names: list[str]  # of the bearings
+    names: list[str]  # names of the bearings
     seats: list[Seat]
     ratings: list[life.Ratings | None]
     angles: list[float]  # rad, nominal contact angles

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway shaft` of a rotor of ROSS: how it bends, and what it is as a free body."""
+"""`raceway shaft` for a rotor of ROSS: bending, and rigid-body properties."""
 
 import argparse
 import json
@@ -42,8 +42,8 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def figures(rotor: rotor_matrices.Rotor, bearings: list[float]) -> dict[str, Any]:
-    """Figures by name in SI units: nodes, bearings left out, the rigid body, and the frequencies of
-    bending in a plane, free and still."""
+    """Figures by name in SI units: nodes, omitted bearings, the rigid body, and the free bending
+    frequencies in a plane without spin."""
     import scipy.linalg
 
     plane = shaft_bending.planes(len(rotor.z))[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway catalogue`: the bearings that there are, and a search in them."""
+"""`raceway catalogue`: list and search the available bearings."""
 
 import argparse
 import csv

@@ -147,7 +147,7 @@ def _voltage(one):
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Print the figures and write what is asked for."""
+    """Print the figures and write the requested files."""
     from raceway.electric import circuit, circuit_figures
     from raceway.electric.breakdown import Breakdown
     from raceway.electric.leak import Leak

@@ -41,7 +41,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Make the data set, or check what it would be. Raises `RacewayError`."""
+    """Make the data set, or only check its specification. Raises `RacewayError`."""
     from raceway.datasets.spec import read_spec, records
     from raceway.sweeps.points import deck_variables
 

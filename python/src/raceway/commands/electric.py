@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway electric`: all of a bearing's capacitance, breakdown and impedance without a
+"""`raceway electric`: total capacitance, breakdown and impedance of a bearing without a
 simulation."""
 
 import argparse
@@ -44,7 +44,7 @@ Bearings and lubricants are the files of inputs/bearings and inputs/lubricants; 
 is a file of your own, written as those are.
 Exit codes: 0 done, 1 no equilibrium or unusable data, 2 wrong command line."""
 KINDS = ("parts", "field", "bode", "reading")
-PHASES = 12  # of the balls, between one ball and the next, in the picture of the field
+PHASES = 12  # ball positions within a pitch, for the picture of the field
 SEVERAL = {  # option: (argument of `electric_point.solve`, key of its figures)
     "speeds": ("rpm", "rpm"),
     "loads": ("load", "load_N"),

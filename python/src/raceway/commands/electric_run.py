@@ -62,7 +62,7 @@ def _number(arguments):
 
 
 def _filling(arguments, of):
-    """That of the run, and what was given instead; None where nothing was."""
+    """Filling of the run with the given changes; None without any."""
     from raceway.runs import whole_capacitance
 
     names = ("surroundings", "shoulders", "permittivity_at", "roughness")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway gather`: what a sweep has so far, as one table."""
+"""`raceway gather`: the results of a sweep so far as one table."""
 
 import argparse
 
@@ -31,8 +31,8 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Write the table and print where it is and how many points are in which state. Raises
-    `RacewayError` when there is no sweep."""
+    """Write the table; print its path and the number of points by status. Raises `RacewayError`
+    without a sweep."""
     # pandas takes longer to load than --help to print
     from raceway.sweeps.gather import write_results
 

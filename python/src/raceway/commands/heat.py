@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway heat`: the steady temperature of a bearing, and what follows from it."""
+"""`raceway heat`: the steady temperature of a bearing, and its consequences."""
 
 import argparse
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""DIR of the commands that read one run, and which of its bearings."""
+"""Options DIR and --bearing of the commands that read one run."""
 
 import argparse
 from typing import TYPE_CHECKING, Any
@@ -19,21 +19,21 @@ def add(to: Any) -> None:
 
 
 def add_number(to: Any) -> None:
-    """--bearing, the number of one of many."""
+    """--bearing, the number of one bearing."""
     to.add_argument(
         "--bearing", type=positive, metavar="NUMBER", help="one of many bearings in the folder"
     )
 
 
 def tables(arguments: argparse.Namespace) -> "RunTables":
-    """The tables of the run and bearing that were named. Raises `RunError`."""
+    """Tables of the given run and bearing. Raises `RunError`."""
     from raceway.runs.tables import RunTables
 
     return RunTables(arguments.folder, bearing=arguments.bearing)
 
 
 def opened(arguments: argparse.Namespace) -> "Run":
-    """The same as `raceway.open` gives it. Raises `RunError`."""
+    """The given run and bearing as from `raceway.open`. Raises `RunError`."""
     from raceway.runs.run import Run
 
     return Run(arguments.folder, bearing=arguments.bearing)

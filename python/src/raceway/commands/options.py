@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Options that several commands have: one text for each. They are added to a parser, or to a group
-of its options, for which argparse has no public type."""
+"""Options shared by several commands. They are added to a parser or to an option group, for which
+argparse has no public type."""
 
 import argparse
 import math
@@ -11,12 +11,12 @@ from raceway.commands.quantity import number, positive
 
 
 def run_folder(to: Any) -> None:
-    """DIR, what a run wrote."""
+    """DIR, the folder of a run."""
     to.add_argument("folder", metavar="DIR", help="folder the run wrote")
 
 
 def deck(to: Any) -> None:
-    """--deck and --program: what runs, and by what."""
+    """--deck and --program: the deck, and the program that runs it."""
     to.add_argument(
         "--deck",
         metavar="FILE",
@@ -38,7 +38,7 @@ def program(to: Any) -> None:
 
 
 def jobs(to: Any) -> None:
-    """--jobs, how many runs at a time."""
+    """--jobs, number of runs at a time."""
     to.add_argument(
         "--jobs",
         metavar="N",
@@ -49,7 +49,7 @@ def jobs(to: Any) -> None:
 
 
 def variables(to: Any, what: str) -> None:
-    """-var and --var, `what` of the deck they set."""
+    """-var and --var; `what` names the variables that they set."""
     to.add_argument(
         "-var",
         "--var",
@@ -62,7 +62,7 @@ def variables(to: Any, what: str) -> None:
 
 
 def bearing(to: Any) -> None:
-    """--bearing and --inputs: a bearing by name, and where to look for it."""
+    """--bearing and --inputs: a bearing by name, and its search folder."""
     to.add_argument(
         "--bearing",
         default="6208",
@@ -134,7 +134,7 @@ def friction(to: Any) -> None:
 
 
 def lubricant(to: Any) -> None:
-    """--lubricant of those who always have one."""
+    """--lubricant of commands that always need one."""
     to.add_argument(
         "--lubricant",
         default="vg46",
@@ -144,7 +144,7 @@ def lubricant(to: Any) -> None:
 
 
 def inputs(to: Any) -> None:
-    """--inputs: where to look for a bearing or a lubricant."""
+    """--inputs: search folder of bearings and lubricants."""
     to.add_argument(
         "--inputs",
         metavar="DIR",

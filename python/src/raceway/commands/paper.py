@@ -52,8 +52,8 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Make the products asked for. Raises `RacewayError` for a wrong name, a failed case or a
-    product not made."""
+    """Make the requested products. Raises `RacewayError` for a wrong name, a failed case or a
+    missing product."""
     # matplotlib and scipy take longer to load than `--help` should
     from raceway.paper import cases, press, runner
 
@@ -81,7 +81,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _make(products, plan, tree, outcome, out):
-    """Write what can be written; return the names of what cannot."""
+    """Write all possible products; return the names of the others."""
     from raceway.paper import press
     from raceway.paper.book import Book
     from raceway.paper.reading import Readings
@@ -101,7 +101,7 @@ def _make(products, plan, tree, outcome, out):
 
 
 def _progress(total):
-    """Tell of every case on a terminal, of every tenth elsewhere, and of every failure."""
+    """Report every case on a terminal, otherwise every tenth, and every failure."""
     live = sys.stderr.isatty()
     again = "\r\033[K" if live else ""  # over the line that is there
 

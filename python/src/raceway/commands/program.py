@@ -12,7 +12,7 @@ from raceway.errors import RacewayError
 
 
 def program(text: str) -> list[str]:
-    """Its words. Raises `RacewayError` when there is none such."""
+    """Words of the program. Raises `RacewayError` if it is not found."""
     try:
         words = shlex.split(text)
     except ValueError as error:
@@ -26,7 +26,7 @@ def program(text: str) -> list[str]:
 
 
 def command(arguments: argparse.Namespace) -> list[str]:
-    """Program, options and deck. Raises `RacewayError` when one of both is not there."""
+    """Program, options and deck. Raises `RacewayError` if program or deck is missing."""
     words = program(arguments.program)
     if not Path(arguments.deck).is_file():
         raise RacewayError(f"--deck {arguments.deck}: there is no such file")
@@ -34,8 +34,8 @@ def command(arguments: argparse.Namespace) -> list[str]:
 
 
 def end_on_signals() -> None:
-    """Let SIGTERM and SIGHUP end the process as Ctrl-C does, with its runs and its files in
-    order."""
+    """Let SIGTERM and SIGHUP end the process as Ctrl-C does, with runs stopped and files
+    complete."""
     signal.signal(signal.SIGTERM, _terminated)
     signal.signal(signal.SIGHUP, _terminated)
 

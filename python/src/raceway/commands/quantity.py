@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers on the command line: checked against their range, with the message a user needs."""
+"""Numbers on the command line: range checks with a clear message."""
 
 import argparse
 import math
@@ -63,6 +63,6 @@ def inside(value: float, text: str, low: float, high: float, unit: str) -> float
 
 
 def takes_negative(parser: argparse.ArgumentParser) -> None:
-    """Let `parser` read -20e-6 as a number: until Python 3.14 argparse knows only negative numbers
-    without exponent."""
+    """Let `parser` read -20e-6 as a number: before Python 3.14 argparse accepts negative numbers
+    only without exponent."""
     parser._negative_number_matcher = re.compile(r"-\.?[0-9]")

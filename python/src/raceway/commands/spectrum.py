@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""`raceway spectrum DIR`: the kinematic lines in what the inner ring does."""
+"""`raceway spectrum DIR`: the kinematic lines in the motion of the inner ring."""
 
 import argparse
 import json
@@ -193,4 +193,4 @@ def _count(text):
     return value
 
 
-_count.__name__ = "number from 1 to 50"  # what argparse calls it in its error
+_count.__name__ = "number from 1 to 50"  # its name in argparse's error message

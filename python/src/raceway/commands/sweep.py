@@ -89,7 +89,7 @@ def add(commands: Commands) -> None:
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Run the points, or check or write them out, as asked.
+    """Run the points, or check or write them out.
 
     Raises `RacewayError` for a table that cannot be used and when a point failed.
     """

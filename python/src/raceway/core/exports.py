@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A C++ library that describes itself (src-package/core/interface/exports.h): its functions are
-called, its records filled and read by name. A name that one side does not know is an error."""
+"""A self-describing C++ library (src-package/core/interface/exports.h): functions and records are
+accessed by name. A name that is missing on one side is an error."""
 
 import ctypes
 import math
@@ -24,7 +24,7 @@ class Parameter(NamedTuple):
     """A parameter; `size` is None for a single value, 0 for an array of any size."""
 
     name: str
-    kind: str  # double, int, the name of a record, or that of a struct only C++ knows
+    kind: str  # double, int, the name of a record, or that of a struct internal to C++
     constant: bool
     size: int | None
 
@@ -147,7 +147,7 @@ class Library:
             given = isinstance(value, ctypes.Structure)  # one of `call` itself, to be filled
             fields = vars(value) if isinstance(value, Record) else value
             return ctypes.byref(value if given else self.record(kind, fields))
-        if kind not in NUMBERS:  # what only C++ knows
+        if kind not in NUMBERS:  # internal to C++
             return ctypes.c_void_p(value)
         number, dtype = NUMBERS[kind]
         if size is None:

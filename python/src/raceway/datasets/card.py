@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The card of a data set: what is in it, what is physics, what is assumed, the noise floor."""
+"""The card of a data set: contents, physics, assumptions and noise floor."""
 
 from textwrap import fill
 

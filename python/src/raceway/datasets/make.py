@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of a data set, and the files that are made of them.
+"""Runs of a data set, and the files made from them.
 
 The folder holds
 
@@ -9,7 +9,7 @@ The folder holds
     48k/0001.mat     signals, a folder for each rate; or .parquet, or both
     runs/0001/       the run: its variables, its figures, `label.json` once its files are written
 
-A record is whole when `label.json` is there, which is written last.
+A record is complete once `label.json` exists, which is written last.
 """
 
 import importlib.util
@@ -39,7 +39,7 @@ ASKED, LABELS, LABEL = "dataset.json", "labels.csv", "label.json"
 def make(
     spec: Spec, folder: FilePath, command: Sequence[str], *, jobs: int = 1, keep: bool = False
 ) -> pd.DataFrame:
-    """Make the data set `spec` in `folder`, or go on with it; return the table of labels.
+    """Make the data set `spec` in `folder`, or resume it; return the table of labels.
 
     `command` is a list: program, options, deck. `keep` leaves the records of the runs, which are
     large. Raises `RacewayError` for a folder of another data set, and where runs fail.
@@ -55,7 +55,7 @@ def make(
         if _whole(folder, one, spec):
             continue
         if state(where, one.point.variables)[0] == FINISHED:
-            if (where / run_record.NAME).exists():  # stopped between the run and its files
+            if (where / run_record.NAME).exists():  # interrupted between the run and its files
                 _write(one, spec, folder, keep)
                 continue
             (where / "summary.json").unlink()  # the record is gone and a file as well: run again
@@ -144,7 +144,7 @@ def _write(one: Record, spec: Spec, folder: Path, keep: bool) -> None:
 
 
 def _save_matlab(path, one, rate, values):
-    with open(path, "wb") as file:  # a name would get .mat at its end
+    with open(path, "wb") as file:  # given a name, savemat would append .mat
         io.savemat(file, _matlab(one, rate, values), oned_as="column", do_compression=True)
 
 
@@ -198,7 +198,7 @@ def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, A
 
 
 def _labels(wanted: Sequence[Record], spec: Spec, folder: Path) -> pd.DataFrame:
-    """Write labels.csv and the card of what is there; return the table."""
+    """Write labels.csv and the card for the present records; return the table."""
     rows = [
         mapping(folder / "runs" / one.point.name / LABEL, json.loads)
         for one in wanted

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a data set is to hold: a YAML file, and the runs that it asks for."""
+"""Specification of a data set: a YAML file, and the runs that follow from it."""
 
 import math
 from collections.abc import Mapping
@@ -18,8 +18,8 @@ from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 
 OVERSAMPLING = 4  # samples of a run for each of the fastest file
-GUARD = 64  # samples of the slowest file at each end, which the filter spoils
-# what a flaw may say: {word: its default, None where it must be given}; lists are swept
+GUARD = 64  # samples of the slowest file at each end, affected by the filter
+# words of a flaw: {word: default, None if it is required}; lists are swept
 NOTCH: dict[str, Any] = {"length": None, "width": "round", "depth": 3e-4, "edge": 5e-5}
 PIT = {name: default for name, default in NOTCH.items() if name != "width"}  # round
 FLAWS: dict[str, dict[str, Any]] = {
@@ -53,7 +53,7 @@ class SpecError(RacewayError):
 
 
 class Spec(NamedTuple):
-    """A data set as asked for."""
+    """Specification of a data set."""
 
     title: str
     bearing: str
@@ -65,7 +65,7 @@ class Spec(NamedTuple):
     rates: list[int]  # Hz
     noise: float  # m/s^2
     axis: str  # x or y
-    files: list[str]  # of FILES
+    files: list[str]  # some of FILES
 
     @property
     def run_rate(self) -> int:
@@ -74,7 +74,7 @@ class Spec(NamedTuple):
 
 
 class Record(NamedTuple):
-    """One record: a run, and what is said of it."""
+    """One record: a run and its label."""
 
     number: int  # from 1
     point: Point
@@ -85,8 +85,7 @@ class Record(NamedTuple):
 def read_spec(path: FilePath, known: Mapping[str, str]) -> Spec:
     """The `Spec` of the YAML file `path`; `known` are the deck's variables (`deck_variables`).
 
-    Raises `SpecError` for a file that cannot be read, and for a word or a value that it does not
-    know.
+    Raises `SpecError` for a file that cannot be read, and for an unknown word or value.
     """
     try:
         data = yaml.safe_load(Path(path).read_text())
@@ -203,11 +202,10 @@ def _word(name, given):
 
 # ---- its runs --------------------------------------------------------------------------------
 def records(spec: Spec) -> list[Record]:
-    """The `Record`s that `spec` asks for, in its order: every flaw under all conditions.
+    """The `Record`s of `spec`, in its order: every flaw under all conditions.
 
     A seed draws the first ball's azimuth, where a flaw of the inner raceway or of a ball starts,
-    which ball has it, and the phases of waves. Raises `RacewayError` for a bearing that there is
-    not.
+    the number of that ball, and the phases of waves. Raises `RacewayError` for an unknown bearing.
     """
     path = catalogue.find("bearings", spec.bearing)
     bearing, angle = inputs.bearing(path, one_groove=True), inputs.nominal_angle(path)

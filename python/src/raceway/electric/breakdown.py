@@ -92,8 +92,8 @@ class ArcCurrent(NamedTuple):
 
     @classmethod
     def of(cls, failure: Failure, arc: float) -> "ArcCurrent":
-        """Of a `failure` through `arc` (ohm): what stands behind the film is a capacitance C, and
-        the energy is C V^2/2 of the film's voltage."""
+        """Current of a `failure` through `arc` (ohm). The source behind the film is a capacitance
+        C, with the energy C V^2/2 at the film's voltage."""
         volts = abs(failure.film_voltage)
         return cls(volts / arc, arc * 2 * failure.energy / volts**2)
 

@@ -18,7 +18,7 @@ from raceway.runs.run import Run
 from raceway.theory.film_voltage import apparent_current_density, field
 
 RACEWAYS = ("inner", "outer")
-MEANINGS = {  # of the variables, with units
+MEANINGS = {  # variables and their units
     "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
     "ball_voltage": ("V", "voltage of a ball to the outer ring"),
@@ -57,7 +57,7 @@ EVENT_UNITS = {
 
 
 class Result(NamedTuple):
-    """What `run` found."""
+    """Result of `run`."""
 
     data: xr.Dataset  # (time, raceway, ball), units and meanings in `attrs`
     events: pd.DataFrame  # a row per film that failed; units in `attrs["units"]`
@@ -75,9 +75,9 @@ def run(
     """The circuit of a bearing and the circuit `outer` between its rings over the samples of `of`.
 
     `of` is a run from `raceway.open`, a dataset like its `contacts`, or `Films` (which have their
-    own leak and stray). Films fail by `breakdown`, None: never, and conduct by `leak`, None: not at
-    all. `points` of the circuit a sample, linear in between; None: as many as give a period of the
-    voltage of `outer` `PER_CYCLE` points.
+    own leak and stray). Films fail by `breakdown` (None: never) and conduct by `leak` (None: not at
+    all). `points` is the number of circuit steps per sample, with linear interpolation; None gives
+    `PER_CYCLE` points per period of the voltage of `outer`.
     `stray` (F) is added to every film. Voltages of the dataset are those after a discharge. Events
     have the columns of `EVENT_UNITS`; `energy` includes what the charges of other films lose. The
     peak `current`, the `duration` in which it falls to 1/e and the current density over all Hertz
@@ -105,7 +105,7 @@ def _points(coarse, outer, points):
     longest, shortest = np.diff(coarse.time).max(), outer.waveform.shortest
     if points is None:
         return max(1, int(np.ceil(PER_CYCLE * longest / shortest)))
-    # a step that is just so long may be longer by rounding
+    # a step at the limit may exceed it by rounding
     least = int(np.ceil(FEWEST * longest / shortest * (1 - 1e-9)))
     if points < least:
         raise ValueError(

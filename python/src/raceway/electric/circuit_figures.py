@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of a circuit, as numbers and as text, and its tables as files."""
+"""Figures of a circuit as numbers and as text, and its tables as files."""
 
 from pathlib import Path
 
@@ -139,8 +139,8 @@ def write(result: Result, out: FilePath) -> list[Path]:
 
 
 def over_time(data: xr.Dataset) -> pd.DataFrame:
-    """What the dataset of a circuit has of the bearing, and the capacitance (F) and voltage (V) of
-    every film, a row per point of time. Headings have the units."""
+    """The bearing's variables in the dataset of a circuit, and the capacitance (F) and voltage (V)
+    of every film, a row per point of time. Headings include the units."""
     units = {name: variable.attrs["units"] for name, variable in data.data_vars.items()}
     whole_bearing = [name for name in data.data_vars if data[name].dims == ("time",)]
     parts = {"time (s)": data.time.to_numpy()}
@@ -182,8 +182,8 @@ def _finite(value):
 
 
 def _place(events):
-    """Mean direction of the places, each with its energy; None without any, or for places all
-    around."""
+    """Mean direction of the places, weighted with energy; None without any, or for places evenly
+    distributed around the ring."""
     weight = events.energy.to_numpy(dtype=float)
     total = (weight * np.exp(1j * events.from_load_line.to_numpy(dtype=float))).sum()
     if not len(events) or not np.abs(total) > 1e-9 * weight.sum():

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where the energy of a circuit comes from and goes to (docs/electric_circuit, Energy).
+"""Energy balance of a circuit (docs/electric_circuit, Energy).
 
-A step from 0 to 1 books for every element its charge times the mean of its voltages. For a
-capacitance C that is exactly the change of its energy less the work -1/2 V0 V1 (C1 - C0) of those
-who move its plates. Charges of a node add up to nothing, so the sum over all elements is an
-identity. Each term has an error of second order in the step.
+The energy of every element in a step from 0 to 1 is its charge times the mean of its voltages. For
+a capacitance C this is exactly the change of its energy less the mechanical work on its plates,
+-1/2 V0 V1 (C1 - C0). The charges of a node add up to zero, so the sum over all elements is an
+identity. Each term has a second-order error in the step.
 """
 
 import numpy as np
@@ -64,7 +64,7 @@ def account(films: Films, terms: Terms, solution: Solution) -> xr.Dataset:
 
 
 def _stored(films, terms, film_voltage, ring) -> Floats:
-    """At the first points, as many as `ring` has."""
+    """Values at the first points, as many as in `ring`."""
     n = len(ring)
     coupled = terms.coupling * (ring - terms.driving[:n]) ** 2
     inside = (films.capacitance[:n] * film_voltage**2).sum(axis=(1, 2))

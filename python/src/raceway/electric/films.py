@@ -13,16 +13,16 @@ from raceway.electric.leak import Leak
 from raceway.errors import RunError
 from raceway.runs.run import Run
 
-TOTAL, PLATES = "capacitance_total", "capacitance"  # columns, the better first
+TOTAL, PLATES = "capacitance_total", "capacitance"  # columns, the preferred one first
 APART, FILM = "separation", "h_c"
 
 
 @dataclass(frozen=True)
 class Films:
-    """What the network needs of a bearing with Z balls at n points of time.
+    """Input of the network: films of a bearing with Z balls at n points of time.
 
-    Axis 1 of the films is the raceway, 0 inner and 1 outer. A film with capacitance 0 is open: no
-    displacement current passes it.
+    Axis 1 is the raceway, 0 inner and 1 outer. A film with capacitance 0 is open, without
+    displacement current.
     """
 
     time: Floats  # (n,) s, rising
@@ -33,7 +33,7 @@ class Films:
     from_load_line: Floats  # (n, Z) rad, from the centre of the loaded zone
     balls: Integers  # (Z,) atom numbers
     roughness: float = 0.0  # m, composite
-    leaking: bool = False  # whether a film without metal in it conducts
+    leaking: bool = False  # True if a film without metallic contact conducts
     metallic: Floats | None = None  # (n, 2, Z) 1 where asperities conduct
     hertz_area: Floats | None = None  # (n,) m^2 of all contact ellipses
 
@@ -52,9 +52,9 @@ class Films:
         return replace(self, **thin)
 
     def refined(self, points: int) -> "Films":
-        """The same films with `points` equal steps in place of one, everything linear in between.
+        """The same films with each step divided into `points` equal ones, by linear interpolation.
 
-        Raises `ValueError` for less than one.
+        Raises `ValueError` for fewer than one.
         """
         if points < 1 or points != int(points):
             raise ValueError(f"points = {points} must be a whole number from 1")
@@ -83,7 +83,7 @@ class Series(NamedTuple):
 
 
 def series(capacitance: Floats) -> Series:
-    """Of films with `capacitance` (n, 2, Z), F."""
+    """From films with `capacitance` (n, 2, Z), F."""
     inner, outer = capacitance[:, 0], capacitance[:, 1]
     both = inner + outer
     ball = np.divide(inner * outer, both, out=np.zeros_like(both), where=both > 0)
@@ -91,8 +91,8 @@ def series(capacitance: Floats) -> Series:
 
 
 def of_run(run: Run, leak: Leak | None = None, stray: float = 0.0) -> Films:
-    """The films of `run` from `raceway.open`: capacitance of all of the contact where the run
-    recorded it (`capacitance_total`), else that of the contact ellipse.
+    """The films of `run` from `raceway.open`, with the total capacitance of a contact if recorded
+    (`capacitance_total`), otherwise that of the contact patch.
 
     `leak` makes them conduct; `stray` (F) is added to every film. Raises `RunError` for a run that
     lacks what is needed.
@@ -125,8 +125,8 @@ def of_dataset(
     balls: xr.Dataset | None = None,
     name: str = "the dataset",
 ) -> Films:
-    """The films of a dataset with dimensions time, raceway and ball, as `run.contacts` is. Those of
-    a ball with two grooves of a ring are one film: side by side, the thinner one fails.
+    """The films of a dataset with dimensions time, raceway and ball, such as `run.contacts`. The
+    two films of a ball on a ring with two grooves are one: in parallel, and the thinner one fails.
 
     `permittivity` (1) is that of the lubricant at rest, `roughness` (m) that of both surfaces.
     `balls` has the azimuths of balls without contact; without it `contacts` has the azimuths. The

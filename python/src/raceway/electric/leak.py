@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What passes through a film that is whole (docs/electric_circuit, Leak)."""
+"""Leakage current through an intact film (docs/electric_circuit, Leak)."""
 
 from dataclasses import dataclass
 
@@ -13,11 +13,11 @@ from raceway.theory.capacitance import VACUUM
 
 @dataclass(frozen=True)
 class Leak:
-    """Conduction of films: of the lubricant by its `resistivity` (ohm m), of asperities by the
-    resistance `metal` (ohm) of a contact.
+    """Conduction of films: through the lubricant by its `resistivity` (ohm m), through asperities
+    by the resistance `metal` (ohm) of a contact.
 
-    Asperities conduct where they carry more than `share` of the contact's load. Either may be None:
-    it does not conduct. `permittivity` (1) of the lubricant is the run's unless given.
+    Asperities conduct where they carry more than `share` of the contact's load. None for either
+    means no conduction. `permittivity` (1) of the lubricant is by default that of the run.
     """
 
     resistivity: float | None = None

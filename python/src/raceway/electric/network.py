@@ -2,9 +2,9 @@
 """The voltages of a bearing's floating balls and of its inner ring over time
 (docs/electric_circuit, Network).
 
-Unknowns are charges: that of every ball and that of the inner ring. Resistances move them from
-point to point, by the two-stage SDIRK method of second order that is L-stable. Without resistances
-charges stay, and voltages follow from them at every point alone
+The unknowns are the charges of every ball and of the inner ring. Resistances change them from point
+to point; the integrator is the L-stable two-stage SDIRK method of second order. Without resistances
+the charges are constant, and the voltages follow from them at every point separately
 (src-package/core/electric/circuit.h).
 """
 
@@ -19,11 +19,11 @@ from raceway.electric.films import Films
 from raceway.electric.outer import Terms
 from raceway.errors import RunError
 
-ROUNDING = 1e-12  # of the charge of a film: less on a ball is what additions leave
+ROUNDING = 1e-12  # fraction of a film's charge; less on a ball is rounding
 
 
 class Solution(NamedTuple):
-    """n points; `before` is without what a discharge at the same point changes."""
+    """n points; `before` is the state before a discharge at the same point."""
 
     ball_voltage: Floats  # (n, Z) V
     bearing_voltage: Floats  # (n,) V

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What hangs between the rings of a bearing (docs/electric_circuit, Outer circuit).
+"""Circuit between the rings of a bearing (docs/electric_circuit, Outer circuit).
 
-The outer ring is the frame, at 0 V. Every outer circuit comes down to `Terms`, so the network knows
-one kind.
+The outer ring is the frame, at 0 V. Every outer circuit is reduced to `Terms`, the only form in the
+network.
 """
 
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ from raceway.electric.waveforms import Constant, Waveform
 class Terms(NamedTuple):
     """An outer circuit at the points of a solution, n of them."""
 
-    capacitance: Floats  # (n,) of the inner ring to the frame, beside the bearing's own films, F
+    capacitance: Floats  # (n,) from inner ring to frame, in parallel with the films, F
     coupling: float  # from the driving voltage to the inner ring, F
     conductance: float  # likewise, S; infinite: the inner ring is at the driving voltage
     driving: Floats  # (n,) V
@@ -25,14 +25,14 @@ class Terms(NamedTuple):
 
     @property
     def stiff(self) -> bool:
-        """Whether the driving voltage is that of the inner ring."""
+        """True if the inner ring is at the driving voltage."""
         return np.isinf(self.conductance)
 
 
 @dataclass(frozen=True)
 class Floating:
-    """No outer circuit: the inner ring keeps the charge that `voltage` (V) puts on it at the
-    start. `capacitance` (F) lies beside the bearing."""
+    """No outer circuit: the inner ring keeps its initial charge at `voltage` (V). `capacitance` (F)
+    is in parallel with the bearing."""
 
     voltage: float = 0.0
     capacitance: float = 0.0
@@ -49,8 +49,8 @@ class Floating:
 
 @dataclass(frozen=True)
 class Source:
-    """The voltage `waveform` through `resistance` (ohm, may be 0). `capacitance` (F) lies beside
-    the bearing."""
+    """The voltage `waveform` through `resistance` (ohm, may be 0). `capacitance` (F) is in parallel
+    with the bearing."""
 
     waveform: Waveform
     resistance: float = 0.0
@@ -73,7 +73,7 @@ class Motor:
     the rotor to the frame through `rotor_frame` (F) and through the other bearing.
 
     The other bearing has the capacitance `second` (F), or `second_factor` times that of this one.
-    `capacitance` (F) lies beside the bearing.
+    `capacitance` (F) is in parallel with the bearing.
     """
 
     waveform: Waveform

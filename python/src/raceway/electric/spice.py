@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing as an element of SPICE: capacitances and leaks that follow a run, straight lines
-between its samples (docs/electric_circuit, Export).
+"""A bearing as an element of SPICE: capacitances and leaks that follow a run, with linear
+interpolation between its samples (docs/electric_circuit, Export).
 
-A capacitance that changes is written by its charge, Q = C(t) V: a capacitor with `C=` expressions
-would leave out the current V dC/dt. Tried with ngspice.
+A variable capacitance is written by its charge, Q = C(t) V: a capacitor with a `C=` expression
+would lack the current V dC/dt. Tested with ngspice.
 """
 
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ from raceway.files import FilePath, folder, whole
 
 RACEWAYS = ("inner", "outer")
 FARADS, SIEMENS = 1e-12, 1e-9  # a volt of a controlling node
-# no node without a path for direct current; against 10 pF a time constant of 10 000 s
+# gives every node a path for direct current; with 10 pF the time constant is 10 000 s
 LARGE = 1e15
 PER_LINE = 4
 NAME = "bearing"
@@ -27,8 +27,8 @@ def element(films: Films, name: str = NAME) -> str:
     """Two subcircuits with the terminals inner and outer, as text: `name` with every ball as a
     node, and `name`_total with the capacitance and the leak of the bearing as one.
 
-    They are alike as long as balls have no charge, which leaks bring where they divide the voltage
-    in another way than capacitances.
+    They are equivalent as long as the balls are uncharged. Leaks charge them where they divide the
+    voltage differently from the capacitances.
     """
     return "\n".join([*_heading(films, name), *_network(films, name), "", *_total(films, name), ""])
 
@@ -98,7 +98,7 @@ def _film(films, label, ends, capacitance, conductance):
 
 
 def _lines_of(node, time, values):
-    """A source that puts `values` on `node`, straight lines between them."""
+    """A piecewise linear source of `values` at `node`."""
     yield f"V_{node} {node} 0 PWL("
     points = [f"{t:.17g} {value:.17g}" for t, value in zip(time - time[0], values)]
     for start in range(0, len(points), PER_LINE):

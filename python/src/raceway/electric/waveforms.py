@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Voltages over time that drive an outer circuit (docs/electric_circuit).
 
-A waveform is called with an array of times (s) and gives volts. `shortest` is the shortest time (s)
-over which it changes, infinite where nothing bounds the step.
+A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest time
+(s) over which it changes, infinite if it does not limit the step.
 """
 
 from dataclasses import dataclass
@@ -16,11 +16,11 @@ from raceway.errors import RunError
 from raceway.files import FilePath
 
 SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/core/electric/waveform.h
-PER_CYCLE, FEWEST = 20, 8  # points in a period unless asked for, and at least
+PER_CYCLE, FEWEST = 20, 8  # points per period by default, and at least
 
 
 class Waveform(Protocol):
-    """What an outer circuit needs of a voltage."""
+    """Interface of a driving voltage for an outer circuit."""
 
     @property
     def shortest(self) -> float:
@@ -67,8 +67,8 @@ class Sine:
 class CommonMode:
     """Common-mode voltage of a three-phase inverter with two levels: the mean of its three legs.
 
-    A leg is at half the voltage of the direct-current link, `link` (V), while `modulation` times
-    the sine of its phase is not below a triangle of `carrier` (Hz), else at minus that.
+    A leg is at half the DC link voltage, `link` (V), while `modulation` times the sine of its phase
+    is not below a triangle of `carrier` (Hz), otherwise at minus that.
     `fundamental` (Hz) is the frequency of the phases. Four levels: +-link/2 and +-link/6.
     """
 
@@ -97,8 +97,7 @@ class CommonMode:
 
 @dataclass(frozen=True)
 class Table:
-    """Straight lines between `voltages` (V) at `times` (s, rising); its ends hold before and
-    after."""
+    """Linear interpolation of `voltages` (V) at `times` (s, rising); constant before and after."""
 
     times: Floats
     voltages: Floats

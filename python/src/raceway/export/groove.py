@@ -7,7 +7,7 @@ import numpy as np
 from raceway.arrays import Floats, Integers
 from raceway.theory.bearing import INNER, Bearing
 
-SHOULDER = 0.2  # of a ball's diameter
+SHOULDER = 0.2  # height of a shoulder over the ball's diameter
 AROUND, ACROSS = 96, 9  # cells, points
 
 

@@ -2,7 +2,7 @@
 """A run for OVITO: a folder with `bearing.xyz`, an extended XYZ file of all samples, and the
 raceways as `.obj` surfaces.
 
-Columns have the names that OVITO knows (species, id, pos, radius, velo); the others become
+Columns have OVITO's standard names (species, id, pos, radius, velo); the others become
 properties of their own. Where a ball has no film, -1 is written: not every reader of text takes a
 NaN.
 """

@@ -45,7 +45,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     for old in (
         path for pattern in ("balls_*.vtu", "inner_raceway_*.vtu") for path in out.glob(pattern)
     ):
-        if old.name not in kept:  # of an earlier, longer export
+        if old.name not in kept:  # left from an earlier, longer export
             old.unlink()
     return _text(out / "bearing.pvd", vtu.series(entries))
 

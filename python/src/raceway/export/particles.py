@@ -16,7 +16,7 @@ from raceway.theory.bearing import INNER, OUTER
 
 SIDES = {INNER: "inner", OUTER: "outer"}
 CARRIED = ("load", "pressure", "h_min", "h_c", "lambda", "friction", "sliding", "capacitance")
-FRAMES = 200  # what a run is thinned out to unless told otherwise
+FRAMES = 200  # default number of frames
 
 
 class Frame(NamedTuple):

@@ -27,18 +27,18 @@ from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
 from raceway.theory.static import FREEDOMS
 
-PER_METRE = (1, 1, 1, 0, 0)  # of a row and of a column of the matrices: 2 in all is N/m
+PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m by row and column of the matrices: a sum of 2 is N/m
 TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries that ROSS's BearingElement takes
-ROSS_FREEDOMS = 6  # of a node: ours and the rotation about z
+ROSS_FREEDOMS = 6  # degrees of freedom of a node: ours and the rotation about z
 TILTS = ("held", "free")
-NOISE = 1e-9  # of the diagonal: what rounding leaves of an entry that symmetry makes 0
+NOISE = 1e-9  # rounding of entries that are 0 by symmetry, fraction of the diagonal
 
 
 class Point(NamedTuple):
     """A bearing at one operating point."""
 
     rpm: float
-    load: float  # N, radial, along x unless `load_azimuth` or `at_rest` says otherwise
+    load: float  # N, radial, along x unless `load_azimuth` or `at_rest` is given
     axial: float  # N
     over: OverPass
 
@@ -120,7 +120,7 @@ def at_rest(carried: Carried, rpm: ArrayLike, **options: Any) -> list[Point]:
 def ross(
     bearing: str, load: float, rpm: ArrayLike, *, tilts: str = "held", **options: Any
 ) -> dict[str, float | list[float]]:
-    """Keyword arguments of ROSS's `BearingElement` but for the node: kxx, kyy, kxy, kyx, kzz, the
+    """Keyword arguments of ROSS's `BearingElement` except the node: kxx, kyy, kxy, kyx, kzz, the
     same of c, and, of several `rpm`, `frequency` in rad/s. All are Python floats or lists of them.
 
     `load` in N is radial, along x; `options` are those of `points`. With `tilts` "held" they are
@@ -244,7 +244,7 @@ def write_json(points: Sequence[Point], path: FilePath) -> Path:
 
 
 def as_mapping(points: Sequence[Point]) -> dict[str, Any]:
-    """What `write_json` writes, SI units."""
+    """Content of the file of `write_json`, SI units."""
     rows = []
     for one in points:
         row: dict[str, Any] = dict(rpm=one.rpm, load_N=one.load, axial_N=one.axial)
@@ -268,7 +268,8 @@ def write_ross(
 
 
 def _unit(a: int, b: int, second: str = "") -> str:
-    """Of the entry in row `a` and column `b`: a force or moment over a displacement or tilt."""
+    """Unit of the entry in row `a` and column `b`: a force or moment over a displacement or
+    tilt."""
     power = PER_METRE[a] + PER_METRE[b]
     return {2: f"N{second}/m", 1: f"N{second}/rad", 0: f"N m{second}/rad"}[power]
 

@@ -29,7 +29,7 @@ class Case:
 
     @property
     def label(self) -> str:
-        """What the case is, for people."""
+        """Readable description of the case."""
         given = {key: value for key, value in self.given.items() if key != "passes"}
         return f"{Path(self.deck).name} " + " ".join(
             f"{key}={value}" for key, value in given.items()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where the film parameter passes a value, by theory: speed and capacitance there, and the
-roughness a capacitance asks for.
+"""Passage of the lambda ratio through a value, by theory: speed and capacitance there, and the
+roughness for a given capacitance.
 
 The contact is that of the inner raceway under a ball on the load line, which has the thinnest film.
 """

@@ -22,7 +22,7 @@ STATEMENTS = "statements"
 
 
 def title(product: str) -> str:
-    """What a product is, in a line."""
+    """Description of a product in one line."""
     if product == STATEMENTS:
         return "Every statement of the paper that can be checked, with verdict."
     return (FIGURES | TABLES)[product].__doc__.split("\n")[0]

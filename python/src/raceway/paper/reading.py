@@ -103,7 +103,7 @@ class Reading:
         return psi, value * self.around(raceway, "h_c")[1] / (VACUUM * area)
 
     def loaded_balls(self) -> Integers:
-        """How many balls are loaded on both raceways, one value a sample."""
+        """Number of balls loaded on both raceways, one value per sample."""
         pairs = self.tables.pairs.groupby("sample").size()
         return pairs.reindex(range(self.tables.contacts.attrs["samples"]), fill_value=0).to_numpy()
 
@@ -176,7 +176,7 @@ class Readings:
         return FLOODED._replace(shoulders=inputs.shoulders(path))
 
     def has(self, product: str) -> bool:
-        """Whether all cases of a product have run."""
+        """True if all cases of a product have run."""
         return all(case in self.folders for case in self.plan.needed([product]))
 
     def all(self, name: str) -> list[Reading]:

@@ -42,7 +42,7 @@ def root() -> Path:
 
 @dataclass
 class Outcome:
-    """What became of the cases: folders of those that ran, messages of those that did not."""
+    """Outcome of the cases: folders of finished runs, messages of the others."""
 
     folders: dict[Case, Path]
     failures: dict[Case, str]
@@ -57,7 +57,7 @@ class Runner:
         self.store = Path(store).resolve() / self.state
 
     def folder(self, case: Case) -> Path:
-        """Where a case's results are; there once it has run to its end."""
+        """Folder of a case's results; exists once the run has finished."""
         key = hashlib.sha256(repr((case.deck, case.settings)).encode()).hexdigest()[:16]
         return self.store / f"{Path(case.deck).name[3:]}-{key}"
 

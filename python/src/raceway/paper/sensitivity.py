@@ -97,7 +97,8 @@ def table(book: Book) -> pd.DataFrame:
 
 
 def power(book: Book, what: str, ball: Callable[[Oil], float] | None = None) -> float:
-    """How a ball's capacitance goes with one property of the mineral oil: d log C/d log property.
+    """Sensitivity of a ball's capacitance to one property of the mineral oil: d log C/d log
+    property.
     `ball` gives its capacitance in F, that of its plates unless given."""
     oil, step, of = book.oils["mineral"], 1.01, ball or _plates(book)
     more, less = (

@@ -21,7 +21,7 @@ from raceway.pictures.scene import scene
 from raceway.runs.tables import RunTables
 
 INCHES = 9.6  # width of a sheet
-COLOURS, GREYS = 32, 24  # of a GIF
+COLOURS, GREYS = 32, 24  # palette of a GIF
 
 
 def animation(

@@ -23,7 +23,7 @@ from raceway.units import axis, prefixed
 # of a ball's diameter: rings behind the grooves, half their width, their shoulders
 THICK, WIDE, SHOULDER = (0.3, 0.72, 0.2)
 STEEL, DARK, LIGHT, CAGE, IDLE = "#c9ced6", 0.52, 0.92, "#efe9dc", "#f4f4f4"
-SHADES = 12  # of a groove
+SHADES = 12  # shades of a groove
 MM = 1e3
 
 
@@ -272,6 +272,6 @@ def _groove(race, sign, geometry, side):
     shoulder; `sign` 1 outwards."""
     groove = geometry.groove(side)
     for height in np.linspace(0, SHOULDER * geometry.ball_diameter, SHADES):
-        # of the wall's normal towards the eye
+        # component of the wall's normal towards the eye
         facing = np.sqrt(1 - (1 - min(height / groove, 1)) ** 2)
         yield race + sign * height, str(DARK + (LIGHT - DARK) * facing)

@@ -24,7 +24,7 @@ def frequencies(resistivity: float, count: int = 400) -> Floats:
 
 def bode(point: Point, names: Mapping[str, Any], resistivity: float, path: FilePath) -> None:
     """Draw modulus and phase of a bearing's impedance in oil of `resistivity` (ohm m) over
-    frequency to the PNG `path`, beside those of its plates. Raises `RunError` when it cannot be
+    frequency to the PNG `path`, and those of its plates. Raises `RunError` when it cannot be
     written."""
     found = point.capacitors()
     loaded = found.inner.load > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the pictures of a bearing as a capacitor share: title and ticks."""
+"""Title and ticks of the pictures of a bearing as a capacitor."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -13,7 +13,7 @@ from raceway.pictures.page import fit
 from raceway.pictures.style import SOFT
 from raceway.units import prefixed
 
-LEFT, RIGHT = 0.085, 0.965  # of the figure's width
+LEFT, RIGHT = 0.085, 0.965  # fractions of the figure's width
 
 
 def head(figure: Figure, names: Mapping[str, Any], title: str, without: str = "") -> None:

@@ -16,7 +16,7 @@ from raceway.runs.run import Run
 from raceway.units import axis, prefixed
 
 VARIABLES = ("plates", "around", "unloaded")  # in the order of `PARTS`
-BINS = 72  # of the ring, in the picture of the field
+BINS = 72  # sectors of the ring, in the picture of the field
 
 
 def parts(run: Run, data: xr.Dataset, path: FilePath) -> None:

@@ -20,7 +20,7 @@ def field(
     points: Sequence[Point], names: Mapping[str, Any], voltage: float, path: FilePath
 ) -> None:
     """Draw the field in every film around the ring under a `voltage` (V) to the PNG `path`:
-    `points` alike but for the phase of their balls, `names` of `electric_point.figures`. Raises
+    `points` that differ only in ball phase, `names` of `electric_point.figures`. Raises
     `RunError` when it cannot be written."""
     azimuth = np.concatenate([np.mod(point.state.azimuth, 2 * np.pi) for point in points])
     order = np.argsort(azimuth)

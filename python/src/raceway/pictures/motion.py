@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the inner ring moved: its orbit, displacement, tilt, and the moment against its spin. What
-force the cage took."""
+"""Motion of the inner ring: orbit, displacement, tilt, and moment against its spin; force on the
+cage."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -18,8 +18,8 @@ def motion(tables: RunTables, path: FilePath) -> None:
     """Draw the motion of the inner ring of the run `tables` to the PNG `path`: orbit of its centre,
     displacement, tilt, the moment against its spin and the largest force on the cage over time.
 
-    What a run did not record, or what did not move, has no panel. Raises `RunError` when the run's
-    files are broken, have no ring, or the picture cannot be written.
+    Quantities that were not recorded, or did not change, have no panel. Raises `RunError` if the
+    run's files are broken, have no ring, or the picture cannot be written.
     """
     rings = tables.rings
     if not len(rings):
@@ -78,7 +78,7 @@ def _tilt(axes, tables):
 
 
 def _torque(axes, tables):
-    # its mean, the friction torque, is far below the ripple: the summary has it from the losses
+    # its mean, the friction torque, is far below the ripple; the summary derives it from the losses
     torque = -tables.rings["mz"] * np.sign(tables.rings["spin"])
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)

@@ -133,5 +133,6 @@ def _ring(axes, tables):
     against_time(axes, tables, len(shift))
     finish(axes, "Radial displacement along the load", None, [])
     low, high = shift.min() * factor, shift.max() * factor
-    half = max(0.75 * (high - low), 0.01 * abs(high)) or 1  # steady to a per cent looks steady
+    # a variation below one per cent is shown as steady
+    half = max(0.75 * (high - low), 0.01 * abs(high)) or 1
     axes.set_ylim((low + high) / 2 - half, (low + high) / 2 + half)

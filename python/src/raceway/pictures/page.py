@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What pictures share on the page: what was run as a title, legends, axes."""
+"""Common parts of a picture's page: title with the run's settings, legends, axes."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -16,12 +16,12 @@ from raceway.runs.measured import loading, measured
 from raceway.runs.tables import RunTables
 from raceway.units import prefixed
 
-LEFT, RIGHT = 0.075, 0.965  # of the figure's width
-LITTLE = 0.01  # of a load or a speed: less is not in the title
+LEFT, RIGHT = 0.075, 0.965  # fractions of the figure's width
+LITTLE = 0.01  # fraction of a load or a speed; smaller values are not in the title
 
 
 def title(tables: RunTables) -> str:
-    """What the run `tables` was, in a line: load and speed as measured."""
+    """The run `tables` in one line, with measured load and speed."""
     settings = tables.settings
     oil = f"{settings['lubricant']} lubricant" if tables.lubricated else "dry"
     clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")

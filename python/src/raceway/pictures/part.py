@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What part of a run a picture shows, and the tracks of its balls around the ring.
+"""Part of a run in a picture, and the tracks of its balls around the ring.
 
-Every ball is drawn as it passes the sampled places, so a curve around the ring is all balls on top
-of each other; the width of the band shows how much it matters where the other balls happen to be.
+Every ball is drawn as it passes the sampled places, so a curve around the ring overlays all balls;
+the width of the band shows the influence of the positions of the other balls.
 """
 
 import warnings
@@ -14,14 +14,14 @@ from raceway.arrays import Floats
 from raceway.errors import RunError, RunWarning
 from raceway.runs.tables import RunTables
 
-LIGHT = 0.01  # of the largest load: below, a film grows as thick as you like, and tells nothing
-# bytes of a record from which on only so many ball passes are drawn
+LIGHT = 0.01  # fraction of the largest load: below, film thickness grows without bound
+# size of a record in bytes above which only some ball passes are drawn
 LARGE, PASSES = (200 << 20, 20)
 
 
 def shown(tables: RunTables, note: str = "") -> RunTables:
-    """The part of the run `tables` that is drawn: all, unless that would be more curves than memory
-    or paper hold. A warning says so, and `note`."""
+    """The drawn part of the run `tables`: all, unless the curves are too many for memory or paper.
+    Then a warning is issued, and `note` is set."""
     path = tables.record.path
     if tables.stop is not None or path.stat().st_size < LARGE:
         return tables
@@ -35,7 +35,7 @@ def shown(tables: RunTables, note: str = "") -> RunTables:
 
 
 def filmed(tables: RunTables) -> bool:
-    """Whether the contacts of the run `tables` have films."""
+    """True if the contacts of the run `tables` have films."""
     return tables.lubricated and {"h_min", "h_c"} <= set(tables.contacts)
 
 

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where everything of a bearing is at chosen samples, with its small motions exaggerated so that
-they can be seen.
+"""Positions of all parts of a bearing at chosen samples, with exaggerated small motions.
 
-The rule: what the bearing would have without clearance and load, at rest and concentric, stays as
-it is. Every departure from that (displacement of the inner ring, balls off the pitch circle, half
-the clearance) is multiplied by one factor. An overlap or a gap between two drawn bodies is the real
-one times the factor.
+The reference is the concentric bearing at rest without clearance and load. Every deviation from it
+(displacement of the inner ring, balls off the pitch circle, half the clearance) is multiplied by
+one factor. An overlap or a gap between two drawn bodies is the real one times the factor.
 """
 
 from dataclasses import dataclass
@@ -24,7 +22,7 @@ COLOURS = {
     "film": ("h_min", "thinner film of a ball", "m"),
     "capacitance": ("capacitance", "capacitance of a ball", "F"),
 }
-VISIBLE = 0.12  # of a ball's radius: what the largest motion is drawn as, at most
+VISIBLE = 0.12  # largest drawn motion over a ball's radius
 
 
 @dataclass(frozen=True)
@@ -50,7 +48,7 @@ def scene(
     order; balls have the values of `colour`, a key of `COLOURS`. `factor` None: `nice` of the
     largest motion.
 
-    Raises `RunError` when the run's files are broken or have not what `colour` needs.
+    Raises `RunError` if the run's files are broken or lack the columns for `colour`.
     """
     need(tables, COLOURS[colour][0], f"colour {colour}")
     table = tables.balls[tables.balls["sample"] <= samples[-1]].sort_values(

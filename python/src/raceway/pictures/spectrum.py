@@ -16,7 +16,7 @@ from raceway.runs.spectrum import Line
 from raceway.units import axis
 
 COLOUR = dict(zip(("BPFI", "BPFO", "FTF", "BSF", "shaft"), PALETTE))
-WIDE, NARROW = 0.075, 0.014  # of the axis: a label across, a label along its line
+WIDE, NARROW = 0.075, 0.014  # fractions of the axis: a label across, a label along its line
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # shown below the strongest line
 ROOM = 9.0  # on the axis of amplitudes, for a row of labels
@@ -28,7 +28,7 @@ def of_flaw(line: Line) -> str:
 
 
 def levels(places: Sequence[float], width: float) -> list[int]:
-    """For labels at `places`, each `width` wide, rows (0, 1 ...) in which none covers another."""
+    """Rows (0, 1 ...) without overlap for labels at `places`, each `width` wide."""
     ends, rows = [], dict.fromkeys(places, 0)
     for place in sorted(rows):
         row = next((k for k, end in enumerate(ends) if place - end >= width), len(ends))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How every picture looks: colours, type, saving."""
+"""Style of all pictures: colours, fonts, saving."""
 
 import matplotlib
 from matplotlib.figure import Figure
@@ -20,7 +20,7 @@ PALETTE = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00")
 COLOUR = {INNER: PALETTE[0], OUTER: PALETTE[1]}
 NAME = {INNER: "inner raceway", OUTER: "outer raceway"}
 SIDES = (INNER, OUTER)
-MAP = "cividis"  # of a scale: made for colour-blind readers, even in lightness
+MAP = "cividis"  # colour map: suited to colour-blind readers, perceptually uniform
 INK, SOFT, FAINT, BALL = "#222222", "#555555", "#bbbbbb", "#009E73"
 STYLE = {
     "font.family": "DejaVu Sans",

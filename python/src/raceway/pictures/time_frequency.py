@@ -15,10 +15,10 @@ from raceway.runs import spectrum
 from raceway.runs.run import Run
 from raceway.units import axis
 
-DECADES = 2.5  # of the colours, below the largest amplitude
-POWER = 0.98  # of a signal's, below the top of its picture
+DECADES = 2.5  # range of the colours, below the largest amplitude
+POWER = 0.98  # share of a signal's power below the top of its picture
 MOST = 800  # rows and columns drawn
-LABEL = 0.036  # of the axis: the height of a name
+LABEL = 0.036  # height of a name, fraction of the axis
 HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,), "FTF": (1,), "shaft": (1,)}
 
 
@@ -82,7 +82,8 @@ def _lines(run, found):
 
 
 def _top(found, places):
-    """Of the upright axis: above all lines for an envelope; above most of a signal's power."""
+    """Upper limit of the vertical axis: above all lines for an envelope, above most of the power
+    for a signal."""
     upright = found[found.dims[0]].to_numpy()
     if "band" in found.attrs:
         return min(1.1 * max(places.values()), upright[-1])

@@ -17,7 +17,7 @@ from raceway.runs.record_tables import BALL as BALL_TYPE
 from raceway.runs.tables import RunTables
 from raceway.units import axis
 
-WIDTH = 0.5  # of a band, in ball pitches
+WIDTH = 0.5  # width of a band, in ball pitches
 ROWS = 600  # more samples than a page has dots are drawn in steps
 IDLE = "#ececec"  # a ball that is not loaded on both raceways
 

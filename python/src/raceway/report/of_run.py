@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of a run: its figures with their errors, pictures, warnings and what was set."""
+"""The page of a run: figures with their errors, pictures, warnings and settings."""
 
 import shlex
 import tempfile
@@ -20,7 +20,7 @@ from raceway.runs.tables import RunTables
 from raceway.sweeps.check import variables
 from raceway.units import axis
 
-POINTS = 2000  # of a line: what a screen shows
+POINTS = 2000  # largest number of points in a line, enough for a screen
 AROUND = ("load", "h_min", "sliding")  # columns of the contacts
 # lines over time by chart: columns of the totals
 CHARTS = {

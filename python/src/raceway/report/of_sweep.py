@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The page of a sweep: its points, what failed, and a chart of any figure over any other."""
+"""The page of a sweep: its points, failures, and a chart of any figure over any other."""
 
 from pathlib import Path
 

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a run recorded: `record` reads the file, `tables` has the tables of a folder, `run` the same
-as labelled arrays; the other modules work with one of the two."""
+"""Results of a run: `record` reads the file, `tables` gives a folder's samples as tables, `run` as
+labelled arrays. The other modules build on one of the two."""

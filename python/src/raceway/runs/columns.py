@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the columns of a run's files are: meaning, unit, and what a ball has that touches no
-raceway.
+"""Columns of a run's files: meaning, unit, and value for a ball without contact.
 
-They stand in C++, with what computes them; `make columns` writes `columns.json` from there.
+They are defined in C++, next to the code that computes them; `make columns` writes `columns.json`
+from there.
 """
 
 import json
@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 
 class Column(NamedTuple):
-    """`unit` in SI, "" for a plain number. `absent`: the value of a contact that is not: 0 for what
-    vanishes with the contact, NaN for what it does not have."""
+    """`unit` in SI, "" for a plain number. `absent`: the value without contact, 0 for a quantity
+    that vanishes with the contact, NaN for one that is undefined."""
 
     meaning: str
     unit: str
@@ -41,9 +41,9 @@ RING = {
         name: column._replace(meaning=column.meaning.replace("the ring", "the inner ring"))
         for name, column in _RING.items()
     },
-    # not of a file: worked out here
+    # in no file: computed here
     "shift": Column("displacement of the inner ring along the load", "m"),
 }
 BEARING = {**_table(_TABLES["total"]), **_table(_TABLES["bearing"])}
-# key of `losses_W`: column of the power lost, in W; of contacts, rings and bearings alike
+# key of `losses_W`: column of the power lost, in W; the same for contacts, rings and bearings
 LOSSES = {row["loss"]: row["name"] for row in _TABLES["bearing"] if "loss" in row}

@@ -14,9 +14,9 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
     """Dataset: `contact` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time),
     capacitances in F.
 
-    Inner and outer contact of a ball are in series, grooves of a ring and balls in parallel,
-    `background` (F) beside them when asked (eq 12). `run` from `raceway.open`; it needs memory for
-    all samples of the run. Raises `RunError` for a run without film.
+    The inner and outer contact of a ball are in series, the grooves of a ring and the balls in
+    parallel; `background` (F) is added in parallel (eq 12). `run` is from `raceway.open`; all its
+    samples must fit into memory. Raises `RunError` for a run without film.
     """
     need_film(run, "capacitance")
     contact = run.contacts["capacitance"].drop_vars(("azimuth", "from_load_line"))
@@ -38,11 +38,11 @@ def over_time(run: Run, background: float = 0.0) -> xr.Dataset:
 
 
 def by_raceway(run: Run, bins: int = BINS) -> xr.Dataset:
-    """Dataset (raceway, from_load_line) of means over the contacts in each part of the ring:
-    largest Hertz `pressure` (Pa), relative `permittivity` of the oil under it (eqs 10, 11),
-    `capacitance` of a contact (F); and `contacts`.
+    """Dataset (raceway, from_load_line) of means over the contacts in each sector of the ring:
+    maximum Hertz `pressure` (Pa), relative `permittivity` of the oil at this pressure (eqs 10, 11),
+    `capacitance` of a contact (F); and `contacts`, their number.
 
-    `run` from `raceway.open`. Read in blocks. Raises `RunError` for a run without film.
+    `run` is from `raceway.open` and read in blocks. Raises `RunError` for a run without film.
     """
     need_film(run, "capacitance")
     ambient = run.settings["permittivity"]

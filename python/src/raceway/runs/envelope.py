@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Envelope spectra: the rate at which a resonance is struck.
+"""Envelope spectra: the rate of impacts that excite a resonance.
 
-A flaw strikes the structure once a ball pass, and each blow rings at the structure's own frequency.
-The spectrum of the signal shows the ringing. That of its envelope in the resonance's band shows the
-rate of the blows, with the sidebands of what modulates them.
+A flaw strikes the structure once per ball pass, and each impact rings at a natural frequency of the
+structure. The spectrum of the signal shows the ringing. The spectrum of its envelope in the band of
+the resonance shows the impact rate, with the sidebands of any modulation.
 """
 
 from typing import NamedTuple
@@ -19,8 +19,8 @@ from raceway.runs import spectrum
 from raceway.runs.run import Run
 
 LEVELS = 6  # the narrowest bands are 1/64 of half the sampling rate
-EDGE = 0.05  # of the signal at each end, faded out for the bands and not counted
-ENOUGH = 64  # values of an envelope for its kurtosis
+EDGE = 0.05  # fraction of the signal faded out and not counted at each end, for the bands
+ENOUGH = 64  # fewest values of an envelope for its kurtosis
 
 
 class Band(NamedTuple):
@@ -28,7 +28,7 @@ class Band(NamedTuple):
 
     low: float  # Hz
     high: float  # Hz
-    kurtosis: float  # of the complex envelope: 0 for noise, large for rare blows
+    kurtosis: float  # spectral, from the complex envelope: 0 for noise, large for rare impacts
 
 
 def of_values(values: ArrayLike, sample_s: float, low: float, high: float) -> Floats:
@@ -55,11 +55,11 @@ def of_values(values: ArrayLike, sample_s: float, low: float, high: float) -> Fl
 
 
 def bands(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> list[Band]:
-    """Kurtosis of `values` (N,), `sample_s` apart, in halves, quarters ... of 0 to half the
-    sampling rate; none narrower than `narrowest` in Hz.
+    """Spectral kurtosis of `values` (N,), `sample_s` apart, in halves, quarters ... of the range
+    from 0 to half the sampling rate; no band is narrower than `narrowest` in Hz.
 
     E|x|^4/(E|x|^2)^2 - 2 of the complex envelope x (Antoni, Mech. Syst. Signal Process. 21 (2007)
-    108), with brick-wall bands. The lowest band of each level is left out: slow motion is no blow.
+    108), with brick-wall bands. The lowest band of each level is left out: it has the slow motion.
     """
     values = signal.detrend(np.asarray(values, float))
     lines = fft.rfft(values * signal.get_window(("tukey", 2 * EDGE), len(values)))
@@ -92,10 +92,10 @@ def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Ban
 def of_run(
     run: Run, name: str, band: tuple[float, float] | None = None, ring: str = "inner"
 ) -> xr.DataArray:
-    """`spectrum.spectrum` of the envelope of a column of a `ring` of `run`, in a `band` (Hz, Hz)
-    or in the most impulsive one that is three times as wide as BPFI; `attrs["band"]` says which.
+    """`spectrum.spectrum` of the envelope of a column of a `ring` of `run`, in a `band` (Hz, Hz) or
+    in the most impulsive one at least three times as wide as BPFI; `attrs["band"]` is that used.
 
-    Raises `RunError` as `spectrum.of_run` does, and for a band that the sampling does not hold.
+    Raises `RunError` as `spectrum.of_run` does, and for a band beyond half the sampling rate.
     """
     values, sample_s = spectrum.signal_of(run, name, ring), run.settings["sample_s"]
     shaft = abs(run.settings["rpm"]) / 60

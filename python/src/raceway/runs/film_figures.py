@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a voltage and a frequency meet in a bearing that ran: capacitance by parts, Hertz area, the
-smallest voltage at which a film fails, stored energy, field, leak and impedance over time."""
+"""Electrical quantities of a run over time: capacitance by parts, Hertz area, breakdown threshold
+voltage, stored energy, field, leakage and impedance."""
 
 import math
 
@@ -34,12 +34,12 @@ MEANING = {
 
 
 def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
-    """Dataset over time with the variables of `MEANING`, SI units: `whole` is that of
-    `whole_capacitance.over_time` of the `run`.
+    """Dataset over time with the variables of `MEANING`, SI units; `whole` is the result of
+    `whole_capacitance.over_time` for the `run`.
 
-    Plates, around and unloaded add up to the bearing. Of `ask`, a voltage gives the fields, a
-    resistivity the leak, a frequency the impedance, a motor the ratio; its capacitances count in
-    the energy. What is not asked for is not there.
+    Plates, around and unloaded add up to the bearing. In `ask`, a voltage adds the fields, a
+    resistivity the leak, a frequency the impedance, and a motor the ratio; the motor's capacitances
+    count in the energy.
     """
     total, paths, load, plates = (
         _films(whole, name) for name in ("total", "paths", "load", "plates")
@@ -85,7 +85,7 @@ def over_time(run: Run, whole: xr.Dataset, ask: Ask = NOTHING) -> xr.Dataset:
 
 
 def spectrum(whole: xr.Dataset, frequency: Floats, resistivity: float) -> xr.DataArray:
-    """Impedance in ohm (time, frequency), complex, of `whole` at frequencies (n,) in Hz in oil of
+    """Complex impedance in ohm (time, frequency) of `whole` at frequencies (n,) in Hz, with oil of
     `resistivity` (ohm m)."""
     total, paths = _films(whole, "total"), _films(whole, "paths")
     z = [impedance.of_films(total, paths, one, resistivity) for one in frequency]

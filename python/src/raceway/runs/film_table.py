@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The electrical figures of a run, of `film_figures` over time, as one mapping and as text."""
+"""Electrical figures of a run, from `film_figures` over time, as a mapping and as text."""
 
 import math
 from collections.abc import Mapping
@@ -62,9 +62,9 @@ TOPICS = {
 def figures(
     run: Run, data: xr.Dataset, fields: xr.Dataset, frequency: float | None = None
 ) -> dict[str, Any]:
-    """Figures of a `run` by name in SI units, angles in degrees; None for what was not asked.
-    `data` is of `film_figures.over_time`, `fields` of `whole_capacitance.fields`. Keys that
-    `electric_point.figures` has, too, mean the same, over the run."""
+    """Figures of a `run` by name in SI units, angles in degrees; None if not requested. `data` is
+    from `film_figures.over_time`, `fields` from `whole_capacitance.fields`. Keys shared with
+    `electric_point.figures` have the same meaning, over the run."""
     first = int(data["threshold"].to_numpy().argmin())
     state = fields["state"].to_numpy() == STATES.index("metallic")
     plates = float(data["plates"].mean())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Flaws as a run notes them: words of fix bearing/profile by ring or ball."""
+"""Flaws of a run: the words of fix bearing/profile by ring or ball."""
 
 import re
 from collections.abc import Mapping
@@ -13,8 +13,8 @@ OF_BALL = "ball "  # before the words of a ball
 
 
 def by_raceway(settings: Mapping[str, Any]) -> dict[str, str]:
-    """{"inner": words, "outer": words} of the raceways with flaws of the one bearing that
-    `settings` are of; words of several fixes stand one after another.
+    """{"inner": words, "outer": words} for the flawed raceways of the single bearing of `settings`;
+    the words of several fixes follow one another.
 
     >>> by_raceway({"inner_ring": 19, "outer_ring": 20, "flaws": "20 wave 8 1e-8 0"})
     {'outer': 'wave 8 1e-8 0'}
@@ -28,7 +28,7 @@ def by_raceway(settings: Mapping[str, Any]) -> dict[str, str]:
 
 
 def by_ball(settings: Mapping[str, Any]) -> dict[int, str]:
-    """Words by atom number of the balls with flaws; those of several fixes stand one after another.
+    """Words by atom number of the flawed balls; the words of several fixes follow one another.
 
     >>> by_ball({"flaws": "20 wave 8 1e-8 0; 3 ball wave 2 1e-7 0"})
     {3: 'wave 2 1e-7 0'}
@@ -41,6 +41,6 @@ def by_ball(settings: Mapping[str, Any]) -> dict[int, str]:
 
 
 def by_part(settings: Mapping[str, Any]) -> dict[str, str]:
-    """Those of raceways by "inner" and "outer", and of balls by "ball N", N the atom number."""
+    """Words of the raceways by "inner" and "outer", and of balls by "ball N", N the atom number."""
     balls = {f"ball {ball}": words for ball, words in by_ball(settings).items()}
     return {**by_raceway(settings), **balls}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a run and where its power went, beside the makers' formulas."""
+"""Friction torque and power losses of a run, compared with the makers' formulas."""
 
 import math
 from typing import Any
@@ -18,17 +18,18 @@ KEYS = (
     "torque_palmgren_N_m",
     "asperity_share",
 )
-FEW = 1e-2  # of the radial force: less axial force is ripple
+FEW = 1e-2  # fraction of the radial force: a smaller axial force is ripple
 
 
 def friction(tables: RunTables) -> dict[str, Any]:
-    """Means over the window, SI units, None where the run has none.
+    """Means over the window, SI units; None where the run has no value.
 
-    - `friction_torque_N_m`: the power lost over the inner ring's speed, as in statics. Without
-      losses the mean moment of the balls against its spin, which a tolerance of 1 nm leaves
-      uncertain by some 1e-5 N m
-    - `power_loss_W`, `losses_W`: lost in all contacts, and by kind of loss (`columns.LOSSES`)
-    - `asperity_share`: of the load, at the largest inner load
+    - `friction_torque_N_m`: power loss over the inner ring's speed, as in statics. Without
+      losses, the mean moment of the balls against its spin, uncertain by some 1e-5 N m at a
+      tolerance of 1 nm
+    - `power_loss_W`, `losses_W`: power lost in all contacts, and by kind of loss
+      (`columns.LOSSES`)
+    - `asperity_share`: share of the load on asperities, at the largest inner load
     - `torque_skf_N_m`, `torque_palmgren_N_m`: the makers' figures at the measured forces, for
       bearings and lubricants whose files are at hand and have their data
     """
@@ -54,7 +55,7 @@ def friction(tables: RunTables) -> dict[str, Any]:
 
 
 def _makers(tables, rings):
-    """SKF's torque with oil to the middle of a ball, and Palmgren's, N m."""
+    """SKF's torque with the oil level at the centre of the lowest ball, and Palmgren's, N m."""
     settings = tables.settings
     load = loading(tables)
     if not tables.lubricated or load is None or "fz" not in rings:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of the bearing and where its power goes."""
+"""Friction torque and power losses of the bearing."""
 
 import numpy as np
 import xarray as xr
@@ -11,18 +11,17 @@ from raceway.runs.run import Run
 
 
 def losses(run: Run) -> xr.Dataset:
-    """Dataset (time) of `run` (from `raceway.open`), from the samples that both rings and contacts
-    have:
+    """Dataset (time) of `run` (from `raceway.open`), at the samples common to rings and contacts:
 
-    - `torque` (N m): what the balls hold against the inner ring's spin
+    - `torque` (N m): moment of the balls against the inner ring's spin
     - `power_in` (W): torque times spin
     - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... as far as the
       contact law of the run has them (`columns.LOSSES`)
 
-    Power in and power lost differ at any moment by what springs and moving balls store, and on
-    average over whole ball passes by what the integrator adds or takes. The bearing's axis is z and
-    the ring not tilted much: the torque is the moment about z. Raises `RunError` when the run did
-    not record its losses.
+    Power in and power lost differ at any moment by the change of elastic and kinetic energy, and
+    on average over whole ball passes by the energy error of the integrator. The torque is the
+    moment about z, so the bearing's axis must be z and the tilt of the ring small. Raises
+    `RunError` if the run did not record its losses.
     """
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
@@ -43,9 +42,9 @@ def losses(run: Run) -> xr.Dataset:
 
 
 def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
-    """Dataset (raceway, from_load_line): mean power lost of a contact (W) in each part of the ring,
-    by the columns that the contacts of the run have (`friction_power`, `damping_power`, ...), and
-    `contacts`. Read in blocks. Raises as `losses` does."""
+    """Dataset (raceway, from_load_line): mean power loss of a contact (W) in each sector of the
+    ring, for each loss column of the contacts (`friction_power`, `damping_power`, ...), and
+    `contacts`, their number. Reads in blocks. Raises as `losses` does."""
     names = _known(run.settings["contact_columns"].split(), run)
     result = around(run, {name: lambda table, name=name: table[name] for name in names}, bins)
     for name in names:
@@ -54,7 +53,7 @@ def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
 
 
 def _known(columns, run):
-    """The loss columns among `columns`; error naming the file where there is none."""
+    """Loss columns among `columns`; without any, an error that names the file."""
     if known := [name for name in LOSSES.values() if name in columns]:
         return known
     raise RunError(

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What happened to the inner ring in a run, measured over its window: forces, displacement, tilt,
-speed; whether a load distribution factor means anything."""
+"""Forces, displacement, tilt and speed of the inner ring, measured over the window of a run, and
+the load distribution factor where it is defined."""
 
 import math
 from typing import NamedTuple
@@ -10,17 +10,17 @@ import numpy as np
 from raceway.runs.tables import RunTables
 from raceway.theory import clearance
 
-FEW = 0.05  # of the radial load or displacement: more is another kind of load
+FEW = 0.05  # fraction of the radial load or displacement: above, the load is not purely radial
 TURNED = 0.1  # rad; a load that turns further does not stand still
 
 
 def measured(tables: RunTables) -> dict[str, float | None]:
-    """Means over the window, SI units, None where the run did not write them.
+    """Means over the window, SI units; None for quantities that the run did not write.
 
     - `force_x_N`, `force_y_N`, `force_z_N`: force of balls and cage on the inner ring
     - `moment_x_N_m`, `moment_y_N_m`: their moment on it
-    - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: where it lies
-    - `rpm_least`, `rpm_most`: between what speeds it turned
+    - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: its axial displacement and tilt
+    - `rpm_least`, `rpm_most`: its lowest and highest speed
     """
     rings = _window(tables)
     result = {
@@ -43,8 +43,8 @@ def measured(tables: RunTables) -> dict[str, float | None]:
 
 
 class Loading(NamedTuple):
-    """What the balls carried, N: `radial`, the mean size of the radial force; `axial` along the
-    axis; whether the radial force `turns`."""
+    """Load on the balls, N: `radial`, the mean magnitude of the radial force; `axial`, along the
+    axis; `turns`, true for a rotating radial force."""
 
     radial: float
     axial: float
@@ -52,21 +52,21 @@ class Loading(NamedTuple):
 
 
 def loading(tables: RunTables) -> Loading | None:
-    """The load on the inner ring as measured, opposite to the force of its balls; None where the
-    run did not write forces."""
+    """Measured load on the inner ring, opposite to the force of the balls; None if the run did not
+    write forces."""
     rings = _window(tables)
     if "fx" not in rings or "fy" not in rings or not len(rings):
         return None
     force = rings["fx"].to_numpy() + 1j * rings["fy"].to_numpy()
-    # the ripple of balls that pass turns a steady load's direction less than that
+    # ball-pass ripple turns the direction of a steady load by less
     away = np.angle(force * np.conj(force.mean()))
     axial = -float(rings["fz"].mean()) if "fz" in rings else 0.0
     return Loading(float(np.abs(force).mean()), axial, bool(math.sqrt(np.mean(away**2)) > TURNED))
 
 
 def load_parameter(tables: RunTables, displacement: float) -> float | None:
-    """Load distribution factor of a run with the mean radial `displacement` (m), None where it
-    means nothing: without displacement, under a load that is not radial or turns, with a tilt."""
+    """Load distribution factor of a run with the mean radial `displacement` (m). None where it is
+    undefined: without displacement, under a load that is not radial or rotates, or with a tilt."""
     rings, load = _window(tables), loading(tables)
     if not displacement:
         return None
@@ -79,6 +79,6 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
 
 
 def _window(tables):
-    # after the start of the window; no copy of a long table
+    # samples after the start of the window, without copying a long table
     rings = tables.rings
     return rings.iloc[int(np.searchsorted(rings["sample"], 0, side="right")) :]

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The known uncertainty of the model beside the figures of a run: the range of its inputs and the
-spread of its laws. What is not known is not there; numerical errors are another matter
-(`raceway check`).
+"""Known model uncertainty of the figures of a run: the range of the inputs and the spread of the
+laws. Unknown uncertainties are not included; for numerical errors see `raceway check`.
 
 Films and capacitance: ends of the inputs, Masjedi-Khonsari or Hamrock-Dowson, and the factors of
-inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal: then its lowest
-film is the one thinned by it. All are taken at the inner contact with the largest load and carried
-over as factors; ends that act alike are combined. Asperities: the three laws of `theory.asperity`.
-Torque: the run's own with the makers'.
+inlet shear by Murch, Wilson and Gupta. A run without inlet shear is isothermal; its lower limit is
+the film thinned by inlet shear. All are evaluated at the inner contact with the largest load and
+applied as factors; limits that act in the same direction are combined. Asperities: the three laws
+of `theory.asperity`. Torque: the run's own value and the makers'.
 """
 
 import math
@@ -31,14 +30,14 @@ FIELDS = {
     "permittivity": "permittivity",
     "roughness_m": "roughness",
 }
-GUPTA = 10.0  # thermal loading up to which his factor holds
-SAME = 1e-6  # a value of the file
+GUPTA = 10.0  # largest thermal loading for which Gupta's factor holds
+SAME = 1e-6  # relative difference within which two values are the same
 LAWS = ((film.h_min, film.h_c), (film.hamrock_dowson_min, film.hamrock_dowson_c))
 SHARES = (asperity.zhou_hoeprich, asperity.olver_spikes, asperity.clarke)
 
 
 class Range(NamedTuple):
-    """Where a figure may lie as far as the model is known, in its own unit, and why."""
+    """Range of a figure within the known model uncertainty, in its own unit, and the reason."""
 
     low: float
     high: float
@@ -46,8 +45,8 @@ class Range(NamedTuple):
 
 
 def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Range]:
-    """`Range` by key of the figures of the run `tables`; empty for a dry run or a lubricant whose
-    file is not at hand."""
+    """`Range` by key of the figures of the run `tables`; empty for a dry run or a lubricant without
+    a file."""
     result: dict[str, Range] = {}
     if tables.lubricated and figures.get("h_c_m") and figures.get("entrainment_speed_m_s"):
         try:
@@ -109,7 +108,7 @@ def _films(tables, figures, oil, fluid):
         speed,
         load,
     )
-    # of the run over the law: what else thins or thickens it
+    # film of the run over that of the law: all other effects on its thickness
     scale = [figures["h_min_m"] / film.h_min(r_x, usual), figures["h_c_m"] / film.h_c(r_x, usual)]
     lows = [float(k * min(one[i] for one in found)) for i, k in enumerate(scale)]
     highs = [float(k * max(one[i] for one in found)) for i, k in enumerate(scale)]
@@ -135,14 +134,14 @@ def _films(tables, figures, oil, fluid):
 
 
 def _thinning(tables, figures, fluid):
-    """Factors on the film of the run for the laws of inlet shear."""
+    """Factors on the film of the run by the laws of inlet shear."""
     loading = film_factors.thermal_loading(
         fluid.temperature_viscosity,
         figures["viscosity_Pa_s"],
         figures["entrainment_speed_m_s"],
         fluid.conductivity,
     )
-    if math.isnan(loading):  # the file does not say
+    if math.isnan(loading):  # not given in the file
         return [1.0]
     pressure = figures["p_max_inner_Pa"] / tables.geometry.effective_modulus
     laws = {"murch": film_factors.murch_wilson(loading), "wilson": film_factors.wilson(loading)}

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Datasets whose variables are all attributes, too: `run.contacts.Q`."""
+"""Datasets with all variables available as attributes: `run.contacts.Q`."""
 
 import xarray as xr
 
-# `d.load` and `d.shift` are methods of a dataset, and `lambda` is a word of the language
+# `d.load` and `d.shift` are methods of a dataset, and `lambda` is a Python keyword
 ALIASES = {"Q": "load", "lambda_ratio": "lambda", "radial_displacement": "shift"}
 
 
 class NamedDataset(xr.Dataset):
-    """A dataset with second names for variables that Python does not take as attributes:
+    """A dataset with second names for variables that cannot be attributes in Python:
     `Q` for `load` (N), `lambda_ratio` for `lambda`, `radial_displacement` for `shift` (m).
 
-    Both names do as keys. What xarray makes of it by selecting, reducing or computing has them,
-    too.
+    Both names work as keys, also in datasets that xarray derives from it by selection, reduction
+    or arithmetic.
     """
 
     __slots__ = ()
@@ -33,6 +33,6 @@ class NamedDataset(xr.Dataset):
         return [*super().__dir__(), *(k for k, own in ALIASES.items() if own in self.variables)]
 
     def _own(self, name):
-        """The variable that `name` stands for."""
+        """Name of the variable for `name`."""
         own = ALIASES.get(name, name) if isinstance(name, str) else name
         return own if name not in self.variables and own in self.variables else name

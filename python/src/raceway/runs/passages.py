@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls that pass a spall, in an acceleration or a contact load: entry and blow of each.
+"""Ball passages over a spall in an acceleration or contact load: time of entry and impact.
 
-A ball loses load from the entry on, as the square of the way and, by damping, as the way itself
-(low frequencies). It strikes half-way or later (a sharp bend, high frequencies). The time between
-is what `spall.length` and `kinematics.spall_length` make a length of (Sawalha and Randall, Mech.
-Syst. Signal Process. 25 (2011) 846).
+From the entry on a ball loses load, with the square of the distance and, by damping, linearly with
+it (low frequencies). It strikes the far edge half-way or later (a sharp bend, high frequencies).
+`spall.length` and `kinematics.spall_length` convert the time between the two into a length (Sawalha
+and Randall, Mech. Syst. Signal Process. 25 (2011) 846).
 """
 
 from typing import NamedTuple
@@ -45,8 +45,8 @@ class Passages(NamedTuple):
 
     @property
     def strong(self) -> "Passages":
-        """Those with at least 0.7 of the deepest dip: a spall of the inner raceway turns through
-        the load."""
+        """Passages with at least 0.7 of the deepest dip: a spall of the inner raceway rotates
+        through the loaded zone."""
         kept = self.dip >= STRONG * self.dip.max(initial=0.0)
         return Passages(*(values[kept] for values in self))
 
@@ -58,16 +58,16 @@ def find(
     reach_s: float | None = None,
     share: float = 0.5,
 ) -> Passages:
-    """`Passages` in evenly sampled `values` (N,), `sample_s` apart, where a ball comes to the spall
-    every `period_s`: 1/BPFO or 1/BPFI for a ring's acceleration, Z times that for the contact load
-    of one ball.
+    """`Passages` in evenly sampled `values` (N,), `sample_s` apart, with a ball at the spall every
+    `period_s`: 1/BPFO or 1/BPFI for a ring's acceleration, Z times that for the contact load of one
+    ball.
 
-    A passage is the time `reach_s` before to `reach_s` after a blow, half a period unless given.
-    The first quarter of the time before the blow must be quiet, along a straight line. The entry is
-    where a line and a square begin that are fitted up to a `share` of the first peak. The blow is
-    where the second derivative jumps: the begin of a rounding, if the edge is rounded. A contact
-    load bends sooner than an acceleration: take a `share` of 0.1, and a reach of three times the
-    time from entry to blow. Passages without a blow that stands out, or whose entry is lost in
+    A passage lasts from `reach_s` before to `reach_s` after an impact, by default half a period.
+    The first quarter of the time before the impact must be quiet, along a straight line. The entry
+    is the start of a linear and a quadratic term fitted up to a `share` of the first peak. The
+    impact is the jump of the second derivative; at a rounded edge, the start of the rounding. A
+    contact load bends sooner than an acceleration: use a `share` of 0.1 and a reach of three times
+    the time from entry to impact. Passages without a distinct impact, or with an entry lost in
     noise, are left out.
 
     Raises `ValueError` for a reach below 16 samples or above half a period, values shorter than a
@@ -105,7 +105,7 @@ def find(
 
 
 def _phase(turn, count):
-    """Where in a period of `count` samples the record bends most, all periods together; samples."""
+    """Place of the sharpest bend in a period of `count` samples, all periods folded; samples."""
     bins = int(count / FOLDS)
     place = (np.arange(len(turn)) % count * bins / count).astype(int) % bins
     sharp = np.bincount(place, turn**2, bins)
@@ -140,8 +140,9 @@ def _passage(values, turn, share):
 
 
 def _begin(turn, entry, blow):
-    """Where the blow begins whose strong bends start at the index `blow`: where `turn` jumps more
-    than before. A rounded edge makes a weak bend first, and the ringing bends without a jump."""
+    """Start of the impact with strong bends from the index `blow` on: the first jump of `turn`
+    above the earlier ones. A rounded edge first causes a weak bend; ringing bends without a
+    jump."""
     jump = np.abs(np.diff(turn, prepend=turn[0]))
     first, last = (max(int(entry + part * (blow - entry)), 0) for part in CALM)
     after = int(2 * blow - entry)
@@ -151,15 +152,15 @@ def _begin(turn, entry, blow):
 
 
 def _entry(values, start, end, ringing):
-    """Where a line and a square of the same sign begin on top of a line and of a `ringing` (rad a
-    sample) that dies down, least squares up to the index `end`, near `start`; or None."""
+    """Start of a linear and a quadratic term of the same sign on top of a line and a decaying
+    `ringing` (rad per sample): least squares up to the index `end`, near `start`; or None."""
     if end - start < 1:
         return None
     place = np.arange(end + 1) - float(end)
     place = place[max(0, end - int(4 * np.pi / ringing + REACH * (end - start))) :]
     rest = [np.ones_like(place), place, *_waves(place, ringing)]
     values = values[-len(place) + end + 1 : end + 1]
-    # what the rest leaves of the values, and of a line and a square, by their begin
+    # residual of the values and of the two terms after the fit of the rest, by their start
     base = np.linalg.qr(np.transpose(rest))[0]
     left = values - base @ (base.T @ values)
 
@@ -187,7 +188,7 @@ def _waves(place, ringing):
 
 
 def _ringing(values):
-    """The strongest frequency of `values` after a blow, rad a sample."""
+    """The strongest frequency of `values` after an impact, rad per sample."""
     heard = signal.detrend(values) * np.hanning(len(values))
     lines = np.abs(np.fft.rfft(heard, 8 * len(heard)))
     return 2 * np.pi * max(int(np.argmax(lines)), 1) / (8 * len(heard))
@@ -196,12 +197,12 @@ def _ringing(values):
 def of_run(
     run: Run, raceway: str, name: str = "ay", ring: str = "outer", longest: float = 3e-3
 ) -> Passages:
-    """`find` in a column of a `ring` of `run`, for a spall of the "inner" or "outer" `raceway`, up
-    to `longest` in m: what rang before must have died down that far before a blow. The period is
-    that of the run's own cage speed.
+    """`find` in a column of a `ring` of `run`, for a spall of the "inner" or "outer" `raceway` of a
+    length up to `longest` in m; earlier ringing must have decayed by that distance before an
+    impact. The period follows from the run's own cage speed.
 
-    Raises `RunError` as `spectrum.signal_of` does, for a run that does not say its cage speed, and
-    where the samples are too few; `ValueError` for another raceway.
+    Raises `RunError` as `spectrum.signal_of` does, for a run without cage speed, and for too few
+    samples; `ValueError` for another raceway.
     """
     if raceway not in ("inner", "outer"):
         raise ValueError(f"raceway is '{raceway}', must be inner or outer")

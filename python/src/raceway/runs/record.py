@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The record of a run: the file that fix bearing/record wrote, read in pieces.
 
-The file is netCDF classic: `xarray.open_dataset` opens it without this module. It may still grow:
-every reading sees the samples that its header counts at that moment.
+The file is netCDF classic: `xarray.open_dataset` opens it without this module. It may still be
+growing: each read sees the samples that its header counts at that moment.
 """
 
 from collections.abc import Iterator
@@ -17,15 +17,15 @@ from raceway.errors import RunError
 from raceway.files import FilePath
 
 NAME = "record.nc"
-BLOCK = 8 << 20  # bytes read together
+BLOCK = 8 << 20  # bytes per read
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 
 
 class Record:
-    """The record in `folder`, all its bearings or the one with the number `bearing` (from 1).
+    """The record in `folder`: all its bearings, or the one with the number `bearing` (from 1).
 
-    Arrays are read when asked for, `start` to `stop` in samples. Raises `RunError` when the folder
-    has no record, the file is broken or of something else, or there is no such bearing.
+    Arrays are read on demand, from sample `start` to `stop`. Raises `RunError` for a folder without
+    record, a file that is broken or of another kind, and an unknown bearing number.
     """
 
     def __init__(self, folder: FilePath, bearing: int | None = None) -> None:
@@ -49,7 +49,7 @@ class Record:
                 self._begin = _begin(file)
         except OSError as error:
             raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
-        except (TypeError, ValueError, KeyError, IndexError):  # what scipy makes of such bytes
+        except (TypeError, ValueError, KeyError, IndexError):  # raised by scipy for such bytes
             raise RunError(
                 f"cannot read {self.path}: it is cut short or damaged, or no record at all"
             ) from None
@@ -68,14 +68,14 @@ class Record:
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
 
     def __len__(self) -> int:
-        """Samples that the header counts now."""
+        """Number of samples in the header at this moment."""
         with open(self.path, "rb", buffering=0) as file:
             return int.from_bytes(
                 file.read(8)[4:], "big"
             )  # netCDF classic: after "CDF" and version
 
     def part(self, dimension: str) -> slice:
-        """What of a dimension belongs to the bearing: a slice."""
+        """Slice of a dimension that belongs to the bearing."""
         if self.bearing is None or dimension not in ("ball", "cage_ball", "ring", "bearing"):
             return slice(None)
         owner = self._fixed["bearing" if dimension == "bearing" else f"{dimension}_bearing"]
@@ -83,15 +83,15 @@ class Record:
         return slice(here[0], here[-1] + 1) if len(here) else slice(0, 0)
 
     def fixed(self, name: str) -> np.ndarray:
-        """A variable without time, of the bearing."""
+        """The bearing's values of a variable without time."""
         dims = self.variables[name]
         return self._fixed[name][tuple(self.part(dim) for dim in dims)]
 
     def read(self, names: list[str], start: int = 0, stop: int | None = None) -> dict[str, Floats]:
-        """{name: array} of variables with time, native byte order, of the bearing.
+        """{name: array} of variables with time, native byte order, for the bearing.
 
-        The file is gone through once. What is one number a sample and bearing or ring is read
-        together and kept until other samples are asked for: summaries ask for one after another.
+        The file is read once. Variables with one number per sample and bearing or ring are read
+        together and cached until other samples are requested: a summary needs them one by one.
         """
         first, last, _ = slice(start, stop).indices(len(self))
         numbers = [n for n, dims in self.variables.items() if dims in NUMBERS]
@@ -119,15 +119,15 @@ class Record:
         return found
 
     def shape(self, name: str) -> tuple[int, ...]:
-        """Of one sample of a variable with time: what belongs to the bearing."""
+        """Shape of one sample of a variable with time, for the bearing."""
         return np.empty(0, self._row)[name][(slice(None), *self._parts(name))].shape[1:]
 
     def _parts(self, name):
         return tuple(self.part(dim) for dim in self.variables[name][1:])
 
     def pick(self, name: str, key: tuple) -> Floats:
-        """What an index (slices, integers and arrays, one a dimension) picks of a variable with
-        time, of the bearing."""
+        """Values of a variable with time at an index (slices, integers and arrays, one per
+        dimension), for the bearing."""
         time = key[0]
         if isinstance(time, slice) and time.step in (None, 1):
             values = self.read([name], time.start or 0, time.stop)[name]
@@ -139,7 +139,7 @@ class Record:
         return values
 
     def _scattered(self, name, samples):
-        """A variable at samples here and there: nothing between them is read or mapped."""
+        """A variable at scattered samples; the samples between are neither read nor mapped."""
         kind, offset = self._row.fields[name][:2]
         rows = np.empty((np.size(samples), kind.itemsize), np.uint8)
         with open(self.path, "rb", buffering=0) as file:
@@ -158,16 +158,16 @@ class Record:
 
     @property
     def two_grooves(self) -> bool:
-        """A ring may have two grooves for a ball, an arch."""
+        """True if a ring may have two grooves for a ball (gothic arch)."""
         return len(self.raceways) > 2
 
     @cached_property
     def contact_columns(self) -> list[str]:
-        """Names of the columns of contacts; none in a summary."""
+        """Names of the contact columns; none in a summary record."""
         return [n for n, dims in self.variables.items() if dims == ("time", "raceway", "ball")]
 
     def blocks(self, start: int, stop: int | None) -> Iterator[tuple[int, int]]:
-        """(start, stop) of pieces of a few MB."""
+        """(start, stop) of blocks of a few MB."""
         self.need_samples()
         stop = len(self) if stop is None else min(stop, len(self))
         if start >= stop:
@@ -181,7 +181,7 @@ class Record:
         return [n for n, dims in self.variables.items() if n.startswith(prefix) and "time" in dims]
 
     def need_one(self) -> None:
-        """Raise `RunError` unless the record is of one bearing or one has been chosen."""
+        """Raise `RunError` unless the record has one bearing or one has been chosen."""
         if self.bearing is None:
             raise RunError(
                 f"{self.path} has {len(self.bearings)} bearings: choose one with --bearing NUMBER,"
@@ -189,12 +189,12 @@ class Record:
             )
 
     def need_samples(self) -> None:
-        """Raise `RunError` where the header counts no sample."""
+        """Raise `RunError` if the header counts no sample."""
         if not len(self):
             raise RunError(f"{self.path} holds no sample: its run has just begun or was stopped")
 
     def need_contacts(self) -> None:
-        """Raise `RunError` where the record has no columns of contacts."""
+        """Raise `RunError` if the record has no contact columns."""
         if not self.contact_columns:
             raise RunError(
                 f"{self.path} holds no contacts: record them with -var record all, in a deck of"
@@ -203,7 +203,7 @@ class Record:
 
 
 def _without_record(folder):
-    """Why the folder has no record, and what to do."""
+    """Reason for a missing record in the folder, and the remedy."""
     if not folder.is_dir():
         return "is no folder: a run makes one, -var out NAME"
     if (folder / "contacts.dump").exists() or (folder / "balls.dump").exists():
@@ -226,18 +226,18 @@ def _timed(file):
 
 
 def _place(variable):
-    """Where in memory the first value of a variable is."""
+    """Memory address of the first value of a variable."""
     return variable.data.__array_interface__["data"][0]
 
 
 def _begin(file):
-    """Where in the file the first sample is."""
+    """Offset of the first sample in the file."""
     first = min(map(_place, _timed(file).values()), default=0)
     return first - file._mm_buf.__array_interface__["data"][0]
 
 
 def _row(file):
-    """The type of one sample: all variables with time, where they are in it."""
+    """Type of one sample: all variables with time, at their offsets."""
     timed = _timed(file)
     begin = min(map(_place, timed.values()), default=0)
     return np.dtype(

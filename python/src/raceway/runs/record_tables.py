@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Samples of a record as `DataFrame`s whose column `sample` counts from the first of the record.
+"""Samples of a record as `DataFrame`s; their column `sample` counts from the start of the record.
 
 Each function takes the `record` and the samples `start` to `stop`. All values are SI units.
 """
@@ -16,8 +16,8 @@ MOTION = list(ATOM)[2:]  # place, velocity and spin
 
 
 def contacts(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """A row per live contact and sample; with `groove` where rings have two for a ball. `attrs`:
-    `first` and the number of `samples`. Raises `RunError` where the record has no loads."""
+    """A row per live contact and sample; with `groove` for rings of two grooves. `attrs`: `first`
+    and the number of `samples`. Raises `RunError` if the record has no loads."""
     record.need_contacts()
     if "load" not in record.contact_columns:
         raise RunError(f"{record.path} has no column load: record it with the other contacts")
@@ -48,9 +48,8 @@ def _rings_of_balls(record):
 
 
 def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """A row per ball, cage ball and ring, and sample. A ring's spin is that about its own axis.
-    `attrs`: `first` and the number of `samples`. Raises `RunError` where the record has no motion
-    of balls."""
+    """A row per sample and ball, cage ball or ring. A ring's spin is about its own axis. `attrs`:
+    `first` and the number of `samples`. Raises `RunError` if the record has no ball motion."""
     if "ball_x" not in record.variables:
         raise RunError(f"{record.path} is a summary: it has no motion of balls")
     parts = []
@@ -100,7 +99,7 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
 
 
 def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
-    """A row per sample, its number the index: sums and extremes over the bearing."""
+    """A row per sample, indexed by its number: sums and extremes over the bearing."""
     record.need_one()
     data = record.read(record.timed("bearing_"), start, stop)
     table = pd.DataFrame(

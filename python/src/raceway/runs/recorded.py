@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The datasets of a run from its record: values stay in the file until they are used."""
+"""The datasets of a run from its record; values are read from the file on first use."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -22,7 +22,7 @@ ABOUT = ("bearing", "lubricant", "host", "integrator", "load_N", "rpm", "clearan
 
 
 class _InFile(BackendArray):
-    """A variable with time that stays in the file; `of`: what is made of its values."""
+    """A lazy variable with time; `of` is applied to its values."""
 
     def __init__(self, record, name, samples, of=np.asarray):
         self.record, self.name, self.of = record, name, of
@@ -39,21 +39,21 @@ class _InFile(BackendArray):
     def _pick(self, at):
         time, *others = at
         if isinstance(time, slice) and time.step in (None, 1):
-            time = slice(*time.indices(self.shape[0]))  # not what has come since
+            time = slice(*time.indices(self.shape[0]))  # without samples added since
         return self.of(self.record.pick(self.name, (time, *others)))
 
 
 class Recorded:
-    """The datasets of the run `tables`, as `Run` gives them."""
+    """The datasets of the run `tables` for `Run`."""
 
     def __init__(self, tables: RunTables) -> None:
         self.tables, self.record = tables, tables.record
-        # the file may be growing: all datasets of a run have the samples of its first look
+        # the file may be growing: all datasets of a run have the samples of the first read
         self._window = slice(tables.first, tables.last if len(self.record) else 0)
 
     @cached_property
     def _file(self):
-        """Every variable of contacts, balls, cage and rings, in the window and of the bearing."""
+        """Every variable of contacts, balls, cage and rings, for the window and the bearing."""
         record = self.record
         found = {
             name: self._in_file(name)[self._window]
@@ -75,7 +75,7 @@ class Recorded:
 
     @property
     def _of_one(self):
-        """Ball passes and the loaded zone are those of one bearing."""
+        """True for a single bearing: only then are ball passes and the loaded zone defined."""
         return self.record.bearing is not None
 
     def _labelled(self, data):
@@ -92,7 +92,7 @@ class Recorded:
         return data
 
     def _azimuths(self, data, azimuth, from_load_line):
-        """`data` with these two as coordinates, `Variable`s."""
+        """`data` with these two `Variable`s as coordinates."""
         found = [("azimuth", azimuth, CONTACT["azimuth"].meaning)]
         if self._of_one:
             found.append(

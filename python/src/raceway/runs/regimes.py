@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Film regimes around the ring: which share of the contacts runs in boundary, mixed and full
-film."""
+"""Film regimes around the ring: shares of the contacts in boundary, mixed and full-film
+lubrication."""
 
 import xarray as xr
 
@@ -14,10 +14,10 @@ REGIMES = ("boundary", "mixed", "full")
 
 def shares(run: Run, bins: int = BINS, boundary: float = 1.0, full: float = 3.0) -> xr.Dataset:
     """Dataset (raceway, from_load_line): `share` (regime, raceway, from_load_line) of the contacts
-    in each part of the ring, adding up to 1, mean film parameter `lambda`, and `contacts`, their
+    in each sector of the ring, adding up to 1, mean lambda ratio `lambda`, and `contacts`, their
     number.
 
-    `run` from `raceway.open`; the limits are film parameters (eq 7). Raises `RunError` for a run
+    `run` is from `raceway.open`; the limits are lambda ratios (eq 7). Raises `RunError` for a run
     without film.
     """
     need_film(run, "lambda")
@@ -38,7 +38,7 @@ def totals(run: Run, boundary: float = 1.0, full: float = 3.0) -> xr.DataArray:
 
 
 def need_film(run: Run, column: str) -> None:
-    """Raise `RunError` when the contacts of `run` have no `column` of the film."""
+    """Raise `RunError` if the contacts of `run` lack the film's `column`."""
     if not run.tables.lubricated or column not in run.tables.record.contact_columns:
         raise RunError(
             f"{run.tables.folder}: a run without lubricant or without the column {column} has no"

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness and damping of a bearing from small motions of its ring in a run: free decay, or
-vibration under loads that vary.
+vibration under varying loads.
 
 The force of the balls on the ring is fitted by f = f_0 - K q - C v, by least squares over all
-samples. So K and C are those of the frequencies that move, and the balls' inertia and the laws of
-the film are in them.
+samples. K and C thus apply to the excited frequencies and include the balls' inertia and the film
+laws.
 """
 
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.run import Run
 
-# degree of freedom: column of its place and of the force on it
+# degree of freedom: column of its displacement and of the force on it
 COLUMNS = {
     "x": ("x", "fx"),
     "y": ("y", "fy"),
@@ -25,17 +25,17 @@ COLUMNS = {
     "rx": ("tilt_1", "mx"),
     "ry": ("tilt_2", "my"),
 }
-APART = 1e-4  # of singular values: below it two motions are one
+APART = 1e-4  # ratio of singular values below which two motions are not independent
 
 
 class Fit(NamedTuple):
-    """Of n degrees of freedom, SI units."""
+    """Fit of n degrees of freedom, SI units."""
 
     stiffness: Floats  # (n, n)
     damping: Floats  # (n, n)
-    stiffness_error: Floats  # (n, n), standard errors if what is left were noise
+    stiffness_error: Floats  # (n, n), standard errors for residuals that are noise
     damping_error: Floats  # (n, n), likewise
-    left: Floats  # (n,), rms of what is left of each force over that of its changes
+    left: Floats  # (n,), rms residual of each force over the rms of its variation
 
 
 def fitted(
@@ -43,8 +43,8 @@ def fitted(
 ) -> Fit:
     """`Fit` of the places (N, n), velocities (N, n) and forces on the ring (N, n) of N samples.
 
-    `others` (N, k) are functions of time that the force may have beside, a sine of the ball pass
-    for instance. Raises `ValueError` for too few samples, or motions that are not independent.
+    `others` (N, k) are further functions of time in the force, for instance a sine of the ball
+    pass. Raises `ValueError` for too few samples, or motions that are not independent.
 
     >>> time = np.linspace(0, 1, 500)
     >>> place, velocity = np.sin(20 * time)[:, None], 20 * np.cos(20 * time)[:, None]
@@ -93,10 +93,10 @@ def of_run(
     """`Fit` of the inner ring of `run` in `freedoms` (of x, y, z, rx, ry), from the time `since`
     on and before `until` (s); the bearing's axis is z.
 
-    `lines` in rad/s are frequencies that the force has of its own, such as the ball pass of a
-    bearing under radial load. Velocities are derivatives of splines through the places. So samples
-    must be even, ten or more a period. Raises `ValueError` as `fitted` does, and `RunError` for a
-    degree of freedom that there is none of, or uneven samples.
+    `lines` in rad/s are frequencies of the force that do not stem from the motion, such as the
+    ball pass of a bearing under radial load. Velocities are derivatives of splines through the
+    displacements, so samples must be evenly spaced, ten or more per period. Raises `ValueError` as
+    `fitted` does, and `RunError` for an unknown degree of freedom or uneven samples.
     """
     from scipy.interpolate import CubicSpline
 
@@ -110,7 +110,7 @@ def of_run(
     place = np.stack([rings[COLUMNS[name][0]].to_numpy() for name in freedoms], axis=1)
     force = np.stack([rings[COLUMNS[name][1]].to_numpy() for name in freedoms], axis=1)
     velocity = CubicSpline(time, place).derivative()(time)
-    # the ends of a spline know one side alone
+    # a spline is one-sided at its ends
     keep = (time >= since) & (time < until) & (time > time[3]) & (time < time[-4])
     sines = [wave(line * time) for line in lines for wave in (np.sin, np.cos)]
     others = np.stack(sines, axis=1)[keep] if sines else None

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run as labelled arrays: `raceway.open` gives one object with a dataset for each thing a bearing
-is made of."""
+"""A run as labelled arrays: `raceway.open` returns an object with a dataset for each component of
+the bearing."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -22,8 +22,8 @@ IN_BLOCKS = ("contacts", "balls", "cage")
 
 
 class Run:
-    """The run in `folder`. Every dataset is read when first asked for; all values are SI units and
-    say so in `attrs`.
+    """The run in `folder`. Each dataset is read on first use; all values are in SI units, given in
+    `attrs`.
 
     - `contacts`: (time, raceway, ball) every recorded column of each contact; `azimuth` and
       `from_load_line` (rad, the latter counted from the centre of the loaded zone) are coordinates
@@ -34,21 +34,20 @@ class Run:
     - `bearing`: (time) sums and extremes over the contacts: capacitance, balls loaded, largest
       loads, losses
 
-    Every variable is an attribute, too: `run.contacts.mu`. Those that Python takes for something
-    else have a second name: `Q` for `load`, `lambda_ratio` for `lambda`, `radial_displacement` for
-    `shift`.
+    Every variable is also an attribute: `run.contacts.mu`. Names that cannot be attributes have a
+    second name: `Q` for `load`, `lambda_ratio` for `lambda`, `radial_displacement` for `shift`.
 
-    `time` is in s from the start of the measured window, the same values in all of them; `passes`
-    beside it counts ball passes. `ball` is the atom number, `raceway` "inner" or "outer"; where
-    rings have two grooves for a ball, "inner 0", "inner 1", "outer 0" or "outer 1". Where a ball
-    does not touch a raceway, what vanishes with the contact (load, pressure, capacitance ...) is 0
-    and what it does not have (film, angle ...) NaN.
+    `time` is in s from the start of the measured window, with the same values in all datasets;
+    `passes` is the same time in ball passes. `ball` is the atom number, `raceway` "inner" or
+    "outer", or for rings of two grooves "inner 0", "inner 1", "outer 0" or "outer 1". Without
+    contact, quantities that vanish with it (load, pressure, capacitance ...) are 0 and undefined
+    ones (film, angle ...) NaN.
 
-    `samples`, a slice without step, keeps to some samples: `blocks` and `bearing` need no more
-    memory for a large run, the other datasets do.
+    `samples`, a slice without step, selects some samples. The memory for `blocks` and `bearing`
+    does not grow with the run, that for the other datasets does.
 
-    Raises `RunError` when the folder has no record, a broken one, or one of another run than its
-    `run.yaml`. A run that is still going can be read as far as it is.
+    Raises `RunError` if the record is missing, broken, or of another run than `run.yaml`. An
+    unfinished run can be read up to its latest sample.
     """
 
     def __init__(
@@ -62,7 +61,7 @@ class Run:
         return self.tables.record.bearings
 
     def select(self, number: int) -> "Run":
-        """The same run, one bearing of it. Raises `RunError` for a number that none has."""
+        """One bearing of the same run. Raises `RunError` for an unknown number."""
         if number not in self.bearing_numbers:
             raise RunError(
                 f"{self.tables.folder} has the bearings {self.bearing_numbers[0]} to"
@@ -88,26 +87,26 @@ class Run:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """What was run, by the names of `run.yaml`: names as text, the rest as numbers in the units
-        their names end with."""
+        """Settings of the run by the names of `run.yaml`: names as text, all others as numbers in
+        the units that end their names."""
         return self.tables.settings
 
     @property
     def flaws(self) -> dict[str, str]:
         """Words of fix bearing/profile by raceway, "inner" and "outer", and by ball, "ball 1" for
-        that of atom number 1; nothing of one without flaws. Raises `RunError` unless one bearing
-        has been chosen."""
+        atom number 1; parts without flaws are left out. Raises `RunError` unless one bearing has
+        been chosen."""
         self.tables.record.need_one()
         return by_part(self.settings)
 
     @cached_property
     def contacts(self) -> xr.Dataset:
-        """Dataset (time, raceway, ball). Values are read when they are used."""
+        """Dataset (time, raceway, ball). Values are read on first use."""
         return Recorded(self.tables).contacts
 
     @cached_property
     def balls(self) -> xr.Dataset:
-        """Dataset (time, ball). Values are read when they are used."""
+        """Dataset (time, ball). Values are read on first use."""
         return Recorded(self.tables).balls
 
     @cached_property
@@ -126,7 +125,7 @@ class Run:
         return Recorded(self.tables).bearing
 
     def blocks(self, name: str) -> Iterator[xr.Dataset]:
-        """Yield the dataset `name`, "contacts", "balls" or "cage", in pieces of some thousand
+        """Yield the dataset `name`, "contacts", "balls" or "cage", in blocks of some thousand
         samples.
 
         Raises `ValueError` for another name.

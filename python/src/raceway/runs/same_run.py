@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A record and the `run.yaml` beside it must be of one run: both note what was set."""
+"""Check that a record and its `run.yaml` belong to the same run, by the settings in both."""
 
 import math
 from collections.abc import Mapping
@@ -8,13 +8,13 @@ from typing import Any
 from raceway.errors import RunError
 from raceway.runs.record import Record
 
-DIGITS = 1e-14  # run.yaml has 15 of a number
-VARIABLES = "deck_variables"  # of other texts YAML may have taken quotation marks
+DIGITS = 1e-14  # numbers in run.yaml have 15 digits
+VARIABLES = "deck_variables"  # YAML may have removed quotation marks from other texts
 
 
 def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
-    """Raise `RunError` where the `record` contradicts what `run.yaml` has `said`, texts by name: a
-    number, the variables of the deck or, of a run that has ended, its length."""
+    """Raise `RunError` where the `record` contradicts `said`, the texts of `run.yaml` by name: in
+    a number, in the variables of the deck or, for a finished run, in its length."""
     for key, own in record.attrs.items():
         if key not in said:
             continue
@@ -23,7 +23,8 @@ def need_same_run(record: Record, said: Mapping[str, Any]) -> None:
             _refuse(record, key, *(_without(*two) for two in ((own, other), (other, own))))
         if isinstance(own, float) and not _close(own, said[key]):
             _refuse(record, key, f"{own:g}", said[key])
-    # before its end a record may hold more than the run.yaml of a run before it in the deck
+    # until the run ends, its record may be longer than in the run.yaml of an earlier run of the
+    # deck
     if "simulated_s" in said and record.fixed("finished") and len(record):
         last, known = float(record.pick("time", (len(record) - 1,))), float(said["simulated_s"])
         if abs(last - known) > 0.5 * record.attrs["sample_s"]:

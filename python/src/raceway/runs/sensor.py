@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What an accelerometer on a ring or its housing would give: the record at a lower rate.
+"""Signal of an accelerometer on a ring or its housing: the record at a lower sampling rate.
 
-A record of integrator vibration has several samples for each that is wanted. A filter takes off
-what a lower rate cannot hold, then samples are left out. Nothing is added but noise, when asked.
+A record of integrator vibration has several samples for each sample of the sensor. A filter removes
+the frequencies above half the lower rate before samples are left out. Noise is optional.
 """
 
 from collections.abc import Sequence
@@ -18,19 +18,19 @@ from raceway.errors import RunError
 from raceway.runs import spectrum
 from raceway.runs.run import Run
 
-PASSED = 0.4  # of the new rate: up to here the signal is what it was, within STOPPED
-STOPPED = 80.0  # dB, from half the new rate on
-LARGEST = 1000  # of the whole numbers whose ratio the two rates have
+PASSED = 0.4  # pass band over the new rate: no change of the signal, within STOPPED
+STOPPED = 80.0  # dB, attenuation from half the new rate on
+LARGEST = 1000  # bound on the whole numbers in the ratio of the two rates
 
 
 def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
-    """Evenly sampled `values` (N,), `sample_s` apart, at `rate` in Hz: (M,), in their unit, the
-    first at the time of the first.
+    """Evenly sampled `values` (N,), `sample_s` apart, resampled at `rate` in Hz: (M,), in their
+    unit, starting at the same time.
 
-    A Kaiser-windowed FIR filter without delay stands before: flat to 0.4 of the rate, 80 dB down
-    from half of it on. The outermost 25 or so of the M hold the filter's ends.
-    Raises `ValueError` for a rate above that of the values, and one that is no ratio of whole
-    numbers below 1000 to it.
+    A Kaiser-windowed FIR filter without delay is applied first: flat to 0.4 of the rate, 80 dB
+    down from half of it on. Its end effects reach about 25 values into either end.
+    Raises `ValueError` for a rate above that of the values, and for a ratio of the rates that is
+    not one of whole numbers below 1000.
 
     >>> time = np.arange(19200) / 192e3
     >>> kept = decimated(np.sin(2 * np.pi * 5e3 * time), 1 / 192e3, 48e3)
@@ -50,12 +50,12 @@ def decimated(values: ArrayLike, sample_s: float, rate: float) -> Floats:
     if share == 1:
         return values.copy()
     up, down = share.numerator, share.denominator
-    # of the rate that the filter runs at, `up` times that of the values: half the new rate
+    # half the new rate, over the rate of the filter, `up` times that of the values
     edge = 1 / down
     taps, beta = signal.kaiserord(STOPPED, edge * (1 - 2 * PASSED))
     middle = edge * (0.5 + PASSED)
     window = signal.firwin(taps | 1, middle, window=("kaiser", beta))
-    mean = values.mean()  # else the ends would show a step
+    mean = values.mean()  # avoids a step at the ends
     return signal.resample_poly(values - mean, up, down, window=window) + mean
 
 
@@ -67,11 +67,11 @@ def of_run(
     noise: float = 0.0,
     seed: int | Sequence[int] | None = None,
 ) -> xr.DataArray:
-    """A column of a ring of `run` as a sensor gives it: `DataArray` (time), unit of the column.
+    """Sensor signal of a column of a ring of `run`: `DataArray` (time), unit of the column.
 
     `ring` is "inner" or "outer", `rate` in Hz (None: as recorded). `noise` is the standard
-    deviation of white noise in the column's unit, from `seed`; 0 adds none. An outer ring that is
-    held has no acceleration: give the deck a housing.
+    deviation of white noise in the column's unit, from `seed`; 0 adds none. A fixed outer ring has
+    no acceleration: the deck needs a housing.
 
     Raises `RunError` for a run without such a column, for a ring that does not move, and for a rate
     as `decimated` does.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What was run, by the names of `run.yaml`: from the record, and how the run ended from the
-`run.yaml` beside it.
+"""Settings of a run by the names of `run.yaml`: from the record, and those of its end from
+`run.yaml` in the same folder.
 
-The load, speed and length that a deck has not noted are measured: means over the record.
+Load, speed and length are measured as means over the record if the deck did not note them.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,19 +16,19 @@ from raceway.errors import RunError
 from raceway.runs.record import Record
 from raceway.runs.same_run import need_same_run
 
-# written last: without them the run has not finished
+# written last; missing in an unfinished run
 AT_THE_END = ("step_s", "simulated_s", "wall_s")
-COST = ("processor_s", "evaluations")  # beside them, in runs that say it
+COST = ("processor_s", "evaluations")  # in addition, in runs that note it
 LUBRICANT = ("viscosity_Pa_s", "pressure_viscosity_per_Pa", "permittivity", "roughness_m")
 NO_LUBRICANT = ("dry", "none")
 MEASURED = ("load_N", "load_azimuth_rad", "rpm", "samples_per_pass", "passes")
-RAD_S = np.pi / 30  # of one revolution a minute
+RAD_S = np.pi / 30  # rad/s per revolution a minute
 
 
 class Settings(dict[str, Any]):
-    """`values` by name: text, or numbers in the units their names end with. A key that is missing
-    is one bearing's own, or was measured: each of `needed` raises `RunError` where that is the
-    reason."""
+    """`values` by name: text, or numbers in the units that end their names. A key may be missing
+    because it needs the choice of one bearing or a measurement; each of `needed` raises `RunError`
+    for its reason."""
 
     def __init__(self, values: Mapping[str, Any], needed: tuple[Callable[[], None], ...]) -> None:
         super().__init__(values)
@@ -41,8 +41,8 @@ class Settings(dict[str, Any]):
 
 
 def settings(record: Record) -> Settings:
-    """The settings of the run of `record`. Raises `RunError` for a `run.yaml` beside it that is
-    broken or of another run."""
+    """Settings of the run of `record`. Raises `RunError` for a `run.yaml` that is broken or of
+    another run."""
     path = record.path.with_name("run.yaml")
     beside = _said(path)
     end = _the_end(path, beside)
@@ -69,7 +69,7 @@ def _bearing(record):
         "balls": int(value["balls"]),
         "ball_diameter_m": value["ball_diameter"],
         "inner_radius_m": value["inner_radius"],
-        # that of the bearing without clearance, which stands beside it
+        # value of the bearing without clearance, which is given separately
         "outer_radius_m": value["outer_radius"] - value["clearance"] / 2,
         "inner_groove_m": value["inner_groove"],
         "outer_groove_m": value["outer_groove"],
@@ -93,7 +93,7 @@ def _measured(record, told):
     spin = record.read(["ring_spin"])["ring_spin"].mean(axis=0)
     side = record.fixed("ring_raceway")
     force = record.read(["ring_fx", "ring_fy"])
-    # the load pushes the inner ring to where its balls push it back from
+    # the load is opposite to the force of the balls on the inner ring
     x, y = (-float(force[name][:, side == 0].mean()) for name in ("ring_fx", "ring_fy"))
     cage = float(record.read(["bearing_cage_speed"])["bearing_cage_speed"].mean())
     sample_s = told["sample_s"]
@@ -108,7 +108,7 @@ def _measured(record, told):
 
 
 class _Loader(yaml.BaseLoader):
-    """Every key once: of two lines with one key, the last would win."""
+    """Refuses duplicate keys; YAML would keep the last."""
 
     def construct_mapping(self, node, deep=False):
         seen = set()
@@ -122,8 +122,8 @@ class _Loader(yaml.BaseLoader):
 
 
 def _said(path: Path) -> dict[str, Any]:
-    """What `run.yaml` says, all as text: 6208 is a name. Nothing where it is not there, or not
-    whole because the run is writing it."""
+    """Content of `run.yaml`, all as text: 6208 is a name. Empty if the file is missing, or
+    incomplete because the run is writing it."""
     if not path.exists():
         return {}
     try:
@@ -134,7 +134,7 @@ def _said(path: Path) -> dict[str, Any]:
 
 
 def _the_end(path: Path, said: Mapping[str, Any]) -> dict[str, float]:
-    """What `run.yaml` has `said` of the end of a run, as far as it is there."""
+    """Entries of `run.yaml` (`said`) on the end of a run, as far as present."""
     found = {}
     for key in (key for key in (*AT_THE_END, *COST) if key in said):
         try:

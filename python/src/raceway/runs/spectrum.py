@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Spectra of what a run recorded evenly in time, and the lines that the bearing's kinematics puts
-into them.
+"""Spectra of evenly sampled columns of a run, and the lines expected from the bearing's
+kinematics.
 
 A perfect bearing shows BPFO and its harmonics: its stiffness varies as the balls pass the load. The
-others (FTF, BSF, BPFI) need something uneven, a ball or a flaw, and are reported as not found where
-there is nothing.
+others (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without one they are
+reported as not found.
 """
 
 import math
@@ -21,31 +21,31 @@ from raceway.runs.run import Run
 from raceway.theory import kinematics
 from raceway.theory.bearing import OUTER, Bearing
 
-# Four-term Blackman-Harris: what a line leaks is 92 dB below it, so a faint line shows beside a
-# strong one; near its top the logarithm is a parabola to 1e-3 of a bin. In exchange a line is 8
-# bins wide from foot to foot (Harris, Proc. IEEE 66 (1978) 51).
+# Four-term Blackman-Harris: side lobes are 92 dB below the line, so a faint line is visible next to
+# a strong one. Near its peak the logarithm is a parabola to 1e-3 of a bin. The main lobe is 8 bins
+# wide (Harris, Proc. IEEE 66 (1978) 51).
 WINDOW, HALF_WIDTH = "blackmanharris", 4
-PAD = 8  # values per bin of 1/duration, at least
-RESOLVED = HALF_WIDTH + 1.5  # periods in the record from which on a line is apart from the mean
-STANDS_OUT = 10.0  # times the median around it
-FAINT = 1e-4  # of the strongest: the window's own side lobes are at 2.5e-5
+PAD = 8  # least number of values per bin of 1/duration
+RESOLVED = HALF_WIDTH + 1.5  # fewest periods in the record for a line distinct from the mean
+STANDS_OUT = 10.0  # least prominence of a line, times the median around it
+FAINT = 1e-4  # least amplitude over the strongest; side lobes of the window are at 2.5e-5
 NAMES = {"cage": "FTF", "spin": "BSF", "outer": "BPFO", "inner": "BPFI"}
 SHAFT = "shaft"  # order 1: unbalance
 
 
 class Line(NamedTuple):
-    """A line expected in a spectrum, and what is there."""
+    """An expected line of a spectrum, and the line found."""
 
     name: str  # FTF, BSF, BPFO, BPFI, shaft
     harmonic: int
-    order: float  # of the shaft's rotation
+    order: float  # multiple of the shaft's speed
     expected: float  # Hz
-    found: float  # Hz, of the peak nearest to it; NaN where none stands out
+    found: float  # Hz, nearest peak; NaN without a distinct one
     difference: float  # found/expected - 1
-    amplitude: float  # of the peak, or of the spectrum there, in the unit of the signal
-    prominence: float  # times the median of the spectrum around it
-    note: str  # why nothing was found, or ""
-    # Hz, expected from the run's own cage speed, which slips; NaN where that says nothing
+    amplitude: float  # peak, or value of the spectrum at `expected`, in the unit of the signal
+    prominence: float  # amplitude over the median of the spectrum around it
+    note: str  # reason if nothing was found, or ""
+    # Hz, expected from the run's own cage speed, with cage slip; NaN where it does not apply
     by_cage: float = math.nan
 
 
@@ -53,9 +53,9 @@ def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
     """One-sided amplitude spectrum of evenly sampled `values` (array), `sample_s` apart:
     `DataArray` (frequency) in Hz.
 
-    A straight line is taken off and a Blackman-Harris window put on; a sine of amplitude A has a
-    peak of A. The frequencies are finer than the record resolves (`attrs["resolution"]`, Hz) by
-    zeros added behind it.
+    The values are detrended and a Blackman-Harris window is applied; a sine of amplitude A has a
+    peak of A. Zero padding makes the frequencies finer than the resolution of the record
+    (`attrs["resolution"]`, Hz).
 
     Raises `ValueError` for fewer than 32 values or any that is not finite.
 
@@ -136,11 +136,12 @@ def expected(
     sidebands: bool = False,
     cage: float | None = None,
 ) -> dict[tuple[str, int], tuple[float, float]]:
-    """{(name, harmonic): order} and their frequencies in Hz for a shaft at `shaft` Hz: kinematics,
-    balls rolling. With a `cage` (order of the shaft), FTF, BPFO and BPFI are those of its speed.
+    """{(name, harmonic): (order, frequency in Hz)} for a shaft at `shaft` Hz, from the kinematics
+    of rolling balls. With `cage` (an order of the shaft), FTF, BPFO and BPFI follow from that
+    speed.
 
-    `sidebands` adds those of a flaw that the load or the cage modulates: BPFI with the shaft, the
-    even harmonics of BSF, at which a flaw on a ball strikes, with FTF.
+    `sidebands` adds the sidebands of a flaw modulated by load or cage: BPFI with the shaft, and
+    the even harmonics of BSF, the impact rate of a ball flaw, with FTF.
     """
     of = kinematics.frequencies(bearing, angle)._asdict()
     if cage is not None:
@@ -169,10 +170,10 @@ def lines(
     """The kinematic lines of `run` (from `raceway.open`) in its spectrum `found_in`: a list of
     `Line`.
 
-    A line is found where a peak no further than `within` (of the frequency; or a tenth of the
-    resolution) stands out of the median around it by a factor of ten, is not 80 dB below the
-    strongest, and is nearer to this than to another kinematic line. Kinematics take the run's speed
-    and a contact `angle` in rad; clearance is left out. `sidebands` as in `expected`.
+    A line is found if a peak lies no further away than `within` (relative to the frequency; or a
+    tenth of the resolution), exceeds the median around it by a factor of ten, is not 80 dB below
+    the strongest, and is nearer to this than to another kinematic line. The kinematics use the
+    run's speed and a contact `angle` in rad, without clearance. `sidebands` as in `expected`.
     """
     bearing, shaft = run.tables.geometry, run.settings["rpm"] / 60
     places = expected(bearing, shaft, angle, harmonics, sidebands)
@@ -193,7 +194,7 @@ def lines(
 
 
 def cage_order(run: Run) -> float | None:
-    """Mean speed of the balls about the axis over the shaft's; None where that stands still."""
+    """Mean orbital speed of the balls over the shaft's speed; None for a shaft at rest."""
     if not run.settings["rpm"]:
         return None
     mean = float(run.bearing["cage_speed"].mean())
@@ -213,11 +214,11 @@ def find(
     here = amplitude[int(round(hertz / step))]
     if hertz < RESOLVED * resolution:
         return *nothing, here, math.nan, f"fewer than {RESOLVED:g} periods in the record"
-    # a record that ends within a period moves no peak further
+    # an incomplete last period moves a peak by no more
     reach = max(within * hertz, resolution)
     low, high = int(np.ceil((hertz - reach) / step)), int(np.floor((hertz + reach) / step))
     top = low + int(np.argmax(amplitude[low : high + 1]))
-    # the floor: to both sides of the peak's foot, as far again as three times its width
+    # noise floor: on both sides of the main lobe, over three times its width
     foot = int(round(HALF_WIDTH * resolution / step))
     far = 4 * foot
     floor = np.median(

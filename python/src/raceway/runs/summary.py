@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The figures of a run: `summary` as a mapping, `table` as text.
 
-The mapping's keys are a promise to scripts outside this package; add, never rename.
+The keys are a public interface for scripts: add, never rename.
 """
 
 import json
@@ -94,21 +94,22 @@ TOPICS = {
         Row("evaluations", "evaluations of the forces", "", "measured passes"),
     ),
 }
-# what is less is rounding, or the ripple of balls that pass, and not worth a line of the table
-SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)  # of the largest of them
+# smaller values are rounding or ball-pass ripple and not shown in the table
+# fractions of the largest of them
+SHOWN = dict.fromkeys(("force_x_N", "force_y_N", "force_z_N"), 1e-2)
 STILL = dict.fromkeys(("shift_z_m", "tilt_x_rad", "tilt_y_rad"), 1e-9)  # m, rad
-STEADY = 1e-3  # of the speed
-LOOKS = 1000  # samples that say whether an ellipse passes its groove's shoulder
+STEADY = 1e-3  # fraction of the speed
+LOOKS = 1000  # samples checked for contact patches that pass the shoulder
 CHECK = "check.json"  # in the run's folder, by `raceway check`
 
 
 def summary(tables: RunTables) -> dict[str, Any]:
     """The figures of the run `tables` by name, SI units, text or numbers; None where the run has
-    none. `warnings` is a list of texts: what is beyond validity (`theory.validity`).
+    no value. `warnings` is a list of texts on values outside the range of validity
+    (`theory.validity`).
 
-    Reads the record in blocks: memory grows by a row of numbers a sample. Raises `RunError` when
-    the run has not finished, its record is broken, there is no sample after the start or no ball
-    ever touched a raceway.
+    Reads the record in blocks; memory grows by a row of numbers per sample. Raises `RunError` for
+    an unfinished run, a broken record, no sample after the start, or no contact in any sample.
     """
     tables.need_finished()
     _need_window(tables)
@@ -160,16 +161,16 @@ def _need_window(tables):
 
 
 def identity(tables: RunTables) -> list[float]:
-    """What no two runs have alike: the time it took, its step, its length."""
+    """Fingerprint of a run: wall time, time step and length."""
     return [tables.settings[key] for key in ("wall_s", "step_s", "simulated_s")]
 
 
 def numerical_errors(tables: RunTables) -> dict[str, float]:
-    """{key: error in the figure's unit} of a run that `raceway check` repeated, else nothing: the
-    sum of what a finer integration and more samples change."""
+    """{key: error in the figure's unit} of a run repeated by `raceway check`, otherwise empty: the
+    sum of the changes by a finer integration and by more samples."""
     try:
         found = json.loads((tables.folder / CHECK).read_text())
-        if found["run"] != identity(tables):  # of a run that is no longer here
+        if found["run"] != identity(tables):  # belongs to an earlier run in this folder
             return {}
         return {key: sum(parts.values()) for key, parts in found["errors"].items()}
     except FileNotFoundError:
@@ -190,7 +191,7 @@ def _warnings(tables, figures):
 
 
 def _past_shoulder(tables):
-    """Of a record with shoulder diameters, judged by at most `LOOKS` of its samples."""
+    """Warnings for a record with shoulder diameters, from at most `LOOKS` of its samples."""
     known = [tables.settings.get(f"{name}_shoulder_diameter_m") for name in NAME.values()]
     record, columns = tables.record, ("load", "angle", "a")
     if not any(known) or not set(columns) <= set(record.contact_columns):
@@ -208,7 +209,7 @@ def _past_shoulder(tables):
 
 
 def ring_displacement(tables: RunTables) -> Floats:
-    """Displacement of the inner ring along the load in m, one value a sample."""
+    """Displacement of the inner ring along the load in m, one value per sample."""
     azimuth = tables.settings["load_azimuth_rad"]
     return (
         tables.rings["x"] * math.cos(azimuth) + tables.rings["y"] * math.sin(azimuth)
@@ -216,7 +217,7 @@ def ring_displacement(tables: RunTables) -> Floats:
 
 
 def _of_bearing(tables):
-    """The figures that the sums and extremes over the bearing have."""
+    """Figures from the sums and extremes over the bearing."""
     table = tables.totals
     for name in NAME.values():
         if not table[f"load_{name}"].max() > 0:
@@ -252,7 +253,7 @@ def _displacement(tables):
 
 
 def _plain(value):
-    """Something JSON has: text, a finite float, None, or a mapping to them."""
+    """`value` for JSON: text, a finite float, None, or a mapping to them."""
     if value is None or isinstance(value, str):
         return value
     if isinstance(value, dict):
@@ -261,8 +262,8 @@ def _plain(value):
 
 
 def table(figures: Mapping[str, Any]) -> str:
-    """The mapping of `summary` as text, a topic a block; figures the run has none of, or that are
-    next to nothing, are left out. Warnings stand at the end."""
+    """The mapping of `summary` as text, one block per topic, without missing and negligible
+    figures. Warnings come last."""
     warnings = ["", "Warnings", *(f"  {text}" for text in figures["warnings"])]
     ranges = figures.get("model_ranges") or {}
     text = lines(
@@ -278,7 +279,7 @@ def table(figures: Mapping[str, Any]) -> str:
 
 
 def reasons(figures: Mapping[str, Any]) -> list[str]:
-    """Why the figures have the ranges that they have: a text for figures that share it."""
+    """Reasons for the ranges of the figures, one text for figures with the same reason."""
     labels = {row.key: row.label.strip() for rows in TOPICS.values() for row in rows}
     by_reason: dict[str, list[str]] = {}
     for key, one in (figures.get("model_ranges") or {}).items():
@@ -287,7 +288,7 @@ def reasons(figures: Mapping[str, Any]) -> list[str]:
 
 
 def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
-    """The figures by the keys of `TOPICS`, None for those that are next to nothing."""
+    """The figures by the keys of `TOPICS`, None for negligible ones."""
     result = {key: None if _nothing(key, figures) else value for key, value in figures.items()}
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})

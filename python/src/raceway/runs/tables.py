@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run folder: what was run, and its samples as tables."""
+"""A run folder: settings and samples as tables."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -22,15 +22,14 @@ READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
 
 
 class RunTables:
-    """The `settings` of a run and its samples as tables, read when first asked for.
+    """The `settings` of a run and its samples as tables, read on first use.
 
     Tables are `DataFrame`s in SI units whose column `sample` counts the samples of the measured
-    window from 0. `samples`, a slice without step, keeps to some of them: one way to look into a
-    run larger than memory. The other is `blocks`. A run that is still going, or was stopped, can be
-    read as far as it is; it is not `finished`. `bearing` chooses one of many by its number, from 1.
+    window from 0. For a run larger than memory, `samples`, a slice without step, selects some of
+    them, or `blocks` reads all in turn. A running or stopped run can be read up to its latest
+    sample; it is not `finished`. `bearing` selects one of several by its number, from 1.
 
-    Raises `RunError` when the folder has no record, a broken one, or one of another run than its
-    `run.yaml`.
+    Raises `RunError` if the record is missing, broken, or of another run than `run.yaml`.
     """
 
     def __init__(
@@ -86,7 +85,7 @@ class RunTables:
 
     @property
     def cage_ball_radius(self) -> float:
-        """m; of a run without cage, that of cage balls without pocket gap."""
+        """m; for a run without cage, the radius of cage balls without pocket gap."""
         if "cage_ball_diameter_m" in self.settings:
             return self.settings["cage_ball_diameter_m"] / 2
         bearing = self.geometry
@@ -94,7 +93,7 @@ class RunTables:
 
     @cached_property
     def contacts(self) -> pd.DataFrame:
-        """A row per live contact of a ball with a raceway and sample."""
+        """A row per sample and live contact of a ball with a raceway."""
         return record_tables.contacts(self.record, self.first, self.last)
 
     @cached_property
@@ -104,7 +103,7 @@ class RunTables:
 
     @cached_property
     def rings(self) -> pd.DataFrame:
-        """A row per sample: where the inner ring is and how it moves."""
+        """A row per sample: position and motion of the inner ring."""
         return record_tables.rings(self.record, self.first, self.last)
 
     @cached_property
@@ -124,16 +123,15 @@ class RunTables:
 
     @cached_property
     def last(self) -> int:
-        """The end of the samples that are there, at most `stop`; of a growing record the same for
-        all tables. Raises `RunError` where there are none."""
+        """End of the available samples, at most `stop`; in a growing record the same for all
+        tables. Raises `RunError` without samples."""
         *_, (_, last) = self.record.blocks(self.first, self.stop)
         return last
 
     def blocks(self, name: str) -> Iterator[pd.DataFrame]:
-        """Yield the table `name`, "contacts" or "balls", in pieces of whole samples and a few MB.
+        """Yield the table `name`, "contacts" or "balls", in blocks of whole samples and a few MB.
 
-        Their `attrs` say which: `first` and how many `samples`. Raises `RunError` where there are
-        none.
+        Their `attrs` have `first` and the number of `samples`. Raises `RunError` without samples.
         """
         if name in self.__dict__:  # read already
             yield self.__dict__[name]
@@ -142,7 +140,7 @@ class RunTables:
             yield READERS[name](self.record, *part)
 
     def need_one_groove(self, what: str) -> None:
-        """Raise `RunError` where rings have two grooves for a ball."""
+        """Raise `RunError` for rings with two grooves for a ball."""
         if self.record.two_grooves:
             raise RunError(
                 f"{self.folder} has rings of two grooves for a ball; {what} needs rings of one"

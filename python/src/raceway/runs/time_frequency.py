@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Amplitude over time and frequency, or over time and order where the shaft's speed changes.
 
-Order tracking: the signal is taken at even angles of the inner ring. A line that follows the shaft
-then keeps its place, however the speed changes.
+Order tracking: the signal is resampled at even angles of the inner ring. Lines at multiples of the
+shaft speed then stay at their order while the speed changes.
 """
 
 import math
@@ -18,20 +18,20 @@ from raceway.runs import envelope, spectrum
 from raceway.runs.run import Run
 
 WINDOW = "hann"
-OVERLAP = 0.9  # of a window with the next one
+OVERLAP = 0.9  # overlap of successive windows, fraction of their length
 PAD = 4  # values per bin of 1/window
 ENVELOPE, SIGNAL = 12.0, 0.25  # periods of BPFO in a window: lines apart, or blows apart
-STEADY = 0.01  # of the mean speed: a change below that is none
-COLUMNS = 4  # windows in a record, at least
+STEADY = 0.01  # fraction of the mean speed: smaller changes are ignored
+COLUMNS = 4  # least number of windows in a record
 
 
 def spectrogram(values: ArrayLike, sample: float, window: float) -> xr.DataArray:
     """Amplitude of evenly sampled `values` (N,): `DataArray` (frequency, time) in their unit.
 
-    `sample` is their distance and `window` the length of a Hann window, both in one unit: s, or
-    turns of the shaft. A sine of amplitude A that lasts a window has A. The mean of each window is
-    taken off. Raises `ValueError` for values that are not finite, and a window that is shorter than
-    16 samples or longer than a quarter of the record.
+    `sample` is their spacing and `window` the length of a Hann window, both in the same unit: s or
+    turns of the shaft. A sine of amplitude A over a whole window has amplitude A. The mean of each
+    window is subtracted. Raises `ValueError` for values that are not finite, and for a window that
+    is shorter than 16 samples or longer than a quarter of the record.
 
     >>> time = np.arange(8000) / 4000
     >>> one = spectrogram(3.0 + 2.0 * np.sin(2 * np.pi * 500 * time), 1 / 4000, 0.1)
@@ -68,10 +68,10 @@ def spectrogram(values: ArrayLike, sample: float, window: float) -> xr.DataArray
 
 
 def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
-    """(`values` (M,) at even angles, their distance in turns) of `values` (N,) at `angle` (N,) in
-    rad: cubic splines, as fine as the fastest part was sampled.
+    """(`values` (M,) at even angles, their spacing in turns) from `values` (N,) at `angle` (N,) in
+    rad, by cubic splines.
 
-    Raises `ValueError` for an angle that does not always grow or always fall.
+    Raises `ValueError` for an angle that is not strictly monotonic.
     """
     turns = np.asarray(angle, float) / (2 * math.pi)
     turns = np.abs(turns - turns[0])
@@ -92,13 +92,13 @@ def of_run(
     band: tuple[float, float] | None = None,
     orders: bool | None = None,
 ) -> xr.DataArray:
-    """`spectrogram` of a column of a `ring` of `run`, with a `band` (Hz, Hz) of its envelope there.
+    """`spectrogram` of a column of a `ring` of `run`, or, with a `band` (Hz, Hz), of its envelope.
 
     Dimensions are frequency (Hz) and time (s), or order (of the shaft) and time where the speed
-    changes by more than 1 %; `orders` says which, and `attrs["orders"]` which it became. A window
-    has twelve periods of BPFO for an envelope, a quarter of one for the signal itself. Raises
-    `RunError` as `spectrum.signal_of` does, and where the record is too short or the shaft turns
-    both ways.
+    changes by more than 1 %; `orders` overrides the choice, and `attrs["orders"]` records it. A
+    window has twelve periods of BPFO for an envelope, a quarter of one for the signal itself.
+    Raises `RunError` as `spectrum.signal_of` does, for a record that is too short, and for a shaft
+    that reverses.
     """
     values, sample_s = spectrum.signal_of(run, name, ring), run.settings["sample_s"]
     spin = run.rings["spin"].to_numpy()

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A run for MDAnalysis (optional: `pip install raceway[mdanalysis]`).
 
-MDAnalysis keeps positions and velocities in single precision. Of a 6208 that leaves 2 nm, the
-overlap of an unloaded ball and one per cent of a film, so nothing should be worked out from them
-but pictures and neighbours. What needs more digits comes in double precision with every frame, in
-`trajectory.ts.data`:
+MDAnalysis stores positions and velocities in single precision. For a 6208 the resolution is 2 nm,
+the overlap of an unloaded ball and one per cent of a film, so they serve only for pictures and
+neighbour searches. Double-precision values come with every frame, in `trajectory.ts.data`:
 
 - `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
 - every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...
@@ -32,15 +31,15 @@ except ImportError:
     raise RunError("MDAnalysis is not installed: pip install 'raceway[mdanalysis]'") from None
 
 NAMES = {1: "ball", 2: "cage", 3: "inner", 4: "outer"}  # by atom type
-# atoms of consecutive frames read together: neighbours in time are what an analysis asks for next
+# atoms of consecutive frames read together, since an analysis usually continues with the next frame
 ROWS = 5000
-FEW = 8  # one frame alone takes about as long as a part of those read together
+FEW = 8  # a single frame takes about as long as this fraction of a block
 
 
 class RunReader(ReaderBase):
-    """The trajectory: any frame at random, a few MB in memory whatever the run's size.
+    """The trajectory, with random access to frames; takes a few MB of memory for any run.
 
-    `first` and `stop` keep to some samples.
+    `first` and `stop` select some samples.
     """
 
     format = "RACEWAY"
@@ -106,8 +105,8 @@ class RunReader(ReaderBase):
         return table.sort_values(["sample", "id"])
 
     def _together_with(self, frame):
-        """(start, stop) of the frames to read with one: its neighbours, unless frames are asked
-        for here and there."""
+        """(start, stop) of the frames to read together with `frame`: its neighbours, unless access
+        is scattered."""
         if abs(frame - self._asked) > max(1, self._together // FEW):
             return frame, frame + 1
         start = frame // self._together * self._together

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""All of the capacitance over a run: contact ellipses, the gap around them, balls without load; and
-what a voltage does to the films. From loads, films and places of the balls, by the closed forms of
-`capacitors`."""
+"""Total capacitance over a run, from contact patches, the gap around them and unloaded balls, and
+the effect of a voltage on the films. Computed from loads, films and ball positions by the closed
+forms of `capacitors`."""
 
 from typing import Any
 
@@ -27,7 +27,7 @@ from raceway.theory.capacitors import FLOODED, Filling
 from raceway.theory.validity import Shoulders
 
 SIDES = ("inner", "outer")
-RECORDED = {  # columns of a record that has all of the capacitance
+RECORDED = {  # columns of a record with total capacitance
     "separation": "separation",
     "plates": "capacitance",
     "outside": "capacitance_outside",
@@ -49,8 +49,8 @@ MEANING = {
 
 
 def filling_of(run: Run) -> Filling:
-    """What filled the gaps of a `run`: what its fix bearing/capacitance was given, flooded where it
-    was given nothing. Raises `RunError` for words that this package does not know."""
+    """Filling of the gaps in a `run`, from its fix bearing/capacitance; flooded by default. Raises
+    `RunError` for unknown words."""
     words = str(run.settings.get("capacitance_commands", "")).split(";")[0].split()
     given: dict[str, Any] = {}
     for place, word in enumerate(words):
@@ -82,13 +82,13 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     """Dataset of a `run` from `raceway.open`: `load`, `separation`, `area`, `plates`, `outside`,
     `paths`, `total` (time, raceway, ball), `one_ball` (time, ball), `bearing` (time); SI units.
 
-    A contact has the film of the run. One that carries less than Q_u = m r omega_c^2, the balls of
-    `density` in kg/m^3, or none, has the film of Q_u: that of the largest load of its raceway at
-    the time, by the load exponent of eq 9. A gap without load is at least the distance of ball and
-    raceway, from the places of ball and ring. Without `filling` it is the run's, and separations
-    and capacitances are those of its record where it has them; the attribute `source` says which.
-    It needs memory for all samples of the run. Raises `RunError` for a run without film, balls or
-    rings, with rings of two grooves, or whose axis is not z.
+    A contact has the film of the run. Below the load Q_u = m r omega_c^2 (balls of `density` in
+    kg/m^3), a contact has the film of Q_u, extrapolated from the largest load of its raceway at
+    that time with the load exponent of eq 9. A gap without load is at least the distance between
+    ball and raceway, from the positions of ball and ring. `filling` is by default that of the run;
+    then separations and capacitances come from its record if present (attribute `source`). All
+    samples must fit into memory. Raises `RunError` for a run without film, balls or rings, with
+    rings of two grooves, or with an axis other than z.
     """
     need_film(run, "capacitance")
     run.tables.need_one_groove("the whole capacitance")
@@ -113,7 +113,7 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
                 load,
                 separation,
                 np.nan_to_num(table["angle"].to_numpy()),
-                film_thickness=table["h_c"].fillna(1.0).to_numpy(),  # of no use without load
+                film_thickness=table["h_c"].fillna(1.0).to_numpy(),  # unused without load
                 play=play,
                 filling=filling,
                 roughness=run.settings["roughness_m"],
@@ -140,7 +140,7 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
 
 
 def _paths(data, h_c, permittivity, filling):
-    """Those of `capacitors`, from the columns of a record."""
+    """`paths` as in `capacitors`, from the columns of a record."""
     ellipse = (data["area"] / h_c.drop_vars(ANGLES, errors="ignore")).where(data["load"] > 0, 0.0)
     fills = capacitance_outside.fill(permittivity, filling.kind, filling.outlet)
     around = data["outside"] / (capacitance.VACUUM * fills)
@@ -150,8 +150,8 @@ def _paths(data, h_c, permittivity, filling):
 
 def contacts_of(run: Run, whole: xr.Dataset) -> xr.Dataset:
     """The contacts of a `run` with the columns *separation*, *capacitance_outside* and
-    *capacitance_total* of `whole`, from `over_time`: as a record that has them. The circuit takes
-    it (`electric.films.of_dataset`)."""
+    *capacitance_total* of `whole` (from `over_time`), as in a record with these columns. Input for
+    the circuit (`electric.films.of_dataset`)."""
     contacts = run.contacts.sel(time=whole["time"])
     for name, column in RECORDED.items():
         contacts[column] = whole[name].drop_vars(ANGLES, errors="ignore")
@@ -164,7 +164,7 @@ def fields(
     voltage: float,
     strength: float = film_voltage.STRENGTH,
 ) -> xr.Dataset:
-    """What a `voltage` (V) between the rings does, `whole` from `over_time`: Dataset of `share` (V,
+    """Effect of a `voltage` (V) between the rings, `whole` from `over_time`: Dataset of `share` (V,
     of each film), `field` and `field_peaks` (V/m with its sign, over h_c and over h_c - 3 sigma;
     infinite where peaks meet) and `state` (index of `film_voltage.STATES`), (time, raceway, ball);
     of `threshold` and `threshold_peaks` (V, at which the first film of `strength` in V/m fails) and
@@ -210,7 +210,7 @@ def _states(run, whole):
 
 
 def _aligned(run):
-    """Contacts, and the gaps (time, raceway, ball) in m of balls and rings, at common times."""
+    """Contacts, and gaps (time, raceway, ball) between balls and rings in m, at common times."""
     if "angle" not in run.contacts or "h_c" not in run.contacts:
         raise RunError(f"{run.tables.folder}: the contacts need the columns angle and h_c")
     contacts, balls, rings = xr.align(run.contacts, run.balls, run.rings, join="inner")
@@ -218,7 +218,7 @@ def _aligned(run):
 
 
 def _gaps(bearing: Bearing, settings: dict[str, Any], balls, rings):
-    """-overlap of every ball with both grooves, from places alone."""
+    """Negative overlap of every ball with both grooves, from positions alone."""
     clearance = settings["clearance_m"]
     centre = {axis: rings[axis].to_numpy()[:, None] for axis in "xyz"}
     tilts = [
@@ -261,7 +261,7 @@ def _separation(bearing, side, table, quiet, clearance) -> Floats:
     live = load > 0
     if not live.any():
         raise RunError(f"no ball is loaded on the {SIDES[side]} raceway in any sample")
-    # h_c Q^m of the largest load: what else the film depends on
+    # h_c Q^m of the largest load: the load-independent factor of the film
     with np.errstate(invalid="ignore"):
         factor = np.where(live, thick * load**power, 0.0)
     top = np.take_along_axis(factor, load.argmax(1)[:, None], axis=1)

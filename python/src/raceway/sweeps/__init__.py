@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Many runs: `points` reads the table that asks for them, `point_run` does one, `sweep` all,
-`gather` makes one table of what they gave. `heat_runs` makes those that find a temperature."""
+"""Many runs: `points` reads their table, `point_run` does one run, `sweep` all of them, and
+`gather` collects the results in a table. `heat_runs` does the runs that find a temperature."""

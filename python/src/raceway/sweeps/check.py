@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The numerical error of a run: the same run with a finer integration, and with more samples.
 
-Both repeats are points as a sweep has them, in the folder `check` of the run: they can be stopped
-and go on. `check.json` holds what came out.
+Both repeats are points as in a sweep, in the folder `check` of the run; they can be stopped and
+resumed. `check.json` holds the results.
 """
 
 import json
@@ -18,8 +18,8 @@ from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
-FINER = 0.1  # of the tolerance; velocity Verlet: half the step
-MORE = 2  # samples for one
+FINER = 0.1  # factor on the tolerance; velocity Verlet: half the step
+MORE = 2  # factor on the number of samples
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
 OF_IMPLICIT = (*TOLERANCES, "step_error")
@@ -30,7 +30,7 @@ LEFT_OUT = (
     *("load_N", "rpm", "clearance_m", "viscosity_Pa_s", "pressure_viscosity_per_Pa"),
     *("permittivity", "roughness_m"),
 )
-# a repeat whose settings are others is another run: a value came by -var that the run does not note
+# a repeat with other settings is another run: some -var value was not noted by the run
 SAME = (
     *("load_N", "rpm", "load_azimuth_rad", "axial_N", "moment_x_N_m", "moment_y_N_m"),
     *("unbalance_kg_m", "clearance_m", "balls", "ball_diameter_m", "inner_radius_m"),
@@ -42,15 +42,15 @@ SAME = (
 
 
 def variables(tables: RunTables) -> dict[str, str]:
-    """The main deck's variables of the run `tables`. Raises `RacewayError` for a run that does not
-    say them."""
+    """The main deck's variables of the run `tables`. Raises `RacewayError` for a run that did not
+    note them."""
     said = tables.settings.get("deck_variables")
     if not isinstance(said, str):
         raise RacewayError(
             f"{tables.folder} does not say the deck's variables: only runs of inputs/in.6208 with a"
             " record can be repeated"
         )
-    given = str(tables.settings.get("given_data", "none"))  # of a bearing's or a lubricant's data
+    given = str(tables.settings.get("given_data", "none"))  # bearing or lubricant data
     words = said.split(",") + ([] if given == "none" else given.split(","))
     known = dict(word.split("=", 1) for word in words)
     for raceway, words in by_raceway(tables.settings).items():
@@ -73,7 +73,7 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
         finer["step"] = f"{0.5 * tables.settings['step_s']:.15g}"
         for name in OF_IMPLICIT:
             finer.pop(name, None)
-    # integrator vibration has a step for each sample: more of them are a finer step, too
+    # integrator vibration has one step per sample, so more samples also mean a finer step
     count = "oversampling" if "oversampling" in own else "samples"
     sampled = {**own, count: f"{MORE * int(float(own[count]))}"}
     if own["integrator"] not in IMPLICIT:
@@ -86,12 +86,12 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
     """Errors by figure in SI units: {key: {"integration": error, "sampling": error}}, written to
     `check.json` in `folder`, too.
 
-    `command` is a list: program, options, deck. `more` are variables that the run was given beside
-    those it notes. An error is the difference of a figure between the run and its repeat. Raises
-    `RacewayError` when a repeat fails or is not the same run.
+    `command` is a list: program, options, deck. `more` are variables of the run in addition to
+    those that it noted. An error is the difference of a figure between the run and its repeat.
+    Raises `RacewayError` if a repeat fails or is not the same run.
     """
     tables = RunTables(folder)
-    variables(tables)  # a run without them cannot be repeated, whatever its figures
+    variables(tables)  # a run without them cannot be repeated
     figures, errors = summary(tables), {}
     for name, words in repeats(tables).items():
         place = Path(folder) / "check" / name

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The steady temperature of a bearing with the friction of runs of the simulation.
 
-Statics gives how friction falls with temperature, a run how much there is: the friction of statics,
-scaled to that of the last run, is balanced with cooling for the temperature of the next run. Every
-run has a folder, named after its variables, so what was stopped goes on there.
+Statics gives the decrease of friction with temperature, a run its magnitude: the friction of
+statics, scaled to the last run, is balanced with cooling for the temperature of the next run. Every
+run has a folder named after its variables, so a stopped run is resumed there.
 """
 
 import json
@@ -21,8 +21,8 @@ from raceway.sweeps.point_run import FINISHED, mapping, run_point
 from raceway.sweeps.points import folder_name
 from raceway.theory.steady_heat import Case
 
-CLOSE = 0.1  # K, between the temperature of a run and what follows from it
-RANGE = (-40.0, 200.0)  # degrees C that a deck takes
+CLOSE = 0.1  # K, largest difference between the temperature of a run and the resulting one
+RANGE = (-40.0, 200.0)  # degrees C, range of a deck
 
 
 def by_runs(
@@ -100,8 +100,8 @@ def _variables(case, temperature, clearance, more):
 
 @contextmanager
 def _stopped() -> Iterator[int]:
-    """A descriptor that becomes readable on Ctrl-C, SIGTERM and SIGHUP: a run leaves a restart file
-    then, and the next start goes on with it."""
+    """A descriptor that becomes readable on Ctrl-C, SIGTERM and SIGHUP: the run then writes a
+    restart file, from which the next start resumes."""
     reading, writing = os.pipe()
     numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
     before = [signal.signal(number, lambda *_: os.write(writing, b"x")) for number in numbers]

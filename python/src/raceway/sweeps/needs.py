@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a scene needs: the cheapest set of parts and numerics that keeps the wanted figures.
+"""The cheapest set of model parts and numerics that keeps the wanted figures of a scene.
 
-The scene runs with every part of the model and a fine integration. Then each part is dropped, and
-each number coarsened, alone. Effects of a set are taken as the sum of the single ones, its cost as
-the product of theirs, to find sets worth a run. What counts is the run of the set itself.
+The scene runs with every part of the model and a fine integration. Then each part is dropped and
+each number coarsened on its own. To find sets worth a run, the effects of a set are estimated as
+the sum of the single ones and its cost as their product. The run of the set itself decides.
 
-All runs are points as a sweep has them, in folders named after their variables: what is there is
-not run again.
+All runs are points as in a sweep, in folders named after their variables; finished ones are not
+repeated.
 """
 
 import json
@@ -23,28 +23,28 @@ from raceway.sweeps.points import Point, folder_name
 from raceway.sweeps.scene_parts import FINER, REFERENCE, Choice, figures, sets, variables
 from raceway.sweeps.sweep import sweep
 
-AT_ONCE = 6  # sets that a round runs
+AT_ONCE = 6  # sets per round
 ROUNDS = 8
 REPEATS = 3  # runs whose processor time counts, of the reference and of the set that is picked
 
 
 class Outcome(NamedTuple):
-    """What a set of choices does to the figures and to the cost."""
+    """Effect of a set of choices on the figures and the cost."""
 
     picked: tuple[Choice, ...]
     variables: dict[str, str]
     errors: dict[str, float]  # relative to the reference, by word of --want; inf where it fails
     cost: float  # engine's processor time over that of the reference; nan where it fails
-    evaluations: float  # of the forces, over those of the reference
-    message: str  # of a run that failed
+    evaluations: float  # force evaluations over those of the reference
+    message: str  # error of a failed run
 
     @property
     def pays(self) -> bool:
-        """Whether it saves more than the spread of processor times is worth."""
+        """True if the saving exceeds the spread of processor times."""
         return self.evaluations < 0.98 or self.cost < 0.95
 
     def keeps(self, wanted: Mapping[str, float]) -> bool:
-        """Whether no figure is off by more than is `wanted`, {word: relative error}."""
+        """True if all figures are within `wanted`, {word: relative error}."""
         return all(self.errors[word] <= most for word, most in wanted.items())
 
 
@@ -53,8 +53,8 @@ class Needs(NamedTuple):
 
     scene: dict[str, str]  # variables of all runs
     wanted: dict[str, float]
-    figures: dict[str, float]  # of the reference, by word
-    uncertain: dict[str, float]  # relative, of the reference by its repeat that is finer
+    figures: dict[str, float]  # reference values by word
+    uncertain: dict[str, float]  # relative uncertainty of the reference, from a finer repeat
     single: list[Outcome]
     tried: list[Outcome]  # sets that were run
     best: Outcome
@@ -113,9 +113,9 @@ def needs(
 
 
 def _rounds(lab, single, wanted):
-    """Outcomes of the sets that look cheapest, a round at a time; each round asks for as much more
-    margin as the last one was wrong by."""
-    # what misses alone misses in a set: effects add up
+    """Outcomes of the sets estimated as cheapest, round by round; each round adds the error of the
+    last estimate to the margin."""
+    # a choice that misses on its own also misses in a set: effects add up
     good = {one.picked[0].name: one for one in single if one.pays and one.keeps(wanted)}
     candidates = []
     for picked in sets([one.picked[0] for one in good.values()]):
@@ -124,7 +124,7 @@ def _rounds(lab, single, wanted):
             (sum(row.errors[word] for row in rows) / most for word, most in wanted.items()),
             default=0.0,
         )
-        # what a single run takes less than it does not count as a gain twice: noise
+        # a gain of a single run within the noise does not count twice
         cost = math.prod(min(row.cost, 1.0) for row in rows)
         candidates.append((cost, len(picked), error, picked))
     candidates.sort(key=lambda one: one[:3])
@@ -147,7 +147,7 @@ def _rounds(lab, single, wanted):
 
 
 class _Lab:
-    """Runs of one scene in a folder, and what came of them."""
+    """Runs of one scene in a folder, and their results."""
 
     def __init__(self, folder, scene, command, jobs):
         self.folder, self.scene, self.command, self.jobs = folder, scene, command, jobs

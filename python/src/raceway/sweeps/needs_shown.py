@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `raceway needs` found, as text and as JSON."""
+"""Results of `raceway needs` as text and as JSON."""
 
 import math
 import shlex
@@ -11,7 +11,7 @@ from raceway.sweeps.needs import Needs, Outcome
 from raceway.sweeps.scene_parts import REFERENCE
 
 NOTHING = 1e-12  # a relative effect below that is rounding
-SURE = 0.5  # of what is wanted: more uncertain a reference is no yardstick
+SURE = 0.5  # largest uncertainty of a usable reference, fraction of the wanted error
 
 
 def table(found: Needs) -> str:
@@ -48,7 +48,7 @@ def command(found: Needs) -> str:
 
 
 def as_json(found: Needs) -> dict[str, Any]:
-    """Everything as numbers and texts; what failed is null."""
+    """Everything as numbers and texts; failed values are null."""
     return {
         "scene": found.scene,
         "reference": REFERENCE,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""One point of a sweep: its folder, its lock, its run, and what became of it.
+"""One point of a sweep: its folder, lock, run and outcome.
 
 A folder holds what the deck writes, `log.txt`, and
 
@@ -7,7 +7,7 @@ A folder holds what the deck writes, `log.txt`, and
     summary.json   the figures, written last: the point is finished
     failed.json    the message of a run that ended with an error
 
-Each is written under another name first and then renamed, so it is whole or not there.
+Each is written under another name first and then renamed, so it is never incomplete.
 """
 
 import fcntl
@@ -30,8 +30,8 @@ from raceway.runs.tables import RunTables
 
 FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "busy", "stopped"
 STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
-PATIENCE = 20.0  # s that a stopped run has for its restart file
-# variables of the deck and what `run.yaml` calls them
+PATIENCE = 20.0  # s, time for a stopped run to write its restart file
+# variables of the deck and their names in `run.yaml`
 RECORDED = {
     "load": "load_N",
     "rpm": "rpm",
@@ -46,7 +46,7 @@ RECORDED = {
 
 
 def state(folder: FilePath, variables: Mapping[str, str]) -> tuple[str, str]:
-    """(status, message) of the point in `folder`: finished only if its figures are of these
+    """(status, message) of the point in `folder`: finished only if its figures belong to these
     `variables`."""
     folder = Path(folder)
     if mapping(folder / "point.yaml", yaml.safe_load) != dict(variables):
@@ -68,8 +68,8 @@ def run_point(
     """Run one point unless it is finished (or failed, without `retry`); return (status, message).
 
     `command` is the program, its own options and the deck, a list; `stop` a file descriptor that
-    ends the run when it becomes readable. `BUSY` when another process has the point, also one whose
-    sweep was killed and left it running.
+    ends the run when it becomes readable. `BUSY` if another process has the point, even a run left
+    over from a killed sweep.
     """
     folder = Path(folder)
     try:
@@ -130,7 +130,7 @@ def _execute(folder, variables, command, lock, stop):
     for name, value in variables.items():
         words += ["-var", name, value]
     with open(folder / "log.txt", "wb") as log:
-        # Ctrl-C is ours to hand on
+        # Ctrl-C is passed on by this process
         process = subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,
@@ -154,7 +154,7 @@ def _execute(folder, variables, command, lock, stop):
 
 
 def _whole(folder, variables):
-    """Whether an earlier run of these variables finished, and only its figures are missing."""
+    """True if an earlier run with these variables finished and only its figures are missing."""
     try:
         run = RunTables(folder)
     except RacewayError:
@@ -184,7 +184,7 @@ def _fail(folder, message):
 
 
 def _complaint(log, code):
-    """What the host said: its error line, without the place in its source; else how it ended."""
+    """Error line of the host, without the place in its source; without one, its exit status."""
     lines = log.read_text(errors="replace").splitlines()
     for line in lines:
         if line.startswith("ERROR"):
@@ -195,7 +195,7 @@ def _complaint(log, code):
 
 
 def mapping(path: Path, parse: Callable[[str], Any]) -> dict[str, Any] | None:
-    """The map that the file `path` holds; None if it is not there, not whole or no map of names."""
+    """The map in the file `path`; None if it is missing, incomplete or not a map of names."""
     try:
         found = parse(path.read_text())
     except (OSError, ValueError, yaml.YAMLError, RecursionError):

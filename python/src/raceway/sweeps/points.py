@@ -15,7 +15,7 @@ from raceway.files import FilePath
 # in a deck, and in a table of inputs/variables, which has no default of those that it needs
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+(?:index\s+(\S+)|needed\b)", re.MULTILINE)
 TABLE = re.compile(r"/variables/(\w+)")
-# what a value may be: nothing that a deck, a shell or a path could take for more
+# characters of a value: none that are special in a deck, a shell or a path
 WORD = re.compile(r"[A-Za-z0-9_.+-]+")
 OURS = {
     "out": "the sweep gives every point its folder",
@@ -41,11 +41,11 @@ class Point(NamedTuple):
 
 def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
-    lines of the deck at path `deck` and of the `modules`, `integrators` and `housings` beside it,
-    and of the tables in `variables` that these name. The default is empty where the deck has it
-    from its data files.
-    Where the files of a folder differ, the default is that of the file which the deck takes. Raises
-    `TableError` when the deck cannot be read.
+    lines of the deck at path `deck`, of the `modules`, `integrators` and `housings` in the same
+    folder, and of the tables in `variables` named there. A default that comes from data files is
+    empty.
+    Where the files of a folder differ, the default is from the file used by the deck. Raises
+    `TableError` if the deck cannot be read.
     """
     deck = Path(deck)
     found: dict[str, str] = {}
@@ -71,7 +71,7 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
 
 
 def _add_variables(found, path):
-    """Adds those of a file to `found`; returns the names of the tables that it names."""
+    """Adds the variables of a file to `found`; returns the names of the tables in it."""
     try:
         text = path.read_text()
     except (OSError, UnicodeDecodeError) as error:
@@ -79,7 +79,7 @@ def _add_variables(found, path):
             f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}"
         ) from None
     for name, default in INDEX.findall(text):
-        if not name.startswith("b_"):  # of the modules themselves
+        if not name.startswith("b_"):  # internal to the modules
             found.setdefault(name, default)
     return TABLE.findall(text)
 
@@ -152,7 +152,7 @@ def _lines(table):
     try:
         with open(
             table, newline="", encoding="utf-8-sig"
-        ) as file:  # spreadsheets put a mark in front
+        ) as file:  # spreadsheets write a byte order mark
             reader = csv.reader(file)
             return [
                 (reader.line_num, cells)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What `raceway needs` drops and coarsens: `scene_parts.yaml` as tuples, and sets of it as
-variables of a deck."""
+"""Choices of `raceway needs` to drop or coarsen: `scene_parts.yaml` as tuples, and sets of choices
+as variables of a deck."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
@@ -15,7 +15,7 @@ from raceway.errors import RacewayError
 _DATA = yaml.safe_load(files("raceway").joinpath("sweeps/scene_parts.yaml").read_text())
 REFERENCE = {name: str(value) for name, value in _DATA["reference"].items()}
 FINER = {name: str(value) for name, value in _DATA["finer"].items()}
-FIGURES = {  # words of --want: keys of the summary, of which a run's first counts
+FIGURES = {  # words of --want: keys of the summary; the first one present counts
     word: tuple(keys) if isinstance(keys, list) else (keys,)
     for word, keys in _DATA["figures"].items()
 }
@@ -26,10 +26,10 @@ class Choice(NamedTuple):
 
     name: str
     label: str
-    group: str  # one of a group is in a set
+    group: str  # a set has at most one choice of a group
     without: str  # "" for none
     settings: tuple[tuple[str, str], ...]
-    parts: tuple[str, ...] | None  # that these models have; None: those of the reference
+    parts: tuple[str, ...] | None  # parts of these models; None: those of the reference
 
 
 def figures(summary: Mapping[str, Any]) -> dict[str, float]:
@@ -42,13 +42,13 @@ def figures(summary: Mapping[str, Any]) -> dict[str, float]:
 
 
 def whole_scene(given: Mapping[str, str], lubricated: bool) -> dict[str, str]:
-    """The deck's variables of a scene: those `given`, and what is assumed where they are silent."""
+    """The deck's variables of a scene: those `given`, and assumed values for the others."""
     return {**(_DATA["assumed"] if lubricated else {}), **given}
 
 
 def choices(scene: Mapping[str, str], lubricated: bool) -> list[Choice]:
-    """The choices for contacts with a film, or for dry ones, but for those that the deck's
-    variables `scene` have made already."""
+    """The choices for contacts with a film, or for dry ones, except those already made by the
+    deck's variables `scene`."""
     return [
         choice
         for choice in _all_choices(lubricated)
@@ -72,8 +72,8 @@ def _all_choices(lubricated):
 
 
 def lubricated(scene: Mapping[str, str], default: str) -> bool:
-    """Whether contacts of the deck's variables `scene` have a film; `default` is the deck's
-    lubricant. Unknown lubricants count as one: the deck has the message."""
+    """True if contacts with the deck's variables `scene` have a film; `default` is the deck's
+    lubricant. Unknown lubricants count as lubricants; the deck reports them."""
     try:
         data = inputs.values(catalogue.find("lubricants", scene.get("lubricant", default)))
     except RacewayError:

@@ -37,8 +37,8 @@ def sweep(
 
     `command` is a list: program, options, deck. A bar shows progress where there is a terminal. On
     KeyboardInterrupt or SystemExit runs are stopped (they leave a restart file), the table is
-    written and the exception goes on. `finished` is called here with each point that has just been
-    finished. Raises `RacewayError` when a worker is killed.
+    written and the exception is re-raised. `finished` is called in this process with each point as
+    it finishes. Raises `RacewayError` if a worker is killed.
     """
     folder, counts, todo = Path(folder), Counter(), []
     for point in points:
@@ -48,7 +48,7 @@ def sweep(
         else:
             todo.append(point)
     before = counts[FINISHED]
-    # only this process holds `writing`: however it ends, the workers see it
+    # only this process holds `writing`, so the workers notice any end of it
     reading, writing = os.pipe()
     pool = ProcessPoolExecutor(
         min(jobs, len(todo)) or 1, get_context("fork"), _Worker.begin, (reading, writing)
@@ -93,7 +93,7 @@ def sweep(
 class _Worker:
     """A process of the pool."""
 
-    stop = None  # readable when the sweep ends early, also when it was killed
+    stop = None  # readable when the sweep ends early, even if killed
     parent = None
     busy = threading.Lock()
 
@@ -111,7 +111,7 @@ class _Worker:
 
     @classmethod
     def leave_with_parent(cls):
-        """A worker whose sweep was killed would wait for work for ever."""
+        """End a worker whose sweep was killed; it would wait for work forever."""
         select.select([cls.stop], [], [])
         while os.getppid() == cls.parent:
             time.sleep(0.2)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Share L_a of the contact load that asperities carry, by the film parameter Lambda.
+"""Share L_a of the contact load carried by asperities, by the lambda ratio Lambda.
 
-The laws differ: at Lambda 0.30 they say 0.26 to 0.67, at 1.41 0.05 to 0.17.
+The laws differ: they give 0.26 to 0.67 at Lambda 0.30, and 0.05 to 0.17 at 1.41.
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ from raceway.core import laws
 
 # composite roughness in m: B, C of Zhou and Hoeprich, for roller bearings
 ZHOU_HOEPRICH = {1.0e-7: (2.1, 0.85), 1.6e-7: (2.32, 0.97), 2.4e-7: (1.90, 0.99)}
-CONDUCTS = 0.01  # share above which a contact is no capacitor
+CONDUCTS = 0.01  # share above which a contact conducts and is no capacitor
 
 
 def zhou_hoeprich(ratio: Numbers, b: float = 2.1, c: float = 0.85) -> Numbers:

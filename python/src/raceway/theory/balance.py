@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The inner ring's balance: energy of a bearing in the ring's five degrees of freedom, the balls
-following, and its minimum.
+"""Equilibrium of the inner ring: energy of a bearing in the ring's five degrees of freedom, with
+the balls settled, and its minimum.
 
-Inside, tilts are multiplied by a length and moments divided by it, so that all five are metres and
-newtons.
+Internally, tilts are multiplied by a length and moments divided by it, so that all five are in
+metres and newtons.
 """
 
 from functools import partial
@@ -69,7 +69,7 @@ class Balance:
             [np.full(outer.shape, bearing.groove_circle(OUTER, clearance)), outer], -1
         )
         self.gap = np.array([[bearing.groove_gap(side)] for side in bearing.raceways])
-        # m: distances are known to some last digits of the radius
+        # m: rounding of the distances, a few last digits of the radius
         self.digits = 8 * np.spacing(bearing.pitch_radius)
         # longest Newton step, m: small against the groove
         self.cap = 0.25 * (bearing.groove_gap(INNER) + bearing.groove_gap(OUTER))
@@ -78,7 +78,7 @@ class Balance:
 
     def start(self) -> Floats:
         """A place that takes up the play toward the load, plus a first guess of the squeeze.
-        Raises `NoEquilibrium` where nothing says which way the ring goes."""
+        Raises `NoEquilibrium` if the direction of the displacement is undetermined."""
         loads = np.where(self.free, self.loads, 0)
         size = np.linalg.norm(loads)
         if self.free.any() and not size and not np.any(self.held):
@@ -105,8 +105,8 @@ class Balance:
                 np.abs(self.loads - loads) <= 1e-12 * np.abs(loads).max(initial=0)
             ):
                 break
-            # tilts can be so soft that what is left to rounding keeps the stiffness from repeating
-            # to the last digits
+            # tilts can be so soft that rounding keeps the stiffness from repeating to the last
+            # digits
             if np.all(np.abs(place - was) <= self.digits):
                 break
         else:
@@ -127,7 +127,7 @@ class Balance:
             size = np.linalg.norm(gradient)
             scale = np.abs(self.loads[free]).max() + here.touch.load.max()
             value, vector = np.linalg.eigh(hessian)
-            # what is left may be the last digits of the distances, times the stiffness
+            # the residual may be the rounding of the distances times the stiffness
             if size <= 1e-11 * scale + self.digits * np.abs(value).max():
                 if value[0] >= -1e-9 * value[-1] or nudged == 5:
                     return place
@@ -141,7 +141,7 @@ class Balance:
             was, (place, here) = place, self._moved(place, here, step)
             if np.array_equal(was, place):
                 if size <= 1e-8 * scale:
-                    return place  # rounding: the energy cannot tell any more
+                    return place  # below the rounding of the energy
                 break
             if not np.linalg.norm(place[free]) < self.bearing.ball_radius:
                 break
@@ -212,8 +212,8 @@ class Balance:
         return result
 
     def _moved(self, place, here, step):
-        """(place, `Here`) after as much of a step as brings the energy, or the force left, down;
-        where they are for none."""
+        """(place, `Here`) after the part of a step that reduces the energy or the residual force;
+        unchanged without one."""
         slope, part = here.gradient[self.free] @ step, 1.0
         size = np.linalg.norm(here.gradient[self.free])
         for _ in range(50):

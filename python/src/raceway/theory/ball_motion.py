@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How a ball moves that touches more grooves than it can roll on.
+"""Motion of a ball in contact with more grooves than it can roll on.
 
-A ball rotates in the plane through the bearing's axis, (radial, axial), and its centre goes round.
-Sliding and spin of its contacts are linear in these three. Under Coulomb's law forces and moments
-on the ball balance where all contacts together lose least power. Spin counts with its moment in
-closed form. That power has straight edges, so its least is where three of the terms are 0.
+The rotation of a ball has components (radial, axial) in the plane through the bearing's axis, and
+its centre orbits. Sliding and spin of its contacts are linear in these three. Under Coulomb's law,
+forces and moments on the ball balance where the total power loss of all contacts is least. Spin
+counts with its moment in closed form. This power is piecewise linear, so its minimum is where three
+of the terms are 0.
 """
 
 from itertools import combinations
@@ -78,7 +79,7 @@ def speeds(bearing: Bearing, ring: float, state: Equilibrium) -> tuple[Floats, F
         seen = np.tile(live, 2)
         motion = least(lines[seen], goal[seen], weight[seen], radius)
         faster = (lines @ motion - goal)[: len(raceways)]
-        # of the contact's distance from the bearing's axis over the ball's, and R_x/R_b
+        # the contact's distance from the bearing's axis over the ball's, and R_x/R_b
         out = np.where(raceways == INNER, -1.0, 1.0) * np.cos(angle[:, ball])
         ratio = 1 + radius * out / bearing.pitch_radius
         slips = ~live | (live.sum() > 2)  # the others roll

@@ -24,7 +24,7 @@ class Section(NamedTuple):
 
 
 class Steel(NamedTuple):
-    """What a shaft is made of; bearing steel unless given."""
+    """Material of a shaft; bearing steel by default."""
 
     young: float = 210e9  # Pa
     poisson: float = 0.3
@@ -44,12 +44,12 @@ STEEL = Steel()
 
 
 def area(section: Section) -> float:
-    """Of the cross-section, m^2."""
+    """Area of the cross-section, m^2."""
     return np.pi / 4 * (section.diameter**2 - section.bore**2)
 
 
 def second_moment(section: Section) -> float:
-    """Of the cross-section about a diameter, m^4."""
+    """Second moment of area of the cross-section about a diameter, m^4."""
     return np.pi / 64 * (section.diameter**4 - section.bore**4)
 
 

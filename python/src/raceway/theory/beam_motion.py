@@ -18,7 +18,7 @@ from raceway.theory.beam import FREEDOMS, STEEL, Disc, Section, Steel
 
 
 class Matrices(NamedTuple):
-    """Of all nodes, (5 N, 5 N): M q'' + spin G q' + K q = f, spin in rad/s."""
+    """Matrices of all nodes, (5 N, 5 N): M q'' + spin G q' + K q = f, spin in rad/s."""
 
     mass: Floats
     gyroscopic: Floats
@@ -103,7 +103,7 @@ def matrices(
 
 
 def rigid(z: Floats, whole: Matrices) -> Rigid:
-    """What `whole` is as a rigid body; `z` (N,) in m of its nodes.
+    """Rigid-body properties of `whole`, with nodes at `z` (N,) in m.
 
     >>> z, pieces = beam.divided([Section(0.5, 0.04)], [])
     >>> found = rigid(z, matrices(z, pieces))

@@ -21,11 +21,11 @@ ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
 
 
 class DoubleRow(NamedTuple):
-    """Two rows of one bearing beside each other; loads act in the middle of them."""
+    """Two adjacent rows of a bearing; loads act midway between them."""
 
     spacing: float  # m, of the balls' planes
     preload: float = 0.0  # m, how far each row is pushed along the axis after first contact
-    arrangement: str = "back_to_back"  # of `ARRANGEMENTS`
+    arrangement: str = "back_to_back"  # one of `ARRANGEMENTS`
 
 
 @dataclass(frozen=True)

@@ -68,7 +68,7 @@ def ball(inner: ArrayLike, outer: ArrayLike) -> Numbers:
 
 
 def bearing(inner: ArrayLike, outer: ArrayLike, background: float = 0.0) -> Numbers:
-    """All balls in parallel, F, over the last axis (eq 12), plus `background` when asked."""
+    """All balls in parallel, F, over the last axis (eq 12), plus `background`."""
     return np.sum(ball(inner, outer), axis=-1) + background
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The gap around a ball as a capacitor, by integrals: I = integral of dA/(h + g), m. The reference
-for `capacitance_outside`, and for whoever wants it: a few milliseconds a contact.
+"""The gap around a ball as a capacitor, by integrals: I = integral of dA/(h + g), m. Reference for
+`capacitance_outside`; takes a few milliseconds per contact.
 
 The gap g of a loaded contact is Hertz's own (Carlson's integrals, DLMF 19.16; Johnson 1985, ch. 4;
 derived here: docs/electric). Its plane is that of the contact: x along rolling, without end, y

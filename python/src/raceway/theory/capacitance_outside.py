@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What surrounds the contact ellipse as a capacitor, in closed form: I = integral of dA/(h + g)
-over the gap outside, m. The capacitance is eps_0 eps I.
+"""Capacitance of the gap around the contact patch in closed form: I = integral of dA/(h + g) over
+the gap outside the patch, m. The capacitance is eps_0 eps I.
 
 Numbers or arrays of one shape, SI units. All formulas are derived on docs/electric;
-`capacitance_exact` has the integrals that they stand for.
+`capacitance_exact` has the corresponding integrals.
 """
 
 import numpy as np
@@ -91,7 +91,7 @@ def rigid(
 
 
 def fill(permittivity: Numbers, kind: str = "flooded", outlet: float = 1.0) -> Numbers:
-    """eps_s, the relative permittivity that fills the gap outside the ellipse.
+    """eps_s, the relative permittivity in the gap outside the contact patch.
 
     "flooded": the oil's; "cavitated": the mean of the oil's and of what is in the downstream half,
     `outlet` (1 air, between 1 and the oil's foam); "dry": 1. Raises `ValueError` for another kind

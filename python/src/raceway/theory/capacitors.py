@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Both gaps of every ball as capacitors: contact ellipse and surroundings of a loaded contact, the
-rigid gap of one without load. Arrays of one value a ball, SI units. Derived on docs/electric.
+"""Both gaps of every ball as capacitors: contact patch and surroundings of a loaded contact, rigid
+gap of an unloaded one. Arrays with one value per ball, SI units. Derived on docs/electric.
 
 A ball between the rings always has both capacitors. One without load lies on the outer raceway
 under its centrifugal load Q_u, and its play is the gap to the inner one.
@@ -27,18 +27,19 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.static import Contacts, Equilibrium
 from raceway.theory.validity import Shoulders
 
-LEAST = 0.1  # N, of Q_u: a ball that does not turn still lies somewhere
+LEAST = 0.1  # N, least Q_u, for a ball that does not orbit
 ROUGHNESS = ("none", "gamma")
-WET_SHARE = {"flooded": 1.0, "cavitated": 0.5, "dry": 0.0}  # of the gap outside that oil fills
+# oil-filled share of the gap outside the patch
+WET_SHARE = {"flooded": 1.0, "cavitated": 0.5, "dry": 0.0}
 
 
 class Filling(NamedTuple):
-    """What fills the gaps and how it counts."""
+    """Filling of the gaps, permittivity and roughness model."""
 
-    kind: str = "flooded"  # of `capacitance_outside.FILLS`
-    outlet: float = 1.0  # relative permittivity of what fills the outlet where "cavitated"
-    permittivity_at: str = "maximum"  # of `capacitance.PERMITTIVITY_AT`
-    roughness: str = "none"  # of `ROUGHNESS`: the factor of a rough film on the ellipse
+    kind: str = "flooded"  # one of `capacitance_outside.FILLS`
+    outlet: float = 1.0  # relative permittivity in the outlet if "cavitated"
+    permittivity_at: str = "maximum"  # one of `capacitance.PERMITTIVITY_AT`
+    roughness: str = "none"  # one of `ROUGHNESS`: the factor of a rough film on the patch
     shoulders: Shoulders = Shoulders()
 
 
@@ -46,7 +47,7 @@ FLOODED = Filling()
 
 
 class Capacitors(NamedTuple):
-    """Those of one raceway, arrays (Z,) of one value a ball."""
+    """Capacitors of one raceway, arrays (Z,) with one value per ball."""
 
     load: Floats  # N, of the elastic contact; zero in a rigid gap
     separation: Floats  # m: h_c, or the play of a ball without load
@@ -62,7 +63,7 @@ class Capacitors(NamedTuple):
 
 
 class BearingCapacitors(NamedTuple):
-    """Those of both raceways and what they make together."""
+    """Capacitors of both raceways and their combinations."""
 
     inner: Capacitors
     outer: Capacitors
@@ -118,11 +119,11 @@ def of_raceway(
     """`Capacitors` of one raceway from loads (N), separations (m) and contact angles (rad) of the
     balls (Z,), in oil of relative `permittivity` at rest.
 
-    A load of zero makes a rigid gap; its `play` (m) is the separation unless given, negative where
-    a film holds bodies that overlap apart. The plates have the `film_thickness` of their load, m,
-    where it is another than the separation. `roughness` sigma in m counts where `filling` asks for
-    it, `clearance` is diametral, m. Raises `ValueError` for a separation that is not positive and
-    for words that `Filling` does not know.
+    Without load the gap is rigid; its `play` (m) is by default the separation, and negative where a
+    film separates overlapping bodies. The plates have the `film_thickness` of their load, m, if it
+    differs from the separation. `roughness` sigma in m counts if `filling` includes it; `clearance`
+    is diametral, m. Raises `ValueError` for a separation that is not positive and for unknown words
+    in `filling`.
     """
     load, separation, angle = np.broadcast_arrays(
         *(np.asarray(value, float) for value in (load, separation, angle))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How clean a lubricant is, for the rating life: the words of ISO 281 and what they stand for."""
+"""Lubricant cleanliness for the rating life: the words of ISO 281 and their values."""
 
 from collections.abc import Mapping
 

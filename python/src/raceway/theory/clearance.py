@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the diametral clearance P_d does to a bearing (eqs A.2-A.4 and the load parameter)."""
+"""Effects of the diametral clearance P_d on a bearing (eqs A.2-A.4 and the load parameter)."""
 
 import numpy as np
 

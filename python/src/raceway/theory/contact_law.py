@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Contact load by overlap, as statics takes it: Hertz alone, or with the film in the gap."""
+"""Contact load by overlap for statics: Hertz alone, or with the film in the gap."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ class Response(NamedTuple):
     load: Floats  # N
     slope: Floats  # d(load)/d(overlap), N/m
     energy: Floats  # J
-    elastic: Floats  # what Hertz's law sees of the overlap, m
+    elastic: Floats  # elastic compression in Hertz's law, m
 
 
 Law = Callable[[Floats], Response]  # of overlaps in m, negative in a gap

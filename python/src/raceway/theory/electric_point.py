@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The electrical figures of a bearing at one operating point from statics: `solve`, then `figures`
-as a mapping; `electric_table` has them as text.
+"""Electrical figures of a bearing at one operating point from statics: `solve`, then `figures` as a
+mapping; `electric_table` gives them as text.
 
-The mapping's keys are a promise to scripts; where `operating_point` has the same figure it has the
-same key.
+The keys are a public interface for scripts; figures shared with `operating_point` have the same
+key.
 """
 
 import math
@@ -55,7 +55,7 @@ class Point(NamedTuple):
 
 
 class Ask(NamedTuple):
-    """What is asked of a point beside its capacitance; None is not asked."""
+    """Requested quantities of a point in addition to its capacitance; None for not requested."""
 
     strength: float = film_voltage.STRENGTH  # of a film, V/m
     voltage: float | None = None  # V, between the rings
@@ -88,7 +88,7 @@ def solve(
 
     Shoulders that `filling` does not have are those of the bearing's file. `models` is one of
     `MODELS`; "full" has the film in the gap and inlet shear. Raises `RacewayError`; `ValueError`
-    without speed and for words that nothing knows.
+    without speed and for unknown words.
     """
     path, oil_path = (
         catalogue.find("bearings", bearing, folder),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Damping by the film of a rolling contact: one Maxwell branch beside Hertz's spring.
+"""Damping by the film of a rolling contact: one Maxwell branch in parallel with Hertz's spring.
 
 The linear response of a steady EHL line contact, carried to the ellipse: df/dt = k_m d(delta)/dt -
 f/tau, F_n = max(0, Q + f), k_m = 0.44 k h_c/delta_H, tau = 1.33 b/u. Good to 10 to 30 % for omega
@@ -22,7 +22,7 @@ class Branch(NamedTuple):
 
 
 def branch(k: Numbers, h_c: Numbers, elastic: Numbers, b: Numbers, speed: Numbers) -> Branch:
-    """`Branch` beside a contact of slope k = 1.5 Q/delta_H in N/m; h_c, `elastic` = delta_H and the
+    """`Branch` of a contact of slope k = 1.5 Q/delta_H in N/m; h_c, `elastic` = delta_H and the
     semi-axis b along rolling in m, u in m/s.
 
     h_c/delta_H is taken at most 1: the fit is for thin films.

@@ -10,7 +10,7 @@ from raceway.core import laws
 
 MURCH_WILSON, WILSON = 1, 2
 
-GUPTA_MOST = 0.9  # of 13.2 P L^0.42: a run takes this much where there is more
+GUPTA_MOST = 0.9  # largest 13.2 P L^0.42; a run limits it to this value
 
 
 def thermal_loading(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The film in the gap: it adds to the overlap that Hertz's law sees.
+"""The film in the gap, which adds to the overlap in Hertz's law.
 
 Q = K delta_H^1.5 with delta_H = delta + zeta h_c(Q), delta the overlap of the rigid bodies,
 negative in a gap. The left side grows with Q and h_c falls, so there is one root for any delta.
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from raceway.arrays import Numbers
 from raceway.core import laws
 
-CUT = 1.0  # N: below it a power law keeps its thickness, unless told otherwise
+CUT = 1.0  # N: default load below which a power law keeps its thickness
 
 
 class Squeeze(NamedTuple):

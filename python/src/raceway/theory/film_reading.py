@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What an instrument makes of a bearing's capacitance that takes it for plates: a curve by which a
-measured film thickness is corrected."""
+"""Film thickness read from a bearing's capacitance as if it were plates alone: a curve to correct
+measured film thicknesses."""
 
 from typing import NamedTuple
 
@@ -26,9 +26,9 @@ class Reading(NamedTuple):
 def curve(point: Point, factors: ArrayLike = FACTORS) -> Reading:
     """`Reading` of a bearing at one operating point with its films `factors` times as thick.
 
-    The plates are in inverse proportion to the film, their permittivity held. `less_constant` is
-    what a bridge makes that was zeroed with the surroundings of the model's film; NaN where nothing
-    is left. Raises `ValueError` where no ball is loaded on both raceways.
+    The plates are in inverse proportion to the film, at constant permittivity. `less_constant` is
+    the reading of a bridge zeroed with the surroundings of the model's film; NaN where nothing
+    remains. Raises `ValueError` if no ball is loaded on both raceways.
     """
     whole = point.capacitors()
     plates = whole.plates

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Voltages over films: how two films share one, the field in a film, the voltage at which one
-fails, and what a discharge takes. Numbers or arrays of one shape, SI units.
+"""Voltages over films: division between two films, field in a film, breakdown voltage, and the
+energy of a discharge. Numbers or arrays of one shape, SI units.
 
 A smooth thin film fails at 15 to 60 V/um (from memory, unchecked). Measured bearings fail first at
-1.5 to 6 V over two films (Lubricants 2024, 12, 1, table A1), far below that: roughness decides, so
-the local gap is that of three standard deviations.
+1.5 to 6 V over two films (Lubricants 2024, 12, 1, table A1), far below that, because of roughness:
+the local gap is the film less three standard deviations.
 """
 
 from typing import NamedTuple
@@ -41,8 +41,8 @@ def divided(voltage: Numbers, inner: Numbers, outer: Numbers) -> Shares:
 
 
 def shares(inner: Numbers, outer: Numbers) -> Shares:
-    """What of one volt between the rings each film takes, by capacitances. Of two open films none
-    takes any."""
+    """Share of each film in one volt between the rings, by capacitances; zero for two open
+    films."""
     both = np.asarray(inner + outer, float)
     over = np.divide(1.0, both, out=np.zeros_like(both), where=both != 0)
     return Shares((outer * over)[()], (inner * over)[()])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What interference fits take from the clearance of a bearing (Lame's thick tubes).
+"""Reduction of the clearance of a bearing by interference fits (Lame's thick tubes).
 
-A ring counts as a tube that ends at the bottom of its groove. Its shoulders are left out. Shaft and
-housing are tubes as long as the ring. `heat.clearance_change` has the part of temperature.
+A ring counts as a tube that ends at the bottom of its groove, without shoulders. Shaft and housing
+are tubes as long as the ring. `heat.clearance_change` gives the effect of temperature.
 """
 
 import math
@@ -33,7 +33,7 @@ def clearance_change(
     shaft_material: Material = STEEL,
     housing_material: Material = STEEL,
 ) -> float:
-    """How much the diametral clearance grows, m: 0 or less.
+    """Change of the diametral clearance, m: 0 or negative.
 
     `shaft` and `housing` are interferences in diameter (m) of the inner ring on its shaft and of
     the outer ring in its housing; 0 or less, a loose fit, changes nothing. `bore` and `outside` are
@@ -69,12 +69,12 @@ def clearance_change(
 
 
 def _shrinks(inside, outside, material):
-    """By how much a tube's outside diameter shrinks under a pressure on it, m/Pa."""
+    """Decrease of a tube's outside diameter under external pressure, m/Pa."""
     square = (inside / outside) ** 2
     return outside / material.young * ((1 + square) / (1 - square) - material.poisson)
 
 
 def _widens(inside, outside, material):
-    """By how much a tube's inside diameter widens under a pressure in it, m/Pa."""
+    """Increase of a tube's inside diameter under internal pressure, m/Pa."""
     square = (inside / outside) ** 2
     return inside / material.young * ((1 + square) / (1 - square) + material.poisson)

@@ -45,12 +45,12 @@ SPIN_LAWS = ("closed", "slices")
 
 @dataclass(frozen=True)
 class Surfaces:
-    """What the laws take beside geometry, loads and oil."""
+    """Parameters of the laws other than geometry, loads and oil."""
 
     boundary: float = 0.12  # mu_b, running (SKF)
     film: float | None = None  # mu of the film; None: Eyring's stress with its limit
     loss: float = 0.01  # alpha of hysteresis, 0.005 to 0.05
-    oil_share: float = 0.1  # of the space the balls move in
+    oil_share: float = 0.1  # oil fraction of the space around the balls
     starvation: float = 1.0  # factor on the hydrodynamic couple
 
 
@@ -84,7 +84,7 @@ class _Pressed(NamedTuple):
     angle: Floats
     a: Floats
     b: Floats
-    speed: Floats  # of entrainment, m/s
+    speed: Floats  # entrainment speed, m/s
     friction: Floats
     r_x: Floats
     r_d: Floats

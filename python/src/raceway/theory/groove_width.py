@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far a raceway's groove reaches beside a ball: the angle of its shoulder and the half-width of
-the parabola that has the groove's capacitance. Lengths in m, angles in rad."""
+"""Width of a raceway's groove around a ball: the angle of its shoulder and the half-width of the
+parabola with the groove's capacitance. Lengths in m, angles in rad."""
 
 from typing import NamedTuple
 
@@ -9,7 +9,7 @@ import numpy as np
 from raceway.arrays import Numbers
 from raceway.theory.bearing import INNER, Bearing
 
-USUAL_DEPTH = 0.18  # of the ball's diameter, where the shoulders are not known
+USUAL_DEPTH = 0.18  # fraction of the ball's diameter, for unknown shoulders
 
 
 class HalfWidths(NamedTuple):

@@ -18,7 +18,7 @@ EXACT, HAMROCK_BREWE, PRINTED = 0, 1, 2
 
 
 class Ellipse(NamedTuple):
-    """What the shape of two surfaces alone decides."""
+    """Quantities of a contact that depend only on the shape of the surfaces."""
 
     kappa: Numbers  # a/b
     first: Numbers  # complete elliptic integral F of modulus^2 1 - 1/kappa^2

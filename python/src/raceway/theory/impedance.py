@@ -14,7 +14,7 @@ from raceway.arrays import Floats, Numbers
 from raceway.theory.capacitance import VACUUM
 from raceway.theory.capacitors import BearingCapacitors
 
-THINNEST, THICKEST = 1e-3, 1e3  # of a guessed film: where `film_scale` looks
+THINNEST, THICKEST = 1e-3, 1e3  # factors on a guessed film, search range of `film_scale`
 
 
 def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
@@ -26,8 +26,8 @@ def leak(resistivity: Numbers, paths: Numbers) -> Numbers:
 def impedance(
     capacitance: Numbers, frequency: Numbers, resistance: Numbers = np.inf
 ) -> complex | np.ndarray:
-    """Z in ohm, complex, of C (F) beside R (ohm; infinite unless given) at a frequency. Raises
-    `ValueError` for a frequency that is not positive."""
+    """Z in ohm, complex, of C (F) in parallel with R (ohm; infinite by default) at a frequency.
+    Raises `ValueError` for a frequency that is not positive."""
     frequency = np.asarray(frequency, float)
     if not np.all(frequency > 0):
         raise ValueError(f"frequency = {frequency} Hz must be positive")
@@ -87,7 +87,7 @@ def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbe
 
 
 def resistance_of(impedance: complex | np.ndarray) -> Numbers:
-    """R in ohm beside that C: |Z|/cos(phi). Infinite where nothing leaks.
+    """R in ohm in parallel with that C: |Z|/cos(phi). Infinite without leakage.
 
     >>> z = impedance(2e-10, 1e4, 5e5)
     >>> print(f"{capacitance_of(z, 1e4):.3e} F, {resistance_of(z):.3e} ohm")
@@ -98,16 +98,17 @@ def resistance_of(impedance: complex | np.ndarray) -> Numbers:
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:
-    """h in m as a reading of the plates alone has it: eps_0 eps A/C, A = pi a b in m^2. Too small
-    where other capacitance is in C."""
+    """h in m of C read as plates alone: eps_0 eps A/C, A = pi a b in m^2. Too small if C includes
+    other capacitance."""
     return VACUUM * permittivity * area / capacitance
 
 
 def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
-    """By what all films of a model are to be multiplied to have a measured `capacitance` (F);
-    `whole` gives the model's capacitance in F by that factor, falling.
+    """Common factor on all films of a model that gives a measured `capacitance` (F); `whole` is the
+    model's capacitance in F by that factor, decreasing.
 
-    Raises `ValueError` where no factor from 1e-3 to 1e3 has it: something else is in the reading.
+    Raises `ValueError` if no factor from 1e-3 to 1e3 fits: the reading then includes something
+    else.
 
     >>> round(film_scale(2e-10, lambda scale: 1e-10 / scale), 6)
     0.5
@@ -130,8 +131,8 @@ def film_scale(capacitance: float, whole: Callable[[float], float]) -> float:
 def bearing_voltage_ratio(
     winding_rotor: Numbers, stator_rotor: Numbers, *bearings: Numbers
 ) -> Numbers:
-    """BVR = C_wr/(C_wr + C_rf + the bearings' C): what of a common-mode voltage of the windings a
-    motor's shaft takes. All in F.
+    """BVR = C_wr/(C_wr + C_rf + the bearings' C): shaft voltage of a motor over the common-mode
+    voltage of its windings. All in F.
 
     >>> round(float(bearing_voltage_ratio(50e-12, 1e-9, 200e-12, 200e-12)), 5)
     0.03448

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Speeds of a bearing whose balls roll without slip, and of one that was simulated."""
+"""Speeds of a bearing with balls that roll without slip, and of a simulated one."""
 
 from typing import NamedTuple
 
@@ -49,9 +49,9 @@ def spall_length(
     """Length in m of a spall along rolling, from the `seconds` between a ball's entry and its blow;
     the inner ring turns at `spin` rad/s.
 
-    The blow comes when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
-    (2011) 846). A ball that loses its load over the spall is late, and the length too large:
-    `spall.length` knows its flight.
+    The impact comes when the ball is half-way (Sawalha and Randall, Mech. Syst. Signal Process. 25
+    (2011) 846). A ball that loses its load over the spall is late, and the length too large;
+    `spall.length` accounts for its flight.
 
     >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)

@@ -2,8 +2,8 @@
 """Rating life of a radial or angular contact ball bearing: ISO 281:2007 and, from the loads of its
 balls, ISO/TS 16281:2008. Lives are for a reliability of 90 %, of which `RELIABILITY` has others.
 
-The reference life takes the loads of a statics or of a run: clearance, tilt, moments and
-centrifugal loads are in it. ISO 281's own life knows a load on the whole bearing only.
+The reference life uses the loads of statics or of a run and so includes clearance, tilt, moments
+and centrifugal loads. The life of ISO 281 itself depends only on the load on the whole bearing.
 """
 
 from collections.abc import Mapping
@@ -17,7 +17,7 @@ from raceway.theory.cleanliness import contamination
 
 # a_1 of ISO 281:2007, table 12: reliability in percent
 RELIABILITY: Mapping[float, float] = {90: 1, 95: 0.64, 96: 0.55, 97: 0.47, 98: 0.37, 99: 0.25}
-LARGEST_FACTOR = 50.0  # of a_ISO
+LARGEST_FACTOR = 50.0  # limit of a_ISO
 PERMITTED = 4.2e9  # Pa, of the most loaded contact under the static load rating (ISO 76)
 # kappa up to which a row holds, and its two constants (ISO 281:2007, eqs 31 to 33); the constants
 # of the second row make a_ISO continuous at 0.4 and 1
@@ -25,7 +25,7 @@ _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.0717
 
 
 class Ratings(NamedTuple):
-    """What a catalogue states of a bearing, N."""
+    """Load ratings of a bearing from its catalogue, N."""
 
     dynamic: float  # C
     static: float  # C_0

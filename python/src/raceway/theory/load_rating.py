@@ -30,7 +30,7 @@ _FC = (
 _STEP = 0.01
 MATERIAL = 1.3  # b_m of ISO 281 for ball bearings of today's steel
 LARGE = 25.4  # mm: C of larger balls grows with another power (from memory)
-FULLEST = 0.95  # of the circumference of the pitch circle that balls may take: the cage needs some
+FULLEST = 0.95  # largest share of the pitch circle for balls; the rest is for the cage
 # mm: balls are made in steps of 1/64 in; where none is near enough, in steps of 0.5 mm
 INCH_STEP, METRIC_STEP, NEAR = 25.4 / 64, 0.5, 0.015
 

@@ -28,15 +28,15 @@ class Film(NamedTuple):
     h_c: Floats  # m
     ratio: Floats  # Lambda
     capacitance: Floats  # F
-    rolling: Floats  # m/s, as `ball_motion.speeds` has it
+    rolling: Floats  # m/s, as from `ball_motion.speeds`
 
 
 class Lubrication(NamedTuple):
-    """Films of both raceways and what a bridge measures."""
+    """Films of both raceways and the capacitance in a bridge measurement."""
 
     inner: Film
     outer: Film
-    ball: Floats  # (Z,), F: inner and outer in series (eq 12), grooves of a ring beside each other
+    ball: Floats  # (Z,), F: inner and outer in series (eq 12), grooves of a ring in parallel
     total: float  # F: all balls in parallel (eq 12), no background
 
 

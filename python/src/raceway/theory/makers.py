@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction torque of a bearing by its makers' formulas, to hold beside the physical losses.
+"""Friction torque of a bearing by its makers' formulas, for comparison with the physical losses.
 
 In the units of the catalogues: mm, N, rpm, mm^2/s, and N mm. SKF's model is that of Rolling
 bearings 10000 EN 2013 (pages 105 and 106) for deep-groove ball bearings.

@@ -10,8 +10,8 @@ from raceway.theory.static import Equilibrium
 
 
 def balls(state: Equilibrium, films: Lubrication | None) -> list[dict[str, Any]]:
-    """A mapping a ball: loads, angles, pressures and axes, with `films` (or None) these, too. Of a
-    ring with several grooves each ball has a list of `contacts`, named as in a record."""
+    """One mapping per ball: loads, angles, pressures, axes, and, unless `films` is None, the films.
+    With several grooves per ring each ball has a list of `contacts`, named as in a record."""
     found = [{"azimuth_rad": float(one)} for one in state.azimuth]
     if films is not None:
         for ball, value in zip(found, films.ball):

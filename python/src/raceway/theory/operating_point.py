@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The figures of a bearing at one operating point from theory: `figures` as a mapping, `table`
+"""Figures of a bearing at one operating point from theory: `figures` as a mapping, `table`
 (`operating_table`) as text.
 
-The mapping's keys are a promise to scripts; where `summary` has the same figure it has the same
-key.
+The keys are a public interface for scripts; figures shared with `summary` have the same key.
 """
 
 import math
@@ -62,7 +61,7 @@ def figures(
     given. `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a
     four-point contact bearing with that angle, as its file may, too. Each of `balls` then has a
     list of `contacts`. `double_row` gives it two rows, whose `balls` follow one another.
-    `film_friction` is the film's coefficient of friction in place of Eyring's stress, 0.05 in a
+    `film_friction` is the film's coefficient of friction, instead of Eyring's stress; 0.05 in a
     run's models "full".
 
     Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
@@ -311,7 +310,7 @@ def _loads(state):
 
 
 def _rounded(values):
-    """Without what rounding left of components that are zero by symmetry: 1e-9 of the largest."""
+    """Values with rounding errors below 1e-9 of the largest set to zero, for symmetry."""
     return np.where(np.abs(values) > 1e-9 * np.abs(values).max(), values, 0.0)
 
 

@@ -23,7 +23,7 @@ from raceway.theory.small_motion import Response, response
 from raceway.theory.static import Equilibrium, equilibrium
 
 PHASES = 8  # places of the balls over a ball pass
-# by models: what the dampers of the contacts are
+# contact dampers by models
 LAWS = {
     "paper": "steel and squeeze film, eqs 4 and 5",
     "full": "steel, eq 4, and film branch",
@@ -31,7 +31,7 @@ LAWS = {
 
 
 class Dampers(NamedTuple):
-    """Beside the springs of the contacts (C, Z), as `seat` counts them."""
+    """Dampers in parallel with the springs of the contacts (C, Z), in the order of `seat`."""
 
     damping: Floats  # N s/m
     stiffening: Floats  # N/m

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A rotor that a program for rotor dynamics gives as matrices, and how it bends.
+"""A rotor given as matrices by a rotor dynamics program, and its bending modes.
 
 A node has x, y, z, rx, ry, rz (ROSS since 2.0) or x, y, rx, ry (before), right-handed, z along the
 shaft. M q'' + (C + spin G) q' + K q = f in kg, m, s, N and rad, spin in rad/s. Nothing may hold the
@@ -18,9 +18,9 @@ from raceway.theory.beam import FREEDOMS
 
 OURS = {4: (0, 1, 3, 4), 6: (0, 1, 2, 3, 4)}  # by degrees of freedom of their node: places in ours
 THEIRS = {4: (0, 1, 2, 3), 6: (0, 1, 2, 3, 4)}
-SMALL = 1e-9  # of the largest number: what rounding may leave
-NEAR = 1e-6  # m, of a node
-PROPER = 1e-6  # of the diagonal: damping that couples modes
+SMALL = 1e-9  # rounding tolerance, fraction of the largest number
+NEAR = 1e-6  # m, tolerance of a node's position
+PROPER = 1e-6  # limit of modal coupling by damping, fraction of the diagonal
 
 
 class Rotor(NamedTuple):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where a ball settles between the grooves of an inner and an outer ring, in the plane through the
-bearing's axis (Jones 1960).
+"""Equilibrium position of a ball between the grooves of an inner and an outer ring, in the plane
+through the bearing's axis (Jones 1960).
 
 Coordinates are (radial, axial) in m. Each of Z balls has C contacts, one a groove, inner grooves
 first. Each contact is a spring by its `contact_law` whose energy is convex in the ball's place, and
@@ -20,7 +20,7 @@ from raceway.theory.small_motion import Linear
 
 
 class Grooves(NamedTuple):
-    """What surrounds the balls."""
+    """Surroundings of the balls: grooves, stiffness and centrifugal load."""
 
     # balls (Z, 2) -> circles of the inner grooves' centres, arrays (inner grooves, Z)
     inner: Callable[[Floats], circle.Reach]
@@ -32,7 +32,7 @@ class Grooves(NamedTuple):
 
 
 class Touch(NamedTuple):
-    """The contacts of balls somewhere."""
+    """Contacts of balls at given positions."""
 
     distance: Floats  # (C, Z), m, ball to centre of curvature
     direction: Floats  # (C, Z, 2), from ball to raceway
@@ -137,7 +137,7 @@ def settle(grooves: Grooves) -> Floats:
     thrown[:, 0] += gap[1] + (centrifugal / hard) ** (2 / 3)
     ball = np.where(((squeeze > 0) | (centrifugal == 0))[:, None], between, thrown)
     scale = centrifugal + hertz.load(hard, squeeze)
-    longest = 0.25 * gap[:, 0].sum()  # of a step: small against the groove
+    longest = 0.25 * gap[:, 0].sum()  # longest step, small against the groove
     # keeps a ball that has lost a groove, or both, movable
     floor = (1e-9 * scale.max() + 1e-30) / longest * np.eye(2)
     digits = 8 * np.spacing(outer[:, 0])

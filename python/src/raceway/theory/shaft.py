@@ -6,8 +6,8 @@ The balance of all nodes
 
     K q + sum of bearing forces(q) = loads
 
-is solved by Newton's method with the bearings' own stiffness matrices. Clearance makes a bearing
-carry nothing at first. So soft springs to the ground help at the start and are taken away in steps.
+is solved by Newton iteration with the bearings' own stiffness matrices. A bearing with clearance
+carries no load at first, so soft springs to the ground are added and removed in steps.
 """
 
 from collections.abc import Sequence
@@ -21,9 +21,9 @@ from raceway.theory import beam, static
 from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
 from raceway.theory.bearing import Bearing
 
-HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, of the soft springs, one after the other
-STEPS = 60  # of Newton's method for each
-EXACT = 1e-9  # of the loads, what may be left of the balance
+HELP = (1e8, 1e6, 1e4, 0.0)  # N/m, stiffness of the soft springs, in turn
+STEPS = 60  # largest number of Newton iterations for each
+EXACT = 1e-9  # largest residual of the balance over the loads
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Seat:
 
 @dataclass(frozen=True)
 class Load:
-    """What acts on the shaft at a place."""
+    """Force and moment on the shaft at a place."""
 
     at: float  # m
     force: tuple[float, float, float] = (0.0, 0.0, 0.0)  # N
@@ -71,12 +71,12 @@ class Carried:
 
 @dataclass(frozen=True)
 class Rest:
-    """Where a shaft rests."""
+    """Equilibrium of a shaft."""
 
     z: Floats  # (N,), m, of the nodes
     place: Floats  # (N, 5), m and rad
     bearings: list[Carried]
-    residual: float  # what is left of the balance, over the loads
+    residual: float  # residual of the balance over the loads
 
 
 def rest(
@@ -126,7 +126,7 @@ def rest(
 
 
 class _Holder:
-    """A bearing's forces on the shaft. Where it slides along z, its axial force is none."""
+    """A bearing's forces on the shaft, without axial force if it slides along z."""
 
     def __init__(self, seat, first, speed, density):
         self.seat, self.at = seat, slice(first, first + FREEDOMS)
@@ -199,7 +199,7 @@ def _newton(stiffness, given, holders, place, soft):
             step = np.linalg.solve(slope, left)
         except np.linalg.LinAlgError:
             break
-        # the energy is convex but for contact angles: go on while it falls along the step
+        # the energy is convex except for contact angles: continue while it decreases along the step
         share, start = min(1.0, 50e-6 / np.abs(step * lengths).max()), left @ step
         while True:
             try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How a round shaft bends, in few coordinates: what `fix bearing/shaft ... flexible` takes.
+"""Reduced bending model of a round shaft, as input for `fix bearing/shaft ... flexible`.
 
 The reduction is that of Craig and Bampton (AIAA J. 6 (1968) 1313) in one plane: displacement and
 tilt of kept nodes, and modes of the rest while these are held. Natural modes of the free reduced
@@ -65,7 +65,7 @@ def bending(
     shapes = basis @ scipy.linalg.eigh(*few)[1][:, 2:]
     if not shapes.shape[1]:
         raise ValueError("a shaft that bends needs another kept place or a mode")
-    # what rounding left of the rigid body in them
+    # rounding residue of the rigid body in them
     rigid = np.zeros((2 * len(z), 2))
     rigid[0::2, 0], rigid[0::2, 1], rigid[1::2, 1] = 1.0, z - body.centre, 1.0
     own = rigid.T @ mass

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Small vibrations of a shaft about its rest (`shaft`): what it is as a rigid body, how it bends,
-and its natural frequencies on bearings whose stiffness is that at rest."""
+"""Small vibrations of a shaft about its equilibrium (`shaft`): rigid-body properties, bending
+modes, and natural frequencies on bearings with their stiffness at equilibrium."""
 
 from collections.abc import Sequence
 
@@ -45,7 +45,8 @@ def bending(
     kept: Sequence[float] = (),
     places: Sequence[float] = (),
 ) -> shaft_bending.Bending:
-    """How `shaft` bends: its bearings, the places of `loads` across it, and `kept` (m) are kept.
+    """Bending modes of `shaft`; its bearings, the places of transverse `loads`, and `kept` (m) are
+    kept.
 
     `modes` in a plane and the `damping` ratio are those of `shaft_bending.bending`. Stations are
     the nodes of `rest`, the centre of mass, `kept` and `places` (m). Raises `ValueError` for a

@@ -23,7 +23,7 @@ LEAST = 1e-4  # m/s, floor of s_e: towards u = 0 the law is Coulomb's, smoothed 
 
 
 class Slip(NamedTuple):
-    """What a contact's slip does, arrays of one shape."""
+    """Forces and power of a contact's slip, arrays of one shape."""
 
     force: Numbers  # F, N: -F on the ball, +F on the ring, along rolling
     couple: Numbers  # C, N m: +C on the ball, -C on the ring, about w

@@ -27,7 +27,7 @@ class Linear(NamedTuple):
 
 
 class Response(NamedTuple):
-    """What a ring feels of small motions at one frequency, in x, y, z, rx, ry."""
+    """Response of a ring to small motions at one frequency, in x, y, z, rx, ry."""
 
     stiffness: Floats  # (5, 5), N/m, N/rad, N m/rad
     damping: Floats  # (5, 5), N s/m, N s/rad, N m s/rad

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A ball over a spall across the whole groove: when it strikes, and how long the spall is.
+"""A ball over a spall across the whole groove: time of impact, and length of the spall.
 
 A ball that keeps its load strikes half-way, where the near flank of its path meets the far one
 (`kinematics.spall_length`). One that loses its load flies on and strikes the far flank later. Here
 ball and ring are two masses along the load line: the ball between two Hertz contacts, the ring on a
-spring that stands for the other balls. The path over the spall is that of a rigid ball on two edges
-(docs/theory, Flaws of a raceway). The spall lies on the load line and is deeper than the ball
-reaches. Film, friction and what carries the outer ring are left out.
+spring for the other balls. The path over the spall is that of a rigid ball on two edges
+(docs/theory, Flaws of a raceway). The spall lies on the load line, and the ball does not reach its
+bottom. Film, friction and the support of the outer ring are left out.
 """
 
 from dataclasses import replace
@@ -19,7 +19,7 @@ from raceway.theory import hertz, kinematics, static
 from raceway.theory.bearing import INNER, OUTER, Bearing
 
 STEP = 0.2  # over the ball's angular frequency between its raceways
-LONGEST = 0.4  # of the distance of two balls
+LONGEST = 0.4  # fraction of the ball pitch
 LENGTHS = 80  # in the table that `length` reads
 
 
@@ -79,7 +79,7 @@ def seconds_to_blow(
         phase=full.azimuth[1:],
     )
     carried = full.inner.load[0]
-    # of the other balls, between the bearing with this one and without it
+    # stiffness of the other balls, between the bearing with this ball and without it
     ring_spring = carried / (without.shift[0] - full.shift[0])
     mass = 4 / 3 * np.pi * bearing.ball_radius**3 * ball_density
     centrifugal = mass * bearing.pitch_radius * orbit**2
@@ -155,7 +155,7 @@ def length(
 
 
 def _drop(on, w, edge, rolling):
-    """How far (m) a rigid ball has fallen `on` m after the entry."""
+    """Drop (m) of a rigid ball `on` m after the entry."""
     half, curve = 0.5 * w, rolling + edge
     off = np.minimum(np.abs(on - half), half)  # from the middle
     flank = (half - off) ** 2 / (2 * curve)

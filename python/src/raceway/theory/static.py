@@ -60,7 +60,7 @@ class Contacts(NamedTuple):
 
 @dataclass(frozen=True)
 class Equilibrium:
-    """Where the bearing rests."""
+    """Equilibrium of the bearing."""
 
     shift: Floats  # (3,), m: inner ring against outer
     azimuth: Floats  # (Z,), rad

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The steady temperature of a bearing: statics, film and friction at the temperature at which
-cooling carries away the heat of that friction.
+"""Steady temperature of a bearing: statics, film and friction at the temperature where cooling
+balances the friction heat.
 
 One node: the whole bearing and its oil at one temperature. Three nodes: inner ring, balls and outer
 ring at their own, the oil at their mean, and the clearance of the warm parts in the statics.
@@ -105,7 +105,7 @@ class Scene:
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
         self.spin_law, self.film_friction = spin_law, film_friction
-        self.share = 1.0  # of the friction that the laws give; `by_runs` sets it
+        self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
         """Figures of the scene with its oil at a temperature in degrees C and a clearance in m;
@@ -179,7 +179,7 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
     """Steady figures with `Nodes` of their own temperature; the clearance is that of the bearing at
     `ambient`. Raises `NoEquilibrium` when no steady state is found up to 200 C."""
     warm, oil = clearance, ambient + 20.0
-    part = 0.6  # of each step: friction falls as the oil warms, so whole steps overshoot
+    part = 0.6  # under-relaxation: friction decreases as the oil warms, so full steps overshoot
     for _ in range(80):
         found = scene.at(oil, warm)
         inner, outer = found["sides"]
@@ -204,7 +204,7 @@ def three_nodes(scene: Scene, nodes: Nodes, ambient: float, clearance: float) ->
 
 @dataclass(frozen=True)
 class Case:
-    """What `figures` are asked for; SI units, degrees C.
+    """Input of `figures`; SI units, degrees C.
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
     (`catalogue.find`); the lubricant's must have physical data. Cooling: `nodes`, or `conductance`
@@ -221,9 +221,9 @@ class Case:
     ambient: float = 20.0
     conductance: float | None = None
     nodes: Nodes | None = None
-    four_point: float | None = None  # these two as `inputs.bearing` has them
+    four_point: float | None = None  # these two as in `inputs.bearing`
     double_row: DoubleRow | None = None
-    spin_law: str = "closed"  # these two as `operating_point.figures` has them
+    spin_law: str = "closed"  # these two as in `operating_point.figures`
     film_friction: float | None = None
 
     def files(self) -> tuple[Path, Path]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where the formulas of a contact are in doubt.
+"""Range of validity of the contact formulas.
 
-The rules stand in C++ (`src-package/core/raceway/validity.h`), which warns in a run; `make columns`
-writes them to `columns.json`, and summary and statics judge by the same.
+The rules are defined in C++ (`src-package/core/raceway/validity.h`), which warns in a run; `make
+columns` writes them to `columns.json`, and summary and statics use the same rules.
 """
 
 import json
@@ -18,7 +18,7 @@ from raceway.units import prefixed
 
 
 class Rule(NamedTuple):
-    """`value` is in doubt above `bound`, or `below` it; `limit` says whose bound it is."""
+    """`value` is in doubt above `bound`, or `below` it; `limit` is the source of the bound."""
 
     name: str
     value: str
@@ -42,8 +42,8 @@ RULES = {
 
 
 def doubts(values: Mapping[str, float | None]) -> list[str]:
-    """What is beyond validity of `values` by the names of `RULES`, SI units: a text for each. None
-    and NaN are values that are not there."""
+    """A text for each of `values`, by the names of `RULES` in SI units, outside its range of
+    validity. None and NaN are missing values."""
     texts = []
     for name, value in values.items():
         rule = RULES[name]
@@ -66,8 +66,7 @@ def past_shoulder(
     angle: tuple[np.ndarray, np.ndarray],
     semi_axis: tuple[np.ndarray, np.ndarray],
 ) -> list[str]:
-    """Which contact ellipses reach past the edge of their groove: a text for each raceway that has
-    any.
+    """A text for each raceway with contact patches that extend past the edge of their groove.
 
     `angle` (rad) and `semi_axis` a (m) are those of the loaded contacts of the inner and the outer
     raceway. The groove ends at the angle theta with cos(theta) = 1 - depth/r_c from its bottom; an

@@ -11,7 +11,7 @@ from raceway.pictures.style import INK, PALETTE, SOFT
 from raceway.theory import film
 from raceway.theory.bearing import INNER
 
-PASSAGE = 60e-12  # F, boundary to mixed, as the paper says (section 4.2)
+PASSAGE = 60e-12  # F, boundary to mixed lubrication (section 4.2 of the paper)
 
 
 def curves(book: Book, printed: bool = False) -> dict[str, pd.DataFrame]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How balls and cage move in the runs; nothing here depends on the printed formulas."""
+"""Motion of balls and cage in the runs, independent of the printed formulas."""
 
 import numpy as np
 

@@ -23,7 +23,7 @@ def measure(book: Book) -> dict[str, Quantity]:
 
 
 def _around(book):
-    """What is not plates."""
+    """Capacitance other than that of the plates."""
     runs = book.readings.all("loads")
     more = {run.given["load"]: run.whole_top_capacitance() - run.top_capacitance() for run in runs}
     rings = formulas.measure(book, printed=False)["ring_to_ring"].value
@@ -94,7 +94,7 @@ def _oils(book):
 
 
 def _passage(book):
-    """Where Lambda is one, and where the capacitance is that of the paper's passage."""
+    """Points with Lambda of one, and with the capacitance of the paper's passage."""
     b, filling = book.bearing, book.readings.filling("6208")
     result, least = {}, []
     for name, rows in curves(book).items():
