@@ -120,7 +120,7 @@ void PairBearingHertz::coeff(int narg, char **arg)
               "lubricant use bearing/hertz");
   if (with_film_ && p.ring_roughness == 0.0)
     args.fail("bearing/ehd needs 'roughness RACEWAY BALL' (m) here or in pair_style: it sets the "
-              "film parameter "
+              "lambda ratio "
               "and the floor of the film damper");
   raceways_.erase({i, j, 1});
   p.groove.offset = -arch;

@@ -176,7 +176,7 @@ def test_a_film_thicker_than_its_contact_is_long(tmp_path):
     deck = tmp_path / "in.thick"
     deck.write_text(EHD.replace("lubricant 0.040", "lubricant 1.0e8").replace("run 40000", "run 0"))
     found = dict(doubts(liggghts(deck, out=tmp_path).text))
-    assert any(name.startswith("film parameter Lambda") for name in found)
+    assert any(name.startswith("lambda ratio") for name in found)
     assert any(name.startswith("film thickness over the semi-axis b") for name in found)
 
 
@@ -190,9 +190,7 @@ def test_a_capacitance_of_a_film_that_conducts(tmp_path, capacitance):
     deck = tmp_path / "in.slow"
     deck.write_text(text)
     found = dict(doubts(succeed(deck, out=tmp_path).text))
-    names = [
-        name for name in found if name.startswith("film parameter Lambda beside a capacitance")
-    ]
+    names = [name for name in found if name.startswith("lambda ratio beside a capacitance")]
     assert len(names) == capacitance and all(0.0 < float(found[name]) < 1.0 for name in names)
 
 

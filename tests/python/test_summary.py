@@ -226,7 +226,7 @@ def test_warnings(folder, lubricated):
 
     assert warned(put(ratio, 1.0)) == [] == warned(put(pressure, 4.2e9))
     (one,) = warned(put(ratio, 0.99))
-    assert one.startswith("film parameter Lambda beside a capacitance is down to 0.99; ")
+    assert one.startswith("lambda ratio beside a capacitance is down to 0.99; ")
     (one,) = warned(put(pressure, 4.3e9))
     assert one == "Hertz pressure is up to 4.3 GPa; ISO 76 allows ball bearings 4.2 GPa"
 

@@ -46,7 +46,7 @@ FIGURES = {
         Row("entrainment_speed_m_s", "entrainment speed", "m/s", "U_r of eq 6, inner"),
         Row("h_min_m", "minimum film thickness", "m", "eq 6"),
         Row("h_c_m", "central film thickness", "m", "eq 9"),
-        Row("lambda", "film parameter", "", "eq 7"),
+        Row("lambda", "lambda ratio", "", "eq 7"),
         Row("capacitance_F", "bearing", "F", "eq 12"),
         Row("capacitance_top_F", "largest of one ball", "F", "eqs 8, 10-12"),
         Row("cage_speed_rad_s", "cage speed", "rad/s"),

@@ -155,7 +155,7 @@ std::vector<Figure> of_record()
       {{"h_min", "m", "smallest film thickness of the contacts"},
        [](F f, int) { return f.contacts > 0.0 ? f.h_min : NAN; },
        Needs::film},
-      {{"lambda", "", "smallest film parameter of the contacts"},
+      {{"lambda", "", "smallest lambda ratio of the contacts"},
        [](F f, int) { return f.contacts > 0.0 ? f.lambda : NAN; },
        Needs::film},
       {{"cage_speed", "rad/s", "mean speed of the balls about the axis of the outer ring"},
@@ -167,7 +167,7 @@ std::vector<Figure> of_record()
        {{"h_min_top", "m", "smallest film thickness at the largest load on the inner raceway"},
         [](F f, int) { return f.film[0]; },
         Needs::film},
-       {{"lambda_top", "", "film parameter at the largest load on the inner raceway"},
+       {{"lambda_top", "", "lambda ratio at the largest load on the inner raceway"},
         [](F f, int) { return f.film[1]; },
         Needs::film},
        {{"h_c_top", "m", "central film thickness at the largest load on the inner raceway"},
@@ -206,7 +206,7 @@ std::vector<Figure> of_ring()
        [](F f, int) { return std::max(f.load[0], f.load[1]); }},
       {{"pressure", "Pa", "largest Hertz pressure"}, pressure},
       {{"h_min", "m", "smallest minimum film thickness of the contacts"}, thinnest, Needs::film},
-      {{"lambda", "", "smallest film parameter of the contacts"}, smallest_lambda, Needs::film},
+      {{"lambda", "", "smallest lambda ratio of the contacts"}, smallest_lambda, Needs::film},
       {{"orbit", "rad/s", "mean speed of the balls about the ring's axis"}, cage_speed}};
   add_losses(list, true);
   add_losses(list, false);
@@ -232,7 +232,7 @@ std::vector<Figure> of_total()
       {{"load_outer", "N", "largest elastic contact load on the outer raceway"}, load_outer},
       {{"pressure", "Pa", "largest Hertz pressure"}, pressure},
       {{"h_min", "m", "smallest minimum film thickness of the contacts; 0 when dry"}, thinnest},
-      {{"lambda", "", "smallest film parameter of the contacts; 0 when dry"}, smallest_lambda},
+      {{"lambda", "", "smallest lambda ratio of the contacts; 0 when dry"}, smallest_lambda},
       {{"cage_speed", "rad/s", "mean speed of the balls about the axis of their ring"},
        cage_speed}};
   add_losses(list, true);

@@ -53,9 +53,9 @@ struct FilmThicknessPart : PartBase {
         {"regimes",
          "",
          false,
-         {P::positive("LAMBDA_1", "film parameter at the end of the boundary regime",
+         {P::positive("LAMBDA_1", "lambda ratio at the end of the boundary regime",
                       [](Raceway &p, Parameters &) -> double & { return p.lambda_1; }),
-          P::positive("LAMBDA_2", "film parameter at the start of the full film",
+          P::positive("LAMBDA_2", "lambda ratio at the start of the full film",
                       [](Raceway &p, Parameters &) -> double & { return p.lambda_2; })},
          [](const double *v) -> const char * {
            return v[1] <= v[0] ? "the second must be larger" : nullptr;
@@ -93,7 +93,7 @@ struct FilmThicknessPart : PartBase {
     return {{{"h_min", "m", "minimum film thickness"},
              [](const Raceway &, const ContactState &s) { return s.h_min; },
              Needs::film},
-            {{"lambda", "", "film parameter"},
+            {{"lambda", "", "lambda ratio"},
              [](const Raceway &, const ContactState &s) { return s.lambda; },
              Needs::film},
             {{"regime", "", "0 boundary, 1 mixed, 2 full film", has_none, as_whole},

@@ -63,7 +63,7 @@ def legend(axes: Axes, where: str, **options: Any) -> Legend:
 
 
 def regimes(axes: Axes, top: float, at: float) -> None:
-    """Bands of the film parameter up the y axis; their names at `at` of the width."""
+    """Bands of the lambda ratio up the y axis; their names at `at` of the width."""
     for low, high, name, colour in REGIMES:
         if low < top:
             axes.axhspan(low, min(high, top), color=colour, lw=0, zorder=0.1)

@@ -27,7 +27,7 @@ CHARTS = {
     "Largest contact loads": ("load_inner", "load_outer"),
     "Largest Hertz pressures": ("pressure_inner", "pressure_outer"),
     "Thinnest film": ("h_min",),
-    "Film parameter": ("lambda",),
+    "Lambda ratio": ("lambda",),
     "Capacitance of the bearing": ("capacitance",),
     "Balls loaded on both raceways": ("loaded_balls",),
     "Cage speed": ("cage_speed",),

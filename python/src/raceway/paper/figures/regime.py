@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figures 12a and 12b: film parameter against speed and against the bearing's capacitance."""
+"""Figures 12a and 12b: lambda ratio against speed and against the bearing's capacitance."""
 
 import numpy as np
 import pandas as pd
@@ -33,8 +33,8 @@ def curves(book: Book, printed: bool = False) -> dict[str, pd.DataFrame]:
 
 
 def by_speed(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig 12a: film parameter against entrainment speed."""
-    figure, (axes,) = panel.page("Film parameter against speed", _note(book))
+    """Fig 12a: lambda ratio against entrainment speed."""
+    figure, (axes,) = panel.page("Lambda ratio against speed", _note(book))
     top = _top(book)
     panel.regimes(axes, top, 0.985)
     for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
@@ -50,7 +50,7 @@ def by_speed(book: Book) -> tuple[Figure, pd.DataFrame]:
         panel.theory(axes, speed, _ratio(book, name, speed), f"static theory, {OILS[name]}", colour)
     axes.set(
         xlabel="entrainment speed $U_r$ (m/s)",
-        ylabel="film parameter $Λ_f$",
+        ylabel="lambda ratio $Λ_f$",
         xlim=(0, 1.25),
         ylim=(0, top),
     )
@@ -59,8 +59,8 @@ def by_speed(book: Book) -> tuple[Figure, pd.DataFrame]:
 
 
 def by_capacitance(book: Book) -> tuple[Figure, pd.DataFrame]:
-    """Fig 12b: film parameter against the capacitance of the bearing."""
-    figure, (axes,) = panel.page("Film parameter against the bearing's capacitance", _note(book))
+    """Fig 12b: lambda ratio against the capacitance of the bearing."""
+    figure, (axes,) = panel.page("Lambda ratio against the bearing's capacitance", _note(book))
     top = _top(book)
     panel.regimes(axes, top, 0.985)
     for (name, rows), colour, marker in zip(curves(book).items(), PALETTE, "os"):
@@ -98,7 +98,7 @@ def by_capacitance(book: Book) -> tuple[Figure, pd.DataFrame]:
     axes.text(PASSAGE * 1e12 + 12, 0.08 * top, "60 pF", fontsize=10)
     axes.set(
         xlabel="capacitance of the bearing (pF)",
-        ylabel="film parameter $Λ_f$",
+        ylabel="lambda ratio $Λ_f$",
         xlim=(0, 1500),
         ylim=(0, top),
     )
