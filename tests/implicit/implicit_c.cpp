@@ -292,13 +292,16 @@ EXPORT(void, flawed_system,
   outer.parts = initial_parts(false);
   outer.of<HysteresisPart>().alpha_e = 0.0;
   NotchShape shape = {0.7, notch[0], notch[1] > 0.0 ? notch[1] : HUGE_VAL, notch[2], notch[3]};
-  const RacewayProfile profile({{shape}, {{31, 1e-6, 0.2}}, {}}, outer);
+  const double rolling = outer.rolling_radius(1.0), ellipse = outer.law.radial().a;
+  const RacewayProfile profile({{shape}, {{31, 1e-6, 0.2}}, {}}, outer.groove.raceway_radius,
+                               rolling, ellipse);
   BearingModel model;
   model.bodies = {{1, 8.17e-3, 6.3e-3, true}};
   model.rings = {{2, 0, {}}};
   BallPitShape pit;
   static_cast<NotchShape &>(pit) = shape;
-  const BallProfile ball({{pit}, {{7, 2e-7, 0.2}}}, outer);
+  const BallProfile ball({{pit}, {{7, 2e-7, 0.2}}}, outer.groove.ball_radius, rolling, ellipse,
+                         outer.law.radial().K);
   model.grooves = {{0, 0, &outer, of_ball ? nullptr : &profile, of_ball ? &ball : nullptr}};
   model.parts = outer.parts;
   BearingBodies b(model);

@@ -18,9 +18,9 @@ def lib():
     source, target = ROOT / "tests/implicit/implicit_c.cpp", ROOT / "build/test/libimplicit.so"
     target.parent.mkdir(parents=True, exist_ok=True)
     step = [
-        str(ROOT / "build/obj" / room / source.with_suffix(".o").name)
-        for room in ("implicit", "physics")
-        for source in sorted(ROOT.glob(f"src-package/{room}/*.cpp"))
+        str(ROOT / "build/obj/core" / room / source.with_suffix(".o").name)
+        for room in ("numbers", "contact", "bodies", "step")
+        for source in sorted(ROOT.glob(f"src-package/core/{room}/*.cpp"))
     ]
     subprocess.run(
         [

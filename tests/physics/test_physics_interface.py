@@ -36,7 +36,7 @@ GIVEN = dict(spring=dict(preload=0.5, stiffness=2.0), weight=10.0, way=[1.0, 2.0
 def build(folder, fields=FIELDS, parameters=PARAMETERS):
     folder.mkdir(exist_ok=True)
     source, target = folder / "push.cpp", folder / "push.so"
-    core = Path(__file__).resolve().parents[2] / "src-package" / "core"
+    core = Path(__file__).resolve().parents[2] / "src-package" / "core" / "interface"
     source.write_text(SOURCE.format(core=core, fields=fields, parameters=parameters))
     subprocess.run(["g++", "-std=c++17", "-fPIC", "-shared", source, "-o", target], check=True)
     return Library(target)
