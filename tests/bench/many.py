@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What many bearings in one box cost, on one rank and on two; writes build/bench/many.rst with
-a model for clusters.
+"""Cost of many bearings in one box, on one rank and on two; writes build/bench/many.rst with a
+model for clusters.
 
     .venv/bin/python tests/bench/many.py [rounds]
 

@@ -57,8 +57,8 @@ print "THEN ${{balls}}"
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("change", ["", "mark", "spreadsheet"])
 def test_own_table(tmp_path, host, change):
-    """What a spreadsheet saves is read as well. What the deck or -var set before stays, as before a
-    file. bearing_forget knows the variables of tables."""
+    """Tables saved by a spreadsheet are read. A variable that the deck or -var has set keeps its
+    value, as with a file. bearing_forget deletes the variables of a row."""
     text = OWN
     if change == "mark":
         text = "\ufeff" + text

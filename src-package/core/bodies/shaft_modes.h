@@ -35,7 +35,7 @@ struct ShaftModes {
   }
 };
 
-// Of all modes: first plane, then second plane.
+// Coordinates of all modes, first plane, then second plane.
 struct BendState {
   std::vector<double> place, rate;    // m, m/s
 

@@ -35,7 +35,7 @@ class BearingInstants {
   BearingInstants(BearingBodies &b, BearingForces &f) : b_(b), forces_(f) {}
 
   void want(const Instants &);
-  // Of the last host step; k from 1, other indices as in the model.
+  // Results at instant k (from 1) of the last host step; other indices as in the model.
   void contacts(int k, bool whole_states, std::vector<Contact> &) const;    // by groove
   BodyPose body(int k, int body) const;
   const Ring &ring(int k, int ring) const { return rings_[(k - 1) * b_.rings.size() + ring]; }

@@ -102,9 +102,9 @@ def _springs(along, line, load, curve):
 
 
 def nearest(grooves: Grooves) -> tuple[Floats, ...]:
-    """Of the pair of grooves, an inner and an outer one, that each ball is closest to be squeezed
-    between: (squeeze (Z,) m, negative with play, unit vector (Z, 2) from the outer centre to the
-    inner one, their distance (Z,), outer centre (Z, 2), contacts (2, Z) by their numbers)."""
+    """Inner and outer groove that squeeze each ball most, or leave it the least play: (squeeze (Z,)
+    m, negative with play, unit vector (Z, 2) from the outer centre to the inner one, their distance
+    (Z,), outer centre (Z, 2), contacts (2, Z) by their numbers)."""
     pairs, inner = [], None
     for k, outer in enumerate(grooves.outer):
         inner = grooves.inner(outer)
