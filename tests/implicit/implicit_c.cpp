@@ -262,11 +262,9 @@ EXPORT(void, old_factors, (double h, double found[9]))
   b.load({{{30e-3, 0, 0}, Vec3(), Vec3(), {}}}, std::vector<RingPose>(1));
   RingBody &ring = b.rings[0];
   BodyGroup &g = b.groups[0];
-  g.base = g.now = g.from;
-  g.v = g.v_base = g.v_from;
-  g.w = g.w_base = g.w_from;
-  ring.base = ring.now = ring.from;
-  std::fill(ring.gained, ring.gained + RingProgram::N_DOF, 0.0);
+  b.start();
+  g.now = g.from;
+  ring.now = ring.from;
   Stage stage;
   stage.h = h;
   for (int pass = 0; pass < 3; ++pass) {
@@ -274,7 +272,7 @@ EXPORT(void, old_factors, (double h, double found[9]))
     stage.evaluate = fresh ? Evaluate::derivatives : Evaluate::residual;
     system.start(h, fresh);
     forces.evaluate(stage);
-    system.add_rings(h, stage.follows(), 1.0, fresh);
+    system.add_border(h, stage.follows(), 1.0, fresh);
     if (fresh) system.factor();
     system.solve();
     for (int k = 0; k < 3; ++k) found[3 * pass + k] = system.y(k);
@@ -323,20 +321,13 @@ EXPORT(void, flawed_system,
   const int dofs[] = {0, 1, RingProgram::SPIN};
   // a change of one velocity; positions follow
   const auto solve = [&](int which, double change, Evaluate what) {
-    g.v = g.v_base = g.v_from;
-    g.w = g.w_base = g.w_from;
-    std::fill(ring.gained, ring.gained + RingProgram::N_DOF, 0.0);
-    ring.base = ring.from;
+    b.start();
     Lane *v[] = {&g.v.x, &g.v.y, &g.v.z, &g.w.x, &g.w.y, &g.w.z};
     if (which >= 0 && which < 6) *v[which] += change;
     if (which >= 6) ring.gained[dofs[which - 6]] = change;
-    g.base = g.from;
     g.now = g.base.drifted(g.v, h, g.turn);
-    ring.now = moved(free, ring.base, ring.gained, h, 1.0);
-    for (BallTurns &turns : b.turns) {
-      turns.start();
-      turns.move(g, h);
-    }
+    ring.move(h, 1.0);
+    for (BallTurns &turns : b.turns) turns.move(g, h);
     stage.evaluate = what;
     system.start(h, true);
     forces.evaluate(stage);

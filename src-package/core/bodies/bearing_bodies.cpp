@@ -168,89 +168,9 @@ void BearingBodies::add_shafts()
   }
 }
 
-bool BearingBodies::is_bent_shaft(int ring) const
-{
-  return std::any_of(bends.begin(), bends.end(),
-                     [ring](const ShaftBend &b) { return b.shaft == ring; });
-}
-
-void BearingBodies::find_unknowns_of(size_t k)
-{
-  rings[k].loose = false;
-  for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-    rings[k].unknown[dof] = -1;
-    if (!rings[k].program.free(dof)) continue;
-    rings[k].loose = true;
-    rings[k].unknown[dof] = static_cast<int>(free.size());
-    free.push_back({static_cast<int>(k), dof});
-  }
-}
-
-// The unknowns do not change during a run.
-void BearingBodies::find_unknowns()
-{
-  unknowns_known_ = true;
-  free.clear();
-  for (size_t k = 0; k < rings.size(); ++k)
-    if (!is_bent_shaft(static_cast<int>(k))) find_unknowns_of(k);
-  columns = straight = static_cast<int>(free.size());
-  for (const ShaftBend &b : bends) find_unknowns_of(b.shaft);
-  unknowns = static_cast<int>(free.size());
-  for (ShaftBend &b : bends) {
-    b.unknown = unknowns;
-    unknowns += b.size();
-    for (ShaftBend::Seat &seat : b.seats) {
-      RingBody &r = rings[seat.ring];
-      seat.column = columns;
-      r.loose = true;
-      for (int &column : r.unknown) column = columns++;
-    }
-  }
-  for (const Carried &c : on_shafts) {
-    const RingBody &shaft = rings[c.shaft];
-    rings[c.ring].loose = shaft.loose;
-    std::copy(shaft.unknown, shaft.unknown + RingProgram::N_DOF, rings[c.ring].unknown);
-  }
-  columns_of_group.assign(groups.size(), {});
-  for (std::vector<int> &all : columns_of_group)
-    for (int k = 0; k < columns; ++k) all.push_back(k);
-  if (!bends.empty()) find_columns();
-}
-
-// Finds the parts of the bearing connected by contacts; rings are numbered first, then groups.
-void BearingBodies::find_columns()
-{
-  const int n = static_cast<int>(rings.size());
-  std::vector<int> part(n + groups.size());
-  for (size_t k = 0; k < part.size(); ++k) part[k] = static_cast<int>(k);
-  const auto join = [&part](int a, int b) {
-    std::replace(part.begin(), part.end(), int(part[a]), int(part[b]));
-  };
-  for (const Track &t : tracks)
-    for (int g = t.first; g < t.end; ++g) join(t.ring, n + g);
-  for (const RailTrack &t : rail_tracks)
-    for (int g = t.first; g < t.end; ++g) join(t.ring, n + g);
-  for (const BearingModel::Pocket &p : model.pockets)
-    join(n + slot[p.a] / lanes, n + slot[p.b] / lanes);
-  for (const Carried &c : on_shafts) join(c.ring, c.shaft);
-  std::vector<std::vector<int>> of_part(part.size());
-  columns_of_column.assign(columns, {});
-  for (int pass = 0; pass < 2; ++pass)
-    for (int k = 0; k < n; ++k) {
-      if (rings[k].levered || is_bent_shaft(k)) continue;    // unknowns belong to its shaft, which
-                                                             // has no contacts
-      for (int column : rings[k].unknown) {
-        if (column < 0) continue;
-        if (pass == 0) of_part[part[k]].push_back(column);
-        else columns_of_column[column] = of_part[part[k]];
-      }
-    }
-  for (size_t g = 0; g < groups.size(); ++g) columns_of_group[g] = of_part[part[n + g]];
-}
-
 void BearingBodies::load(const std::vector<BodyPose> &bodies, const std::vector<RingPose> &poses)
 {
-  if (!unknowns_known_) find_unknowns();
+  if (columns_of_group.empty()) find_border();
   for (size_t k = 0; k < poses.size(); ++k) rings[k].from = poses[k];
   for (size_t s = 0; s < model.shafts.size(); ++s) {
     const RingBody &first = rings[model.shafts[s].rings.front()];
@@ -304,36 +224,6 @@ void BearingBodies::store(std::vector<BodyPose> &bodies, std::vector<RingPose> &
   }
 }
 
-Vec3 BearingBodies::force_on(const RingBody &r, double s) const
-{
-  Vec3 push = r.force + r.program.force_at(s, r.now.angle);
-  if (r.program.supported) push += r.program.support_force(held(r));
-  if (r.holds) add_held(r, &push, nullptr);
-  if (heavy) push += gravity * r.program.mass;
-  return push;
-}
-
-Vec3 BearingBodies::moment_on(const RingBody &r, double s) const
-{
-  Vec3 M = r.moment + r.program.moment_at(s, r.now);
-  if (r.program.supported) {
-    const RingPose seen = held(r);
-    M += r.program.support_moment(seen, seen.rate[0], seen.rate[1]);
-  }
-  if (r.holds) add_held(r, nullptr, &M);
-  return M;
-}
-
-void BearingBodies::add_held(const RingBody &holder, Vec3 *force, Vec3 *moment) const
-{
-  for (const RingBody &r : rings) {
-    if (r.holder < 0 || &rings[r.holder] != &holder) continue;
-    const RingPose seen = held(r);
-    if (force) *force -= r.program.support_force(seen);
-    if (moment) *moment -= r.program.support_moment(seen, seen.rate[0], seen.rate[1]);
-  }
-}
-
 void BearingBodies::load_states(const double *values)
 {
   for (size_t g = 0; g < contact_at.size(); ++g)
@@ -351,6 +241,42 @@ void BearingBodies::store_states(double *values) const
       values[g * states_ + k] = kept[contact_at[g] / lanes].from[k][contact_at[g] % lanes];
 }
 
+void BearingBodies::start()
+{
+  for (BodyGroup &g : groups) {
+    g.base = g.from;
+    g.turned = Lane{};
+    g.v = g.v_base = g.v_from;
+    g.w = g.w_base = g.w_from;
+  }
+  on_border([](auto &one) { one.start(); });
+  for (Coordinate &c : border) *c.gained = 0.0;
+  for (BallTurns &t : turns) t.start();
+  for (States &s : kept) std::copy(s.from, s.from + states_, s.base);
+}
+
+RACEWAY_LANES void BearingBodies::second_base(double beyond)
+{
+  for (BodyGroup &g : groups) {
+    g.v_first = g.v;
+    g.base.r = g.from.r + beyond * (g.now.r - g.from.r);
+    g.base.z = g.from.z + beyond * (g.now.z - g.from.z);
+    g.turned = beyond * g.turn;
+    g.base.turn_from(g.from, g.turned);
+    g.v_base = g.v_from + (g.v - g.v_from) * beyond;
+    g.w_base = g.w_from + (g.w - g.w_from) * beyond;
+  }
+  for (States &s : kept)
+    for (int m = 0; m < states_; ++m) {
+      s.first[m] = s.now[m];
+      s.base[m] = s.from[m] + beyond * (s.now[m] - s.from[m]);
+    }
+  for (BallTurns &t : turns) t.second_base(beyond);
+  on_border([beyond](auto &one) { one.second_base(beyond); });
+  // first guess: velocities of the first stage
+  for (Coordinate &c : border) *c.gained = *c.first - *c.base;
+}
+
 void BearingBodies::accept()
 {
   for (BodyGroup &g : groups) {
@@ -358,8 +284,7 @@ void BearingBodies::accept()
     g.v_from = g.v;
     g.w_from = g.w;
   }
-  for (RingBody &r : rings) r.from = r.now;
-  for (ShaftBend &b : bends) b.from = b.now;
+  on_border([](auto &one) { one.accept(); });
   for (BallTurns &t : turns) t.accept();
   for (States &s : kept) std::copy(s.now, s.now + states_, s.from);
 }

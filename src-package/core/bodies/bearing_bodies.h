@@ -7,6 +7,7 @@
 #include "ball_turns.h"
 #include "bearing_model.h"
 #include "body_group.h"
+#include "coordinate.h"
 #include "kept_follow.h"
 #include "shaft_bend.h"
 
@@ -15,21 +16,34 @@ namespace raceway {
 struct alignas(32) RingBody {
   Vec3L force_lanes, moment_lanes;
   RingProgram program;
-  RingPose from, base, now, first;
+  RingPose from, base, now, first, end;
   double gained[RingProgram::N_DOF] = {};
-  int unknown[RingProgram::N_DOF];    // number of a free degree of freedom, else -1; on a flexible
-                                      // shaft: the ring's column (BearingBodies::columns)
-  bool loose = false;                 // at least one degree of freedom is free
-  bool carried = false;               // by a shaft
-  bool levered = false;               // by a rigid shaft, whose unknowns it shares
-  int holder = -1;                    // ring to which its supports hold it, -1: ground
-  int bend = -1;                      // flexible shaft: index in BearingBodies::bends
-  bool holds = false;                 // another ring
-  bool empty = false;                 // no raceway: a housing
-  double at = 0.0;                    // m, position of a carried ring from the shaft's centre
-  double span = 0.0;                  // m, shaft: distance from its centre to its farthest ring
-  double spring = 0.0;                // N/m, sum over contacts; with dampers_only
-  Vec3 force, moment;                 // contact loads: sums over the lanes
+  // By degree of freedom, -1: none. Coordinates of the ring or of its rigid shaft, and columns
+  // (BearingBodies::columns): the same, or those of the ring alone on a flexible shaft.
+  int coordinate[RingProgram::N_DOF], column[RingProgram::N_DOF];
+  bool loose = false;      // at least one degree of freedom is free
+  bool carried = false;    // by a shaft
+  bool levered = false;    // by a rigid shaft, whose unknowns it shares
+  int holder = -1;         // ring to which its supports hold it, -1: ground
+  int bend = -1;           // flexible shaft: index in BearingBodies::bends
+  bool holds = false;      // another ring
+  bool empty = false;      // no raceway: a housing
+  double at = 0.0;         // m, position of a carried ring from the shaft's centre
+  double span = 0.0;       // m, shaft: distance from its centre to its farthest ring
+  double spring = 0.0;     // N/m, sum over contacts; with dampers_only
+  Vec3 force, moment;      // contact loads: sums over the lanes
+
+  void start() { base = from; }
+  void move(double h, double s) { now = moved(program, base, gained, h, s); }
+  void second_base(double beyond_by)
+  {
+    first = now;
+    base = beyond(from, now, beyond_by);
+  }
+  void accept() { from = now; }
+  void keep() { end = now; }    // saves now while it is moved elsewhere
+  void put_back() { now = end; }
+  void between(double h, double s) { now = raceway::between(from, end, h, s); }
 };
 
 class BearingBodies {
@@ -38,9 +52,20 @@ class BearingBodies {
 
   void load(const std::vector<BodyPose> &, const std::vector<RingPose> &);
   void store(std::vector<BodyPose> &, std::vector<RingPose> &) const;
-  void accept();        // the present state starts the next step
-  void carry();         // moves carried rings with their shafts
-  void add_shafts();    // adds forces and moments of carried rings to their shafts
+  void start();                       // starts a step
+  void second_base(double beyond);    // base = start, moved by beyond times the first stage
+  void accept();                      // the present state starts the next step
+  void carry();                       // moves carried rings with their shafts
+  void add_shafts();                  // adds forces and moments of carried rings to their shafts
+  // Calls `act` with each ring and shaft, then with the bending of each flexible shaft.
+  template <class Act> void on_border(const Act &act)
+  {
+    for (RingBody &r : rings) act(r);
+    for (ShaftBend &b : bends) act(b);
+  }
+  // Forces on the coordinates at the share s of the host's step, N or N m, except the moments of
+  // bending on the tilts of its shaft.
+  void border_forces(double s, std::vector<double> &);
   // Pose that acts on the supports of a ring: relative to its holder if it has one; for a flexible
   // shaft, the pose of its centre.
   RingPose held(const RingBody &r) const
@@ -68,9 +93,6 @@ class BearingBodies {
     int ring, first, end;
     const std::vector<Rail> *rails;
     const std::vector<double> *stiffness;
-  };
-  struct Free {
-    int ring, dof;
   };
   struct Carried {
     int ring, shaft;    // both index rings
@@ -101,11 +123,11 @@ class BearingBodies {
   std::vector<KeptSlopes> kept_slopes;
   std::vector<RingBody> rings;    // rings of the model, then one per shaft
   std::vector<Carried> on_shafts;
-  std::vector<Free> free;    // degrees of freedom of the rings: the border
-  // Free degrees of freedom of flexible shafts come last, followed by their modes.
+  // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.
+  std::vector<Coordinate> border;
+  std::vector<Coupling> couplings;    // by supports
   std::vector<ShaftBend> bends;
-  int unknowns = 0;    // of the border
-  // Ring motions at the contacts: first the unknowns except those of flexible shafts, then all
+  // Ring motions at the contacts: first the coordinates except those of flexible shafts, then all
   // motions of each ring on such a shaft.
   int columns = 0, straight = 0;
   // Columns that can be nonzero, by group: all of them, or with flexible shafts those of the
@@ -119,11 +141,11 @@ class BearingBodies {
   void place();
   void find_ball_profiles();
   void place_shafts();
-  void find_unknowns();
-  void find_unknowns_of(size_t ring);
+  void find_border();
+  void add_freedoms(RingBody &);
+  void add_modes(ShaftBend &);
+  void find_couplings();
   void find_columns();
-  bool is_bent_shaft(int ring) const;
-  bool unknowns_known_ = false;
   int states_ = 0;
 };
 

@@ -74,10 +74,11 @@ struct RingProgram {
   bool free(int dof) const { return mode[dof] == Freedom::free; }
   bool tilts_free() const { return free(TILT) && free(TILT + 1); }
   bool tilts() const { return mode[TILT] != Freedom::fixed || mode[TILT + 1] != Freedom::fixed; }
-  double inertia_of(int dof) const
+  const double *inertia_at(int dof) const
   {
-    return dof < TILT ? mass : dof == SPIN ? inertia.axial : inertia.transverse;
+    return dof < TILT ? &mass : dof == SPIN ? &inertia.axial : &inertia.transverse;
   }
+  double inertia_of(int dof) const { return *inertia_at(dof); }
   // The N_VALUE values at one end (0 start, 1 end of the host's step).
   void set_values(int at, const double *values)
   {
@@ -224,6 +225,11 @@ struct RingPose : RingPlace {
   double rate[2] = {0.0, 0.0};    // rad/s, W across the bearing axis
   double spin = 0.0;              // rad/s
 
+  const double *speed_of(int dof) const    // m/s or rad/s
+  {
+    const double *const of[] = {&v.x, &v.y, &v.z, &rate[0], &rate[1], &spin};
+    return of[dof];
+  }
   Vec3 across(const Vec3 &axis) const
   {
     return {rate[0], rate[1], -(rate[0] * axis.x + rate[1] * axis.y) / axis.z};

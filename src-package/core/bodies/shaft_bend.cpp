@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "shaft_bend.h"
 
-#include <algorithm>
-
 namespace raceway {
 
 const std::vector<double> &ShaftBend::loads(const RingProgram &p, const RingPose &rigid, double s)
@@ -20,13 +18,7 @@ const std::vector<double> &ShaftBend::forces(const RingProgram &p, const RingPos
   return forces_;
 }
 
-void ShaftBend::start()
-{
-  base = now = from;
-  std::fill(gained.begin(), gained.end(), 0.0);
-}
-
-void ShaftBend::move(double h)
+void ShaftBend::move(double h, double)
 {
   for (int k = 0; k < size(); ++k) {
     now.rate[k] = base.rate[k] + gained[k];
@@ -40,11 +32,10 @@ void ShaftBend::second_base(double beyond)
   for (int k = 0; k < size(); ++k) {
     base.place[k] = from.place[k] + beyond * (now.place[k] - from.place[k]);
     base.rate[k] = from.rate[k] + beyond * (now.rate[k] - from.rate[k]);
-    gained[k] = first.rate[k] - base.rate[k];
   }
 }
 
-void ShaftBend::between(const BendState &end, double h, double s)
+void ShaftBend::between(double h, double s)
 {
   const Cubic at(s, h);
   for (int k = 0; k < size(); ++k) {

@@ -44,10 +44,10 @@ struct ShaftBend {
   const ShaftModes *modes = nullptr;
   const ShaftModes::Station *centre = nullptr;    // centre of mass
   int shaft = -1;                                 // in BearingBodies::rings
-  int unknown = -1;                               // of the first mode
+  int mode = -1;                                  // coordinate of the first mode
   std::vector<Seat> seats;
   BendProgram program;
-  BendState from, base, now, first;
+  BendState from, base, now, first, end;
   std::vector<double> gained;      // m/s, by mode, change since the base
   std::vector<double> contacts;    // N, by mode, from the bearings
 
@@ -62,11 +62,13 @@ struct ShaftBend {
   // reused.
   const std::vector<double> &loads(const RingProgram &, const RingPose &shaft, double s);
   const std::vector<double> &forces(const RingProgram &, const RingPose &shaft, double s);
-  void start();                       // starts a step at `from`
-  void move(double h);                // moves to the end of a stage
-  void second_base(double beyond);    // for order 2
-  // State at the share s of a step of h seconds from `from` to `end`.
-  void between(const BendState &end, double h, double s);
+  void start() { base = now = from; }
+  void move(double h, double s);
+  void second_base(double beyond);
+  void accept() { from = now; }
+  void keep() { end = now; }
+  void put_back() { now = end; }
+  void between(double h, double s);    // now: at the share s of a step of h seconds up to `end`
 
  private:
   std::vector<double> loads_, forces_;

@@ -20,17 +20,17 @@ void ShaftLift::find(const BearingBodies &all)
       const auto add = [&](int dof, int unknown, double factor) {
         if (unknown >= 0) entries_.push_back({seat.column + dof, unknown, factor});
       };
-      for (int dof = 0; dof < RingProgram::N_DOF; ++dof) add(dof, shaft.unknown[dof], 1.0);
+      for (int dof = 0; dof < RingProgram::N_DOF; ++dof) add(dof, shaft.coordinate[dof], 1.0);
       // axial velocity at a lever, from tilts of the shaft
-      add(0, shaft.unknown[tilt + 1], seat.at * e.z);
-      add(1, shaft.unknown[tilt], -seat.at * e.z);
-      add(2, shaft.unknown[tilt], seat.at * e.y);
-      add(2, shaft.unknown[tilt + 1], -seat.at * e.x);
+      add(0, shaft.coordinate[tilt + 1], seat.at * e.z);
+      add(1, shaft.coordinate[tilt], -seat.at * e.z);
+      add(2, shaft.coordinate[tilt], seat.at * e.y);
+      add(2, shaft.coordinate[tilt + 1], -seat.at * e.x);
       for (int k = 0; k < n; ++k) {
-        add(0, b.unknown + k, seat.station->moved[k]);
-        add(tilt + 1, b.unknown + k, seat.station->tilted[k]);
-        add(1, b.unknown + n + k, seat.station->moved[k]);
-        add(tilt, b.unknown + n + k, -seat.station->tilted[k]);
+        add(0, b.mode + k, seat.station->moved[k]);
+        add(tilt + 1, b.mode + k, seat.station->tilted[k]);
+        add(1, b.mode + n + k, seat.station->moved[k]);
+        add(tilt, b.mode + n + k, -seat.station->tilted[k]);
       }
     }
   }

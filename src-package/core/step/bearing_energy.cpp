@@ -10,7 +10,7 @@ void BearingStep::add_energy(const Stage &stage, double weight, double s)
 {
   system_.start(stage.h, false);
   forces_.evaluate(stage);
-  system_.add_rings(stage.h, stage.follows(), s, false);
+  system_.add_border(stage.h, stage.follows(), s, false);
   double power = -power_of_residual(stage.h);
   // if only dampers are implicit, free degrees of freedom move half the way at the old velocity
   const double old_share = stage.dampers_only ? 0.5 : 0.0;
@@ -68,13 +68,7 @@ double BearingStep::power_of_residual(double h) const
     of_bodies += where(g.used, p, 0.0);
   }
   double power = sum(of_bodies);
-  for (size_t f = 0; f < bodies_.free.size(); ++f) {
-    const RingPose &r = bodies_.rings[bodies_.free[f].ring].now;
-    const double rates[] = {r.v.x, r.v.y, r.v.z, r.rate[0], r.rate[1], r.spin};
-    power += system_.y(f) * rates[bodies_.free[f].dof];
-  }
-  for (const ShaftBend &b : bodies_.bends)
-    for (int k = 0; k < b.size(); ++k) power += system_.y(b.unknown + k) * b.now.rate[k];
+  for (size_t k = 0; k < bodies_.border.size(); ++k) power += system_.y(k) * *bodies_.border[k].now;
   return power / h;
 }
 

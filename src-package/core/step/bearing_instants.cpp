@@ -21,7 +21,6 @@ void BearingInstants::want(const Instants &i)
   bodies_.resize(n * b_.groups.size());
   rings_.resize(n * b_.rings.size());
   end_.resize(b_.groups.size());
-  ring_end_.resize(b_.rings.size());
 }
 
 RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
@@ -82,9 +81,7 @@ void BearingInstants::keep()
 {
   for (size_t k = 0; k < b_.groups.size(); ++k)
     end_[k] = {b_.groups[k].now, b_.groups[k].v, b_.groups[k].w};
-  for (size_t k = 0; k < b_.rings.size(); ++k) ring_end_[k] = b_.rings[k].now;
-  bend_end_.clear();
-  for (const ShaftBend &b : b_.bends) bend_end_.push_back(b.now);
+  b_.on_border([](auto &one) { one.keep(); });
   for (BallTurns &t : b_.turns) t.keep();
   kept_end_ = b_.kept;
 }
@@ -97,8 +94,7 @@ void BearingInstants::put_back()
     g.v = end_[k].v;
     g.w = end_[k].w;
   }
-  for (size_t k = 0; k < b_.rings.size(); ++k) b_.rings[k].now = ring_end_[k];
-  for (size_t k = 0; k < b_.bends.size(); ++k) b_.bends[k].now = bend_end_[k];
+  b_.on_border([](auto &one) { one.put_back(); });
   for (BallTurns &t : b_.turns) t.put_back();
   std::swap(b_.kept, kept_end_);
 }
@@ -121,9 +117,7 @@ RACEWAY_LANES void BearingInstants::move(double h, double s)
     const Motion &end = end_[t.group];
     t.between(b_.groups[t.group], end.frame, end.v, end.w, h, s);
   }
-  for (size_t k = 0; k < b_.rings.size(); ++k)
-    b_.rings[k].now = between(b_.rings[k].from, ring_end_[k], h, s);
-  for (size_t k = 0; k < b_.bends.size(); ++k) b_.bends[k].between(bend_end_[k], h, s);
+  b_.on_border([h, s](auto &one) { one.between(h, s); });
   b_.carry();
   for (size_t k = 0; k < b_.kept.size(); ++k)
     for (int m = 0; m < b_.states(); ++m)

@@ -74,8 +74,6 @@ class BearingInstants {
   std::vector<Ring> rings_;
   // end of the step, saved while the bearing is moved elsewhere
   std::vector<Motion> end_;
-  std::vector<RingPose> ring_end_;
-  std::vector<BendState> bend_end_;
   std::vector<BearingBodies::States> kept_end_;
 };
 

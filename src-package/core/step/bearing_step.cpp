@@ -38,20 +38,7 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
   o.tolerance = set.error * set.newton;
   pending_ = Energy();
   present_ = {h, s0, s1};
-  for (BodyGroup &g : bodies_.groups) {
-    g.base = g.from;
-    g.turned = Lane{};
-    g.v = g.v_base = g.v_from;
-    g.w = g.w_base = g.w_from;
-  }
-  for (RingBody &r : bodies_.rings) {
-    r.base = r.from;
-    std::fill(r.gained, r.gained + RingProgram::N_DOF, 0.0);
-  }
-  for (ShaftBend &b : bodies_.bends) b.start();
-  for (BallTurns &t : bodies_.turns) t.start();
-  for (BearingBodies::States &k : bodies_.kept)
-    std::copy(k.from, k.from + bodies_.states(), k.base);
+  bodies_.start();
   if (set.dampers_only) {
     const double middle = 0.5 * (s0 + s1);
     if (!coast(0.5 * h, middle, false)) return failed(o, Failure::turned_too_far);
@@ -66,7 +53,7 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
     const double stage = gamma_2 * h;
     if (!solve_stage(set, stage, s0 + gamma_2 * (s1 - s0), o)) return o;
     if (keep_energy_) add_energy({stage}, (1.0 - gamma_2) * h, s0 + gamma_2 * (s1 - s0));
-    second_base();
+    bodies_.second_base(beyond_2);
     if (!solve_stage(set, stage, s1, o)) return o;
     if (keep_energy_) add_energy({stage}, stage, s1);
   }
@@ -126,7 +113,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
       failure = forces_.evaluate(stage);
     }
     if (failure != Failure::none) return failed(o, failure, forces_.body()).solved();
-    system_.add_rings(h, stage.follows(), s, fresh);
+    system_.add_border(h, stage.follows(), s, fresh);
     if (fresh) system_.factor();
     system_.solve();
     ++o.corrections;
@@ -163,8 +150,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
              largest_turn);    // extrapolation to the base of a second stage
   }
   for (BallTurns &t : bodies_.turns) t.move(bodies_.groups[t.group], h);
-  for (RingBody &r : bodies_.rings) r.now = moved(r.program, r.base, r.gained, h, s);
-  for (ShaftBend &b : bodies_.bends) b.move(h);
+  bodies_.on_border([h, s](auto &one) { one.move(h, s); });
   bodies_.carry();
   return !any(far);
 }
@@ -202,13 +188,6 @@ static double stiffest(const RingProgram &p, const RingProgram *holder)
   return most;
 }
 
-// Displacement per radian, m: of the balls by a tilt, or of the rings of a shaft.
-double BearingStep::lever(const BearingBodies::Free &f) const
-{
-  if (f.dof < RingProgram::TILT) return 1.0;
-  return bodies_.groups.front().now.r[0] + bodies_.rings[f.ring].span;
-}
-
 RACEWAY_LANES double BearingStep::stability(double h) const
 {
   Lane most = {};
@@ -235,37 +214,6 @@ RACEWAY_LANES double BearingStep::stability(double h) const
       largest = std::max(largest, h * h * stiffest(r.program, holder) / 3.0);
     }
   return largest;
-}
-
-RACEWAY_LANES void BearingStep::second_base()
-{
-  for (BodyGroup &g : bodies_.groups) {
-    g.v_first = g.v;
-    g.base.r = g.from.r + beyond_2 * (g.now.r - g.from.r);
-    g.base.z = g.from.z + beyond_2 * (g.now.z - g.from.z);
-    g.turned = beyond_2 * g.turn;
-    g.base.turn_from(g.from, g.turned);
-    g.v_base = g.v_from + (g.v - g.v_from) * beyond_2;
-    g.w_base = g.w_from + (g.w - g.w_from) * beyond_2;
-  }
-  for (BearingBodies::States &k : bodies_.kept)
-    for (int m = 0; m < bodies_.states(); ++m) {
-      k.first[m] = k.now[m];
-      k.base[m] = k.from[m] + beyond_2 * (k.now[m] - k.from[m]);
-    }
-  for (ShaftBend &b : bodies_.bends) b.second_base(beyond_2);
-  for (BallTurns &t : bodies_.turns) t.second_base(beyond_2);
-  for (RingBody &r : bodies_.rings) {
-    r.first = r.now;
-    r.base = beyond(r.from, r.now, beyond_2);
-    // first guess: velocities of the first stage
-    double base[3], first[3];
-    r.base.v.to(base);
-    r.first.v.to(first);
-    for (int k = 0; k < 3; ++k) r.gained[k] = first[k] - base[k];
-    for (int k = 0; k < 2; ++k) r.gained[RingProgram::TILT + k] = r.first.rate[k] - r.base.rate[k];
-    r.gained[RingProgram::SPIN] = r.first.spin - r.base.spin;
-  }
 }
 
 // Larger of the two components normal to the rolling direction.
@@ -303,25 +251,10 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
-  for (const BearingBodies::Free &f : bodies_.free) {
-    if (f.dof == RingProgram::SPIN) continue;
-    const RingBody &r = bodies_.rings[f.ring];
-    const RingPose before = drift ? RingPose() : one ? r.from : r.first;
-    double now[3], then[3];
-    r.now.v.to(now);
-    before.v.to(then);
-    const double dv =
-        f.dof < RingProgram::TILT
-            ? now[f.dof] - then[f.dof]
-            : (r.now.rate[f.dof - RingProgram::TILT] - before.rate[f.dof - RingProgram::TILT]) *
-                  lever(f);
-    largest = std::max(largest, std::fabs(dv));
+  for (const Coordinate &c : bodies_.border) {
+    const double before = drift ? 0.0 : one ? *c.from : *c.first;
+    largest = std::max(largest, std::fabs(*c.now - before) * c.moves(ball_radius()));
   }
-  for (const ShaftBend &b : bodies_.bends)
-    for (int k = 0; k < b.size(); ++k) {
-      const double before = one ? b.from.rate[k] : b.first.rate[k];
-      largest = std::max(largest, std::fabs(b.now.rate[k] - before));
-    }
   return share * h * largest;
 }
 
@@ -347,19 +280,13 @@ RACEWAY_LANES double BearingStep::apply(double h, double cage_counts, Outcome &o
     off = where(g.used & (worse > off), worse, off);
   }
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
-  for (size_t f = 0; f < bodies_.free.size(); ++f) {
-    bodies_.rings[bodies_.free[f].ring].gained[bodies_.free[f].dof] += system_.y(f);
-    finite = finite && std::fabs(system_.y(f)) < HUGE_VAL;
-    if (bodies_.free[f].dof == RingProgram::SPIN) continue;
-    largest = std::max(largest, std::fabs(system_.y(f)) * lever(bodies_.free[f]));
+  for (size_t k = 0; k < bodies_.border.size(); ++k) {
+    const Coordinate &c = bodies_.border[k];
+    const double dv = system_.y(k);
+    *c.gained += dv;
+    finite = finite && std::fabs(dv) < HUGE_VAL;
+    largest = std::max(largest, std::fabs(dv) * c.moves(ball_radius()));
   }
-  for (ShaftBend &b : bodies_.bends)
-    for (int k = 0; k < b.size(); ++k) {
-      const double dv = system_.y(b.unknown + k);
-      b.gained[k] += dv;
-      finite = finite && std::fabs(dv) < HUGE_VAL;
-      largest = std::max(largest, std::fabs(dv));
-    }
   return finite ? h * largest : HUGE_VAL;
 }
 
@@ -372,10 +299,7 @@ RACEWAY_LANES void BearingStep::halve()
     if (g.spins) g.w -= Vec3L::from(g.rhs + 3);
   }
   system_.halve();
-  for (size_t f = 0; f < bodies_.free.size(); ++f)
-    bodies_.rings[bodies_.free[f].ring].gained[bodies_.free[f].dof] -= system_.y(f);
-  for (ShaftBend &b : bodies_.bends)
-    for (int k = 0; k < b.size(); ++k) b.gained[k] -= system_.y(b.unknown + k);
+  for (size_t k = 0; k < bodies_.border.size(); ++k) *bodies_.border[k].gained -= system_.y(k);
 }
 
 Failure BearingStep::accept()

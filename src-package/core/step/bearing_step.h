@@ -120,11 +120,10 @@ class BearingStep {
   bool move(double h, double s, bool dampers_only);
   bool coast(double h, double s, bool to_end);
   double stability(double h) const;
-  double lever(const BearingBodies::Free &) const;
+  double ball_radius() const { return bodies_.groups.front().now.r[0]; }    // m, of the orbit
   double cage_correction(const Settings &, double h) const;
   double apply(double h, double cage_counts, Outcome &);
   void halve();
-  void second_base();
   double largest_stiffness() const;
   double error(double h, const Settings &) const;
   void add_energy(const Stage &, double weight, double s);

@@ -9,7 +9,7 @@ namespace raceway {
 
 void BearingSystem::resize()
 {
-  const size_t nf = b_.columns, n = b_.unknowns;
+  const size_t nf = b_.columns, n = b_.border.size();
   if (y_.size() == n && B_.size() == b_.groups.size() * nf) return;
   B_.assign(b_.groups.size() * nf, Column());
   C_.assign(b_.groups.size() * nf, Column());
@@ -52,104 +52,64 @@ RACEWAY_LANES void BearingSystem::start(double h, bool fresh)
   std::fill(corner_apart_.begin(), corner_apart_.end(), 0.0);
 }
 
-void BearingSystem::add_rings(double h, double follows, double s, bool fresh)
+void BearingSystem::add_border(double h, double follows, double s, bool fresh)
 {
-  const int nf = b_.unknowns;
-  for (int f = 0; f < static_cast<int>(b_.free.size()); ++f) {
-    const int dof = b_.free[f].dof;
-    const RingBody &r = b_.rings[b_.free[f].ring];
-    const RingPose &now = r.now;
-    const double inertia = r.program.inertia_of(dof);
-    if (fresh) {
-      border_.a[f * nf + f] += inertia;
-      if (r.program.supported && dof < RingProgram::SPIN) {
-        const Support &on = r.program.support[dof];
-        const double stiff = h * (on.damping + follows * on.stiffness);
-        border_.a[f * nf + f] += stiff;
-        const int u = r.holder < 0 ? -1 : b_.rings[r.holder].unknown[dof];
-        if (u >= 0) {
-          border_.a[f * nf + u] -= stiff;
-          border_.a[u * nf + f] -= stiff;
-          border_.a[u * nf + u] += stiff;
-        }
-      }
-    }
-    if (dof < RingProgram::TILT) {
-      const Vec3 push = b_.force_on(r, s);
-      y_[f] = h * (dof == 0 ? push.x : dof == 1 ? push.y : push.z) - inertia * r.gained[dof];
-      continue;
-    }
-    if (dof == RingProgram::SPIN) {    // supports act on tilts only
-      y_[f] = h * dot(r.moment + r.program.moment_at(s, now), now.e) - inertia * r.gained[dof];
-      continue;
-    }
-    const Vec3 M = b_.moment_on(r, s);
-    const double along = dot(M, now.e);
-    const double momentum = r.program.inertia.axial * now.spin;
-    const Vec3 turn = cross(now.across(), now.e);
-    const double M_across =
-        dof == RingProgram::TILT ? M.x - along * now.e.x : M.y - along * now.e.y;
-    y_[f] = h * (M_across - momentum * (dof == RingProgram::TILT ? turn.x : turn.y)) -
-            inertia * r.gained[dof];
-    const int other = r.unknown[dof == RingProgram::TILT ? dof + 1 : dof - 1];
-    if (fresh && other >= 0)
-      border_.a[f * nf + other] += dof == RingProgram::TILT ? h * momentum : -h * momentum;
+  const size_t n = b_.border.size();
+  b_.border_forces(s, y_);
+  auto by = b_.couplings.begin();
+  for (size_t k = 0; k < n; ++k) {
+    const Coordinate &c = b_.border[k];
+    y_[k] = h * y_[k] - *c.mass * *c.gained;
+    if (!fresh) continue;
+    border_.a[k * n + k] += *c.mass + h * (c.damper + follows * c.spring);
+    for (; by != b_.couplings.end() && by->after == static_cast<int>(k); ++by)
+      add_coupling(*by, h, follows);
   }
-  add_bends(h, follows, s, fresh);
+  add_spins(h, fresh);
 }
 
-// Adds the modes and the gyroscopic moments between them and their rigid shaft.
-void BearingSystem::add_bends(double h, double follows, double s, bool fresh)
+void BearingSystem::add_coupling(const Coupling &c, double h, double follows)
 {
-  const int nf = b_.unknowns;
-  for (ShaftBend &b : b_.bends) {
+  const size_t n = b_.border.size();
+  const double stiff = h * (c.by->damping + follows * c.by->stiffness);
+  for (const auto &row : c.of)
+    for (const auto &column : c.of)
+      border_.a[row.first * n + column.first] += stiff * row.second * column.second;
+}
+
+// Adds the gyroscopic moments between both tilts of a ring, and those of a shaft's modes.
+void BearingSystem::add_spins(double h, bool fresh)
+{
+  const size_t n = b_.border.size();
+  const auto a = [this, n](int row, int column) -> double & { return border_.a[row * n + column]; };
+  for (const RingBody &r : b_.rings) {
+    const int first = r.coordinate[RingProgram::TILT], second = r.coordinate[RingProgram::TILT + 1];
+    if (!fresh || r.carried || first < 0 || second < 0) continue;
+    const double turn = h * (r.program.inertia.axial * r.now.spin);
+    a(first, second) += turn;
+    a(second, first) -= turn;
+  }
+  for (const ShaftBend &b : b_.bends) {
     const RingBody &shaft = b_.rings[b.shaft];
     const ShaftModes &m = *b.modes;
-    const int n = m.size(), first = shaft.unknown[RingProgram::TILT],
-              second = shaft.unknown[RingProgram::TILT + 1];
+    const int size = m.size(), *tilt = shaft.coordinate + RingProgram::TILT;
     const Vec3 moment = moment_of_modes(m, b.now, shaft.now.spin);
-    y_[first] += h * moment.x;
-    y_[second] += h * moment.y;
-    const std::vector<double> &forces = b.forces(shaft.program, shaft.now, s);
-    for (int k = 0; k < 2 * n; ++k) {
-      const int u = b.unknown + k, mode = k % n;
-      y_[u] = h * forces[k] - m.mass[mode] * b.gained[k];
-      if (!fresh) continue;
-      double *row = &border_.a[u * nf];
-      row[u] += m.mass[mode] + h * (m.damping[mode] + follows * m.stiffness[mode]);
-      const double turn = h * shaft.now.spin;
-      for (int j = 0; j < n; ++j) {
-        const double g = turn * m.g(mode + 1, j + 1);
-        row[k < n ? b.unknown + n + j : b.unknown + j] += k < n ? g : -g;
+    y_[tilt[0]] += h * moment.x;
+    y_[tilt[1]] += h * moment.y;
+    if (!fresh) continue;
+    const double turn = h * shaft.now.spin;
+    for (int k = 0; k < size; ++k) {
+      const int mode[2] = {b.mode + k, b.mode + size + k};    // in both planes
+      for (int j = 0; j < size; ++j) {
+        const double g = turn * m.g(k + 1, j + 1);
+        a(mode[0], b.mode + size + j) += g;
+        a(mode[1], b.mode + j) -= g;
       }
-      const double g = turn * m.g(0, mode + 1);
-      const int tilt = k < n ? first : second;
-      row[tilt] -= g;
-      border_.a[tilt * nf + u] += g;
-    }
-    if (fresh && shaft.program.supported) add_supports(b, h, follows);
-  }
-}
-
-// Supports of a flexible shaft: its centre moves with its own degrees of freedom, handled in
-// add_rings(), and with the modes.
-void BearingSystem::add_supports(const ShaftBend &b, double h, double follows)
-{
-  const int nf = b_.unknowns, n = b.modes->size(), tilt = RingProgram::TILT;
-  const RingBody &shaft = b_.rings[b.shaft];
-  for (int dof : {0, 1, tilt, tilt + 1}) {
-    const Support &on = shaft.program.support[dof];
-    const double stiff = h * (on.damping + follows * on.stiffness);
-    if (stiff == 0.0) continue;
-    // a tilt about the first axis has the opposite sign of the slope in the second plane
-    const double sign = dof == tilt ? -1.0 : 1.0;
-    const int own = shaft.unknown[dof], first = b.unknown + (dof == 0 || dof == tilt + 1 ? 0 : n);
-    const std::vector<double> &share = dof < tilt ? b.centre->moved : b.centre->tilted;
-    for (int k = 0; k < n; ++k) {
-      border_.a[own * nf + first + k] += sign * stiff * share[k];
-      border_.a[(first + k) * nf + own] += sign * stiff * share[k];
-      for (int j = 0; j < n; ++j)
-        border_.a[(first + k) * nf + first + j] += stiff * share[k] * share[j];
+      const double g = turn * m.g(0, k + 1);
+      for (int plane = 0; plane < 2; ++plane) {
+        a(mode[plane], tilt[plane]) -= g;
+        a(tilt[plane], mode[plane]) += g;
+      }
     }
   }
 }

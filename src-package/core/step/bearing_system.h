@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The linear system of one Newton correction:
 //   A_k x_k + B_k y + sum_i s_ik n_i l_i = r_k        x_k of a body
-//   sum_k C_k x_k + D y                  = r_y        y of the free degrees of freedom of the rings
+//   sum_k C_k x_k + D y                  = r_y        y of the coordinates of rings and shafts
 //   l_i/a_i = n_i . (x_first - x_second)              closed cage contacts
 // with s_ik = +1 for the first and -1 for the second body of link i. It is solved block by block,
 // link by link, then y, and back: a time proportional to the number of balls. factor() keeps what
@@ -30,9 +30,9 @@ class BearingSystem {
   // Starts the residual M (V_base - V) + h frame; `fresh`: sets the blocks to the masses and the
   // rest to 0.
   void start(double h, bool fresh);
-  // Right-hand sides of the rings and, if fresh, the part of D without contacts, at share s of the
+  // Right-hand sides of the border and, if fresh, the part of D without contacts, at share s of the
   // step. Positions follow velocities over `follows` seconds.
-  void add_rings(double h, double follows, double s, bool fresh);
+  void add_border(double h, double follows, double s, bool fresh);
   void factor();
   void solve();    // corrections: BodyGroup::rhs and y()
   void halve()     // the corrections of the border
@@ -48,14 +48,14 @@ class BearingSystem {
   Lane *B(int group, int column) { return B_[group * columns() + column].a; }
   Lane *C(int group, int column) { return C_[group * columns() + column].a; }
   double &D(int row, int column) { return corner_[row * columns() + column]; }
-  double y(int unknown) const { return y_[unknown]; }
+  double y(size_t coordinate) const { return y_[coordinate]; }
   double motion(int column) const { return motions_[column]; }
   LinkChain &links() { return chain_; }
 
  private:
   void resize();
-  void add_bends(double h, double follows, double s, bool fresh);
-  void add_supports(const ShaftBend &, double h, double follows);
+  void add_coupling(const Coupling &, double h, double follows);
+  void add_spins(double h, bool fresh);
   void factor_groups();
   void condense_groups();
   template <class ColumnOf> void condense_links(ColumnOf column, bool mark);

@@ -105,7 +105,7 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
         g.coupled = true;
         const Vec3L lever = lever_of(ring, e, d);
         for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-          const int j = ring.unknown[dof];
+          const int j = ring.column[dof];
           if (j < 0) continue;
           const Lane m = dot(motion_of(dof, f, e, lever), n);
           const Vec3L push = n * ((dof == RingProgram::SPIN ? a_spin : a) * m), back = n * (a * m);
@@ -117,8 +117,8 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
           C[1] -= back.y;
           C[2] -= back.z;
           for (int o = 0; o < RingProgram::N_DOF; ++o)
-            if (ring.unknown[o] >= 0)
-              system_.D(ring.unknown[o], j) += sum(dot(motion_of(o, f, e, lever), push));
+            if (ring.column[o] >= 0)
+              system_.D(ring.column[o], j) += sum(dot(motion_of(o, f, e, lever), push));
         }
       }
     }

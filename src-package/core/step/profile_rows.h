@@ -25,7 +25,7 @@ static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, c
   if (!ring.loose) return;
   const Vec3L lever = lever_of(ring, e, d);
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-    const int u = ring.unknown[dof];
+    const int u = ring.column[dof];
     if (u < 0) continue;
     const Vec3L v = motion_of(dof, g.now, e, lever);
     const Lane path = dot(along, v), near = dot(approach, v), force_G = cross * path,
@@ -37,9 +37,9 @@ static inline void add_profile(BearingSystem &system, BodyGroup &g, int group, c
       C[k] -= both;
     }
     for (int o = 0; o < RingProgram::N_DOF; ++o) {
-      if (ring.unknown[o] < 0) continue;
+      if (ring.column[o] < 0) continue;
       const Vec3L w = motion_of(o, g.now, e, lever);
-      system.D(ring.unknown[o], u) += sum(dot(approach, w) * force_G + dot(along, w) * force_t);
+      system.D(ring.column[o], u) += sum(dot(approach, w) * force_G + dot(along, w) * force_t);
     }
   }
 }
@@ -78,7 +78,7 @@ static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int gro
     return dot(row.v, motion_of(dof, g.now, e, lever)) + dot(row.w, rotation_of(dof, g.now, e));
   };
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-    const int u = ring.unknown[dof];
+    const int u = ring.column[dof];
     if (u < 0) continue;
     const Lane turned = changes(path, dof), near = changes(approach, dof), force_G = cross * turned,
                force_t = cross * near + side * turned;
@@ -89,8 +89,8 @@ static inline void add_ball_profile(BearingSystem &system, BodyGroup &g, int gro
       C[k] -= both;
     }
     for (int o = 0; o < RingProgram::N_DOF; ++o)
-      if (ring.unknown[o] >= 0)
-        system.D(ring.unknown[o], u) +=
+      if (ring.column[o] >= 0)
+        system.D(ring.column[o], u) +=
             sum(changes(approach, o) * force_G + changes(path, o) * force_t);
   }
 }

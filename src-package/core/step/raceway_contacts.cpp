@@ -98,7 +98,7 @@ RACEWAY_LANES bool BearingForces::follow(double exact)
     const RingBody &ring = b_.rings[track.ring];
     double y[RingProgram::N_DOF];
     for (int dof = 0; dof < RingProgram::N_DOF; ++dof)
-      y[dof] = ring.unknown[dof] < 0 ? 0.0 : system_.motion(ring.unknown[dof]);
+      y[dof] = ring.column[dof] < 0 ? 0.0 : system_.motion(ring.column[dof]);
     const Vec3 ring_v = {y[0], y[1], y[2]},
                ring_w = Vec3{y[RingProgram::TILT], y[RingProgram::TILT + 1], 0.0} +
                         ring.now.e * y[RingProgram::SPIN];

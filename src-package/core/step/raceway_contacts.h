@@ -52,7 +52,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
   Lane motions[RingProgram::N_DOF][n];
   int dofs[RingProgram::N_DOF], free = 0;
   for (int dof = 0; dof < RingProgram::N_DOF; ++dof) {
-    if (ring.unknown[dof] < 0) continue;
+    if (ring.column[dof] < 0) continue;
     const Vec3L v = motion_of(dof, g.now, e, lever);
     Lane(&m)[n] = motions[free];
     dofs[free++] = dof;
@@ -71,7 +71,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     }
   }
   for (int j = 0; j < free; ++j) {
-    const int u = ring.unknown[dofs[j]];
+    const int u = ring.column[dofs[j]];
     Lane force[n];    // the groove is a surface of revolution: the ring's spin displaces nothing
     local_forces(s, motions[j], dofs[j] != RingProgram::SPIN, force);
     Lane *B = system.B(group, u), *C = system.C(group, u);
@@ -86,7 +86,7 @@ static RACEWAY_INLINE void add_matrix(BearingSystem &system, BodyGroup &g, int g
     for (int o = 0; o < free; ++o) {
       Lane a = motions[o][0] * force[0];
       for (int i = 1; i < n; ++i) a += motions[o][i] * force[i];
-      system.D(ring.unknown[dofs[o]], u) += sum(a);
+      system.D(ring.column[dofs[o]], u) += sum(a);
     }
   }
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Coordinates of the border of the linear system (step/bearing_system.h).
+#ifndef RACEWAY_COORDINATE_H
+#define RACEWAY_COORDINATE_H
+
+#include "ring_program.h"
+
+#include <utility>
+#include <vector>
+
+namespace raceway {
+
+// A free degree of freedom of a ring or shaft, or a mode of a flexible shaft.
+struct Coordinate {
+  const double *mass;    // kg, of a tilt or spin kg m^2
+  double *gained;        // m/s or rad/s, velocity since the base of the stage
+  // Velocity at the start of the step, at the base of the stage, after the first stage, and now.
+  const double *from, *base, *first, *now;
+  bool tilts = false;
+  // Displacement per unit, m or m/rad, of a tilt without that of the balls; 0: a spin moves nothing.
+  double lever = 1.0;
+  double spring = 0.0, damper = 0.0;    // N/m, N s/m, of a mode
+
+  // The same with that of balls at this distance (m) from the axis.
+  double moves(double radius) const { return tilts ? radius + lever : lever; }
+};
+
+// A spring and damper on the sum of some coordinates, each times its share.
+struct Coupling {
+  const Support *by;
+  int after;    // its place in the matrix: after the mass of this coordinate
+  std::vector<std::pair<int, double>> of;
+};
+
+}    // namespace raceway
+
+#endif
