@@ -305,6 +305,18 @@ def test_compute_total_has_the_sums_of_all_bearings(ran):
             )
 
 
+@scenes([scene for scene in SCENES if "drag" in LAWS[scene[0]]])
+def test_each_ball_has_one_drag(ran):
+    """Where it is on the outer ring, in however many grooves."""
+    inner, several = ran.inner(), 0
+    for step in ran.steps:
+        c = ran.contacts(step)
+        held = (c["load"][~inner] > 0).sum(0)
+        assert ((np.nan_to_num(c["drag_power"]) > 0).sum(0) == (held > 0)).all(), step
+        several += (held > 1).sum()
+    assert (several > 0) == (len(inner) > 2)
+
+
 @scenes([scene for scene in SCENES if scene[2] == "implicit"])
 def test_power_in_is_losses_plus_what_is_stored(ran):
     """By the account of fix bearing/implicit. A sum over samples is good to what every other and

@@ -38,7 +38,7 @@ def test_four_points(tmp_path, name):
     still = figures("6208", "vg46", ROOT / "inputs", rpm=1910.0, **point, **LAWS, **FOUR)
     for key in ("shift_z_m", "q_inner_max_N", "q_outer_max_N", "h_c_m", "friction_torque_N_m"):
         assert run[key] == pytest.approx(still[key], rel=1e-2), key
-    for part in ("spin", "hysteresis"):
+    for part in ("spin", "hysteresis", "drag"):
         assert run["losses_W"][part] == pytest.approx(still["losses_W"][part], rel=1e-2), part
     # by slices the axis of a ball is between those of statics' films
     assert run["losses_W"]["rolling"] == pytest.approx(still["losses_W"]["rolling"], rel=2e-2)
