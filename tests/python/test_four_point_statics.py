@@ -161,7 +161,7 @@ def test_command(capsys, monkeypatch):
     [
         (["--four-point", "80"], "must lie from 5 to 60 degrees"),
         (["--preload", "5e-6"], "of two rows; give --double-row"),
-        (["--film-friction", "0.05"], "--film-friction: of the friction torque"),
+        (["--spin-law", "slices"], "--spin-law: of the friction torque"),
     ],
 )
 def test_wrong_command_line(capsys, arguments, said):

@@ -4,8 +4,9 @@ roll freely, by part, over the speed of the ring.
 
 rolling     hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and
             starvation (`rolling`)
-slip        differential slip in free rolling: Eyring's stress with its limit in the film's share of
-            the load, Coulomb's with the boundary coefficient in the asperities' (`sliding`)
+slip        differential slip in free rolling under Coulomb's law: the film has a constant
+            coefficient or that of Eyring's stress with its limit (`traction`), asperities carry
+            their share of the load with the boundary coefficient (`sliding`)
 spin        about the contact normals, at the raceway that holds the ball less (`spin`); or, with
             `spin_law` "slices", shared by both, together with slip
 hysteresis  of the steel (`rolling`)
@@ -18,7 +19,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq, root
+from scipy.optimize import root
 
 from raceway.arrays import Floats
 from raceway.theory import (
@@ -27,7 +28,6 @@ from raceway.theory import (
     drag,
     film_factors,
     hertz,
-    lubricant,
     makers,
     rolling,
     sliding,
@@ -48,7 +48,7 @@ class Surfaces:
     """Parameters of the laws other than geometry, loads and oil."""
 
     boundary: float = 0.12  # mu_b, running (SKF)
-    film: float | None = None  # mu of the film; None: Eyring's stress with its limit
+    film: float | None = 0.05  # mu of the film; None: that of Eyring's stress with its limit
     loss: float = 0.01  # alpha of hysteresis, 0.005 to 0.05
     oil_share: float = 0.1  # oil fraction of the space around the balls
     starvation: float = 1.0  # factor on the hydrodynamic couple
@@ -64,7 +64,7 @@ class Losses(NamedTuple):
     hysteresis: Floats
     drag: Floats
     asperity_share: Floats  # L_a
-    friction: Floats  # mu that Coulomb's law would need for this slip
+    friction: Floats  # mu
 
     @property
     def parts(self) -> dict[str, float]:
@@ -166,10 +166,12 @@ def _pressed(bearing, contacts, films, friction, clearance):
 
 
 def surfaces(
-    boundary: makers.Boundary | None, fluid: Fluid, ring: float, film: float | None = None
+    boundary: makers.Boundary | None, fluid: Fluid, ring: float, models: str = "full"
 ) -> Surfaces:
-    """`Surfaces` with the coefficient `film` and SKF's starvation factor of a bearing with an oil
-    bath or jet, the inner ring at `ring` rad/s; without its `boundary` dimensions none."""
+    """`Surfaces` of the `models` of a run, full or eyring, with SKF's starvation factor of a
+    bearing with an oil bath or jet, the inner ring at `ring` rad/s; without its `boundary`
+    dimensions none."""
+    film = None if models == "eyring" else Surfaces.film
     if boundary is None:
         return Surfaces(film=film)
     found = makers.skf(boundary, 1.0, 0.0, abs(ring) * 30 / np.pi, fluid.kinematic)
@@ -189,36 +191,25 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces):
     )
     factor = film_factors.murch_wilson(loading) * surfaces.starvation
     share = asperity.zhou_hoeprich(film.ratio[live])
-    unit = sliding.free_power(load, 1.0, speed, a, r_d, r_x)
-    if surfaces.film is None:
-        each = zip(load, speed, h_c, a, b, np.broadcast_to(r_x, load.shape))
-        smooth = [_film_slip(fluid, *one, r_d) for one in each]
-    else:
-        smooth = surfaces.film * unit
-    slid = traction.mixed(share, surfaces.boundary * unit, np.array(smooth))
+    smooth = surfaces.film
+    if smooth is None:
+        smooth = traction.coefficient(
+            fluid.viscosity,
+            fluid.pressure_viscosity,
+            1.5 * load / (np.pi * a * b),
+            sliding.FREE_SPEED * sliding.edge_slip(speed, a, r_d, r_x) / h_c,
+            fluid.eyring_stress,
+            fluid.limiting_traction,
+        )
+    friction = traction.mixed(share, surfaces.boundary, smooth)
     values[:, live] = (
         2 * force * turns * factor,
-        slid,
+        sliding.free_power(load, friction, speed, a, r_d, r_x),
         rolling.hysteresis(load, b, surfaces.loss) * turns / r_x,
         share,
-        slid / unit,
+        friction,
     )
     return values
-
-
-def _film_slip(fluid, load, speed, h_c, a, b, r_x, r_d):
-    """Power in W of differential slip under Eyring's stress with its limit, without a force."""
-
-    def law(pressure, slid):
-        eta = lubricant.roelands(fluid.viscosity, fluid.pressure_viscosity, pressure)
-        limit = fluid.limiting_traction * pressure
-        return traction.eyring(eta, slid, h_c, fluid.eyring_stress, limit)
-
-    def of(slip):
-        return sliding.quadrature(law, slip, load, speed, a, b, r_d, r_x, 60)
-
-    edge = sliding.edge_slip(speed, a, r_d, r_x)
-    return of(brentq(lambda slip: of(slip).force, 0.0, edge, xtol=1e-4 * edge)).power
 
 
 def _spin_rates(bearing, angle, ring, orbit):

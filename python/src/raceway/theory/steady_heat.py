@@ -97,14 +97,14 @@ class Scene:
         rpm: float,
         density: float = 7800.0,
         spin_law: str = "closed",
-        film_friction: float | None = None,
+        models: str = "full",
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
-        `film_friction` are those of `operating_point.figures`."""
+        `models` are those of `operating_point.figures`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
-        self.spin_law, self.film_friction = spin_law, film_friction
+        self.spin_law, self.models = spin_law, models
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
@@ -133,7 +133,7 @@ class Scene:
             ring,
             orbit,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(self.boundary, fluid, ring, self.film_friction),
+            surfaces=friction_torque.surfaces(self.boundary, fluid, ring, self.models),
             spin_law=self.spin_law,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
@@ -224,7 +224,7 @@ class Case:
     four_point: float | None = None  # these two as in `inputs.bearing`
     double_row: DoubleRow | None = None
     spin_law: str = "closed"  # these two as in `operating_point.figures`
-    film_friction: float | None = None
+    models: str = "full"
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
@@ -252,7 +252,7 @@ class Case:
             self.rpm,
             float(inputs.values(path).get("ball_density", 7800.0)),
             self.spin_law,
-            self.film_friction,
+            self.models,
         )
 
     def cooling(self) -> float | None:
