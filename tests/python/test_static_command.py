@@ -78,10 +78,40 @@ def test_tilt_units_and_hold(capsys):
     ] == pytest.approx(arcmin["tilt_y_rad"])
     bearing = inputs.bearing(ROOT / "inputs/bearings/6208")
     held = figures(capsys, "--load", "100", "--hold", "x=2e-5", "--hold", "rx=-1mrad")
-    state = static.equilibrium(bearing, 100.0, held={"x": 2e-5, "rx": -1e-3, "ry": 0.0})
+    place = {"x": 2e-5, "z": 0.0, "rx": -1e-3, "ry": 0.0}
+    state = static.equilibrium(bearing, 100.0, held=place)
     assert held["support_x_N"] == pytest.approx(-100 - state.force[0], rel=1e-9)
     assert held["support_rx_N_m"] == pytest.approx(-state.moment[0], rel=1e-9)
-    assert held["support_z_N"] is None
+    assert held["support_z_N"] == 0
+
+
+ANGULAR = ("--bearing", "7205B", "--load", "1000", "--rpm", "3000")
+
+
+def test_ring_held_along_its_axis(capsys):
+    """Without an axial load an angular contact bearing is held where its balls are in contact, as
+    in a deck. The load that holds it there, as an axial load, gives the same figures."""
+    held = figures(capsys, *ANGULAR)
+    assert held["clearance_m"] == pytest.approx(2 * 0.05 * 7.938e-3 * (1 - np.cos(np.radians(40))))
+    assert held["load_parameter"] is None and held["loaded_balls"] == 12
+    free = figures(capsys, *ANGULAR, "--axial", repr(held["support_z_N"]))
+    assert free["support_z_N"] is None
+    for name in ("shift_x_m", "shift_z_m", "q_inner_max_N", "life_reference_Mrev"):
+        assert free[name] == pytest.approx(held[name], rel=1e-9)
+    assert main(["static", *ANGULAR, "--clearance", "1e-5"]) == 1
+    assert "must be 0: it follows from the contact angle" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("axial", [300, 500, 600])
+def test_balls_without_load_have_no_contact_angle(capsys, axial):
+    """Balls that hardly reach the inner ring lie at its edge, at more than 60 degrees; all that
+    carry more than 1 % of the largest load are below the nominal contact angle."""
+    found = figures(capsys, *ANGULAR, "--axial", str(axial))
+    angles = [(ball["angle_inner_rad"], ball["q_inner_N"]) for ball in found["balls"]]
+    loaded = [angle for angle, load in angles if load > 0.01 * found["q_inner_max_N"]]
+    assert found["angle_max_rad"] == pytest.approx(max(loaded), rel=0.01)
+    assert found["angle_max_rad"] < np.radians(40) and not found["warnings"]
+    assert max(angles)[0] > np.radians(60) or axial == 300
 
 
 def test_table(capsys):

@@ -129,6 +129,21 @@ def _one_groove(path):
         raise InputError(f"{path}: {error}") from None
 
 
+def held(
+    path: FilePath, axial: float, clearance: float = 0.0, double_row: DoubleRow | None = None
+) -> dict[str, float]:
+    """{"z": m} at which the decks hold the inner ring of a bearing of one row along its axis
+    without an `axial` load (N): where its balls are in contact at the contact angle of the file.
+    Empty with an axial load and of two rows. Raises `InputError`, also for a `clearance` (m) of a
+    bearing with a contact angle."""
+    angle = nominal_angle(path)
+    if angle and clearance:
+        raise InputError(
+            f"{path}: clearance {clearance:g} m must be 0: it follows from the contact angle"
+        )
+    return {} if axial or double_row is not None else {"z": _one_groove(path).seat(angle)}
+
+
 def nominal_angle(path: FilePath) -> float:
     """Contact angle (rad) of a file of inputs/bearings, 0 where it states none. Raises
     `InputError`."""

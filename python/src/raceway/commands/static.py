@@ -18,9 +18,10 @@ With a lubricant and a speed: film (Masjedi-Khonsari) and capacitance of every c
 without slip. --models full puts the film in the gap, thins it by inlet shear and adds the friction
 torque by part, beside that of the makers' formulas.
 
-x points along the radial load, z along the bearing's axis. The ring is held straight unless
---moment frees its tilts or --tilt imposes them. Balls are counted from azimuth --phase, at 0 on the
-load line."""
+x points along the radial load, z along the bearing's axis. As in a deck, the ring is held along z
+unless it has an axial load: at 0, or where its balls meet both raceways at their contact angle. It
+is held straight unless --moment frees its tilts or --tilt imposes them. Balls are counted from
+azimuth --phase, at 0 on the load line."""
 EXAMPLES = """\
 examples:
   raceway static --load 5000 --clearance 10e-6
@@ -67,7 +68,7 @@ def add(commands: Commands) -> None:
         type=number(-1e6, 1e6, "N"),
         default=0.0,
         metavar="N",
-        help="along z, newtons (0)",
+        help="along z, newtons; 0 holds the ring along z (0)",
     )
     loads.add_argument(
         "--moment",

@@ -25,7 +25,7 @@ from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.ring_response import LAWS, PHASES, OverPass, turning_ring
 from raceway.theory.shaft import Carried
 from raceway.theory.small_motion import SLOW
-from raceway.theory.static import FREEDOMS
+from raceway.theory.static import FREEDOMS, STRAIGHT
 
 PER_METRE = (1, 1, 1, 0, 0)  # powers of 1/m by row and column of the matrices: a sum of 2 is N/m
 TAKEN = ("xx", "xy", "yx", "yy", "zz")  # entries that ROSS's BearingElement takes
@@ -66,7 +66,8 @@ def points(
     damping. `models` is paper or full, `temperature` in degrees C.
     `frequency` of the vibration is in rad/s; it is the shaft's speed unless given, as rotor
     programs read their tables. `axial` is in N; `options` are those of `static.equilibrium`
-    (clearance, held, moment). Without them tilts are held at 0. Raises `RacewayError`, and
+    (clearance, held, moment). Without them tilts are held at 0. The ring of a file is held along z
+    where there is no axial load (`inputs.held`). Raises `RacewayError`, and
     `ValueError` for a number out of range.
     """
     if models not in LAWS:
@@ -75,6 +76,9 @@ def points(
     if isinstance(bearing, str):
         path = catalogue.find("bearings", bearing, folder)
         body = inputs.bearing(path, four_point=four_point, double_row=double_row)
+        free = STRAIGHT if options.get("moment") is None else {}
+        held = inputs.held(path, axial, options.get("clearance", 0.0), double_row)
+        options["held"] = held | dict(options.get("held", free))
     oil = fluid = None
     if lubricant is not None:
         path = catalogue.find("lubricants", lubricant, folder)

@@ -142,7 +142,7 @@ class Bearing:
             )
         if len(self.layout.rows) > 1:
             raise ValueError("two rows need a bearing of one row")
-        reach = (self.groove_gap(INNER) + self.groove_gap(OUTER)) * float(np.sin(angle)) + preload
+        reach = self.seat(angle) + preload
         way = ARRANGEMENTS[arrangement]
         planes = (-way * spacing / 2, way * spacing / 2)
         (inner,), (outer,) = self.layout.inner, self.layout.outer
@@ -152,6 +152,15 @@ class Bearing:
             tuple(tuple(at + h for h in outer) for at in planes),
         )
         return replace(self, layout=layout)
+
+    def seat(self, angle: float) -> float:
+        """Displacement of the inner ring along z in m at which balls are in contact with both
+        raceways at the free contact `angle` (rad)."""
+        return (self.groove_gap(INNER) + self.groove_gap(OUTER)) * float(np.sin(angle))
+
+    def play(self, angle: float) -> float:
+        """Diametral clearance in m that a free contact `angle` (rad) needs (eq A.3)."""
+        return 2 * (self.groove_gap(INNER) + self.groove_gap(OUTER)) * (1 - float(np.cos(angle)))
 
     @property
     def raceways(self) -> tuple[int, ...]:

@@ -19,7 +19,7 @@ from raceway.theory.bearing import Bearing
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import Lubrication
-from raceway.theory.static import Equilibrium
+from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import doubts, past_shoulder
 
 MODELS = ("paper", "full")
@@ -104,7 +104,15 @@ def solve(
     density = float(inputs.values(path).get("ball_density", 7800.0))
     film = FilmInGap(fluid, spin) if models == "full" else None
     state, orbit = lubrication.turning(
-        body, spin, load, axial, clearance=clearance, phase=phase, ball_density=density, film=film
+        body,
+        spin,
+        load,
+        axial,
+        held=STRAIGHT | inputs.held(path, axial, clearance),
+        clearance=clearance,
+        phase=phase,
+        ball_density=density,
+        film=film,
     )
     own = inputs.shoulders(path)
     known = [b if math.isnan(a) else a for a, b in zip(filling.shoulders, own)]
@@ -116,7 +124,7 @@ def solve(
             models=models,
             load_N=load,
             axial_N=axial,
-            clearance_m=clearance,
+            clearance_m=clearance + body.play(inputs.nominal_angle(path)),
             rpm=rpm,
             surroundings=filling.kind,
         ),
@@ -215,7 +223,7 @@ def _impedance(found, ask):
 
 def _warnings(point):
     sides = (point.state.inner, point.state.outer)
-    loaded = [side.load > 0 for side in sides]
+    heavy = [side.heavy for side in sides]
     ratio = np.concatenate([point.films.inner.ratio, point.films.outer.ratio])
     found = {"pressure": max(side.pressure.max() for side in sides)}
     if np.any(ratio > 0):
@@ -223,8 +231,8 @@ def _warnings(point):
     return doubts(found) + past_shoulder(
         point.bearing,
         point.filling.shoulders,
-        tuple(side.angle[live] for side, live in zip(sides, loaded)),
-        tuple(side.a[live] for side, live in zip(sides, loaded)),
+        tuple(side.angle[live] for side, live in zip(sides, heavy)),
+        tuple(side.a[live] for side, live in zip(sides, heavy)),
     )
 
 

@@ -62,6 +62,8 @@ def figures(
     that angle, as its file may, too. Each of `balls` then has a list of `contacts`. `double_row`
     gives it two rows, whose `balls` follow one another.
 
+    As in a deck, the ring is held along z where there is no axial load (`inputs.held`).
+
     Raises `RacewayError`: `NoEquilibrium`, or `InputError` for a data file; `ValueError` for other
     models or another word.
     """
@@ -70,7 +72,8 @@ def figures(
         raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
     body = inputs.bearing(path, four_point=four_point, double_row=double_row)
     oil, fluid = _oil(lubricant, folder, temperature)
-    spin, held = rpm * math.pi / 30, held or {}
+    spin, nominal = rpm * math.pi / 30, inputs.nominal_angle(path)
+    held = inputs.held(path, axial, clearance, double_row) | dict(held or {})
     density = float(inputs.values(path).get("ball_density", 7800.0)) if density is None else density
     stated = inputs.four_point_angle(path)
     four_point = stated if four_point is None else four_point
@@ -101,7 +104,7 @@ def figures(
         axial_N=axial,
         moment_x_N_m=moment[0],
         moment_y_N_m=moment[1],
-        clearance_m=clearance,
+        clearance_m=clearance + body.play(nominal),
         rpm=rpm,
         four_point_rad=four_point,
         orbital_speed_rad_s=orbit,
@@ -117,11 +120,14 @@ def figures(
     if double_row is not None:
         result.update(zip(("row_spacing_m", "row_preload_m", "arrangement"), double_row))
     result.update(_ring(state, load, axial, moment, held, clearance, body.pitch_radius))
+    if nominal:  # the loaded zone depends on the axial load, too
+        result["load_parameter"] = None
     result.update(_loads(state))
     pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
     result.update(static_safety=life.static_safety(pressure))
     if four_point == stated:  # not of a deep groove bearing that an option gives more grooves
-        result.update(_life(path, body, state, rpm, fluid, cleanliness, four_point))
+        angle = nominal if four_point is None else four_point
+        result.update(_life(path, body, state, rpm, fluid, cleanliness, angle))
     films = None
     if oil is not None and spin:
         films = lubricate(body, state, oil, spin, clearance, film and film.factor)
@@ -169,6 +175,7 @@ def figures(
 def _warnings(figures, body, shoulders, state, films):
     sides = (state.inner, state.outer)
     loaded = [side.load > 0 for side in sides]
+    heavy = [side.heavy for side in sides]
     pressure = max(figures["p_max_inner_Pa"], figures["p_max_outer_Pa"])
     found = {"pressure": pressure}
     if films is not None:
@@ -178,8 +185,8 @@ def _warnings(figures, body, shoulders, state, films):
         if len(ratios):
             found["thick_film"] = np.concatenate(thick).max()
             found["lambda"], found["conducts"] = ratios.max(), ratios.min()
-    angle = tuple(side.angle[live] for side, live in zip(sides, loaded))
-    semi_axis = tuple(side.a[live] for side, live in zip(sides, loaded))
+    angle = tuple(side.angle[live] for side, live in zip(sides, heavy))
+    semi_axis = tuple(side.a[live] for side, live in zip(sides, heavy))
     texts = validity.doubts(found) + validity.past_shoulder(body, shoulders, angle, semi_axis)
     if figures["four_point_rad"] is not None:
         texts += validity.past_middle(body, figures["four_point_rad"], angle, semi_axis)
@@ -219,14 +226,14 @@ def _makers(body, boundary, load, axial, rpm, viscosity):
     )
 
 
-def _life(path, body, state, rpm, fluid, cleanliness, four_point):
+def _life(path, body, state, rpm, fluid, cleanliness, angle):
     """Life of a bearing whose file states its load ratings."""
     result = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
     if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):
         factor, mean = stated
         result["minimum_load_N"] = life.minimum_load(factor, fluid.kinematic, rpm, mean)
-    rated, nominal = inputs.ratings(path), inputs.nominal_angle(path)
+    rated = inputs.ratings(path)
     if rated is None:
         return result
     # of all rows, from those of one
@@ -237,7 +244,7 @@ def _life(path, body, state, rpm, fluid, cleanliness, four_point):
         rated,
         state.inner.load,
         state.outer.load,
-        angle=nominal if four_point is None else four_point,
+        angle=angle,
         rpm=rpm,
         viscosity=viscosity,
         cleanliness=cleanliness,
@@ -257,7 +264,7 @@ def _life(path, body, state, rpm, fluid, cleanliness, four_point):
 def _ring(state, load, axial, moment, held, play, reach):
     result = dict(zip(("shift_x_m", "shift_y_m", "shift_z_m"), _rounded(state.shift)))
     result.update(zip(("tilt_x_rad", "tilt_y_rad"), _rounded(state.tilt)))
-    radial = load and not axial and not (result["tilt_x_rad"] or result["tilt_y_rad"])
+    radial = load and not (result["shift_z_m"] or result["tilt_x_rad"] or result["tilt_y_rad"])
     result["load_parameter"] = clearance.load_parameter(play, state.shift[0]) if radial else None
     given, carried = (
         np.array([load, 0.0, axial, *moment]),
@@ -296,9 +303,7 @@ def _loads(state):
     live = np.logical_and(
         *(np.atleast_2d(one.load > 0).any(0) for one in (state.inner, state.outer))
     )
-    angles = np.abs(
-        np.concatenate([side.angle[side.load > 0] for side in (state.inner, state.outer)])
-    )
+    angles = np.abs(np.concatenate([one.angle[one.heavy] for one in (state.inner, state.outer)]))
     return dict(
         loaded_balls=int(live.sum()),
         q_max_N=max(state.inner.load.max(), state.outer.load.max()),

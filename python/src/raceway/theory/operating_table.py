@@ -30,7 +30,7 @@ TOPICS = {
     "Inner ring": (
         Row("shift_x_m", "displacement along x", "m", "Harris ch. 7"),
         Row("shift_y_m", "displacement along y", "m", "Harris ch. 7"),
-        row("shift_z_m", "Harris ch. 7"),
+        row("shift_z_m", "from the middle, Harris ch. 7"),
         row("tilt_x_rad", "Harris ch. 7"),
         row("tilt_y_rad", "Harris ch. 7"),
         row("load_parameter"),
@@ -41,7 +41,7 @@ TOPICS = {
     "What holds the ring": (
         Row("support_x_N", "force along x", "N"),
         Row("support_y_N", "force along y", "N"),
-        Row("support_z_N", "force along z", "N"),
+        Row("support_z_N", "force along z", "N", "held: no axial load, or --hold"),
         Row("support_rx_N_m", "moment about x", "N m"),
         Row("support_ry_N_m", "moment about y", "N m"),
     ),
@@ -51,7 +51,9 @@ TOPICS = {
         row("q_outer_max_N"),
         row("p_max_inner_Pa"),
         row("p_max_outer_Pa"),
-        Row("angle_max_rad", "largest contact angle", "°", "of loaded balls"),
+        Row(
+            "angle_max_rad", "largest contact angle", "°", "of balls above 1 % of that load"
+        ),
     ),
     "Rating life": (
         Row("static_safety", "static safety", "", "(4.2 GPa/p)^3, ISO 76"),

@@ -41,6 +41,7 @@ from raceway.theory.small_motion import Linear
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
+LIGHT = 0.01  # of the largest load: contacts below say nothing of contact angles
 
 
 class Contacts(NamedTuple):
@@ -56,6 +57,12 @@ class Contacts(NamedTuple):
     a: Floats  # m, across the groove
     b: Floats  # m, along rolling
     pressure: Floats  # Pa
+
+    @property
+    def heavy(self) -> Floats:
+        """Contacts of a load above `LIGHT`, bool. The others may be balls that their centrifugal
+        load wedges between the outer groove and the edge of the inner one, at any angle."""
+        return self.load > LIGHT * self.load.max()
 
 
 @dataclass(frozen=True)
@@ -154,7 +161,7 @@ def contacts(
     ellipse = hertz.exact(*bearing.effective_radii(raceway, angle, clearance))
     modulus, groove = bearing.effective_modulus, bearing.groove(raceway)
     a, b = hertz.semi_axes(ellipse, modulus, load)
-    if np.any(a >= groove) or np.any((load > 0) & (np.cos(angle) <= 0)):
+    if np.any(a >= groove) or np.any((load > LIGHT * load.max()) & (np.cos(angle) <= 0)):
         raise NoEquilibrium(
             f"the load forces balls out of the {('inner', 'outer')[raceway]} groove: contact "
             f"angle {np.degrees(np.abs(angle).max()):.0f} degrees, contact half-width "

@@ -23,6 +23,7 @@ from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Lubricant
 from raceway.theory.lubrication import lubricate, turning
+from raceway.theory.static import STRAIGHT
 
 ENOUGH = 0.01  # K
 TOPICS = {
@@ -98,13 +99,14 @@ class Scene:
         density: float = 7800.0,
         spin_law: str = "closed",
         models: str = "full",
+        held: Mapping[str, float] = STRAIGHT,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
-        `models` are those of `operating_point.figures`."""
+        `models` are those of `operating_point.figures`, `held` that of `static.equilibrium`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
-        self.spin_law, self.models = spin_law, models
+        self.spin_law, self.models, self.held = spin_law, models, held
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
@@ -117,6 +119,7 @@ class Scene:
             ring,
             self.load,
             self.axial,
+            held=self.held,
             clearance=clearance,
             ball_density=self.density,
             film=film,
@@ -253,6 +256,7 @@ class Case:
             float(inputs.values(path).get("ball_density", 7800.0)),
             self.spin_law,
             self.models,
+            STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
         )
 
     def cooling(self) -> float | None:

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Statics against settled runs over drawn scenes: the same words mean the same equilibrium.
+
+The balls of statics are at the azimuths of the run's last sample and orbit at its cage speed.
+Friction, which statics leaves out, hinders balls that move across their grooves as they orbit: in a
+7205B under 1 kN, 500 N of thrust and 2 N m it changes loads by 4 % of the largest. So rings that
+tilt have a hundredth of it here.
+"""
+
+import numpy as np
+import pytest
+import xarray
+from host import ROOT, succeed
+from raceway import inputs
+from raceway.theory import static
+from raceway.theory.contact_law import FilmInGap
+
+BEARINGS = ("6208", "6306", "7205B", "7010AC")
+FLUID = inputs.fluid(ROOT / "inputs/lubricants/vg46")
+
+
+def scenes(seed=29):
+    """Each bearing without and with thrust; every second with a moment, too."""
+    draw = np.random.default_rng(seed)
+    for thrust in (0.0, 1.0):
+        for k, name in enumerate(BEARINGS):
+            load, rpm = round(draw.uniform(500, 2000)), round(draw.uniform(300, 3000))
+            moment = (0.0, round(draw.uniform(1, 10), 2)) if (k + thrust) % 2 else None
+            axial = round(thrust * load * draw.uniform(0.5, 1.0))
+            models = ("paper", "full")[draw.integers(2)]
+            yield name, load, axial, moment, rpm, "paper" if moment else models
+
+
+def little_friction(folder, moment):
+    """An inputs folder whose models have little friction, the shipped one without a `moment`."""
+    if not moment:
+        return ROOT / "inputs"
+    folder.mkdir()
+    for one in (ROOT / "inputs").iterdir():
+        if one.name != "models":
+            (folder / one.name).symlink_to(one)
+    (folder / "models").mkdir()
+    text = (ROOT / "inputs/models/paper").read_text()
+    assert "stribeck 0.12 0.05" in text
+    (folder / "models/paper").write_text(text.replace("0.12 0.05", "0.0012 0.0005"))
+    return folder
+
+
+@pytest.mark.parametrize(("name", "load", "axial", "moment", "rpm", "models"), list(scenes()))
+def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
+    """Loads of all balls and the ring's force within 1 % of the largest load, its displacement
+    within 1 %."""
+    words = dict(zip(("moment_x", "moment_y"), moment or ()))
+    words |= dict(bearing=name, load=load, axial=axial, rpm=rpm, models=models, lubricant="vg46")
+    words |= dict(load_azimuth=0, settle=30, passes=1, samples=20, overwrite="yes")
+    shelf = little_friction(tmp_path / "inputs", moment)
+    succeed("inputs/in.6208", out=tmp_path / "run", inputs=shelf, **words)
+    with xarray.open_dataset(tmp_path / "run/record.nc") as data:
+        last = data.isel(time=-1, ring=0, bearing=0).load()
+    path = ROOT / "inputs/bearings" / name
+    rest = static.equilibrium(
+        inputs.bearing(path),
+        load,
+        axial,
+        moment=moment,
+        held=inputs.held(path, axial) | ({} if moment else static.STRAIGHT),
+        phase=np.arctan2(last["ball_y"], last["ball_x"]).to_numpy(),
+        orbital_speed=float(last["bearing_cage_speed"]),
+        finite_shift=True,
+        film=FilmInGap(FLUID, rpm * np.pi / 30) if models == "full" else None,
+    )
+    found = last["load"].fillna(0).transpose("raceway", "ball").to_numpy()
+    for side, contacts in zip(found, (rest.inner, rest.outer)):
+        np.testing.assert_allclose(side, contacts.load, rtol=0, atol=0.01 * contacts.load.max())
+    force = [float(last[f"ring_f{axis}"]) for axis in "xyz"]
+    np.testing.assert_allclose(force, rest.force, rtol=0, atol=0.01 * np.hypot(load, axial))
+    seat = inputs.held(path, 0.0)["z"]  # where a run counts z from
+    place = [float(last["ring_x"]), float(last["ring_z"]) + seat]
+    np.testing.assert_allclose(place, rest.shift[[0, 2]], rtol=0.01, atol=1e-7)
