@@ -2,7 +2,10 @@
 """Films of known content, for the tests of the circuit."""
 
 import numpy as np
+from raceway.electric.breakdown import Breakdown
 from raceway.electric.films import Films
+from raceway.electric.outer import Floating, Motor, Source
+from raceway.electric.waveforms import CommonMode, Constant, Sine, Table
 
 PICO = 1e-12
 
@@ -41,3 +44,29 @@ def turning(n=201, z=7, thickness=(80e-9, 140e-9), seed=3, **more):
     low, high = thickness
     apart = (high - (high - low) * load) * rng.uniform(1.0, 2.5, (1, 2, z))
     return films(least + most * load**2, thickness=apart, **more)
+
+
+WEAK = Breakdown(30e6)
+LEAKY = dict(conductance=2e-9)
+INVERTER = CommonMode(560.0, 2000.0, 50.0, 0.8)
+MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
+MOTOR_OF_INVERTER = Motor(INVERTER, 50 * PICO, 1e-9, second_factor=1.0)
+SOURCE_OF_INVERTER = Source(CommonMode(60.0, 2000.0, 50.0, 0.8), 1e6)
+SOURCE_OF_TABLE = Source(Table([1e-4, 1.1e-3, 3.3e-3, 7.77e-3], [0.0, 40.0, -35.0, 30.0]), 1e6)
+CASES = {  # films, outer circuit, breakdown
+    "motor": (turning(), MOTOR, WEAK),
+    "inverter": (turning(), MOTOR_OF_INVERTER, WEAK),
+    "leaking inverter": (turning(**LEAKY), SOURCE_OF_INVERTER, WEAK),
+    "table": (turning(), SOURCE_OF_TABLE, WEAK),
+    "leaking motor": (turning(**LEAKY), MOTOR, WEAK),
+    "rough": (turning(roughness=10e-9), MOTOR, WEAK),
+    "source": (turning(), Source(Sine(15.0, 900.0), 1e6), WEAK),
+    "leaking source": (turning(**LEAKY), Source(Sine(15.0, 900.0), 1e6, 30 * PICO), WEAK),
+    "stiff source": (turning(**LEAKY), Source(Sine(15.0, 900.0)), None),
+    "charged ring": (turning(), Floating(5.5, 30 * PICO), WEAK),
+    "open film": (
+        steady([50 * PICO, 0.0, 0.0], [50 * PICO, 40 * PICO, 0.0]),
+        Source(Constant(4.0), 1e7),
+        WEAK,
+    ),
+}

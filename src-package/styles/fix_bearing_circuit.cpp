@@ -66,8 +66,7 @@ void FixBearingCircuit::setup(int)
   if (settings_.within > 1) find_integrators();
   if (restored_) {    // values that the restart file omits, from those it has
     last_time_ = time_of(last_step_);
-    state_.films = films(balls_);
-    state_.outer = settings_.at(time_of(last_step_), bearing_capacitance(state_.films));
+    static_cast<CircuitPoint &>(state_) = point(balls_, last_time_);
     restored_ = false;
   }
   if (update->ntimestep % nevery == 0) sample();
@@ -204,7 +203,9 @@ void FixBearingCircuit::sample()
     first_step_ = update->ntimestep;
     dt_ = update->dt;
     last_time_ = 0.0;
-    solve(now, 0.0, 0.0);
+    begin_circuit(state_, point(now, 0.0), settings_.start,
+                  [&](const FilmFailure &f) { tell(f, now, 0.0); });
+    require_films(now, 0.0);
     begun_ = true;
   } else {
     const auto same = [](const Ball &a, const Ball &b) { return a.tag == b.tag; };
@@ -243,24 +244,31 @@ void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
   double before = start;
   for (int k = 1; k <= settings_.points; ++k) {
     const double share = double(k) / settings_.points;
-    const bool end = k == settings_.points;
-    const double at = end ? time : start + share * sampled;
-    if (end) solve(to, at, at - before);
-    else solve(between(balls_, to, share), at, at - before);
+    const double at = k == settings_.points ? time : start + share * sampled;
+    double here = before;
+    std::vector<Ball> there;
+    const auto point_at = [&](double t) {
+      here = t;
+      there = t == time ? to : between(balls_, to, t == at ? share : (t - start) / sampled);
+      return point(there, t);
+    };
+    advance_circuit(state_, before, at, settings_.voltage.edges(before, at), point_at,
+                    [&](const FilmFailure &f) { tell(f, there, here); });
+    require_films(there, at);
     before = at;
   }
   last_time_ = time;
 }
 
-// Solves one point in time of the circuit; the first has zero length (s).
-void FixBearingCircuit::solve(const std::vector<Ball> &at, double time, double length)
+CircuitPoint FixBearingCircuit::point(const std::vector<Ball> &at, double time) const
 {
   const BearingFilms f = films(at);
-  const OuterPoint outer = settings_.at(time, bearing_capacitance(f));
-  const auto failed = [&](const FilmFailure &failure) { tell(failure, at, time); };
-  order_ = 0;
-  if (begun_) advance_circuit(state_, f, outer, length, failed);
-  else begin_circuit(state_, f, outer, settings_.start, failed);
+  return {f, settings_.at(time, bearing_capacitance(f))};
+}
+
+// Refuses a charged ball without films.
+void FixBearingCircuit::require_films(const std::vector<Ball> &at, double time) const
+{
   const int lost = charged_without_film(state_);
   if (lost >= 0)
     BRG_ALL(bearing::name_of(*this) + ": ball " + std::to_string(int(at[lost].tag)) +
@@ -310,14 +318,13 @@ FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball
 
 void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, double time)
 {
-  ++order_;
   FILE *file = events_.file();
   if (!file) return;
   const Ball &ball = at[f.ball];
   const Film &film = ball.film[f.at_outer];
   const double local = local_thickness(film.thickness, film.rough, settings_.film_floor);
   fprintf(file, "%.12g %.0f %d %.0f %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g", time,
-          state_.account.discharges + 1.0, order_, ball.tag, static_cast<int>(f.at_outer),
+          state_.account.discharges + 1.0, f.order, ball.tag, static_cast<int>(f.at_outer),
           ball.azimuth, f.ring_voltage, f.ring_voltage_after, f.film_voltage, local, f.film_energy,
           f.energy);
   if (settings_.arc > 0.0) {
@@ -345,7 +352,7 @@ double FixBearingCircuit::compute_vector(int k)
     case CAPACITANCE: return bearing_capacitance(state_.films);
     case RATIO: return settings_.voltage_ratio(state_.outer, bearing_capacitance(state_.films));
     case THRESHOLD: {
-      const double v = threshold_voltage(state_.films);
+      const double v = threshold_voltage(state_.films, settings_.bridged());
       return std::isinf(v) ? 0.0 : v;
     }
     case DISCHARGES: return a.discharges;

@@ -77,7 +77,8 @@ class FixBearingCircuit : public Fix {
   raceway::BearingFilms films(const std::vector<Ball> &) const;
   static std::vector<Ball> between(const std::vector<Ball> &, const std::vector<Ball> &,
                                    double share);
-  void solve(const std::vector<Ball> &at, double time, double length);
+  raceway::CircuitPoint point(const std::vector<Ball> &, double time) const;
+  void require_films(const std::vector<Ball> &, double time) const;
   void tell(const raceway::FilmFailure &, const std::vector<Ball> &at, double time);
 
   std::string cap_id_;
@@ -92,7 +93,6 @@ class FixBearingCircuit : public Fix {
   double dt_ = 0.0;                           // s, of all steps between them
   std::vector<Ball> balls_;                   // at the last sample, by tag
   raceway::CircuitState state_;
-  int order_ = 0;    // number of the breakdown within its discharge
 };
 
 }    // namespace LAMMPS_NS

@@ -8,7 +8,7 @@ import pytest
 from circuits import PICO, steady, turning
 from raceway import core
 from raceway.electric import circuit
-from raceway.electric.breakdown import Breakdown
+from raceway.electric.breakdown import ROW, Breakdown
 from raceway.electric.films import series
 from raceway.electric.outer import Floating, Motor, Source
 from raceway.electric.waveforms import Constant, Sine
@@ -70,7 +70,7 @@ def test_other_balls_keep_their_charge():
     charge = np.array([0.0, 120 * PICO])
     none = np.zeros((2, 2), bool)
     ball, ring = redistribute(capacitance, (0.0, 0.0, 0.0), charge, 420 * PICO, none)
-    rows, work = np.empty((4, 8)), np.empty(1)
+    rows, work = np.empty((4, len(ROW))), np.empty(1)
     left, on_ring, ring = charge.copy(), np.array([420 * PICO]), np.array([ring])
     count = core.library().call(
         "film_discharge",
@@ -87,7 +87,7 @@ def test_other_balls_keep_their_charge():
         work=work,
         failures=rows,
     )
-    assert count == 2 and rows[:2, 2].tolist() == [0, 0] and work[0] == 0
+    assert count == 2 and rows[:2, ROW.index("ball")].tolist() == [0, 0] and work[0] == 0
     assert left.tolist() == [0, charge[1]] and ring[0] == 0
     assert ball.tolist() == [0, 1.0]
     assert on_ring[0] == pytest.approx(-60 * PICO)

@@ -74,7 +74,12 @@ def test_films_at_the_floor(folder):
     run = raceway.open(folder)
     data, _ = result = circuit.run(run, Source(Constant(20.0), 1e7), Breakdown(30e6, floor=2e-9))
     thin = (run.contacts.h_c <= 3 * 1.5e-7 + 2e-9).sum() / run.contacts.h_c.notnull().sum()
-    found = circuit_figures.figures(result)["floor_share"]
+    figures = circuit_figures.figures(result)
+    np.testing.assert_array_equal(data.local_field.notnull(), data.local_thickness > 2e-9)
+    assert (result.events.field.isna() == (result.events.local_thickness == 2e-9)).all()
+    assert figures["threshold_min_V"] == 0
+    assert "least                                  bridged" in circuit_figures.table(figures)
+    found = figures["floor_share"]
     assert found == pytest.approx(float(thin)) and found > 0.5
     assert float(data.local_thickness.min()) == 2e-9
 

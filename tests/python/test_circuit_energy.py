@@ -3,32 +3,14 @@
 
 import numpy as np
 import pytest
-from circuits import PICO, turning
+from circuits import CASES, PICO, turning
 from raceway.electric import circuit
-from raceway.electric.breakdown import Breakdown
 from raceway.electric.films import series
 from raceway.electric.outer import Floating, Motor, Source
-from raceway.electric.waveforms import CommonMode, Sine
-
-MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
-WEAK = Breakdown(30e6)
-LEAKY = dict(conductance=2e-9)
-CASES = {
-    "motor": (turning(), MOTOR, WEAK),
-    "motor, other bearing alike": (
-        turning(),
-        Motor(CommonMode(560.0, 2000.0, 50.0, 0.8), 50 * PICO, 1e-9, second_factor=1.0),
-        WEAK,
-    ),
-    "leaking motor": (turning(**LEAKY), MOTOR, WEAK),
-    "source": (turning(), Source(Sine(15.0, 900.0), 1e6), WEAK),
-    "leaking source": (turning(**LEAKY), Source(Sine(15.0, 900.0), 1e6, 30 * PICO), WEAK),
-    "stiff source": (turning(**LEAKY), Source(Sine(15.0, 900.0)), None),
-    "charged ring": (turning(), Floating(5.5, 30 * PICO), WEAK),
-}
+from raceway.electric.waveforms import Sine
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [name for name in CASES if name != "open film"])
 def test_charge_is_conserved(name):
     """Charges that currents carried are those of the voltages, to rounding."""
     given, outer, breakdown = CASES[name]
@@ -39,7 +21,7 @@ def test_charge_is_conserved(name):
     assert float(result.data.charge_error.max()) < 1e-13 * largest
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [name for name in CASES if name != "open film"])
 def test_energy_is_balanced(name):
     given, outer, breakdown = CASES[name]
     data = circuit.run(given, outer, breakdown, points=1).data

@@ -11,7 +11,7 @@ from raceway.electric import circuit, spice
 from raceway.electric.films import of_run, series
 from raceway.electric.leak import Leak
 from raceway.electric.outer import Motor, Source
-from raceway.electric.waveforms import Sine, Table
+from raceway.electric.waveforms import CommonMode, Sine, Table
 
 OPTIONS = ".options reltol=1e-6 abstol=1e-19 vntol=1e-9 chgtol=1e-19\n"
 WITHIN = 1e-3
@@ -48,6 +48,24 @@ def test_motor(leaky, tmp_path):
             "rotor": lambda data: data.bearing_voltage,
             "x1.ball3": lambda data: data.ball_voltage.sel(ball=3, drop=True),
             "x1.ball8": lambda data: data.ball_voltage.sel(ball=8, drop=True),
+        },
+    )
+
+
+def test_inverter(leaky, tmp_path):
+    """The edges of the legs in 5 ns."""
+    wave = CommonMode(560.0, 1530.0, 47.0, 0.9)
+    edges = wave.edges(leaky.time)
+    corners = [f"{t:.12g} {before:.9g} {t + 5e-9:.12g} {after:.9g}" for t, before, after in edges]
+    compare(
+        leaky,
+        Motor(wave, 50e-12, 1e-9),
+        f"Vcm cm 0 PWL(0 {wave(0.0):.9g}\n+ " + "\n+ ".join(corners) + ")\n"
+        "Cwr cm rotor 50p\nCrf rotor 0 1n\nX1 rotor 0 bearing",
+        tmp_path,
+        {
+            "rotor": lambda data: data.bearing_voltage,
+            "x1.ball3": lambda data: data.ball_voltage.sel(ball=3, drop=True),
         },
     )
 

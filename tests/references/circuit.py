@@ -67,11 +67,12 @@ def discharge(capacitance, limit, outer, charge, v):
 
 
 def solve(time, capacitance, conductance, limit, outer, start):
-    """(voltages (n, Z + 1), ring last; currents into the ring's films (n,); failures with the point
-    first) over films (n, 2, Z); `outer` (n, 4): beside, coupling, conductance, driving."""
+    """(voltages (n, Z + 1), ring last; charge into the ring's films in each step (n,);
+    failures with the point first) over films (n, 2, Z); `outer` (n, 4): beside, coupling,
+    conductance, driving."""
     stiff = np.isinf(outer[0, 2])
     n, _, z = capacitance.shape
-    found, current, failures = np.zeros((n, z + 1)), np.zeros(n), []
+    found, flown, failures = np.zeros((n, z + 1)), np.zeros(n), []
 
     def at(k, share):
         def mix(values):
@@ -106,10 +107,10 @@ def solve(time, capacitance, conductance, limit, outer, start):
                 flows.append((leak - leaks @ v, gs[0] @ (v[-1] - v[:-1])))
             moved = [(1 - STAGE) * length * a + STAGE * length * b for a, b in zip(*flows)]
             charge = charge + moved[0]
-            current[k] = (c[0] @ (v[-1] - v[:-1]) - inside + moved[1]) / length
+            flown[k] = c[0] @ (v[-1] - v[:-1]) - inside + moved[1]
         if stiff:
             charge = whole @ v - push
         charge, v, rows = discharge(c, limit[k], (beside, coupling, driving), charge, v)
         failures += [[k, *row] for row in rows]
         found[k] = v
-    return found, current, failures
+    return found, flown, failures

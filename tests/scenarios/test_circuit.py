@@ -13,7 +13,7 @@ from raceway.electric import circuit
 from raceway.electric.breakdown import Breakdown
 from raceway.electric.leak import Leak
 from raceway.electric.outer import Floating, Motor, Source
-from raceway.electric.waveforms import Constant, Sine, Table
+from raceway.electric.waveforms import CommonMode, Constant, Sine, Table
 from raceway.errors import RunError
 from raceway.runs.columns import _TABLES
 
@@ -26,6 +26,13 @@ CASES = {
         Breakdown(30e6),
         None,
         4,
+    ),
+    "inverter": (
+        "motor 50e-12 1e-9 second_factor 1.0 voltage common_mode 560 900 50 0.8 breakdown 30e6",
+        Motor(CommonMode(560.0, 900.0, 50.0, 0.8), 50e-12, 1e-9, second_factor=1.0),
+        Breakdown(30e6),
+        None,
+        1,
     ),
     "leaking source": (
         "source 3e6 voltage table {table} resistivity 1e9 breakdown 30e6 surfaces smooth beside"
@@ -214,6 +221,7 @@ def test_the_cases_have_discharges(pair):
         ("floating 1 metal 5", "share of the load on asperities above which a film is metallic"),
         ("floating 1 metal 5 0.1", "'metal' needs 'friction mixed', which knows what asperities"),
         ("floating 1 loud yes", "voltage, second, second_factor, beside, stray, breakdown"),
+        ("source 1 voltage common_mode 9 80 50 1", "a carrier of 80 Hz must have at least twice"),
         (
             "source 1 voltage sine 1 5000",
             "a sample takes 0.0001 s, a period of the voltage 0.0002 s: 'points' must be at least"

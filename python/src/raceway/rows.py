@@ -14,6 +14,7 @@ class Row(NamedTuple):
     label: str
     unit: str | None  # SI unit, shown with a prefix; "" a plain number; None text
     source: str = ""
+    zero: str | None = None  # shown for the value 0
 
 
 # Figures that a run and statics both have: what they are called, in one place.
@@ -108,6 +109,8 @@ def cells(
 
 
 def _value(row, value):
+    if row.zero and value == 0:
+        return row.zero
     return value if row.unit is None else _shown(value, row.unit, 4)
 
 

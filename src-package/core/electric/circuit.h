@@ -5,8 +5,7 @@
 #define RACEWAY_CIRCUIT_H
 
 #include "film_breakdown.h"
-
-#include <algorithm>
+#include "waveform.h"
 
 namespace raceway {
 
@@ -21,17 +20,16 @@ struct CircuitAccount {
   double current = 0.0;    // A, mean of the last step, into the films of the inner ring
 };
 
-// State of a circuit at a point, after its discharge.
-struct CircuitState {
+// Films and outer circuit at a point.
+struct CircuitPoint {
   BearingFilms films;
   OuterPoint outer;
+};
+
+// State of a circuit at a point, after its discharge.
+struct CircuitState : CircuitPoint {
   NodeValues charge, voltage;
   CircuitAccount account;
-
-  // for the last step
-  NodeValues before;    // voltages before the discharge at its end
-  StepCharges moved;
-  double discharge_work = 0.0;    // J, of the driving voltage
 };
 
 namespace circuit_detail {
@@ -69,7 +67,6 @@ inline double largest_film_charge(const CircuitState &s)
 template <class Failed> void settle(CircuitState &s, double before, Failed &&failed)
 {
   CircuitAccount &a = s.account;
-  s.before = s.voltage;
   a.film_charge = std::fmax(a.film_charge, largest_film_charge(s));
   double heat = 0.0;
   int count = 0;
@@ -82,55 +79,21 @@ template <class Failed> void settle(CircuitState &s, double before, Failed &&fai
   a.failures += count;
   a.discharge_energy += heat;
   a.source_work += work;
-  s.discharge_work = work;
   const double lacks = before + work - heat - stored_energy(s.films, s.outer, s.voltage);
   a.energy_error = std::fmax(a.energy_error, std::abs(lacks));
   a.charge_error = std::fmax(a.charge_error, largest_charge_error(s));
 }
 
-}    // namespace circuit_detail
-
-// The first point: balls without charge, the inner ring at `start` (V) unless a voltage drives it.
-// `failed` is called for every FilmFailure, in order.
+// To a point `length` (s) later; returns the charge (C) that went into the films of the inner ring.
 template <class Failed>
-void begin_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint &outer,
-                   double start, Failed &&failed)
+double step_circuit(CircuitState &s, const CircuitPoint &to, double length, Failed &&failed)
 {
-  s = {};
-  s.films = films;
-  s.outer = outer;
-  s.charge.ball.assign(films.size(), 0.0);
-  double capacitance = bearing_capacitance(films) + outer.beside;
-  if (!outer.stiff()) capacitance += outer.coupling;
-  s.charge.ring = start * capacitance;
-  s.moved.inner.assign(films.size(), 0.0);
-  s.moved.outer.assign(films.size(), 0.0);
-  find_voltages(films, outer, 0.0, s.charge, s.voltage);
-  if (outer.stiff()) s.charge.ring = ring_charge(films, outer, s.voltage);
-  circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
-}
-
-// The first ball with a charge but without any film, or -1: its voltage is unbounded. Rounding
-// residues of a charge do not count.
-inline int charged_without_film(const CircuitState &s)
-{
-  const double rounding = 1e-12 * s.account.film_charge;
-  for (size_t k = 0; k < s.films.size(); ++k)
-    if (s.films[k].inner.capacitance + s.films[k].outer.capacitance == 0.0 &&
-        std::abs(s.charge.ball[k]) > rounding)
-      return static_cast<int>(k);
-  return -1;
-}
-
-// The next point, `length` (s) later.
-template <class Failed>
-void advance_circuit(CircuitState &s, const BearingFilms &films, const OuterPoint &outer,
-                     double length, Failed &&failed)
-{
+  const BearingFilms &films = to.films;
+  const OuterPoint &outer = to.outer;
   const NodeValues v0 = s.voltage;
   const double stored = stored_energy(s.films, s.outer, v0), charge = s.charge.ring;
-  const double on_films = circuit_detail::inner_film_charge(s.films, v0);
-  StepCharges &moved = s.moved;
+  double flown = -inner_film_charge(s.films, v0);
+  StepCharges moved;
   network_step(s.films, films, s.outer, outer, length, s.charge, s.voltage, moved);
   const NodeValues &v1 = s.voltage;
   if (outer.stiff()) {
@@ -158,12 +121,64 @@ void advance_circuit(CircuitState &s, const BearingFilms &films, const OuterPoin
   a.mechanical_work += mechanical;
   a.leak_heat += leak;
   a.resistor_heat += resistor;
-  double flown = circuit_detail::inner_film_charge(films, v1) - on_films;
+  flown += inner_film_charge(films, v1);
   for (double q : moved.inner) flown += q;
-  a.current = flown / length;
-  s.films = films;
-  s.outer = outer;
-  circuit_detail::settle(s, stored + source + mechanical - leak - resistor, failed);
+  static_cast<CircuitPoint &>(s) = to;
+  settle(s, stored + source + mechanical - leak - resistor, failed);
+  return flown;
+}
+
+}    // namespace circuit_detail
+
+// The first point: balls without charge, the inner ring at `start` (V) unless a voltage drives it.
+// `failed` is called for every FilmFailure, in order.
+template <class Failed>
+void begin_circuit(CircuitState &s, const CircuitPoint &at, double start, Failed &&failed)
+{
+  const BearingFilms &films = at.films;
+  const OuterPoint &outer = at.outer;
+  s = {};
+  static_cast<CircuitPoint &>(s) = at;
+  s.charge.ball.assign(films.size(), 0.0);
+  double capacitance = bearing_capacitance(films) + outer.beside;
+  if (!outer.stiff()) capacitance += outer.coupling;
+  s.charge.ring = start * capacitance;
+  find_voltages(films, outer, 0.0, s.charge, s.voltage);
+  if (outer.stiff()) s.charge.ring = ring_charge(films, outer, s.voltage);
+  circuit_detail::settle(s, stored_energy(films, outer, s.voltage), failed);
+}
+
+// The first ball with a charge but without any film, or -1: its voltage is unbounded. Rounding
+// residues of a charge do not count.
+inline int charged_without_film(const CircuitState &s)
+{
+  const double rounding = 1e-12 * s.account.film_charge;
+  for (size_t k = 0; k < s.films.size(); ++k)
+    if (s.films[k].inner.capacitance + s.films[k].outer.capacitance == 0.0 &&
+        std::abs(s.charge.ball[k]) > rounding)
+      return static_cast<int>(k);
+  return -1;
+}
+
+// The next point, from the time `from` to `to` (s). The driving voltage is linear between the
+// `edges`, a range in time order after `from` up to `to`; at each of them films may fail.
+// `at(time)` is the CircuitPoint there.
+template <class Edges, class At, class Failed>
+void advance_circuit(CircuitState &s, double from, double to, const Edges &edges, At &&at,
+                     Failed &&failed)
+{
+  using circuit_detail::step_circuit;
+  double reached = from, flown = 0.0;
+  for (const Edge &e : edges) {
+    CircuitPoint p = at(e.time);
+    p.outer.driving = e.before;
+    if (e.time > reached) flown += step_circuit(s, p, e.time - reached, failed);
+    p.outer.driving = e.after;
+    if (e.after != e.before) flown += step_circuit(s, p, 0.0, failed);
+    reached = e.time;
+  }
+  if (to > reached) flown += step_circuit(s, at(to), to - reached, failed);
+  s.account.current = flown / (to - from);
 }
 
 }    // namespace raceway

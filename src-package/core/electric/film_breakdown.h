@@ -11,6 +11,7 @@ namespace raceway {
 struct FilmFailure {
   size_t ball;
   bool at_outer;
+  int order;                                                // in its discharge, from 1
   double film_voltage, ring_voltage, ring_voltage_after;    // V
   double film_energy, energy;                               // J
 };
@@ -44,14 +45,18 @@ inline double film_limit(double thickness, double strength, double less, double 
   return strength * local_thickness(thickness, less, floor);
 }
 
-// Smallest voltage between the rings at which a film fails with uncharged balls, V.
-inline double threshold_voltage(const BearingFilms &films)
+// Smallest voltage between the rings at which a film fails with uncharged balls, V; 0 where that
+// film is bridged: its limit is at most `bridged` (V), that of the film floor.
+inline double threshold_voltage(const BearingFilms &films, double bridged)
 {
   double least = std::numeric_limits<double>::infinity();
+  const auto take = [&](double limit, double whole, double other) {
+    least = std::fmin(least, limit > bridged ? limit * whole / other : 0.0);
+  };
   for (const BallFilms &f : films) {
     const double in = f.inner.capacitance, out = f.outer.capacitance;
-    if (out > 0.0) least = std::fmin(least, f.inner.limit * (in + out) / out);
-    if (in > 0.0) least = std::fmin(least, f.outer.limit * (in + out) / in);
+    if (out > 0.0) take(f.inner.limit, in + out, out);
+    if (in > 0.0) take(f.outer.limit, in + out, in);
   }
   return least;
 }
@@ -115,8 +120,9 @@ double discharge(const BearingFilms &films, const OuterPoint &outer, NodeValues 
 {
   std::vector<Broken> broken;
   double work = 0.0;
-  for (;;) {
+  for (int order = 1;; ++order) {
     FilmFailure f = {};
+    f.order = order;
     double most = 1.0;
     bool found = false;
     for (int side = 0; side < 2; ++side)

@@ -98,9 +98,9 @@ inline FilmFigures film_figures(const FilmQuestions &ask, const std::vector<Samp
       }
   };
   fill(film_peaks);
-  out.local = finite(threshold_voltage(films));
+  out.local = finite(threshold_voltage(films, 0.0));
   fill(0.0);
-  out.threshold = finite(threshold_voltage(films));
+  out.threshold = finite(threshold_voltage(films, 0.0));
   const double capacitance = bearing_capacitance(films) + beside;
   out.energy = 0.5 * capacitance * out.threshold * out.threshold;
   if (ask.resistivity > 0.0) out.leak = finite(1.0 / admittance(films, 0.0).real());

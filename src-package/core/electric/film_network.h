@@ -112,6 +112,21 @@ inline BallFilms between(const BallFilms &from, const BallFilms &to, double shar
   return {film(from.inner, to.inner), film(from.outer, to.outer)};
 }
 
+inline BearingFilms between(const BearingFilms &from, const BearingFilms &to, double share)
+{
+  BearingFilms films(to.size());
+  for (size_t k = 0; k < to.size(); ++k) films[k] = between(from[k], to[k], share);
+  return films;
+}
+
+inline OuterPoint between(const OuterPoint &from, const OuterPoint &to, double share)
+{
+  OuterPoint p = to;
+  p.beside = from.beside + share * (to.beside - from.beside);
+  p.driving = from.driving + share * (to.driving - from.driving);
+  return p;
+}
+
 // One step of `length` (s) to the films and the outer circuit at its end: two-stage SDIRK, L-stable
 // and of second order.
 inline void network_step(const BearingFilms &from, const BearingFilms &to,
@@ -127,11 +142,8 @@ inline void network_step(const BearingFilms &from, const BearingFilms &to,
     return;
   }
   const double stage = 1.0 - std::sqrt(0.5);
-  BearingFilms middle(n);
-  for (size_t k = 0; k < n; ++k) middle[k] = between(from[k], to[k], stage);
-  OuterPoint outer_middle = outer_to;
-  outer_middle.beside = outer_from.beside + stage * (outer_to.beside - outer_from.beside);
-  outer_middle.driving = outer_from.driving + stage * (outer_to.driving - outer_from.driving);
+  const BearingFilms middle = between(from, to, stage);
+  const OuterPoint outer_middle = between(outer_from, outer_to, stage);
   for (int s = 0; s < 2; ++s) {
     const BearingFilms &films = s ? to : middle;
     const OuterPoint &outer = s ? outer_to : outer_middle;

@@ -6,9 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace raceway {
+
+// A kink or a jump of a driving voltage.
+struct Edge {
+  double time, before, after;    // s, V, V
+};
 
 struct Waveform {
   enum Kind { constant, sine, common_mode, table } kind = constant;
@@ -24,26 +30,69 @@ struct Waveform {
     return kind == common_mode ? 1.0 / carrier : std::numeric_limits<double>::infinity();
   }
 
+  // False if a leg could switch twice between two peaks of the triangle.
+  bool carrier_fits() const { return carrier >= 2.0 * frequency; }
+
   // Voltage at time t (s), V.
   double at(double t) const
   {
-    const double turn = 2.0 * 3.14159265358979323846;
     if (kind == sine) return voltage * std::sin(turn * frequency * t + phase);
-    if (kind == common_mode) return inverter(t, turn);
+    if (kind == common_mode) return mean(legs_up(t));
     return kind == table ? between(t) : voltage;
   }
 
+  // Edges after `from` up to `to` (s), in order: each row of a table, each leg of an inverter that
+  // switches. Legs that switch at the same time do so one after the other.
+  std::vector<Edge> edges(double from, double to) const
+  {
+    std::vector<Edge> found;
+    if (kind == table)
+      for (size_t k = 0; k < times.size(); ++k)
+        if (times[k] > from && times[k] <= to)
+          found.push_back({times[k], voltages[k], voltages[k]});
+    if (kind != common_mode) return found;
+    std::vector<std::pair<double, int>> switched;    // time, legs more at the upper voltage
+    for (int leg = 0; leg < 3; ++leg)
+      for (double lo = from; lo < to;) {
+        double hi = std::fmin(to, 0.5 * (std::floor(2.0 * carrier * lo) + 1.0) / carrier);
+        if (!(hi > lo)) hi = to;
+        const bool was = up(leg, lo);
+        if (up(leg, hi) != was) switched.push_back({instant(leg, lo, hi), was ? -1 : 1});
+        lo = hi;
+      }
+    std::stable_sort(switched.begin(), switched.end(),
+                     [](const auto &a, const auto &b) { return a.first < b.first; });
+    int legs = legs_up(from);
+    for (const auto &[time, more] : switched) {
+      found.push_back({time, mean(legs), mean(legs + more)});
+      legs += more;
+    }
+    return found;
+  }
+
  private:
-  // Mean of three legs. Each is at half the link voltage while its sine is not below a triangle
-  // that starts at +1, otherwise at minus half.
-  double inverter(double t, double turn) const
+  static constexpr double turn = 2.0 * 3.14159265358979323846;
+
+  // A leg is at half the link voltage while its sine is not below a triangle that starts at +1,
+  // otherwise at minus half.
+  bool up(int leg, double t) const
   {
     const double cycles = carrier * t;
     const double triangle = 4.0 * std::abs(cycles - std::floor(cycles) - 0.5) - 1.0;
-    int on = 0;
-    for (int leg = 0; leg < 3; ++leg)
-      on += modulation * std::sin(turn * (frequency * t - leg / 3.0)) >= triangle;
-    return voltage * (on / 3.0 - 0.5);
+    return modulation * std::sin(turn * (frequency * t - leg / 3.0)) >= triangle;
+  }
+  int legs_up(double t) const { return up(0, t) + up(1, t) + up(2, t); }
+  double mean(int legs) const { return voltage * (legs / 3.0 - 0.5); }
+
+  // The first time after `lo` at which a leg is as at `hi`, by bisection.
+  double instant(int leg, double lo, double hi) const
+  {
+    const bool was = up(leg, lo);
+    for (;;) {
+      const double middle = lo + 0.5 * (hi - lo);
+      if (!(middle > lo && middle < hi)) return hi;
+      (up(leg, middle) == was ? lo : hi) = middle;
+    }
   }
 
   // Constant before the first and after the last time.

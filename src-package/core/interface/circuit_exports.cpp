@@ -8,21 +8,18 @@
 
 using namespace raceway;
 
-RECORD(CircuitEnd, double source_work, mechanical_work, leak_heat, resistor_heat, discharge_energy,
-       stored_energy, discharges, failures, charge_error, energy_error, lost;)
+// Point and ball of a charge without films, or -1.
+RECORD(CircuitEnd, double point, ball;)
 
 namespace {
 // Films of one point; arrays are by side and ball.
-BearingFilms films_of(int balls, const double *capacitance, const double *conductance,
-                      const double *limit)
+BearingFilms films_of(int balls, const double *capacitance, const double *limit)
 {
   BearingFilms films(balls);
   for (int k = 0; k < balls; ++k) {
     const int other = k + balls;
     films[k].inner.capacitance = capacitance[k];
     films[k].outer.capacitance = capacitance[other];
-    if (conductance) films[k].inner.conductance = conductance[k];
-    if (conductance) films[k].outer.conductance = conductance[other];
     if (limit) films[k].inner.limit = limit[k];
     if (limit) films[k].outer.limit = limit[other];
   }
@@ -41,61 +38,90 @@ void put(const NodeValues &v, double *ball, double *ring)
 }
 
 // Columns in a row of failures.
-constexpr int columns = 8;
-void put(const FilmFailure &f, int point, double *row)
+constexpr int columns = 10;
+void put(const FilmFailure &f, double time, double discharge, double *row)
 {
   const double numbers[columns] = {
-      double(point),  double(f.at_outer),   double(f.ball), f.film_voltage,
-      f.ring_voltage, f.ring_voltage_after, f.film_energy,  f.energy};
+      time,           discharge,      double(f.order),      double(f.at_outer), double(f.ball),
+      f.film_voltage, f.ring_voltage, f.ring_voltage_after, f.film_energy,      f.energy};
   std::copy(numbers, numbers + columns, row);
 }
 }    // namespace
 
-// Films are by point, side, ball; the outer circuit by point: parallel capacitance, coupling,
-// conductance, driving voltage. Voltages `before` exclude the discharge of their point. Rows of
-// failures, at most `most`: point, side, ball, film voltage, bearing voltage, bearing voltage
-// after, film energy, energy. Returns the number of failures.
+// Films are by point, side, ball; they fail by film_limit(thickness, strength, less, floor), with
+// the strength 0 never. The outer circuit: parallel capacitance, also as a factor of the bearing's
+// own, coupling, conductance; driving voltage by point, and rows of its edges in order (time,
+// voltage before and after). Films and voltage are linear in between. Rows of failures, at most
+// `most`: time, discharge, order, side, ball, film voltage, bearing voltage, bearing voltage after,
+// film energy, energy. Ends at a point where a charged ball has no film. Returns the number of
+// failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
-        const double *conductance, const double *limit, const double *outer, double start,
-        double *ball, double *bearing, double *ball_before, double *bearing_before,
-        double *ball_charge, double *ring_charge, double *leaked, double *supplied,
-        double *discharge_work, double *current, int most, double *failures, CircuitEnd *out))
+        const double *conductance, const double *thickness, double strength, double less,
+        double floor, double beside, double factor, double coupling, double source,
+        const double *driving, int edge_count, const double *edges, double start, double *ball,
+        double *bearing, double *ball_charge, double *current, double *source_work,
+        double *mechanical_work, double *leak_heat, double *resistor_heat, double *discharge_energy,
+        double *stored_energy, double *charge_error, double *energy_error, int most,
+        double *failures, CircuitEnd *out))
 {
   CircuitState s;
-  int count = 0;
-  for (int p = 0; p < points; ++p) {
-    const int at = p * balls, films_at = 2 * at;
-    const BearingFilms films =
-        films_of(balls, capacitance + films_at, conductance + films_at, limit + films_at);
-    const OuterPoint circuit = {outer[4 * p], outer[4 * p + 1], outer[4 * p + 2], outer[4 * p + 3]};
-    const auto failed = [&](const FilmFailure &f) {
-      if (count < most) put(f, p, failures + columns * count);
-      ++count;
+  int count = 0, next = 0;
+  *out = {-1.0, -1.0};
+  // the share `back` of a step before the point p
+  const auto point = [&](int p, double back, double volts) {
+    const auto film = [&](int k) {
+      const auto mix = [&](const double *values) {
+        const double *at = values + 2 * p * balls + k;
+        return back > 0.0 ? *at - back * (*at - at[-2 * balls]) : *at;
+      };
+      CircuitFilm f{mix(capacitance), mix(conductance)};
+      if (strength > 0.0 && f.capacitance > 0.0)
+        f.limit = film_limit(mix(thickness), strength, less, floor);
+      return f;
     };
-    if (p == 0) begin_circuit(s, films, circuit, start, failed);
-    else advance_circuit(s, films, circuit, time[p] - time[p - 1], failed);
-    put(s.voltage, ball + at, bearing + p);
-    put(s.before, ball_before + at, bearing_before + p);
-    put(s.charge, ball_charge + at, ring_charge + p);
-    std::copy(s.moved.inner.begin(), s.moved.inner.end(), leaked + films_at);
-    std::copy(s.moved.outer.begin(), s.moved.outer.end(), leaked + films_at + balls);
-    supplied[p] = s.moved.supplied;
-    discharge_work[p] = s.discharge_work;
-    current[p] = s.account.current;
+    BearingFilms films(balls);
+    for (int k = 0; k < balls; ++k) films[k] = {film(k), film(balls + k)};
+    const double all = beside + factor * bearing_capacitance(films);
+    return CircuitPoint{std::move(films), {all, coupling, source, volts}};
+  };
+  double now = time[0];
+  const auto failed = [&](const FilmFailure &f) {
+    if (count < most) put(f, now, s.account.discharges + 1.0, failures + columns * count);
+    ++count;
+  };
+  for (int p = 0; p < points; ++p) {
+    if (p == 0) {
+      begin_circuit(s, point(0, 0.0, driving[0]), start, failed);
+    } else {
+      std::vector<Edge> within;
+      for (; next < edge_count && edges[3 * next] <= time[p]; ++next)
+        if (edges[3 * next] > time[p - 1])
+          within.push_back({edges[3 * next], edges[3 * next + 1], edges[3 * next + 2]});
+      const auto at = [&](double t) {
+        now = t;
+        return point(p, (time[p] - t) / (time[p] - time[p - 1]), driving[p]);
+      };
+      advance_circuit(s, time[p - 1], time[p], within, at, failed);
+    }
+    put(s.voltage, ball + p * balls, bearing + p);
+    std::copy(s.charge.ball.begin(), s.charge.ball.end(), ball_charge + p * balls);
+    const CircuitAccount &a = s.account;
+    current[p] = a.current;
+    source_work[p] = a.source_work;
+    mechanical_work[p] = a.mechanical_work;
+    leak_heat[p] = a.leak_heat;
+    resistor_heat[p] = a.resistor_heat;
+    discharge_energy[p] = a.discharge_energy;
+    stored_energy[p] = raceway::stored_energy(s.films, s.outer, s.voltage);
+    charge_error[p] = a.charge_error;
+    energy_error[p] = a.energy_error;
+    const int lost = charged_without_film(s);
+    if (lost >= 0) {
+      *out = {double(p), double(lost)};
+      break;
+    }
   }
-  const CircuitAccount &a = s.account;
-  *out = {a.source_work,
-          a.mechanical_work,
-          a.leak_heat,
-          a.resistor_heat,
-          a.discharge_energy,
-          stored_energy(s.films, s.outer, s.voltage),
-          a.discharges,
-          a.failures,
-          a.charge_error,
-          a.energy_error,
-          double(charged_without_film(s))};
   return count;
 }
 
@@ -109,8 +135,8 @@ EXPORT(int, film_discharge,
   const OuterPoint outer = {beside, coupling, 0.0, driving};
   NodeValues charge = nodes_of(balls, ball_charge, *ring_charge);
   NodeValues voltage = nodes_of(balls, ball, *ring);
-  *work = discharge(films_of(balls, capacitance, nullptr, limit), outer, charge, voltage,
-                    [&](const FilmFailure &f) { put(f, 0, failures + columns * count++); });
+  *work = discharge(films_of(balls, capacitance, limit), outer, charge, voltage,
+                    [&](const FilmFailure &f) { put(f, 0.0, 1.0, failures + columns * count++); });
   put(charge, ball_charge, ring_charge);
   put(voltage, ball, ring);
   return count;
@@ -125,18 +151,20 @@ EXPORT(void, film_redistribution,
   std::vector<Broken> which(balls);
   for (int k = 0; k < balls; ++k) which[k] = {broken[k] != 0, broken[balls + k] != 0};
   NodeValues voltage = nodes_of(balls, ball_charge, 0.0);
-  redistribute(films_of(balls, capacitance, nullptr, nullptr), {beside, coupling, 0.0, driving},
+  redistribute(films_of(balls, capacitance, nullptr), {beside, coupling, 0.0, driving},
                nodes_of(balls, ball_charge, ring_charge), which, voltage);
   put(voltage, ball, ring);
 }
 
-// Voltage between the rings at which the first film fails, V, by point
+// Voltage between the rings at which the first film fails, V, by point; 0 where that film has at
+// most the limit `bridged` (V).
 EXPORT(void, threshold_voltages,
-       (int points, int balls, const double *capacitance, const double *limit, double *out))
+       (int points, int balls, const double *capacitance, const double *limit, double bridged,
+        double *out))
 {
   for (int p = 0; p < points; ++p)
-    out[p] = threshold_voltage(
-        films_of(balls, capacitance + 2 * p * balls, nullptr, limit + 2 * p * balls));
+    out[p] = threshold_voltage(films_of(balls, capacitance + 2 * p * balls, limit + 2 * p * balls),
+                               bridged);
 }
 
 FORMULA(double, film_limit, (double thickness, double strength, double less, double floor))
@@ -149,17 +177,27 @@ FORMULA(double, local_thickness, (double thickness, double less, double floor))
   return local_thickness(thickness, less, floor);
 }
 
+// Rows of time, voltage before and after for each leg of an inverter that switches between the
+// times, rising; at most `most`. Returns their number.
+EXPORT(int, inverter_edges,
+       (int points, const double *time, double voltage, double frequency, double carrier,
+        double modulation, int most, double *out))
+{
+  const Waveform w = {Waveform::common_mode, voltage, frequency, 0.0, carrier, modulation, {}, {}};
+  int count = 0;
+  for (int p = 1; p < points; ++p)
+    for (const Edge &e : w.edges(time[p - 1], time[p])) {
+      if (count < most) std::copy_n(&e.time, 3, out + 3 * count);
+      ++count;
+    }
+  return count;
+}
+
 // kind: 0 constant, 1 sine, 2 common mode
 FORMULA(double, waveform,
         (double time, int kind, double voltage, double frequency, double phase, double carrier,
          double modulation))
 {
-  Waveform w;
-  w.kind = Waveform::Kind(kind);
-  w.voltage = voltage;
-  w.frequency = frequency;
-  w.phase = phase;
-  w.carrier = carrier;
-  w.modulation = modulation;
-  return w.at(time);
+  return Waveform{Waveform::Kind(kind), voltage, frequency, phase, carrier, modulation, {}, {}}.at(
+      time);
 }

@@ -52,6 +52,10 @@ Waveform read_voltage(Arguments &args)
     w.carrier = args.positive("frequency of the carrier (Hz)");
     w.frequency = args.positive("frequency of the phases (Hz)");
     w.modulation = args.within("modulation", 0.0, 1.0);
+    if (!w.carrier_fits())
+      args.fail("a carrier of " + text(w.carrier) +
+                " Hz must have at least twice the frequency of " + "the phases, " +
+                text(w.frequency) + " Hz");
   }
   return w;
 }

@@ -27,6 +27,8 @@ struct CircuitSettings {
   std::string events;                          // file
 
   bool breaks_down() const { return strength > 0.0; }
+  // Largest limit of a bridged film, V.
+  double bridged() const { return strength * film_floor; }
   // Outer circuit at a time (s), for a bearing with this capacitance (F).
   raceway::OuterPoint at(double time, double bearing) const;
   // Coupling over the total capacitance of the inner ring; 0 without a motor.

@@ -9,7 +9,7 @@ import numpy as np
 from raceway import core
 from raceway.arrays import Floats
 from raceway.electric.films import Films
-from raceway.theory.film_voltage import local_gap
+from raceway.theory.film_voltage import PEAKS
 
 SURFACES = ("rough", "smooth")
 
@@ -42,12 +42,14 @@ class Breakdown:
         if self.roughness is not None and not self.roughness >= 0:
             raise ValueError(f"roughness = {self.roughness:g} m must be 0 or more")
 
+    def less(self, films: Films) -> float:
+        """What the roughness takes from the thickness of the `films`, m."""
+        roughness = films.roughness if self.roughness is None else self.roughness
+        return PEAKS * roughness if self.surfaces == "rough" else 0.0
+
     def local_thickness(self, films: Films) -> Floats:
         """(n, 2, Z) m; NaN where there is no film."""
-        roughness = films.roughness if self.roughness is None else self.roughness
-        return local_gap(
-            films.thickness, roughness if self.surfaces == "rough" else 0.0, self.floor
-        )
+        return np.maximum(films.thickness - self.less(films), self.floor)
 
     def limit(self, films: Films) -> Floats:
         """The voltage at which each film fails, (n, 2, Z) V; infinite where there is no film."""
@@ -55,10 +57,16 @@ class Breakdown:
         none = np.isnan(local) | (films.capacitance == 0)
         return np.where(none, np.inf, self.strength * local)
 
+    @property
+    def bridged(self) -> float:
+        """Limit of a film at the film floor, V: peaks of the surfaces bridge it."""
+        return self.strength * self.floor
 
-def threshold(films: Films, limit: Floats) -> Floats:
+
+def threshold(films: Films, limit: Floats, bridged: float = 0.0) -> Floats:
     """The smallest voltage between the rings at which a film fails, (n,) V, with no charge on the
-    balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail."""
+    balls; `limit` (n, 2, Z) V of each film. Infinite where no film can fail, 0 where one has no
+    more than the limit `bridged` (V)."""
     n, _, z = films.capacitance.shape
     found = np.empty(n)
     core.library().call(
@@ -67,6 +75,7 @@ def threshold(films: Films, limit: Floats) -> Floats:
         balls=z,
         capacitance=films.capacitance,
         limit=limit,
+        bridged=bridged,
         out=found,
     )
     return found
@@ -75,6 +84,9 @@ def threshold(films: Films, limit: Floats) -> Floats:
 class Failure(NamedTuple):
     """One film that failed, raceway and place of the ball among Z."""
 
+    time: float  # s
+    discharge: int  # its number, from 1
+    order: int  # in the discharge, from 1
     raceway: int
     ball: int
     film_voltage: float  # V, before
@@ -92,23 +104,15 @@ class ArcCurrent(NamedTuple):
 
     @classmethod
     def of(cls, failure: Failure, arc: float) -> "ArcCurrent":
-        """Current of a `failure` through `arc` (ohm). The source behind the film is a capacitance
-        C, with the energy C V^2/2 at the film's voltage."""
-        volts = abs(failure.film_voltage)
+        """Current of a `failure`, or of arrays of them, through `arc` (ohm). The source behind
+        the film is a capacitance C, with the energy C V^2/2 at the film's voltage."""
+        volts = np.abs(failure.film_voltage)
         return cls(volts / arc, arc * 2 * failure.energy / volts**2)
 
 
-class Discharge(NamedTuple):
-    """Failures one after the other at one time."""
-
-    failures: list[Failure]
-    source_work: float  # J, of the driving voltage while the charges move
-
-
-# numbers of a failure, as the library returns them
-ROW = ("point", *Failure._fields)
+ROW = Failure._fields  # numbers of a failure, as the library returns them
 
 
 def failure_of(row: Floats) -> Failure:
     """`Failure` of one row of numbers in the order of `ROW`."""
-    return Failure(int(row[1]), int(row[2]), *map(float, row[3:]))
+    return Failure(float(row[0]), *map(int, row[1:5]), *map(float, row[5:]))

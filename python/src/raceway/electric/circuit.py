@@ -7,15 +7,15 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from raceway.electric import energy, films, network
-from raceway.electric.breakdown import ArcCurrent, Breakdown, threshold
+from raceway.electric import films, network
+from raceway.electric.breakdown import ArcCurrent, Breakdown, Failure, threshold
 from raceway.electric.films import Films
 from raceway.electric.leak import Leak
-from raceway.electric.network import Solution
-from raceway.electric.outer import Motor, Outer, Terms
+from raceway.electric.network import ENERGIES, Solution
+from raceway.electric.outer import Motor, Outer
 from raceway.electric.waveforms import FEWEST, PER_CYCLE
 from raceway.runs.run import Run
-from raceway.theory.film_voltage import apparent_current_density, field
+from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
 MEANINGS = {  # variables and their units
@@ -25,15 +25,21 @@ MEANINGS = {  # variables and their units
     "film_voltage": ("V", "voltage across a film, from the inner to the outer ring"),
     "field": ("V/m", "voltage across a film over its thickness"),
     "local_thickness": ("m", "thickness of a film less what the surfaces' roughness takes"),
-    "local_field": ("V/m", "voltage across a film over its local thickness"),
+    "local_field": ("V/m", "voltage across a film over its local thickness; NaN if bridged"),
     "film_capacitance": ("F", "capacitance of a film"),
     "film_state": ("1", "0 capacitive, 1 leaking, 2 metallic"),
     "bearing_capacitance": ("F", "capacitance between the rings, balls without charge"),
     "bearing_voltage_ratio": ("1", "bearing voltage over common-mode voltage, by capacitances"),
-    "threshold_voltage": ("V", "smallest bearing voltage at which a film fails, balls uncharged"),
+    "threshold_voltage": (
+        "V",
+        "smallest bearing voltage at which a film fails, balls uncharged; 0 if one is bridged",
+    ),
     "current": ("A", "mean current into the inner ring's films in the step that ends here"),
     "ball_charge": ("C", "charge of a ball"),
-    "charge_error": ("C", "largest difference of a node's charge by currents and by voltages"),
+    "charge_error": (
+        "C",
+        "largest difference of a node's charge by currents and by voltages so far",
+    ),
 }
 EVENT_UNITS = {
     "time": "s",
@@ -93,9 +99,9 @@ def run(
     else:
         coarse = (films.of_run if isinstance(of, Run) else films.of_dataset)(of, leak, stray)
     fine = coarse.refined(_points(coarse, outer, points))
-    terms = outer.terms(fine.time, films.series(fine.capacitance).bearing)
+    terms = outer.terms(fine.time)
     limit = breakdown.limit(fine) if breakdown else None
-    solution = network.solve(fine, terms, limit)
+    solution = network.solve(fine, terms, breakdown)
     data = _dataset(fine, outer, terms, solution, breakdown, limit)
     return Result(data, _events(fine, solution, breakdown))
 
@@ -116,29 +122,29 @@ def _points(coarse, outer, points):
 
 
 def _dataset(fine, outer, terms, s, breakdown, limit):
-    film = np.stack([s.bearing_voltage[:, None] - s.ball_voltage, s.ball_voltage], axis=1)
+    film = np.stack([s.bearing[:, None] - s.ball, s.ball], axis=1)
     place = ("time", "raceway", "ball")
     bearing = films.series(fine.capacitance).bearing
     data = {
-        "bearing_voltage": ("time", s.bearing_voltage),
+        "bearing_voltage": ("time", s.bearing),
         "driving_voltage": ("time", terms.driving),
-        "ball_voltage": (("time", "ball"), s.ball_voltage),
+        "ball_voltage": (("time", "ball"), s.ball),
         "film_voltage": (place, film),
         "field": (place, field(film, fine.thickness)),
         "film_capacitance": (place, fine.capacitance),
         "film_state": (place, _states(fine)),
         "bearing_capacitance": ("time", bearing),
-        "current": ("time", _current(fine, s)),
+        "current": ("time", np.r_[np.nan, s.current[1:]]),
         "ball_charge": (("time", "ball"), s.ball_charge),
-        "charge_error": ("time", _charge_error(fine, terms, s, film)),
+        "charge_error": ("time", s.charge_error),
     }
     if breakdown:
         local = breakdown.local_thickness(fine)
         data["local_thickness"] = (place, local)
-        data["local_field"] = (place, field(film, local))
-        data["threshold_voltage"] = ("time", threshold(fine, limit))
+        data["local_field"] = (place, field(film, _unbridged(local, breakdown)))
+        data["threshold_voltage"] = ("time", threshold(fine, limit, breakdown.bridged))
     if isinstance(outer, Motor):
-        ratio = terms.coupling / (terms.coupling + terms.capacitance + bearing)
+        ratio = terms.coupling / (terms.coupling + terms.beside(bearing) + bearing)
         data["bearing_voltage_ratio"] = ("time", ratio)
     made = xr.Dataset(
         data, coords={"time": fine.time, "raceway": list(RACEWAYS), "ball": fine.balls}
@@ -151,7 +157,9 @@ def _dataset(fine, outer, terms, s, breakdown, limit):
     for name in ("azimuth", "from_load_line"):
         made.coords[name] = (("time", "ball"), getattr(fine, name), {"units": "rad"})
     made["time"].attrs = {"units": "s", "long_name": "time since the start of the measured window"}
-    return made.merge(energy.account(fine, terms, s))
+    for name, meaning in ENERGIES.items():
+        made[name] = ("time", s.energies[name], {"units": "J", "long_name": meaning})
+    return made
 
 
 def _states(fine):
@@ -161,62 +169,54 @@ def _states(fine):
     return state
 
 
-def _current(fine, s: Solution):
-    """By the charge of the inner ring's films; a discharge does not count."""
-    inner = fine.capacitance[:, 0]
-    after = (inner * (s.bearing_voltage[:, None] - s.ball_voltage)).sum(axis=1)
-    before = (inner * (s.bearing_voltage_before[:, None] - s.ball_voltage_before)).sum(axis=1)
-    charge = before[1:] - after[:-1] + s.leaked[1:, 0].sum(axis=1)
-    return np.concatenate([[np.nan], charge / np.diff(fine.time)])
-
-
-def _charge_error(fine, terms: Terms, s: Solution, film):
-    on_films = fine.capacitance * film
-    ball = np.abs(on_films[:, 1] - on_films[:, 0] - s.ball_charge).max(axis=1)
-    on_ring = on_films[:, 0].sum(axis=1) + terms.capacitance * s.bearing_voltage
-    on_ring += terms.coupling * (s.bearing_voltage - terms.driving)
-    return np.maximum(ball, np.abs(on_ring - s.ring_charge))
-
-
 def _events(fine, s: Solution, breakdown):
-    rows = []
-    if s.discharges:
-        local = breakdown.local_thickness(fine)
-        for number, (point, one) in enumerate(s.discharges.items(), 1):
-            for order, failure in enumerate(one.failures, 1):
-                place = {"discharge": number, "order": order}
-                row = _row(fine, local[point], point, failure)
-                rows.append(row | _arc(fine, point, failure, breakdown.arc) | place)
-    table = pd.DataFrame(rows, columns=list(EVENT_UNITS))
+    if not s.failures:
+        table = pd.DataFrame(columns=list(EVENT_UNITS))
+    else:
+        f = Failure(*(np.array(one) for one in zip(*s.failures)))
+        at = _Between(fine.time, f.time)
+        film = (f.raceway, f.ball)
+        local = np.maximum(at(fine.thickness, *film) - breakdown.less(fine), breakdown.floor)
+        peak, duration, area = at_arc = np.full((3, len(local)), np.nan)
+        if breakdown.arc is not None:
+            at_arc[:2] = ArcCurrent.of(f, breakdown.arc)
+            if fine.hertz_area is not None:
+                area[:] = at(fine.hertz_area)
+        own = {
+            "ball": fine.balls[f.ball],
+            "raceway": np.array(RACEWAYS)[f.raceway],
+            "azimuth": at.angle(fine.azimuth, f.ball),
+            "from_load_line": at.angle(fine.from_load_line, f.ball),
+            "local_thickness": local,
+            "field": field(f.film_voltage, _unbridged(local, breakdown)),
+            "current": peak,
+            "duration": duration,
+            "current_density": peak / np.where(area > 0, area, np.nan),
+        }
+        table = pd.DataFrame(f._asdict() | own)[list(EVENT_UNITS)]
     table.attrs["units"] = EVENT_UNITS
     return table
 
 
-def _arc(fine, point, failure, arc):
-    if arc is None:
-        return dict.fromkeys(("current", "duration", "current_density"), np.nan)
-    current = ArcCurrent.of(failure, arc)
-    area = np.nan if fine.hertz_area is None else fine.hertz_area[point]
-    return {
-        "current": current.peak,
-        "duration": current.duration,
-        "current_density": apparent_current_density(current.peak, area) if area > 0 else np.nan,
-    }
+def _unbridged(local, breakdown):
+    """Local thickness; NaN of a film at the floor, which peaks of the surfaces bridge."""
+    return np.where(local > breakdown.floor, local, np.nan)
 
 
-def _row(fine, local, point, failure):
-    ball, thickness = failure.ball, local[failure.raceway, failure.ball]
-    return {
-        "time": fine.time[point],
-        "ball": fine.balls[ball],
-        "raceway": RACEWAYS[failure.raceway],
-        "azimuth": fine.azimuth[point, ball],
-        "from_load_line": fine.from_load_line[point, ball],
-        "bearing_voltage": failure.bearing_voltage,
-        "bearing_voltage_after": failure.bearing_voltage_after,
-        "film_voltage": failure.film_voltage,
-        "local_thickness": thickness,
-        "field": field(failure.film_voltage, thickness),
-        "film_energy": failure.film_energy,
-        "energy": failure.energy,
-    }
+class _Between:
+    """Values at `times` of arrays over the points `grid`, linear between them."""
+
+    def __init__(self, grid, times):
+        self.first = np.searchsorted(grid, times, "right") - 1
+        self.last = np.minimum(self.first + 1, len(grid) - 1)
+        self.share = (times - grid[self.first]) / (grid[self.last] - grid[self.first]).clip(1e-300)
+
+    def __call__(self, values, *place):
+        first, last = values[self.first, *place], values[self.last, *place]
+        return np.where(self.share > 0, first + self.share * (last - first), first)
+
+    def angle(self, values, *place):
+        first, last = values[self.first, *place], values[self.last, *place]
+        turn = np.angle(np.exp(1j * (last - first)))
+        between = np.angle(np.exp(1j * (first + self.share * turn)))
+        return np.where(self.share > 0, between, first)

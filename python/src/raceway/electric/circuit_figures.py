@@ -35,9 +35,9 @@ TOPICS = {
         Row("bvr_max", "largest", ""),
     ),
     "Threshold voltage": (
-        Row("threshold_mean_V", "mean", "V", "balls without charge"),
-        Row("threshold_min_V", "least", "V"),
-        Row("floor_share", "films at the film floor", "", "share; h - 3 sigma is less"),
+        Row("threshold_mean_V", "mean", "V", "balls without charge", "bridged"),
+        Row("threshold_min_V", "least", "V", "", "bridged"),
+        Row("floor_share", "bridged films", "", "share; at the film floor"),
     ),
     "Discharges": (
         Row("discharges", "number", ""),
@@ -72,7 +72,7 @@ def figures(result: Result) -> dict[str, float | None]:
     """The figures of `result` by the keys of `TOPICS`, SI units in the names; None where the
     circuit has none."""
     data, events = result
-    one = events.groupby("discharge")
+    one, fails = events.groupby("discharge"), "threshold_voltage" in data
     energy, length = one["energy"].sum(), float(data.time[-1] - data.time[0])
     found = {
         "time_s": length,
@@ -97,9 +97,11 @@ def figures(result: Result) -> dict[str, float | None]:
             found[f"{key}_{what}{unit}"] = (
                 None if values is None else _finite(getattr(values, what)())
             )
+    if fails and not found["threshold_min_V"]:  # bridged at times: the mean of the others
+        whole = data.threshold_voltage.where(data.threshold_voltage > 0)
+        found["threshold_mean_V"] = _finite(whole.mean()) or 0.0
     for name in "source_work mechanical_work leak_heat resistor_heat discharge_energy".split():
         found[f"{name}_J"] = float(data[name][-1])
-    fails = "threshold_voltage" in data
     found |= {
         "floor_share": _at_the_floor(data.local_thickness) if fails else None,
         "discharges": len(one) if fails else None,
@@ -174,7 +176,7 @@ def _largest(values):
 
 def _before(values, events):
     """The largest size, that of just before a discharge too."""
-    return max(_largest(values), float(events.abs().max()) if len(events) else 0.0)
+    return max(_largest(values) or 0.0, _finite(events.abs().max()) or 0.0)
 
 
 def _finite(value):

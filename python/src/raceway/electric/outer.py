@@ -17,16 +17,22 @@ from raceway.electric.waveforms import Constant, Waveform
 class Terms(NamedTuple):
     """An outer circuit at the points of a solution, n of them."""
 
-    capacitance: Floats  # (n,) from inner ring to frame, in parallel with the films, F
+    capacitance: float  # from inner ring to frame, in parallel with the films, F
+    factor: float  # likewise, over the bearing's capacitance
     coupling: float  # from the driving voltage to the inner ring, F
     conductance: float  # likewise, S; infinite: the inner ring is at the driving voltage
     driving: Floats  # (n,) V
+    edges: Floats  # (k, 3) s and V before and after, where the driving voltage kinks or jumps
     start: float  # V of the inner ring at the first point where no voltage drives it
 
     @property
     def stiff(self) -> bool:
         """True if the inner ring is at the driving voltage."""
         return np.isinf(self.conductance)
+
+    def beside(self, bearing: Floats) -> Floats:
+        """All that is parallel to the films of a `bearing` (F), F."""
+        return self.capacitance + self.factor * bearing
 
 
 @dataclass(frozen=True)
@@ -41,10 +47,9 @@ class Floating:
     def __post_init__(self) -> None:
         _not_negative("capacitance", self.capacitance, "F")
 
-    def terms(self, time: Floats, bearing: Floats) -> Terms:
-        """The `Terms` at `time` (s) with the capacitance of the `bearing` (F) there."""
-        beside = np.full(len(time), self.capacitance)
-        return Terms(beside, 0.0, 0.0, self.waveform(time), self.voltage)
+    def terms(self, time: Floats) -> Terms:
+        """The `Terms` at `time` (s)."""
+        return Terms(self.capacitance, 0.0, 0.0, 0.0, *_driving(self.waveform, time), self.voltage)
 
 
 @dataclass(frozen=True)
@@ -60,11 +65,10 @@ class Source:
         _not_negative("resistance", self.resistance, "ohm")
         _not_negative("capacitance", self.capacitance, "F")
 
-    def terms(self, time: Floats, bearing: Floats) -> Terms:
-        """The `Terms` at `time` (s) with the capacitance of the `bearing` (F) there."""
+    def terms(self, time: Floats) -> Terms:
+        """The `Terms` at `time` (s)."""
         conductance = 1.0 / self.resistance if self.resistance else np.inf
-        beside = np.full(len(time), self.capacitance)
-        return Terms(beside, 0.0, conductance, self.waveform(time), 0.0)
+        return Terms(self.capacitance, 0.0, 0.0, conductance, *_driving(self.waveform, time), 0.0)
 
 
 @dataclass(frozen=True)
@@ -92,13 +96,18 @@ class Motor:
         if self.second and self.second_factor:
             raise ValueError("give the other bearing as a capacitance or as a factor, not as both")
 
-    def terms(self, time: Floats, bearing: Floats) -> Terms:
-        """The `Terms` at `time` (s) with the capacitance of the `bearing` (F) there."""
-        beside = self.rotor_frame + self.second + self.capacitance + self.second_factor * bearing
-        return Terms(beside, self.winding_rotor, 0.0, self.waveform(time), 0.0)
+    def terms(self, time: Floats) -> Terms:
+        """The `Terms` at `time` (s)."""
+        beside = self.rotor_frame + self.second + self.capacitance
+        driving = _driving(self.waveform, time)
+        return Terms(beside, self.second_factor, self.winding_rotor, 0.0, *driving, 0.0)
 
 
 Outer = Floating | Source | Motor
+
+
+def _driving(waveform, time):
+    return waveform(time), waveform.edges(time)
 
 
 def _not_negative(name, value, unit):

@@ -2,7 +2,8 @@
 """Voltages over time that drive an outer circuit (docs/electric_circuit).
 
 A waveform is called with an array of times (s) and returns volts. `shortest` is the shortest time
-(s) over which it changes, infinite if it does not limit the step.
+(s) over which it changes, infinite if it does not limit the step. `edges` are the times between at
+which it kinks or jumps.
 """
 
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
+from raceway import core
 from raceway.arrays import Floats
 from raceway.core import laws
 from raceway.errors import RunError
@@ -29,9 +31,14 @@ class Waveform(Protocol):
     def __call__(self, time: Floats) -> Floats:
         """Volts at `time` (s), any shape."""
 
+    def edges(self, time: Floats) -> Floats:
+        """(k, 3) time (s), voltage before and after (V) of every kink and jump between the rising
+        times `time` (n,); none unless overridden."""
+        return np.empty((0, 3))
+
 
 @dataclass(frozen=True)
-class Constant:
+class Constant(Waveform):
     """`voltage` (V) at all times."""
 
     voltage: float
@@ -43,7 +50,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class Sine:
+class Sine(Waveform):
     """`amplitude` (V) times the sine of 2 pi `frequency` (Hz) t + `phase` (rad)."""
 
     amplitude: float
@@ -64,7 +71,7 @@ class Sine:
 
 
 @dataclass(frozen=True)
-class CommonMode:
+class CommonMode(Waveform):
     """Common-mode voltage of a three-phase inverter with two levels: the mean of its three legs.
 
     A leg is at half the DC link voltage, `link` (V), while `modulation` times the sine of its phase
@@ -82,6 +89,11 @@ class CommonMode:
         _positive("fundamental", self.fundamental, "Hz")
         if not 0 <= self.modulation <= 1:
             raise ValueError(f"modulation = {self.modulation:g} must lie from 0 to 1")
+        if not self.carrier >= 2 * self.fundamental:
+            raise ValueError(
+                f"carrier = {self.carrier:g} Hz must be at least twice the fundamental,"
+                f" {self.fundamental:g} Hz"
+            )
 
     @property
     def shortest(self) -> float:
@@ -94,9 +106,26 @@ class CommonMode:
             time, COMMON_MODE, self.link, self.fundamental, 0.0, self.carrier, self.modulation
         )
 
+    def edges(self, time: Floats) -> Floats:
+        """(k, 3) time (s), voltage before and after (V): one leg each."""
+        most = 3 * int(2 * self.carrier * (time[-1] - time[0]) + 2)
+        found = np.empty((most, 3))
+        count = core.library().call(
+            "inverter_edges",
+            points=len(time),
+            time=time,
+            voltage=self.link,
+            frequency=self.fundamental,
+            carrier=self.carrier,
+            modulation=self.modulation,
+            most=most,
+            out=found,
+        )
+        return found[:count]
+
 
 @dataclass(frozen=True)
-class Table:
+class Table(Waveform):
     """Linear interpolation of `voltages` (V) at `times` (s, rising); constant before and after."""
 
     times: Floats
@@ -116,6 +145,12 @@ class Table:
     def __call__(self, time: Floats) -> Floats:
         """Volts at `time` (s), any shape."""
         return np.interp(time, self.times, self.voltages)
+
+    def edges(self, time: Floats) -> Floats:
+        """(k, 3) time (s) and twice the voltage (V) of the table's rows."""
+        times, voltages = np.asarray(self.times, float), np.asarray(self.voltages, float)
+        inside = (times > time[0]) & (times <= time[-1])
+        return np.stack([times, voltages, voltages], axis=1)[inside]
 
 
 def read_table(path: FilePath) -> Table:
