@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 
 // A note becomes an attribute of the file. Names that scipy's netCDF reader uses itself would break
-// it.
+// it; `checksum` is the header's.
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
       "filename",  "fp",    "use_mmap", "mode", "version_byte",    "maskandscale",  "dimensions",
-      "variables", "close", "flush",    "sync", "createDimension", "createVariable"};
+      "variables", "close", "flush",    "sync", "createDimension", "createVariable", "checksum"};
   const bool word = std::isalpha(static_cast<unsigned char>(name[0])) &&
                     std::all_of(name.begin(), name.end(),
                                 [](unsigned char c) { return std::isalnum(c) || c == '_'; });

@@ -10,6 +10,7 @@ import raceway
 from host import succeed
 from raceway.cli import main
 from raceway.errors import RunError
+from raceway.runs.record import Record
 from recorded_runs import MAIN, small
 
 NO_CONTACTS = "record.nc holds no contacts: record them with -var record all"
@@ -40,11 +41,13 @@ def load_alone(tmp_path_factory):
 
 
 def copied(folder, to, **changes):
-    """A copy of a run's folder; `samples` are those that its record counts, `cut` is how many of
-    its bytes are left."""
+    """A copy of a run's folder; `samples` are those that are left in its record, `cut` is how many
+    of its bytes are."""
     shutil.copytree(folder, to)
     content = bytearray((to / "record.nc").read_bytes())
     if "samples" in changes:
+        record = Record(folder)
+        content = content[: (changes["samples"] - len(record)) * record.record_bytes]
         content[4:8] = changes["samples"].to_bytes(4, "big")  # netCDF classic
         text = (to / "run.yaml").read_text()
         (to / "run.yaml").write_text(re.sub("simulated_s: .*", "simulated_s: 0", text))

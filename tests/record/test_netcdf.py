@@ -3,6 +3,7 @@
 
 import ctypes
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -82,6 +83,7 @@ def test_xarray(library, path):
     writer.write(0, 10)
     writer.leave()
     data = holds(path, 10)
+    assert re.fullmatch(r"sum [0-9a-f]{8} of \d{10} header bytes", data.attrs.pop("checksum"))
     assert data.attrs == {"title": "a test", "temperature": 40.0}
     assert data["raceway"].values.tolist() == ["inner", "outer"]
     assert data["ball"].values.tolist() == [4, 5, 70000]

@@ -49,7 +49,7 @@ def test_every_column_is_what_finer_steps_give(coarse_and_fine):
     coarse, fine = coarse_and_fine
     seen = 0
     for name, truth in fine.data_vars.items():
-        if "time" not in truth.dims or name in ("step", "regime", "mu"):
+        if "time" not in truth.dims or name in ("step", "regime", "mu", "checksum"):
             continue
         if name in ("bearing_cage_force", "bearing_cage_power"):  # known at the ends of steps only
             continue
@@ -77,7 +77,7 @@ def test_ends_of_steps_are_those_of_a_record_without_instants(tmp_path):
     ).read_bytes()
     ends = with_them.isel(time=slice(None, None, 5))
     for name, truth in without.data_vars.items():
-        if name != "time":
+        if name not in ("time", "checksum"):
             np.testing.assert_array_equal(ends[name].values, truth.values, err_msg=name)
 
 

@@ -14,7 +14,7 @@ namespace bearing {
 
 namespace {
 
-constexpr off_t count_at = 4;                  // bytes
+constexpr size_t count_at = NetcdfHeader::count_at;
 constexpr double between_counts = 0.2;         // s
 constexpr size_t most_records = 0x7fffffff;    // a signed number in the header
 
@@ -47,6 +47,7 @@ NetcdfFile::~NetcdfFile() { close(); }
 std::string NetcdfFile::open(const std::string &path, const NetcdfHeader &header, size_t batch)
 {
   header_ = header;
+  head_ = header.bytes();
   batch_ = batch;
   filled_ = sending_ = written_ = countable_ = 0;
   blank_ = header.blank_record();
@@ -90,6 +91,7 @@ std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &heade
   have.replace(count_at, 4, want, count_at, 4);
   have.replace(at, 4, want, at, 4);
   for (size_t a : header.changing()) have.replace(a, 8, want, a, 8);
+  header.sum(have);
   if (have != want) return leave("it was written with other settings");
   const off_t length = static_cast<off_t>(want.size() + records * header.record_bytes());
   struct stat s;
@@ -97,10 +99,8 @@ std::string NetcdfFile::go_on(const std::string &path, const NetcdfHeader &heade
   if (s.st_size < length)
     return leave("it has fewer than " + std::to_string(records) + " samples, which it had");
   if (ftruncate(file_, length) != 0) return leave(strerror(errno));
-  for (size_t a : header.changing()) {
-    why = write_all(file_, &want[a], 8, static_cast<off_t>(a));
-    if (!why.empty()) return leave(why);
-  }
+  why = write_head();
+  if (!why.empty()) return leave(why);
   written_ = countable_ = records;
   return count(written_);
 }
@@ -125,7 +125,11 @@ std::string NetcdfFile::flush()
   const off_t at = static_cast<off_t>(header_.bytes().size() + written_ * header_.record_bytes());
   sending_ = filled_;
   filled_ = 0;
-  const auto write = [this, bytes, at] { return write_all(file_, sent_.data(), bytes, at); };
+  const auto write = [this, bytes, at, first = written_] {
+    const size_t one = header_.record_bytes();
+    for (size_t k = 0; k < bytes / one; ++k) header_.sum(&sent_[k * one], first + k);
+    return write_all(file_, sent_.data(), bytes, at);
+  };
   try {
     writing_ = std::async(std::launch::async, write);
   } catch (const std::system_error &) {    // no thread available
@@ -177,9 +181,15 @@ std::string NetcdfFile::close()
 std::string NetcdfFile::put_fixed(int variable, double value)
 {
   const NetcdfHeader::Variable &v = header_.variable(variable);
-  unsigned char bytes[8];
-  put_netcdf(bytes, v.type, &value, 1);
-  return write_all(file_, bytes, v.type == NetcdfHeader::real ? 8 : 4, static_cast<off_t>(v.at));
+  put_netcdf(reinterpret_cast<unsigned char *>(&head_[v.at]), v.type, &value, 1);
+  header_.sum(head_);
+  return write_head();
+}
+
+std::string NetcdfFile::write_head()
+{
+  constexpr size_t at = count_at + 4;
+  return write_all(file_, &head_[at], head_.size() - at, at);
 }
 
 std::string NetcdfFile::count(size_t records)

@@ -6,7 +6,7 @@
 // whole records only: the count follows the writing. It is updated a few times a second, to what
 // was written at the previous update, because a reader that maps the file first and reads the count
 // afterwards must not find more records counted than mapped. A file cut at the end of a record is
-// valid: continuing a run is a truncate().
+// valid: continuing a run is a truncate(). Header and records have checksums (netcdf_header.h).
 #ifndef BEARING_NETCDF_FILE_H
 #define BEARING_NETCDF_FILE_H
 
@@ -56,8 +56,10 @@ class NetcdfFile {
   std::string leave(const std::string &why);
   std::string wait();
   std::string count(size_t records);
+  std::string write_head();    // all but the count
 
   NetcdfHeader header_;
+  std::string head_;    // its present bytes
   std::vector<unsigned char> buffer_, sent_, blank_;
   std::future<std::string> writing_;    // of sent_
   size_t batch_ = 1, filled_ = 0, sending_ = 0, written_ = 0, countable_ = 0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "netcdf_header.h"
 
-#include <cstring>
+#include "../numbers/checksum.h"
+
+#include <cstdio>
 
 namespace bearing {
 
@@ -89,6 +91,10 @@ void put_netcdf(unsigned char *to, Header::Type type, const double *values, size
   }
 }
 
+static const std::string mark = "sum ", blank_sum = mark + "00000000 of 0000000000 header bytes";
+
+NetcdfHeader::NetcdfHeader() { add(attribute("checksum", blank_sum)); }
+
 int NetcdfHeader::dimension(const std::string &name, size_t length)
 {
   dimensions_.push_back({name, length});
@@ -103,6 +109,15 @@ int NetcdfHeader::variable(const Variable &v)
 
 void NetcdfHeader::layout()
 {
+  variable({"checksum",
+            {0},
+            integer,
+            {attribute("units", "1"),
+             attribute(
+                 "long_name",
+                 "checksum of the sample's other values, see src-package/core/numbers/checksum.h")},
+            "",
+            {}});
   record_bytes_ = 0;
   for (Variable &v : variables_) {
     v.size = 1;
@@ -123,6 +138,30 @@ void NetcdfHeader::layout()
     if (v.type == text) add_text(bytes_, v.words);
     else add_numbers(bytes_, v.type, v.of);
   }
+  char length[11];
+  snprintf(length, sizeof length, "%010zu", bytes_.size());
+  bytes_.replace(sum_at() + 8 + strlen(" of "), 10, length);
+  sum(bytes_);
+}
+
+size_t NetcdfHeader::sum_at() const { return bytes_.find(mark) + mark.size(); }
+
+void NetcdfHeader::sum(std::string &bytes) const
+{
+  const size_t at = sum_at();
+  const std::string count = bytes.substr(count_at, 4);
+  bytes.replace(count_at, 4, 4, '\0').replace(at, 8, 8, '0');
+  char digits[9];
+  snprintf(digits, sizeof digits, "%08x",
+           static_cast<unsigned>(checksum(bytes.data(), bytes.size())));
+  bytes.replace(count_at, 4, count).replace(at, 8, digits);
+}
+
+void NetcdfHeader::sum(unsigned char *record, size_t number) const
+{
+  const size_t at = record_bytes_ - 4;
+  const uint32_t sum = __builtin_bswap32(checksum(record, at, number));
+  memcpy(record + at, &sum, 4);
 }
 
 std::vector<unsigned char> NetcdfHeader::blank_record() const

@@ -2,6 +2,10 @@
 // The header of a netCDF classic file with 64-bit offsets (CDF-2): dimensions, attributes,
 // variables, and the values of variables without time. All numbers are big-endian (OGC 10-092r3).
 // Independent of host and libraries.
+//
+// The first attribute, `checksum`, has the length of the header and a sum of it, with zeros for the
+// number of records and for the sum itself. The last variable of a record, `checksum`, sums the
+// bytes before it; its seed is the record's number (core/numbers/checksum.h).
 #ifndef BEARING_NETCDF_HEADER_H
 #define BEARING_NETCDF_HEADER_H
 
@@ -48,17 +52,21 @@ class NetcdfHeader {
   }
 
   // Return the index of the new item. The record dimension comes first, with length 0.
+  NetcdfHeader();
   int dimension(const std::string &name, size_t length);
   int variable(const Variable &);
   void add(const Attribute &a) { attributes_.push_back(a); }
 
-  void layout();    // when all is added
+  void layout();                         // when all is added
+  void sum(std::string &bytes) const;    // puts the sum into bytes like bytes()
+  void sum(unsigned char *record, size_t number) const;
   const Variable &variable(int k) const { return variables_[k]; }
   const std::string &bytes() const { return bytes_; }    // with the fixed values; no record yet
   size_t record_bytes() const { return record_bytes_; }
   std::vector<unsigned char> blank_record() const;
   // Positions of the attributes that may change: 8 bytes each.
   const std::vector<size_t> &changing() const { return changing_; }
+  static constexpr size_t count_at = 4;    // position of the number of records, 4 bytes
 
  private:
   struct Dimension {
@@ -66,6 +74,7 @@ class NetcdfHeader {
     size_t length;
   };
   std::string written(size_t records_at);
+  size_t sum_at() const;    // position of the digits in bytes_
 
   std::vector<Dimension> dimensions_;
   Attributes attributes_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "restart_sum.h"
 
-#include <array>
-#include <cstdint>
+#include "../numbers/checksum.h"
+
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -11,24 +11,8 @@ namespace bearing {
 
 namespace {
 
-const std::string mark = "bearing/checkpoint CRC-32 ";
+const std::string mark = "bearing/checkpoint sum ";
 constexpr size_t digits = 8;
-
-uint32_t crc32(const std::string &bytes)
-{
-  static const std::array<uint32_t, 256> table = []() {
-    std::array<uint32_t, 256> t{};
-    for (uint32_t n = 0; n < 256; ++n) {
-      uint32_t c = n;
-      for (int k = 0; k < 8; ++k) c = c & 1 ? 0xedb88320u ^ (c >> 1) : c >> 1;
-      t[n] = c;
-    }
-    return t;
-  }();
-  uint32_t c = 0xffffffffu;
-  for (const char b : bytes) c = table[(c ^ static_cast<unsigned char>(b)) & 0xff] ^ (c >> 8);
-  return c ^ 0xffffffffu;
-}
 
 // The file with zeros instead of the sum, and the position of the sum; npos: none.
 struct Content {
@@ -51,7 +35,8 @@ struct Content {
   std::string right_sum() const
   {
     char text[digits + 1];
-    snprintf(text, sizeof text, "%08x", static_cast<unsigned>(crc32(bytes)));
+    snprintf(text, sizeof text, "%08x",
+             static_cast<unsigned>(checksum(bytes.data(), bytes.size())));
     return text;
   }
 };

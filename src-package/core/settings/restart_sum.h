@@ -2,7 +2,7 @@
 // Checksum of a whole restart file, at a position reserved in it by fix bearing/checkpoint.
 //
 // The host's format has no checksum: a flipped bit gives another bearing. The position holds `mark`
-// and eight characters; the sum is a CRC-32 (ISO 3309) of the file with zeros for the eight.
+// and eight characters; the sum (core/numbers/checksum.h) is of the file with zeros for the eight.
 #ifndef BEARING_RESTART_SUM_H
 #define BEARING_RESTART_SUM_H
 

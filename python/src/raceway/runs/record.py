@@ -5,6 +5,7 @@ The file is netCDF classic: `xarray.open_dataset` opens it without this module. 
 growing: each read sees the samples that its header counts at that moment.
 """
 
+import re
 from collections.abc import Iterator
 from functools import cached_property
 from pathlib import Path
@@ -13,19 +14,25 @@ import numpy as np
 from scipy.io import netcdf_file
 
 from raceway.arrays import Floats
+from raceway.core import library
 from raceway.errors import RunError
 from raceway.files import FilePath
 
 NAME = "record.nc"
 BLOCK = 8 << 20  # bytes per read
+CHECKSUM = "checksum"  # attribute and variable, src-package/core/record/netcdf_header.h
+HEADER_SUM = re.compile(rb"sum ([0-9a-f]{8}) of (\d{10}) header bytes")
+BY_SCIPY = (TypeError, ValueError, LookupError, ArithmeticError, AttributeError, AssertionError)
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 
 
 class Record:
     """The record in `folder`: all its bearings, or the one with the number `bearing` (from 1).
 
-    Arrays are read on demand, from sample `start` to `stop`. Raises `RunError` for a folder without
-    record, a file that is broken or of another kind, and an unknown bearing number.
+    Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is compared
+    with its checksum. `checked` is False for a record of a version without checksums. Raises
+    `RunError` for a folder without record, a file that is broken or of another kind, and an unknown
+    bearing number.
     """
 
     def __init__(self, folder: FilePath, bearing: int | None = None) -> None:
@@ -33,6 +40,7 @@ class Record:
         if not self.path.exists():
             raise RunError(f"{folder} {_without_record(Path(folder))}")
         try:
+            header = _check_header(self.path)
             with netcdf_file(self.path, mmap=True) as file:
                 self.attrs = {name: _plain(value) for name, value in file._attributes.items()}
                 self.variables = {name: v.dimensions for name, v in file.variables.items()}
@@ -46,15 +54,18 @@ class Record:
                     if "time" not in v.dimensions
                 }
                 self._row = _row(file)
-                self._begin = _begin(file)
+                self._begin = header or _begin(file)
         except OSError as error:
             raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
-        except (TypeError, ValueError, KeyError, IndexError):  # raised by scipy for such bytes
+        except (*BY_SCIPY, RecursionError, MemoryError):
             raise RunError(
                 f"cannot read {self.path}: it is cut short or damaged, or no record at all"
             ) from None
-        if missing := {"time", "ball", "ring_bearing", "finished"} - set(self.variables):
+        if missing := {"time", "ball", "bearing", "ring_bearing", "finished"} - set(self.variables):
             raise RunError(f"{self.path} has no variable {' '.join(sorted(missing))}")
+        self.attrs.pop(CHECKSUM, None)
+        self.checked = header > 0
+        self._check_length()
         self.bearings = self._fixed["bearing"].tolist()
         if bearing is None and len(self.bearings) == 1:
             bearing = self.bearings[0]
@@ -66,6 +77,31 @@ class Record:
         self.bearing = bearing
         self.record_bytes = self._row.itemsize
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
+
+    def _check_length(self):
+        """A finished record has the samples that its header counts and nothing else; a growing one
+        may have more."""
+        if (CHECKSUM in self.variables) != self.checked:
+            raise RunError(f"{self.path} is damaged: its header has lost its checksum")
+        bytes_, samples = self.path.stat().st_size, len(self)
+        wanted = self._begin + samples * self._row.itemsize
+        finished = bool(np.any(self._fixed["finished"]))
+        if bytes_ < wanted or (finished and bytes_ > wanted):
+            raise RunError(
+                f"cannot read {self.path}: it is cut short or damaged, with {bytes_} bytes for"
+                f" {samples} samples that need {wanted}"
+            )
+
+    def _check_samples(self, rows, first):
+        """Compare whole samples, from number `first` on, with their checksums."""
+        if not self.checked:
+            return
+        wrong = np.flatnonzero(_sums(rows, len(rows), first) != rows[CHECKSUM].astype(np.uint32))
+        if len(wrong):
+            raise RunError(
+                f"{self.path} is damaged: sample {first + wrong[0] + 1} differs from its checksum."
+                " Run its deck again"
+            )
 
     def __len__(self) -> int:
         """Number of samples in the header at this moment."""
@@ -114,6 +150,7 @@ class Record:
                 some = rows[: count - at]
                 if file.readinto(memoryview(some).cast("B")) != some.nbytes:
                     raise RunError(f"{self.path} ends before its sample {first + at + len(some)}")
+                self._check_samples(some, first + at)
                 for name, part in parts.items():
                     found[name][at : at + len(some)] = some[name][part]
         return found
@@ -140,15 +177,17 @@ class Record:
 
     def _scattered(self, name, samples):
         """A variable at scattered samples; the samples between are neither read nor mapped."""
-        kind, offset = self._row.fields[name][:2]
-        rows = np.empty((np.size(samples), kind.itemsize), np.uint8)
+        parts = self._parts(name)
+        row = np.empty(1, self._row)
+        found = np.empty((np.size(samples), *row[name][(slice(None), *parts)].shape[1:]))
         with open(self.path, "rb", buffering=0) as file:
-            for row, sample in zip(rows, np.ravel(samples).tolist(), strict=True):
-                file.seek(self._begin + sample * self.record_bytes + offset)
-                if file.readinto(row) != row.nbytes:
+            for k, sample in enumerate(np.ravel(samples).tolist()):
+                file.seek(self._begin + sample * self.record_bytes)
+                if file.readinto(memoryview(row).cast("B")) != row.nbytes:
                     raise RunError(f"{self.path} ends before its sample {sample + 1}")
-        found = rows.view(kind.base).reshape((*np.shape(samples), *kind.shape))
-        return found[(..., *self._parts(name))].astype(float)
+                self._check_samples(row, sample)
+                found[k] = row[name][(0, *parts)]
+        return found.reshape((*np.shape(samples), *found.shape[1:]))
 
     @cached_property
     def raceways(self) -> list[str]:
@@ -217,6 +256,38 @@ def _without_record(folder):
     )
 
 
+def _check_header(path):
+    """Bytes of a header whose checksum is right, 0 of one that has none."""
+    with open(path, "rb") as file:
+        head = file.read(1 << 16)
+        if not (said := HEADER_SUM.search(head)):
+            return 0
+        head += file.read(max(0, int(said[2]) - len(head)))
+    head = bytearray(head[: int(said[2])])
+    head[4:8] = bytes(4)  # number of samples
+    head[slice(*said.span(1))] = b"0" * 8
+    if len(head) < int(said[2]) or _sums(head, 1) != int(said[1], 16):
+        raise RunError(f"cannot read {path}: it is cut short or damaged, in its header")
+    return len(head)
+
+
+def _sums(content, samples, first=None):
+    """Checksums of a header, or of samples of which the first has the number `first`: the last of
+    their numbers is their own checksum."""
+    numbers, sums = np.frombuffer(content, np.int32), np.empty(samples, np.int32)
+    width = len(numbers) // max(samples, 1)
+    library().call(
+        "record_checksums",
+        samples=samples,
+        width=width,
+        summed=width if first is None else width - 1,
+        first=first or 0,
+        rows=numbers,
+        sums=sums,
+    )
+    return sums.view(np.uint32)
+
+
 def _plain(value):
     return value.decode() if isinstance(value, bytes) else float(np.ravel(value)[0])
 
@@ -231,7 +302,7 @@ def _place(variable):
 
 
 def _begin(file):
-    """Offset of the first sample in the file."""
+    """Offset of the first sample in a file that has one."""
     first = min(map(_place, _timed(file).values()), default=0)
     return first - file._mm_buf.__array_interface__["data"][0]
 

@@ -79,6 +79,7 @@ class Run:
         places = {side: f"{side} raceway" for side in ("inner", "outer")}
         flaws = "".join(f", {places.get(at, at)}: {words}" for at, words in self.flaws.items())
         state = "" if self.tables.finished else ", not finished"
+        state += "" if self.tables.record.checked else ", without checksums"
         return (
             f"<raceway run {self.tables.folder}: {settings['bearing']}, {settings['lubricant']},"
             f" {settings['load_N']:g} N, {settings['rpm']:g} rpm, clearance"

@@ -9,6 +9,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
@@ -113,6 +115,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
     """
     tables.need_finished()
     _need_window(tables)
+    _need_agreement(tables)
     settings = tables.settings
     result = {
         key: settings.get(key)
@@ -158,6 +161,25 @@ def _need_window(tables):
             f"{tables.record.path} holds {count} sample{'s' * (count != 1)}: figures are means"
             " over the samples after the start, and there is none"
         )
+
+
+def _need_agreement(tables):
+    """The largest loads of the bearing are those of its contacts; checksums say so at once."""
+    record = tables.record
+    if record.checked or "load" not in record.contact_columns:
+        return
+    grooves = len(record.raceways) // 2
+    for first, stop in record.blocks(tables.first, tables.last):
+        read = record.read(["load"], first, stop)["load"]
+        for raceway, name in NAME.items():
+            own = read[:, raceway * grooves : (raceway + 1) * grooves].max(axis=(1, 2))
+            said = tables.totals[f"load_{name}"].loc[first : stop - 1].to_numpy()
+            if len(wrong := np.flatnonzero(~np.isclose(own, said, rtol=1e-6, atol=0))):
+                raise RunError(
+                    f"{record.path} is damaged: in sample {first + wrong[0] + 1} the largest load"
+                    f" on the {name} raceway is {own[wrong[0]]:g} N by the contacts and"
+                    f" {said[wrong[0]]:g} N by the bearing"
+                )
 
 
 def identity(tables: RunTables) -> list[float]:
