@@ -362,6 +362,7 @@ void BearingBodies::accept()
   for (ShaftBend &b : bends) b.from = b.now;
   for (BallTurns &t : turns) t.accept();
   for (States &s : kept) std::copy(s.now, s.now + states_, s.from);
+  for (Entrained &u : entrained) u.from = u.now;
 }
 
 }    // namespace raceway
