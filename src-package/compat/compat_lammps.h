@@ -31,6 +31,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_ARRAYS_ARE_SET() \
   do {                       \
   } while (0)
+#define BRG_CHANGES_BOX(fix) (((fix).box_change & ~BOX_CHANGE_DOMAIN) != 0)
 #if BEARING_HOST == BEARING_LAMMPS_2022
 #define BRG_FORWARD_FIX(fix) comm->forward_comm(fix)
 #define BRG_REQUEST_HALF() neighbor->add_request(this)

@@ -39,6 +39,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 // LIGGGHTS calls set_arrays() for all atoms in the first setup, when forces and restart data are
 // already set
 #define BRG_ARRAYS_ARE_SET() just_created = 0
+#define BRG_CHANGES_BOX(fix) ((fix).box_change_size || (fix).box_change_shape)
 #define BRG_FORWARD_FIX(fix) comm->forward_comm_fix(fix)
 #define BRG_SET_MAXEXCHANGE(n) \
   comm->maxexchange_fix = comm->maxexchange_fix > (int)(n) ? comm->maxexchange_fix : (int)(n)

@@ -113,6 +113,17 @@ void FixBearingImplicit::find_rings()
   }
 }
 
+// Styles that act in a step without changing the motion of atoms; all others may change it.
+static bool only_reads(const std::string &style)
+{
+  for (const std::string known :
+       {"ave/", "balance", "check/", "contact", "controller", "deform/check", "diam/max", "halt",
+        "heat/gran", "massflow/", "mesh/", "move/mesh", "neighlist/", "pair/tracker", "print",
+        "property/", "store/", "vector"})
+    if (style.compare(0, known.size(), known) == 0) return true;
+  return false;
+}
+
 // Error if another fix moves these atoms or applies forces that the step does not see.
 void FixBearingImplicit::check_fixes()
 {
@@ -127,6 +138,8 @@ void FixBearingImplicit::check_fixes()
       if (const int i = shared(*f))
         BRG_ONE(std::string("fix ") + id + " bearing/implicit and fix " + f->id +
                 " both move atom " + std::to_string(atom->tag[i - 1]));
+  const int acts =
+      INITIAL_INTEGRATE | POST_INTEGRATE | PRE_FORCE | POST_FORCE | FINAL_INTEGRATE | END_OF_STEP;
   for (int k = 0; k < modify->nfix; ++k) {
     const Fix &f = *modify->fix[k];
     if (strncmp(f.style, "bearing/", 8) == 0) continue;    // our own: the step accounts for them
@@ -137,10 +150,19 @@ void FixBearingImplicit::check_fixes()
     const char *does = f.time_integrate                ? "moves them too"
                        : modify->fmask[k] & POST_FORCE ? "adds forces that "
                                                          "an implicit step does not see"
-                                                       : nullptr;
-    if (does && shared(f))
-      BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id +
-              " (" + f.style + "), which " + does);
+                                                       : "may change their motion";
+    // whatever their group; recenter may move another
+    const char *changes = BRG_CHANGES_BOX(f)                 ? "box"
+                          : strcmp(f.style, "dt/reset") == 0 ? "timestep"
+                          : strcmp(f.style, "recenter") == 0 ? "place of its atoms"
+                                                             : nullptr;
+    if (changes)
+      BRG_ALL(std::string("fix ") + id + " bearing/implicit: fix " + f.id + " (" + f.style +
+              ") may not change the " + changes);
+    if (f.time_integrate || ((modify->fmask[k] & acts) && !only_reads(f.style)))
+      if (shared(f))
+        BRG_ONE(std::string("fix ") + id + " bearing/implicit: its group has atoms of fix " + f.id +
+                " (" + f.style + "), which " + does);
   }
 }
 

@@ -250,6 +250,20 @@ def test_work_is_dissipated_or_stored(tmp_path, speed, load):
     assert abs(own) < 1e-3 * lost
 
 
+@pytest.mark.parametrize("law", [GAP, "gap 1 friction stribeck 0.12 0.05 smoothed 0.01"])
+@pytest.mark.parametrize("load, ramp", [(50, True), (5000, True), (5000, False)])
+@pytest.mark.parametrize("speed", [0, 0.01, 1, 50])
+def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
+    """At rest the film's branch had twice the energy that the loads supplied, and the film in the
+    gap lost what the entrainment had put into it."""
+    inner = radial(load, speed) if ramp else radial(load, speed).partition(" ramp")[0]
+    control = "tolerance 1e-9 energy yes"
+    text = succeed(CASE, out=tmp_path, law=law, inner=inner, start=speed, control=control).text
+    work, own, lost, grown = map(float, re.search(r"ENERGY (.*)", text).group(1).split())
+    assert work == pytest.approx(lost + grown + own, rel=1e-9) and work > 0
+    assert abs(own) < 1e-3 * work
+
+
 def sum_of_loads(ring, scene):
     """Mean power of the loads on the ring as it moves, W."""
     load = (0.0, -5000.0, 0.0) if scene.startswith("radial") else (0.0, -2000.0, 10000.0)

@@ -121,6 +121,12 @@ class BearingBodies {
   std::vector<int> groove_at;     // inverse of contact_at, -1: none
   std::vector<States> kept;       // by group of contacts, if the law has states
   std::vector<KeptSlopes> kept_slopes;
+  // Entrainment speeds for the energy balance, m/s, 0: apart; by group of contacts, empty without a
+  // balance or if the elastic energy does not depend on them.
+  struct alignas(32) Entrained {
+    Lane from = {}, now = {};
+  };
+  std::vector<Entrained> entrained;
   std::vector<RingBody> rings;    // rings of the model, then one per shaft
   std::vector<Carried> on_shafts;
   // Free degrees of freedom of rings and rigid shafts, then those of flexible shafts, then modes.

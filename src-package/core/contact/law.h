@@ -134,11 +134,11 @@ template <class All, class... P> struct LawOf {
     return sum;
   }
 
-  // W, dissipated by damping, friction and all other parts
+  // W, taken from the motion by damping, friction and all other parts
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();
-    ((sum += P::Losses::of(c)), ...);
+    ((sum += TakenBy<P>::of(c)), ...);
     return sum;
   }
 

@@ -16,6 +16,8 @@
 
 #include "../raceway/contact_state.h"
 
+#include <type_traits>
+
 namespace raceway {
 
 struct LossColumn {
@@ -40,6 +42,10 @@ template <> struct LossList<> {
     return Value<T>();
   }
 };
+
+// Power that a part takes from the motion and does not store, W: its losses, or its Taken.
+template <class Part, class = void> struct TakenBy : Part::Losses {};
+template <class Part> struct TakenBy<Part, std::void_t<typename Part::Taken>> : Part::Taken {};
 
 }    // namespace raceway
 

@@ -13,7 +13,17 @@ namespace raceway {
 struct FilmBranchLoss : DampingPower {
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
-    return where(c.branch_energy > 0.0, Value<T>(2.0 * c.branch_energy * c.film_rate), 0.0);
+    const Value<T> f = c.film_force;
+    return where(c.film_stiffness > 0.0, Value<T>(f * f / c.film_stiffness * c.film_rate), 0.0);
+  }
+};
+
+// Power of the branch. k_m changes with the film, so f^2/(2 k_m) is no potential: at rest k_m falls
+// to 0 and f stays. In the balance of a step the branch therefore stores nothing.
+struct FilmBranchPower {
+  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
+  {
+    return c.film_force * held(c.overlap_rate);
   }
 };
 
@@ -22,6 +32,7 @@ struct FilmBranchPart : PartBase {
   static constexpr bool needs_film = true;
   static constexpr int states = 1;    // N, force of the branch
   using Losses = LossList<FilmBranchLoss>;
+  using Taken = LossList<FilmBranchPower>;
 
   static std::vector<Keyword<Parameters>> keywords()
   {
@@ -55,18 +66,9 @@ struct FilmBranchPart : PartBase {
     m.after[0] = force;
     const T N = c.load + c.damping * c.overlap_rate + force;
     c.normal = where(N > 0.0, N, 0.0);
-    const B now = held(force);
-    c.film_force = now;
+    c.film_force = held(force);
     c.film_stiffness = f.stiffness;
     c.film_rate = f.rate;
-    c.branch_energy = where(f.stiffness > 0.0, B(0.5 * now * now / f.stiffness), 0.0);
-  }
-
-  template <class T>
-  static RACEWAY_INLINE Value<T> energy(const Parameters &, const Raceway &,
-                                        const ContactStateT<T> &c)
-  {
-    return c.branch_energy;
   }
 };
 

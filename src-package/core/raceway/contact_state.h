@@ -47,7 +47,6 @@ template <class T> struct alignas(sizeof(T)) ContactFiguresT {
   T film_force = T();             // N, of the film's branch
   T film_stiffness = T();         // N/m, of the film's branch
   T film_rate = T();              // 1/s, 1/tau of the film's branch
-  T branch_energy = T();          // J, of the film's branch
   T mu = T();                     // friction coefficient
   T kt = T();                     // N/m, tangential spring
   T v_0 = T();                    // m/s, of the smoothed Coulomb law

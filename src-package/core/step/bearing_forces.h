@@ -70,6 +70,9 @@ class BearingForces {
   int body() const { return body_; }                           // body of the failure, or -1
   double power_lost() const { return power_lost_; }            // W, in contacts
   double contact_energy() const { return contact_energy_; }    // J, elastic
+  // J, change of the elastic energy by the change of the entrainment speeds since the start of the
+  // step: thicker films load the contacts
+  double film_work() const { return film_work_; }
 
  private:
   template <class L> RACEWAY_INLINE Failure raceways(const L &law, const Stage &);
@@ -91,7 +94,7 @@ class BearingForces {
 
   BearingBodies &b_;
   BearingSystem &system_;
-  double power_lost_ = 0.0, contact_energy_ = 0.0;
+  double power_lost_ = 0.0, contact_energy_ = 0.0, film_work_ = 0.0;
   int body_ = -1;
   ProfiledContactT<Lane> on_;              // four contacts on a raceway with a profile
   BallSlopesT<Lane> turned_;               // of balls with a profile

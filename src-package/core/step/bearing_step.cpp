@@ -36,6 +36,11 @@ BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s
   const Settings set = asked.relative > 0.0 ? asked.at(forces_.largest_overlap()) : asked;
   Outcome o;
   o.tolerance = set.error * set.newton;
+  if (keep_energy_ && !entrained_) {
+    stored_energy();
+    for (BearingBodies::Entrained &u : bodies_.entrained) u.from = u.now;
+    entrained_ = true;
+  }
   pending_ = Energy();
   present_ = {h, s0, s1};
   bodies_.start();
@@ -307,7 +312,7 @@ Failure BearingStep::accept()
   const Failure failure = instants_.pass(present_.h, present_.s0, present_.s1);
   bodies_.accept();
   energy_.work += pending_.work;
-  energy_.dissipated += pending_.dissipated;
+  energy_.dissipated += pending_.dissipated - pending_.stored;
   return failure;
 }
 

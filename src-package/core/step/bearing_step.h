@@ -110,7 +110,7 @@ class BearingStep {
   BearingInstants &instants() { return instants_; }
   const BearingInstants &instants() const { return instants_; }
 
-  void keep_energy(bool yes) { keep_energy_ = yes; }
+  void keep_energy(bool yes);
   const Energy &spent() const { return energy_; }    // of all accepted steps, without `stored`
   const Energy &energy();                            // including `stored`
 
@@ -136,7 +136,7 @@ class BearingStep {
   BearingForces forces_;
   BearingInstants instants_;
   const double slowest_;
-  bool keep_energy_ = false;
+  bool keep_energy_ = false, entrained_ = false;    // entrained_: at the start of the step
   Energy energy_, pending_;
   struct {
     double h, s0, s1;

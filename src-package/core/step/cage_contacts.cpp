@@ -16,7 +16,7 @@ BearingForces::BearingForces(BearingBodies &bodies, BearingSystem &system) :
 
 Failure BearingForces::evaluate(const Stage &stage)
 {
-  power_lost_ = contact_energy_ = 0.0;
+  power_lost_ = contact_energy_ = film_work_ = 0.0;
   body_ = -1;
   for (RingBody &r : b_.rings) {
     r.force_lanes = r.moment_lanes = Vec3L();

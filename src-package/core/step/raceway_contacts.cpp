@@ -14,7 +14,8 @@ Failure BearingForces::all_raceways(const Stage &stage)
   if (!wide_lanes()) return narrow_raceways(stage);
 #endif
   Failure failure = Failure::none;
-  if (!b_.flawed && (paper_raceways(stage, failure) || full_raceways(stage, failure)))
+  const bool balance = stage.evaluate == Evaluate::only && !b_.entrained.empty();
+  if (!b_.flawed && !balance && (paper_raceways(stage, failure) || full_raceways(stage, failure)))
     return failure;
   return any_raceways(stage);
 }

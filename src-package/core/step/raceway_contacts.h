@@ -104,6 +104,30 @@ static RACEWAY_INLINE void look_at_gap(const RacewayPhysics &p, const BallStateT
   find_motions<false>(p, ball, ring, seen);
 }
 
+// Elastic energy of contacts at this overlap at the present entrainment speeds less that at those
+// at the start of the step, J.
+template <class L>
+static RACEWAY_INLINE double work_on_films(const L &law, const RacewayPhysics &p,
+                                           const LaneMask &near, const ContactStateT<Lane> &c,
+                                           BearingBodies::Entrained &entrained)
+{
+  entrained.now = where(near, c.entrainment, 0.0);
+  const LaneMask both = near & (entrained.from > 0.0);
+  double work = 0.0;
+  for (const bool before : {false, true}) {
+    ContactStateT<Lane> at = c;
+    if (before) at.entrainment = where(both, entrained.from, c.entrainment);
+    const LaneMask live = both & ~law.misses(p, p.law.at(c.cos_angle), at);
+    at.overlap = where(live, at.overlap, Lane(at.overlap - law.beyond(p, at) + barely_touching));
+    const Lane none[L::room] = {};
+    Lane unused[L::room];
+    law.act(p, p.law.at(c.cos_angle), LawStates<Lane>{0.0, none, unused}, at);
+    const double energy = sum(where(live, law.energy(p, at), 0.0));
+    work += before ? -energy : energy;
+  }
+  return work;
+}
+
 // Slopes are set and read in the same stages, which the compiler cannot infer.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
@@ -185,6 +209,9 @@ template <class L> RACEWAY_INLINE Failure BearingForces::raceways(const L &law, 
       r.w = f.local(spin);
       const BallStateT<Lane> ball = {d, g.v, g.w};
       find_motions<L::couples>(p, ball, r, c);
+      if constexpr (flawed)    // the loop of every balance
+        if (stage.evaluate == Evaluate::only && !stage.looks && !b_.entrained.empty())
+          film_work_ += work_on_films(law, p, live, c, b_.entrained[contact]);
       if (law.decides) {
         live &= ~law.misses(p, p.law.at(c.cos_angle), c);
         if (stage.looks) stage.looks[contact].live = live;
