@@ -36,7 +36,7 @@ ComputeBearingBall::ComputeBearingBall(BRG_COMPUTE_ARGS) :
                 "'; known: azimuth, orbit, turn_w, turn_x, turn_y, turn_z, and with inner_ or "
                 "outer_ before it: " +
                 bearing::contact_column_names());
-    if (a->needs_film() && !pair_->lubricated())
+    if (a->needs_film() && !pair_->coefficients().lubricated())
       args.fail("attribute '" + name + "' needs a lubricant: use pair_style bearing/ehd");
     columns_.push_back({-1, is_inner, a});
     needed_.push_back(a);
@@ -57,7 +57,7 @@ void ComputeBearingBall::init()
   pair_ = PairBearingHertz::find(lmp, name);
   context_ = bearing::context_of(lmp, *pair_, needed_, name);
   for (const Column &c : columns_)
-    if (c.own >= 0 && of_ball::needs_turn(c.own) && !pair_->balls_turn())
+    if (c.own >= 0 && of_ball::needs_turn(c.own) && !pair_->profiles().any_ball())
       BRG_ALL(name + ": attribute '" + of_ball::list[c.own].name +
               "' needs a fix bearing/profile with a profile of balls, which follows how they turn");
 }
@@ -108,7 +108,7 @@ double ComputeBearingBall::own_value(int own, const RacewayContact &c) const
   if (own == of_ball::ORBIT) return bearing::orbit_of(*atom, *pair_, c);
   const Quaternion turn = pair_->state()->turn(c.i_ball);
   double vector[3];
-  LabAxes{pair_->axis_index()}.lab(turn.v).to(vector);
+  LabAxes{pair_->coefficients().axis_index()}.lab(turn.v).to(vector);
   return own == of_ball::TURN_W ? turn.w : vector[own - of_ball::TURN_X];
 }
 

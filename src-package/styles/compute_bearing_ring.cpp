@@ -34,7 +34,8 @@ ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
     if (name == "all") {
       for (int k = 0; k < of_ring::N; ++k) columns_.push_back({of_ring::list[k], k, nullptr});
       for (const Figure &f : figures)
-        if (f.given(offer.film, offer.capacitance, offer.surroundings, pair_->law(), false))
+        if (f.given(offer.film, offer.capacitance, offer.surroundings, pair_->coefficients().law(),
+                    false))
           columns_.push_back({f.is, -1, &f});
       continue;
     }
@@ -50,7 +51,7 @@ ComputeBearingRing::ComputeBearingRing(BRG_COMPUTE_ARGS) :
       args.fail("unknown value '" + name + "'; known: " + known);
     }
     const Figure *f = columns_.back().figure;
-    if (f && f->needs != Needs::nothing && !pair_->lubricated())
+    if (f && f->needs != Needs::nothing && !pair_->coefficients().lubricated())
       args.fail("value '" + name + "' needs a lubricant: use pair_style bearing/ehd");
   } while (args.more());
   local_flag = 1;
@@ -78,7 +79,7 @@ void ComputeBearingRing::tell()
 {
   said_.assign(static_cast<size_t>(pair_->ring_sum().claims()) * N_SAID, 0.0);
   const std::vector<RacewayContact> &table = pair_->table().raceway;
-  const bearing::ContactContext context = {pair_->axis_index(), capacitor_};
+  const bearing::ContactContext context = {pair_->coefficients().axis_index(), capacitor_};
   for (size_t first = 0, end; first < table.size(); first = end) {
     BallFigures ball;    // over all rings
     std::vector<BallFigures> each;

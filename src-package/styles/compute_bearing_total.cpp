@@ -41,7 +41,7 @@ void ComputeBearingTotal::compute_vector()
     BallFigures of;
   };
   std::vector<Share> shares;
-  const bearing::ContactContext context = {pair_->axis_index(), nullptr};
+  const bearing::ContactContext context = {pair_->coefficients().axis_index(), nullptr};
   const std::vector<RacewayContact> &rows = pair_->table().raceway;
   for (size_t i = 0; i < rows.size();) {
     Share ball = {rows[i].ball, 0, {}};

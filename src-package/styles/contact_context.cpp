@@ -15,10 +15,10 @@ namespace bearing {
 Offer offer_of(LAMMPS *lmp, const PairBearingHertz &pair)
 {
   const std::vector<FixBearingCapacitance *> fixes = fixes_of<FixBearingCapacitance>(lmp);
-  return {pair.lubricated(), !fixes.empty(),
+  return {pair.coefficients().lubricated(), !fixes.empty(),
           std::any_of(fixes.begin(), fixes.end(),
                       [](const FixBearingCapacitance *f) { return f->model().surrounded(); }),
-          pair.many_grooves()};
+          pair.coefficients().many_grooves()};
 }
 
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
@@ -45,7 +45,7 @@ ContactContext context_of(LAMMPS *lmp, const PairBearingHertz &pair, const Conta
                           const std::string &asked_by)
 {
   ContactContext context;
-  context.axis = pair.axis_index();
+  context.axis = pair.coefficients().axis_index();
   for (const ContactColumn *c : list) {
     const std::string wants = "attribute '" + std::string(c->is.name) + "'";
     if (c->needs_capacitance() && !context.capacitor)

@@ -90,8 +90,8 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
 
 void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p)
 {
-  const RacewayPhysics *in = pair.raceway(p.ball_type, p.inner_type),
-                       *out = pair.raceway(p.ball_type, p.outer_type);
+  const RacewayPhysics *in = pair.coefficients().raceway(p.ball_type, p.inner_type),
+                       *out = pair.coefficients().raceway(p.ball_type, p.outer_type);
   if (!in || in->groove.side != Side::inner)
     args.fail("missing ring: no pair_coeff " + std::to_string(p.ball_type) + " " +
               std::to_string(p.inner_type) + " inner ... before this command");
@@ -146,8 +146,8 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
   const double reach = Re + R;
   const double *lo = domain->boxlo, *hi = domain->boxhi;
   for (int k = 0; k < 3; ++k)
-    if (p.centre[k] - (k == pair.axis_index() ? R : reach) < lo[k] ||
-        p.centre[k] + (k == pair.axis_index() ? R : reach) > hi[k])
+    if (p.centre[k] - (k == pair.coefficients().axis_index() ? R : reach) < lo[k] ||
+        p.centre[k] + (k == pair.coefficients().axis_index() ? R : reach) > hi[k])
       args.fail("the bearing (radius " + text(reach) +
                 " m) does not fit into the box in direction " + "xyz"[k] + ": " + text(lo[k]) +
                 " to " + text(hi[k]) + " m");

@@ -101,13 +101,13 @@ BearingSources sources_of(LAMMPS *lmp, PairBearingHertz &pair)
 {
   BearingSources sources;
   sources.table = &pair.table();
-  sources.axes.along = pair.axis_index();
+  sources.axes.along = pair.coefficients().axis_index();
   for (const FixBearingCage *c : fixes_of<FixBearingCage>(lmp))
     sources.cages.push_back(&c->rails());
-  sources.is_ring = [&pair](int type) { return pair.is_ring_type(type); };
-  sources.is_ball = [&pair](int type) { return pair.is_ball_type(type); };
+  sources.is_ring = [&pair](int type) { return pair.coefficients().is_ring(type); };
+  sources.is_ball = [&pair](int type) { return pair.coefficients().is_ball(type); };
   sources.raceway = [&pair](int ball, int ring, int groove) {
-    return pair.raceway(ball, ring, groove);
+    return pair.coefficients().raceway(ball, ring, groove);
   };
   sources.motion = [&pair](int i) -> RingMotion & { return pair.state()->ring(i); };
   return sources;
@@ -121,7 +121,7 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
   BearingParts parts(lmp, command);
   parts.build(sources_of(lmp, pair), groupbit);
   parts.gather();
-  const raceway::LabAxes axes = {pair.axis_index()};
+  const raceway::LabAxes axes = {pair.coefficients().axis_index()};
   const std::map<double, double> permittivity = permittivities(lmp);
   std::vector<Piece> mine;
   for (int p = 0; p < parts.size(); ++p) {
@@ -151,7 +151,7 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
   std::sort(all.begin(), all.end(), before);
 
   RecordLayout layout;
-  layout.grooves = pair.many_grooves() ? 2 : 1;
+  layout.grooves = pair.coefficients().many_grooves() ? 2 : 1;
   std::map<double, int> number;
   for (const Piece &p : all) {
     switch (p.what) {

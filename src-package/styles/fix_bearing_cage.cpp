@@ -25,7 +25,7 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
   Arguments args(lmp, std::string("fix ") + id + " bearing/cage", narg, arg, 3);
   ring_type_ = args.integer("type of the ring that carries the rails", 1, atom->ntypes);
-  if (!pair_->is_ring_type(ring_type_))
+  if (!pair_->coefficients().is_ring(ring_type_))
     args.fail("type " + std::to_string(ring_type_) +
               " is no ring: no pair_coeff names it inner or outer");
   while (args.more()) {
@@ -65,7 +65,7 @@ void FixBearingCage::init()
   MPI_Allreduce(MPI_IN_PLACE, &radius, 1, MPI_DOUBLE, MPI_MAX, world);
   if (radius == 0.0)
     BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
-  pitch_ = pair_->pitch_radius(ring_type_);
+  pitch_ = pair_->coefficients().pitch_radius(ring_type_);
   if (seats_)
     cage_.rails = {seat_rail(pitch_, radius, tube_, gap_, 1.0),
                    seat_rail(pitch_, radius, tube_, gap_, -1.0)};
@@ -100,7 +100,7 @@ void FixBearingCage::find_balls()
     if (hi[k] - lo[k] > hi[along] - lo[along]) along = k;
   std::sort(rings.begin(), rings.end(), [&](int a, int b) { return x[a][along] < x[b][along]; });
   const double reach = 2.0 * pitch_;
-  const int axis = pair_->axis_index();
+  const int axis = pair_->coefficients().axis_index();
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     int nearest = -1;

@@ -60,7 +60,7 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
   if (!contacts_name_.empty()) {
     std::string names = "step time ball raceway load h_c capacitance";
     if (all) names += " separation capacitance_outside capacitance_total";
-    grooves_ = pair_->many_grooves();
+    grooves_ = pair_->coefficients().many_grooves();
     if (grooves_) names += " groove";
     contacts_.open(args, contacts_name_, names.c_str(), world);
   }
@@ -125,7 +125,7 @@ void FixBearingCapacitance::read_options(Arguments &args)
     args.fail("'surroundings cavitated': relative permittivity of the outlet is " +
               bearing::text(model_.permittivity_outlet) + ", must be 1 to that of the lubricant, " +
               bearing::text(model_.permittivity));
-  if (!pair_->lubricated())
+  if (!pair_->coefficients().lubricated())
     args.fail("a dry contact has no capacitance: use pair_style bearing/ehd");
 }
 
@@ -175,7 +175,7 @@ void FixBearingCapacitance::check_shoulders()
   const std::vector<int> there = ball_types();
   for (int ball = 1; ball <= atom->ntypes; ++ball)
     for (int ring = 1; ring <= atom->ntypes; ++ring) {
-      const RacewayPhysics *p = there[ball] ? pair_->raceway(ball, ring) : nullptr;
+      const RacewayPhysics *p = there[ball] ? pair_->coefficients().raceway(ball, ring) : nullptr;
       if (!p) continue;
       const std::string who = std::string("fix ") + id + " bearing/capacitance: ";
       const bool inner = p->groove.side == Side::inner;

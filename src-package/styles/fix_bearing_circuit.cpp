@@ -112,7 +112,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
 {
   std::vector<tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
-    if ((atom->mask[i] & groupbit) && pair_->is_ball_type(atom->type[i])) {
+    if ((atom->mask[i] & groupbit) && pair_->coefficients().is_ball(atom->type[i])) {
       if (!cap_->covers(i))
         BRG_ONE(bearing::name_of(*this) + ": ball " + std::to_string(atom->tag[i]) +
                 " is not in the group of fix " + cap_id_);
@@ -125,7 +125,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
     if (atom->mask[c.i_ball] & groupbit) {
       const Vec3 from_ring = Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]);
       rows.push_back({c.ball, c.ring, c.side() == Side::outer,
-                      bearing::azimuth(from_ring, pair_->axis_index()),
+                      bearing::azimuth(from_ring, pair_->coefficients().axis_index()),
                       film_of(*c.raceway, c.live, c.state, cap_->capacitor(c))});
     }
   return balls_of(tags, std::move(rows));
@@ -150,7 +150,8 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_at(int instant)
                                 ring[static_cast<tag_t>(r.of[RING])] = {r.of[X], r.of[Y], r.of[Z]};
                               }});
   for (Row &row : rows)
-    row.azimuth = bearing::azimuth(body.at(row.ball) - ring.at(row.ring), pair_->axis_index());
+    row.azimuth =
+        bearing::azimuth(body.at(row.ball) - ring.at(row.ring), pair_->coefficients().axis_index());
   return balls_of(tags, std::move(rows));
 }
 

@@ -77,7 +77,7 @@ void FixBearingImplicit::init()
   find_rings();
   instants_ = bearing::Instants();
   readers_.clear();
-  if (pair_->smooth_friction(creep_) && comm->me == 0) {
+  if (pair_->coefficients().smooth_friction(creep_) && comm->me == 0) {
     const std::string say = std::string("fix ") + id +
                             " bearing/implicit: friction smoothed over a creep of " + text(creep_) +
                             " of the entrainment speed\n";
@@ -193,7 +193,7 @@ raceway::Vec3 FixBearingImplicit::gravity()
   for (Fix *f : gravity_) f->post_force(0);
   if (one < atom->nlocal) fall = raceway::Vec3::from(atom->f[one]) * (1.0 / atom->rmass[one]);
   if (n > 0) std::copy(forces_.begin(), forces_.end(), &atom->f[0][0]);
-  return raceway::LabAxes{pair_->axis_index()}.third(fall);
+  return raceway::LabAxes{pair_->coefficients().axis_index()}.third(fall);
 }
 
 void FixBearingImplicit::setup(int)

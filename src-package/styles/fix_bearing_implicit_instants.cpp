@@ -31,7 +31,7 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
 
 void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const
 {
-  const raceway::LabAxes axes = {pair_->axis_index()};
+  const raceway::LabAxes axes = {pair_->coefficients().axis_index()};
   for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
     const BearingModel &m = solver_->bearings.model(p);
     const raceway::BearingInstants &at = solver_->parts[p].bearing->instants();

@@ -32,7 +32,7 @@ void FixBearingImplicit::build()
   }
   bearing::BearingSources sources;
   sources.table = &pair_->table();
-  sources.axes.along = pair_->axis_index();
+  sources.axes.along = pair_->coefficients().axis_index();
   for (const FixBearingCage *c : bearing::fixes_of<FixBearingCage>(lmp))
     sources.cages.push_back(&c->rails());
   for (size_t k = 0; k < rings_.size(); ++k)
@@ -41,21 +41,21 @@ void FixBearingImplicit::build()
         sources.moved.push_back({i, static_cast<int>(k), rings_[k]->own_values(i),
                                  rings_[k]->shaft(), rings_[k]->place_on_shaft(i),
                                  rings_[k]->holder()});
-  sources.is_ring = [this](int type) { return pair_->is_ring_type(type); };
-  sources.is_ball = [this](int type) { return pair_->is_ball_type(type); };
+  sources.is_ring = [this](int type) { return pair_->coefficients().is_ring(type); };
+  sources.is_ball = [this](int type) { return pair_->coefficients().is_ball(type); };
   sources.raceway = [this](int ball, int ring, int groove) {
-    return pair_->raceway(ball, ring, groove);
+    return pair_->coefficients().raceway(ball, ring, groove);
   };
   sources.profile = [this](tag_t ring, const raceway::RacewayPhysics *p) {
-    return pair_->profile(ring, p);
+    return pair_->profiles().of_ring(ring, p);
   };
-  if (pair_->balls_turn()) {
+  if (pair_->profiles().any_ball()) {
     sources.ball_profile = [this](tag_t ball, const raceway::RacewayPhysics *p) {
-      return pair_->ball_profile(ball, p);
+      return pair_->profiles().of_ball(ball, p);
     };
     sources.turn = [this](int i) -> raceway::Quaternion & { return pair_->state()->turn(i); };
   }
-  sources.states = raceway::law_facts(pair_->law()).states;
+  sources.states = raceway::law_facts(pair_->coefficients().law()).states;
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
   all.parts.clear();
@@ -88,7 +88,7 @@ void FixBearingImplicit::build()
       continue;
     }
     BearingModel of = model;
-    of.parts = pair_->law();
+    of.parts = pair_->coefficients().law();
     for (BearingModel::Shaft &one : of.shafts)
       if (const FixBearingShaft *bends = rings_[one.mover]->bending()) one.modes = &bends->modes();
     std::unique_ptr<BearingStep> step = made(of, all.steps.size());

@@ -48,7 +48,7 @@ std::vector<FixBearingProfile::Ring> FixBearingProfile::rings(PairBearingHertz &
   std::vector<Ring> mine;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    if (!pair.is_ring_type(atom->type[i]))
+    if (!pair.coefficients().is_ring(atom->type[i]))
       BRG_ONE(name_of(*this) + ": atom " + std::to_string(atom->tag[i]) + " of group " +
               group->names[igroup] + " is of type " + std::to_string(atom->type[i]) +
               ", which no pair_coeff names as a ring");
@@ -65,7 +65,7 @@ std::vector<FixBearingProfile::Ball> FixBearingProfile::balls(PairBearingHertz &
   std::vector<Ball> mine;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
-    if (!pair.is_ball_type(atom->type[i]))
+    if (!pair.coefficients().is_ball(atom->type[i]))
       BRG_ONE(name_of(*this) + ": atom " + std::to_string(atom->tag[i]) + " of group " +
               group->names[igroup] + " is of type " + std::to_string(atom->type[i]) +
               ", which no pair_coeff puts on a raceway as a ball");
@@ -165,7 +165,7 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
         BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) +
                 " spins without a fix bearing/ring, which counts its angle");
       bool found = false;
-      for (const RacewayPhysics *p : pair.raceways_of(r.type)) {
+      for (const RacewayPhysics *p : pair.coefficients().raceways_of(r.type)) {
         if (p->number != f->settings_.groove) continue;
         found = true;
         f->check(*p);
@@ -182,7 +182,7 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
     }
   }
   for (const auto &ring : sums)
-    for (const auto &one : ring.second) pair.add_profile(ring.first, *one.first, one.second);
+    for (const auto &one : ring.second) pair.profiles().add(ring.first, one.first, one.second);
 }
 
 void FixBearingProfile::add_balls(PairBearingHertz &pair,
@@ -204,7 +204,7 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
               ": a ball with a pit cannot meet a notch of a raceway that has a width; "
               "give the notch the width 'full'");
     for (const Ball &b : balls)
-      for (const RacewayPhysics *p : pair.raceways_under(b.type)) {
+      for (const RacewayPhysics *p : pair.coefficients().raceways_under(b.type)) {
         f->check_ball(*p);
         BallShape &s = sums[b.tag][p];
         s.pits.insert(s.pits.end(), f->settings_.ball.pits.begin(), f->settings_.ball.pits.end());
@@ -216,7 +216,7 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
       }
   }
   for (const auto &ball : sums)
-    for (const auto &one : ball.second) pair.add_profile(ball.first, *one.first, one.second);
+    for (const auto &one : ball.second) pair.profiles().add(ball.first, one.first, one.second);
 }
 
 // Error if two pits overlap in azimuth: their strips in one contact would not add up.
@@ -242,9 +242,9 @@ void FixBearingProfile::pre_force(int)
 {
   if (!turns_) return;
   PairBearingHertz &pair = *PairBearingHertz::find(lmp, "fix bearing/profile");
-  const raceway::LabAxes axes = {pair.axis_index()};
+  const raceway::LabAxes axes = {pair.coefficients().axis_index()};
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (!pair.is_ball_type(atom->type[i]) || pair.is_implicit(i)) continue;
+    if (!pair.coefficients().is_ball(atom->type[i]) || pair.is_implicit(i)) continue;
     raceway::Quaternion &turn = pair.state()->turn(i);
     const raceway::Vec3 spin = axes.third(raceway::Vec3::from(atom->omega[i]));
     turn = (raceway::Quaternion::by(spin * update->dt) * turn).normal();

@@ -211,11 +211,11 @@ void FixBearingRecord::open()
   for (const bearing::ContactColumn *c : columns_) content.contact.push_back(c->is);
   content.single = single_;
   content.motion = motion_;
-  content.film = pair_->lubricated();
+  content.film = pair_->coefficients().lubricated();
   content.capacitance = static_cast<bool>(context_.capacitor);
   content.surroundings = context_.surroundings;
-  content.law = pair_->law();
-  content.spheres = pair_->spheres();
+  content.law = pair_->coefficients().law();
+  content.spheres = pair_->coefficients().any_spheres();
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
   content.about = about_;

@@ -39,7 +39,7 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg, Words) :
   size_vector = size_array_cols = bearing::of_fix_ring::N;
   extvector = extarray = 0;
   global_freq = 1;
-  axes_.along = pair_->axis_index();
+  axes_.along = pair_->coefficients().axis_index();
 }
 
 void FixBearingRing::settings_are_read()
@@ -61,7 +61,7 @@ void FixBearingRing::find_rings()
   std::vector<bearing::tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
     if (moves(i)) {
-      if (!pair_->is_ring_type(atom->type[i]))
+      if (!pair_->coefficients().is_ring(atom->type[i]))
         BRG_ONE(bearing::name_of(*this) + ": atom " + std::to_string(atom->tag[i]) + " of group " +
                 group_name + " is of type " + std::to_string(atom->type[i]) +
                 ", which no pair_coeff names as a ring");

@@ -4,6 +4,7 @@
 #include "fix_bearing_ring.h"
 
 #include "../contacts/ring_motion.h"
+#include "../core/bodies/ring_verlet.h"
 #include "../ranks/gather.h"
 #include "fix_bearing_state.h"
 #include "pair_bearing_hertz.h"

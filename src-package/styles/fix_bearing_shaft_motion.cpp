@@ -4,6 +4,7 @@
 #include "fix_bearing_shaft.h"
 
 #include "../contacts/ring_motion.h"
+#include "../core/bodies/ring_verlet.h"
 #include "../core/bodies/shaft_ring.h"
 #include "../core/figures/fix_columns.h"
 #include "../ranks/gather.h"

@@ -6,7 +6,6 @@
 #include "fix_bearing_state.h"
 
 #include <algorithm>
-#include <functional>
 
 using namespace LAMMPS_NS;
 using namespace raceway;
@@ -24,8 +23,8 @@ void PairBearingHertz::rebuild_contacts()
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; ++jj) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      if (ring_type_[type[i]] || ring_type_[type[j]]) {
-        const bool ring_first = ring_type_[type[i]];
+      if (coefficients_.is_ring(type[i]) || coefficients_.is_ring(type[j])) {
+        const bool ring_first = coefficients_.is_ring(type[i]);
         // the owner of the ball does it
         if ((ring_first ? j : i) < nlocal) add_grooves(ring_first ? j : i, ring_first ? i : j);
         continue;
@@ -42,11 +41,9 @@ void PairBearingHertz::rebuild_contacts()
         BRG_ONE("overlapping balls: atoms " + std::to_string(s.tag_i) + " and " +
                 std::to_string(s.tag_j) + " are " + text(norm(d)) +
                 " m apart, the sum of their radii is " + text(s.reach) + " m");
-      const auto it = spheres_.find({std::min(type[i], type[j]), std::max(type[i], type[j])});
-      if (it == spheres_.end()) continue;
-      const Sphere &m = it->second;
-      s.K = m.factor * sphere_stiffness(atom->radius[i], atom->radius[j],
-                                        reduced_modulus(m.E1, m.nu1, m.E2, m.nu2));
+      const auto *spheres = coefficients_.spheres(type[i], type[j]);
+      if (!spheres) continue;
+      s.K = spheres->stiffness(atom->radius[i], atom->radius[j]);
       s.mass = atom->rmass[i] * atom->rmass[j] / (atom->rmass[i] + atom->rmass[j]);
       table_.sphere.push_back(s);
     }
@@ -60,13 +57,7 @@ void PairBearingHertz::rebuild_contacts()
             [](const SphereContact &a, const SphereContact &b) {
               return a.tag_i != b.tag_i ? a.tag_i < b.tag_i : a.tag_j < b.tag_j;
             });
-  by_groove_.resize(table_.raceway.size());
-  for (size_t k = 0; k < by_groove_.size(); ++k) by_groove_[k] = static_cast<int>(k);
-  std::stable_sort(by_groove_.begin(), by_groove_.end(), [this](int a, int b) {
-    const RacewayContact &one = table_.raceway[a], &other = table_.raceway[b];
-    if (one.i_ring != other.i_ring) return one.i_ring < other.i_ring;
-    return std::less<const RacewayPhysics *>()(one.raceway, other.raceway);
-  });
+  evaluator_.set_order(table_);
   add_raceway_contacts();
   rebuild_ = false;
   ++builds_;
@@ -82,14 +73,15 @@ void PairBearingHertz::add_grooves(int i_ball, int i_ring)
   c.ring = atom->tag[i_ring];
   const Vec3 d = Vec3::from(atom->x[i_ball]) - Vec3::from(atom->x[i_ring]),
              &e = state_->axis(i_ring);
-  for (int k = 0; (c.raceway = raceway(atom->type[i_ball], atom->type[i_ring], k)); ++k) {
+  for (int k = 0; (c.raceway = coefficients_.raceway(atom->type[i_ball], atom->type[i_ring], k));
+       ++k) {
     const Groove &groove = c.raceway->groove;
     // a ball of another bearing is not in this groove
     if (!(locate(d - e * groove.offset, e, c.raceway->centre_circle).s < groove.groove_radius))
       continue;
-    if (!smooth()) {
-      c.profile = profile(c.ring, c.raceway);
-      c.ball_profile = ball_profile(c.ball, c.raceway);
+    if (profiles_.any()) {
+      c.profile = profiles_.of_ring(c.ring, c.raceway);
+      c.ball_profile = profiles_.of_ball(c.ball, c.raceway);
     }
     table_.raceway.push_back(c);
   }
@@ -114,11 +106,7 @@ void PairBearingHertz::add_raceway_contacts()
     sides[c.i_ball] |= bit;
   }
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (!ball_type_[atom->type[i]]) continue;
-    int wanted = 0;
-    for (const auto &r : raceways_)
-      if (r.first.ball == atom->type[i]) wanted |= r.second.groove.side == Side::inner ? 1 : 2;
-    const int missing = wanted & ~sides[i];
+    const int missing = coefficients_.sides_of(atom->type[i]) & ~sides[i];
     if (missing)
       BRG_ONE(
           std::string(update->setupflag ? "ball " : "lost ball ") + std::to_string(atom->tag[i]) +

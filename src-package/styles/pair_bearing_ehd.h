@@ -13,7 +13,7 @@ namespace LAMMPS_NS {
 
 class PairBearingEHD : public PairBearingHertz {
  public:
-  explicit PairBearingEHD(class LAMMPS *lmp) : PairBearingHertz(lmp) { with_film_ = true; }
+  explicit PairBearingEHD(class LAMMPS *lmp) : PairBearingHertz(lmp, true) {}
 };
 
 }    // namespace LAMMPS_NS

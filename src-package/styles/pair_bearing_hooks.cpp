@@ -16,20 +16,20 @@ void PairBearingHertz::indices_changed()
 {
   ring_sum_.reset();
   for (int i = 0; i < atom->nlocal; ++i)
-    if (is_ring_type(atom->type[i])) ring_sum_.own(i, atom->tag[i]);
+    if (coefficients_.is_ring(atom->type[i])) ring_sum_.own(i, atom->tag[i]);
 }
 
 void PairBearingHertz::forces_known() { check_step(); }
 
 void PairBearingHertz::after_step()
 {
-  validity_.look(table_, atom->mask, with_film_);
+  validity_.look(table_, atom->mask, coefficients_.lubricated());
   if (update->ntimestep % steps_between_checks == 0) check_step();
 }
 
 void PairBearingHertz::run_done()
 {
-  validity_.look(table_, atom->mask, with_film_);
+  validity_.look(table_, atom->mask, coefficients_.lubricated());
   validity_.report(lmp, capacitors_);
 }
 

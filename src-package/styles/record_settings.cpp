@@ -84,12 +84,13 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
   if (layout.bearings.size() == 1) add_bearing(layout, list);
   list.push_back(NetcdfHeader::attribute("source", "Raceway 0.1.0, fix bearing/record"));
   list.push_back(NetcdfHeader::attribute("host", BRG_HOST_NAME));
-  list.push_back(NetcdfHeader::attribute("axis", std::string(1, "xyz"[pair.axis_index()])));
+  list.push_back(
+      NetcdfHeader::attribute("axis", std::string(1, "xyz"[pair.coefficients().axis_index()])));
   list.push_back(NetcdfHeader::attribute("sample_s", times.sample));
   list.push_back(NetcdfHeader::attribute("start_s", times.start));
   std::string commands = std::string("pair_style ") + lmp->force->pair_style;
-  for (const std::vector<std::string> &words : pair.said()) {
-    if (&words != &pair.said().front()) commands += "\npair_coeff";
+  for (const std::vector<std::string> &words : pair.commands()) {
+    if (&words != &pair.commands().front()) commands += "\npair_coeff";
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));

@@ -29,7 +29,7 @@ void ring_values(const Atom &atom, PairBearingHertz &pair, int n, double *of)
 {
   const RingSum &rings = pair.ring_sum();
   const int i = rings.ring(n);
-  const raceway::LabAxes axes = {pair.axis_index()};
+  const raceway::LabAxes axes = {pair.coefficients().axis_index()};
   const RingMotion &ring = pair.state()->ring(i);
   raceway::RingPlace place;
   read_place(atom, i, ring, axes, place);

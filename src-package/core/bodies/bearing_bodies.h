@@ -9,6 +9,7 @@
 #include "body_group.h"
 #include "coordinate.h"
 #include "kept_follow.h"
+#include "ring_implicit.h"
 #include "shaft_bend.h"
 
 namespace raceway {

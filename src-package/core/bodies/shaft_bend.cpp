@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "shaft_bend.h"
 
+#include "../numbers/cubic.h"
+
 namespace raceway {
 
 const std::vector<double> &ShaftBend::loads(const RingProgram &p, const RingPose &rigid, double s)

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Free, fixed and driven motion of a ring, under either integrator.
+#ifndef RACEWAY_RING_DRIVE_H
+#define RACEWAY_RING_DRIVE_H
+
+#include "ring_program.h"
+
+namespace raceway {
+
+// Adds `gained` (3 values, m/s) to the free velocities.
+inline void gain(const RingProgram &p, RingPlace &r, const double *gained)
+{
+  double v[3];
+  r.v.to(v);
+  for (int k = 0; k < 3; ++k)
+    if (p.free(k)) v[k] += gained[k];
+  r.v = Vec3::from(v);
+}
+
+// Moves a ring over h seconds to the share s of the host's step, at its own velocity where free.
+inline void displace(const RingProgram &p, RingPlace &r, double h, double s)
+{
+  double x[3], v[3], origin[3];
+  r.x.to(x);
+  r.v.to(v);
+  r.origin.to(origin);
+  for (int k = 0; k < 3; ++k) {
+    if (p.mode[k] == Freedom::fixed) v[k] = 0.0;
+    if (p.mode[k] == Freedom::speed) v[k] = p.target_at(k, s);
+    if (p.mode[k] == Freedom::position) {
+      const double target = origin[k] + p.target_at(k, s);
+      v[k] = (target - x[k]) / h;
+      x[k] = target;
+    } else {
+      x[k] += h * v[k];
+    }
+  }
+  r.x = Vec3::from(x);
+  r.v = Vec3::from(v);
+}
+
+// Tilt rates (rad/s): the given ones where free, otherwise fixed or driven.
+inline void drive_rates(const RingProgram &p, const RingPlace &r, double *rate, double h, double s)
+{
+  for (int k = 0; k < 2; ++k) {
+    const int dof = RingProgram::TILT + k;
+    switch (p.mode[dof]) {
+      case Freedom::fixed: rate[k] = 0.0; break;
+      case Freedom::free: break;
+      case Freedom::speed: rate[k] = p.target_at(dof, s); break;
+      case Freedom::position: rate[k] = (p.target_at(dof, s) - r.tilt[k]) / h; break;
+    }
+  }
+}
+
+// Driven tilts set the axis directly: no drift from adding up small rotations.
+inline void tilt_by(RingPlace &r, const double *rate, double h)
+{
+  for (int k = 0; k < 2; ++k) r.tilt[k] += rate[k] * h;
+  r.e = rotate({0.0, 0.0, 1.0}, {r.tilt[0], r.tilt[1], 0.0});
+}
+
+// Spin (rad/s): the given one where free.
+inline double driven_spin(const RingProgram &p, double spin, double s)
+{
+  switch (p.mode[RingProgram::SPIN]) {
+    case Freedom::fixed: return 0.0;
+    case Freedom::free: return spin;
+    default: return p.target_at(RingProgram::SPIN, s);
+  }
+}
+
+}    // namespace raceway
+
+#endif

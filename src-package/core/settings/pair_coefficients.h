@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What pair_style and pair_coeff say: the raceway of each ball type on each ring type, the materials
+// of spheres that touch, and the contact law.
+#ifndef BEARING_PAIR_COEFFICIENTS_H
+#define BEARING_PAIR_COEFFICIENTS_H
+
+#include "../raceway/raceway_physics.h"
+#include "arguments.h"
+
+#include <map>
+
+namespace bearing {
+
+// Atoms of each type, over all ranks.
+struct TypeSizes {
+  std::vector<double> smallest, largest, mass;    // radii (m); the largest mass (kg)
+  std::vector<int> count;
+};
+
+class PairCoefficients {
+ public:
+  struct Spheres {    // materials of two types; factor of the stiffness
+    double E1, nu1, E2, nu2, factor;
+    double stiffness(double R1, double R2) const;    // N/m^1.5
+  };
+
+  explicit PairCoefficients(bool with_film);
+
+  // pair_style bearing/hertz [axis x|y|z] [overlap_limit F] [raceway keywords]
+  void read_style(Arguments &);
+  // pair_coeff BALL RING inner|outer R r_c [gothic_arch G] [keywords]
+  // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed]
+  void read_coeff(Arguments &, int types);
+  // Derives the constants of the raceways. Returns what is wrong with raceways and atoms, or "".
+  std::string prepare(const TypeSizes &);
+
+  bool lubricated() const { return with_film_; }
+  int axis_index() const { return axis_; }    // 0 x, 1 y, 2 z
+  raceway::Vec3 axis() const
+  {
+    return {axis_ == 0 ? 1.0 : 0.0, axis_ == 1 ? 1.0 : 0.0, axis_ == 2 ? 1.0 : 0.0};
+  }
+  bool is_ring(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
+  bool is_ball(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
+  bool is_named(int type) const;    // by some pair_coeff
+  // Sides on which a ball type has a raceway: 1 inner, 2 outer, or their sum.
+  int sides_of(int ball_type) const;
+  bool any_raceway() const { return !raceways_.empty(); }
+  // Groove of a ring for a ball, by number; null if none.
+  const raceway::RacewayPhysics *raceway(int ball_type, int ring_type, int groove = 0) const;
+  // Raceways of a ring type, and those of a ball type.
+  std::vector<const raceway::RacewayPhysics *> raceways_of(int ring_type) const;
+  std::vector<const raceway::RacewayPhysics *> raceways_under(int ball_type) const;
+  bool many_grooves() const;    // some ring has two grooves for a ball
+  // Radius of the circle half-way between the raceways of a ball on that ring, m; 0 if the type is
+  // not a ring.
+  double pitch_radius(int ring_type) const;
+  bool any_spheres() const { return !spheres_.empty(); }    // with cage balls or one another
+  const Spheres *spheres(int type_1, int type_2) const;     // null if none
+  // Parts of the contact law (core/contact/contact.h), one law for all raceways.
+  unsigned law() const { return law_; }
+  const raceway::LawFacts &facts() const { return facts_; }
+  // Raceways with a tangential spring take this creep instead: true.
+  bool smooth_friction(double creep);
+  // Distance of centres below which two types are neighbours, m; 0: they do not interact.
+  double cutoff(int type_1, int type_2) const;
+  double reach() const;    // m, of a ball's centre from that of its ring
+
+ private:
+  struct GrooveName {
+    int ball, ring, number;    // types; of the grooves of that ring
+    bool operator<(const GrooveName &o) const
+    {
+      return ball != o.ball ? ball < o.ball : ring != o.ring ? ring < o.ring : number < o.number;
+    }
+  };
+  void read_spheres(Arguments &, int i, int j);
+  std::string wrong_size(const GrooveName &, const raceway::RacewayPhysics &) const;
+  std::string wrong_rings() const;
+  void set_law(unsigned parts);
+
+  bool with_film_;
+  raceway::RacewayPhysics defaults_;
+  int axis_ = 2;
+  double overlap_limit_ = 0.05;
+  std::map<GrooveName, raceway::RacewayPhysics> raceways_;
+  std::map<std::pair<int, int>, Spheres> spheres_;    // smaller type first
+  std::vector<char> ring_type_, ball_type_;
+  TypeSizes sizes_;
+  unsigned law_ = 0;
+  raceway::LawFacts facts_;
+};
+
+}    // namespace bearing
+
+#endif
