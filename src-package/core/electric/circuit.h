@@ -30,7 +30,7 @@ struct CircuitState {
 
   // for the last step
   double charge_error = 0.0, energy_error = 0.0;    // C, largest of a node; J
-  NodeValues before;    // voltages before the discharge at its end
+  NodeValues before;                                // voltages before the discharge at its end
   StepCharges moved;
   double discharge_work = 0.0;    // J, of the driving voltage
 };
