@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of four-point and double row bearings with the models `full` against statics: places, loads,
-losses, stiffness, and the steady temperature. Both have spin by slices. All balls are loaded:
-others roll in statics and skid in a run."""
+"""Runs with the models `full` against statics: places, loads, losses, stiffness, and the steady
+temperature; one groove a ring, four points, two rows, with and without unloaded balls. Both have
+spin by slices."""
 
 import numpy as np
 import pytest
@@ -18,6 +18,21 @@ OIL = {"lubricant": "vg46", "rpm": 1910}
 HELD = {"rx": 0.0, "ry": 0.0}
 # N, and m of clearance: two contacts a ball, four, four under a thrust
 CASES = {"thrust": (2000.0, 0.0), "preload": (200.0, -20e-6), "both": (1500.0, -20e-6)}
+PHASES = np.arange(4) * np.pi / 18  # of the balls over a ball pass
+
+
+def over_a_pass(lubricant, **point):
+    """Torque and losses of statics."""
+    found = [
+        figures("6208", lubricant, ROOT / "inputs", models="full", phase=phase, **point)
+        for phase in PHASES
+    ]
+    parts = {
+        part: np.mean([one["losses_W"][part] for one in found]) for part in found[0]["losses_W"]
+    }
+    return np.mean([one["friction_torque_N_m"] for one in found]), parts
+
+
 FOUR = {"four_point": np.radians(35)}
 
 
@@ -38,6 +53,28 @@ def test_four_points(tmp_path, name):
         assert run[key] == pytest.approx(still[key], rel=1e-2), key
     for part in ("rolling", "spin", "hysteresis", "drag"):
         assert run["losses_W"][part] == pytest.approx(still["losses_W"][part], rel=1e-2), part
+
+
+@pytest.mark.parametrize("rpm", [477.5, 1910.0])
+def test_unloaded_balls(tmp_path, rpm):
+    """They skid: if they rolled, the rolling loss would be some 5 % more."""
+    point = {"load": 5000.0, "rpm": rpm, "lubricant": "mineral"}
+    succeed("inputs/in.6208", out=tmp_path, models="full", passes=1, **point)
+    run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point)
+    assert run["friction_torque_N_m"] == pytest.approx(torque, rel=5e-3)
+    for part in ("rolling", "slip", "hysteresis", "drag"):
+        assert run["losses_W"][part] == pytest.approx(parts[part], rel=1e-2), part
+
+
+def test_unloaded_balls_of_four_points(tmp_path):
+    point = {"load": 2000.0, "rpm": 1910.0, "lubricant": "vg46"}
+    words = {"four_point": 35, "passes": 1, "models": "full", **LAWS}
+    succeed("inputs/in.6208", out=tmp_path, **words, **point)
+    run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point, **LAWS, **FOUR)
+    assert run["friction_torque_N_m"] == pytest.approx(torque, rel=1e-2)
+    for part in ("spin", "hysteresis"):
+        assert run["losses_W"][part] == pytest.approx(parts[part], rel=1e-2), part
+    assert run["losses_W"]["rolling"] == pytest.approx(parts["rolling"], rel=1.5e-2)
 
 
 @pytest.mark.parametrize("name", ["thrust", "preload"])

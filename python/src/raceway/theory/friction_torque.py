@@ -12,7 +12,8 @@ spin        about the contact normals, at the raceway that holds the ball less (
 hysteresis  of the steel (`rolling`)
 drag        of the balls in oil and air (`drag`)
 
-A ball with more than two contacts cannot roll on all of them (`ball_motion`).
+A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball on the outer
+ring alone loses rotation to rolling resistance and slides (`skidding`).
 """
 
 from dataclasses import dataclass
@@ -30,6 +31,7 @@ from raceway.theory import (
     hertz,
     makers,
     rolling,
+    skidding,
     sliding,
     spin,
     traction,
@@ -112,17 +114,25 @@ def losses(
     surfaces = surfaces or Surfaces()
     contacts = _by_groove(state.inner) + _by_groove(state.outer)
     wet = _by_groove(films.inner) + _by_groove(films.outer)
+    loaded = np.array([one.load > 0 for one in contacts])
+    inner = bearing.raceways.count(INNER)
+    speed = orbit * bearing.pitch_radius
+    alone = skidding.unloaded(
+        loaded[:inner].any(0),
+        state.azimuth,
+        bearing.row,
+        float(np.mean(orbit)),
+        bearing.pitch_radius,
+    )
     rows = [
-        _one(bearing, side, contact, film, fluid, clearance, surfaces)
+        _one(bearing, side, contact, film, fluid, clearance, surfaces, alone)
         for side, contact, film in zip(bearing.raceways, contacts, wet)
     ]
     rolled, slid, hysteresis, share, friction = (np.array(part) for part in zip(*rows))
-    speed = orbit * bearing.pitch_radius
     against = drag.force(
         bearing.ball_radius, speed, fluid.viscosity, fluid.density, surfaces.oil_share
     )
-    turned, loaded = np.zeros(slid.shape), np.array([one.load > 0 for one in contacts])
-    inner = bearing.raceways.count(INNER)
+    turned = np.zeros(slid.shape)
     held = loaded[:inner].any(0) & loaded[inner:].any(0)
     two = held & (loaded.sum(0) == 2)
     tilted = np.any(held & (np.abs([one.angle for one in contacts]) > 1e-6))
@@ -178,18 +188,23 @@ def surfaces(
     return Surfaces(film=film, starvation=float(found.starvation))
 
 
-def _one(bearing, side, contact, film, fluid, clearance, surfaces):
+def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
+    """`Losses` of a groove but spin and drag, (5, Z)."""
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     load, a, b = contact.load[live], contact.a[live], contact.b[live]
     speed, turns, h_c = film.entrainment[live], film.rolling[live], film.h_c[live]
     r_x, r_y = bearing.effective_radii(side, contact.angle[live], clearance)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
-    force = rolling.hydrodynamic(fluid.viscosity, bearing.effective_modulus, r_x, r_y, speed, load)
-    loading = film_factors.thermal_loading(
-        fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
-    )
-    factor = film_factors.murch_wilson(loading) * surfaces.starvation
+
+    def resistance(speed):
+        loading = film_factors.thermal_loading(
+            fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
+        )
+        factor = film_factors.murch_wilson(loading) * surfaces.starvation
+        oil, modulus = fluid.viscosity, bearing.effective_modulus
+        return 2 * factor * rolling.hydrodynamic(oil, modulus, r_x, r_y, speed, load)
+
     share = asperity.zhou_hoeprich(film.ratio[live])
     smooth = surfaces.film
     if smooth is None:
@@ -202,10 +217,28 @@ def _one(bearing, side, contact, film, fluid, clearance, surfaces):
             fluid.limiting_traction,
         )
     friction = traction.mixed(share, surfaces.boundary, smooth)
+    rolled = resistance(speed) * turns
+    slid = sliding.free_power(load, friction, speed, a, r_d, r_x)
+    part = np.ones(load.shape)  # of the rotation of rolling
+    past, since, until, frequency = (one[live] for one in alone)
+    if np.any((past > 0) & (rolled > friction * load * past)):
+        flat = np.cos(contact.angle[live]) * bearing.pitch_radius
+
+        def slowed(part):
+            return resistance(speed - past * (1 - part) / 2)
+
+        def slowing(part):
+            return slowed(part) * r_x / (bearing.ball_radius * load) - friction
+
+        rate = past / (0.4 * flat)
+        part, at_last = (skidding.rotation(slowing, rate, time) for time in (since, until))
+        rolled = slowed(part) * turns * part
+        slid = np.where(part < 1, friction * load * past * (1 - part), slid)
+        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # spun up again
     values[:, live] = (
-        2 * force * turns * factor,
-        sliding.free_power(load, friction, speed, a, r_d, r_x),
-        rolling.hysteresis(load, b, surfaces.loss) * turns / r_x,
+        rolled,
+        slid,
+        part * rolling.hysteresis(load, b, surfaces.loss) * turns / r_x,
         share,
         friction,
     )
