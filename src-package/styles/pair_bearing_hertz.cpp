@@ -252,6 +252,7 @@ void PairBearingHertz::init_style()
   if (!(update->dt >= shortest_step))
     BRG_ALL("timestep is " + text(update->dt) + " s, must be at least " + text(shortest_step) +
             " s: time would not go on");
+  time_.go_on(*update);
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
   prepare_raceways();
@@ -436,7 +437,7 @@ double PairBearingHertz::init_one(int i, int j)
   return cut;
 }
 
-// A restart file stores the commands themselves; reading it replays them.
+// A restart file stores the commands themselves; reading it replays them. The simulated time follows.
 static void write_words(FILE *fp, const std::vector<std::string> &words)
 {
   const int n = static_cast<int>(words.size());
@@ -453,6 +454,8 @@ void PairBearingHertz::write_restart(FILE *fp)
   const int n = static_cast<int>(said_.size());
   fwrite(&n, sizeof(int), 1, fp);
   for (const auto &words : said_) write_words(fp, words);
+  const bearing::SimulatedTime::State time = bearing::SimulatedTime::of(*update);
+  fwrite(&time, sizeof time, 1, fp);
 }
 
 void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
@@ -479,6 +482,11 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
     if (k == 0) settings(static_cast<int>(arg.size()), arg.data());
     else coeff(static_cast<int>(arg.size()), arg.data());
   }
+  bearing::SimulatedTime::State time;
+  if (comm->me == 0 && fread(&time, sizeof time, 1, fp) != 1)
+    BRG_ONE("pair_style bearing: restart file ends early");
+  MPI_Bcast(&time, sizeof time, MPI_BYTE, 0, world);
+  time_.read(*update, time);
 }
 
 double PairBearingHertz::memory_usage()

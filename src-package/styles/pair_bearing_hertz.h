@@ -14,6 +14,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #include "../ranks/ring_sum.h"
 #include "bearing_compat.h"
 #include "fix_bearing_state.h"
+#include "simulated_time.h"
 
 #include <map>
 #include <memory>
@@ -148,6 +149,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bool smooth() const { return profiles_.empty() && ball_profiles_.empty(); }
   [[noreturn]] void lost(const bearing::RacewayContact &);
 
+  bearing::SimulatedTime time_;
   raceway::RacewayPhysics defaults_;
   int axis_ = 2;
   double overlap_limit_ = 0.05;
