@@ -8,6 +8,7 @@
 #include "../deck/agree.h"
 #include "../deck/variable_table.h"
 #include "record_settings.h"
+#include "simulated_time.h"
 #include "spheres.h"
 
 #include <filesystem>
@@ -258,9 +259,7 @@ void BearingStep::command(int narg, char **arg)
   Arguments args(lmp, "bearing_step", narg, arg, 0);
   const int step = args.integer("number of the step", 0, 2000000000);
   if (args.more()) args.unknown("none, the command ends here");
-  const double time =
-      update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
+  const double time = bearing::SimulatedTime::now(*update);
   input->one(("reset_timestep " + std::to_string(step)).c_str());
-  update->atime = time;    // the hosts treat it differently
-  update->atimestep = update->ntimestep;
+  bearing::SimulatedTime::set(*update, time);
 }

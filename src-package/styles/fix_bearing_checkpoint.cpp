@@ -315,10 +315,7 @@ double FixBearingCheckpoint::compute_vector(int n)
 
 void FixBearingCheckpoint::write_restart(FILE *fp)
 {
-  std::vector<double> data = {update->atime,
-                              static_cast<double>(update->atimestep),
-                              samples_,
-                              static_cast<double>(sums_.size()),
+  std::vector<double> data = {samples_, static_cast<double>(sums_.size()),
                               static_cast<double>(counters_.size()),
                               static_cast<double>(files_.size())};
   data.insert(data.end(), sums_.begin(), sums_.end());
@@ -341,11 +338,11 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
 
 void FixBearingCheckpoint::restart(char *buf)
 {
-  double head[6];
+  double head[4];
   memcpy(head, buf, sizeof head);
-  if (head[3] != sums_.size() || head[4] != counters_.size() || head[5] != files_.size())
-    BRG_ALL(command_ + ": the restart file was written with " + whole(head[3]) + " sums, " +
-            whole(head[4]) + " counters and " + whole(head[5]) + " files, not " +
+  if (head[1] != sums_.size() || head[2] != counters_.size() || head[3] != files_.size())
+    BRG_ALL(command_ + ": the restart file was written with " + whole(head[1]) + " sums, " +
+            whole(head[2]) + " counters and " + whole(head[3]) + " files, not " +
             std::to_string(sums_.size()) + ", " + std::to_string(counters_.size()) + " and " +
             std::to_string(files_.size()));
   const char *rest = buf + sizeof head;
@@ -356,9 +353,7 @@ void FixBearingCheckpoint::restart(char *buf)
   if (settings_ != rest)
     BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" +
             settings_ + "'. Remove it, or resume with its settings");
-  update->atime = head[0];    // the thermo keyword time continues with the same bits
-  update->atimestep = static_cast<bigint>(head[1]);
-  samples_ = head[2];
+  samples_ = head[0];
   resumed_ = true;
   check_files();
 }

@@ -5,6 +5,7 @@
 #include "compute_bearing_total.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
+#include "simulated_time.h"
 
 #include <algorithm>
 
@@ -76,8 +77,7 @@ void FixBearingProgress::show()
     moved = std::max(moved, std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]));
   }
   const double done = share(), spent = MPI_Wtime() - began_;
-  const double time =
-      update->atime + static_cast<double>(update->ntimestep - update->atimestep) * update->dt;
+  const double time = bearing::SimulatedTime::now(*update);
   char left[16] = "-";
   if (done > 0.0) snprintf(left, sizeof left, "%.1f", spent * (1.0 - done) / done);
   char line[160];

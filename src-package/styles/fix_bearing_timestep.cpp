@@ -5,6 +5,7 @@
 #include "../core/figures/fix_columns.h"
 #include "../core/settings/arguments.h"
 #include "pair_bearing_hertz.h"
+#include "simulated_time.h"
 
 #include <algorithm>
 
@@ -91,7 +92,7 @@ double FixBearingTimestep::compute_vector(int k)
   switch (k) {
     case LIMIT: return limit_;
     case SMALLEST: return smallest_limit_;
-    case TIME: return update->atime + (update->ntimestep - update->atimestep) * update->dt;
+    case TIME: return bearing::SimulatedTime::now(*update);
     case WALL: return MPI_Wtime() - run_start_;
   }
   return 0.0;

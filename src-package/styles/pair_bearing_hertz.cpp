@@ -91,6 +91,7 @@ void PairBearingHertz::init_style()
   if (!(update->dt >= shortest_step))
     BRG_ALL("timestep is " + text(update->dt) + " s, must be at least " + text(shortest_step) +
             " s: time would not go on");
+  time_.go_on(*update);
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
   const std::string wrong = coefficients_.prepare(type_sizes());
@@ -204,7 +205,13 @@ double PairBearingHertz::init_one(int i, int j)
   return cut;
 }
 
-void PairBearingHertz::write_restart(FILE *fp) { bearing::write_commands(fp, commands_); }
+// The simulated time follows the commands.
+void PairBearingHertz::write_restart(FILE *fp)
+{
+  bearing::write_commands(fp, commands_);
+  const bearing::SimulatedTime::State time = bearing::SimulatedTime::of(*update);
+  fwrite(&time, sizeof time, 1, fp);
+}
 
 void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
 {
@@ -219,6 +226,11 @@ void PairBearingHertz::read_restart BRG_READ_RESTART_SIG
     if (&words == &commands.front()) settings(narg, arg.data());
     else coeff(narg, arg.data());
   }
+  bearing::SimulatedTime::State time;
+  if (comm->me == 0 && fread(&time, sizeof time, 1, fp) != 1)
+    BRG_ONE("pair_style bearing: restart file ends early");
+  MPI_Bcast(&time, sizeof time, MPI_BYTE, 0, world);
+  time_.read(*update, time);
 }
 
 double PairBearingHertz::memory_usage()

@@ -15,6 +15,7 @@ PairStyle(bearing/hertz,PairBearingHertz)
 #include "../ranks/ring_sum.h"
 #include "contact_evaluator.h"
 #include "fix_bearing_state.h"
+#include "simulated_time.h"
 
 #include <set>
 
@@ -83,6 +84,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   void check_step();
   [[noreturn]] void lost(const bearing::RacewayContact &);
 
+  bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
   bearing::Commands commands_;                  // so far: a restart replays them

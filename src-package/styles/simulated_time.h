@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Simulated time from one run to the next and through restart files, for formulas of the host's
+// keyword `time`. The hosts treat it differently: some forget it in a restart file, some set it to 0
+// or let it jump in reset_timestep.
+#ifndef BEARING_SIMULATED_TIME_H
+#define BEARING_SIMULATED_TIME_H
+
+#include "bearing_compat.h"
+
+#include <cmath>
+
+namespace bearing {
+
+class SimulatedTime {
+ public:
+  // What a restart file holds: the time is `since` s at step `from` and `step_length` s a step on.
+  struct State {
+    double since, from, step_length, step;    // `step`: the present one
+    double now() const { return since + (step - from) * step_length; }
+  };
+
+  static State of(const LAMMPS_NS::Update &u)
+  {
+    return {u.atime, double(u.atimestep), u.dt, double(u.ntimestep)};
+  }
+  static double now(const LAMMPS_NS::Update &u) { return of(u).now(); }
+  static void set(LAMMPS_NS::Update &u, double time)
+  {
+    u.atime = time;
+    u.atimestep = u.ntimestep;
+  }
+
+  void run_done(const LAMMPS_NS::Update &u) { left_ = of(u), known_ = true, read_ = false; }
+  void read(LAMMPS_NS::Update &u, const State &s)
+  {
+    left_ = s, known_ = read_ = true;
+    set(u, s.now());
+  }
+  // Before a run or the writing of a restart file. A continued run has the bits of an undisturbed one.
+  void go_on(LAMMPS_NS::Update &u) const
+  {
+    if (!known_) return;
+    if (read_ && u.dt == left_.step_length && u.ntimestep == LAMMPS_NS::bigint(left_.step)) {
+      u.atime = left_.since;
+      u.atimestep = LAMMPS_NS::bigint(left_.from);
+    } else if (std::fabs(now(u) - left_.now()) > 1e-6 * u.dt) {
+      set(u, left_.now());
+    }
+  }
+
+ private:
+  State left_ = {};
+  bool known_ = false, read_ = false;    // from a restart file, and no run since
+};
+
+}    // namespace bearing
+
+#endif
