@@ -76,7 +76,7 @@ def figures(
     oil, fluid = _oil(lubricant, folder, temperature)
     spin, nominal = rpm * math.pi / 30, inputs.nominal_angle(path)
     held = inputs.held(path, axial, clearance, double_row) | dict(held or {})
-    density = float(inputs.values(path).get("ball_density", 7800.0)) if density is None else density
+    density = inputs.ball_density(path) if density is None else density
     stated = inputs.four_point_angle(path)
     four_point = stated if four_point is None else four_point
     film = FilmInGap(fluid, spin) if models == "full" and oil is not None and spin else None

@@ -254,7 +254,7 @@ class Case:
             self.load,
             self.axial,
             self.rpm,
-            float(inputs.values(path).get("ball_density", 7800.0)),
+            inputs.ball_density(path),
             self.spin_law,
             self.film_friction,
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
