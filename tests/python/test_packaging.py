@@ -88,7 +88,7 @@ def test_without_the_library_a_law_says_what_to_run(tmp_path, monkeypatch):
 
 
 def test_wheel_has_the_data_files(wheel):
-    for kind in ("bearings", "lubricants"):
+    for kind in ("bearings", "lubricants", "variables"):
         for path in (ROOT / "inputs" / kind).iterdir():
             copy = wheel / "raceway" / "data" / kind / path.name
             assert copy.read_text() == path.read_text() and not copy.is_symlink()

@@ -1,21 +1,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The data files of the decks: `variable NAME index VALUE # comment`."""
+"""The data files of the decks: bearings and lubricants."""
 
 import math
-import re
-from pathlib import Path
 from typing import NamedTuple
 
-from raceway import data_table
+from raceway.data_file import check, numbers, values
+from raceway.data_file import comments as comments  # public here, too
+from raceway.data_file import text as text
 from raceway.errors import InputError
 from raceway.files import FilePath
 from raceway.theory import life, makers
 from raceway.theory.bearing import Bearing, DoubleRow
 from raceway.theory.lubricant import Fluid, Lubricant, Vogel, Walther
 from raceway.theory.validity import Shoulders
-
-LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
-REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
 
 # variables of a lubricant in the order of `Lubricant`, and those that give a `Fluid` outright
 PHYSICAL = (
@@ -56,36 +53,6 @@ class Oil(NamedTuple):
     roughness: float  # m, composite
 
 
-def text(path: FilePath) -> str:
-    """A data file, or the one that a row of a table in its folder stands for (`data_table`). Raises
-    `InputError` when there is neither or it cannot be read."""
-    path = Path(path)
-    if not path.is_file() and (row := data_table.text(path)):
-        return row
-    try:
-        return path.read_text()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
-
-
-def values(path: FilePath) -> dict[str, str]:
-    """The index variables of a data file as {name: text}. Raises `InputError` when it cannot be
-    read."""
-    return _matches(path, LINE)
-
-
-def comments(path: FilePath) -> dict[str, str]:
-    """What a data file says behind its index variables, as {name: comment}. Raises `InputError`
-    when it cannot be read."""
-    return _matches(path, REMARK)
-
-
-def _matches(path, pattern):
-    return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
-
-
 def bearing(
     path: FilePath,
     *,
@@ -113,15 +80,22 @@ def bearing(
 def _one_groove(path):
     """`Bearing` of a file with one groove a ring."""
     known = values(path)
-    data = _numbers(path, "balls", "ball_diameter")
+    data = numbers(path, "balls", "ball_diameter")
     if "pitch_diameter" in known:
         data |= _radii(path)
     given = [name for name in RADII if name in known or "pitch_diameter" not in known]
-    data |= _numbers(path, *given)
+    data |= numbers(path, *given)
     data["balls"] = int(data["balls"])
+    check(path, data)
+    for side in ("inner", "outer"):
+        groove, raceway = data[f"{side}_groove"], data[f"{side}_radius"]
+        if groove >= raceway:
+            raise InputError(
+                f"{path}: {side}_groove = {groove:g} m must be below {side}_radius = {raceway:g} m"
+            )
     steel = [] if "pitch_diameter" in known else ["ball_young", "ball_poisson"]
     names = steel or [name for name in ("ball_young", "ball_poisson") if name in known]
-    elastic = STEEL | _numbers(path, *names)
+    elastic = STEEL | numbers(path, *names)
     young, poisson = elastic["ball_young"], elastic["ball_poisson"]
     try:
         return Bearing(**data, young=young, poisson=poisson)
@@ -134,14 +108,28 @@ def held(
 ) -> dict[str, float]:
     """{"z": m} at which the decks hold the inner ring of a bearing of one row along its axis
     without an `axial` load (N): where its balls are in contact at the contact angle of the file.
-    Empty with an axial load and of two rows. Raises `InputError`, also for a `clearance` (m) of a
-    bearing with a contact angle."""
-    angle = nominal_angle(path)
+    Empty with an axial load and of two rows. Raises `InputError`, also for a `clearance` (m) that
+    the decks refuse."""
+    angle, body = nominal_angle(path), _one_groove(path)
     if angle and clearance:
         raise InputError(
             f"{path}: clearance {clearance:g} m must be 0: it follows from the contact angle"
         )
-    return {} if axial or double_row is not None else {"z": _one_groove(path).seat(angle)}
+    # as in create_bearing: half of it squeezes a ball, by at most 0.02 of its radius at a contact
+    least, most = -0.08 * body.ball_radius, body.play(math.pi / 2)
+    if not least <= clearance <= most:
+        raise InputError(
+            f"{path}: clearance {clearance:g} m must be from {least:g} to {most:g} m, or the balls"
+            " do not fit"
+        )
+    return {} if axial or double_row is not None else {"z": body.seat(angle)}
+
+
+def ball_density(path: FilePath) -> float:
+    """Density of the balls (kg/m^3) of a file of inputs/bearings, that of steel where it states
+    none. Raises `InputError`."""
+    known = "ball_density" in values(path)
+    return numbers(path, "ball_density")["ball_density"] if known else 7800.0
 
 
 def nominal_angle(path: FilePath) -> float:
@@ -149,7 +137,7 @@ def nominal_angle(path: FilePath) -> float:
     `InputError`."""
     if "contact_angle" not in values(path):
         return 0.0
-    return math.radians(_numbers(path, "contact_angle")["contact_angle"])
+    return math.radians(numbers(path, "contact_angle")["contact_angle"])
 
 
 def four_point_angle(path: FilePath) -> float | None:
@@ -157,15 +145,12 @@ def four_point_angle(path: FilePath) -> float | None:
     file of inputs/bearings; None of a bearing with one groove a ring. Raises `InputError`."""
     if "four_point" not in values(path):
         return None
-    angle = _numbers(path, "four_point")["four_point"]
-    if not 5 <= angle <= 60:
-        raise InputError(f"{path}: four_point = {angle:g} degrees must lie between 5 and 60")
-    return math.radians(angle)
+    return math.radians(numbers(path, "four_point")["four_point"]) or None
 
 
 def _radii(path):
     """Raceways and grooves from the usual data, as bearing_derive usual_data has them (m)."""
-    pitch, ball, inner, outer = _numbers(
+    pitch, ball, inner, outer = numbers(
         path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
     ).values()
     cosine, radius = math.cos(nominal_angle(path)), ball / 2
@@ -184,7 +169,7 @@ def boundary(path: FilePath) -> makers.Boundary | None:
     names = ("bore_diameter", "outside_diameter", "bearing_width", "basic_static_load")
     if "series" not in values(path):
         return None
-    bore, outside, width, static = _numbers(path, *names).values()
+    bore, outside, width, static = numbers(path, *names).values()
     try:
         series = values(path)["series"]
         return makers.Boundary(1e3 * bore, 1e3 * outside, 1e3 * width, series, static)
@@ -198,14 +183,14 @@ def ratings(path: FilePath) -> life.Ratings | None:
     names = ("basic_dynamic_load", "basic_static_load")
     if not values(path).keys() >= set(names):
         return None
-    numbers = _numbers(path, *names)
-    for name, value in numbers.items():
+    rated = numbers(path, *names)
+    for name, value in rated.items():
         if not 0 < value < math.inf:
             raise InputError(f"{path}: {name} = {value:g} N must be above 0")
-    estimate = life.ratings(*numbers.values(), 2 * _one_groove(path).pitch_radius)
+    estimate = life.ratings(*rated.values(), 2 * _one_groove(path).pitch_radius)
     if "fatigue_load_limit" in values(path):
-        limit = _numbers(path, "fatigue_load_limit")["fatigue_load_limit"]
-        if not 0 < limit < numbers["basic_static_load"]:
+        limit = numbers(path, "fatigue_load_limit")["fatigue_load_limit"]
+        if not 0 < limit < rated["basic_static_load"]:
             raise InputError(
                 f"{path}: fatigue_load_limit = {limit:g} N must lie between 0 and the static rating"
             )
@@ -219,7 +204,7 @@ def minimum_load(path: FilePath) -> tuple[float, float] | None:
     if "minimum_load_factor" not in values(path):
         return None
     names = ("minimum_load_factor", "bore_diameter", "outside_diameter")
-    factor, bore, outside = _numbers(path, *names).values()
+    factor, bore, outside = numbers(path, *names).values()
     if not 0 < factor < 1:
         raise InputError(f"{path}: minimum_load_factor = {factor:g} must lie between 0 and 1")
     return factor, (bore + outside) / 2
@@ -233,9 +218,10 @@ def shoulders(path: FilePath) -> Shoulders:
     found = {}
     for name, bottom in bottoms.items():
         key = f"{name}_shoulder_diameter"
-        if key not in values(path):
+        # 0 is unknown, as in a deck
+        if key not in values(path) or not (diameter := numbers(path, key)[key]):
             continue
-        found[name] = _numbers(path, key)[key]
+        found[name] = diameter
         groove = data.inner_groove if name == "inner" else data.outer_groove
         least, most = sorted((bottom, bottom + (2 if name == "inner" else -2) * groove))
         if not least < found[name] <= most:
@@ -249,7 +235,7 @@ def oil(path: FilePath, temperature: float | None = None) -> Oil:
     """`Oil` of a file of inputs/lubricants at a `temperature` in degrees C, the file's own unless
     given. Raises `InputError`, for the dry one too."""
     at = fluid(path, temperature)
-    data = _numbers(path, "roughness", "ball_roughness")
+    data = numbers(path, "roughness", "ball_roughness")
     return Oil(
         at.viscosity,
         at.pressure_viscosity,
@@ -267,14 +253,14 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
     file does not say is NaN. Raises `InputError`, also for a temperature a file has no values for.
     """
     data = values(path)
-    own = float(data.get("temperature", "nan"))
+    own = numbers(path, "temperature")["temperature"] if "temperature" in data else math.nan
     if physical(path):
         try:
             result = lubricant(path).at(own if temperature is None else temperature)
         except ValueError as error:
             raise InputError(f"{path}: {error}") from None
     else:
-        _numbers(path, "viscosity", "pressure_viscosity", "permittivity")
+        numbers(path, "viscosity", "pressure_viscosity", "permittivity")
         if temperature not in (None, own):
             raise InputError(
                 f"{path} has values for {own:g} C only and none for {temperature:g} C: take a file "
@@ -282,7 +268,7 @@ def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
             )
         result = Fluid(own, *[math.nan] * (len(Fluid._fields) - 1))
     given = {field: key for field, key in FLUID.items() if key in data}
-    return result._replace(**dict(zip(given, _numbers(path, *given.values()).values())))
+    return result._replace(**dict(zip(given, numbers(path, *given.values()).values())))
 
 
 def physical(path: FilePath) -> bool:
@@ -298,16 +284,6 @@ def lubricant(path: FilePath) -> Lubricant:
         else (Walther, ("kinematic_viscosity_40", "kinematic_viscosity_100"))
     )
     try:
-        return Lubricant(law(*_numbers(path, *names).values()), *_numbers(path, *PHYSICAL).values())
-    except ValueError as error:
-        raise InputError(f"{path}: {error}") from None
-
-
-def _numbers(path, *names):
-    data = values(path)
-    if missing := [name for name in names if name not in data]:
-        raise InputError(f"{path} has no variable {', '.join(missing)}")
-    try:
-        return {name: float(data[name]) for name in names}
+        return Lubricant(law(*numbers(path, *names).values()), *numbers(path, *PHYSICAL).values())
     except ValueError as error:
         raise InputError(f"{path}: {error}") from None

@@ -101,7 +101,7 @@ def solve(
     body, oil = inputs.bearing(path, one_groove=True), inputs.oil(oil_path, temperature)
     fluid = inputs.fluid(oil_path, temperature)
     spin = rpm * math.pi / 30
-    density = float(inputs.values(path).get("ball_density", 7800.0))
+    density = inputs.ball_density(path)
     film = FilmInGap(fluid, spin) if models == "full" else None
     state, orbit = lubrication.turning(
         body,

@@ -91,6 +91,8 @@ class _Pressed(NamedTuple):
     r_x: Floats
     r_d: Floats
     spin_moment: Floats  # N m, Coulomb's of pure spin
+    h_c: Floats
+    share: Floats  # L_a
 
 
 def losses(
@@ -137,22 +139,25 @@ def losses(
     two = held & (loaded.sum(0) == 2)
     tilted = np.any(held & (np.abs([one.angle for one in contacts]) > 1e-6))
     if tilted:
-        pressed = _pressed(bearing, contacts, wet, friction, clearance)
+        pressed = _pressed(bearing, contacts, wet, friction, share, clearance)
         pair = np.array([np.argmax(loaded[:inner], 0), inner + np.argmax(loaded[inner:], 0)])
-        balls = np.arange(pair.shape[1])
+        balls = np.flatnonzero(two)
+        pair = pair[:, two]
         both = _Pressed(*(value[pair, balls] for value in pressed))
-        rates = _spin_rates(bearing, both.angle, ring, orbit)
+        rates = _spin_rates(bearing, both.angle, ring, np.broadcast_to(orbit, two.shape)[two])
+        alone = _spins_alone(rates)
+        both = _sheared(both, _free(both), alone, fluid, surfaces)
         if spin_law == "closed":
-            turned[pair[:, two], balls[two]] = _spin(both, rates)[:, two]
+            turned[pair, balls] = _spin(both, alone)
         else:
-            for ball in np.flatnonzero(two):
-                place = pair[:, ball], ball
-                slid[place], turned[place] = _together(both, rates, ball)
+            for k, ball in enumerate(balls):
+                place = pair[:, k], ball
+                slid[place], turned[place] = _together(both, rates, k)
         for ball in np.flatnonzero(held & ~two):
             live = loaded[:, ball]
             one = _Pressed(*(value[live, ball] for value in pressed))
             sides = np.array(bearing.raceways)[live]
-            found = _several(bearing, one, sides, ring, spin_law)
+            found = _several(bearing, one, sides, ring, spin_law, fluid, surfaces)
             slid[live, ball], turned[live, ball] = found
     balls = np.broadcast_to(against * speed, len(bearing.row)) + 0.0
     return Losses(rolled, slid, turned, hysteresis, balls, share, friction)
@@ -163,16 +168,32 @@ def _by_groove(side):
     return [type(side)(*one) for one in zip(*map(np.atleast_2d, side))]
 
 
-def _pressed(bearing, contacts, films, friction, clearance):
+def _pressed(bearing, contacts, films, friction, share, clearance):
     rows = []
-    for side, one, film, mu in zip(bearing.raceways, contacts, films, friction):
+    each = zip(bearing.raceways, contacts, films, friction, share)
+    for side, one, film, mu, asperities in each:
         r_x, r_y = bearing.effective_radii(side, one.angle, clearance)
         r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
         moment = spin.moment(one.load, mu, one.a, hertz.exact(r_x, r_y).second)
-        rows.append(
-            (one.load, one.angle, one.a, one.b, film.entrainment, mu, r_x, r_d + 0 * r_x, moment)
-        )
+        ellipse = (one.load, one.angle, one.a, one.b, film.entrainment)
+        rows.append((*ellipse, mu, r_x, r_d + 0 * r_x, moment, film.h_c, asperities))
     return _Pressed(*(np.array(part) for part in zip(*rows)))
+
+
+def _free(pressed):
+    return sliding.free_slip(pressed.speed, pressed.a, pressed.r_d, pressed.r_x)
+
+
+def _sheared(pressed, along, rate, fluid, surfaces):
+    """`_Pressed` with the friction of its film at a slip (m/s) and a spin (rad/s), which shears a
+    film more than differential slip alone."""
+    if surfaces.film is not None:
+        return pressed
+    curve = pressed.speed / (2 * pressed.r_d * pressed.r_x)
+    ellipse = pressed.load, pressed.a, pressed.b, pressed.h_c
+    film = traction.combined(fluid, *ellipse, along, rate, curve)
+    mu = traction.mixed(pressed.share, surfaces.boundary, film)
+    return pressed._replace(friction=mu, spin_moment=pressed.spin_moment * mu / pressed.friction)
 
 
 def surfaces(
@@ -267,15 +288,17 @@ def _spin_rates(bearing, angle, ring, orbit):
     return at, np.array(rates[1]) - at
 
 
-def _spin(both, rates):
+def _spins_alone(rates):
+    """Spin (2, Z) in rad/s at each raceway of a ball that does not spin at the other."""
+    at, turn = rates
+    return at - turn * (at / turn)[::-1]
+
+
+def _spin(both, alone):
     """Spin power (2, Z): of all rotations of the ball that roll at both raceways, the one that
     loses least holds it at one raceway and spins at the other."""
-    at, turn = rates
-    tried = []
-    for holds in (INNER, OUTER):
-        spins = at - turn * at[holds] / turn[holds]
-        tried.append(np.abs(spins) * both.spin_moment)
-    return np.where(tried[0].sum(0) < tried[1].sum(0), tried[0], tried[1])
+    lost = np.abs(alone) * both.spin_moment
+    return np.where(np.arange(2)[:, None] == np.argmin(lost, 0), lost, 0.0)
 
 
 def _together(both, rates, ball):
@@ -304,21 +327,25 @@ def _together(both, rates, ball):
     return np.array([of(side, np.array([least]))[:, 0] for side in (INNER, OUTER)]).T
 
 
-def _several(bearing, one, sides, ring, spin_law):
+def _several(bearing, one, sides, ring, spin_law, fluid, surfaces):
     """(slip, spin) of one ball with more than two contacts (C,), powers at each, as it moves by
     `ball_motion`; by slices, where the forces and moments of both together balance."""
     lines, goal, _ = ball_motion.rates(bearing, sides, one.angle, ring)
-    limit = one.friction * one.load
-    weight = np.concatenate([limit, one.spin_moment])
-    motion = ball_motion.least(lines, goal, weight, bearing.ball_radius)
-    free = sliding.free_slip(one.speed, one.a, one.r_d, one.r_x)
+
+    def least(one):
+        weight = np.concatenate([one.friction * one.load, one.spin_moment])
+        return ball_motion.least(lines, goal, weight, bearing.ball_radius)
+
     # of the ball's surface past the contact
     way = np.where(sides == INNER, 1.0, -1.0) * np.sign(ring)
     size = np.array([bearing.ball_radius, bearing.ball_radius, 1.0])
 
     def rates(motion):
         slide, rate = np.split(lines @ motion - goal, 2)
-        return free + way * slide, rate
+        return _free(one) + way * slide, rate
+
+    one = _sheared(one, *rates(least(one)), fluid, surfaces)
+    motion, limit = least(one), one.friction * one.load
 
     if spin_law == "closed":
         slide, rate = rates(motion)

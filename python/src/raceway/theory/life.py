@@ -24,6 +24,10 @@ PERMITTED = 4.2e9  # Pa, of the most loaded contact under the static load rating
 _FACTOR = ((0.4, 2.2649, 0.054381), (1.0, 1.9987, 0.19087), (4.0, 1.9987, 0.071739))
 
 
+# groove over ball diameter, inner and outer, up to which ISO 281 rates a bearing
+CONFORMITY = (0.52, 0.53)
+
+
 class Ratings(NamedTuple):
     """Load ratings of a bearing from its catalogue, N."""
 
@@ -61,19 +65,35 @@ def basic(dynamic: float, load: ArrayLike) -> np.ndarray:
     return (dynamic / np.asarray(load, float)) ** 3
 
 
+def wide_grooves(bearing: Bearing) -> np.ndarray:
+    """(2,) factors on the ball ratings of grooves wider than `CONFORMITY`, 1 for others: (2 f/(2 f
+    - 1))^0.41 over its value there, f the groove radius over the ball's diameter (Lundberg and
+    Palmgren 1947). ISO 281 rates narrower grooves no higher."""
+    groove, limit = (
+        np.array([bearing.inner_groove, bearing.outer_groove]) / bearing.ball_diameter,
+        np.array(CONFORMITY),
+    )
+    groove = np.maximum(groove, limit)
+    return (groove / limit * (2 * limit - 1) / (2 * groove - 1)) ** 0.41
+
+
 def ball_ratings(bearing: Bearing, dynamic: float, angle: float = 0.0) -> tuple[float, float]:
     """(Q_ci, Q_ce) in N: the ball load at which the inner and the outer raceway live 1e6
-    revolutions (ISO/TS 16281, eqs 16 to 19). `dynamic` is C, N; `angle` the nominal contact angle,
-    rad."""
-    ball = bearing.ball_diameter
+    revolutions (ISO/TS 16281, eqs 16 to 19). `dynamic` is C, N, of the bearing with grooves no
+    wider than `CONFORMITY`; wider ones have the factors of `wide_grooves`. `angle` is the nominal
+    contact angle, rad."""
+    ball, wide = bearing.ball_diameter, wide_grooves(bearing)
     gamma = ball * np.cos(angle) / (2 * bearing.pitch_radius)
-    inner, outer = bearing.inner_groove, bearing.outer_groove
+    inner, outer = (
+        min(groove, limit * ball)
+        for groove, limit in zip((bearing.inner_groove, bearing.outer_groove), CONFORMITY)
+    )
     osculation = inner / outer * (2 * outer - ball) / (2 * inner - ball)
     ratio = 1.044 * ((1 - gamma) / (1 + gamma)) ** 1.72 * osculation**0.41
     share = dynamic / (bearing.balls * np.cos(angle) ** 0.7)
     return (
-        float(share / 0.407 * (1 + ratio ** (10 / 3)) ** 0.3),
-        float(share / 0.389 * (1 + ratio ** (-10 / 3)) ** 0.3),
+        float(wide[0] * share / 0.407 * (1 + ratio ** (10 / 3)) ** 0.3),
+        float(wide[1] * share / 0.389 * (1 + ratio ** (-10 / 3)) ** 0.3),
     )
 
 

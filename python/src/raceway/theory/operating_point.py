@@ -74,7 +74,7 @@ def figures(
     oil, fluid = _oil(lubricant, folder, temperature)
     spin, nominal = rpm * math.pi / 30, inputs.nominal_angle(path)
     held = inputs.held(path, axial, clearance, double_row) | dict(held or {})
-    density = float(inputs.values(path).get("ball_density", 7800.0)) if density is None else density
+    density = inputs.ball_density(path) if density is None else density
     stated = inputs.four_point_angle(path)
     four_point = stated if four_point is None else four_point
     film = FilmInGap(fluid, spin) if models != "paper" and oil is not None and spin else None
@@ -188,6 +188,13 @@ def _warnings(figures, body, shoulders, state, films):
     angle = tuple(side.angle[live] for side, live in zip(sides, heavy))
     semi_axis = tuple(side.a[live] for side, live in zip(sides, heavy))
     texts = validity.doubts(found) + validity.past_shoulder(body, shoulders, angle, semi_axis)
+    if "life_reference_Mrev" in figures and min(wide := life.wide_grooves(body)) < 1 - 1e-9:
+        texts.append(
+            "grooves wider than {:g} and {:g} of the ball reduce the ball ratings to"
+            " {:.0%} (inner) and {:.0%} (outer) of those of the file's C".format(
+                *life.CONFORMITY, *wide
+            )
+        )
     if figures["four_point_rad"] is not None:
         texts += validity.past_middle(body, figures["four_point_rad"], angle, semi_axis)
     return texts

@@ -51,9 +51,7 @@ TOPICS = {
         row("q_outer_max_N"),
         row("p_max_inner_Pa"),
         row("p_max_outer_Pa"),
-        Row(
-            "angle_max_rad", "largest contact angle", "°", "of balls above 1 % of that load"
-        ),
+        Row("angle_max_rad", "largest contact angle", "°", "of balls above 1 % of that load"),
     ),
     "Rating life": (
         Row("static_safety", "static safety", "", "(4.2 GPa/p)^3, ISO 76"),

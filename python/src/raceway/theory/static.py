@@ -158,6 +158,11 @@ def contacts(
     """`Contacts` of balls `distance` (m) from the centres of curvature, under `load` (N) at `angle`
     (rad), arrays of one shape; `held` where balls without load have a place, too. Raises
     `NoEquilibrium` when the balls are forced out of their grooves."""
+    if np.any((load > 0) & (np.cos(angle) < -0.7)):
+        raise NoEquilibrium(
+            f"balls lie against the far side of the {('inner', 'outer')[raceway]} groove: the play"
+            f" is more than 2 (r_c - R_b) = {2 * bearing.groove_gap(raceway):g} m"
+        )
     ellipse = hertz.exact(*bearing.effective_radii(raceway, angle, clearance))
     modulus, groove = bearing.effective_modulus, bearing.groove(raceway)
     a, b = hertz.semi_axes(ellipse, modulus, load)

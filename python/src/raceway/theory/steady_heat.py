@@ -253,7 +253,7 @@ class Case:
             self.load,
             self.axial,
             self.rpm,
-            float(inputs.values(path).get("ball_density", 7800.0)),
+            inputs.ball_density(path),
             self.spin_law,
             self.models,
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),

@@ -3,8 +3,10 @@
 
 import numpy as np
 
-from raceway.arrays import Numbers
+from raceway.arrays import Floats, Numbers
 from raceway.core import laws
+from raceway.theory import lubricant
+from raceway.theory.lubricant import Fluid
 
 
 def eyring(
@@ -39,6 +41,36 @@ def coefficient(
     by eight Gauss points, good to 0.9 %.
     """
     return laws.film_coefficient(viscosity, pressure_viscosity, stress, limit, pressure, rate)
+
+
+def combined(
+    fluid: Fluid,
+    load: Floats,
+    a: Floats,
+    b: Floats,
+    thickness: Floats,
+    slip: Floats,
+    spin: Floats,
+    curve: Floats,
+) -> Floats:
+    """Friction coefficient with which Coulomb's law loses the power of `eyring` with its limit in
+    contacts (...) of a `load` (N) and semi-axes (m) that slide at (slip + spin z - curve z^2, -spin
+    x), as in `spin.with_slip`; slip in m/s, spin in rad/s, curve in 1/(m s), thickness in m."""
+    node, weight = np.polynomial.legendre.leggauss(12)
+    # r = sin(t) takes the square root out of the pressure
+    t, turn = (node[:, None] + 1) * np.pi / 4, (np.arange(24) + 0.5) * np.pi / 12
+    area = weight[:, None] * np.sin(t) * np.cos(t)
+    load, a, b, thickness, slip, spin, curve = (
+        np.asarray(one)[..., None, None] for one in (load, a, b, thickness, slip, spin, curve)
+    )
+    x, z = b * np.sin(t) * np.cos(turn), a * np.sin(t) * np.sin(turn)
+    sliding = np.hypot(slip + spin * z - curve * z**2, spin * x)
+    pressure = 1.5 * load / (np.pi * a * b) * np.cos(t)
+    eta = lubricant.roelands(fluid.viscosity, fluid.pressure_viscosity, pressure)
+    limit = fluid.limiting_traction * pressure
+    stress = eyring(eta, sliding, thickness, fluid.eyring_stress, limit)
+    power = (stress * sliding * area).sum((-2, -1))
+    return power / (pressure * sliding * area).sum((-2, -1))
 
 
 def bair_winer(viscosity: Numbers, sliding: Numbers, thickness: Numbers, limit: Numbers) -> Numbers:

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A data file, `variable NAME index VALUE # comment`, its numbers within the ranges by which the
+decks check them: the tables of inputs/variables."""
+
+import math
+import re
+import shlex
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+from raceway import data_table
+from raceway.errors import InputError
+from raceway.files import FilePath
+
+LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
+REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
+SHIPPED = Path(__file__).with_name("data") / "variables"
+TABLES = ("bearing", "usual_data", "contacts", "lubricant")
+
+
+class Range(NamedTuple):
+    """Numbers that a variable may have."""
+
+    low: float
+    high: float
+    whole: bool
+    beside: float  # a number outside the range that is allowed, NaN for none
+    unit: str
+
+    def allows(self, value: float) -> bool:
+        """False for NaN, too."""
+        inside = self.low <= value <= self.high and not (self.whole and value % 1)
+        return inside or value == self.beside
+
+    def __str__(self) -> str:
+        text = f"{'a whole number ' if self.whole else ''}from {self.low:g} to {self.high:g}"
+        text += f" {self.unit}" if self.unit else ""
+        return text if math.isnan(self.beside) else f"{text}, or {self.beside:g}"
+
+
+def text(path: FilePath) -> str:
+    """A data file, or the one that a row of a table in its folder stands for (`data_table`). Raises
+    `InputError` when there is neither or it cannot be read."""
+    path = Path(path)
+    if not path.is_file() and (row := data_table.text(path)):
+        return row
+    try:
+        return path.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(
+            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+        ) from None
+
+
+def values(path: FilePath) -> dict[str, str]:
+    """The index variables of a data file as {name: text}. Raises `InputError` when it cannot be
+    read."""
+    return _matches(path, LINE)
+
+
+def comments(path: FilePath) -> dict[str, str]:
+    """What a data file says behind its index variables, as {name: comment}. Raises `InputError`
+    when it cannot be read."""
+    return _matches(path, REMARK)
+
+
+def _matches(path, pattern):
+    return dict(m.groups() for m in map(pattern.match, text(path).splitlines()) if m)
+
+
+def numbers(path: FilePath, *names: str) -> dict[str, float]:
+    """Numbers of a data file by name. Raises `InputError` for one that is missing, no number or out
+    of its range."""
+    data = values(path)
+    if missing := [name for name in names if name not in data]:
+        raise InputError(f"{path} has no variable {', '.join(missing)}")
+    try:
+        found = {name: float(data[name]) for name in names}
+    except ValueError as error:
+        raise InputError(f"{path}: {error}") from None
+    check(path, found)
+    return found
+
+
+def check(path: FilePath, numbers: Mapping[str, float]) -> None:
+    """Raises `InputError` for a number out of its range."""
+    for name, value in numbers.items():
+        allowed = ranges().get(name)
+        if allowed and not allowed.allows(value):
+            raise InputError(f"{path}: {name} = {value:g} must be {allowed}")
+
+
+@cache
+def ranges() -> dict[str, Range]:
+    """The `Range` of each variable that has one."""
+    found: dict[str, Range] = {}
+    for table in TABLES:
+        for line in (SHIPPED / table).read_text().splitlines():
+            words = shlex.split(line, comments=True)
+            if "range" not in words:
+                continue
+            at = words.index("range")
+            more = dict(zip(words[at:], words[at + 1 :]))
+            unit = words[words.index("unit") + 1] if "unit" in words else ""
+            low, high = map(float, words[at + 1 : at + 3])
+            beside = float(more.get("or", "nan"))
+            found[words[1]] = Range(low, high, "whole" in words, beside, unit)
+    return found

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Statics and the main deck take and refuse the same data files."""
+
+import re
+
+import pytest
+from host import ROOT, run
+from raceway import cli
+
+REFUSED = [
+    ("bearings/6208", {"balls": "8.5"}),
+    ("bearings/6208", {"ball_young": "1e7"}),
+    ("bearings/6208", {"ball_density": "50"}),
+    ("bearings/6208", {"inner_groove": "0.025"}),
+    ("bearings/6208", {"outer_groove": "9.5"}),
+    ("bearings/7208", {"contact_angle": "61"}),
+    ("bearings/6208", {"four_point": "4"}),
+    ("bearings/7208", {"clearance": "1e-5"}),
+    ("bearings/6208", {"clearance": "-6e-4"}),
+    ("lubricants/mineral", {"viscosity": "1e3"}),
+    ("lubricants/mineral", {"permittivity": "0.5"}),
+    ("lubricants/mineral", {"roughness": "1e-4"}),
+    ("lubricants/mineral", {"ball_roughness": "nan"}),
+]
+TAKEN = [
+    ("bearings/6208", {"four_point": "0", "inner_shoulder_diameter": "0"}),
+    ("bearings/6208", {"clearance": "9e-5"}),
+]
+
+
+def changed(folder, file, values):
+    """An inputs folder whose `file` has other `values`."""
+    kind, name = file.split("/")
+    for one in (ROOT / "inputs").iterdir():
+        if one.name != kind:
+            (folder / one.name).symlink_to(one)
+    (folder / kind).mkdir()
+    text = (ROOT / "inputs" / file).read_text()
+    for key, value in values.items():
+        text = f"variable {key} index {value}\n" + re.sub(rf"variable {key} .*\n", "", text)
+    (folder / kind / name).write_text(text)
+
+
+@pytest.mark.parametrize(("file", "values"), REFUSED + TAKEN)
+def test_same_data(tmp_path, capsys, file, values):
+    inputs, kind = tmp_path / "inputs", file.split("/")[0][:-1]
+    inputs.mkdir()
+    play = values.get("clearance", "0")
+    changed(inputs, file, {name: one for name, one in values.items() if name != "clearance"})
+    names = {"bearing": "6208", "lubricant": "mineral", kind: file.split("/")[1]}
+    words = {"load": 1000, "rpm": 500, "clearance": play, "inputs": inputs} | names
+    options = [word for name, one in words.items() for word in (f"--{name}", str(one))]
+    static = cli.main(["static", *options])
+    deck = run("inputs/in.6208", out=tmp_path / "run", passes=1, samples=20, settle=0, **words)
+    said = capsys.readouterr().err
+    if (file, values) in TAKEN:
+        assert (static, deck.code) == (0, 0), said + deck.text
+        return
+    name = next(iter(values))
+    assert static == 1 and deck.code != 0, said + deck.text
+    plain = name.replace("_groove", "").replace("_", " ")
+    for text in (said, deck.error):
+        assert name in text or plain in text, text
