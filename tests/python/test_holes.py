@@ -26,7 +26,7 @@ def points(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "content", [b"", b"[1, 2]", b"text", b"\xff\xfe", b"1: 2", 900 * b"[", b"a: [", None]
+    "content", [b"", b"[1, 2]", b"text", b"\xff\xfe", b"? [1]\n: 2", 900 * b"[", b"a: [", None]
 )
 def test_a_broken_point(points, content):
     path = points / "c" / "point.yaml"

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The text file of a shaft that bends, for `fix bearing/shaft ... flexible` (docs/shaft.rst)."""
 
-from pathlib import Path
-
+from raceway import files
 from raceway.files import FilePath
 from raceway.theory.shaft_bending import Bending
 
@@ -16,7 +15,7 @@ EXPLAINED = """\
 
 
 def write(path: FilePath, shaft: Bending) -> None:
-    """Write `shaft` to `path`. Raises `OSError`."""
+    """Write `shaft` to `path`. Raises `RunError`."""
     body = shaft.body
     lines = [
         ("mass", [body.mass]),
@@ -30,4 +29,4 @@ def write(path: FilePath, shaft: Bending) -> None:
         *(("station", [z, *shaft.shape[:, k].ravel()]) for k, z in enumerate(shaft.z)),
     ]
     text = "".join(f"{name} {' '.join(f'{one:.17g}' for one in row)}\n" for name, row in lines)
-    Path(path).write_text(f"{TITLE}\n{EXPLAINED}units m kg s N rad\n{text}")
+    files.text(path, f"{TITLE}\n{EXPLAINED}units m kg s N rad\n{text}")

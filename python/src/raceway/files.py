@@ -2,7 +2,9 @@
 """Files appear whole or not at all."""
 
 import os
+import stat
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from raceway.errors import RunError
@@ -12,20 +14,33 @@ FilePath = str | os.PathLike[str]
 
 def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
     """Let `write(part)` make a file in the folder of `path`, then rename it to `path`; return the
-    `Path`.
+    `Path`. A link stays, the file it leads to is written.
 
-    Raises `RunError` when it cannot be written; what was there before stays.
+    Raises `RunError` when it cannot be written and for a device, a pipe or a folder; what was there
+    before stays.
     """
-    path = Path(path)
-    part = path.with_name(f".{path.name}.{os.getpid()}")
+    path, part = Path(path), None
     try:
+        if path.exists() and not stat.S_ISREG(path.stat().st_mode):
+            raise OSError("it is no regular file")
+        target = Path(os.path.realpath(path))
+        if target.is_symlink():
+            raise OSError("it is a link to itself")
+        part = target.with_name(f".{target.name}.{os.getpid()}")
         write(part)
-        part.replace(path)
+        part.replace(target)
     except OSError as error:
         raise RunError(f"cannot write {path}: {error.strerror or error}") from None
     finally:
-        part.unlink(missing_ok=True)
+        with suppress(OSError):
+            if part:
+                part.unlink()
     return path
+
+
+def text(path: FilePath, content: str) -> Path:
+    """Write `content` as the file `path`, as `whole` does."""
+    return whole(path, lambda part: part.write_text(content, encoding="utf-8"))
 
 
 def folder(path: FilePath) -> Path:

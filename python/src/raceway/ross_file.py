@@ -3,6 +3,7 @@
 read without ROSS)."""
 
 import zipfile
+import zlib
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,6 +15,7 @@ from raceway.theory import rotor_matrices
 
 SUFFIXES = (".toml", ".npz")
 NEEDED, OTHER = ("M", "K", "G", "z"), ("C",)
+ROWS = 6000  # largest matrix, of 1000 nodes
 WRITE = "numpy.savez(FILE, M=r.M0, K=r.K0, C=r.C0, G=r.G0, z=r.nodes_pos) of a rotor r"
 
 
@@ -67,19 +69,35 @@ def _toml(path):
 
 def _npz(path):
     try:
+        _check_sizes(path)
         with np.load(path, allow_pickle=False) as file:
-            if not isinstance(file, np.lib.npyio.NpzFile):
-                raise ValueError("is no .npz file")
             data = {name: file[name] for name in file.files}
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile) as error:
+    except (OSError, ValueError, EOFError, RuntimeError, zipfile.BadZipFile, zlib.error) as error:
         raise RacewayError(f"cannot read {path}: {error}; {WRITE} writes it") from None
     known = (*NEEDED, *OTHER)
     if wrong := [name for name in data if name not in known]:
         raise ValueError(f"unknown '{wrong[0]}'; known: {', '.join(known)}; {WRITE} writes it")
     if lacks := [name for name in NEEDED if name not in data]:
         raise ValueError(f"has no {', '.join(lacks)}; {WRITE} writes it")
-    for name, one in data.items():
-        if one.dtype.kind not in "fiu":
-            raise ValueError(f"'{name}' is of {one.dtype}, must be real numbers")
     names = dict(M="mass", K="stiffness", C="damping", G="gyroscopic", z="z")
     return Read(rotor_matrices.rotor(**{names[name]: one for name, one in data.items()}), [])
+
+
+def _check_sizes(path):
+    """Refuses arrays by their headers, before memory is taken for them. Raises `ValueError`."""
+    with zipfile.ZipFile(path) as archive:
+        for member in archive.namelist():
+            name = member.removesuffix(".npy")
+            with archive.open(member) as file:
+                read = {
+                    (1, 0): np.lib.format.read_array_header_1_0,
+                    (2, 0): np.lib.format.read_array_header_2_0,
+                }.get(np.lib.format.read_magic(file))
+                if read is None:
+                    raise ValueError(f"'{name}' is no array of real numbers")
+                shape, _, kind = read(file)
+            if kind.kind not in "fiu":
+                raise ValueError(f"'{name}' is of {kind}, must be real numbers")
+            if len(shape) > 2 or max(shape, default=0) > ROWS:
+                size = " x ".join(map(str, shape))
+                raise ValueError(f"'{name}' is {size}, must have {ROWS} rows and columns at most")

@@ -3,12 +3,9 @@
 
 import math
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any, NamedTuple
 
-import yaml
-
-from raceway import catalogue, inputs
+from raceway import catalogue, inputs, yaml_file
 from raceway.files import FilePath
 from raceway.inputs import InputError
 from raceway.theory import life
@@ -50,6 +47,7 @@ OTHERS = {
     "file": ("steel", "sections", "bearings", "loads", "discs", "lubricant"),
     "bearings": ("name", "floating"),
 }
+FLOATING = {"yes": True, "true": True, "no": False, "false": False}
 
 
 class Case(NamedTuple):
@@ -68,11 +66,7 @@ class Case(NamedTuple):
 def read(path: FilePath, folder: FilePath | None = None) -> Case:
     """`Case` of the YAML file at `path`; bearings are looked up in the inputs `folder`
     (`catalogue.find`). Raises `InputError` with the place and the range of what is wrong."""
-    try:
-        data = yaml.safe_load(Path(path).read_text())
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise InputError(f"cannot read {path}: {error}") from None
-    whole = _part(data, str(path), "file")
+    whole = _part(yaml_file.read(path), str(path), "file")
     steel = Steel(**_part(whole.get("steel", {}), f"{path}: steel", "steel"))
     sections = [Section(**one) for one in _parts(whole, path, "sections")]
     for k, one in enumerate(sections, 1):
@@ -83,14 +77,14 @@ def read(path: FilePath, folder: FilePath | None = None) -> Case:
             )
     names, seats, ratings, angles = [], [], [], []
     for one in _parts(whole, path, "bearings"):
-        name, floating = one.pop("name", None), one.pop("floating", False)
-        if not isinstance(name, str | int) or not isinstance(floating, bool):
+        name, floating = one.pop("name", None), one.pop("floating", "no")
+        if not isinstance(name, str) or floating not in FLOATING:
             raise InputError(
                 f"{path}: bearings {len(seats) + 1}: needs a name, and floating is yes or no"
             )
-        found = catalogue.find("bearings", str(name), folder)
-        names.append(str(name))
-        seats.append(Seat(bearing=inputs.bearing(found), floating=floating, **one))
+        found = catalogue.find("bearings", name, folder)
+        names.append(name)
+        seats.append(Seat(bearing=inputs.bearing(found), floating=FLOATING[floating], **one))
         ratings.append(inputs.ratings(found))
         angles.append(inputs.four_point_angle(found) or inputs.nominal_angle(found))
     loads = [Load(**one) for one in _parts(whole, path, "loads")]
@@ -124,12 +118,14 @@ def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
         raise InputError(f"{where}: unknown '{unknown[0]}'; known: {', '.join(known)}")
     result = {name: data[name] for name in others if name in data}
     for name, (default, least, most) in numbers.items():
-        value = data.get(name, default)
-        if value is None:
+        if name in data:
+            result[name] = _number(data[name], f"{where}: {name}", least, most)
+        elif default is None:
             raise InputError(f"{where}: needs {name}")
-        result[name] = _number(value, f"{where}: {name}", least, most)
+        else:
+            result[name] = default
     for name, (length, most) in lists.items():
-        values = data.get(name, [0.0] * length)
+        values = data.get(name, ["0"] * length)
         if not isinstance(values, list) or len(values) != length:
             raise InputError(f"{where}: {name} must be a list of {length} numbers")
         result[name] = tuple(_number(one, f"{where}: {name}", -most, most) for one in values)
@@ -138,9 +134,10 @@ def _part(data: Any, where: str, kind: str) -> dict[str, Any]:
 
 def _number(value: Any, what: str, least: float, most: float) -> float:
     try:
-        number = float(value)  # YAML takes 1e-5 without a point for text
-    except (TypeError, ValueError):
+        number = yaml_file.number(value)
+    except ValueError:
         number = math.nan
     if not least <= number <= most:
-        raise InputError(f"{what} is {value}, must be from {least:g} to {most:g}")
+        said = str(value)[:100]
+        raise InputError(f"{what} is {said}, must be from {least:g} to {most:g}")
     return number

@@ -139,7 +139,7 @@ def _write(arguments):
         raise inputs.InputError(f"{path} is there already; remove it or name another file")
     text = inputs.text(catalogue.find("bearings", arguments.words[0], arguments.inputs))
     files.folder(path.parent)
-    files.whole(path, lambda part: part.write_text(text))
+    files.text(path, text)
 
 
 def _clearances(row):

@@ -94,7 +94,7 @@ def run(arguments: argparse.Namespace) -> None:
         runs,
         jobs=arguments.jobs,
     )
-    files.whole(out / "needs.json", lambda part: part.write_text(_json(as_json(found))))
+    files.text(out / "needs.json", _json(as_json(found)))
     picture(found, out / "needs.png")
     print(table(found))
 

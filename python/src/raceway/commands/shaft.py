@@ -146,7 +146,7 @@ def reduce(case: Any, rest: Any, arguments: argparse.Namespace) -> None:
             places=arguments.places,
         )
         bending_file.write(arguments.reduced, found)
-    except (ValueError, OSError) as error:
+    except ValueError as error:
         raise RacewayError(f"{arguments.file}: {error}") from None
 
 

@@ -152,11 +152,8 @@ def _write_array(arguments, out, points):
         tasks=tasks,
         command=shlex.join(words + ["--retry"] * arguments.retry),
     )
-    try:
-        out.mkdir(parents=True, exist_ok=True)  # Slurm does not make the folder of its output
-        Path(arguments.slurm).write_text(text)
-    except OSError as error:
-        raise RacewayError(f"cannot write {error.filename}: {error.strerror}") from None
+    files.folder(out)  # Slurm does not make the folder of its output
+    files.text(arguments.slurm, text)
     print(f"{arguments.slurm}: {points} points in {tasks} tasks")
 
 

@@ -88,7 +88,7 @@ def _claim(spec, folder):
     if folder.exists() and any(folder.iterdir()):
         raise SpecError(f"{folder} holds files of something else: choose a new folder")
     files.folder(folder)
-    files.whole(path, lambda part: part.write_text(asked))
+    files.text(path, asked)
 
 
 def file_of(rate: int, record: Record, kind: str = "mat") -> str:
@@ -137,7 +137,7 @@ def _write(one: Record, spec: Spec, folder: Path, keep: bool) -> None:
             )
         if rate == max(spec.rates):
             label = _label(one, spec, run, values)
-    files.whole(where / LABEL, lambda part: part.write_text(json.dumps(label, indent=2)))
+    files.text(where / LABEL, json.dumps(label, indent=2))
     if not keep:
         (where / run_record.NAME).unlink()
         (where / "restart").unlink(missing_ok=True)
@@ -207,5 +207,5 @@ def _labels(wanted: Sequence[Record], spec: Spec, folder: Path) -> pd.DataFrame:
     table = pd.DataFrame(rows)
     files.whole(folder / LABELS, lambda part: table.to_csv(part, index=False))
     text = card(spec, table, len(wanted))
-    files.whole(folder / "README.md", lambda part: part.write_text(text))
+    files.text(folder / "README.md", text)
     return table

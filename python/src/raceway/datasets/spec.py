@@ -4,13 +4,11 @@
 import math
 from collections.abc import Mapping
 from itertools import product
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-import yaml
 
-from raceway import catalogue, inputs
+from raceway import catalogue, inputs, yaml_file
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.sweeps.points import OURS, WORD, Point
@@ -87,12 +85,7 @@ def read_spec(path: FilePath, known: Mapping[str, str]) -> Spec:
 
     Raises `SpecError` for a file that cannot be read, and for an unknown word or value.
     """
-    try:
-        data = yaml.safe_load(Path(path).read_text())
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise SpecError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
+    data = yaml_file.read(path, SpecError)
     try:
         return _spec(data, known)
     except SpecError as error:
@@ -185,9 +178,9 @@ def _list(given):
 
 def _number(name, given, low, high):
     try:
-        value = float(given)
-    except (TypeError, ValueError):
-        raise SpecError(f"{name} is '{given}', must be a number") from None
+        value = yaml_file.number(given)
+    except ValueError:
+        raise SpecError(f"{name} is '{str(given)[:100]}', must be a number") from None
     if not low <= value <= high:
         raise SpecError(f"{name} is {value:g}, must be {low:g} to {high:g}")
     return value

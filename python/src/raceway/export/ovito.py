@@ -33,7 +33,7 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
     out = files.folder(out)
     for side, name in ((INNER, "inner"), (OUTER, "outer")):
         text = _surface(*groove.mesh(tables.geometry, side, tables.settings["clearance_m"]))
-        files.whole(out / f"{name}_raceway.obj", lambda part, text=text: part.write_text(text))
+        files.text(out / f"{name}_raceway.obj", text)
     half = 1.1 * (tables.geometry.outer_radius + tables.geometry.ball_radius)
 
     def make(part):

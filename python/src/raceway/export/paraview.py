@@ -51,4 +51,4 @@ def write(tables: RunTables, out: FilePath, every: int | None = None) -> Path:
 
 
 def _text(path, text):
-    return files.whole(path, lambda part: part.write_text(text))
+    return files.text(path, text)

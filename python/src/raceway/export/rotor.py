@@ -6,7 +6,6 @@ ROSS (`ross-rotordynamics`) has our axes: x, y across, z along the shaft, right-
 rx and beta = ry. Its `BearingElement` takes translations alone, without coupling to z.
 """
 
-import csv
 import json
 import math
 import warnings
@@ -17,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from raceway import catalogue, inputs
+from raceway import catalogue, files, inputs
 from raceway.arrays import Floats
 from raceway.errors import RacewayError, RunWarning
 from raceway.files import FilePath
@@ -230,21 +229,18 @@ def columns() -> list[str]:
 def write_csv(points: Sequence[Point], path: FilePath) -> Path:
     """A row a point: mean K and C over the ball pass, row by row in x, y, z, rx, ry, and least and
     most of K's diagonal. SI units."""
-    with open(path, "w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns())
-        for one in points:
-            mean, least, most = one.over
-            numbers = [one.rpm, one.load, one.axial, *mean.stiffness.ravel(), *mean.damping.ravel()]
-            numbers += [*np.diag(least.stiffness), *np.diag(most.stiffness)]
-            writer.writerow([f"{number:.9g}" for number in numbers])
-    return Path(path)
+    lines = [",".join(columns())]
+    for one in points:
+        mean, least, most = one.over
+        numbers = [one.rpm, one.load, one.axial, *mean.stiffness.ravel(), *mean.damping.ravel()]
+        numbers += [*np.diag(least.stiffness), *np.diag(most.stiffness)]
+        lines.append(",".join(f"{number:.9g}" for number in numbers))
+    return files.text(path, "\n".join(lines) + "\n")
 
 
 def write_json(points: Sequence[Point], path: FilePath) -> Path:
     """The same as one JSON object, with matrices as lists of rows, and all of least and most."""
-    Path(path).write_text(json.dumps(as_mapping(points), indent=1, allow_nan=False) + "\n")
-    return Path(path)
+    return files.text(path, json.dumps(as_mapping(points), indent=1, allow_nan=False) + "\n")
 
 
 def as_mapping(points: Sequence[Point]) -> dict[str, Any]:
@@ -267,8 +263,7 @@ def write_ross(
         numbers = value if isinstance(value, list) else [value]
         text = ", ".join(repr(float(number)) for number in numbers)
         lines.append(f"{name} = [{text}]" if isinstance(value, list) else f"{name} = {text}")
-    Path(path).write_text("\n".join(lines) + "\n")
-    return Path(path)
+    return files.text(path, "\n".join(lines) + "\n")
 
 
 def _unit(a: int, b: int, second: str = "") -> str:

@@ -64,7 +64,7 @@ def _csv(path, table):
 
 
 def _text(path, text):
-    return _whole(path, lambda part: Path(part).write_text(text, encoding="utf-8"))
+    return _whole(path, lambda part: part.write_text(text, encoding="utf-8"))
 
 
 def _whole(path, write):

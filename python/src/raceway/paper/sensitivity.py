@@ -11,8 +11,8 @@ from collections.abc import Callable
 
 import numpy as np
 import pandas as pd
-import yaml
 
+from raceway import yaml_file
 from raceway.inputs import InputError, Oil
 from raceway.paper import passage, theory
 from raceway.paper.book import OILS, Book
@@ -33,14 +33,12 @@ def ranges(book: Book) -> dict[str, dict[str, tuple[float, float]]]:
     """{oil: {property: (low, high)}} of `FILE`. Raises `InputError`."""
     path = book.root / FILE
     try:
-        data = yaml.safe_load(path.read_text())
+        data = yaml_file.read(path)
         return {
             oil: {name: tuple(float(end) for end in data[oil][name]) for name in COLUMN}
             for oil in OILS
         }
-    except OSError as error:
-        raise InputError(f"cannot read {path}: {error.strerror or error}") from None
-    except (yaml.YAMLError, KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError) as error:
         raise InputError(
             f"{path}: {error!r} where low and high of every property were expected"
         ) from None

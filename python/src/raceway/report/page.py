@@ -88,7 +88,7 @@ class Page:
                 "",
             ]
         )
-        return files.whole(path, lambda part: part.write_text(text))
+        return files.text(path, text)
 
 
 def _plain(value):

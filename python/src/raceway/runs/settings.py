@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import yaml
 
+from raceway import yaml_file
 from raceway.errors import RunError
 from raceway.runs.record import Record
 from raceway.runs.same_run import need_same_run
@@ -107,29 +107,12 @@ def _measured(record, told):
     }
 
 
-class _Loader(yaml.BaseLoader):
-    """Refuses duplicate keys; YAML would keep the last."""
-
-    def construct_mapping(self, node, deep=False):
-        seen = set()
-        for key, _ in node.value:
-            if str(key.value) in seen:
-                raise yaml.constructor.ConstructorError(
-                    None, None, f"{key.value} is there twice", key.start_mark
-                )
-            seen.add(str(key.value))
-        return super().construct_mapping(node, deep)
-
-
 def _said(path: Path) -> dict[str, Any]:
     """Content of `run.yaml`, all as text: 6208 is a name. Empty if the file is missing, or
     incomplete because the run is writing it."""
     if not path.exists():
         return {}
-    try:
-        data = yaml.load(path.read_text(), Loader=_Loader)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError, RecursionError) as error:
-        raise RunError(f"cannot read {path}: {error}") from None
+    data = yaml_file.read(path, RunError)
     return data if isinstance(data, dict) else {}
 
 

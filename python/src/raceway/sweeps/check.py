@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from raceway import files
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.runs.flaws import by_ball, by_raceway
@@ -112,7 +113,7 @@ def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> 
                 continue
             errors.setdefault(key, {})[name] = abs(value - figures[key])
     result = {"run": identity(tables), "errors": errors}
-    (Path(folder) / CHECK).write_text(json.dumps(result, indent=2, allow_nan=False))
+    files.text(Path(folder) / CHECK, json.dumps(result, indent=2, allow_nan=False))
     return errors
 
 

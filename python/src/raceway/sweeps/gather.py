@@ -2,12 +2,11 @@
 """The points of a sweep folder as one tidy table."""
 
 import json
-import os
 from pathlib import Path
 
 import pandas as pd
-import yaml
 
+from raceway import files, yaml_file
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.sweeps.point_run import FAILED, FINISHED, mapping, state
@@ -24,7 +23,7 @@ def gather(folder: FilePath) -> pd.DataFrame:
     """
     rows, variables = [], {}
     for path in sorted(Path(folder).glob("*/point.yaml")):
-        asked = mapping(path, yaml.safe_load)
+        asked = mapping(path, yaml_file.parse)
         if asked is None:
             broken = f"{path} is broken: remove the folder and run the sweep again"
             rows.append({"point": path.parent.name, "status": FAILED, "message": broken})
@@ -55,8 +54,6 @@ def gather(folder: FilePath) -> pd.DataFrame:
 
 def write_results(folder: FilePath) -> tuple[Path, pd.DataFrame]:
     """Write `gather(folder)` to `results.csv` in it; return its path and the table."""
-    table, path = gather(folder), Path(folder) / "results.csv"
-    part = path.with_name(f".results.{os.getpid()}.part")  # two sweeps may gather at once
-    table.to_csv(part, index=False)
-    os.replace(part, path)
+    table = gather(folder)
+    path = files.whole(Path(folder) / "results.csv", lambda part: table.to_csv(part, index=False))
     return path, table

@@ -23,6 +23,7 @@ from typing import Any
 
 import yaml
 
+from raceway import yaml_file
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.runs.summary import summary
@@ -49,7 +50,7 @@ def state(folder: FilePath, variables: Mapping[str, str]) -> tuple[str, str]:
     """(status, message) of the point in `folder`: finished only if its figures belong to these
     `variables`."""
     folder = Path(folder)
-    if mapping(folder / "point.yaml", yaml.safe_load) != dict(variables):
+    if mapping(folder / "point.yaml", yaml_file.parse) != dict(variables):
         return PENDING, ""
     if mapping(folder / "summary.json", json.loads):
         return FINISHED, ""
@@ -80,7 +81,7 @@ def run_point(
             status, message = state(folder, variables)
             if status == FINISHED or status == FAILED and not retry:
                 return status, message
-            known = mapping(folder / "point.yaml", yaml.safe_load)
+            known = mapping(folder / "point.yaml", yaml_file.parse)
             if known != dict(variables):
                 for old in ("summary.json", "failed.json", "run.yaml", "record.nc", "restart"):
                     (folder / old).unlink(missing_ok=True)
@@ -198,7 +199,7 @@ def mapping(path: Path, parse: Callable[[str], Any]) -> dict[str, Any] | None:
     """The map in the file `path`; None if it is missing, incomplete or not a map of names."""
     try:
         found = parse(path.read_text())
-    except (OSError, ValueError, yaml.YAMLError, RecursionError):
+    except (OSError, ValueError, RecursionError):
         return None
     good = isinstance(found, dict) and all(isinstance(name, str) for name in found)
     return found if good else None

@@ -32,7 +32,7 @@ TOPICS = {
     ),
     "Breakdown": (
         Row("threshold_V", "smallest voltage, smooth", "V", "field over h_c"),
-        Row("threshold_peaks_V", "the same, rough", "V", "over h_c - 3 sigma"),
+        Row("threshold_peaks_V", "the same, rough", "V", "over h_c - 3 sigma", "bridged"),
         Row("threshold_azimuth_deg", "at the ball at", "°"),
         Row("stored_energy_J", "energy of that discharge", "J", "smooth"),
         Row("field_V_m", "largest field at the voltage", "V/m", "over h_c"),

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Files that people give and ask for: YAML, ROSS matrices, the targets of --out."""
+
+import io
+import os
+import stat
+import zipfile
+
+import numpy as np
+import pytest
+from raceway import files, ross_file, shaft_file, yaml_file
+from raceway.cli import main
+from raceway.datasets import spec
+from raceway.errors import InputError, RacewayError, RunError
+from raceway.runs import settings
+
+SHAFT = """\
+rpm: 3000
+sections: [{length: 0.2, diameter: 0.03}]
+bearings: [{name: 6206, at: 0.02}, {name: 6206, at: 0.18, floating: yes}]
+loads: [{at: 0.1, force: [0, -500, 0]}]
+"""
+NESTED = "[" * 3000 + "]" * 3000
+BOMB = "a: &a [x, x]\n" + "".join(
+    f"{b}: &{b} [*{a}, *{a}]\n" for a, b in zip("abcdefgh", "bcdefghi")
+)
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        ("a: 1\nb: 2\na: 3\n", "a is there twice"),
+        ("a: {b: 1, b: 2}\n", "b is there twice"),
+        (NESTED, "nested too deeply"),
+        (BOMB, "references"),
+        ("a: " + "x" * (1 << 20), "longer than"),
+        ("a: [1\n", "expected"),
+        ("\ud800".encode("utf-8", "surrogatepass"), "decode"),
+        (b"a: \x00", "special characters"),
+    ],
+)
+def test_broken_yaml(tmp_path, text, message):
+    """Every reader refuses it with a message, as its own kind of error."""
+    path = tmp_path / "run.yaml"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    readers = {
+        yaml_file.read: InputError,
+        shaft_file.read: InputError,
+        lambda path: spec.read_spec(path, {}): spec.SpecError,
+        settings._said: RunError,
+    }
+    for reader, error in readers.items():
+        with pytest.raises(error, match=f"cannot read .*run.yaml: (.|\n)*{message}"):
+            reader(path)
+
+
+@pytest.mark.parametrize(
+    "old, new",
+    [
+        ("rpm: 3000", "rpm: on"),
+        ("rpm: 3000", "rpm: 3_000"),
+        ("rpm: 3000", "rpm: 1:30"),
+        ("rpm: 3000", "rpm:"),
+        ("rpm: 3000", "rpm: {a: 1}"),
+        ("diameter: 0.03", "diameter: yes"),
+        ("-500", "yes"),
+        ("length: 0.2", "length: [1]"),
+        ("at: 0.1,", "at: .nan,"),
+    ],
+)
+def test_no_word_is_a_number(tmp_path, old, new):
+    path = tmp_path / "shaft.yaml"
+    path.write_text(SHAFT)
+    assert [one.floating for one in shaft_file.read(path).seats] == [False, True]
+    path.write_text(SHAFT.replace(old, new))
+    with pytest.raises(InputError, match="must be from"):
+        shaft_file.read(path)
+
+
+def claims(path, shape, kind="<f8", **others):
+    """An .npz whose M has a header of `shape` and little behind it."""
+    head = io.BytesIO()
+    np.lib.format.write_array_header_1_0(
+        head, {"descr": kind, "fortran_order": False, "shape": shape}
+    )
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("M.npy", head.getvalue() + b"\0" * 64)
+
+
+@pytest.mark.parametrize(
+    "shape, kind, message",
+    [
+        ((40000, 40000), "<f8", "40000 x 40000, must have 6000 rows"),
+        ((2, 2, 2), "<f8", "must have"),
+        ((2, 2), "|V1000000000", "real numbers"),
+        ((2, 2), "|O", "real numbers"),
+        ((100, 100), "<f8", "cannot read"),  # too short
+    ],
+)
+def test_matrices_are_refused_by_their_header(tmp_path, shape, kind, message):
+    path = tmp_path / "rotor.npz"
+    claims(path, shape, kind)
+    with pytest.raises(RacewayError, match=message):
+        ross_file.read(path)
+
+
+def test_a_link_stays_and_its_file_is_written(tmp_path):
+    target, link = tmp_path / "target.png", tmp_path / "link.png"
+    target.write_text("old")
+    link.symlink_to(target)
+    files.text(link, "new")
+    assert link.is_symlink() and target.read_text() == "new"
+    (tmp_path / "far").mkdir()
+    (tmp_path / "loose").symlink_to("far/made")
+    files.text(tmp_path / "loose", "made")
+    assert (tmp_path / "far/made").read_text() == "made"
+    assert {one.name for one in tmp_path.iterdir()} == {"target.png", "link.png", "far", "loose"}
+
+
+@pytest.mark.parametrize("kind", ["pipe", "folder", "device", "loop", "below a file"])
+def test_what_is_no_regular_file_stays(tmp_path, kind, capsys):
+    path = tmp_path / "out.csv"
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "folder":
+        path.mkdir()
+    elif kind == "device":
+        path.symlink_to("/dev/full")
+    elif kind == "loop":
+        path.symlink_to(path)
+    else:
+        path.write_text("")
+        path = path / "out.csv"
+    before = os.stat("/dev/full")
+    assert main(["stiffness", "--load", "1000", "--out", str(path)]) == 1
+    assert f"cannot write {path}" in capsys.readouterr().err
+    assert len(list(tmp_path.iterdir())) == 1
+    now = os.stat("/dev/full")
+    assert (now.st_ino, now.st_mode) == (before.st_ino, before.st_mode)
+    assert stat.S_ISCHR(now.st_mode)
