@@ -158,9 +158,8 @@ def _atoms(bearing, state, cage, spin, inner_ring, outer_ring):
         for i, azimuth in enumerate(state.azimuth + offset):
             x, y = radius * np.cos(azimuth), radius * np.sin(azimuth)
             turn = cage * (1 if kind == 1 else 7)  # the cage balls' speed must not count
-            rows.append(
-                [i + 1 + (kind - 1) * z, kind, x, y, 0, -turn * y, turn * x, 0, 0, 0, -100.0]
-            )
+            own = cage - spin * kinematics.frequencies(bearing).spin
+            rows.append([i + 1 + (kind - 1) * z, kind, x, y, 0, -turn * y, turn * x, 0, 0, 0, own])
     rows.append([inner_ring, 3, *state.shift, 0, 0, 0, 0, 0, spin])
     rows.append([outer_ring, 4] + [0.0] * 9)
     return rows[::-1]  # in no particular order
@@ -335,7 +334,9 @@ def _rings(rings, places):
         found[name] = np.column_stack([values, -values if name[0] in "fm" else 0 * values])
     for k, name in enumerate(RING_COLUMNS[2:8]):
         found[name][:, 1] = places[:, 1, k]
-    turned = np.column_stack([found["spin"][:, 0] * rings[:, 1], 0 * rings[:, 1]])
+    spin = found["spin"][:, 0]
+    turned = np.cumsum(np.diff(rings[:, 1], prepend=rings[:1, 1]) * (spin + np.roll(spin, 1)) / 2)
+    turned = np.column_stack([turned, 0 * turned])
     nothing = dict.fromkeys(("tilt_1", "tilt_2", "ax", "ay", "az"), np.zeros_like(turned))
     return {**found, "angle": turned, "torque": found["mz"], **nothing}
 

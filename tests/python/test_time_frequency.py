@@ -9,6 +9,7 @@ import synthetic
 from raceway import time_frequency
 from raceway.cli import main
 from raceway.errors import RunError
+from raceway.runs import order_tracking
 
 SAMPLE = 1e-4  # s
 ORDER, HEIGHT = 7.3, 2e-6  # of the shaft, m
@@ -45,7 +46,7 @@ def test_even_angles(sign):
     """A line of constant order in a run-up from 10 to 30 turns a second is one sine."""
     time = np.arange(10000) * SAMPLE
     angle = sign * 2 * np.pi * (10 * time + 10 * time**2)
-    values, step = time_frequency.at_even_angles(np.cos(ORDER * angle), angle)
+    values, step = order_tracking.at_even_angles(np.cos(ORDER * angle), angle)
     turns = np.arange(len(values)) * step
     assert turns[-1] == pytest.approx(abs(angle[-1]) / (2 * np.pi), rel=1e-12)
     assert values == pytest.approx(np.cos(2 * np.pi * ORDER * turns), abs=2e-3)
@@ -53,7 +54,7 @@ def test_even_angles(sign):
 
 def test_a_shaft_that_turns_back():
     with pytest.raises(ValueError, match="must turn one way"):
-        time_frequency.at_even_angles(np.zeros(5), [0, 1, 2, 1, 0])
+        order_tracking.at_even_angles(np.zeros(5), [0, 1, 2, 1, 0])
 
 
 @pytest.fixture(scope="module")

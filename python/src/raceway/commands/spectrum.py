@@ -15,6 +15,7 @@ from raceway.units import prefixed
 if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
     import xarray as xr
 
+    from raceway.runs.run import Run
     from raceway.runs.spectrum import Line
 
 DESCRIPTION = """\
@@ -25,10 +26,13 @@ line.
 --envelope takes the spectrum of the signal's envelope, in a band around a resonance: the rate at
 which flaws strike it, with the sidebands of the shaft and the cage.
 
-The last column compares with the run's own cage speed, which slips.
+Kinematics are those of balls that roll at the measured contact angle. The last column compares with
+the run's own cage and balls, which slip. Where the outer ring turns, its own line and VC, balls
+past the load, are added, and FTF is the cage's speed as seen from the frame.
 
 --kind time draws the signal, or its envelope, over time and frequency. Where the speed of the shaft
-changes by more than 1 %, orders of the shaft take the place of frequencies."""
+changes by more than 1 %, orders of the shaft, the inner against the outer ring, take the place of
+frequencies."""
 EXAMPLES = """\
 examples:
   build/liggghts -in inputs/in.6208 -var passes 40 -var out build/run/long
@@ -67,10 +71,9 @@ def add(commands: Commands) -> None:
     )
     one.add_argument(
         "--angle",
-        type=float,
-        default=0.0,
+        type=number(0, 90, "degrees"),
         metavar="DEG",
-        help="contact angle of the kinematics (default 0)",
+        help="contact angle of the kinematics (default: as measured, else nominal, else 0)",
     )
     one.add_argument(
         "--envelope", action="store_true", help="of the signal's envelope, with sidebands"
@@ -119,7 +122,7 @@ def run(arguments: argparse.Namespace) -> None:
         opened,
         spectrum,
         arguments.harmonics,
-        math.radians(arguments.angle),
+        None if arguments.angle is None else math.radians(arguments.angle),
         sidebands=arguments.envelope,
     )
     if arguments.out:
@@ -130,7 +133,7 @@ def run(arguments: argparse.Namespace) -> None:
     print(
         json.dumps([_plain(line) for line in found], indent=2)
         if arguments.json
-        else table(spectrum, found)
+        else table(opened, spectrum, found)
     )
 
 
@@ -150,13 +153,18 @@ def _over_time(arguments, opened):
     print(out)
 
 
-def table(spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
-    """The `Line`s `found` in `spectrum` as text."""
-    unit, resolution = spectrum.attrs["units"], spectrum.attrs["resolution"]
-    rows = [f"{spectrum.attrs['long_name']}; resolution {prefixed(resolution, 'Hz', 3)}"]
+def table(run: "Run", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
+    """The `Line`s `found` in `spectrum` of `run` as text."""
+    from raceway.runs.measured import speeds
+
+    unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
+    fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
+    rows = [f"{spectrum.attrs['long_name']}; resolution {fine}"]
     if "band" in spectrum.attrs:
         low, high = spectrum.attrs["band"]
         rows.append(f"band {prefixed(low, 'Hz')} to {prefixed(high, 'Hz')}")
+    if of == "order":
+        rows.append(f"speed {speeds(run.tables)}: lines in orders of the shaft")
     rows += [
         "",
         (
@@ -164,16 +172,16 @@ def table(spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
             f"{'found':>12}{'difference':>12}{'amplitude':>12}{'to cage':>10}"
         ),
     ]
+    sign = "Hz" if of == "frequency" else "  "
     for line in found:
         name = line.name if line.harmonic == 1 else f"{line.name} x{line.harmonic}"
-        start = f"  {name:<14}{line.order:>9.4f}{line.expected:>11.4f} Hz"
-        slip = "" if math.isnan(line.by_cage) else f"{line.found / line.by_cage - 1:>+10.4%}"
+        start = f"  {name:<14}{line.order:>9.4f}{line.expected:>11.4f} {sign}"
         rows.append(
             f"{start}  {line.note}"
             if line.note
             else (
-                f"{start}{line.found:>9.4f} Hz{line.difference:>+10.4%} "
-                f" {prefixed(line.amplitude, unit, 3):>12}{slip}"
+                f"{start}{line.found:>9.4f} {sign}{line.difference:>+10.4%} "
+                f" {prefixed(line.amplitude, unit, 3):>12}{line.found / line.by_cage - 1:>+10.4%}"
             )
         )
     return "\n".join(rows)

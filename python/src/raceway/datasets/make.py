@@ -175,8 +175,7 @@ def _size(one):
 
 def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, Any]:
     """A row of labels.csv."""
-    shaft, cage = one.rpm / 60, spectrum.cage_order(run)
-    places = spectrum.expected(run.tables.geometry, shaft, harmonics=1, cage=cage)
+    places = spectrum.places(run, harmonics=1)
     return {
         "record": one.point.name,
         "class": one.labels["flaw"],
@@ -188,7 +187,7 @@ def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, A
         "words_ball": one.point.variables.get("flaw_ball", "none"),
         "flawed_ball": one.point.variables.get("flawed_ball"),
         "phase_rad": float(one.point.variables["phase"]),
-        "cage_order": cage,
+        "cage_order": spectrum.cage_order(run),
         **{f"{line}_Hz": places[line, 1][1] for line in ("FTF", "BPFO", "BPFI", "BSF")},
         "rms_m_s2": float(np.std(values)),
         "peak_m_s2": float(np.abs(values - values.mean()).max()),

@@ -36,10 +36,10 @@ def animation(
 ) -> Path:
     """Animate the run `tables` to `path`, which ends in .gif or .mp4; return the `Path`.
 
-    `passes` ball passes (None: all measured, at most 4) in `frames` pictures, `rate` a second,
-    `width` dots wide; `colour` and `factor` as `scene.scene`'s. The same run gives the same GIF to
-    the bit. Raises `RunError` when the run's files are broken, hold fewer passes, or the animation
-    cannot be written.
+    `passes` ball passes (None: all measured, at most 4) in `frames` pictures, evenly in time,
+    `rate` a second, `width` dots wide; `colour` and `factor` as `scene.scene`'s. The same run gives
+    the same GIF to the bit. Raises `RunError` when the run's files are broken, hold fewer passes,
+    or the animation cannot be written.
     """
     kind = str(path).lower().rpartition(".")[2]
     if kind not in WRITERS:
@@ -67,14 +67,18 @@ def animation(
 
 def _window(tables, passes, frames):
     """(the part of the run `tables` needed, the samples to draw)."""
-    each, have = tables.settings["samples_per_pass"], len(tables.record) - tables.first
+    have = len(tables.record) - tables.first
     if have < 1:
         raise RunError(f"{tables.folder} holds no sample to draw")
-    wanted = int(round((min(have / each, 4.0) if passes is None else passes) * each))
-    if not 1 <= wanted <= have:
+    way = tables.passes(tables.first + np.arange(have))
+    way = way - way[0]
+    # the cage slips: what the deck asked for counts as there
+    if passes is not None and passes > max(way[-1], tables.settings["passes"]) + 0.5 / have:
         raise RunError(
-            f"{tables.folder} holds {have / each:.3g} ball passes: {passes:g} are not to be had"
+            f"{tables.folder} holds {way[-1]:.3g} ball passes: {passes:g} are not to be had"
         )
+    wanted = max(int(np.searchsorted(way, 4.0 if passes is None else passes)), 1)
+    wanted = min(wanted, have)
     part = tables.window(slice(tables.first, tables.first + wanted))
     return part, tables.first + np.unique(np.arange(frames) * wanted // frames)
 

@@ -16,7 +16,9 @@ from raceway.pictures.page import fit, title
 from raceway.pictures.part import shown, tracks
 from raceway.pictures.scene import COLOURS, Scene, scene
 from raceway.pictures.style import FAINT, INK, MAP, SOFT
+from raceway.runs.measured import rpm, speeds
 from raceway.runs.tables import RunTables
+from raceway.runs.turning import changes
 from raceway.theory.bearing import INNER, OUTER
 from raceway.units import axis, prefixed
 
@@ -50,6 +52,8 @@ class Sheet:
 
     def __init__(self, tables: RunTables, what: Scene, colour: str, dpi: int = 110) -> None:
         self.tables, self.scene, self.geometry = tables, what, tables.geometry
+        inner, outer = rpm(tables)
+        self.speed = np.abs(inner - outer)
         self.factor, self.unit = axis(np.nanmax(what.values, initial=0.0), COLOURS[colour][2])
         # thin films are never near zero
         low = np.nanmin(what.values, initial=np.inf) if colour == "film" else 0.0
@@ -139,7 +143,7 @@ class Sheet:
         )
         axes.text(
             *(-0.32 * bore * way),
-            f"{prefixed(self.tables.settings['load_N'], 'N')}\n{self.tables.settings['rpm']:g} rpm",
+            f"{prefixed(self.tables.settings['load_N'], 'N')}\n{speeds(self.tables)}",
             ha="center",
             va="center",
             fontsize=11,
@@ -244,9 +248,11 @@ class Sheet:
         )
         self.dots.set_facecolors(colours)
         time = what.samples[k] * self.tables.settings["sample_s"]
+        now = int(what.samples[k]) - self.tables.first
+        speed = f", {self.speed[now]:.4g} rpm" if changes(self.speed) else ""
         self.clock.set_text(
             f"{prefixed(time, 's', 3)},"
-            f" {float(self.tables.passes(what.samples[k])):.2f} ball passes"
+            f" {float(self.tables.passes(what.samples[k])):.2f} ball passes{speed}"
         )
 
     def _show_section(self, k, ball, azimuth, colour):

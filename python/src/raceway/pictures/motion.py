@@ -79,7 +79,7 @@ def _tilt(axes, tables):
 
 def _torque(axes, tables):
     # its mean, the friction torque, is far below the ripple; the summary derives it from the losses
-    torque = -tables.rings["mz"] * np.sign(tables.rings["spin"])
+    torque = -tables.rings["mz"] * np.sign(tables.motion.shaft)
     _lines(axes, tables, {"balls on the inner ring": torque}, "N m")
     axes.set_title("Moment against the spin", pad=10)
 

@@ -12,12 +12,12 @@ from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 
 from raceway.pictures.style import SOFT
-from raceway.runs.measured import loading, measured
+from raceway.runs.measured import loading, speeds
 from raceway.runs.tables import RunTables
 from raceway.units import prefixed
 
 LEFT, RIGHT = 0.075, 0.965  # fractions of the figure's width
-LITTLE = 0.01  # fraction of a load or a speed; smaller values are not in the title
+LITTLE = 0.01  # fraction of a load; smaller values are not in the title
 
 
 def title(tables: RunTables) -> str:
@@ -29,7 +29,7 @@ def title(tables: RunTables) -> str:
         (
             f"{settings['bearing']} ball bearing",
             *_loads(tables),
-            _speed(tables),
+            speeds(tables),
             oil,
             f"clearance {clearance}",
         )
@@ -57,14 +57,6 @@ def _loads(tables):
         for value, name in parts
         if abs(value) > LITTLE * largest
     ]
-
-
-def _speed(tables):
-    found = measured(tables)
-    least, most = found["rpm_least"], found["rpm_most"]
-    if least is None or most - least < LITTLE * most:
-        return f"{tables.settings['rpm']:g} rpm"
-    return f"{least:.4g} to {most:.4g} rpm"
 
 
 def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> None:
@@ -102,7 +94,7 @@ def key(label: str, **style: Any) -> Line2D:
 
 def against_time(axes: Axes, tables: RunTables, samples: int) -> None:
     """The x axis of `samples` samples: time in ball passes."""
-    axes.set(xlabel="time (ball passes)", xlim=(0, tables.passes(max(samples - 1, 1))))
+    axes.set(xlabel="time (ball passes)", xlim=(0, float(tables.passes(samples - 1)) or 1.0))
     axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
 
 

@@ -3,6 +3,7 @@
 line."""
 
 from collections.abc import Sequence
+from itertools import cycle
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -12,10 +13,10 @@ from raceway.files import FilePath
 from raceway.pictures.page import quantity, title
 from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
 from raceway.runs.run import Run
-from raceway.runs.spectrum import Line
+from raceway.runs.spectrum import COMPLIANCE, NAMES, OUTER_RING, SHAFT, Line
 from raceway.units import axis
 
-COLOUR = dict(zip(("BPFI", "BPFO", "FTF", "BSF", "shaft"), PALETTE))
+COLOUR = dict(zip((*NAMES.values(), SHAFT, OUTER_RING, COMPLIANCE), cycle(PALETTE)))
 WIDE, NARROW = 0.075, 0.014  # fractions of the axis: a label across, a label along its line
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5, "alpha": 0.85}
 DECADES = 6  # shown below the strongest line
@@ -43,15 +44,16 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
 
     Raises `RunError` when the picture cannot be written.
     """
-    frequency, amplitude = spectrum["frequency"].to_numpy(), spectrum.to_numpy()
-    last = min(1.08 * max(line.expected for line in found), frequency[-1])
+    of = spectrum.dims[0]
+    frequency, amplitude = spectrum[of].to_numpy(), spectrum.to_numpy()
+    last = min(1.08 * max(line.by_cage for line in found), frequency[-1])
     shown = (frequency > 0) & (frequency <= last)
     factor, unit = axis(amplitude[shown].max(), spectrum.attrs["units"])
     top = amplitude[shown].max() * factor
     row = {}
     for faint, width in ((False, WIDE), (True, NARROW)):
         kind = [line for line in found if bool(line.note) == faint]
-        row.update(zip(kind, levels([line.expected for line in kind], width * last)))
+        row.update(zip(kind, levels([line.by_cage for line in kind], width * last)))
     above = 1 + max((row[line] for line in found if not line.note), default=0)
     with plt.rc_context(STYLE):
         figure, axes = plt.subplots(figsize=(12, 5.6), dpi=130, layout="constrained")
@@ -61,12 +63,12 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
         axes.set(
             xlim=(0, last),
             ylim=(top / 10**DECADES, 1.3 * top * ROOM**above),
-            xlabel="frequency (Hz)",
+            xlabel="order of the shaft" if of == "order" else "frequency (Hz)",
             ylabel=f"amplitude ({unit})" if unit else "amplitude",
         )
         for line in found:
             axes.axvline(
-                line.expected,
+                line.by_cage,
                 color=FAINT if line.note else COLOUR[of_flaw(line)],
                 lw=1,
                 zorder=0.5,
@@ -76,7 +78,7 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
             if line.note:
                 axes.annotate(
                     label,
-                    (line.expected, 1.5 * top / 10**DECADES * ROOM ** row[line]),
+                    (line.by_cage, 1.5 * top / 10**DECADES * ROOM ** row[line]),
                     ha="center",
                     va="bottom",
                     fontsize=8.5,
@@ -96,7 +98,7 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
                 )
                 axes.annotate(
                     f"{label}\n{line.difference:+.3%}".replace("-", "−"),
-                    (line.expected, top * ROOM ** (1 + row[line])),
+                    (line.by_cage, top * ROOM ** (1 + row[line])),
                     ha="center",
                     va="top",
                     fontsize=9,

@@ -12,6 +12,7 @@ from raceway.pictures.page import quantity, title
 from raceway.pictures.spectrum import COLOUR, levels
 from raceway.pictures.style import FAINT, INK, MAP, SOFT, STYLE, save
 from raceway.runs import spectrum
+from raceway.runs.measured import rpm
 from raceway.runs.run import Run
 from raceway.units import axis
 
@@ -19,7 +20,7 @@ DECADES = 2.5  # range of the colours, below the largest amplitude
 POWER = 0.98  # share of a signal's power below the top of its picture
 MOST = 800  # rows and columns drawn
 LABEL = 0.036  # height of a name, fraction of the axis
-HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,), "FTF": (1,), "shaft": (1,)}
+HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # of others the first
 
 
 def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
@@ -54,10 +55,11 @@ def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
         )
         _name(main, {key: place for key, place in places.items() if place < top}, top)
         time = np.arange(run.rings.sizes["time"]) * run.settings["sample_s"]
-        rpm = np.abs(run.rings["spin"].to_numpy()) * 30 / np.pi
+        inner, outer = rpm(run.tables)
+        speed = np.abs(inner - outer)
         thin = slice(None, None, -(-len(time) // MOST))
-        above.plot(time[thin], rpm[thin], color=INK, lw=1.6)
-        above.set(ylabel="shaft (rpm)", ylim=(0, 1.15 * rpm.max()))
+        above.plot(time[thin], speed[thin], color=INK, lw=1.6)
+        above.set(ylabel="shaft (rpm)", ylim=(0, 1.15 * speed.max()))
         above.grid(True)
         above.tick_params(labelbottom=False)
         # below: the names of the lines stand at the right
@@ -71,13 +73,11 @@ def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
 
 def _lines(run, found):
     """{(name, harmonic): place on the upright axis} of the lines with the run's own cage speed."""
-    shaft = abs(run.settings["rpm"]) / 60
-    expected = spectrum.expected(
-        run.tables.geometry, shaft, harmonics=3, cage=spectrum.cage_order(run)
-    )
     which = 0 if found.attrs["orders"] else 1
     return {
-        (name, n): place[which] for (name, n), place in expected.items() if n in HARMONICS[name]
+        (name, n): place[which]
+        for (name, n), place in spectrum.places(run).items()
+        if n in HARMONICS.get(name, (1,))
     }
 
 

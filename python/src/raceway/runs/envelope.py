@@ -90,21 +90,24 @@ def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Ban
 
 
 def of_run(
-    run: Run, name: str, band: tuple[float, float] | None = None, ring: str = "inner"
+    run: Run,
+    name: str,
+    band: tuple[float, float] | None = None,
+    ring: str = "inner",
+    orders: bool | None = None,
 ) -> xr.DataArray:
-    """`spectrum.spectrum` of the envelope of a column of a `ring` of `run`, in a `band` (Hz, Hz) or
+    """`spectrum.of_run` of the envelope of a column of a `ring` of `run`, in a `band` (Hz, Hz) or
     in the most impulsive one at least three times as wide as BPFI; `attrs["band"]` is that used.
 
     Raises `RunError` as `spectrum.of_run` does, and for a band beyond half the sampling rate.
     """
     values, sample_s = spectrum.signal_of(run, name, ring), run.settings["sample_s"]
-    shaft = abs(run.settings["rpm"]) / 60
-    passes = spectrum.expected(run.tables.geometry, shaft, harmonics=1)["BPFI", 1][1]
+    passes = spectrum.places(run, harmonics=1)["BPFI", 1][1]
     try:
         chosen = band or best_band(values, sample_s, 3 * passes)[:2]
-        result = spectrum.spectrum(of_values(values, sample_s, *chosen), sample_s)
+        values = of_values(values, sample_s, *chosen)
     except ValueError as error:
         raise RunError(f"{run.tables.record.path}: {error}") from None
-    result.attrs.update(spectrum.of_column(name, ring), band=tuple(map(float, chosen)))
-    result.attrs["long_name"] = f"envelope of: {result.attrs['long_name']}"
-    return result
+    attrs = {**spectrum.of_column(name, ring), "band": tuple(map(float, chosen))}
+    attrs["long_name"] = f"envelope of: {attrs['long_name']}"
+    return spectrum.of_samples(run, values, attrs, orders)

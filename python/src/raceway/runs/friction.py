@@ -24,7 +24,8 @@ FEW = 1e-2  # fraction of the radial force: a smaller axial force is ripple
 def friction(tables: RunTables) -> dict[str, Any]:
     """Means over the window, SI units; None where the run has no value.
 
-    - `friction_torque_N_m`: power loss over the inner ring's speed, as in statics
+    - `friction_torque_N_m`: power loss over the speed of the rings against each other, as in
+      statics
     - `power_loss_W`, `losses_W`: power lost in all contacts, and by kind of loss
       (`columns.LOSSES`)
     - `asperity_share`: share of the load on asperities, at the largest inner load
@@ -40,7 +41,7 @@ def friction(tables: RunTables) -> dict[str, Any]:
     known = [loss for loss in losses.values() if loss is not None]
     result["losses_W"] = losses if known else None
     result["power_loss_W"] = sum(known) if known else None
-    spin = float(rings["spin"].mean()) if "spin" in rings else 0.0
+    spin = float(tables.turning.shaft_speed(tables.first, tables.last)[tables.first == 0 :].mean())
     if known and spin:
         result["friction_torque_N_m"] = result["power_loss_W"] / abs(spin)
     if "asperity_share_top" in totals:

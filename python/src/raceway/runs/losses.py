@@ -13,23 +13,26 @@ from raceway.runs.run import Run
 def losses(run: Run) -> xr.Dataset:
     """Dataset (time) of `run` (from `raceway.open`), at the samples common to rings and contacts:
 
-    - `torque` (N m): moment of the balls against the inner ring's spin
-    - `power_in` (W): torque times spin
+    - `torque` (N m): moment of the balls on the inner ring, against its turning from the outer one
+    - `power_in` (W): what both rings put in, moment against spin
     - the power lost (W), by kind of loss: `friction_power`, `damping_power`, ... as far as the
       contact law of the run has them (`columns.LOSSES`)
 
     Power in and power lost differ at any moment by the change of elastic and kinetic energy, and
     on average over whole ball passes by the energy error of the integrator. The torque is the
-    moment about z, so the bearing's axis must be z and the tilt of the ring small. Raises
-    `RunError` if the run did not record its losses.
+    moment about the bearing's axis, so the tilt of the ring must be small. Raises `RunError` if the
+    run did not record its losses.
     """
     rings, bearing = run.rings, run.bearing
     if "mz" not in rings or "spin" not in rings:
         raise RunError(f"{run.tables.record.path} has no columns mz and spin")
-    torque = -rings["mz"] * np.sign(rings["spin"])
+    tables = run.tables
+    torque = -rings["mz"] * np.sign(tables.turning.shaft_speed(tables.first, tables.last))
+    both = tables.record.read(["ring_mz", "ring_spin"], tables.first, tables.last)
+    power = -(both["ring_mz"] * both["ring_spin"]).sum(axis=1)
     data = xr.merge(
         [
-            {"torque": torque, "power_in": -rings["mz"] * rings["spin"]},
+            {"torque": torque, "power_in": torque.copy(data=power)},
             bearing[_known(bearing, run)],
         ],
         join="inner",
@@ -37,7 +40,7 @@ def losses(run: Run) -> xr.Dataset:
         compat="override",
     )
     data["torque"].attrs = {"units": "N m", "long_name": "friction torque on the inner ring"}
-    data["power_in"].attrs = {"units": "W", "long_name": "power the shaft puts in"}
+    data["power_in"].attrs = {"units": "W", "long_name": "power the rings put in"}
     return data
 
 

@@ -7,8 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from raceway.arrays import Floats
 from raceway.runs.tables import RunTables
+from raceway.runs.turning import changes
 from raceway.theory import clearance
+from raceway.theory.bearing import INNER, OUTER
 
 FEW = 0.05  # fraction of the radial load or displacement: above, the load is not purely radial
 TURNED = 0.1  # rad; a load that turns further does not stand still
@@ -20,7 +23,9 @@ def measured(tables: RunTables) -> dict[str, float | None]:
     - `force_x_N`, `force_y_N`, `force_z_N`: force of balls and cage on the inner ring
     - `moment_x_N_m`, `moment_y_N_m`: their moment on it
     - `shift_z_m`, `tilt_x_rad`, `tilt_y_rad`: its axial displacement and tilt
-    - `rpm_least`, `rpm_most`: its lowest and highest speed
+    - `rpm_inner`, `rpm_outer`: speeds of the rings, positive about the axis
+    - `rpm_least`, `rpm_most`: lowest and highest speed of the rings against each other
+    - `rpm_top`: that speed at the largest load on the inner raceway
     """
     rings = _window(tables)
     result = {
@@ -36,10 +41,34 @@ def measured(tables: RunTables) -> dict[str, float | None]:
             ("tilt_y_rad", "tilt_2"),
         )
     }
-    spin = np.abs(rings["spin"]) * 30 / math.pi if "spin" in rings else None
-    result["rpm_least"] = None if spin is None else float(spin.min())
-    result["rpm_most"] = None if spin is None else float(spin.max())
+    inner, outer = rpm(tables)
+    against = np.abs(inner - outer)
+    kept = _kept(tables)
+    means = {"rpm_inner": inner, "rpm_outer": outer}
+    result |= {key: float(values[kept].mean()) for key, values in means.items()}
+    result |= {"rpm_least": float(against[kept].min()), "rpm_most": float(against[kept].max())}
+    result["rpm_top"] = float(against[int(tables.totals["load_inner"].to_numpy().argmax())])
     return result
+
+
+def rpm(tables: RunTables) -> tuple[Floats, Floats]:
+    """Speeds (N,) of the inner and the outer ring at the samples, rpm, positive about the axis."""
+    of, window = tables.turning, (tables.first, tables.last)
+    return tuple(of.speed(side, *window) * 30 / math.pi for side in (INNER, OUTER))
+
+
+def speeds(tables: RunTables) -> str:
+    """Speed of the shaft in words, a range where it changes; of both rings if the outer turns."""
+    inner, outer = (speed[_kept(tables)] for speed in rpm(tables))
+    if outer.any():
+        return f"inner {_range(inner)}, outer {_range(outer)}"
+    return _range(np.abs(inner)) if changes(inner) else f"{tables.settings['rpm']:g} rpm"
+
+
+def _range(speed):
+    if changes(speed):
+        return f"{speed.min():.4g} to {speed.max():.4g} rpm"
+    return f"{speed.mean():.4g} rpm"
 
 
 class Loading(NamedTuple):
@@ -76,6 +105,11 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
     if math.hypot(*tilts) * tables.geometry.pitch_radius > FEW * abs(displacement):
         return None
     return clearance.load_parameter(tables.settings["clearance_m"], displacement)
+
+
+def _kept(tables):
+    """Samples without the start of the window, unless it is the only one."""
+    return slice(int(tables.first == 0 and tables.last > 1), None)
 
 
 def _window(tables):

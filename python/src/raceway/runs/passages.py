@@ -206,12 +206,12 @@ def of_run(
     """
     if raceway not in ("inner", "outer"):
         raise ValueError(f"raceway is '{raceway}', must be inner or outer")
-    values, cage = spectrum.signal_of(run, name, ring), spectrum.cage_order(run)
-    if cage is None:
+    values = spectrum.signal_of(run, name, ring)
+    bearing, spin = run.tables.geometry, abs(run.tables.motion.shaft)
+    rate = spectrum.places(run, harmonics=1)["BPFI" if raceway == "inner" else "BPFO", 1][1]
+    if not (spin and rate):
         raise RunError(f"{run.tables.folder}: a shaft that stands still has no ball passages")
-    bearing, spin = run.tables.geometry, abs(run.settings["rpm"]) * np.pi / 30
-    lines = spectrum.expected(bearing, spin / (2 * np.pi), harmonics=1, cage=cage)
-    period = 1 / lines["BPFI" if raceway == "inner" else "BPFO", 1][1]
+    period = 1 / rate
     # a ball strikes before it leaves the spall
     reach = longest / float(kinematics.entrainment(bearing, spin)) / (1 - QUIET)
     try:

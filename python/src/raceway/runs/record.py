@@ -17,6 +17,7 @@ from raceway.arrays import Floats
 from raceway.core import library
 from raceway.errors import RunError
 from raceway.files import FilePath
+from raceway.runs.frame import along, own_name
 
 NAME = "record.nc"
 BLOCK = 8 << 20  # bytes per read
@@ -28,6 +29,9 @@ NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 
 class Record:
     """The record in `folder`: all its bearings, or the one with the number `bearing` (from 1).
+
+    Vectors are along the axes of the bearings' frame (`runs.frame`), with z along their axis.
+    Places are from the seat of the one bearing; of all, from the origin of the host's box.
 
     Arrays are read on demand, from sample `start` to `stop`. Every sample that is read is compared
     with its checksum. `checked` is False for a record of a version without checksums. Raises
@@ -42,19 +46,8 @@ class Record:
         try:
             header = _check_header(self.path)
             with netcdf_file(self.path, mmap=True) as file:
-                self.attrs = {name: _plain(value) for name, value in file._attributes.items()}
-                self.variables = {name: v.dimensions for name, v in file.variables.items()}
-                self.about = {
-                    name: {key: _plain(value) for key, value in v._attributes.items()}
-                    for name, v in file.variables.items()
-                }
-                self._fixed = {
-                    name: v.data.astype(v.data.dtype.newbyteorder("="))
-                    for name, v in file.variables.items()
-                    if "time" not in v.dimensions
-                }
-                self._row = _row(file)
-                self._begin = header or _begin(file)
+                self._describe(file)
+                self._begin = header or self._begin
         except OSError as error:
             raise RunError(f"cannot read {self.path}: {error.strerror or error}") from None
         except (*BY_SCIPY, RecursionError, MemoryError):
@@ -75,6 +68,7 @@ class Record:
                 f" not {bearing}"
             )
         self.bearing = bearing
+        self._seat = [0.0, 0.0, 0.0] if bearing is None else self._seat_of_outer()
         self.record_bytes = self._row.itemsize
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
 
@@ -103,6 +97,32 @@ class Record:
                 " Run its deck again"
             )
 
+    def _describe(self, file):
+        self.attrs = {name: _plain(value) for name, value in file._attributes.items()}
+        axis = self.attrs.get("axis", "z")
+        held = {own_name(name, axis): v for name, v in file.variables.items()}
+        self.variables = {name: v.dimensions for name, v in held.items()}
+        self.about = {
+            name: {key: _plain(value) for key, value in v._attributes.items()}
+            for name, v in file.variables.items()
+        }
+        self._fixed = {
+            name: v.data.astype(v.data.dtype.newbyteorder("="))
+            for name, v in held.items()
+            if "time" not in v.dimensions
+        }
+        timed = {name: v for name, v in held.items() if "time" in v.dimensions}
+        self._row, self._begin = _row(timed), _begin(file, timed)
+
+    def _seat_of_outer(self):
+        """Origin of the bearing's frame in the host's box, along the axes of that frame."""
+        last = np.argmax(self.fixed("ring_raceway"))
+        return [float(self._fixed[f"ring_origin_{x}"][self.part("ring")][last]) for x in "xyz"]
+
+    def _from_seat(self, name, values):
+        place = along(name)
+        return values if place is None or not self._seat[place] else values - self._seat[place]
+
     def __len__(self) -> int:
         """Number of samples in the header at this moment."""
         with open(self.path, "rb", buffering=0) as file:
@@ -121,7 +141,7 @@ class Record:
     def fixed(self, name: str) -> np.ndarray:
         """The bearing's values of a variable without time."""
         dims = self.variables[name]
-        return self._fixed[name][tuple(self.part(dim) for dim in dims)]
+        return self._from_seat(name, self._fixed[name][tuple(self.part(dim) for dim in dims)])
 
     def read(self, names: list[str], start: int = 0, stop: int | None = None) -> dict[str, Floats]:
         """{name: array} of variables with time, native byte order, for the bearing.
@@ -153,7 +173,7 @@ class Record:
                 self._check_samples(some, first + at)
                 for name, part in parts.items():
                     found[name][at : at + len(some)] = some[name][part]
-        return found
+        return {name: self._from_seat(name, values) for name, values in found.items()}
 
     def shape(self, name: str) -> tuple[int, ...]:
         """Shape of one sample of a variable with time, for the bearing."""
@@ -187,7 +207,7 @@ class Record:
                     raise RunError(f"{self.path} ends before its sample {sample + 1}")
                 self._check_samples(row, sample)
                 found[k] = row[name][(0, *parts)]
-        return found.reshape((*np.shape(samples), *found.shape[1:]))
+        return self._from_seat(name, found.reshape((*np.shape(samples), *found.shape[1:])))
 
     @cached_property
     def raceways(self) -> list[str]:
@@ -292,24 +312,19 @@ def _plain(value):
     return value.decode() if isinstance(value, bytes) else float(np.ravel(value)[0])
 
 
-def _timed(file):
-    return {name: v for name, v in file.variables.items() if "time" in v.dimensions}
-
-
 def _place(variable):
     """Memory address of the first value of a variable."""
     return variable.data.__array_interface__["data"][0]
 
 
-def _begin(file):
+def _begin(file, timed):
     """Offset of the first sample in a file that has one."""
-    first = min(map(_place, _timed(file).values()), default=0)
+    first = min(map(_place, timed.values()), default=0)
     return first - file._mm_buf.__array_interface__["data"][0]
 
 
-def _row(file):
-    """Type of one sample: all variables with time, at their offsets."""
-    timed = _timed(file)
+def _row(timed):
+    """Type of one sample: the variables with time, at their offsets."""
     begin = min(map(_place, timed.values()), default=0)
     return np.dtype(
         {

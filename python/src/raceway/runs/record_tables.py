@@ -7,6 +7,7 @@ Each function takes the `record` and the samples `start` to `stop`. All values a
 import numpy as np
 import pandas as pd
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.columns import ATOM
 from raceway.runs.record import Record
@@ -62,7 +63,7 @@ def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
     origin = [record.fixed(f"ring_origin_{axis}") for axis in "xyz"]
     place = [value + at for value, at in zip(motion[:3], origin)]
     spin = [np.zeros_like(about_axis) for _ in range(3)]
-    spin["xyz".index(record.attrs["axis"])] = about_axis
+    spin[2] = about_axis
     kinds = RINGS + record.fixed("ring_raceway")
     parts.append((kinds, record.fixed("ring"), place + motion[3:] + spin))
     samples = len(about_axis)
@@ -81,6 +82,17 @@ def atoms(record: Record, start: int, stop: int) -> pd.DataFrame:
     )
     table.attrs.update(first=start, samples=samples)
     return table
+
+
+def ring_place(record: Record, side: int, start: int, stop: int) -> list[Floats]:
+    """x, y, z (m) of the centre of the ring of one `side`, and its tilts about x and y (rad): an
+    array (N,) each."""
+    record.need_one()
+    here = int(np.flatnonzero(record.fixed("ring_raceway") == side)[0])
+    names = [f"ring_{name}" for name in ("x", "y", "z", "tilt_1", "tilt_2")]
+    found = [values[:, here] for values in record.read(names, start, stop).values()]
+    origin = [record.fixed(f"ring_origin_{axis}")[here] for axis in "xyz"]
+    return [value + at for value, at in zip(found, [*origin, 0.0, 0.0])]
 
 
 def rings(record: Record, start: int, stop: int) -> pd.DataFrame:

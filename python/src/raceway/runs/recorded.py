@@ -157,8 +157,12 @@ class Recorded:
         if dimension != "ball":
             data = data.rename({dimension: "ball"})
         data = self._labelled(data)
-        outer = int(np.flatnonzero(self.record.fixed("ring_raceway") == 1)[0])
-        rings = self._file.isel(ring=outer)
+        # the outer ring of each ball's bearing
+        outer = np.flatnonzero(self.record.fixed("ring_raceway") == 1)
+        owners = self.record.fixed("ring_bearing")[outer]
+        own = outer[np.searchsorted(owners, self.record.fixed(f"{dimension}_bearing"))]
+        rings = self._file[[f"ring_{at}{name}" for name in "xy" for at in ("", "origin_")]].load()
+        rings = rings.isel(ring=xr.DataArray(own, dims="ball"))
         x, y = (
             data[name] - (rings[f"ring_{name}"] + rings[f"ring_origin_{name}"]) for name in "xy"
         )

@@ -91,7 +91,7 @@ def of_run(
     lines: Sequence[float] = (),
 ) -> Fit:
     """`Fit` of the inner ring of `run` in `freedoms` (of x, y, z, rx, ry), from the time `since`
-    on and before `until` (s); the bearing's axis is z.
+    on and before `until` (s), in the bearing's frame.
 
     `lines` in rad/s are frequencies of the force that do not stem from the motion, such as the
     ball pass of a bearing under radial load. Velocities are derivatives of splines through the

@@ -5,17 +5,22 @@ kinematics.
 A perfect bearing shows BPFO and its harmonics: its stiffness varies as the balls pass the load. The
 others (FTF, BSF, BPFI) need an irregularity, such as an odd ball or a flaw; without one they are
 reported as not found.
+
+An order is a multiple of the inner ring's speed against the outer one. Where that speed changes,
+spectra are over orders (`runs.order_tracking`).
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 from scipy import fft, signal
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
+from raceway.runs import order_tracking
 from raceway.runs.columns import RING
 from raceway.runs.run import Run
 from raceway.theory import kinematics
@@ -30,23 +35,25 @@ RESOLVED = HALF_WIDTH + 1.5  # fewest periods in the record for a line distinct 
 STANDS_OUT = 10.0  # least prominence of a line, times the median around it
 FAINT = 1e-4  # least amplitude over the strongest; side lobes of the window are at 2.5e-5
 NAMES = {"cage": "FTF", "spin": "BSF", "outer": "BPFO", "inner": "BPFI"}
-SHAFT = "shaft"  # order 1: unbalance
+SHAFT = "shaft"  # the inner ring: unbalance
+# where the outer ring turns: its rotation, and the balls that pass the load
+OUTER_RING, COMPLIANCE = "outer ring", "VC"
 
 
 class Line(NamedTuple):
     """An expected line of a spectrum, and the line found."""
 
-    name: str  # FTF, BSF, BPFO, BPFI, shaft
+    name: str  # FTF, BSF, BPFO, BPFI, shaft, outer ring, VC
     harmonic: int
-    order: float  # multiple of the shaft's speed
-    expected: float  # Hz
-    found: float  # Hz, nearest peak; NaN without a distinct one
+    order: float  # of the run: multiple of the inner ring's speed against the outer one
+    expected: float  # by rolling without slip, in `unit`
+    found: float  # nearest peak to `by_cage`; NaN without a distinct one
     difference: float  # found/expected - 1
-    amplitude: float  # peak, or value of the spectrum at `expected`, in the unit of the signal
+    amplitude: float  # peak, or value of the spectrum at `by_cage`, in the unit of the signal
     prominence: float  # amplitude over the median of the spectrum around it
     note: str  # reason if nothing was found, or ""
-    # Hz, expected from the run's own cage speed, with cage slip; NaN where it does not apply
-    by_cage: float = math.nan
+    by_cage: float = math.nan  # expected from the run's own cage and balls, with their slip
+    unit: str = "Hz"  # of expected, found and by_cage; "order" where the speed changes
 
 
 def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
@@ -79,15 +86,29 @@ def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
     return result
 
 
-def of_run(run: Run, name: str = "shift", ring: str = "inner") -> xr.DataArray:
+def of_run(
+    run: Run, name: str = "shift", ring: str = "inner", orders: bool | None = None
+) -> xr.DataArray:
     """`spectrum` of a column of a ring of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
     `ay`, `capacitance` ... of the "inner" `ring`; the "outer" has those of motion and force.
 
-    Raises `RunError` when the run has no such column, too few samples, or the samples are not
-    evenly spaced.
+    Its dimension is frequency (Hz), or order where the speed of the shaft changes by more than 1 %;
+    `orders` overrides the choice. Raises `RunError` when the run has no such column, too few
+    samples, or a shaft that reverses.
     """
-    result = spectrum(signal_of(run, name, ring), run.settings["sample_s"])
-    result.attrs.update(of_column(name, ring))
+    return of_samples(run, signal_of(run, name, ring), of_column(name, ring), orders)
+
+
+def of_samples(
+    run: Run, values: Floats, attrs: dict[str, Any], orders: bool | None = None
+) -> xr.DataArray:
+    """`spectrum` of `values` (N,), one for each sample of `run`; otherwise as `of_run`."""
+    values, spacing, tracked = order_tracking.tracked(run, values, orders)
+    result = spectrum(values, spacing)
+    if tracked:
+        result = result.rename(frequency="order")
+        result["order"].attrs["units"] = "1"
+    result.attrs.update(attrs)
     return result
 
 
@@ -130,83 +151,114 @@ def of_column(name: str, ring: str = "inner") -> dict[str, str]:
 
 def expected(
     bearing: Bearing,
-    shaft: float,
+    inner: float,
+    outer: float = 0.0,
+    *,
     angle: float = 0.0,
     harmonics: int = 3,
     sidebands: bool = False,
     cage: float | None = None,
+    spin: float | None = None,
 ) -> dict[tuple[str, int], tuple[float, float]]:
-    """{(name, harmonic): (order, frequency in Hz)} for a shaft at `shaft` Hz, from the kinematics
-    of rolling balls. With `cage` (an order of the shaft), FTF, BPFO and BPFI follow from that
-    speed.
+    """{(name, harmonic): (order, frequency in Hz)} for rings at the speeds `inner` and `outer` in
+    Hz, from the kinematics of rolling balls. With the speed `cage` in Hz, FTF, BPFO and BPFI follow
+    from it; with that of the balls relative to the cage, `spin`, BSF.
 
-    `sidebands` adds the sidebands of a flaw modulated by load or cage: BPFI with the shaft, and
-    the even harmonics of BSF, the impact rate of a ball flaw, with FTF.
+    `sidebands` adds the sidebands of a flaw modulated by load or cage: BPFI with the shaft, BPFO
+    with an outer ring that turns, and the even harmonics of BSF, the impact rate of a ball flaw,
+    with FTF. Orders are NaN for rings without speed against each other.
     """
-    of = kinematics.frequencies(bearing, angle)._asdict()
+    of = kinematics.frequencies(bearing, angle, inner, outer)._asdict()
     if cage is not None:
-        of.update(cage=cage, outer=bearing.balls * cage, inner=bearing.balls * (1 - cage))
-    orders = {**{short: of[name] for name, short in NAMES.items()}, SHAFT: 1.0}
-    places = {
-        (name, n): n * order for name, order in orders.items() for n in range(1, harmonics + 1)
-    }
+        of.update(cage=cage, outer=bearing.balls * (cage - outer))
+        of.update(inner=bearing.balls * (inner - cage))
+    if spin is not None:
+        of.update(spin=spin)
+    rates = {short: abs(of[name]) for name, short in NAMES.items()}
+    rings = {SHAFT: abs(inner), OUTER_RING: abs(outer)}
+    rates.update({name: hertz for name, hertz in rings.items() if hertz})
+    if outer:
+        rates[COMPLIANCE] = bearing.balls * rates["FTF"]
+    found = {(name, n): n * hertz for name, hertz in rates.items() for n in range(1, harmonics + 1)}
     if sidebands:
-        for n in range(1, harmonics + 1):
-            for sign, shift in (("+", 1.0), ("-", -1.0)):
-                places[f"BPFI{sign}{SHAFT}", n] = n * orders["BPFI"] + shift
-                if n % 2 == 0:
-                    places[f"BSF{sign}FTF", n] = n * orders["BSF"] + shift * orders["FTF"]
-    return {key: (order, order * abs(shaft)) for key, order in places.items()}
+        carried = (("BPFI", SHAFT, 1), ("BPFO", OUTER_RING, 1), ("BSF", "FTF", 2))
+        for name, shift, each in (one for one in carried if one[1] in rates):
+            for n in range(each, harmonics + 1, each):
+                for sign in (1, -1):
+                    key = f"{name}{'+' if sign > 0 else '-'}{shift}", n
+                    found[key] = abs(n * rates[name] + sign * rates[shift])
+    unit = abs(inner - outer) or math.nan
+    return {key: (float(hertz / unit), float(hertz)) for key, hertz in found.items()}
+
+
+def contact_angle(run: Run) -> float:
+    """Contact angle of `run` in rad: measured, else the nominal one of its settings, else 0."""
+    measured = run.tables.motion.angle
+    return (
+        math.radians(run.settings.get("contact_angle_deg", 0)) if np.isnan(measured) else measured
+    )
+
+
+def places(
+    run: Run,
+    angle: float | None = None,
+    harmonics: int = 3,
+    sidebands: bool = False,
+    own: bool = True,
+) -> dict[tuple[str, int], tuple[float, float]]:
+    """`expected` of `run` by its measured speeds: of its `own` cage and balls, or of balls that
+    roll at a contact `angle` in rad, by default `contact_angle`."""
+    motion = run.tables.motion
+    hertz = {name: value / (2 * math.pi) for name, value in motion._asdict().items()}
+    given = {"cage": hertz["cage"]} if own and math.isfinite(motion.cage) else {}
+    if own and math.isfinite(motion.spin):
+        given["spin"] = hertz["spin"]
+    angle = contact_angle(run) if angle is None else angle
+    of = run.tables.geometry, hertz["inner"], hertz["outer"]
+    return expected(*of, angle=angle, harmonics=harmonics, sidebands=sidebands, **given)
 
 
 def lines(
     run: Run,
     found_in: xr.DataArray,
     harmonics: int = 3,
-    angle: float = 0.0,
+    angle: float | None = None,
     within: float = 0.005,
     sidebands: bool = False,
 ) -> list[Line]:
     """The kinematic lines of `run` (from `raceway.open`) in its spectrum `found_in`: a list of
     `Line`.
 
-    A line is found if a peak lies no further away than `within` (relative to the frequency; or a
-    tenth of the resolution), exceeds the median around it by a factor of ten, is not 80 dB below
-    the strongest, and is nearer to this than to another kinematic line. The kinematics use the
-    run's speed and a contact `angle` in rad, without clearance. `sidebands` as in `expected`.
+    A line is found if a peak lies no further than `within` (relative to the frequency; or a tenth
+    of the resolution) from that of the run's own cage and balls, exceeds the median around it by a
+    factor of ten, is not 80 dB below the strongest, and is nearer to this than to another line. The
+    kinematics use the run's speeds and the contact `angle` in rad of `places`, without clearance.
+    `sidebands` as in `expected`.
     """
-    bearing, shaft = run.tables.geometry, run.settings["rpm"] / 60
-    places = expected(bearing, shaft, angle, harmonics, sidebands)
-    slipping = expected(bearing, shaft, angle, harmonics, sidebands, cage_order(run))
+    which = 0 if "order" in found_in.dims else 1
+    rolling = places(run, angle, harmonics, sidebands, own=False)
+    own_places = places(run, angle, harmonics, sidebands)
+    here = {key: both[which] for key, both in own_places.items()}
     result = []
-    for (name, n), (order, hertz) in places.items():
-        *numbers, note = find(found_in, hertz, within)
-        own = slipping[name, n][1] if "BSF" not in name and name != SHAFT else math.nan
-        line = Line(name, n, *map(float, (order, hertz, *numbers)), note, float(own))
-        if not line.note:
-            other = min(places, key=lambda key: abs(places[key][1] - line.found))
+    for (name, n), own in here.items():
+        order, kinematic = own_places[name, n][0], rolling[name, n][which]
+        found, _, amplitude, prominence, note = find(found_in, own, within)
+        if not note:
+            other = min(here, key=lambda key: abs(here[key] - found))
             if other != (name, n):
-                line = line._replace(
-                    found=math.nan, difference=math.nan, note=f"hidden by {other[0]} x {other[1]}"
-                )
-        result.append(line)
+                found, note = math.nan, f"hidden by {other[0]} x {other[1]}"
+        numbers = order, kinematic, found, found / kinematic - 1, amplitude, prominence
+        unit = ("order", "Hz")[which]
+        result.append(Line(name, n, *map(float, numbers), note, own, unit))
     return result
-
-
-def cage_order(run: Run) -> float | None:
-    """Mean orbital speed of the balls over the shaft's speed; None for a shaft at rest."""
-    if not run.settings["rpm"]:
-        return None
-    mean = float(run.bearing["cage_speed"].mean())
-    return mean / (run.settings["rpm"] * math.pi / 30) if math.isfinite(mean) else None
 
 
 def find(
     found_in: xr.DataArray, hertz: float, within: float = 0.005
 ) -> tuple[float, float, float, float, str]:
-    """(frequency in Hz, difference from `hertz`, amplitude, prominence, note) of the line of a
-    `spectrum` near `hertz`."""
-    frequency, amplitude = found_in["frequency"].to_numpy(), found_in.to_numpy()
+    """(frequency, difference from `hertz`, amplitude, prominence, note) of the line of a
+    `spectrum` near the frequency `hertz`, in Hz or orders as its axis."""
+    frequency, amplitude = found_in[found_in.dims[0]].to_numpy(), found_in.to_numpy()
     resolution, step = found_in.attrs["resolution"], frequency[1]
     nothing = (math.nan, math.nan)
     if not hertz + HALF_WIDTH * resolution < frequency[-1]:

@@ -32,7 +32,11 @@ TOPICS = {
         row("bearing"),
         row("lubricant"),
         row("load_N", "as set, else measured"),
-        row("rpm", "as set, else measured"),
+        Row("rpm", "speed of inner against outer ring", "rpm", "as set, else measured"),
+        Row("rpm_inner", "  inner ring", "rpm", "mean"),
+        Row("rpm_outer", "  outer ring", "rpm", "mean"),
+        Row("rpm_least", "  lowest", "rpm"),
+        Row("rpm_most", "  highest", "rpm"),
         row("clearance_m", "as set"),
         row("viscosity_Pa_s"),
         row("pressure_viscosity_per_Pa"),
@@ -51,8 +55,6 @@ TOPICS = {
         row("tilt_x_rad", "mean"),
         row("tilt_y_rad", "mean"),
         row("load_parameter"),
-        Row("rpm_least", "lowest speed", "rpm"),
-        Row("rpm_most", "highest speed", "rpm"),
     ),
     "Loads and pressures": (
         Row("q_max_N", "largest contact load", "N", "eq 2"),
@@ -62,7 +64,12 @@ TOPICS = {
         row("p_max_outer_Pa"),
         Row("loaded_balls_mean", "balls loaded on both raceways", "", "mean, N_l of eq 12"),
     ),
-    "Film at the largest inner load": (row("h_min_m"), row("h_c_m"), row("lambda")),
+    "Film at the largest inner load": (
+        Row("rpm_top", "at the speed", "rpm"),
+        row("h_min_m"),
+        row("h_c_m"),
+        row("lambda"),
+    ),
     "Capacitance": (
         row("capacitance_F", "mean, eq 12"),
         row("capacitance_top_F"),
@@ -331,6 +338,8 @@ def _nothing(key, figures):
         return abs(value) < SHOWN[key] * max(abs(figures[name] or 0.0) for name in SHOWN)
     if key in STILL:
         return abs(value) < STILL[key]
-    if key in ("rpm_least", "rpm_most"):
+    if key in ("rpm_least", "rpm_most", "rpm_top"):
         return figures["rpm_most"] - figures["rpm_least"] < STEADY * figures["rpm_most"]
+    if key in ("rpm_inner", "rpm_outer"):
+        return not figures["rpm_outer"]
     return False

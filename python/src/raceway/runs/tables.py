@@ -16,6 +16,7 @@ from raceway.runs import record_tables
 from raceway.runs.pairs import pairs
 from raceway.runs.record import Record
 from raceway.runs.settings import AT_THE_END, NO_LUBRICANT, settings
+from raceway.runs.turning import Motion, Turning
 from raceway.theory.bearing import Bearing
 
 READERS = {"contacts": record_tables.contacts, "balls": record_tables.atoms}
@@ -39,13 +40,28 @@ class RunTables:
         self.record = Record(folder, bearing)
         self.settings = settings(self.record)
         self.first, self.stop = _window(samples)
+        self._turning: list[Turning] = []
 
     def window(self, samples: slice) -> "RunTables":
         """The same run with other `samples`. Its settings are not read or measured again."""
         part = RunTables.__new__(RunTables)
         part.folder, part.record, part.settings = self.folder, self.record, self.settings
         part.first, part.stop = _window(samples)
+        part._turning = self._turning
         return part
+
+    @property
+    def turning(self) -> Turning:
+        """Angles of rings, cage and balls. Raises `RunError` unless one bearing has been chosen."""
+        self.record.need_one()
+        if not self._turning:
+            self._turning.append(Turning(self.record))
+        return self._turning[0]
+
+    @cached_property
+    def motion(self) -> Motion:
+        """Mean speeds over the samples. Raises `RunError` for fewer than two."""
+        return self.turning.motion(self.first, self.last)
 
     @property
     def lubricated(self) -> bool:
@@ -147,9 +163,9 @@ class RunTables:
             )
 
     def passes(self, sample: ArrayLike) -> Numbers:
-        """Time of a sample (number or array) in ball passes since the start of the measured
-        window."""
-        return np.asarray(sample) / self.settings["samples_per_pass"]
+        """Ball passes, angles of the cage, from the start of the measured window to a sample
+        (number or array)."""
+        return self.turning.passes(sample)
 
     def from_load_line(self, azimuth: Numbers) -> Numbers:
         """Azimuths in rad (number or array) counted from the centre of the loaded zone, within

@@ -1,27 +1,21 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Amplitude over time and frequency, or over time and order where the shaft's speed changes.
-
-Order tracking: the signal is resampled at even angles of the inner ring. Lines at multiples of the
-shaft speed then stay at their order while the speed changes.
-"""
+"""Amplitude over time and frequency, or over time and order where the shaft's speed changes."""
 
 import math
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
-from scipy import integrate, interpolate, signal
+from scipy import signal
 
-from raceway.arrays import Floats
 from raceway.errors import RunError
-from raceway.runs import envelope, spectrum
+from raceway.runs import envelope, order_tracking, spectrum
 from raceway.runs.run import Run
 
 WINDOW = "hann"
 OVERLAP = 0.9  # overlap of successive windows, fraction of their length
 PAD = 4  # values per bin of 1/window
 ENVELOPE, SIGNAL = 12.0, 0.25  # periods of BPFO in a window: lines apart, or blows apart
-STEADY = 0.01  # fraction of the mean speed: smaller changes are ignored
 COLUMNS = 4  # least number of windows in a record
 
 
@@ -67,23 +61,6 @@ def spectrogram(values: ArrayLike, sample: float, window: float) -> xr.DataArray
     return result
 
 
-def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
-    """(`values` (M,) at even angles, their spacing in turns) from `values` (N,) at `angle` (N,) in
-    rad, by cubic splines.
-
-    Raises `ValueError` for an angle that is not strictly monotonic.
-    """
-    turns = np.asarray(angle, float) / (2 * math.pi)
-    turns = np.abs(turns - turns[0])
-    steps = np.diff(turns)
-    if not (steps > 0).all():
-        raise ValueError("the shaft must turn one way for an order axis")
-    # no coarser than at the lowest speed either: what was sampled stays
-    count = int(turns[-1] / steps.min()) + 1
-    even = np.linspace(0.0, turns[-1], count)
-    return interpolate.CubicSpline(turns, np.asarray(values, float))(even), even[1]
-
-
 def of_run(
     run: Run,
     name: str = "ay",
@@ -101,30 +78,26 @@ def of_run(
     that reverses.
     """
     values, sample_s = spectrum.signal_of(run, name, ring), run.settings["sample_s"]
-    spin = run.rings["spin"].to_numpy()
-    changes = np.ptp(spin) > STEADY * abs(spin.mean())
-    orders = bool(changes) if orders is None else orders
-    cage = spectrum.cage_order(run)
-    shaft = abs(run.settings["rpm"]) / 60
-    order = spectrum.expected(run.tables.geometry, shaft, harmonics=1, cage=cage)["BPFO", 1][0]
+    tracked = order_tracking.changes_speed(run) if orders is None else orders
+    order = spectrum.places(run, harmonics=1)["BPFO", 1][0]
+    window = (ENVELOPE if band else SIGNAL) / order  # turns
     try:
         if band is not None:
             values = envelope.of_values(values, sample_s, *band)
-        window = (ENVELOPE if band else SIGNAL) / order  # turns
-        if not orders:
+        if not tracked:
+            shaft = abs(run.tables.motion.shaft) / (2 * math.pi)
             result = spectrogram(values, sample_s, window / shaft)
         else:
-            angle = integrate.cumulative_trapezoid(spin, dx=sample_s, initial=0.0)
-            even, step = at_even_angles(values, angle)
-            result = spectrogram(even, step, window)
+            angle = run.tables.turning.shaft(run.tables.first, run.tables.last)
+            result = spectrogram(*order_tracking.at_even_angles(values, angle), window)
             turns = np.abs(angle) / (2 * math.pi)
             times = np.interp(result["time"], turns, np.arange(len(turns)) * sample_s)
             result = result.assign_coords(time=times).rename(frequency="order")
     except ValueError as error:
         raise RunError(f"{run.tables.record.path}: {error}") from None
     result["time"].attrs["units"] = "s"
-    result[result.dims[0]].attrs["units"] = "1" if orders else "Hz"
-    result.attrs.update(spectrum.of_column(name, ring), orders=orders)
+    result[result.dims[0]].attrs["units"] = "1" if tracked else "Hz"
+    result.attrs.update(spectrum.of_column(name, ring), orders=tracked)
     if band is not None:
         result.attrs["band"] = tuple(map(float, band))
         result.attrs["long_name"] = f"envelope of: {result.attrs['long_name']}"

@@ -10,8 +10,10 @@ import xarray as xr
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
+from raceway.runs.record_tables import ring_place
 from raceway.runs.regimes import need_film
 from raceway.runs.run import Run
+from raceway.runs.tables import RunTables
 from raceway.theory import (
     asperity,
     capacitance,
@@ -21,7 +23,7 @@ from raceway.theory import (
     film_voltage,
     hertz,
 )
-from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.capacitance_outside import FILLS
 from raceway.theory.capacitors import FLOODED, Filling
 from raceway.theory.validity import Shoulders
@@ -87,8 +89,8 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     that time with the load exponent of eq 9. A gap without load is at least the distance between
     ball and raceway, from the positions of ball and ring. `filling` is by default that of the run;
     then separations and capacitances come from its record if present (attribute `source`). All
-    samples must fit into memory. Raises `RunError` for a run without film, balls or rings, with
-    rings of two grooves, or with an axis other than z.
+    samples must fit into memory. Raises `RunError` for a run without film, balls or rings, and for
+    rings of two grooves.
     """
     need_film(run, "capacitance")
     run.tables.need_one_groove("the whole capacitance")
@@ -213,27 +215,17 @@ def _aligned(run):
     """Contacts, and gaps (time, raceway, ball) between balls and rings in m, at common times."""
     if "angle" not in run.contacts or "h_c" not in run.contacts:
         raise RunError(f"{run.tables.folder}: the contacts need the columns angle and h_c")
-    contacts, balls, rings = xr.align(run.contacts, run.balls, run.rings, join="inner")
-    return contacts, _gaps(run.tables.geometry, run.settings, balls, rings)
+    return run.contacts, _gaps(run.tables, run.balls, run.settings["clearance_m"])
 
 
-def _gaps(bearing: Bearing, settings: dict[str, Any], balls, rings):
+def _gaps(tables: RunTables, balls, clearance):
     """Negative overlap of every ball with both grooves, from positions alone."""
-    clearance = settings["clearance_m"]
-    centre = {axis: rings[axis].to_numpy()[:, None] for axis in "xyz"}
-    tilts = [
-        rings[name].to_numpy()[:, None] if name in rings else 0.0 for name in ("tilt_x", "tilt_y")
-    ]
-    place = {axis: balls[axis].to_numpy() for axis in "xyz"}
-    if np.abs(place["z"]).max() > bearing.pitch_radius / 2:
-        raise RunError("the bearing's axis is not z through the origin")
+    bearing, place = tables.geometry, np.stack([balls[axis].to_numpy() for axis in "xyz"])
     out = []
     for side in (INNER, OUTER):
-        moved = side == INNER
-        d = np.stack([place[axis] - (centre[axis] if moved else 0.0) for axis in "xyz"])
-        e = np.stack(np.broadcast_arrays(
-            np.sin(tilts[1]) if moved else 0.0, -np.sin(tilts[0]) if moved else 0.0, d[0] * 0
-        ))  # fmt: skip
+        *centre, first, second = ring_place(tables.record, side, tables.first, tables.last)
+        d = place - np.stack(centre)[:, :, None]
+        e = np.stack([np.sin(second), -np.sin(first), np.zeros_like(first)])[:, :, None]
         e[2] = np.sqrt(1 - e[0] ** 2 - e[1] ** 2)
         along = (d * e).sum(0)
         radial = np.linalg.norm(d - along * e, axis=0)

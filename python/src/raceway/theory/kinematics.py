@@ -12,16 +12,23 @@ from raceway.theory.bearing import Bearing
 
 
 class Frequencies(NamedTuple):
-    """Orders of the shaft's rotation, outer ring at rest."""
+    """In the unit of the rings' speeds."""
 
-    cage: Numbers  # FTF
+    cage: Numbers  # FTF, positive where the inner ring's speed is
     outer: Numbers  # BPFO, ball passes over a point of the outer ring
     inner: Numbers  # BPFI, over a point of the inner ring
     spin: Numbers  # BSF, turns of a ball relative to the cage
 
 
-def frequencies(bearing: Bearing, angle: Numbers = 0.0) -> Frequencies:
-    """FTF, BPFO, BPFI, BSF in shaft orders at a contact `angle` in rad (Harris, ch. 10).
+def frequencies(
+    bearing: Bearing, angle: Numbers = 0.0, inner: Numbers = 1.0, outer: Numbers = 0.0
+) -> Frequencies:
+    """FTF, BPFO, BPFI, BSF at a contact `angle` in rad, with rings at the speeds `inner` and
+    `outer`: by default in orders of the shaft, outer ring at rest.
+
+    BSF = (1 - gamma^2 cos^2(angle)) / (2 gamma) |inner - outer|, gamma = ball over pitch diameter
+    (Harris, Rolling Bearing Analysis, ch. 10): a ball rolls about an axis across its contact
+    normals.
 
     >>> from raceway.theory.bearing import Bearing
     >>> paper = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
@@ -29,8 +36,9 @@ def frequencies(bearing: Bearing, angle: Numbers = 0.0) -> Frequencies:
     [0.396, 3.5644, 5.4356, 2.3008]
     """
     ball = bearing.ball_radius * np.cos(angle)
-    orbit, spin = laws.pure_rolling(ball, bearing.pitch_radius, 1.0, 0.0)
-    return Frequencies(orbit, bearing.balls * orbit, bearing.balls * (1 - orbit), orbit - spin)
+    orbit, spin = laws.pure_rolling(ball, bearing.pitch_radius, inner, outer)
+    passes = (bearing.balls * np.abs(orbit - ring) for ring in (outer, inner))
+    return Frequencies(orbit, *passes, np.abs(orbit - spin) * np.cos(angle))
 
 
 def entrainment(bearing: Bearing, spin: Numbers, angle: Numbers = 0.0) -> Numbers:
