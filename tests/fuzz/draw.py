@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Random choices of a case, from its seed."""
+
+import math
+import random
+from functools import cache
+from pathlib import Path
+
+import yaml
+
+GRAMMAR = Path(__file__).parent / "grammar"
+
+
+@cache
+def grammar(name):
+    """A file of grammar/. YAML takes 1e-3 for text, so numbers there have a point."""
+    return yaml.safe_load((GRAMMAR / f"{name}.yaml").read_text())
+
+
+class Draw(random.Random):
+    """Random numbers with the words of a grammar."""
+
+    def number(self, interval):
+        """One of [least, most], whole numbers if these are, or of [log, least, most]; rounded to
+        four digits."""
+        if interval[0] == "log":
+            low, high = map(math.log, interval[1:])
+            return float(f"{math.exp(self.uniform(low, high)):.4g}")
+        if all(isinstance(end, int) for end in interval) and interval[1] - interval[0] > 1:
+            return self.randint(*interval)
+        return float(f"{self.uniform(*interval):.4g}")
+
+    def chance(self, share):
+        return self.random() < share
+
+    def maybe(self, share, make):
+        """`make()`, or None."""
+        return make() if self.chance(share) else None

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs the decks of a case in a folder of its own and says how each ended."""
+
+import re
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from fuzz import figures
+from fuzz.deck import deck
+from fuzz.pose import UPRIGHT
+from host import run
+
+HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
+SECONDS = 30  # of a run that takes a tenth of a second
+CRASH = re.compile(
+    r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"
+)
+
+# frames of crashes that the host has without the package too
+HOSTS_OWN = re.compile(r"DumpLocal10init_style|DumpCustom10init_style")
+
+
+class Finding(Exception):
+    """What a case shows to be wrong."""
+
+
+class Refused(Exception):
+    """The first deck of a case is not accepted: the case shows nothing else."""
+
+
+@dataclass
+class Lab:
+    """A folder, a host, and the decks run so far."""
+
+    folder: Path
+    host: str = "liggghts"
+    runs: int = 0
+
+    def start(self, text, name="run", ranks=1, host=None):
+        """Run a deck; its outcome. A crash, a hang or an end without a message is a finding."""
+        self.runs += 1
+        file = self.folder / f"in.{name}"
+        file.write_text(text)
+        try:
+            end = run(
+                file,
+                host=HOSTS[host or self.host],
+                ranks=ranks,
+                timeout=SECONDS,
+                cwd=self.folder,
+                out=self.folder / name,
+            )
+        except subprocess.TimeoutExpired:
+            raise Finding(f"hang: {name} runs for more than {SECONDS} s") from None
+        if (end.code < 0 or end.code > 128 or CRASH.search(end.text)) and not HOSTS_OWN.search(
+            end.text
+        ):
+            raise Finding(f"crash: {name}, exit code {end.code}: {end.text[-400:]}")
+        if end.code > 0 and not end.error:
+            raise Finding(f"no message: {name}, exit code {end.code}: {end.text[-400:]}")
+        return end
+
+    def figures(self, scene, name="first", pose=UPRIGHT, ranks=1, host=None, text=None, **options):
+        """The figures of a scene's run, in the scene's own frame."""
+        end = self.start(text or deck(scene, pose, **options), name, ranks, host)
+        if end.code:
+            if name == "first":
+                raise Refused(end.error.splitlines()[0])
+            raise Finding(f"only {name} refuses: {end.error.splitlines()[0]}")
+        values = figures.read(self.folder / name, scene, pose)
+        if bad := figures.finite(values):
+            raise Finding(f"not finite: {name}: {', '.join(bad[:8])}")
+        return values
+
+
+def same(first, second, tolerance, what):
+    """The figures of two runs agree."""
+    if found := figures.differences(first, second, tolerance):
+        words = "; ".join(f"{table} {column} by {share:.2g} at sample {sample}" for share, table, column, sample in found[:6])
+        raise Finding(f"{what}: {words}")

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What must hold for every scene: relations between runs. Each takes the scene, its figures and
+the lab, and raises a Finding."""
+
+import re
+from dataclasses import replace
+
+from fuzz import figures, statics
+from fuzz.deck import deck
+from fuzz.lab import HOSTS, same
+from fuzz.pose import MIRRORS, TURNS, UPRIGHT
+from fuzz.rewrites import REWRITES
+
+# Rounding differs between poses; the solver's tolerance and contacts that open and close amplify it
+POSED = 1e-3
+EXTRA = (
+    "compute extra balls bearing/ball azimuth inner_load outer_load",
+    "compute most balls reduce max c_extra[2]",
+    "fix watch all bearing/timestep 7 exceed ignore",
+    "fix table all bearing/record {every} ${{out}}/record overwrite yes",
+)
+
+
+def turn(scene, first, lab, draw):
+    """Another direction of the axis and of the first ball."""
+    _posed(scene, first, lab, draw.choice(TURNS), "turned")
+
+
+def mirror(scene, first, lab, draw):
+    _posed(scene, first, lab, draw.choice(MIRRORS), "mirrored")
+
+
+def move(scene, first, lab, draw):
+    centre = tuple(draw.uniform(-1, 1) for _ in range(3))
+    _posed(scene, first, lab, replace(UPRIGHT, centre=centre), "moved")
+
+
+def split(scene, first, lab, draw):
+    """run N, then run M."""
+    steps = draw.randint(1, scene["every"] * scene["samples"] - 1)
+    _near(scene, first, lab, lab.figures(scene, "split", split=steps), f"split at step {steps}")
+
+
+def _posed(scene, first, lab, pose, name):
+    _near(scene, first, lab, lab.figures(scene, name, pose), name)
+
+
+def _near(scene, first, lab, other, what):
+    """Equal figures, unless a change of rounding in the scene itself makes them differ as well:
+    balls on a knife's edge."""
+    if not figures.differences(first, other, POSED):
+        return
+    for k, share in enumerate((1e-13, -1e-12, 1e-11)):
+        inner = scene["inner"] | {"force": [value * (1 + share) for value in scene["inner"]["force"]]}
+        grooves = [[radius * (1 + share / 100), *rest] for radius, *rest in scene["grooves"]]
+        near = lab.figures(scene | {"inner": inner, "grooves": grooves}, f"near{k}")
+        if figures.differences(first, near, 0.1 * POSED):
+            return
+    same(first, other, POSED, what)
+
+
+def restart(scene, first, lab, draw):
+    """write_restart and read_restart at a sample: the bits of a run split there."""
+    steps = scene["every"] * draw.randint(1, scene["samples"] - 1)
+    whole = lab.figures(scene, "split", split=steps, restart="write")
+    (lab.folder / "resumed").mkdir()
+    (lab.folder / "split" / "half.restart").rename(lab.folder / "resumed" / "half.restart")
+    after = lab.figures(scene, "resumed", restart="read")
+    count = scene["samples"] - steps // scene["every"] + 1
+    # the samples after the file's own
+    tails = [
+        {name: (columns, table[1 - count :]) for name, (columns, table) in run.items()}
+        for run in (whole, after)
+    ]
+    same(*tails, 0, f"restart at step {steps}")
+
+
+def observe(scene, first, lab, draw):
+    """Computes, a record and a step check change no bit."""
+    more = [words.format(every=scene["every"]) for words in EXTRA]
+    more = draw.sample(more, draw.randint(1, len(more)))
+    if "compute most" in str(more):
+        more = sorted({*more, EXTRA[0]}, key=lambda words: "most" in words)
+    same(first, lab.figures(scene, "observed", more=more), 0, f"observed by {more}")
+
+
+def ranks(scene, first, lab, draw):
+    count = draw.choice([2, 4])
+    same(first, lab.figures(scene, "ranks", ranks=count), 0, f"{count} ranks")
+
+
+def hosts(scene, first, lab, draw):
+    other = draw.choice([name for name in HOSTS if name not in (lab.host, "sanitized")])
+    same(first, lab.figures(scene, "other", host=other), 0, f"host {other}")
+
+
+def rewrite(scene, first, lab, draw):
+    name = draw.choice(list(REWRITES))
+    lines = REWRITES[name](deck(scene).splitlines(), draw)
+    if lines:
+        same(first, lab.figures(scene, "rewritten", text="\n".join([*lines, ""])), 0, name)
+
+
+def neighbour(scene, first, lab, draw):
+    """A second bearing of the same kind, beside the first along its axis, changes no bit."""
+    lines, width = deck(scene).splitlines(), 3 * scene["diameter"]
+    at = next(k for k, line in enumerate(lines) if line.startswith("create_bearing"))
+    words = re.sub("centre 0 0 0", f"centre 0 0 {width:.17g}", lines[at])
+    lines.insert(at + 1, words)
+    count = scene["balls"] * (2 if scene["cage"] else 1) + 2
+    half = float(next(line for line in lines if line.startswith("region box")).split()[4])
+    lines = [
+        f"region box block {f'-{half} {half} ' * 2}-{half} {half + width} units box"
+        if line.startswith("region box")
+        else re.sub(r"^group (\w+) type (.*)", r"group \1 type \2", line)
+        for line in lines
+    ]
+    # dumps and the capacitance are those of the first bearing; forces act on both
+    lines = [re.sub(r"^(dump atoms) all", r"\1 first", line) for line in lines]
+    lines = [re.sub(r"^(compute contacts|dump contacts|fix cap) balls", r"\1 first_balls", line) for line in lines]
+    lines = [re.sub(r"^(compute rings|dump rings) rings", r"\1 first_rings", line) for line in lines]
+    at = next(k for k, line in enumerate(lines) if line.startswith("group rings"))
+    lines[at + 1 : at + 1] = [f"group first_rings id {count - 1} {count}"]
+    at = next(k for k, line in enumerate(lines) if line.startswith("group balls"))
+    lines[at:at] = [f"group first id 1:{count}", f"group first_balls id 1:{scene['balls']}"]
+    same(first, lab.figures(scene, "two", text="\n".join([*lines, ""])), 0, "a second bearing")
+
+
+def shaft(scene, first, lab, draw):
+    """A shaft of one ring is that ring."""
+    text = deck(scene)
+    if "unbalance" in text or scene["gravity"]:
+        return
+    text = text.replace("fix ring_inner inner bearing/ring", "fix ring_inner inner bearing/shaft")
+    same(first, lab.figures(scene, "shaft", text=text), POSED, "a shaft of one ring")
+
+
+def rest(scene, first, lab, draw):
+    statics.check(scene, lab)
+
+
+ORACLES = {
+    f.__name__: f
+    for f in (turn, mirror, move, split, restart, observe, ranks, hosts, rewrite, neighbour, shaft, rest)
+}

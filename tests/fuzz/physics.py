@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the figures of one run must satisfy: signs, sums, balances."""
+
+import numpy as np
+from fuzz.deck import LOSSES, SUMS
+from fuzz.lab import Finding
+
+
+def check(scene, figures, folder):
+    columns, contacts = figures["contacts"]
+    of = {name: contacts[..., columns.index(name)] for name in columns}
+    touching = of["ball"] > 0
+    names, rings = figures["rings"]
+    ring = {name: rings[..., names.index(name)] for name in names}
+    law = set(scene["law"].split())
+    gap = law & {"gap", "gap_film"}  # contacts then begin before the surfaces meet
+    springs = scene["implicit"] is None or law & {"heathcote", "slices"}
+    for name in ("a", "b", "pressure", "h_min", "lambda", *([] if gap else ["overlap"])):
+        if name in of and (of[name][touching] < 0).any():
+            raise Finding(f"negative {name}")
+    # a tangential spring gives back what it stored
+    for name in ("load", "normal", *([] if springs else ["friction_power"])):
+        if (of[name][touching] < -1e-9 * abs(of[name]).max(initial=0)).any():
+            raise Finding(f"negative {name} of a contact: {of[name].min()}")
+    slack = 1e-9 + 1e-9 * of["normal"].max(initial=0)
+    if (of["friction"] > of["mu"] * of["normal"] * (1 + 1e-9) + slack).any():
+        raise Finding("friction above mu times the normal force")
+    _sums(scene, of, touching, ring)
+    _totals(of, touching, folder)
+
+
+def _sums(scene, of, touching, ring):
+    """Every ring carries the sum of its contacts."""
+    inner = ring["ring"].argmin(axis=1)
+    for side in (0, 1):
+        pick = inner if side == 0 else 1 - inner
+        mine = touching & (of["raceway"] == side)
+        rows = np.arange(len(pick))
+        for name in LOSSES.split():
+            if name in of:
+                total = np.where(mine, of[name], 0).sum(axis=1)
+                _close(total, ring[name][rows, pick], f"sum of {name} of ring {side}")
+        most = np.where(mine, of["load"], 0).max(axis=1, initial=0)
+        _close(most, ring["load"][rows, pick], f"largest load of ring {side}")
+        if side and (scene["cage"] or "drag" in scene["law"]):
+            continue  # its rails and the drag push the ring too
+        radial = np.where(mine, of["normal"] * np.cos(of["angle"]), 0)
+        sign = -1 if side == 0 else 1
+        force = [sign * (radial * f(of["azimuth"])).sum(axis=1) for f in (np.cos, np.sin)]
+        slack = np.where(mine, of["friction"], 0).sum(axis=1) + 2e-2 * abs(radial).sum(axis=1) + 1e-6
+        for axis, value in zip("xy", force, strict=True):
+            off = abs(value - ring[f"f{axis}"][rows, pick]) - slack
+            if (off > 0).any():
+                raise Finding(f"f{axis} of ring {side} is not the sum of its contacts, by {off.max():.3g} N")
+
+
+def _totals(of, touching, folder):
+    rows = np.loadtxt(folder / "sums.txt", comments="#", ndmin=2)
+    found = dict(zip(("now", *SUMS), rows.T, strict=True))
+    missing = len(touching) - len(rows)  # LIGGGHTS prints nothing before the first step
+    touching = touching[missing:]
+    of = {name: values[missing:] for name, values in of.items()}
+    counts = touching.sum(axis=1)
+    if len(counts) != len(rows):
+        raise Finding(f"{len(rows)} rows of sums for {len(counts)} samples of contacts")
+    _close(counts, found["contacts"], "contacts of compute total")
+    for side, name in enumerate(("load_inner", "load_outer")):
+        mine = np.where(touching & (of["raceway"] == side), of["load"], 0).max(axis=1, initial=0)
+        _close(mine, found[name], name, 1e-6)
+    _close(np.where(touching, of["pressure"], 0).max(axis=1), found["pressure"], "pressure", 1e-6)
+
+
+def _close(first, second, what, share=1e-9):
+    scale = max(abs(np.asarray(first)).max(initial=0), abs(np.asarray(second)).max(initial=0))
+    off = abs(first - second).max(initial=0)
+    if off > share * scale + 1e-12:
+        raise Finding(f"{what}: {off:.3g} off, of {scale:.3g}")

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Where a scene stands in the lab: one of the 48 turns and reflections of the axes, and a centre."""
+
+import math
+from dataclasses import dataclass
+from itertools import permutations, product
+
+import numpy as np
+
+LAB = "xyz"
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Own axis i points along sign[i] times the lab axis `axes[i]`."""
+
+    axes: tuple = (0, 1, 2)
+    signs: tuple = (1, 1, 1)
+    centre: tuple = (0.0, 0.0, 0.0)
+
+    @property
+    def matrix(self):
+        matrix = np.zeros((3, 3))
+        for own, (lab, sign) in enumerate(zip(self.axes, self.signs, strict=True)):
+            matrix[lab, own] = sign
+        return matrix
+
+    @property
+    def hand(self):
+        """-1 for a reflection."""
+        return round(np.linalg.det(self.matrix))
+
+    @property
+    def axis(self):
+        """Of the bearing, in the lab."""
+        return self.axes[2]
+
+    @property
+    def sense(self):
+        """-1 if an azimuth in the lab falls where the own one rises."""
+        return self.hand * self.signs[2]
+
+    def polar(self, vector):
+        """A displacement, velocity or force in the lab."""
+        return [float(value) for value in self.matrix @ vector]
+
+    def axial(self, vector):
+        """A spin, a tilt or a moment."""
+        return [self.hand * value for value in self.polar(vector)]
+
+    def azimuth(self, own):
+        """The azimuth in the lab, from the axis after the bearing's."""
+        lab = self.polar([math.cos(own), math.sin(own), 0])
+        first, second = (self.axis + 1) % 3, (self.axis + 2) % 3
+        return math.atan2(lab[second], lab[first])
+
+    def back(self, vectors, axial=False):
+        """Vectors of the lab, (n, 3), in the own frame."""
+        return (np.asarray(vectors) @ self.matrix) * (self.hand if axial else 1)
+
+
+UPRIGHT = Pose()
+POSES = [
+    Pose(axes, signs) for axes in permutations(range(3)) for signs in product((1, -1), repeat=3)
+]
+TURNS = [pose for pose in POSES if pose.hand == 1 and pose != UPRIGHT]
+MIRRORS = [pose for pose in POSES if pose.hand == -1]

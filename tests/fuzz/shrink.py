@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Takes parts of a scene away as long as the finding stays."""
+
+from itertools import combinations
+
+PLAIN = {
+    "flaws": [],
+    "outer": None,
+    "gravity": None,
+    "capacitance": None,
+    "cage": None,
+    "phase": 0,
+    "seat": 0,
+    "implicit": "",
+    "law": "",
+    "film": False,
+    "speed": [0, 0],
+    "samples": 2,
+    "every": 2,
+}
+PLAIN_RING = {
+    "rotating": None,
+    "unbalance": None,
+    "supports": {},
+    "ramp": 0,
+    "moment": [0, 0],
+    "spin": 0,
+}
+
+
+def shrink(scene, fails):
+    """The scene with as little as `fails(scene)` needs."""
+    again = True
+    while again:
+        again = False
+        for smaller in _smaller(scene):
+            if smaller != scene and fails(smaller):
+                scene, again = smaller, True
+                break
+    return scene
+
+
+def _smaller(scene):
+    for name, value in PLAIN.items():
+        if scene[name] != value and not (name == "film" and scene["law"]):
+            yield scene | {name: value}
+    for k in range(len(scene["flaws"])):
+        yield scene | {"flaws": scene["flaws"][:k] + scene["flaws"][k + 1 :]}
+    for which in ("inner", "outer"):
+        ring = scene[which]
+        if not ring:
+            continue
+        for name, value in PLAIN_RING.items():
+            if ring[name] != value:
+                yield scene | {which: ring | {name: value}}
+        for name, mode in ring["freedoms"].items():
+            if mode != ["fixed"]:
+                fixed = ring["freedoms"] | {name: ["fixed"]}
+                kept = {at: of for at, of in ring["supports"].items() if at != name}
+                yield scene | {which: ring | {"freedoms": fixed, "supports": kept}}
+    words = scene["law"].split()
+    starts = [k for k, word in enumerate(words) if word[0].isalpha()] + [len(words)]
+    for a, b in combinations(starts, 2):
+        yield scene | {"law": " ".join(words[:a] + words[b:])}
