@@ -2,7 +2,6 @@
 // The circuit of a bearing over given films (circuit.h), its discharges (film_breakdown.h) and its
 // driving voltages (waveform.h).
 #include "../electric/circuit.h"
-#include "../electric/impedance.h"
 #include "../electric/waveform.h"
 #include "exports.h"
 
