@@ -109,7 +109,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
 }
 
 // The balls of the group and their films now, by tag, on every rank.
-std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
+std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
 {
   std::vector<tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
@@ -133,10 +133,10 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
 }
 
 // The same balls at an instant of the last step, from 1.
-std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_at(int instant)
+std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::balls_at(int instant)
 {
   std::vector<tag_t> tags;
-  for (const Ball &b : balls_) tags.push_back(static_cast<tag_t>(b.tag));
+  for (const BallFilms &b : balls_) tags.push_back(static_cast<tag_t>(b.tag));
   std::vector<Row> rows;
   std::map<tag_t, Vec3> body, ring;
   const auto contact = [&](const bearing::InstantContact &c) {
@@ -169,14 +169,14 @@ void FixBearingCircuit::Film::add(const Film &beside)
 }
 
 // Balls by tag, from the films sampled on all ranks.
-std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vector<tag_t> &tags,
-                                                                 std::vector<Row> mine) const
+std::vector<FixBearingCircuit::BallFilms>
+FixBearingCircuit::balls_of(const std::vector<tag_t> &tags, std::vector<Row> mine) const
 {
   std::vector<Row> rows = bearing::gather_all(mine, world);
   std::sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) {
     return std::make_tuple(a.ball, a.side, a.ring) < std::make_tuple(b.ball, b.side, b.ring);
   });
-  std::vector<Ball> balls;
+  std::vector<BallFilms> balls;
   for (tag_t tag : tags) {
     balls.push_back({});
     balls.back().tag = tag;
@@ -198,7 +198,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vect
 void FixBearingCircuit::sample()
 {
   if (begun_ && update->ntimestep == last_step_) return;
-  const std::vector<Ball> now = find_balls();
+  const std::vector<BallFilms> now = find_balls();
   if (!begun_) {
     if (now.empty())
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has no balls");
@@ -208,7 +208,7 @@ void FixBearingCircuit::sample()
     solve(now, 0.0, 0.0);
     begun_ = true;
   } else {
-    const auto same = [](const Ball &a, const Ball &b) { return a.tag == b.tag; };
+    const auto same = [](const BallFilms &a, const BallFilms &b) { return a.tag == b.tag; };
     if (!std::equal(now.begin(), now.end(), balls_.begin(), balls_.end(), same))
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] +
               " has other balls than at the sample before");
@@ -219,7 +219,7 @@ void FixBearingCircuit::sample()
               std::to_string(update->ntimestep) + " with " + bearing::text(update->dt) + " s");
     for (int k = 1; k < settings_.within; ++k) {
       const double back = double(settings_.within - k) / settings_.within;
-      const std::vector<Ball> then = balls_at(k);
+      const std::vector<BallFilms> then = balls_at(k);
       advance(then, time_of(update->ntimestep, back));
       balls_ = then;
     }
@@ -231,7 +231,7 @@ void FixBearingCircuit::sample()
     if (update->ntimestep == update->laststep) fflush(f);
 }
 
-void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
+void FixBearingCircuit::advance(const std::vector<BallFilms> &to, double time)
 {
   const double start = last_time_, sampled = time - start;
   const double shortest = settings_.voltage.shortest();
@@ -254,7 +254,7 @@ void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
 }
 
 // Solves one point in time of the circuit; the first has zero length (s).
-void FixBearingCircuit::solve(const std::vector<Ball> &at, double time, double length)
+void FixBearingCircuit::solve(const std::vector<BallFilms> &at, double time, double length)
 {
   const BearingFilms f = films(at);
   const OuterPoint outer = settings_.at(time, bearing_capacitance(f));
@@ -270,7 +270,7 @@ void FixBearingCircuit::solve(const std::vector<Ball> &at, double time, double l
 }
 
 // Films of the circuit from the sampled ones.
-BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
+BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
 {
   const auto film = [this](const Film &f) {
     CircuitFilm made;
@@ -284,17 +284,18 @@ BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
     return made;
   };
   BearingFilms all;
-  for (const Ball &b : balls) all.push_back({film(b.film[0]), film(b.film[1])});
+  for (const BallFilms &b : balls) all.push_back({film(b.film[0]), film(b.film[1])});
   return all;
 }
 
 // Interpolates at the fraction `share` between two samples. A film missing in one of them has no
 // thickness here.
-std::vector<FixBearingCircuit::Ball>
-FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball> &to, double share)
+std::vector<FixBearingCircuit::BallFilms>
+FixBearingCircuit::between(const std::vector<BallFilms> &from, const std::vector<BallFilms> &to,
+                           double share)
 {
   const auto mix = [share](double a, double b) { return a + share * (b - a); };
-  std::vector<Ball> all = to;
+  std::vector<BallFilms> all = to;
   for (size_t k = 0; k < all.size(); ++k) {
     const double turn = to[k].azimuth - from[k].azimuth;
     const double azimuth =
@@ -309,12 +310,12 @@ FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball
   return all;
 }
 
-void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, double time)
+void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<BallFilms> &at, double time)
 {
   ++order_;
   FILE *file = events_.file();
   if (!file) return;
-  const Ball &ball = at[f.ball];
+  const BallFilms &ball = at[f.ball];
   const Film &film = ball.film[f.at_outer];
   const double local = local_thickness(film.thickness, film.rough, settings_.film_floor);
   fprintf(file, "%.12g %.0f %d %.0f %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g", time,
@@ -323,7 +324,7 @@ void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, 
           f.energy);
   if (settings_.arc > 0.0) {
     double area = 0.0;
-    for (const Ball &b : at) area += b.film[0].area + b.film[1].area;
+    for (const BallFilms &b : at) area += b.film[0].area + b.film[1].area;
     const ArcCurrent arc(f, settings_.arc);
     fprintf(file, " %.12g %.12g %.12g", arc.peak, arc.duration, arc.peak / area);
   }

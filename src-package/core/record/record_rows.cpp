@@ -30,7 +30,7 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
   shares_.assign(layout.balls.size(), BallFigures());
   for (Kind k : {RecordFile::BALL, RecordFile::CONTACT, RecordFile::CAGE, RecordFile::RING})
     widths_[k] = file.width(k);
-  said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.parts()));
+  said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.bodies()));
   used_ = 0;
 }
 
