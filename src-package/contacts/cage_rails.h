@@ -11,7 +11,7 @@
 namespace bearing {
 
 struct CageRails {
-  struct Ball {
+  struct CageBall {
     int i, i_ring;    // local indices of the cage ball and of the ring that carries the rails
     tag_t tag, ring;
     int claim;            // in RingSum; -1: none yet
@@ -19,7 +19,7 @@ struct CageRails {
   };
   std::vector<raceway::Rail> rails;
   std::vector<double> stiffness;    // N/m^1.5 per rail
-  std::vector<Ball> balls;          // by tag
+  std::vector<CageBall> balls;      // by tag
 };
 
 }    // namespace bearing

@@ -17,7 +17,7 @@ void RingSum::reset()
 {
   claims_.clear();
   owner_.clear();
-  parts_.clear();
+  shares_.clear();
   rings_.clear();
   ways_known_ = false;
 }
@@ -34,7 +34,7 @@ int RingSum::claim(tag_t ring, int owner, Source source, tag_t partner)
             " comes after the forces of the step were added: please report this");
   claims_.push_back({ring, partner, source});
   owner_.push_back(owner);
-  parts_.push_back({{}, -1});
+  shares_.push_back({{}, -1});
   return claims() - 1;
 }
 
@@ -43,10 +43,10 @@ void RingSum::find_ways()
 {
   const int np = comm->nprocs, me = comm->me;
   std::sort(rings_.begin(), rings_.end(),
-            [](const Ring &a, const Ring &b) { return a.tag < b.tag; });
+            [](const OwnedRing &a, const OwnedRing &b) { return a.tag < b.tag; });
   auto ring_of = [this](tag_t tag) {
     const auto r = std::lower_bound(rings_.begin(), rings_.end(), tag,
-                                    [](const Ring &a, tag_t t) { return a.tag < t; });
+                                    [](const OwnedRing &a, tag_t t) { return a.tag < t; });
     if (r == rings_.end() || r->tag != tag)
       BRG_ONE("ring " + std::to_string(tag) +
               " is not on the rank it should be on: please report this");
@@ -72,14 +72,14 @@ void RingSum::find_ways()
       out_.push_back({p, numbers[p], static_cast<int>(numbers[p].size()), {}});
     if (from[p].empty()) continue;
     for (size_t at = 0; at < from[p].size(); ++at) {
-      Ring &r = rings_[ring_of(from[p][at].ring)];
+      OwnedRing &r = rings_[ring_of(from[p][at].ring)];
       r.terms.push_back({from[p][at].partner, from[p][at].source, static_cast<int>(in_.size()),
                          static_cast<int>(at)});
       r.local = false;
     }
     in_.push_back({p, {}, static_cast<int>(from[p].size()), {}});
   }
-  for (Ring &r : rings_)
+  for (OwnedRing &r : rings_)
     std::stable_sort(r.terms.begin(), r.terms.end(), [](const Term &a, const Term &b) {
       return a.source != b.source ? a.source < b.source : a.partner < b.partner;
     });
@@ -105,13 +105,13 @@ void RingSum::flush()
 {
   const bool first = !ways_known_;    // nothing has been added to a ring directly yet
   if (first) find_ways();
-  send(force_and_torque, [this](int k) { return parts_[k].said; });
+  send(force_and_torque, [this](int k) { return shares_[k].said; });
   for (size_t n = 0; n < rings_.size(); ++n) {
-    Ring &r = rings_[n];
+    OwnedRing &r = rings_[n];
     if (first || !r.local)
       for (const Term &t : r.terms) {
         const double *said =
-            t.letter < 0 ? parts_[t.at].said : &in_[t.letter].text[t.at * force_and_torque];
+            t.letter < 0 ? shares_[t.at].said : &in_[t.letter].text[t.at * force_and_torque];
         r.force += Vec3::from(said);
         r.torque += Vec3::from(said + 3);
       }
@@ -121,14 +121,14 @@ void RingSum::flush()
     r.summed[1] = r.torque;
     r.force = r.torque = Vec3();
     if (first && r.local)
-      for (const Term &t : r.terms) parts_[t.at].direct = static_cast<int>(n);
+      for (const Term &t : r.terms) shares_[t.at].direct = static_cast<int>(n);
   }
   for (const Letter &l : out_)
-    for (int k : l.claims) std::fill(parts_[k].said, parts_[k].said + force_and_torque, 0.0);
-  for (const Ring &r : rings_)
+    for (int k : l.claims) std::fill(shares_[k].said, shares_[k].said + force_and_torque, 0.0);
+  for (const OwnedRing &r : rings_)
     if (!r.local)
       for (const Term &t : r.terms)
-        if (t.letter < 0) std::fill(parts_[t.at].said, parts_[t.at].said + force_and_torque, 0.0);
+        if (t.letter < 0) std::fill(shares_[t.at].said, shares_[t.at].said + force_and_torque, 0.0);
 }
 
 void RingSum::collect(int width, const std::vector<double> &said,

@@ -32,7 +32,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
 
   void add(int claim, const raceway::Vec3 &force, const raceway::Vec3 &torque)
   {
-    Part &p = parts_[claim];
+    Share &p = shares_[claim];
     if (p.direct >= 0) {
       rings_[p.direct].force += force;
       rings_[p.direct].torque += torque;
@@ -53,7 +53,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
   // sums. All ranks; after a flush().
   void collect(int width, const std::vector<double> &said,
                const std::function<void(int n, Source, const double *)> &heard);
-  int claims() const { return static_cast<int>(parts_.size()); }
+  int claims() const { return static_cast<int>(shares_.size()); }
 
  private:
   static constexpr int force_and_torque = 6;
@@ -61,7 +61,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
     tag_t ring, partner;
     int source;
   };
-  struct Part {
+  struct Share {
     double said[force_and_torque];
     int direct;
   };    // direct: index of a ring with local claims only, or -1
@@ -69,7 +69,7 @@ class RingSum : protected LAMMPS_NS::Pointers {
     tag_t partner;
     int source, letter, at;
   };    // letter -1: a claim of this rank
-  struct Ring {
+  struct OwnedRing {
     int i;
     tag_t tag;
     bool local;
@@ -89,8 +89,8 @@ class RingSum : protected LAMMPS_NS::Pointers {
   bool ways_known_ = false;
   std::vector<Claim> claims_;
   std::vector<int> owner_;    // owner of the ring of a claim
-  std::vector<Part> parts_;
-  std::vector<Ring> rings_;    // owned, by tag
+  std::vector<Share> shares_;
+  std::vector<OwnedRing> rings_;    // owned, by tag
   std::vector<Letter> out_, in_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "find_record_layout.h"
 
-#include "../ranks/bearing_parts.h"
 #include "../ranks/gather.h"
+#include "../ranks/home_bearings.h"
 #include "fix_bearing_cage.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_state.h"
@@ -118,14 +118,14 @@ BearingSources sources_of(LAMMPS *lmp, PairBearingHertz &pair)
 RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbit,
                                 const std::string &command)
 {
-  BearingParts parts(lmp, command);
-  parts.build(sources_of(lmp, pair), groupbit);
-  parts.gather();
+  HomeBearings bearings(lmp, command);
+  bearings.build(sources_of(lmp, pair), groupbit);
+  bearings.gather();
   const raceway::LabAxes axes = {pair.coefficients().axis_index()};
   const std::map<double, double> permittivity = permittivities(lmp);
   std::vector<Piece> mine;
-  for (int p = 0; p < parts.size(); ++p) {
-    const BearingModel &m = parts.model(p);
+  for (int p = 0; p < bearings.size(); ++p) {
+    const BearingModel &m = bearings.model(p);
     const double name = static_cast<double>(m.name());
     Raceways both;
     std::vector<int> side(m.rings.size(), 0);
@@ -143,7 +143,7 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
       mine.push_back({b.spins ? Piece::ball : Piece::cage, name, double(b.tag), 0, {}});
     for (size_t r = 0; r < m.rings.size(); ++r) {
       Piece ring = {Piece::ring, name, double(m.rings[r].tag), side[r], {}};
-      axes.lab(parts.rings(p)[r].origin).to(ring.of);
+      axes.lab(bearings.rings(p)[r].origin).to(ring.of);
       mine.push_back(ring);
     }
   }

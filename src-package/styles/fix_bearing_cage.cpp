@@ -123,8 +123,9 @@ void FixBearingCage::find_balls()
               ": no ring of type " + std::to_string(ring_type_) + " within two pitch radii");
     cage_.balls.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1, 0.0});
   }
-  std::sort(cage_.balls.begin(), cage_.balls.end(),
-            [](const CageRails::Ball &a, const CageRails::Ball &b) { return a.tag < b.tag; });
+  std::sort(
+      cage_.balls.begin(), cage_.balls.end(),
+      [](const CageRails::CageBall &a, const CageRails::CageBall &b) { return a.tag < b.tag; });
 }
 
 void FixBearingCage::setup_pre_force(int vflag) { pre_force(vflag); }
@@ -137,7 +138,7 @@ void FixBearingCage::pre_force(int)
   const size_t n = cage_.balls.size();
   fours_.resize((n + lanes - 1) / lanes);
   for (size_t i = 0; i < n; ++i) {
-    CageRails::Ball &ball = cage_.balls[i];
+    CageRails::CageBall &ball = cage_.balls[i];
     if (ball.claim < 0)
       ball.claim = pair_->ring_sum().claim(ball.ring, pair_->state()->owner(ball.i_ring),
                                            bearing::RingSum::rail, ball.tag);
@@ -163,7 +164,7 @@ void FixBearingCage::pre_force(int)
   for (size_t i = 0; i < n; ++i) {
     const Four &four = fours_[i / lanes];
     const size_t k = i % lanes;
-    CageRails::Ball &ball = cage_.balls[i];
+    CageRails::CageBall &ball = cage_.balls[i];
     ball.loss = four.loss[k];
     if (four.fr[k] == 0.0 && four.fe[k] == 0.0) continue;
     const Vec3 e = pair_->state()->axis(ball.i_ring);

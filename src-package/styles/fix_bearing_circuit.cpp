@@ -108,7 +108,7 @@ FixBearingCircuit::Film FixBearingCircuit::film_of(const RacewayPhysics &raceway
 }
 
 // The balls of the group and their films now, by tag, on every rank.
-std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
+std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::find_balls()
 {
   std::vector<tag_t> mine;
   for (int i = 0; i < atom->nlocal; ++i)
@@ -132,10 +132,10 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::find_balls()
 }
 
 // The same balls at an instant of the last step, from 1.
-std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_at(int instant)
+std::vector<FixBearingCircuit::BallFilms> FixBearingCircuit::balls_at(int instant)
 {
   std::vector<tag_t> tags;
-  for (const Ball &b : balls_) tags.push_back(static_cast<tag_t>(b.tag));
+  for (const BallFilms &b : balls_) tags.push_back(static_cast<tag_t>(b.tag));
   std::vector<Row> rows;
   std::map<tag_t, Vec3> body, ring;
   const auto contact = [&](const bearing::InstantContact &c) {
@@ -168,14 +168,14 @@ void FixBearingCircuit::Film::add(const Film &beside)
 }
 
 // Balls by tag, from the films sampled on all ranks.
-std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vector<tag_t> &tags,
-                                                                 std::vector<Row> mine) const
+std::vector<FixBearingCircuit::BallFilms>
+FixBearingCircuit::balls_of(const std::vector<tag_t> &tags, std::vector<Row> mine) const
 {
   std::vector<Row> rows = bearing::gather_all(mine, world);
   std::sort(rows.begin(), rows.end(), [](const Row &a, const Row &b) {
     return std::make_tuple(a.ball, a.side, a.ring) < std::make_tuple(b.ball, b.side, b.ring);
   });
-  std::vector<Ball> balls;
+  std::vector<BallFilms> balls;
   for (tag_t tag : tags) {
     balls.push_back({});
     balls.back().tag = tag;
@@ -197,7 +197,7 @@ std::vector<FixBearingCircuit::Ball> FixBearingCircuit::balls_of(const std::vect
 void FixBearingCircuit::sample()
 {
   if (begun_ && update->ntimestep == last_step_) return;
-  const std::vector<Ball> now = find_balls();
+  const std::vector<BallFilms> now = find_balls();
   if (!begun_) {
     if (now.empty())
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] + " has no balls");
@@ -209,7 +209,7 @@ void FixBearingCircuit::sample()
     require_films(now, 0.0);
     begun_ = true;
   } else {
-    const auto same = [](const Ball &a, const Ball &b) { return a.tag == b.tag; };
+    const auto same = [](const BallFilms &a, const BallFilms &b) { return a.tag == b.tag; };
     if (!std::equal(now.begin(), now.end(), balls_.begin(), balls_.end(), same))
       BRG_ALL(bearing::name_of(*this) + ": group " + group->names[igroup] +
               " has other balls than at the sample before");
@@ -220,7 +220,7 @@ void FixBearingCircuit::sample()
               std::to_string(update->ntimestep) + " with " + bearing::text(update->dt) + " s");
     for (int k = 1; k < settings_.within; ++k) {
       const double back = double(settings_.within - k) / settings_.within;
-      const std::vector<Ball> then = balls_at(k);
+      const std::vector<BallFilms> then = balls_at(k);
       advance(then, time_of(update->ntimestep, back));
       balls_ = then;
     }
@@ -232,7 +232,7 @@ void FixBearingCircuit::sample()
     if (update->ntimestep == update->laststep) fflush(f);
 }
 
-void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
+void FixBearingCircuit::advance(const std::vector<BallFilms> &to, double time)
 {
   const double start = last_time_, sampled = time - start;
   const double shortest = settings_.voltage.shortest();
@@ -247,7 +247,7 @@ void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
     const double share = double(k) / settings_.points;
     const double at = k == settings_.points ? time : start + share * sampled;
     double here = before;
-    std::vector<Ball> there;
+    std::vector<BallFilms> there;
     const auto point_at = [&](double t) {
       here = t;
       there = t == time ? to : between(balls_, to, t == at ? share : (t - start) / sampled);
@@ -261,14 +261,14 @@ void FixBearingCircuit::advance(const std::vector<Ball> &to, double time)
   last_time_ = time;
 }
 
-CircuitPoint FixBearingCircuit::point(const std::vector<Ball> &at, double time) const
+CircuitPoint FixBearingCircuit::point(const std::vector<BallFilms> &at, double time) const
 {
   const BearingFilms f = films(at);
   return {f, settings_.at(time, bearing_capacitance(f))};
 }
 
 // Refuses a charged ball without films.
-void FixBearingCircuit::require_films(const std::vector<Ball> &at, double time) const
+void FixBearingCircuit::require_films(const std::vector<BallFilms> &at, double time) const
 {
   const int lost = charged_without_film(state_);
   if (lost >= 0)
@@ -278,7 +278,7 @@ void FixBearingCircuit::require_films(const std::vector<Ball> &at, double time) 
 }
 
 // Films of the circuit from the sampled ones.
-BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
+BearingFilms FixBearingCircuit::films(const std::vector<BallFilms> &balls) const
 {
   const auto film = [this](const Film &f) {
     CircuitFilm made;
@@ -292,17 +292,18 @@ BearingFilms FixBearingCircuit::films(const std::vector<Ball> &balls) const
     return made;
   };
   BearingFilms all;
-  for (const Ball &b : balls) all.push_back({film(b.film[0]), film(b.film[1])});
+  for (const BallFilms &b : balls) all.push_back({film(b.film[0]), film(b.film[1])});
   return all;
 }
 
 // Interpolates at the fraction `share` between two samples. A film missing in one of them has no
 // thickness here.
-std::vector<FixBearingCircuit::Ball>
-FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball> &to, double share)
+std::vector<FixBearingCircuit::BallFilms>
+FixBearingCircuit::between(const std::vector<BallFilms> &from, const std::vector<BallFilms> &to,
+                           double share)
 {
   const auto mix = [share](double a, double b) { return a + share * (b - a); };
-  std::vector<Ball> all = to;
+  std::vector<BallFilms> all = to;
   for (size_t k = 0; k < all.size(); ++k) {
     const double turn = to[k].azimuth - from[k].azimuth;
     const double azimuth =
@@ -317,11 +318,11 @@ FixBearingCircuit::between(const std::vector<Ball> &from, const std::vector<Ball
   return all;
 }
 
-void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, double time)
+void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<BallFilms> &at, double time)
 {
   FILE *file = events_.file();
   if (!file) return;
-  const Ball &ball = at[f.ball];
+  const BallFilms &ball = at[f.ball];
   const Film &film = ball.film[f.at_outer];
   const double local = local_thickness(film.thickness, film.rough, settings_.film_floor);
   fprintf(file, "%.12g %.0f %d %.0f %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g", time,
@@ -330,7 +331,7 @@ void FixBearingCircuit::tell(const FilmFailure &f, const std::vector<Ball> &at, 
           f.energy);
   if (settings_.arc > 0.0) {
     double area = 0.0;
-    for (const Ball &b : at) area += b.film[0].area + b.film[1].area;
+    for (const BallFilms &b : at) area += b.film[0].area + b.film[1].area;
     const ArcCurrent arc(f, settings_.arc);
     fprintf(file, " %.12g %.12g %.12g", arc.peak, arc.duration, arc.peak / area);
   }

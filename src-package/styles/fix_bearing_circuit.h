@@ -48,7 +48,7 @@ class FixBearingCircuit : public Fix {
     // Adds another film between the same ball and ring: the locally thinner one breaks down.
     void add(const Film &beside);
   };
-  struct Ball {
+  struct BallFilms {
     double tag = 0.0, azimuth = 0.0;    // rad
     Film film[2];                       // inner, outer
   };
@@ -61,9 +61,10 @@ class FixBearingCircuit : public Fix {
   };
 
   void find_integrators();
-  std::vector<Ball> find_balls();
-  std::vector<Ball> balls_at(int instant);
-  std::vector<Ball> balls_of(const std::vector<bearing::tag_t> &tags, std::vector<Row> mine) const;
+  std::vector<BallFilms> find_balls();
+  std::vector<BallFilms> balls_at(int instant);
+  std::vector<BallFilms> balls_of(const std::vector<bearing::tag_t> &tags,
+                                  std::vector<Row> mine) const;
   Film film_of(const raceway::RacewayPhysics &, bool live, const raceway::ContactState &,
                const raceway::FilmCapacitorT<double> &) const;
   bool needs_states() const { return settings_.metal > 0.0 || settings_.arc > 0.0; }
@@ -73,13 +74,13 @@ class FixBearingCircuit : public Fix {
     return (static_cast<double>(step - first_step_) - back) * dt_;
   }
   void sample();
-  void advance(const std::vector<Ball> &to, double time);
-  raceway::BearingFilms films(const std::vector<Ball> &) const;
-  static std::vector<Ball> between(const std::vector<Ball> &, const std::vector<Ball> &,
-                                   double share);
-  raceway::CircuitPoint point(const std::vector<Ball> &, double time) const;
-  void require_films(const std::vector<Ball> &, double time) const;
-  void tell(const raceway::FilmFailure &, const std::vector<Ball> &at, double time);
+  void advance(const std::vector<BallFilms> &to, double time);
+  raceway::BearingFilms films(const std::vector<BallFilms> &) const;
+  static std::vector<BallFilms> between(const std::vector<BallFilms> &,
+                                        const std::vector<BallFilms> &, double share);
+  raceway::CircuitPoint point(const std::vector<BallFilms> &, double time) const;
+  void require_films(const std::vector<BallFilms> &, double time) const;
+  void tell(const raceway::FilmFailure &, const std::vector<BallFilms> &at, double time);
 
   std::string cap_id_;
   bearing::CircuitSettings settings_;
@@ -91,7 +92,7 @@ class FixBearingCircuit : public Fix {
   bigint first_step_ = 0, last_step_ = -1;    // steps of the first and the last sample
   double last_time_ = 0.0;                    // s, of the last sample
   double dt_ = 0.0;                           // s, of all steps between them
-  std::vector<Ball> balls_;                   // at the last sample, by tag
+  std::vector<BallFilms> balls_;              // at the last sample, by tag
   raceway::CircuitState state_;
 };
 

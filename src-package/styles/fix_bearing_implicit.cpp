@@ -14,7 +14,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::Arguments;
 using bearing::text;
-using raceway::BearingStep;
+using raceway::BearingIntegrator;
 
 // fix ID group bearing/implicit [solve all|damping] [tolerance T] [relative R] [error E]
 // [cage_tolerance TC] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
@@ -22,7 +22,7 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
     solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}, {}, {}})
 {
-  BearingStep::Settings &settings = solver_->settings;
+  BearingIntegrator::Settings &settings = solver_->settings;
   double cage = 0.0;
   Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
   while (args.more()) {
@@ -199,10 +199,10 @@ raceway::Vec3 FixBearingImplicit::gravity()
 void FixBearingImplicit::setup(int)
 {
   build_ = -1;
-  solver_->parts.clear();
-  solver_->steps.clear();    // the fixes that move the rings may have changed
+  solver_->own.clear();
+  solver_->integrators.clear();    // the fixes that move the rings may have changed
   substeps_ = corrections_ = refused_ = time_ = worst_ = 0.0;
-  solver_->energy = BearingStep::Energy();
+  solver_->energy = BearingIntegrator::Energy();
   begun_ = false;
   stored_before_ = 0.0;
   smallest_ = HUGE_VAL;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix bearing/implicit: implicit steps for balls, cage balls and rings (core/step/bearing_step.h).
+// fix bearing/implicit: implicit steps for balls, cage balls and rings
+// (core/step/bearing_integrator.h).
 //
 // Place in the host's step: initial_integrate makes the whole step, in as many substeps as the step
 // control requires, with its own copy of the state and its own calls of the contact functions; the
@@ -48,7 +49,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // The solver, its settings and the bearings at home on this rank: defined in the sources only, so
   // that no other style depends on them.
   struct Solver;
-  struct Part;
+  struct OwnBearing;
 
   void check_fixes();
   void add_gravity(Fix &);
@@ -59,8 +60,8 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   void load(int part, const raceway::Vec3 &fall);
   void load_bends(int part);
   void store_bends();
-  void advance(Part &);
-  [[noreturn]] void give_up(const Part &, double h) const;
+  void advance(OwnBearing &);
+  [[noreturn]] void give_up(const OwnBearing &, double h) const;
 
   PairBearingHertz *pair_;
   double tolerance_ = 0.0;    // m, estimated local error of a position in a substep; 0 until known

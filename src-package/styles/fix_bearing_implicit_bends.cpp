@@ -13,8 +13,8 @@ void FixBearingImplicit::load_bends(int p)
   int shaft = 0;
   for (const BearingModel::Shaft &s : solver_->bearings.model(p).shafts) {
     if (const FixBearingShaft *bends = rings_[s.mover]->bending()) {
-      solver_->parts[p].bearing->set_bend(shaft, bends->bend_program());
-      solver_->parts[p].bearing->load_bend(shaft, bends->bend());
+      solver_->own[p].integrator->set_bend(shaft, bends->bend_program());
+      solver_->own[p].integrator->load_bend(shaft, bends->bend());
     }
     ++shaft;
   }
@@ -30,7 +30,7 @@ void FixBearingImplicit::store_bends()
     for (int p = 0; p < solver_->bearings.size(); ++p) {
       int shaft = 0;
       for (const BearingModel::Shaft &s : solver_->bearings.model(p).shafts) {
-        if (s.mover == k) state = solver_->parts[p].bearing->stored_bend(shaft);
+        if (s.mover == k) state = solver_->own[p].integrator->stored_bend(shaft);
         ++shaft;
       }
     }

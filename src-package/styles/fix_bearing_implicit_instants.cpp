@@ -32,23 +32,23 @@ void FixBearingImplicit::want_instants(const Instants &i, const std::string &com
 void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell) const
 {
   const raceway::LabAxes axes = {pair_->coefficients().axis_index()};
-  for (int p = 0; p < static_cast<int>(solver_->parts.size()); ++p) {
+  for (int p = 0; p < static_cast<int>(solver_->own.size()); ++p) {
     const BearingModel &m = solver_->bearings.model(p);
-    const raceway::BearingInstants &at = solver_->parts[p].bearing->instants();
+    const raceway::BearingInstants &at = solver_->own[p].integrator->instants();
     const bool kept = readers_.size() > 1;
-    Solver::Unpacked &of = solver_->unpacked[kept ? (k - 1) * solver_->parts.size() + p : 0];
+    Solver::Unpacked &of = solver_->unpacked[kept ? (k - 1) * solver_->own.size() + p : 0];
     if (!kept || of.step != update->ntimestep) {
       of.step = update->ntimestep;
       at.contacts(k, instants_.states, of.contacts);
       if (instants_.states)
-        for (raceway::BearingInstants::Contact &c : of.contacts) {
+        for (raceway::BearingInstants::ContactAtInstant &c : of.contacts) {
           c.state.u = axes.lab(c.state.u);
           c.state.t = axes.lab(c.state.t);
         }
     }
     for (int g = 0; g < static_cast<int>(m.grooves.size()); ++g) {
       const raceway::BearingModel::Groove &groove = m.grooves[g];
-      const raceway::BearingInstants::Contact &c = of.contacts[g];
+      const raceway::BearingInstants::ContactAtInstant &c = of.contacts[g];
       tell.contact({static_cast<tag_t>(m.bodies[groove.body].tag),
                     static_cast<tag_t>(m.rings[groove.ring].tag), *groove.physics, c.orbit, c.live,
                     c.load, c.capacitor, c.state});
@@ -63,7 +63,7 @@ void FixBearingImplicit::read_instant(int k, const bearing::InstantReader &tell)
       }
     if (tell.ring)
       for (int r = 0; r < static_cast<int>(m.rings.size()); ++r) {
-        const raceway::BearingInstants::Ring &now = at.ring(k, r);
+        const raceway::BearingInstants::RingAtInstant &now = at.ring(k, r);
         bearing::InstantRing ring;
         bearing::ring_values({static_cast<double>(m.rings[r].tag), now.pose, now.pose.spin,
                               now.force, now.moment, now.acceleration},

@@ -6,13 +6,13 @@
 #include <algorithm>
 
 using namespace LAMMPS_NS;
-using raceway::BearingStep;
+using raceway::BearingIntegrator;
 
 // Energy stored before the first step of a run.
 void FixBearingImplicit::begin_energy()
 {
   stored_before_ = 0.0;
-  for (const auto &step : solver_->steps) stored_before_ += step->energy().stored;
+  for (const auto &integrator : solver_->integrators) stored_before_ += integrator->energy().stored;
   MPI_Allreduce(MPI_IN_PLACE, &stored_before_, 1, MPI_DOUBLE, MPI_SUM, world);
   begun_ = true;
 }
@@ -24,7 +24,7 @@ double FixBearingImplicit::compute_scalar()
 
 double FixBearingImplicit::systems() const
 {
-  double n = static_cast<double>(solver_->parts.size());
+  double n = static_cast<double>(solver_->own.size());
   MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_DOUBLE, MPI_SUM, world);
   return n;
 }
@@ -33,15 +33,15 @@ double FixBearingImplicit::systems() const
 // asked for.
 double FixBearingImplicit::compute_vector(int k)
 {
-  BearingStep::Energy e = solver_->energy;
-  for (const auto &step : solver_->steps)
+  BearingIntegrator::Energy e = solver_->energy;
+  for (const auto &integrator : solver_->integrators)
     if (energy_wanted_) {
-      const BearingStep::Energy &now = step->energy();
+      const BearingIntegrator::Energy &now = integrator->energy();
       e.work += now.work;
       e.dissipated += now.dissipated;
       e.stored += now.stored;
     }
-  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(solver_->parts.size()),
+  double sum[] = {substeps_, corrections_, refused_, static_cast<double>(solver_->own.size()),
                   e.work,    e.dissipated, e.stored};
   double most[] = {worst_, -smallest_};
   MPI_Allreduce(MPI_IN_PLACE, sum, 7, MPI_DOUBLE, MPI_SUM, world);

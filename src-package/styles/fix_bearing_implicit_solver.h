@@ -4,8 +4,8 @@
 #ifndef BEARING_IMPLICIT_SOLVER_H
 #define BEARING_IMPLICIT_SOLVER_H
 
-#include "../core/step/bearing_step.h"
-#include "../ranks/bearing_parts.h"
+#include "../core/step/bearing_integrator.h"
+#include "../ranks/home_bearings.h"
 #include "fix_bearing_implicit.h"
 
 #include <memory>
@@ -15,23 +15,23 @@ namespace LAMMPS_NS {
 
 constexpr double smallest_step = 1e-12;    // s
 
-struct FixBearingImplicit::Part {
-  raceway::BearingStep *bearing;
-  double step;                              // s, next substep requested by the step control
-  raceway::BearingStep::Outcome outcome;    // of the last substep that was tried
+struct FixBearingImplicit::OwnBearing {
+  raceway::BearingIntegrator *integrator;
+  double step;                                    // s, next substep requested by the step control
+  raceway::BearingIntegrator::Outcome outcome;    // of the last substep that was tried
 };
 
 struct FixBearingImplicit::Solver {
-  raceway::BearingStep::Settings settings;
-  raceway::BearingStep::Energy energy;    // of bearings of earlier neighbour builds
-  bearing::BearingParts bearings;
-  std::vector<Part> parts;    // one per bearing at home on this rank
-  std::vector<std::unique_ptr<raceway::BearingStep>> steps;
+  raceway::BearingIntegrator::Settings settings;
+  raceway::BearingIntegrator::Energy energy;    // of bearings of earlier neighbour builds
+  bearing::HomeBearings bearings;
+  std::vector<OwnBearing> own;    // one per bearing at home on this rank
+  std::vector<std::unique_ptr<raceway::BearingIntegrator>> integrators;
   // Contacts of an instant. For one reader they reuse one buffer, which stays in the caches. For
   // several they are kept for a step: by instant, then by bearing.
   struct Unpacked {
     bigint step = -1;
-    std::vector<raceway::BearingInstants::Contact> contacts;
+    std::vector<raceway::BearingInstants::ContactAtInstant> contacts;
   };
   std::vector<Unpacked> unpacked;
 };

@@ -18,17 +18,18 @@
 using namespace LAMMPS_NS;
 using bearing::tag_t;
 using bearing::text;
+using raceway::BearingIntegrator;
 using raceway::BearingModel;
-using raceway::BearingStep;
 
 void FixBearingImplicit::build()
 {
   if (build_ == pair_->table_build()) return;
   build_ = pair_->table_build();
   Solver &all = *solver_;
-  for (const auto &step : all.steps) {    // totals of the bearings of the last neighbour build
-    all.energy.work += step->spent().work;
-    all.energy.dissipated += step->spent().dissipated;
+  // totals of the bearings of the last neighbour build
+  for (const auto &integrator : all.integrators) {
+    all.energy.work += integrator->spent().work;
+    all.energy.dissipated += integrator->spent().dissipated;
   }
   bearing::BearingSources sources;
   sources.table = &pair_->table();
@@ -58,12 +59,12 @@ void FixBearingImplicit::build()
   sources.states = raceway::law_facts(pair_->coefficients().law()).states;
   sources.motion = [this](int i) -> bearing::RingMotion & { return pair_->state()->ring(i); };
   all.bearings.build(sources, groupbit);
-  all.parts.clear();
+  all.own.clear();
   // A solver has no memory of earlier steps, so it is reused for a bearing with the same parts. An
   // energy balance starts with a new solver.
-  std::vector<std::unique_ptr<BearingStep>> earlier;
-  if (!energy_wanted_) earlier.swap(all.steps);
-  all.steps.clear();
+  std::vector<std::unique_ptr<BearingIntegrator>> earlier;
+  if (!energy_wanted_) earlier.swap(all.integrators);
+  all.integrators.clear();
   const auto made = [&earlier](const BearingModel &of, size_t likely) {
     const auto fits = [&](const auto &one) { return one && alike(one->model(), of); };
     if (likely < earlier.size() && fits(earlier[likely])) return std::move(earlier[likely]);
@@ -75,7 +76,7 @@ void FixBearingImplicit::build()
   // to a bearing after its step, so then each bearing has its own.
   const bool shared = !energy_wanted_ && instants_.number < 2;
   using Kind = std::tuple<const void *, size_t, int>;    // distinguishes most kinds
-  std::map<Kind, std::vector<std::pair<int, BearingStep *>>> kinds;
+  std::map<Kind, std::vector<std::pair<int, BearingIntegrator *>>> kinds;
   for (int p = 0; p < all.bearings.size(); ++p) {
     const BearingModel &model = all.bearings.model(p);
     auto &kind = kinds[{model.grooves.empty() ? nullptr : model.grooves.front().physics,
@@ -84,50 +85,50 @@ void FixBearingImplicit::build()
         std::find_if(shared ? kind.begin() : kind.end(), kind.end(),
                      [&](const auto &one) { return alike(all.bearings.model(one.first), model); });
     if (like != kind.end()) {
-      all.parts.push_back({like->second, 0.0, {}});
+      all.own.push_back({like->second, 0.0, {}});
       continue;
     }
     BearingModel of = model;
     of.parts = pair_->coefficients().law();
     for (BearingModel::Shaft &one : of.shafts)
       if (const FixBearingShaft *bends = rings_[one.mover]->bending()) one.modes = &bends->modes();
-    std::unique_ptr<BearingStep> step = made(of, all.steps.size());
-    if (!step) {
-      step = std::make_unique<BearingStep>(of);
-      step->keep_energy(energy_wanted_);
-      step->instants().want({instants_.number, instants_.capacitor});
+    std::unique_ptr<BearingIntegrator> integrator = made(of, all.integrators.size());
+    if (!integrator) {
+      integrator = std::make_unique<BearingIntegrator>(of);
+      integrator->keep_energy(energy_wanted_);
+      integrator->instants().want({instants_.number, instants_.capacitor});
     }
-    all.steps.push_back(std::move(step));
-    all.parts.push_back({all.steps.back().get(), 0.0, {}});
-    kind.push_back({p, all.steps.back().get()});
+    all.integrators.push_back(std::move(integrator));
+    all.own.push_back({all.integrators.back().get(), 0.0, {}});
+    kind.push_back({p, all.integrators.back().get()});
   }
 }
 
 // Loads the state of a bearing and the programs of its rings in this step.
 void FixBearingImplicit::load(int p, const raceway::Vec3 &fall)
 {
-  bearing::BearingParts &bearings = solver_->bearings;
-  BearingStep &step = *solver_->parts[p].bearing;
+  bearing::HomeBearings &bearings = solver_->bearings;
+  BearingIntegrator &integrator = *solver_->own[p].integrator;
   const BearingModel &model = bearings.model(p);
-  step.set_gravity(fall);
+  integrator.set_gravity(fall);
   for (size_t k = 0; k < model.rings.size(); ++k)
     if (model.rings[k].mover >= 0 && !model.rings[k].on_shaft)
-      step.set_program(static_cast<int>(k),
-                       rings_[model.rings[k].mover]->program(model.rings[k].own));
+      integrator.set_program(static_cast<int>(k),
+                             rings_[model.rings[k].mover]->program(model.rings[k].own));
   int shaft = static_cast<int>(model.rings.size());
   for (const BearingModel::Shaft &s : model.shafts)
-    step.set_program(shaft++, rings_[s.mover]->program({}));
+    integrator.set_program(shaft++, rings_[s.mover]->program({}));
   load_bends(p);
-  step.load(bearings.bodies(p), bearings.rings(p));
-  step.load_states(bearings.states(p).data());
+  integrator.load(bearings.bodies(p), bearings.rings(p));
+  integrator.load_states(bearings.states(p).data());
 }
 
 void FixBearingImplicit::initial_integrate(int)
 {
   build();
   for (FixBearingRing *r : rings_) r->begin_step();
-  bearing::BearingParts &bearings = solver_->bearings;
-  std::vector<Part> &parts = solver_->parts;
+  bearing::HomeBearings &bearings = solver_->bearings;
+  std::vector<OwnBearing> &own = solver_->own;
   bearings.gather();
   const raceway::Vec3 fall = gravity();
   if (energy_wanted_ && !begun_) {
@@ -139,11 +140,11 @@ void FixBearingImplicit::initial_integrate(int)
     // the requested substep is stored with the ring, so that it moves with the bearing to another
     // home or into a restart file
     double &wish = bearings.wished_step(p);
-    parts[p].step = wish > 0.0 ? wish : largest_;
-    advance(parts[p]);
-    wish = parts[p].step;
-    parts[p].bearing->store(bearings.bodies(p), bearings.rings(p));
-    parts[p].bearing->store_states(bearings.states(p).data());
+    own[p].step = wish > 0.0 ? wish : largest_;
+    advance(own[p]);
+    wish = own[p].step;
+    own[p].integrator->store(bearings.bodies(p), bearings.rings(p));
+    own[p].integrator->store_states(bearings.states(p).data());
   }
   bearings.scatter();
   store_bends();
@@ -151,21 +152,21 @@ void FixBearingImplicit::initial_integrate(int)
 }
 
 // The host's step in equal substeps, as few as the control allows.
-void FixBearingImplicit::advance(Part &p)
+void FixBearingImplicit::advance(OwnBearing &p)
 {
   const double whole = update->dt;
-  const BearingStep::Settings &settings = solver_->settings;
+  const BearingIntegrator::Settings &settings = solver_->settings;
   double done = 0.0;
   while (done < whole) {
     const double left = whole - done;
     // the edge of a flaw is an event: a substep ends there, and substeps across it are short
-    const double flaws = p.bearing->longest_step();
+    const double flaws = p.integrator->longest_step();
     const double pieces = std::ceil(left / std::min(p.step, largest_) - 1e-9);
     const double free = pieces <= 1.0 ? left : left / pieces;
     const bool held = flaws < std::min(free, 0.99 * left), last = !held && pieces <= 1.0;
     const double h = held ? flaws : free;
-    p.outcome = p.bearing->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
-    const BearingStep::Outcome &o = p.outcome;
+    p.outcome = p.integrator->step(settings, h, done / whole, last ? 1.0 : (done + h) / whole);
+    const BearingIntegrator::Outcome &o = p.outcome;
     corrections_ += o.corrections;
     // ratio to the allowed value; grows as h^2
     const double excess = std::max(o.error / o.tolerance, o.stability);
@@ -176,7 +177,7 @@ void FixBearingImplicit::advance(Part &p)
       if (p.step < smallest_step) give_up(p, h);
       continue;
     }
-    if (const raceway::Failure f = p.bearing->accept(); f != raceway::Failure::none) {
+    if (const raceway::Failure f = p.integrator->accept(); f != raceway::Failure::none) {
       p.outcome.failure = f;
       give_up(p, h);
     }
@@ -206,10 +207,10 @@ static std::string cause(raceway::Failure f, const std::string &who)
   }
 }
 
-void FixBearingImplicit::give_up(const Part &p, double h) const
+void FixBearingImplicit::give_up(const OwnBearing &p, double h) const
 {
-  const BearingStep::Outcome &o = p.outcome;
-  const BearingModel &m = solver_->bearings.model(&p - solver_->parts.data());
+  const BearingIntegrator::Outcome &o = p.outcome;
+  const BearingModel &m = solver_->bearings.model(&p - solver_->own.data());
   const std::string where =
       std::string("fix ") + id + " bearing/implicit at step " + std::to_string(update->ntimestep);
   const std::string who =

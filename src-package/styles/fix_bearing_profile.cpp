@@ -43,9 +43,9 @@ FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lm
 
 int FixBearingProfile::setmask() { return of_balls() && departs() ? FixConst::PRE_FORCE : 0; }
 
-std::vector<FixBearingProfile::Ring> FixBearingProfile::rings(PairBearingHertz &pair) const
+std::vector<FixBearingProfile::FlawedRing> FixBearingProfile::rings(PairBearingHertz &pair) const
 {
-  std::vector<Ring> mine;
+  std::vector<FlawedRing> mine;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     if (!pair.coefficients().is_ring(atom->type[i]))
@@ -60,9 +60,9 @@ std::vector<FixBearingProfile::Ring> FixBearingProfile::rings(PairBearingHertz &
   return bearing::gather_all(mine, world);
 }
 
-std::vector<FixBearingProfile::Ball> FixBearingProfile::balls(PairBearingHertz &pair) const
+std::vector<FixBearingProfile::FlawedBall> FixBearingProfile::balls(PairBearingHertz &pair) const
 {
-  std::vector<Ball> mine;
+  std::vector<FlawedBall> mine;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!(atom->mask[i] & groupbit)) continue;
     if (!pair.coefficients().is_ball(atom->type[i]))
@@ -157,10 +157,10 @@ void FixBearingProfile::add_rings(PairBearingHertz &pair,
   std::map<bearing::tag_t, std::map<const RacewayPhysics *, ProfileShape>> sums;
   for (const FixBearingProfile *f : all) {
     if (f->of_balls() || !f->departs()) continue;
-    const std::vector<Ring> rings = f->rings(pair);
+    const std::vector<FlawedRing> rings = f->rings(pair);
     if (rings.empty())
       BRG_ALL(name_of(*f) + ": missing ring, group " + group->names[f->igroup] + " is empty");
-    for (const Ring &r : rings) {
+    for (const FlawedRing &r : rings) {
       if (r.turns_alone)
         BRG_ALL(name_of(*f) + ": ring " + std::to_string(r.tag) +
                 " spins without a fix bearing/ring, which counts its angle");
@@ -196,14 +196,14 @@ void FixBearingProfile::add_balls(PairBearingHertz &pair,
   std::map<bearing::tag_t, std::map<const RacewayPhysics *, BallShape>> sums;
   for (const FixBearingProfile *f : all) {
     if (!f->of_balls() || !f->departs()) continue;
-    const std::vector<Ball> balls = f->balls(pair);
+    const std::vector<FlawedBall> balls = f->balls(pair);
     if (balls.empty())
       BRG_ALL(name_of(*f) + ": missing ball, group " + group->names[f->igroup] + " is empty");
     if (ring_pits && !f->settings_.ball.pits.empty())
       BRG_ALL(name_of(*f) +
               ": a ball with a pit cannot meet a notch of a raceway that has a width; "
               "give the notch the width 'full'");
-    for (const Ball &b : balls)
+    for (const FlawedBall &b : balls)
       for (const RacewayPhysics *p : pair.coefficients().raceways_under(b.type)) {
         f->check_ball(*p);
         BallShape &s = sums[b.tag][p];

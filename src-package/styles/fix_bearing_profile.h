@@ -28,16 +28,16 @@ class FixBearingProfile : public Fix {
   bool of_balls() const { return settings_.of_balls; }
   const std::string &said() const { return said_; }    // its keywords and values
 
-  struct Ring {
+  struct FlawedRing {
     bearing::tag_t tag;
     int type, turns_alone;    // 1: it spins, and no fix bearing/ring counts its angle
   };
-  std::vector<Ring> rings(PairBearingHertz &) const;    // of the group, on all ranks
-  struct Ball {
+  std::vector<FlawedRing> rings(PairBearingHertz &) const;    // of the group, on all ranks
+  struct FlawedBall {
     bearing::tag_t tag;
     int type;
   };
-  std::vector<Ball> balls(PairBearingHertz &) const;
+  std::vector<FlawedBall> balls(PairBearingHertz &) const;
 
  private:
   void add_rings(PairBearingHertz &, const std::vector<FixBearingProfile *> &) const;

@@ -47,13 +47,13 @@ void FixBearingShaft::init()
   check_axis();
   if (!by_another_) check_gravity();
   double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const Ring &r : rings()) {
+  for (const MountedRing &r : rings()) {
     least = std::min(least, r.now.origin.z);
     most = std::max(most, r.now.origin.z);
   }
   middle_ = 0.5 * (least + most);
   places_.clear();
-  for (const Ring &r : rings()) places_.push_back(r.at);
+  for (const MountedRing &r : rings()) places_.push_back(r.at);
   if (bending()) check_stations();
   shaft_.add_unbalances(centre(), settings_.program);
 }
@@ -73,8 +73,8 @@ double FixBearingShaft::mass_of_atom() const
 // Error unless the rings start on one axis, parallel to that of the bearings.
 void FixBearingShaft::check_axis() const
 {
-  const std::vector<Ring> all = rings();
-  for (const Ring &r : all) {
+  const std::vector<MountedRing> all = rings();
+  for (const MountedRing &r : all) {
     const Vec3 d = r.now.origin - all.front().now.origin;
     const double off = std::hypot(d.x, d.y);
     if (off > exact)
@@ -87,10 +87,10 @@ void FixBearingShaft::check_axis() const
 // run.
 void FixBearingShaft::check_places() const
 {
-  const std::vector<Ring> all = rings();
+  const std::vector<MountedRing> all = rings();
   const RingAtom shaft = straight(all.front().now, all.front().at);
   const std::string first = std::to_string(all.front().tag);
-  for (const Ring &r : all) {
+  for (const MountedRing &r : all) {
     const RingAtom seat = this->seat(shaft, r.at, r.now.origin);
     const std::string who = bearing::name_of(*this) + ": ring atom " + std::to_string(r.tag);
     const double off = norm(r.now.x - seat.x), fast = norm(r.now.v - seat.v),

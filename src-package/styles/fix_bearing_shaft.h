@@ -38,7 +38,7 @@ class FixBearingShaft : public FixBearingRing {
 
  private:
   // A ring, sent by its owner to all ranks; components have the bearing axis third.
-  struct Ring {
+  struct MountedRing {
     bearing::tag_t tag;
     double at;    // m, from the shaft's centre
     raceway::RingAtom now;
@@ -50,7 +50,7 @@ class FixBearingShaft : public FixBearingRing {
     raceway::RingAtom shaft;
     raceway::Vec3 push, moment;    // total of the rings' atoms
     raceway::Vec3 contact[2];      // of balls and cage
-    std::vector<Ring> rings;
+    std::vector<MountedRing> rings;
   };
 
   void evaluate(int first, int last) override;
@@ -75,7 +75,8 @@ class FixBearingShaft : public FixBearingRing {
     return shaft_.of_file ? seat(shaft, 0.0, shaft.origin) : shaft;
   }
   void load_modes(double at, const raceway::Vec3 &force, const raceway::Vec3 &moment);
-  std::vector<double> forces_on_modes(const std::vector<Ring> &, const raceway::RingPose &) const;
+  std::vector<double> forces_on_modes(const std::vector<MountedRing> &,
+                                      const raceway::RingPose &) const;
   void check_stations() const;
   void check_station(const std::string &what, double at) const;
   double bending_value(int k) const;
@@ -83,7 +84,7 @@ class FixBearingShaft : public FixBearingRing {
   void check_places() const;
   void check_gravity() const;
   int first_ring() const;    // local index, -1: not here
-  std::vector<Ring> rings() const;
+  std::vector<MountedRing> rings() const;
   Whole whole() const;
   void move_rings(const raceway::RingAtom &shaft);
   void add_to_first(const raceway::RingAtom &shaft, const raceway::Vec3 &push,

@@ -64,12 +64,12 @@ BendProgram FixBearingShaft::bend_program() const
 }
 
 // Forces on the modes, N, at the end of the step.
-std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<Ring> &all,
+std::vector<double> FixBearingShaft::forces_on_modes(const std::vector<MountedRing> &all,
                                                      const RingPose &shaft) const
 {
   std::vector<double> of, loads;
   own_forces(modes(), bend_, shaft, of);
-  for (const Ring &r : all)
+  for (const MountedRing &r : all)
     add_to_modes(modes().station(r.at), r.now.e, r.contact[0], r.contact[1], of);
   bend_program().forces(at_end(now_), 1.0, shaft.angle, loads);
   for (size_t k = 0; k < of.size(); ++k) of[k] += loads[k];

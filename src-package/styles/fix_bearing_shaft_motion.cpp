@@ -26,17 +26,17 @@ int FixBearingShaft::first_ring() const
 }
 
 // All rings on all ranks, by tag.
-std::vector<FixBearingShaft::Ring> FixBearingShaft::rings() const
+std::vector<FixBearingShaft::MountedRing> FixBearingShaft::rings() const
 {
-  std::vector<Ring> mine;
+  std::vector<MountedRing> mine;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (!moves(i)) continue;
-    Ring r = {atom->tag[i],
-              place_on_shaft(i),
-              read(i),
-              axes_.third(Vec3::from(atom->f[i])),
-              axes_.third(Vec3::from(atom->torque[i])),
-              {}};
+    MountedRing r = {atom->tag[i],
+                     place_on_shaft(i),
+                     read(i),
+                     axes_.third(Vec3::from(atom->f[i])),
+                     axes_.third(Vec3::from(atom->torque[i])),
+                     {}};
     for (const ContactLoad &c : contacts_)
       if (c.ring == r.tag) {
         r.contact[0] = axes_.third(c.force);
@@ -44,8 +44,9 @@ std::vector<FixBearingShaft::Ring> FixBearingShaft::rings() const
       }
     mine.push_back(r);
   }
-  std::vector<Ring> all = bearing::gather_all(mine, world);
-  std::sort(all.begin(), all.end(), [](const Ring &a, const Ring &b) { return a.tag < b.tag; });
+  std::vector<MountedRing> all = bearing::gather_all(mine, world);
+  std::sort(all.begin(), all.end(),
+            [](const MountedRing &a, const MountedRing &b) { return a.tag < b.tag; });
   return all;
 }
 
@@ -55,7 +56,7 @@ FixBearingShaft::Whole FixBearingShaft::whole() const
   w.rings = rings();
   w.shaft = straight(w.rings.front().now, w.rings.front().at);
   const Vec3 &e = w.shaft.e;
-  for (const Ring &r : w.rings) {
+  for (const MountedRing &r : w.rings) {
     w.push += r.force;
     w.moment += moment_about_centre(e, r.at, r.force, r.moment);
     w.contact[0] += r.contact[0];

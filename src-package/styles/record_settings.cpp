@@ -54,19 +54,19 @@ std::string flaws_of(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayout &la
   std::map<double, std::string> of;    // by ring
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
     if (f->of_balls() || !f->departs()) continue;
-    for (const FixBearingProfile::Ring &r : f->rings(pair)) {
+    for (const FixBearingProfile::FlawedRing &r : f->rings(pair)) {
       std::string &text = of[static_cast<double>(r.tag)];
       text += (text.empty() ? "" : "; ") + std::to_string(r.tag) + " " + f->said();
     }
   }
   std::string all;
-  for (const RecordLayout::Ring &r : layout.rings)
+  for (const RecordLayout::RecordRing &r : layout.rings)
     if (of.count(r.tag)) all += (all.empty() ? "" : "; ") + of[r.tag];
   for (const FixBearingProfile *f : fixes_of<FixBearingProfile>(lmp)) {
     if (!f->of_balls() || !f->departs()) continue;
     std::set<tag_t> tags;
-    for (const FixBearingProfile::Ball &b : f->balls(pair)) tags.insert(b.tag);
-    for (const RecordLayout::Part &ball : layout.balls)
+    for (const FixBearingProfile::FlawedBall &b : f->balls(pair)) tags.insert(b.tag);
+    for (const RecordLayout::RecordBody &ball : layout.balls)
       if (const auto tag = static_cast<tag_t>(ball.tag); tags.count(tag))
         all += (all.empty() ? "" : "; ") + std::to_string(tag) + " " + f->said();
   }

@@ -63,11 +63,11 @@ PARTS = [
     ("cage contacts", "BearingForces::pockets"),
     (
         "linear solve",
-        "BearingSystem::|BearingStep::(solve_stage|apply)|DenseLU|LinkChain",
+        "BearingSystem::|BearingIntegrator::(solve_stage|apply)|DenseLU|LinkChain",
     ),
     (
         "motion of bodies and rings",
-        "BearingStep::|BearingBodies::|raceway::moved|raceway::between|rotate",
+        "BearingIntegrator::|BearingBodies::|raceway::moved|raceway::between|rotate",
     ),
     ("contacts at instants within the step", "BearingInstants::"),
     ("contact table of the host's step", "PairBearing"),

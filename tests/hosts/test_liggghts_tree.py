@@ -74,7 +74,7 @@ def test_in_and_out(tree):
     assert {
         "src/fix_bearing_ring.h",
         "src/vec3.h",
-        "src/bearing_step.cpp",
+        "src/bearing_integrator.cpp",
         "src/MAKE/Makefile.raceway",
     } <= after.keys()
     assert not any(b'"../' in text for name, text in after.items() if name not in before)

@@ -4,7 +4,7 @@
 #include "../../src-package/core/contact/contact.h"
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/numbers/lane_blocks.h"
-#include "../../src-package/core/step/bearing_step.h"
+#include "../../src-package/core/step/bearing_integrator.h"
 #include "../../src-package/core/step/contact_rows.h"
 
 #include <algorithm>
@@ -214,7 +214,7 @@ EXPORT(void, lone_ring,
   BearingModel m;
   m.bodies.push_back({1, 1.0, 5e-3, true});
   m.rings.push_back({2, 0, {}});
-  BearingStep step(m);
+  BearingIntegrator step(m);
   RingProgram p;
   for (Freedom &f : p.mode) f = Freedom::free;
   p.mode[RingProgram::SPIN] = Freedom::speed;
@@ -228,7 +228,7 @@ EXPORT(void, lone_ring,
   std::vector<RingPose> rings(1);
   rings[0].spin = spin;
   step.load(bodies, rings);
-  BearingStep::Settings set;
+  BearingIntegrator::Settings set;
   set.order = order;
   set.dampers_only = order == 0;
   set.newton = 1e-15;
@@ -372,14 +372,14 @@ EXPORT(void, resting,
     model.grooves.push_back({1, 0, &outer});
     bodies.push_back({{-30.3e-3 - heavy, 0.0, 0.0}, Vec3(), Vec3()});
   }
-  BearingStep step(model);
+  BearingIntegrator step(model);
   std::vector<RingPose> rings(1);
   step.load(bodies, rings);
-  BearingStep::Settings set;
+  BearingIntegrator::Settings set;
   set.newton = newton;
   set.corrections = 30;
   for (int k = 0; k < n; ++k) {
-    const BearingStep::Outcome o = step.step(set, h, 0.0, 1.0);
+    const BearingIntegrator::Outcome o = step.step(set, h, 0.0, 1.0);
     corrections[k] = o.solved() ? o.corrections : HUGE_VAL;
     error[k] = o.error;
     step.accept();
@@ -399,12 +399,12 @@ EXPORT(void, meeting, (double gap, double speed, double h, double newton, double
   model.pockets = {{0, 1, 1.3e9, reach, 3.4e-4}};
   const double angle = 2.0 * std::asin(0.5 * (reach + gap) / 30.3e-3), c = std::cos(angle),
                s = std::sin(angle);
-  BearingStep step(model);
+  BearingIntegrator step(model);
   const double r = 30.3e-3;
   step.load({{{r, 0.0, 0.0}, {0.0, speed, 0.0}, Vec3()}, {{r * c, r * s, 0.0}, Vec3(), Vec3()}},
             std::vector<RingPose>(1));
-  BearingStep::Settings set;
+  BearingIntegrator::Settings set;
   set.newton = newton;
-  const BearingStep::Outcome o = step.step(set, h, 0.0, 1.0);
+  const BearingIntegrator::Outcome o = step.step(set, h, 0.0, 1.0);
   *corrections = o.solved() ? o.corrections : HUGE_VAL;
 }

@@ -38,7 +38,7 @@ def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
                 todo.append(target)
         return seen
 
-    solver = Path("core/step/bearing_step.h")
+    solver = Path("core/step/bearing_integrator.h")
     assert solver in graph
     rooms = ("styles", "contacts", "deck", "ranks")
     who = [f for f in graph if include_graph.room(f) in rooms and solver in sees(f)]

@@ -135,18 +135,22 @@ void BearingBodies::border_forces(double s, std::vector<double> &forces)
 {
   for (const RingBody &r : rings) {
     if (!r.loose || r.carried) continue;
-    const auto set = [&](int dof, double force) {
-      if (r.coordinate[dof] >= 0) forces[r.coordinate[dof]] = force;
-    };
-    const Vec3 &e = r.now.e, push = force_on(r, s), M = moment_on(r, s),
-               turn = cross(r.now.across(), e);
-    set(0, push.x);
-    set(1, push.y);
-    set(2, push.z);
-    const double along = dot(M, e), momentum = r.program.inertia.axial * r.now.spin;
-    set(RingProgram::TILT, M.x - along * e.x - momentum * turn.x);
-    set(RingProgram::TILT + 1, M.y - along * e.y - momentum * turn.y);
-    set(RingProgram::SPIN, dot(r.moment + r.program.moment_at(s, r.now), e));    // no supports
+    const int *to = r.coordinate, tilt = RingProgram::TILT, spin = RingProgram::SPIN;
+    const Vec3 &e = r.now.e;
+    if (to[0] >= 0 || to[1] >= 0 || to[2] >= 0) {
+      double push[3];
+      force_on(r, s).to(push);
+      for (int k = 0; k < 3; ++k)
+        if (to[k] >= 0) forces[to[k]] = push[k];
+    }
+    if (to[tilt] >= 0 || to[tilt + 1] >= 0) {
+      const Vec3 M = moment_on(r, s), turn = cross(r.now.across(), e);
+      const double along = dot(M, e), momentum = r.program.inertia.axial * r.now.spin;
+      if (to[tilt] >= 0) forces[to[tilt]] = M.x - along * e.x - momentum * turn.x;
+      if (to[tilt + 1] >= 0) forces[to[tilt + 1]] = M.y - along * e.y - momentum * turn.y;
+    }
+    if (to[spin] >= 0)    // supports act on tilts only
+      forces[to[spin]] = dot(r.moment + r.program.moment_at(s, r.now), e);
   }
   for (ShaftBend &b : bends) {
     const RingBody &shaft = rings[b.shaft];

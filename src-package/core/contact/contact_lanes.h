@@ -19,12 +19,12 @@ struct FlawedPlace {
 // Contacts of up to four balls with one groove. A lane without a ball points to the ball of another
 // lane and has its own storage for results.
 struct ContactLanes {
-  struct Ball {
+  struct BallArrays {
     const double *x, *v, *w;    // three components each
   };
 
   // input, set by the caller
-  Ball ball[lanes];
+  BallArrays ball[lanes];
   RingState groove;
   double dt = 0.0;        // s, step of the law's state variables
   double *kept[lanes];    // state variables

@@ -156,9 +156,9 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
 
 std::string RecordFile::end_sample(double time, double step)
 {
-  if (reported_ != layout_.parts())
+  if (reported_ != layout_.bodies())
     return "at step " + std::to_string(static_cast<long long>(step)) + " " +
-           std::to_string(reported_) + " of " + std::to_string(layout_.parts()) +
+           std::to_string(reported_) + " of " + std::to_string(layout_.bodies()) +
            " balls, cage balls and rings are there";
   reported_ = 0;
   put_real(sample_ + time_, time);

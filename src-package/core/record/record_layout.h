@@ -10,11 +10,11 @@
 namespace bearing {
 
 struct RecordLayout {
-  struct Part {
+  struct RecordBody {
     double tag;
     int bearing;    // from 0
   };
-  struct Ring {
+  struct RecordRing {
     double tag;
     int bearing;
     int raceway;    // 0 inner, 1 outer
@@ -26,12 +26,12 @@ struct RecordLayout {
 
   // parts of each bearing are consecutive, by tag
   std::vector<Bearing> bearings;
-  std::vector<Part> balls, cage;
-  std::vector<Ring> rings;
+  std::vector<RecordBody> balls, cage;
+  std::vector<RecordRing> rings;
 
   int grooves = 1;    // per ring and ball: contacts are by raceway, groove and ball
 
-  size_t parts() const { return balls.size() + cage.size() + rings.size(); }
+  size_t bodies() const { return balls.size() + cage.size() + rings.size(); }
 };
 
 }    // namespace bearing

@@ -31,7 +31,7 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
   rails_.assign(layout.cage.size(), 0.0);
   for (Kind k : {RecordFile::BALL, RecordFile::CONTACT, RecordFile::CAGE, RecordFile::RING})
     widths_[k] = file.width(k);
-  said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.parts()));
+  said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.bodies()));
   used_ = 0;
 }
 

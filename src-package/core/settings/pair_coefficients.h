@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What pair_style and pair_coeff say: the raceway of each ball type on each ring type, the materials
-// of spheres that touch, and the contact law.
+// Settings of pair_style and pair_coeff: the raceway of each ball type on each ring type, the
+// materials of spheres that touch, and the contact law.
 #ifndef BEARING_PAIR_COEFFICIENTS_H
 #define BEARING_PAIR_COEFFICIENTS_H
 

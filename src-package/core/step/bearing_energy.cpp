@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Energy of a bearing and its change over a step.
-#include "bearing_step.h"
+#include "bearing_integrator.h"
 
 namespace raceway {
 
@@ -13,7 +13,7 @@ void BearingStep::keep_energy(bool yes)
 
 // Adds the work of loads and drives and the losses of the contacts at the end of a stage, times its
 // weight in seconds.
-void BearingStep::add_energy(const Stage &stage, double weight, double s)
+void BearingIntegrator::add_energy(const Stage &stage, double weight, double s)
 {
   system_.start(stage.h, false);
   forces_.evaluate(stage);
@@ -67,7 +67,7 @@ void BearingStep::add_energy(const Stage &stage, double weight, double s)
 // the bodies, and the drive must supply the latter. The difference is a share of the losses, which
 // are small compared with the power exchanged between ring and balls. Bodies and free degrees of
 // freedom of the rings have the same power except for the slip at contacts.
-double BearingStep::power_of_residual(double h) const
+double BearingIntegrator::power_of_residual(double h) const
 {
   Lane of_bodies = {};
   for (const BodyGroup &g : bodies_.groups) {
@@ -82,7 +82,7 @@ double BearingStep::power_of_residual(double h) const
 
 // Power of gravity on bodies and free degrees of freedom of the rings, W, with old_share of the old
 // velocities.
-double BearingStep::power_of_gravity(double old_share) const
+double BearingIntegrator::power_of_gravity(double old_share) const
 {
   const double fall[] = {bodies_.gravity.x, bodies_.gravity.y, bodies_.gravity.z};
   Lane of_bodies = {};
@@ -100,7 +100,7 @@ double BearingStep::power_of_gravity(double old_share) const
   return power;
 }
 
-const BearingStep::Energy &BearingStep::energy()
+const BearingIntegrator::Energy &BearingIntegrator::energy()
 {
   energy_.stored = stored_energy();
   return energy_;
@@ -108,7 +108,7 @@ const BearingStep::Energy &BearingStep::energy()
 
 // At the present state, J: kinetic energy of bodies and free degrees of freedom of the rings, and
 // elastic energy of the contacts.
-double BearingStep::stored_energy()
+double BearingIntegrator::stored_energy()
 {
   Lane motion = {};
   for (BodyGroup &g : bodies_.groups) {

@@ -24,14 +24,14 @@ void BearingInstants::want(const Instants &i)
 }
 
 RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
-                                             std::vector<Contact> &to) const
+                                             std::vector<ContactAtInstant> &to) const
 {
   to.resize(b_.contact_at.size());
-  Contact nobody;    // for lanes without a ball
+  ContactAtInstant nobody;    // for lanes without a ball
   for (int group = 0; group < b_.n_contacts; ++group) {
     const int at = (k - 1) * b_.n_contacts + group;
     const ContactLook &look = looks_[at];
-    Contact *one[lanes];
+    ContactAtInstant *one[lanes];
     for (int i = 0; i < lanes; ++i) {
       const int groove = b_.groove_at[lanes * group + i];
       one[i] = groove < 0 ? &nobody : &to[groove];
@@ -42,7 +42,7 @@ RACEWAY_LANES void BearingInstants::contacts(int k, bool whole_states,
     if (whole_states && any(look.live))
       lanes_apart(look.state, {&one[0]->state, &one[1]->state, &one[2]->state, &one[3]->state});
     for (int i = 0; i < lanes; ++i) {
-      Contact &c = *one[i];
+      ContactAtInstant &c = *one[i];
       c.orbit = look.orbit[i];
       c.live = look.live[i];
       c.load = c.live ? look.state.load[i] : 0.0;
@@ -140,7 +140,7 @@ RACEWAY_LANES Failure BearingInstants::look_at(int k, double s)
     body->w = g.now.lab(g.w);
     ++body;
   }
-  Ring *ring = rings_.data() + (k - 1) * b_.rings.size();
+  RingAtInstant *ring = rings_.data() + (k - 1) * b_.rings.size();
   for (const RingBody &r : b_.rings) {
     const Vec3 push = r.loose ? b_.force_on(r, s) : Vec3();
     *ring++ = {r.now, r.force, r.moment, r.program.acceleration(push)};

@@ -19,14 +19,14 @@ struct Instants {
 
 class BearingInstants {
  public:
-  struct Contact {
+  struct ContactAtInstant {
     double orbit;                        // rad/s, of the ball about the ring's axis
     double load;                         // N
     bool live;                           // the contact has a state
     FilmCapacitorT<double> capacitor;    // 0 if not requested
     ContactState state;                  // only if whole states are requested
   };
-  struct Ring {
+  struct RingAtInstant {
     RingPose pose;
     Vec3 force, moment;    // on balls and cage, N and N m
     Vec3 acceleration;     // m/s^2
@@ -36,9 +36,12 @@ class BearingInstants {
 
   void want(const Instants &);
   // Results at instant k (from 1) of the last host step; other indices as in the model.
-  void contacts(int k, bool whole_states, std::vector<Contact> &) const;    // by groove
+  void contacts(int k, bool whole_states, std::vector<ContactAtInstant> &) const;    // by groove
   BodyPose body(int k, int body) const;
-  const Ring &ring(int k, int ring) const { return rings_[(k - 1) * b_.rings.size() + ring]; }
+  const RingAtInstant &ring(int k, int ring) const
+  {
+    return rings_[(k - 1) * b_.rings.size() + ring];
+  }
 
   // Evaluates the instants within a step of h seconds, from share s0 to s1 of the host's step,
   // before the step is accepted.
@@ -71,7 +74,7 @@ class BearingInstants {
   std::vector<Capacitors> capacitors_;
   std::vector<SurroundedRaceway> surrounded_;    // by track, if surroundings are requested
   std::vector<Bodies> bodies_;
-  std::vector<Ring> rings_;
+  std::vector<RingAtInstant> rings_;
   // end of the step, saved while the bearing is moved elsewhere
   std::vector<Motion> end_;
   std::vector<BearingBodies::States> kept_end_;

@@ -33,8 +33,8 @@
 //
 // Bodies in groups of four: bearing_bodies.h; forces and derivatives: bearing_forces.h; linear
 // solve: bearing_system.h; states within a step: bearing_instants.h.
-#ifndef RACEWAY_BEARING_STEP_H
-#define RACEWAY_BEARING_STEP_H
+#ifndef RACEWAY_BEARING_INTEGRATOR_H
+#define RACEWAY_BEARING_INTEGRATOR_H
 
 #include "bearing_forces.h"
 #include "bearing_instants.h"
@@ -42,7 +42,7 @@
 
 namespace raceway {
 
-class BearingStep {
+class BearingIntegrator {
  public:
   struct Settings {
     int order = 2;
@@ -77,8 +77,8 @@ class BearingStep {
     double stored = 0.0;        // J, present value: kinetic energy and contact springs
   };
 
-  explicit BearingStep(const BearingModel &);
-  BearingStep(const BearingStep &) = delete;    // its members refer to one another
+  explicit BearingIntegrator(const BearingModel &);
+  BearingIntegrator(const BearingIntegrator &) = delete;    // its members refer to one another
   const BearingModel &model() const { return bodies_.model; }
 
   void load(const std::vector<BodyPose> &b, const std::vector<RingPose> &r) { bodies_.load(b, r); }

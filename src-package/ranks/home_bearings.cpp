@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // State of the bearings: from the owners of the atoms to the homes and back, every step.
-// bearing_parts_build.cpp finds the bearings.
-#include "bearing_parts.h"
+// home_bearings_build.cpp finds the bearings.
+#include "home_bearings.h"
 
 #include "letters.h"
 
@@ -40,15 +40,15 @@ template <class State> static State take(const double *&at)
   return s;
 }
 
-void BearingParts::Letter::size_text(int states)
+void HomeBearings::Letter::size_text(int states)
 {
   const size_t bodies = body_atom.size() + body_place.size(),
                rings = ring_atom.size() + ring_place.size(),
                contacts = kept.size() + contact_place.size();
-  text.resize(bodies * numbers<BodyPose>() + rings * numbers<RingState>() + contacts * states);
+  text.resize(bodies * numbers<BodyPose>() + rings * numbers<SentRing>() + contacts * states);
 }
 
-BodyPose BearingParts::read_body(int i) const
+BodyPose HomeBearings::read_body(int i) const
 {
   const raceway::LabAxes &axes = sources_.axes;
   return {axes.third(Vec3::from(atom->x[i])), axes.third(Vec3::from(atom->v[i])),
@@ -56,17 +56,17 @@ BodyPose BearingParts::read_body(int i) const
           sources_.turn ? sources_.turn(i) : raceway::Quaternion()};
 }
 
-BearingParts::RingState BearingParts::read_ring(int i) const
+HomeBearings::SentRing HomeBearings::read_ring(int i) const
 {
   const RingMotion &m = sources_.motion(i);
-  RingState r;
+  SentRing r;
   read_place(*atom, i, m, sources_.axes, r.pose);
   r.pose.set_angular_velocity(sources_.axes.third(Vec3::from(atom->omega[i])));
   r.step = m.step;
   return r;
 }
 
-void BearingParts::write_body(int i, const BodyPose &b) const
+void HomeBearings::write_body(int i, const BodyPose &b) const
 {
   const raceway::LabAxes &axes = sources_.axes;
   axes.lab(b.x).to(atom->x[i]);
@@ -75,7 +75,7 @@ void BearingParts::write_body(int i, const BodyPose &b) const
   if (sources_.turn) sources_.turn(i) = b.turn;
 }
 
-void BearingParts::write_ring(int i, const RingState &r) const
+void HomeBearings::write_ring(int i, const SentRing &r) const
 {
   RingMotion &m = sources_.motion(i);
   write_place(r.pose, sources_.axes, *atom, i, m);
@@ -83,20 +83,20 @@ void BearingParts::write_ring(int i, const RingState &r) const
   m.step = r.step;
 }
 
-BearingParts::RingState BearingParts::ring_at(const Place &p) const
+HomeBearings::SentRing HomeBearings::ring_at(const Place &p) const
 {
-  return {parts_[p.part].rings[p.at], parts_[p.part].steps[p.at]};
+  return {bearings_[p.bearing].rings[p.at], bearings_[p.bearing].steps[p.at]};
 }
 
-void BearingParts::put_ring(const Place &p, const RingState &r)
+void HomeBearings::put_ring(const Place &p, const SentRing &r)
 {
-  parts_[p.part].rings[p.at] = r.pose;
-  parts_[p.part].steps[p.at] = r.step;
+  bearings_[p.bearing].rings[p.at] = r.pose;
+  bearings_[p.bearing].steps[p.at] = r.step;
 }
 
-void BearingParts::gather()
+void HomeBearings::gather()
 {
-  for (const Local &l : own_bodies_) parts_[l.place.part].bodies[l.place.at] = read_body(l.i);
+  for (const Local &l : own_bodies_) bearings_[l.place.bearing].bodies[l.place.at] = read_body(l.i);
   for (const Local &l : own_rings_) put_ring(l.place, read_ring(l.i));
   const int n = sources_.states;
   for (const LocalContact &l : own_contacts_) std::copy(l.kept, l.kept + n, states_at(l.place));
@@ -109,8 +109,8 @@ void BearingParts::gather()
   deliver(away_, guests_, pose_letters, world);
   for (const Letter &l : guests_) {
     const double *at = l.text.data();
-    for (const Place &p : l.body_place) parts_[p.part].bodies[p.at] = take<BodyPose>(at);
-    for (const Place &p : l.ring_place) put_ring(p, take<RingState>(at));
+    for (const Place &p : l.body_place) bearings_[p.bearing].bodies[p.at] = take<BodyPose>(at);
+    for (const Place &p : l.ring_place) put_ring(p, take<SentRing>(at));
     for (const Place &p : l.contact_place) {
       std::copy(at, at + n, states_at(p));
       at += n;
@@ -118,16 +118,16 @@ void BearingParts::gather()
   }
 }
 
-void BearingParts::scatter()
+void HomeBearings::scatter()
 {
-  for (const Local &l : own_bodies_) write_body(l.i, parts_[l.place.part].bodies[l.place.at]);
+  for (const Local &l : own_bodies_) write_body(l.i, bearings_[l.place.bearing].bodies[l.place.at]);
   for (const Local &l : own_rings_) write_ring(l.i, ring_at(l.place));
   const int n = sources_.states;
   for (const LocalContact &l : own_contacts_)
     std::copy(states_at(l.place), states_at(l.place) + n, l.kept);
   for (Letter &l : guests_) {
     double *at = l.text.data();
-    for (const Place &p : l.body_place) put(at, parts_[p.part].bodies[p.at]);
+    for (const Place &p : l.body_place) put(at, bearings_[p.bearing].bodies[p.at]);
     for (const Place &p : l.ring_place) put(at, ring_at(p));
     for (const Place &p : l.contact_place) at = std::copy(states_at(p), states_at(p) + n, at);
   }
@@ -135,7 +135,7 @@ void BearingParts::scatter()
   for (const Letter &l : away_) {
     const double *at = l.text.data();
     for (int i : l.body_atom) write_body(i, take<BodyPose>(at));
-    for (int i : l.ring_atom) write_ring(i, take<RingState>(at));
+    for (int i : l.ring_atom) write_ring(i, take<SentRing>(at));
     for (double *kept : l.kept) {
       std::copy(at, at + n, kept);
       at += n;

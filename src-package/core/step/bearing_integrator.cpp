@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sequence of a step; its energy is in bearing_energy.cpp.
-#include "bearing_step.h"
+#include "bearing_integrator.h"
 
 #include <algorithm>
 
@@ -9,14 +9,14 @@ namespace raceway {
 static const double gamma_2 = 1.0 - std::sqrt(0.5);     // length of a stage of order 2
 static const double beyond_2 = 1.0 + std::sqrt(2.0);    // (1 - gamma)/gamma
 
-static BearingStep::Outcome &failed(BearingStep::Outcome &o, Failure why, int body = -1)
+static BearingIntegrator::Outcome &failed(BearingIntegrator::Outcome &o, Failure why, int body = -1)
 {
   o.failure = why;
   o.body = body;
   return o;
 }
 
-BearingStep::Settings BearingStep::Settings::at(double overlap) const
+BearingIntegrator::Settings BearingIntegrator::Settings::at(double overlap) const
 {
   Settings result = *this;
   result.newton = std::max(newton, relative * overlap);
@@ -24,14 +24,15 @@ BearingStep::Settings BearingStep::Settings::at(double overlap) const
   return result;
 }
 
-ShaftBend &BearingStep::bend(int shaft)
+ShaftBend &BearingIntegrator::bend(int shaft)
 {
   const int ring = static_cast<int>(bodies_.model.rings.size()) + shaft;
   return *std::find_if(bodies_.bends.begin(), bodies_.bends.end(),
                        [ring](const ShaftBend &b) { return b.shaft == ring; });
 }
 
-BearingStep::Outcome BearingStep::step(const Settings &asked, double h, double s0, double s1)
+BearingIntegrator::Outcome BearingIntegrator::step(const Settings &asked, double h, double s0,
+                                                   double s1)
 {
   const Settings set = asked.relative > 0.0 ? asked.at(forces_.largest_overlap()) : asked;
   Outcome o;
@@ -75,7 +76,7 @@ static double slowest_contact(const BearingModel &model)
   return slowest;
 }
 
-BearingStep::BearingStep(const BearingModel &model) :
+BearingIntegrator::BearingIntegrator(const BearingModel &model) :
     bodies_(model), system_(bodies_), forces_(bodies_, system_), instants_(bodies_, forces_),
     slowest_(slowest_contact(model))
 {
@@ -85,7 +86,7 @@ BearingStep::BearingStep(const BearingModel &model) :
 // than that of the error. The error left in a contact force moves the cage ball by an amount that
 // grows with the square of the stage. The tolerance is therefore finer still if the stage is longer
 // than an impact with that overlap, which lasts half a period of the contact.
-double BearingStep::cage_correction(const Settings &set, double h) const
+double BearingIntegrator::cage_correction(const Settings &set, double h) const
 {
   if (!(set.cage > 10.0)) return 1.0;
   const double stiffness = 1.5 * std::sqrt(set.cage * set.newton);    // over K
@@ -94,7 +95,7 @@ double BearingStep::cage_correction(const Settings &set, double h) const
   return set.cage > finer ? finer / set.cage : 1.0;
 }
 
-bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &o)
+bool BearingIntegrator::solve_stage(const Settings &set, double h, double s, Outcome &o)
 {
   double before = HUGE_VAL;
   bool fresh = true;
@@ -141,7 +142,7 @@ bool BearingStep::solve_stage(const Settings &set, double h, double s, Outcome &
 
 // Moves everything to the end of the stage at the present velocities. False if a body turns too far
 // for one stage.
-RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
+RACEWAY_LANES bool BearingIntegrator::move(double h, double s, bool dampers_only)
 {
   if (dampers_only) {
     for (RingBody &r : bodies_.rings) r.now = kicked(r.program, r.base, r.gained);
@@ -162,7 +163,7 @@ RACEWAY_LANES bool BearingStep::move(double h, double s, bool dampers_only)
 
 // Moves everything over h seconds, to the middle of a step or from there to its end. False if a
 // body turns too far.
-RACEWAY_LANES bool BearingStep::coast(double h, double s, bool to_end)
+RACEWAY_LANES bool BearingIntegrator::coast(double h, double s, bool to_end)
 {
   LaneMask far = {};
   for (BodyGroup &g : bodies_.groups) {
@@ -193,7 +194,7 @@ static double stiffest(const RingProgram &p, const RingProgram *holder)
   return most;
 }
 
-RACEWAY_LANES double BearingStep::stability(double h) const
+RACEWAY_LANES double BearingIntegrator::stability(double h) const
 {
   Lane most = {};
   for (const BodyGroup &g : bodies_.groups) {
@@ -228,7 +229,7 @@ static RACEWAY_INLINE Lane across(const Vec3L &v)
 }
 
 // Stiffness of the stiffest ball-raceway contact at the last derivatives, N/m.
-RACEWAY_LANES double BearingStep::largest_stiffness() const
+RACEWAY_LANES double BearingIntegrator::largest_stiffness() const
 {
   Lane most = {};
   for (const BodyGroup &g : bodies_.groups) most = where(g.stiffness > most, g.stiffness, most);
@@ -238,7 +239,7 @@ RACEWAY_LANES double BearingStep::largest_stiffness() const
 // Contact stiffness varies as the cube root of the load: a fifth is about a hundredth of the load.
 static constexpr double light = 0.2, least_count = 0.1;
 
-RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
+RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) const
 {
   const bool drift = set.dampers_only, one = set.order == 1;
   const double share = drift ? 1.0 : one ? 0.5 : gamma_2;
@@ -265,7 +266,7 @@ RACEWAY_LANES double BearingStep::error(double h, const Settings &set) const
 
 // Adds the correction and returns its size, m: the largest over balls normal to the rolling
 // direction, rings and shaft modes.
-RACEWAY_LANES double BearingStep::apply(double h, double cage_counts, Outcome &o)
+RACEWAY_LANES double BearingIntegrator::apply(double h, double cage_counts, Outcome &o)
 {
   Lane off = {};
   bool finite = true;
@@ -296,7 +297,7 @@ RACEWAY_LANES double BearingStep::apply(double h, double cage_counts, Outcome &o
 }
 
 // Undoes half of the last correction.
-RACEWAY_LANES void BearingStep::halve()
+RACEWAY_LANES void BearingIntegrator::halve()
 {
   for (BodyGroup &g : bodies_.groups) {
     for (Lane &one : g.rhs) one *= 0.5;
@@ -307,7 +308,7 @@ RACEWAY_LANES void BearingStep::halve()
   for (size_t k = 0; k < bodies_.border.size(); ++k) *bodies_.border[k].gained -= system_.y(k);
 }
 
-Failure BearingStep::accept()
+Failure BearingIntegrator::accept()
 {
   const Failure failure = instants_.pass(present_.h, present_.s0, present_.s1);
   bodies_.accept();

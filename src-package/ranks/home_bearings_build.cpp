@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// After a neighbour build: finds the bearings, their home ranks and their parts.
-#include "bearing_parts.h"
+// After a neighbour build: finds the bearings, their home ranks and their pieces.
+#include "home_bearings.h"
 
 #include "exchange.h"
 #include "gather.h"
@@ -22,7 +22,7 @@ struct Node {
   int inside;    // 1: the piece has atoms of the group
 };
 
-struct BearingParts::Piece {
+struct HomeBearings::Piece {
   enum Kind { body, ring, value, groove, pocket, seat } kind;
   tag_t name;    // of the bearing
   tag_t a, b;
@@ -34,10 +34,10 @@ struct BearingParts::Piece {
                              // it is on its shaft
 };
 
-void BearingParts::build(const BearingSources &sources, int groupbit)
+void HomeBearings::build(const BearingSources &sources, int groupbit)
 {
   sources_ = sources;
-  std::vector<Bearing> bearings;
+  std::vector<NamedBearing> bearings;
   const std::vector<int> bearing_of = find_bearings(groupbit, bearings);
   assemble(bearing::exchange(cut(bearing_of, bearings, groupbit), world));
 }
@@ -45,7 +45,7 @@ void BearingParts::build(const BearingSources &sources, int groupbit)
 // Bearing number of each owned atom, -1: no bearing with atoms of the group. Every rank joins the
 // possible contacts of its own balls; rings, and balls in contact across a subdomain boundary,
 // connect these pieces.
-std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> &bearings)
+std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBearing> &bearings)
 {
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
   const ContactTable &table = *sources_.table;
@@ -53,7 +53,7 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   for (const RacewayContact &c : table.raceway) local.join(c.i_ball, c.i_ring);
   for (const SphereContact &s : table.sphere) local.join(s.i, s.j);
   for (const CageRails *c : sources_.cages)
-    for (const CageRails::Ball &b : c->balls) local.join(b.i, b.i_ring);
+    for (const CageRails::CageBall &b : c->balls) local.join(b.i, b.i_ring);
 
   std::vector<tag_t> piece(nall, 0);    // lowest tag, at the root
   std::vector<int> inside(nall, 0);
@@ -93,7 +93,7 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   }
   bearings.assign(all.size(), {0, -1, false});    // at the roots
   for (const Node &n : nodes) {
-    Bearing &b = bearings[all.find(of(n.tag))];
+    NamedBearing &b = bearings[all.find(of(n.tag))];
     b.inside = b.inside || n.inside;
     if (n.ring && (b.name == 0 || n.tag <= b.name)) {
       if (n.tag != b.name) b.home = -1;
@@ -114,16 +114,16 @@ std::vector<int> BearingParts::find_bearings(int groupbit, std::vector<Bearing> 
   return bearing_of;
 }
 
-// The parts of bearings that this rank owns, by home rank; the lists of atoms whose state is sent
+// The pieces of bearings that this rank owns, by home rank; the lists of atoms whose state is sent
 // there have the same order.
-std::vector<std::vector<BearingParts::Piece>>
-BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing> &bearings,
+std::vector<std::vector<HomeBearings::Piece>>
+HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBearing> &bearings,
                   int groupbit)
 {
   std::vector<std::vector<Piece>> to(comm->nprocs);
   std::vector<Letter> letter(comm->nprocs);
   auto add = [&](int i, Piece::Kind kind, tag_t a, tag_t b) -> Piece & {
-    const Bearing &which = bearings[bearing_of[i]];
+    const NamedBearing &which = bearings[bearing_of[i]];
     Piece p = Piece();
     p.kind = kind;
     p.name = which.name;
@@ -175,7 +175,7 @@ BearingParts::cut(const std::vector<int> &bearing_of, const std::vector<Bearing>
     p.K = s.K;
   }
   for (size_t k = 0; k < sources_.cages.size(); ++k)
-    for (const CageRails::Ball &b : sources_.cages[k]->balls)
+    for (const CageRails::CageBall &b : sources_.cages[k]->balls)
       if (bearing_of[b.i] >= 0) add(b.i, Piece::seat, b.tag, b.ring).first = static_cast<int>(k);
 
   own_bodies_.clear();
@@ -201,7 +201,7 @@ static bool before(const BearingModel::Groove &a, const BearingModel::Groove &b)
 }
 
 // Index of a groove in the model.
-int BearingParts::groove_of(const BearingModel &m, int body, int ring, const Piece &p) const
+int HomeBearings::groove_of(const BearingModel &m, int body, int ring, const Piece &p) const
 {
   const BearingModel::Groove wanted = {body, ring, sources_.raceway(p.first, p.second, p.number),
                                        nullptr, nullptr};
@@ -230,8 +230,8 @@ static void find_holders(BearingModel &m)
       if (m.rings[k].tag == ring.held_by) ring.holder = k;
 }
 
-// On the home rank: models in the order of names, their parts in the order of tags.
-void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
+// On the home rank: models in the order of names, their atoms in the order of tags.
+void HomeBearings::assemble(const std::vector<std::vector<Piece>> &from)
 {
   std::vector<Piece> pieces;
   for (const std::vector<Piece> &f : from) pieces.insert(pieces.end(), f.begin(), f.end());
@@ -239,13 +239,13 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
   for (const Piece &p : pieces) names.push_back(p.name);
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  std::unordered_map<tag_t, int> part_of;
-  for (size_t k = 0; k < names.size(); ++k) part_of[names[k]] = static_cast<int>(k);
+  std::unordered_map<tag_t, int> number_of;
+  for (size_t k = 0; k < names.size(); ++k) number_of[names[k]] = static_cast<int>(k);
 
-  parts_.assign(names.size(), Part());
+  bearings_.assign(names.size(), HomeBearing());
   const Piece *outsider = nullptr;
   for (const Piece &p : pieces) {
-    BearingModel &m = parts_[part_of[p.name]].model;
+    BearingModel &m = bearings_[number_of[p.name]].model;
     if (p.kind == Piece::body)
       m.bodies.push_back({p.a, p.mass, p.radius, sources_.is_ball(p.second)});
     else if (p.kind == Piece::ring) m.rings.push_back({p.a, p.first, {}, p.number == 1, p.K, p.b});
@@ -259,9 +259,9 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
             "balls and rings in "
             "the group");
 
-  std::vector<std::unordered_map<tag_t, int>> at(parts_.size());    // of bodies and rings
-  for (size_t k = 0; k < parts_.size(); ++k) {
-    BearingModel &m = parts_[k].model;
+  std::vector<std::unordered_map<tag_t, int>> at(bearings_.size());    // of bodies and rings
+  for (size_t k = 0; k < bearings_.size(); ++k) {
+    BearingModel &m = bearings_[k].model;
     std::sort(m.bodies.begin(), m.bodies.end(),
               [](const BearingModel::Body &a, const BearingModel::Body &b) {
                 return a.spins != b.spins ? a.spins : a.tag < b.tag;
@@ -277,11 +277,11 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
               "bearing");
     for (size_t b = 0; b < m.bodies.size(); ++b) at[k][m.bodies[b].tag] = static_cast<int>(b);
     for (size_t r = 0; r < m.rings.size(); ++r) at[k][m.rings[r].tag] = static_cast<int>(r);
-    parts_[k].bodies.resize(m.bodies.size());
-    parts_[k].rings.resize(m.rings.size());
-    parts_[k].steps.resize(m.rings.size());
+    bearings_[k].bodies.resize(m.bodies.size());
+    bearings_[k].rings.resize(m.rings.size());
+    bearings_[k].steps.resize(m.rings.size());
   }
-  finish(pieces, part_of, at);
+  finish(pieces, number_of, at);
 
   guests_.clear();
   size_t own_body = 0, own_ring = 0, own_contact = 0;
@@ -289,14 +289,15 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
     Letter l;
     l.rank = rank;
     for (const Piece &p : from[rank]) {
-      const int part = part_of[p.name];
+      const int number = number_of[p.name];
       if (p.kind == Piece::groove && sources_.states > 0) {
-        const Place place = {part, groove_of(parts_[part].model, at[part][p.a], at[part][p.b], p)};
+        const Place place = {
+            number, groove_of(bearings_[number].model, at[number][p.a], at[number][p.b], p)};
         if (rank != comm->me) l.contact_place.push_back(place);
         else own_contacts_[own_contact++].place = place;
       }
       if (p.kind != Piece::body && p.kind != Piece::ring) continue;
-      const Place place = {part, at[part][p.a]};
+      const Place place = {number, at[number][p.a]};
       if (rank != comm->me) (p.kind == Piece::body ? l.body_place : l.ring_place).push_back(place);
       else if (p.kind == Piece::body) own_bodies_[own_body++].place = place;
       else own_rings_[own_ring++].place = place;
@@ -308,19 +309,19 @@ void BearingParts::assemble(const std::vector<std::vector<Piece>> &from)
 }
 
 // The contacts of the models.
-void BearingParts::finish(const std::vector<Piece> &pieces,
-                          const std::unordered_map<tag_t, int> &part_of,
+void HomeBearings::finish(const std::vector<Piece> &pieces,
+                          const std::unordered_map<tag_t, int> &number_of,
                           const std::vector<std::unordered_map<tag_t, int>> &at)
 {
   struct CageSeat {
     int cage;
     BearingModel::Seat seat;
   };
-  std::vector<std::vector<CageSeat>> seats(parts_.size());
+  std::vector<std::vector<CageSeat>> seats(bearings_.size());
   for (const Piece &p : pieces) {
     if (p.kind == Piece::body || p.kind == Piece::ring) continue;
-    const int k = part_of.at(p.name);
-    BearingModel &m = parts_[k].model;
+    const int k = number_of.at(p.name);
+    BearingModel &m = bearings_[k].model;
     if (p.kind == Piece::value) {
       m.rings[at[k].at(p.a)].own.push_back({p.first, p.K});
       continue;
@@ -338,10 +339,10 @@ void BearingParts::finish(const std::vector<Piece> &pieces,
       seats[k].push_back({p.first, {a, b, &c.rails, &c.stiffness}});
     }
   }
-  for (size_t k = 0; k < parts_.size(); ++k) {
-    BearingModel &m = parts_[k].model;
+  for (size_t k = 0; k < bearings_.size(); ++k) {
+    BearingModel &m = bearings_[k].model;
     std::sort(m.grooves.begin(), m.grooves.end(), before);
-    parts_[k].states.assign(m.grooves.size() * sources_.states, 0.0);
+    bearings_[k].states.assign(m.grooves.size() * sources_.states, 0.0);
     auto tag = [&m](int body) { return m.bodies[body].tag; };
     std::sort(m.pockets.begin(), m.pockets.end(),
               [&](const BearingModel::Pocket &a, const BearingModel::Pocket &b) {

@@ -3,13 +3,13 @@
 // a bearing at once.
 //
 // A bearing is everything connected through possible contacts. Its home is the rank that owns its
-// ring of lowest tag. build() finds the bearings after a neighbour build and sends their parts to
+// ring of lowest tag. build() finds the bearings after a neighbour build and sends their pieces to
 // their homes; in every step gather() brings the state of the bodies home and scatter() returns it
 // to the owners of the atoms. A model lists everything by tag, so its results do not depend on the
 // number of ranks. Messages go from owner to home and back only, one a pair of ranks; a bearing
 // that lies on its home rank alone costs none.
-#ifndef BEARING_BEARING_PARTS_H
-#define BEARING_BEARING_PARTS_H
+#ifndef BEARING_HOME_BEARINGS_H
+#define BEARING_HOME_BEARINGS_H
 
 #include "../contacts/cage_rails.h"
 #include "../contacts/ring_motion.h"
@@ -23,7 +23,7 @@
 
 namespace bearing {
 
-// Input of a rank to the bearings that it has parts of.
+// Input of a rank to the bearings of which it owns atoms.
 struct BearingSources {
   struct MovedRing {
     int i;        // owned atom
@@ -48,10 +48,10 @@ struct BearingSources {
   std::function<RingMotion &(int i)> motion;           // of a ring
 };
 
-class BearingParts : protected LAMMPS_NS::Pointers {
+class HomeBearings : protected LAMMPS_NS::Pointers {
  public:
   // command: prefix of messages
-  BearingParts(LAMMPS_NS::LAMMPS *lmp, const std::string &command) :
+  HomeBearings(LAMMPS_NS::LAMMPS *lmp, const std::string &command) :
       Pointers(lmp), command_(command)
   {
   }
@@ -60,34 +60,35 @@ class BearingParts : protected LAMMPS_NS::Pointers {
   // bearing is only partly in the group.
   void build(const BearingSources &, int groupbit);
 
-  int size() const { return static_cast<int>(parts_.size()); }    // bearings at home here, by name
-  const raceway::BearingModel &model(int p) const { return parts_[p].model; }
-  std::vector<raceway::BodyPose> &bodies(int p) { return parts_[p].bodies; }
-  std::vector<raceway::RingPose> &rings(int p) { return parts_[p].rings; }
+  // Bearings at home on this rank, by name.
+  int size() const { return static_cast<int>(bearings_.size()); }
+  const raceway::BearingModel &model(int p) const { return bearings_[p].model; }
+  std::vector<raceway::BodyPose> &bodies(int p) { return bearings_[p].bodies; }
+  std::vector<raceway::RingPose> &rings(int p) { return bearings_[p].rings; }
   // State variables of the contacts, groove by groove of the model.
-  std::vector<double> &states(int p) { return parts_[p].states; }
+  std::vector<double> &states(int p) { return bearings_[p].states; }
   // s, the next substep requested by the step control; stored with the bearing's first ring
-  double &wished_step(int p) { return parts_[p].steps.front(); }
+  double &wished_step(int p) { return bearings_[p].steps.front(); }
 
   void gather();     // from the atoms of all ranks to the homes
   void scatter();    // and back
 
  private:
-  struct Part {
+  struct HomeBearing {
     raceway::BearingModel model;
     std::vector<raceway::BodyPose> bodies;
     std::vector<raceway::RingPose> rings;
     std::vector<double> steps;    // by ring
     std::vector<double> states;
   };
-  struct Bearing {
+  struct NamedBearing {
     tag_t name;
     int home;
     bool inside;
   };    // known on all ranks; inside: has atoms of the group
-  struct Piece;    // part of a model on its way to the home rank
+  struct Piece;    // of a model, on its way to the home rank
   struct Place {
-    int part, at;
+    int bearing, at;
   };
   struct Local {
     int i;
@@ -106,28 +107,28 @@ class BearingParts : protected LAMMPS_NS::Pointers {
     void size_text(int states);
   };
 
-  std::vector<int> find_bearings(int groupbit, std::vector<Bearing> &);
+  std::vector<int> find_bearings(int groupbit, std::vector<NamedBearing> &);
   std::vector<std::vector<Piece>> cut(const std::vector<int> &bearing_of,
-                                      const std::vector<Bearing> &, int groupbit);
+                                      const std::vector<NamedBearing> &, int groupbit);
   void assemble(const std::vector<std::vector<Piece>> &);
   int groove_of(const raceway::BearingModel &, int body, int ring, const Piece &) const;
-  void finish(const std::vector<Piece> &, const std::unordered_map<tag_t, int> &part_of,
+  void finish(const std::vector<Piece> &, const std::unordered_map<tag_t, int> &number_of,
               const std::vector<std::unordered_map<tag_t, int>> &at);
-  struct RingState {
+  struct SentRing {
     raceway::RingPose pose;
     double step;
   };    // data of a ring, on its way
   raceway::BodyPose read_body(int i) const;
-  RingState read_ring(int i) const;
+  SentRing read_ring(int i) const;
   void write_body(int i, const raceway::BodyPose &) const;
-  void write_ring(int i, const RingState &) const;
-  RingState ring_at(const Place &) const;
-  double *states_at(const Place &p) { return &parts_[p.part].states[p.at * sources_.states]; }
-  void put_ring(const Place &, const RingState &);
+  void write_ring(int i, const SentRing &) const;
+  SentRing ring_at(const Place &) const;
+  double *states_at(const Place &p) { return &bearings_[p.bearing].states[p.at * sources_.states]; }
+  void put_ring(const Place &, const SentRing &);
 
   std::string command_;
   BearingSources sources_;
-  std::vector<Part> parts_;
+  std::vector<HomeBearing> bearings_;
   std::vector<Local> own_bodies_, own_rings_;
   std::vector<LocalContact> own_contacts_;
   std::vector<Letter> away_;      // atoms owned here, at home elsewhere
