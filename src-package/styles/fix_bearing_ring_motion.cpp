@@ -48,6 +48,7 @@ void FixBearingRing::initial_integrate(int)
   kick();
   before_ = now_;
   evaluate(0, RingProgram::N_DOF);
+  check_positions();
   coast();
 }
 
