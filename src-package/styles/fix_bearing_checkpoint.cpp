@@ -2,16 +2,20 @@
 #include "fix_bearing_checkpoint.h"
 
 #include "../core/settings/arguments.h"
+#include "../core/settings/deck_words.h"
 #include "../core/settings/restart_sum.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
 #include "output.h"
+#include "pair_bearing_hertz.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
 #include <limits>
+#include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -157,9 +161,50 @@ void FixBearingCheckpoint::init()
   if (resume_ && !resumed_)
     BRG_ALL(command_ + ": nothing to resume: the restart file has no state of a fix " + id +
             " of this style");
+  check_deck();
   if (!resumed_ && comm->me == 0 && !begun_)
     unlink(file_.c_str());    // file of a run that this one replaces
   begun_ = true;
+}
+
+// What shapes a run: the words of the pair style, of the bearings and of the package's fixes, but not
+// of those that only write.
+std::vector<std::string> FixBearingCheckpoint::deck() const
+{
+  std::vector<std::string> lines;
+  if (const auto *pair = dynamic_cast<const PairBearingHertz *>(force->pair))
+    for (const std::vector<std::string> &words : pair->said()) {
+      lines.emplace_back(lines.empty() ? "pair_style" : "pair_coeff");
+      for (const std::string &w : words) lines.back() += " " + w;
+    }
+  lines.push_back(bearing::noted_words(lmp, "create_bearing"));
+  for (int k = 0; k < modify->nfix; ++k) {
+    const std::string style = modify->fix[k]->style;
+    if (style != "bearing/record" && style != "bearing/checkpoint" && style != "bearing/progress")
+      lines.push_back(bearing::noted_words(lmp, bearing::name_of(*modify->fix[k])));
+  }
+  return lines;
+}
+
+// Error if the deck that continues a run has other data.
+void FixBearingCheckpoint::check_deck()
+{
+  if (deck_.empty()) return;
+  const std::vector<std::string> now = deck();
+  std::vector<std::string> then;
+  std::istringstream in(deck_);
+  for (std::string line; std::getline(in, line);) then.push_back(line);
+  deck_.clear();
+  // the first line of one list that the other lacks
+  const auto alone = [](const std::vector<std::string> &list,
+                        const std::vector<std::string> &other) {
+    for (const std::string &line : list)
+      if (std::find(other.begin(), other.end(), line) == other.end()) return "'" + line + "'";
+    return std::string("nothing more");
+  };
+  if (alone(now, then) + alone(then, now) != "nothing morenothing more")
+    BRG_ALL(command_ + ": " + file_ + " belongs to another run, with " + alone(then, now) +
+            "; this one has " + alone(now, then) + ". Remove it, or resume with its data");
 }
 
 void FixBearingCheckpoint::find_ring()
@@ -328,12 +373,13 @@ void FixBearingCheckpoint::write_restart(FILE *fp)
              theirs.st_dev == ours.st_dev && theirs.st_ino == ours.st_ino;
   for (const std::string &f : files_) data.push_back(bytes(f));
   const int numbers = static_cast<int>(data.size() * sizeof(double));
-  const std::string sum = bearing::empty_sum();
-  const int size = numbers + static_cast<int>(settings_.size() + 1 + sum.size());
+  std::string words = settings_ + '\0';
+  for (const std::string &line : deck()) words += line + '\n';
+  words += '\0' + bearing::empty_sum();
+  const int size = numbers + static_cast<int>(words.size());
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(data.data(), 1, numbers, fp);
-  fwrite(settings_.c_str(), 1, settings_.size() + 1, fp);
-  fwrite(sum.data(), 1, sum.size(), fp);
+  fwrite(words.data(), 1, words.size(), fp);
 }
 
 void FixBearingCheckpoint::restart(char *buf)
@@ -353,6 +399,7 @@ void FixBearingCheckpoint::restart(char *buf)
   if (settings_ != rest)
     BRG_ALL(command_ + ": " + file_ + " belongs to another run: '" + rest + "', this one is '" +
             settings_ + "'. Remove it, or resume with its settings");
+  deck_ = rest + settings_.size() + 1;
   samples_ = head[0];
   resumed_ = true;
   check_files();

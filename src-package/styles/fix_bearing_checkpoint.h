@@ -41,8 +41,11 @@ class FixBearingCheckpoint : public Fix {
   void watch_files();
   [[noreturn]] void stop();
   void find_ring();
+  std::vector<std::string> deck() const;
+  void check_deck();
 
   std::string command_, file_, part_, settings_;
+  std::string deck_;    // deck() of the run of the restart file, until it is compared
   int every_restart_ = 0;
   bool resume_ = false, resumed_ = false;
   std::vector<std::string> files_;                // watched: each grows with every sample

@@ -24,7 +24,7 @@ static constexpr size_t batch_bytes = 1 << 20, most_in_batch = 256;
 static void check_note(const Arguments &args, const char *what, const std::string &name)
 {
   static const char *const taken[] = {
-      "filename",  "fp",    "use_mmap", "mode", "version_byte",    "maskandscale",  "dimensions",
+      "filename",  "fp",    "use_mmap", "mode", "version_byte",    "maskandscale",   "dimensions",
       "variables", "close", "flush",    "sync", "createDimension", "createVariable", "checksum"};
   const bool word = std::isalpha(static_cast<unsigned char>(name[0])) &&
                     std::all_of(name.begin(), name.end(),
@@ -157,6 +157,7 @@ void FixBearingRecord::init()
 // At the start of every run: the first sample, unless the run before ended with it.
 void FixBearingRecord::setup(int)
 {
+  check_step();
   if (open_) {
     check_time_step();
     check_flaws();
@@ -180,6 +181,15 @@ void FixBearingRecord::check_time_step() const
   if (update->dt != step_length_)
     BRG_ALL(command_ + ": the time step was " + bearing::text(step_length_) + " s and is now " +
             bearing::text(update->dt) + " s; samples of a record are even in time");
+}
+
+// Error if the host's step number changed between two runs: steps that nobody made.
+void FixBearingRecord::check_step() const
+{
+  const double now = static_cast<double>(update->ntimestep);
+  if ((open_ || resumed_) && now != left_)
+    BRG_ALL(command_ + ": step " + bearing::text(now) + " comes after step " +
+            bearing::text(left_) + "; begin a record after reset_timestep, not before");
 }
 
 // Error if a fix bearing/profile was added, removed or changed between two runs.

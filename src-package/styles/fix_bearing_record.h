@@ -43,6 +43,7 @@ class FixBearingRecord : public Fix {
   void open();
   void find_integrators();
   void check_time_step() const;
+  void check_step() const;
   void check_flaws() const;
   void sample(bool between);
   void sample_instants();
@@ -81,6 +82,7 @@ class FixBearingRecord : public Fix {
   bearing::RecordRows rows_;    // rows of this rank since the last flush
   double samples_ = 0.0;
   double first_step_ = 0.0, start_ = 0.0, last_step_ = -1.0, step_length_ = 0.0;
+  double left_ = -1.0;    // step at the end of the run before, or of the restart file
   bool resumed_ = false, running_ = false;
   Spent clocks_;    // at the start of the present run
   Spent spent_;     // in the runs before it

@@ -35,6 +35,7 @@ void FixBearingRecord::stop_clocks()
 void FixBearingRecord::post_run()
 {
   if (running_) stop_clocks();
+  left_ = static_cast<double>(update->ntimestep);
   if (comm->me != 0) return;
   const bool done = update->ntimestep == update->laststep;    // not stopped by a signal
   std::string why;
@@ -97,8 +98,9 @@ void FixBearingRecord::write_restart(FILE *fp)
   flush();
   if (file_) refuse(file_->file().settle());
   const Spent spent = spent_now();
-  const double data[] = {samples_,   first_step_,     start_,      last_step_,
-                         spent.wall, spent.processor, spent.steps, spent.evaluations};
+  const double data[] = {samples_,    first_step_,       start_,
+                         last_step_,  spent.wall,        spent.processor,
+                         spent.steps, spent.evaluations, static_cast<double>(update->ntimestep)};
   if (comm->me != 0) return;
   const int size = sizeof data;
   fwrite(&size, sizeof(int), 1, fp);
@@ -107,7 +109,7 @@ void FixBearingRecord::write_restart(FILE *fp)
 
 void FixBearingRecord::restart(char *buf)
 {
-  double data[8];
+  double data[9];
   memcpy(data, buf, sizeof data);
   samples_ = data[0];
   first_step_ = data[1];
@@ -117,5 +119,6 @@ void FixBearingRecord::restart(char *buf)
   spent_.processor = data[5];
   spent_.steps = data[6];
   spent_.evaluations = data[7];
+  left_ = data[8];
   resumed_ = samples_ > 0.0;
 }

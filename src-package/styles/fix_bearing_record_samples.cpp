@@ -44,9 +44,6 @@ void FixBearingRecord::sample(bool between)
 {
   const double step = static_cast<double>(update->ntimestep);
   if (step == last_step_) return;
-  if (step < last_step_)
-    BRG_ALL(command_ + ": step " + bearing::text(step) + " comes after step " +
-            bearing::text(last_step_) + "; start a record after reset_timestep, not before");
   check_time_step();
   if (between && within_ > 1) {
     if (sampled_) sample_instants();

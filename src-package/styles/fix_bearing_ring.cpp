@@ -170,7 +170,7 @@ void FixBearingRing::setup(int vflag)
         const Vec3 e = state_->axis(i), w = Vec3::from(atom->omega[i]);
         const double missing = target.of[RingProgram::SPIN] - dot(w, e);
         // rounding of a continued run is not corrected: its bits are those of the uninterrupted run
-        if (std::fabs(missing) > 1e-14 * norm(w)) (w + e * missing).to(atom->omega[i]);
+        if (std::fabs(missing) > 1e-12 * norm(w)) (w + e * missing).to(atom->omega[i]);
       }
     }
   post_force(vflag);
@@ -279,14 +279,44 @@ void FixBearingRing::begin_step()
   between_.clear();
   before_ = now_;
   evaluate(0, RingProgram::N_VALUE);
+  check_positions();
+}
+
+// Error if an imposed position has jumped in the step before: it then moved by far more than in the
+// steps on either side, and by more than a contact takes at once.
+void FixBearingRing::check_positions()
+{
+  constexpr double far = 20.0, small = 1e-6, small_angle = 5e-5;    // m, rad
+  for (int k = 0; k < RingProgram::SPIN; ++k) {
+    double &at = imposed_.at[k], &last = imposed_.moved[k], &before = imposed_.before[k];
+    const double here = settings_.program.mode[k] == Freedom::position ? now_.of[k] : NAN;
+    const double moved = std::isnan(at) || std::isnan(here) ? 0.0 : std::fabs(here - at);
+    const bool tilt = k >= RingProgram::TILT;
+    if (last > std::max(tilt ? small_angle : small, far * std::max(before, moved))) {
+      const char axis[] = {"xyz"[axes_.lab_axis(tilt ? k - RingProgram::TILT : k)], '\0'};
+      BRG_ALL(bearing::name_of(*this) + ": the position along " + (tilt ? "r" : "") + axis +
+              " jumps by " + bearing::text(last) + (tilt ? " rad" : " m") + " in step " +
+              std::to_string(update->ntimestep - 1) + ", with " + bearing::text(before) + " and " +
+              bearing::text(moved) +
+              " in the steps before and after: a ring needs a continuous formula");
+    }
+    before = last;
+    last = moved;
+    at = here;
+  }
 }
 
 void FixBearingRing::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;
-  const int size = sizeof(double);
+  const int size = sizeof time_ + sizeof imposed_;
   fwrite(&size, sizeof(int), 1, fp);
-  fwrite(&time_, sizeof(double), 1, fp);
+  fwrite(&time_, sizeof time_, 1, fp);
+  fwrite(&imposed_, sizeof imposed_, 1, fp);
 }
 
-void FixBearingRing::restart(char *buf) { memcpy(&time_, buf, sizeof(double)); }
+void FixBearingRing::restart(char *buf)
+{
+  memcpy(&time_, buf, sizeof time_);
+  memcpy(&imposed_, buf + sizeof time_, sizeof imposed_);
+}

@@ -102,6 +102,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   void hold_between(double half);
   void add_support(bearing::tag_t ring, const double *on);
   virtual void note_accelerations();
+  void check_positions();
   virtual void make_report();
   virtual void report_loads(int i, double *row) const;
   double reported(int row, int k);
@@ -111,6 +112,13 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   raceway::LabAxes axes_;
   bearing::RingSettings settings_;
   double time_ = 0.0;
+  // Imposed positions, m or rad, for check_positions(); NaN: not imposed in the step before
+  struct Imposed {
+    double at[RingProgram::SPIN] = {NAN, NAN, NAN, NAN, NAN};
+    double moved[RingProgram::SPIN] = {},
+           before[RingProgram::SPIN] = {};    // by the last two steps
+  } imposed_;
+  static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);    // numbers in a restart
   Values now_, before_;                 // values of all rings; those of the step before
   std::vector<int> own_;                // indices of the values given per ring
   std::vector<Values> per_ring_;        // these, by local atom

@@ -49,6 +49,7 @@ void FixBearingRing::initial_integrate(int)
   kick();
   before_ = now_;
   evaluate(0, RingProgram::N_DOF);
+  check_positions();
   coast();
 }
 

@@ -97,11 +97,14 @@ double FixBearingShaft::compute_array(int row, int k)
   return values[k - bearing::of_fix_ring::N];
 }
 
-// Stores the time of the fix, then the modes.
+// Stores what a ring's fix does, then the modes.
 void FixBearingShaft::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;
-  std::vector<double> all = {time_, static_cast<double>(bend_.place.size())};
+  std::vector<double> all(numbers_kept);
+  memcpy(all.data(), &time_, sizeof time_);
+  memcpy(all.data() + 1, &imposed_, sizeof imposed_);
+  all.push_back(static_cast<double>(bend_.place.size()));
   all.insert(all.end(), bend_.place.begin(), bend_.place.end());
   all.insert(all.end(), bend_.rate.begin(), bend_.rate.end());
   const int size = static_cast<int>(all.size() * sizeof(double));
@@ -111,15 +114,17 @@ void FixBearingShaft::write_restart(FILE *fp)
 
 void FixBearingShaft::restart(char *buf)
 {
-  double head[2];
-  memcpy(head, buf, sizeof head);
-  time_ = head[0];
+  FixBearingRing::restart(buf);
+  buf += numbers_kept * sizeof(double);
+  double modes;
+  memcpy(&modes, buf, sizeof modes);
+  buf += sizeof modes;
   const size_t n = bend_.place.size();
-  if (head[1] != static_cast<double>(n))
-    BRG_ALL(bearing::name_of(*this) + ": the restart file has " + text(head[1] / 2.0) +
+  if (modes != static_cast<double>(n))
+    BRG_ALL(bearing::name_of(*this) + ": the restart file has " + text(modes / 2.0) +
             " modes of the shaft, the deck has " + std::to_string(n / 2) +
             (shaft_.of_file ? "" : ", a rigid one"));
   if (n == 0) return;
-  memcpy(bend_.place.data(), buf + sizeof head, n * sizeof(double));
-  memcpy(bend_.rate.data(), buf + sizeof head + n * sizeof(double), n * sizeof(double));
+  memcpy(bend_.place.data(), buf, n * sizeof(double));
+  memcpy(bend_.rate.data(), buf + n * sizeof(double), n * sizeof(double));
 }

@@ -265,12 +265,6 @@ def test_refuses_another_step(tmp_path):
     assert "the time step was 1e-06 s and is now 5e-07 s" in outcome.error
 
 
-def test_refuses_going_back(tmp_path):
-    deck = SMALL.replace("run 20000", "run 1000\nreset_timestep 0\nrun 1000")
-    outcome = run(small(tmp_path, deck=deck))
-    assert outcome.code != 0 and "step 0 comes after step 1000" in outcome.error
-
-
 def test_folder_that_cannot_be(tmp_path):
     (tmp_path / "run").write_text("a file")
     outcome = run(small(tmp_path))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "arguments.h"
 
+#include "deck_words.h"
+
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -21,6 +23,7 @@ std::string text(double value)
 Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first) :
     lmp_(lmp), command_(command), words_(arg + (first < narg ? first : narg), arg + narg)
 {
+  note_words(lmp, command, words_);
 }
 
 Arguments::Arguments(LAMMPS *lmp, const std::string &command,
@@ -43,6 +46,7 @@ std::optional<std::string> Arguments::content(const std::string &file) const
   }
   found = of_first_rank(lmp_, found);
   if (found.empty()) return {};
+  note_file(lmp_, command_, found);
   return found.substr(1);
 }
 

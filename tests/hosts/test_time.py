@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Simulated time goes on through restart files and reset_timestep, and so do formulas of it."""
+
+import numpy as np
+import pytest
+from host import BOX, run, succeed
+from recorded_runs import SMALL
+
+STEP = 1e-6
+BEARING = """
+pair_style bearing/hertz friction constant 0.1
+pair_coeff 1 3 inner 24.0e-3 6.552e-3
+pair_coeff 1 4 outer 36.6e-3 6.552e-3
+create_bearing 1 none 3 4 balls 9 diameter 12.6e-3 speed 50.0 0
+"""
+MOVES = """
+group balls type 1
+group inner type 3
+group outer type 4
+variable w equal 50*(1+100*time)
+variable sway equal 5.0e-6*sin(4000*time)
+fix move balls nve/sphere
+fix outer outer bearing/ring x position v_sway
+fix inner inner bearing/ring mass 0.2 x free y free spin speed v_w force 0 -5000 0 ramp 3.0e-4
+thermo 0
+timestep 1.0e-6
+"""
+RUN = "run 500\n"
+TELL = """
+run 0
+print "END $(time) $(f_outer[1]) $(f_inner[1]) $(f_inner[2]) $(f_inner[9]) $(x[4]) $(y[4])"
+"""
+READ = (
+    "bearing_host host host_name spheres b_format\natom_modify map array sort 0 0.0\nnewton off\n"
+)
+
+
+def end(tmp_path, host, *parts):
+    """Time, and positions of rings and a ball, at the end of the deck."""
+    deck = tmp_path / "in.time"
+    deck.write_text("".join(parts) + TELL)
+    line = next(x for x in succeed(deck, host=host).text.splitlines() if x.startswith("END "))
+    return np.array(line.split()[1:], float)
+
+
+@pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
+def test_time_goes_on(host, tmp_path):
+    begin = BOX + BEARING + MOVES + RUN
+    whole = end(tmp_path, host, begin, RUN)
+    assert whole[0] == pytest.approx(1000 * STEP, rel=1e-12)
+    assert whole[4] == pytest.approx(50 * (1 + 100 * whole[0]), rel=1e-9)
+    near = {"rtol": 1e-9, "atol": 1e-10}  # forces of a new step number are computed anew
+    for seam in ("reset_timestep 0\n", "reset_timestep 40000\n", "bearing_step 7\n"):
+        np.testing.assert_allclose(end(tmp_path, host, begin, seam, RUN), whole, **near)
+    end(tmp_path, host, begin, f"write_restart {tmp_path}/kept\n")
+    read = (
+        READ + f"read_restart {tmp_path}/kept\nneighbor 2.0e-3 bin\nneigh_modify delay 0 every 20\n"
+    )
+    np.testing.assert_array_equal(end(tmp_path, host, read, MOVES, RUN), whole)
+    found = end(tmp_path, host, read, MOVES, "reset_timestep 0\n", RUN)
+    np.testing.assert_allclose(found, whole, **near)
+
+
+@pytest.mark.parametrize("mode, size", [("x", 4e-5), ("ry", 1e-3)])
+@pytest.mark.parametrize("mover", ["nve/sphere", "bearing/implicit"])
+def test_a_driven_ring_that_jumps(mode, size, mover, tmp_path):
+    deck = tmp_path / "in.jump"
+    start, sway = 2.0015e-4, "variable sway equal 5.0e-6*sin(4000*time)"
+    jump = sway + f"+{size}*(time>{start})"
+    text = (
+        (BOX + BEARING + MOVES + RUN)
+        .replace(sway, jump)
+        .replace("outer bearing/ring x", f"outer bearing/ring {mode}")
+    )
+    if mover == "bearing/implicit":
+        text = text.replace("fix move balls nve/sphere\n", "").replace(
+            "thermo 0", "fix move all bearing/implicit\nthermo 0"
+        )
+    deck.write_text(text)
+    outcome = run(deck)
+    assert outcome.code != 0
+    assert f"fix outer bearing/ring: the position along {mode} jumps by " in outcome.error
+    assert "in step 201, with" in outcome.error
+    deck.write_text(text.replace(jump, sway + f"+{size}*(time>{start})*(time-{start})/2.0e-4"))
+    succeed(deck)  # the same way, but gradually
+
+
+@pytest.mark.parametrize("to", [0, 5000])
+def test_a_record_has_no_gap(to, tmp_path):
+    deck = tmp_path / "in.gap"
+    line = f"fix rec all bearing/record 100 {tmp_path}/run\n"
+    deck.write_text(
+        SMALL.replace("run 20000", f"run 1000\nreset_timestep {to}\nrun 1000").replace(
+            "compute total", line + "compute total"
+        )
+    )
+    outcome = run(deck)
+    assert outcome.code != 0
+    assert f"fix rec bearing/record: step {to} comes after step 1000" in outcome.error
+
+
+@pytest.mark.parametrize("integrator", ["damping", "vibration"])
+def test_free_tilts_resume_to_the_same_bits(integrator, tmp_path):
+    scene = {"integrator": integrator, "moment_x": 5, "models": "full", "record": "summary"}
+    succeed(out=tmp_path / "whole", passes=2, deck="inputs/in.6208", **scene)
+    succeed(out=tmp_path / "parts", passes=1, deck="inputs/in.6208", **scene)
+    succeed(out=tmp_path / "parts", passes=2, deck="inputs/in.6208", resume="yes", **scene)
+    whole, parts = (tmp_path / name / "record.nc" for name in ("whole", "parts"))
+    assert whole.read_bytes() == parts.read_bytes()
