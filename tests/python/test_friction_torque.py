@@ -113,7 +113,8 @@ def test_spin_shears_the_film():
     oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)
     state, orbit = turning(body, ring, 0.0, 300.0)
     films = lubricate(body, state, oil, ring)
-    losses = friction_torque.losses(body, state, films, fluid, ring, orbit)
+    eyring = Surfaces(film=None)
+    losses = friction_torque.losses(body, state, films, fluid, ring, orbit, surfaces=eyring)
     side, contact, film = next(
         one
         for one in zip((0, 1), (state.inner, state.outer), (films.inner, films.outer))

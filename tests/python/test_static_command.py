@@ -102,6 +102,19 @@ def test_ring_held_along_its_axis(capsys):
     assert "must be 0: it follows from the contact angle" in capsys.readouterr().err
 
 
+def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
+    """In runs with a film of 0.05 the balls of a 7205B at 8000 rpm slide under 100 N of thrust and
+    roll under 150 N. Without a contact angle there is no such moment."""
+    words = ["--bearing", "7205B", "--rpm", "8000", "--lubricant", "vg46", "--temperature", "70"]
+    words += ["--models", "full", "--axial"]
+    below, above = figures(capsys, *words, "150"), figures(capsys, *words, "100")
+    assert below["gyroscopic_friction"] < 0.05 < above["gyroscopic_friction"]
+    assert "12 balls have less friction" in above["warnings"][0]
+    radial = figures(capsys, "--load", "100", "--rpm", "9000", "--lubricant", "vg46", *words[6:8],
+                     "--models", "full")  # fmt: skip
+    assert radial["gyroscopic_friction"] is None
+
+
 @pytest.mark.parametrize("axial", [300, 500, 600])
 def test_balls_without_load_have_no_contact_angle(capsys, axial):
     """Balls that hardly reach the inner ring lie at its edge, at more than 60 degrees; all that

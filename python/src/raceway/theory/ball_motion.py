@@ -38,6 +38,34 @@ def rates(
     return np.concatenate([slides, spins]), np.concatenate([surface, turning * axial]), surface
 
 
+def gyroscopic(
+    bearing: Bearing, state: Equilibrium, ring: float, orbit: float | Floats, density: float
+) -> Floats:
+    """(Z,) coefficient of friction that holds each ball against its gyroscopic moment J w_c w_r,
+    w_c its orbital speed and w_r the radial part of its rotation; 0 of a ball that one ring alone
+    loads. The ball rolls on its heavier contact with each ring and spins on both alike. Speeds in
+    rad/s, density in kg/m^3."""
+    contacts = [
+        [np.atleast_2d(getattr(side, name)) for name in ("load", "angle")]
+        for side in (state.inner, state.outer)
+    ]
+    needed = np.zeros(len(state.azimuth))
+    orbit = np.broadcast_to(orbit, needed.shape)
+    for ball in range(len(needed)):
+        top = [load[:, ball].argmax() for load, _ in contacts]
+        loads, angles = np.array(
+            [[one[k, ball] for one in side] for side, k in zip(contacts, top)]
+        ).T
+        if not np.all(loads > 0):
+            continue
+        lines, goal, _ = rates(bearing, np.array([INNER, 1 - INNER]), angles, ring)
+        lines[2], goal[2] = lines[2] - lines[3], goal[2] - goal[3]
+        turn = np.linalg.solve(lines[:3], goal[:3])[0]
+        inertia = 8 / 15 * np.pi * bearing.ball_radius**5 * density
+        needed[ball] = abs(inertia * orbit[ball] * turn) / (bearing.ball_radius * loads.sum())
+    return needed
+
+
 def least(lines: Floats, goal: Floats, weight: Floats, radius: float) -> Floats:
     """The motion (3,) of `rates` with the least sum of `weight` (2 C,) times the sizes of all
     slidings and spins."""

@@ -14,7 +14,15 @@ from numpy.typing import ArrayLike
 
 from raceway import catalogue, inputs
 from raceway.files import FilePath
-from raceway.theory import clearance, friction_torque, life, makers, ring_response, validity
+from raceway.theory import (
+    ball_motion,
+    clearance,
+    friction_torque,
+    life,
+    makers,
+    ring_response,
+    validity,
+)
 from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
@@ -166,8 +174,13 @@ def figures(
             losses_W=lost.parts,
             asperity_share=inner.flat[top],
         )
+        needed = ball_motion.gyroscopic(body, state, spin, orbits, density)
+        needed *= np.atleast_2d(state.inner.heavy).any(0)
+        result.update(gyroscopic_friction=needed.max() if needed.max() > 1e-9 else None)
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
+    if film is not None:
+        result["warnings"] += _sliding(state, lost.friction, needed)
     result["balls"] = balls(state, films)
     return result
 
@@ -198,6 +211,17 @@ def _warnings(figures, body, shoulders, state, films):
     if figures["four_point_rad"] is not None:
         texts += validity.past_middle(body, figures["four_point_rad"], angle, semi_axis)
     return texts
+
+
+def _sliding(state, friction, needed):
+    load = np.vstack([state.inner.load, state.outer.load])
+    slide = needed > (friction * load).sum(0) / np.maximum(load.sum(0), 1e-300)
+    if not slide.any():
+        return []
+    return [
+        f"{slide.sum()} balls have less friction than the coefficient of {needed.max():.2g} that"
+        " their gyroscopic moment needs: they slide, and lose more than stated"
+    ]
 
 
 def _oil(lubricant, folder, temperature):

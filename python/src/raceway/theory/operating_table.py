@@ -86,6 +86,7 @@ TOPICS = {
         Row("loss_spin_W", "spin", "W"),
         Row("loss_hysteresis_W", "hysteresis", "W"),
         Row("loss_drag_W", "drag of the balls", "W"),
+        Row("gyroscopic_friction", "friction coefficient needed", "", "against gyroscopic sliding"),
     ),
     "Capacitance": (
         row("capacitance_F"),
