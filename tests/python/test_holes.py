@@ -2,10 +2,12 @@
 """Files that were read without a word, or ended with a traceback: each is refused, or warned of."""
 
 import json
+import re
 
 import pytest
 from raceway.cli import main
 from raceway.errors import RacewayError
+from raceway.report.of_sweep import page
 from raceway.sweeps.gather import gather
 from raceway.sweeps.point_run import run_point, state
 from raceway.sweeps.points import TableError, deck_variables, read_points
@@ -104,3 +106,12 @@ def test_many_unknown_columns_in_one_message(tmp_path):
         read_points(table, deck_variables("inputs/in.6208"))
     assert len(str(error.value)) < 3000 and "and 9980 more" in str(error.value)
     assert isinstance(error.value, RacewayError) and str(error.value).count("clearance") == 1
+
+
+def test_the_page_of_points_with_other_variables(points):
+    """As `raceway needs` leaves them: a table of each kind, and no cell says nan."""
+    (points / "d").mkdir()
+    (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
+    text = page(points).write(points / "page.html").read_text()
+    assert "nan" not in re.sub("<script.*", "", text, flags=re.DOTALL)
+    assert "models,without\nfull,gap+drag" in text and "Each of these tables" in text
