@@ -5,9 +5,10 @@ The file is netCDF classic: `xarray.open_dataset` opens it without this module. 
 growing: each read sees the samples that its header counts at that moment.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.io import netcdf_file
@@ -19,6 +20,15 @@ from raceway.files import FilePath
 NAME = "record.nc"
 BLOCK = 8 << 20  # bytes per read
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
+
+
+class _Known(dict):
+    def __init__(self, path, values):
+        super().__init__(values)
+        self.path = path
+
+    def __missing__(self, name):
+        raise RunError(f"{self.path} has no variable {name}")
 
 
 class Record:
@@ -53,6 +63,8 @@ class Record:
             raise RunError(
                 f"cannot read {self.path}: it is cut short or damaged, or no record at all"
             ) from None
+        self.variables = self.known(self.variables)
+        self._fixed = self.known(self._fixed)
         if missing := {"time", "ball", "ring_bearing", "finished"} - set(self.variables):
             raise RunError(f"{self.path} has no variable {' '.join(sorted(missing))}")
         self.bearings = self._fixed["bearing"].tolist()
@@ -66,6 +78,10 @@ class Record:
         self.bearing = bearing
         self.record_bytes = self._row.itemsize
         self._numbers: tuple[tuple[int, int], dict[str, Floats]] = ((-1, -1), {})  # none yet
+
+    def known(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """`values` by variable; a missing name raises `RunError`."""
+        return _Known(self.path, values)
 
     def __len__(self) -> int:
         """Number of samples in the header at this moment."""
