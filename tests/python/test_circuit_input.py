@@ -55,6 +55,16 @@ def test_table_from_a_file(tmp_path):
             "points = 1 must be at least 8: a sample takes 0.001 s",
         ),
         (lambda: circuit.run(turning(), Floating(), stray=1e-12), "belong to the films"),
+        (lambda: Sine(1e300, 50.0), "amplitude = 1e\\+300 V must lie from -1e\\+06 to 1e\\+06"),
+        (lambda: Sine(1.0, np.inf), "frequency = inf Hz must be positive"),
+        (lambda: CommonMode(np.nan, 1e3, 50.0, 1.0), "link = nan V must lie"),
+        (lambda: CommonMode(1.0, 90.0, 50.0, 1.0), "carrier = 90 Hz must be at least twice"),
+        (lambda: Table([0, 1], [1e7, 0]), "voltages must lie from"),
+        (
+            lambda: circuit.run(turning(), Source(Table([5, 6], [0, 1]))),
+            "table's times, 5 to 6 s, must overlap those of the films, 0 to 0.01 s",
+        ),
+        (lambda: circuit.run(turning(), Source(Sine(1.0, 1e12))), "are more than 1e\\+08 in all"),
     ],
 )
 def test_bad_input(make, message):

@@ -2,13 +2,21 @@
 """Files that were read without a word, or ended with a traceback: each is refused, or warned of."""
 
 import json
+import re
+import struct
 
+import numpy as np
 import pytest
+import raceway
 from raceway.cli import main
+from raceway.electric.films import of_run
 from raceway.errors import RacewayError
+from raceway.report.of_sweep import page
+from raceway.runs.record import Record
 from raceway.sweeps.gather import gather
 from raceway.sweeps.point_run import run_point, state
 from raceway.sweeps.points import TableError, deck_variables, read_points
+from scipy.io import netcdf_file
 from test_run import spoil
 
 # ---- sweeps ------------------------------------------------------------------------------------
@@ -104,3 +112,43 @@ def test_many_unknown_columns_in_one_message(tmp_path):
         read_points(table, deck_variables("inputs/in.6208"))
     assert len(str(error.value)) < 3000 and "and 9980 more" in str(error.value)
     assert isinstance(error.value, RacewayError) and str(error.value).count("clearance") == 1
+
+
+def test_the_page_of_points_with_other_variables(points):
+    """As `raceway needs` leaves them: a table of each kind, and no cell says nan."""
+    (points / "d").mkdir()
+    (points / "d" / "point.yaml").write_text("models: full\nwithout: gap+drag\n")
+    text = page(points).write(points / "page.html").read_text()
+    assert "nan" not in re.sub("<script.*", "", text, flags=re.DOTALL)
+    assert "models,without\nfull,gap+drag" in text and "Each of these tables" in text
+
+
+def test_a_record_that_lost_a_variable(folder):
+    """Whichever it is: the films are the same, or a message says so."""
+    path = folder / "record.nc"
+    variables, content = Record(folder).variables, path.read_bytes()
+    names = [n for n, d in variables.items() if "raceway" not in d and not n.startswith("bearing_")]
+    films = of_run(raceway.open(folder))
+    refused = 0
+    for name in names:
+        head = struct.pack(">i", len(name)) + name.encode()
+        at = content.rindex(head, 0, 60_000) + 4
+        path.write_bytes(content[:at] + b"Q" + content[at + 1 :])
+        try:
+            found = of_run(raceway.open(folder))
+        except RacewayError:
+            refused += 1
+            continue
+        for own in ("time", "capacitance", "from_load_line"):
+            np.testing.assert_array_equal(getattr(found, own), getattr(films, own), name)
+    assert 10 < refused < len(names)
+
+
+@pytest.mark.parametrize("name", ["inner_groove", "ball_diameter", "balls", "outer_radius"])
+@pytest.mark.parametrize("value", [float("nan"), float("-inf"), 0.0, -1.0, 1e300])
+def test_a_record_with_a_bearing_that_is_none(folder, capsys, name, value):
+    (folder / "run.yaml").unlink()
+    with netcdf_file(folder / "record.nc", "a") as file:
+        file.variables[name][:] = value
+    assert main(["export", str(folder), "--format", "vtk"]) == 1
+    assert capsys.readouterr().err.startswith("raceway: ")

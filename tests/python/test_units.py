@@ -18,7 +18,7 @@ from raceway.units import axis, prefixed
         (0, "m", "0 m"),
         (938.0, "", "938"),
         (0.938, "", "0.938"),
-        (1e-20, "F", "1e-05 fF"),
+        (1e-20, "F", "1e-20 F"),
     ],
 )
 def test_prefixed(value, unit, shown):

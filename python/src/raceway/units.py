@@ -19,6 +19,8 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
         return f"{value:.{digits}g} {unit}".strip()
     value = float(f"{value:.{digits - 1}e}")  # first, so that 999.99 m becomes 1 km and not 1000 m
     power = _power(value)
+    if abs(value) < 1e-18:  # of no prefix
+        return f"{value:.{digits}g} {unit}"
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
 
 

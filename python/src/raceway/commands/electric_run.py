@@ -23,7 +23,10 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.bearing is not None:
         of = of.select(_number(arguments))
     ask = arguments.ask(arguments)
-    whole = whole_capacitance.over_time(of, _filling(arguments, of))
+    try:  # a ValueError: shoulders beside the groove
+        whole = whole_capacitance.over_time(of, _filling(arguments, of))
+    except ValueError as error:
+        arguments.complain(str(error))
     data = film_figures.over_time(of, whole, ask)
     fields = whole_capacitance.fields(of, whole, ask.voltage or 1.0, ask.strength)
     found = film_table.figures(of, data, fields, ask.frequency)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from raceway.commands import Commands, one_run
 from raceway.commands.quantity import number, positive
+from raceway.errors import RacewayError
 
 DESCRIPTION = """\
 Write a run as files that other programs open as they are:
@@ -80,4 +81,8 @@ def _element(arguments, out):
 
     leak = Leak(arguments.resistivity) if arguments.resistivity else None
     films = of_run(one_run.opened(arguments), leak)
-    return spice.write(films.every(arguments.every or 1), out)
+    try:
+        films = films.every(arguments.every or 1)
+    except ValueError as error:
+        raise RacewayError(f"--every {arguments.every}: {error}") from None
+    return spice.write(films, out)

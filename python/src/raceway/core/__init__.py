@@ -9,15 +9,20 @@ import functools
 from pathlib import Path
 
 from raceway.core.exports import Formula, Library
+from raceway.errors import RacewayError
 
 PATH = Path(__file__).with_name("lib") / "libraceway_core.so"
 
 
+class NotBuilt(RacewayError, ImportError):
+    """The library is missing."""
+
+
 @functools.cache
 def library() -> Library:
-    """The library, loaded when first asked for. Raises `ImportError` if it was never built."""
+    """The library, loaded when first asked for. Raises `NotBuilt`."""
     if not PATH.exists():
-        raise ImportError(f"{PATH} is missing: run `make build`, or `pip install ./python` again")
+        raise NotBuilt(f"{PATH} is missing: run `make build`, or `pip install ./python` again")
     return Library(PATH)
 
 

@@ -13,11 +13,12 @@ from raceway.electric.films import Films
 from raceway.electric.leak import Leak
 from raceway.electric.network import ENERGIES, Solution
 from raceway.electric.outer import Motor, Outer
-from raceway.electric.waveforms import FEWEST, PER_CYCLE
+from raceway.electric.waveforms import FEWEST, PER_CYCLE, Table
 from raceway.runs.run import Run
 from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
+MOST = 100_000_000  # films at all points
 MEANINGS = {  # variables and their units
     "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
@@ -98,6 +99,7 @@ def run(
         coarse = of
     else:
         coarse = (films.of_run if isinstance(of, Run) else films.of_dataset)(of, leak, stray)
+    _need_overlap(coarse.time, outer.waveform)
     fine = coarse.refined(_points(coarse, outer, points))
     terms = outer.terms(fine.time)
     limit = breakdown.limit(fine) if breakdown else None
@@ -109,16 +111,31 @@ def run(
 def _points(coarse, outer, points):
     """A sample, with an eye on the shortest period of the voltage."""
     longest, shortest = np.diff(coarse.time).max(), outer.waveform.shortest
+    least = int(np.ceil(min(FEWEST * longest / shortest * (1 - 1e-9), MOST)))
     if points is None:
-        return max(1, int(np.ceil(PER_CYCLE * longest / shortest)))
+        points = max(1, int(np.ceil(min(PER_CYCLE * longest / shortest, MOST))))
     # a step at the limit may exceed it by rounding
-    least = int(np.ceil(FEWEST * longest / shortest * (1 - 1e-9)))
-    if points < least:
+    elif points < least:
         raise ValueError(
             f"points = {points} must be at least {least}: a sample takes {longest:g} s, a"
             f" period of the voltage {shortest:g} s"
         )
+    if points * coarse.capacitance.size > MOST:
+        raise ValueError(
+            f"points = {points} a sample and {coarse.capacitance.size} films are more than {MOST:g}"
+            f" in all: a sample takes {longest:g} s, a period of the voltage {shortest:g} s"
+        )
     return points
+
+
+def _need_overlap(time, waveform):
+    if isinstance(waveform, Table):
+        first, last = waveform.times[0], waveform.times[-1]
+        if last <= time[0] or first >= time[-1]:
+            raise ValueError(
+                f"the table's times, {first:g} to {last:g} s, must overlap those of the films,"
+                f" {time[0]:g} to {time[-1]:g} s"
+            )
 
 
 def _dataset(fine, outer, terms, s, breakdown, limit):

@@ -18,6 +18,7 @@ from raceway.errors import RunError
 from raceway.files import FilePath
 
 SINE, COMMON_MODE = 1, 2  # Waveform::Kind of src-package/core/electric/waveform.h
+HIGHEST = 1e6  # V
 PER_CYCLE, FEWEST = 20, 8  # points per period by default, and at least
 
 
@@ -44,6 +45,9 @@ class Constant(Waveform):
     voltage: float
     shortest = float("inf")
 
+    def __post_init__(self) -> None:
+        _volts("voltage", self.voltage)
+
     def __call__(self, time: Floats) -> Floats:
         """Volts at `time` (s), any shape."""
         return np.full(np.shape(time), float(self.voltage))
@@ -58,6 +62,7 @@ class Sine(Waveform):
     phase: float = 0.0
 
     def __post_init__(self) -> None:
+        _volts("amplitude", self.amplitude)
         _positive("frequency", self.frequency, "Hz")
 
     @property
@@ -85,6 +90,7 @@ class CommonMode(Waveform):
     modulation: float
 
     def __post_init__(self) -> None:
+        _volts("link", self.link)
         _positive("carrier", self.carrier, "Hz")
         _positive("fundamental", self.fundamental, "Hz")
         if not 0 <= self.modulation <= 1:
@@ -138,6 +144,8 @@ class Table(Waveform):
             raise ValueError("a table of voltages needs two columns with at least two rows")
         if not (np.isfinite(times).all() and np.isfinite(voltages).all()):
             raise ValueError("a table of voltages must hold finite numbers")
+        if np.abs(voltages).max() > HIGHEST:
+            raise ValueError(f"voltages must lie from {-HIGHEST:g} to {HIGHEST:g} V")
         if not (np.diff(times) > 0).all():
             row = int(np.argmin(np.diff(times) > 0)) + 2
             raise ValueError(f"times of a table must rise: row {row} has {times[row - 1]:g} s")
@@ -168,5 +176,10 @@ def read_table(path: FilePath) -> Table:
 
 
 def _positive(name, value, unit):
-    if not value > 0:
+    if not 0 < value < np.inf:
         raise ValueError(f"{name} = {value:g} {unit} must be positive")
+
+
+def _volts(name, value):
+    if not abs(value) <= HIGHEST:
+        raise ValueError(f"{name} = {value:g} V must lie from {-HIGHEST:g} to {HIGHEST:g}")

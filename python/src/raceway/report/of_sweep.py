@@ -41,10 +41,10 @@ def page(folder: Path) -> Page:
     if len(table) > LONGEST:
         result.text(f"The first {LONGEST} of {len(table)} points; results.csv has all.")
     result.heading("The command that repeats it")
-    result.text("This table, then:")
-    names = table.attrs["variables"]
-    rows = dict.fromkeys(",".join(map(_exact, row)) for row in table[names].itertuples(index=False))
-    result.code("\n".join([",".join(names), *rows]))
+    tables = _tables(table[table.attrs["variables"]])
+    result.text("This table, then:" if len(tables) == 1 else "Each of these tables, then:")
+    for names, rows in tables.items():
+        result.code("\n".join([",".join(names), *rows]))
     result.code("raceway sweep TABLE.csv --out DIR")
     return result
 
@@ -52,6 +52,15 @@ def page(folder: Path) -> Page:
 def _numbers(table):
     numbers = table.select_dtypes("number")
     return numbers.loc[:, numbers.nunique() > 1]
+
+
+def _tables(asked):
+    """Rows without repetition, by the names of the variables that their points set."""
+    tables = {}
+    for _, row in asked.astype(object).iterrows():
+        given = row.dropna()
+        tables.setdefault(tuple(given.index), {})[",".join(map(_exact, given))] = None
+    return tables
 
 
 def _exact(value):

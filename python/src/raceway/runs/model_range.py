@@ -48,7 +48,8 @@ def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Ran
     """`Range` by key of the figures of the run `tables`; empty for a dry run or a lubricant without
     a file."""
     result: dict[str, Range] = {}
-    if tables.lubricated and figures.get("h_c_m") and figures.get("entrainment_speed_m_s"):
+    needed = ("h_c_m", "entrainment_speed_m_s", "q_inner_max_N", "p_max_inner_Pa")
+    if tables.lubricated and all(figures.get(key) for key in needed):
         try:
             path = catalogue.find("lubricants", figures["lubricant"])
             temperature = _temperature(tables)

@@ -6,9 +6,10 @@ growing: each read sees the samples that its header counts at that moment.
 """
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.io import netcdf_file
@@ -25,6 +26,15 @@ CHECKSUM = "checksum"  # attribute and variable, src-package/core/record/netcdf_
 HEADER_SUM = re.compile(rb"sum ([0-9a-f]{8}) of (\d{10}) header bytes")
 BY_SCIPY = (TypeError, ValueError, LookupError, ArithmeticError, AttributeError, AssertionError)
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
+
+
+class _Known(dict):
+    def __init__(self, path, values):
+        super().__init__(values)
+        self.path = path
+
+    def __missing__(self, name):
+        raise RunError(f"{self.path} has no variable {name}")
 
 
 class Record:
@@ -54,6 +64,8 @@ class Record:
             raise RunError(
                 f"cannot read {self.path}: it is cut short or damaged, or no record at all"
             ) from None
+        self.variables = self.known(self.variables)
+        self._fixed = self.known(self._fixed)
         if missing := {"time", "ball", "bearing", "ring_bearing", "finished"} - set(self.variables):
             raise RunError(f"{self.path} has no variable {' '.join(sorted(missing))}")
         self.attrs.pop(CHECKSUM, None)
@@ -122,6 +134,10 @@ class Record:
     def _from_seat(self, name, values):
         place = along(name)
         return values if place is None or not self._seat[place] else values - self._seat[place]
+
+    def known(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """`values` by variable; a missing name raises `RunError`."""
+        return _Known(self.path, values)
 
     def __len__(self) -> int:
         """Number of samples in the header at this moment."""

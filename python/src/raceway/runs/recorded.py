@@ -152,6 +152,9 @@ class Recorded:
     def _atoms(self, prefix, dimension):
         if f"{prefix}x" not in self._file:
             raise RunError(f"{self.record.path} has no {dimension.replace('_', ' ')}s")
+        places = [f"ring_{kind}{axis}" for kind in ("", "origin_") for axis in "xy"]
+        for name in [*(prefix + one for one in MOTION), *places]:
+            self.record.variables[name]  # raises if it is missing
         data = self._file[[prefix + name for name in MOTION]]
         data = data.rename({prefix + name: name for name in MOTION})
         if dimension != "ball":

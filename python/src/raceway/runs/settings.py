@@ -56,12 +56,27 @@ def settings(record: Record) -> Settings:
     return Settings({**found, **end}, (record.need_one, record.need_samples))
 
 
+SIZES = ("ball_diameter", "inner_radius", "outer_radius", "inner_groove", "outer_groove")
+BODY = {"balls": 1e6, "ball_young": 1e15, **dict.fromkeys(SIZES, 100.0)}  # largest, SI
+
+
 def _bearing(record):
-    value = {
-        name: float(record.fixed(name)[0])
-        for name, dims in record.variables.items()
-        if dims == ("bearing",) and name != "bearing"
-    }
+    value = record.known(
+        {
+            name: float(record.fixed(name)[0])
+            for name, dims in record.variables.items()
+            if dims == ("bearing",) and name != "bearing"
+        }
+    )
+    for name, most in BODY.items():
+        if not 0 < value[name] < most:
+            raise RunError(
+                f"{record.path}: {name} is {value[name]:g}, must be below {most:g}, above 0"
+            )
+    if value["balls"] != len(record.fixed("ball")):
+        raise RunError(
+            f"{record.path}: balls is {value['balls']:g}, it has {len(record.fixed('ball'))}"
+        )
     wet = np.isfinite(value["viscosity"])
     rings = dict(zip(record.fixed("ring_raceway").tolist(), record.fixed("ring").tolist()))
     found = {

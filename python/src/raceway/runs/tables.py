@@ -97,7 +97,10 @@ class RunTables:
             "ball_young_Pa": "young",
             "ball_poisson": "poisson",
         }
-        return Bearing.from_mapping({name: self.settings[key] for key, name in names.items()})
+        try:
+            return Bearing.from_mapping({name: self.settings[key] for key, name in names.items()})
+        except ValueError as error:
+            raise RunError(f"{self.record.path}: {error}") from None
 
     @property
     def cage_ball_radius(self) -> float:
