@@ -61,7 +61,7 @@ void ComputeBearingTotal::compute_vector()
     shares.back().of.cage(s.loss, s.force);
   }
   for (const FixBearingCage *f : bearing::fixes_of<FixBearingCage>(lmp))
-    for (const bearing::CageRails::Ball &b : f->rails().balls) {
+    for (const bearing::CageRails::CageBall &b : f->rails().balls) {
       shares.push_back({b.tag, 0, {}});
       shares.back().of.cage(b.loss, 0.0);
     }

@@ -173,7 +173,7 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines;
   if (const auto *pair = dynamic_cast<const PairBearingHertz *>(force->pair))
-    for (const std::vector<std::string> &words : pair->said()) {
+    for (const std::vector<std::string> &words : pair->commands()) {
       lines.emplace_back(lines.empty() ? "pair_style" : "pair_coeff");
       for (const std::string &w : words) lines.back() += " " + w;
     }

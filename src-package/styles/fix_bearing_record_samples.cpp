@@ -116,7 +116,7 @@ void FixBearingRecord::sample_cage()
     if (j >= 0 && s.j < atom->nlocal) rows_.cage(j, share, s.force);
   }
   for (const FixBearingCage *f : bearing::fixes_of<FixBearingCage>(lmp))
-    for (const bearing::CageRails::Ball &b : f->rails().balls) rows_.rail(b.tag, b.loss);
+    for (const bearing::CageRails::CageBall &b : f->rails().balls) rows_.rail(b.tag, b.loss);
 }
 
 // Balls, cage balls and rings of this rank.

@@ -92,7 +92,7 @@ RACEWAY_CALLED void any_energy(unsigned parts, const RacewayPhysics &p, const Co
 
 template <class Part, class T> RACEWAY_CALLED void add_loss(const ContactStateT<T> &c, T &sum)
 {
-  sum += TakenBy<Part>::of(c);
+  sum += Part::Losses::of(c);
 }
 template <class T, class... P>
 RACEWAY_CALLED void any_loss(unsigned parts, const ContactStateT<T> &c, T &sum)

@@ -138,7 +138,7 @@ template <class All, class... P> struct LawOf {
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();
-    ((sum += TakenBy<P>::of(c)), ...);
+    ((sum += P::Losses::of(c)), ...);
     return sum;
   }
 

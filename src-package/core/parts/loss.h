@@ -16,8 +16,6 @@
 
 #include "../raceway/contact_state.h"
 
-#include <type_traits>
-
 namespace raceway {
 
 struct LossColumn {
@@ -42,10 +40,6 @@ template <> struct LossList<> {
     return Value<T>();
   }
 };
-
-// Power that a part takes from the motion and does not store, W: its losses, or its Taken.
-template <class Part, class = void> struct TakenBy : Part::Losses {};
-template <class Part> struct TakenBy<Part, std::void_t<typename Part::Taken>> : Part::Taken {};
 
 }    // namespace raceway
 

@@ -18,8 +18,7 @@
 //   beyond()     overlap beyond the onset of the load, m; required with misses()
 //   act()        its effect on a contact: reads motions and results of earlier parts, writes its
 //                own results
-//   Losses       its losses (loss.h)
-//   Taken        power taken from the motion and not stored, if that is not its losses
+//   Losses       its losses (loss.h): power taken from the motion
 //   energy()     stored energy, J
 //
 // PartBase has the defaults. docs/extend explains how to add a part.

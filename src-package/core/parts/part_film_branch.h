@@ -9,18 +9,10 @@
 
 namespace raceway {
 
-// Loss in the dashpot of the branch: f^2/(k_m tau).
+// Power of the branch, f times the rate of overlap: below 0 while the film springs back. k_m changes
+// with the film, so f^2/(2 k_m) is no potential (at rest k_m falls to 0 and f stays), and the loss in
+// the dashpot alone, f^2/(k_m tau), would not add up to the work on the branch.
 struct FilmBranchLoss : DampingPower {
-  template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
-  {
-    const Value<T> f = c.film_force;
-    return where(c.film_stiffness > 0.0, Value<T>(f * f / c.film_stiffness * c.film_rate), 0.0);
-  }
-};
-
-// Power of the branch. k_m changes with the film, so f^2/(2 k_m) is no potential: at rest k_m falls
-// to 0 and f stays. In the balance of a step the branch therefore stores nothing.
-struct FilmBranchPower {
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
     return c.film_force * held(c.overlap_rate);
@@ -32,7 +24,6 @@ struct FilmBranchPart : PartBase {
   static constexpr bool needs_film = true;
   static constexpr int states = 1;    // N, force of the branch
   using Losses = LossList<FilmBranchLoss>;
-  using Taken = LossList<FilmBranchPower>;
 
   static std::vector<Keyword<Parameters>> keywords()
   {

@@ -4,7 +4,7 @@
 
 namespace raceway {
 
-void BearingStep::keep_energy(bool yes)
+void BearingIntegrator::keep_energy(bool yes)
 {
   keep_energy_ = yes;
   const LawFacts facts = law_facts(bodies_.model.parts);
