@@ -165,7 +165,7 @@ def figures(
             spin,
             orbits,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(boundary, fluid, spin, film_friction),
+            surfaces=friction_torque.surfaces(inputs.size(path), fluid, spin, film_friction),
             spin_law=spin_law,
         )
         inner = lost.asperity_share[: body.raceways.count(INNER)]

@@ -100,14 +100,16 @@ class Scene:
         spin_law: str = "closed",
         film_friction: float | None = None,
         held: Mapping[str, float] = STRAIGHT,
+        size: tuple[float, float] | None = None,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
         `film_friction` are those of `operating_point.figures`, `held` that of
-        `static.equilibrium`."""
+        `static.equilibrium`, `size` that of `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
         self.spin_law, self.film_friction, self.held = spin_law, film_friction, held
+        self.size = size
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
@@ -137,7 +139,7 @@ class Scene:
             ring,
             orbit,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(self.boundary, fluid, ring, self.film_friction),
+            surfaces=friction_torque.surfaces(self.size, fluid, ring, self.film_friction),
             spin_law=self.spin_law,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
@@ -258,6 +260,7 @@ class Case:
             self.spin_law,
             self.film_friction,
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
+            inputs.size(path),
         )
 
     def cooling(self) -> float | None:
