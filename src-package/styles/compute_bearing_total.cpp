@@ -4,6 +4,8 @@
 #include "../core/settings/arguments.h"
 #include "../ranks/gather.h"
 #include "contact_context.h"
+#include "fix_bearing_cage.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -58,6 +60,11 @@ void ComputeBearingTotal::compute_vector()
     shares.push_back({s.tag_i, s.tag_j, {}});
     shares.back().of.cage(s.loss, s.force);
   }
+  for (const FixBearingCage *f : bearing::fixes_of<FixBearingCage>(lmp))
+    for (const bearing::CageRails::Ball &b : f->rails().balls) {
+      shares.push_back({b.tag, 0, {}});
+      shares.back().of.cage(b.loss, 0.0);
+    }
   shares = bearing::gather_all(shares, world);
   std::sort(shares.begin(), shares.end(), [](const Share &a, const Share &b) {
     return a.tag < b.tag || (a.tag == b.tag && a.other < b.other);

@@ -121,7 +121,7 @@ void FixBearingCage::find_balls()
       BRG_ONE(std::string("fix ") + id + " bearing/cage: lost cage ball " +
               std::to_string(atom->tag[i]) + " at step " + std::to_string(update->ntimestep) +
               ": no ring of type " + std::to_string(ring_type_) + " within two pitch radii");
-    cage_.balls.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1});
+    cage_.balls.push_back({i, nearest, atom->tag[i], atom->tag[nearest], -1, 0.0});
   }
   std::sort(cage_.balls.begin(), cage_.balls.end(),
             [](const CageRails::Ball &a, const CageRails::Ball &b) { return a.tag < b.tag; });
@@ -163,8 +163,9 @@ void FixBearingCage::pre_force(int)
   for (size_t i = 0; i < n; ++i) {
     const Four &four = fours_[i / lanes];
     const size_t k = i % lanes;
+    CageRails::Ball &ball = cage_.balls[i];
+    ball.loss = four.loss[k];
     if (four.fr[k] == 0.0 && four.fe[k] == 0.0) continue;
-    const CageRails::Ball &ball = cage_.balls[i];
     const Vec3 e = pair_->state()->axis(ball.i_ring);
     const Vec3 d = Vec3::from(x[ball.i]) - Vec3::from(x[ball.i_ring]);
     const Vec3 force = (d - e * four.z[k]) * (four.fr[k] / four.r[k]) + e * four.fe[k];
@@ -188,7 +189,7 @@ RACEWAY_LANES void FixBearingCage::find_forces()
   for (Four &four : fours_) {
     four.r = square_root(four.r);
     four.vr /= four.r;
-    four.fr = four.fe = Lane{};
+    four.fr = four.fe = four.loss = Lane{};
   }
   for (size_t k = 0; k < cage_.rails.size(); ++k)
     for (Four &four : fours_) {
@@ -198,6 +199,7 @@ RACEWAY_LANES void FixBearingCage::find_forces()
       const Lane force = c.h.force;
       four.fr += force * c.nr;
       four.fe += force * c.ne;
+      four.loss += damping_loss(c.h, c.overlap, Lane(-(four.vr * c.nr + four.ve * c.ne)));
       for (int i = 0; i < lanes; ++i) {
         force_sum_ += force[i];
         force_max_ = force[i] > force_max_ ? force[i] : force_max_;

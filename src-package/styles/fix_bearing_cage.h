@@ -40,9 +40,10 @@ class FixBearingCage : public Fix {
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
   bool seats_ = true;    // default pair of rails, placed from the cage balls
   double pitch_ = 0.0;
-  // Four cage balls: position and velocity in the ring (radial, axial), mass, radius, rail force.
+  // Four cage balls: position and velocity in the ring (radial, axial), mass, radius, rail force,
+  // loss.
   struct alignas(32) Four {
-    raceway::Lane r, z, vr, ve, mass, radius, fr, fe;
+    raceway::Lane r, z, vr, ve, mass, radius, fr, fe, loss;
     void spare(int first);
   };
   void find_forces();

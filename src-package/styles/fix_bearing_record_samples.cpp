@@ -2,6 +2,7 @@
 // Samples of fix bearing/record: at the end of a step from the owners of the atoms, between steps
 // from the homes of the bearings.
 #include "contact_context.h"
+#include "fix_bearing_cage.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_record.h"
@@ -117,6 +118,8 @@ void FixBearingRecord::sample_cage()
     if (i >= 0 && s.i < atom->nlocal) rows_.cage(i, share, s.force);
     if (j >= 0 && s.j < atom->nlocal) rows_.cage(j, share, s.force);
   }
+  for (const FixBearingCage *f : bearing::fixes_of<FixBearingCage>(lmp))
+    for (const bearing::CageRails::Ball &b : f->rails().balls) rows_.rail(b.tag, b.loss);
 }
 
 // Balls, cage balls and rings of this rank.

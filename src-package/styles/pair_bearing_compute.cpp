@@ -231,7 +231,7 @@ void PairBearingHertz::sphere_forces(bool tally)
     s.stiffness = h.stiffness;
     s.damping = h.damping;
     s.force = h.force;
-    s.loss = (h.force - h.stiffness * overlap / 1.5) * rate;
+    s.loss = damping_loss(h, overlap, rate);
     const Vec3 force = n * h.force;
     if (s.i < nlocal) force.add_to(f[s.i]);
     if (s.j < nlocal) (-force).add_to(f[s.j]);

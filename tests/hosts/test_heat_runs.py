@@ -41,8 +41,8 @@ def test_balance_with_the_friction_of_runs(capsys, folder):
     assert found["power_loss_W"] == pytest.approx(carried, abs=0.05)
     power = scene.at(hot, 0.0)["power_loss_W"] * found["run_over_statics"]
     assert power == pytest.approx(carried, abs=0.05)
-    # runs have Coulomb's law in the film, statics Eyring's: more friction, and warmer
-    assert hot > steady_heat.one_node(scene, conductance, 20.0, 0.0)["temperature_C"] + 5
+    still = steady_heat.one_node(scene, conductance, 20.0, 0.0)
+    assert hot - 20 == pytest.approx(still["temperature_C"] - 20, rel=1e-2)
     assert sum(found["losses_W"].values()) == pytest.approx(found["run_power_W"], rel=1e-9)
     runs = sorted(folder.glob("*/summary.json"))
     powers = [json.loads(path.read_text())["power_loss_W"] for path in runs]

@@ -18,7 +18,7 @@ def in_the_tree(monkeypatch):
     monkeypatch.chdir(ROOT)
 
 
-def scene(load=5000.0, rpm=1910.0, oil="vg46"):
+def scene(load=5000.0, rpm=1910.0, oil="vg46", **laws):
     path, data = ROOT / "inputs/bearings/6208", ROOT / "inputs/lubricants" / oil
     return steady_heat.Scene(
         inputs.bearing(path),
@@ -28,6 +28,8 @@ def scene(load=5000.0, rpm=1910.0, oil="vg46"):
         load,
         0.0,
         rpm,
+        size=inputs.size(path),
+        **laws,
     )
 
 
@@ -60,7 +62,7 @@ def test_three_nodes_balance_and_tend_to_one():
 def test_film_by_the_bearing_s_own_temperature(bearing, rpm, ratio):
     """VG 46, 20 C ambient, ISO 15312: central thickness over that of 0.04 Pa s and 22/GPa, both
     without inlet shear."""
-    found = steady_heat.one_node(scene(rpm=rpm), 2.17, 20.0, 0.0)
+    found = steady_heat.one_node(scene(rpm=rpm, models="eyring"), 2.17, 20.0, 0.0)
     r_x, r_y = bearing.effective_radii(INNER)
     kappa, modulus = hertz.exact(r_x, r_y).kappa, bearing.effective_modulus
     fluid = inputs.fluid(ROOT / "inputs/lubricants/vg46", found["temperature_C"])

@@ -55,6 +55,6 @@ def test_figures_and_mistakes(bearing):
         figures("6208", "mineral", ROOT / "inputs", **options, spin_law=law)
         for law in friction_torque.SPIN_LAWS
     )
-    assert slices["friction_torque_N_m"] == pytest.approx(closed["friction_torque_N_m"], rel=0.02)
+    assert slices["friction_torque_N_m"] == pytest.approx(closed["friction_torque_N_m"], rel=0.05)
     with pytest.raises(ValueError, match="spin law 'open' is none of closed, slices"):
         losses(bearing, 5000.0, 0.0, "open")

@@ -34,6 +34,11 @@ def voltages(made, right, driving=None, broken=()):
     return np.linalg.lstsq(bordered, np.r_[right, np.zeros(len(broken))], rcond=1e-14)[0][:n]
 
 
+def films(v):
+    """Film voltages (2, Z)."""
+    return np.stack([v[-1] - v[:-1], v[:-1]])
+
+
 def energy(capacitance, beside, coupling, driving, v):
     whole = matrix(capacitance, beside)
     return 0.5 * (v @ whole @ v + coupling * (v[-1] - driving) ** 2)
@@ -47,7 +52,7 @@ def discharge(capacitance, limit, outer, charge, v):
     push[-1] = coupling * driving
     broken, rows = [], []
     while True:
-        film = np.stack([v[-1] - v[:-1], v[:-1]])
+        film = films(v)
         load = np.abs(film) / limit
         for place in broken:
             load[place] = 0.0
@@ -68,10 +73,14 @@ def discharge(capacitance, limit, outer, charge, v):
 
 def solve(time, capacitance, conductance, limit, outer, start):
     """(voltages (n, Z + 1), ring last; currents into the ring's films (n,); failures with the point
-    first) over films (n, 2, Z); `outer` (n, 4): beside, coupling, conductance, driving."""
+    first; account (n, 6)) over films (n, 2, Z); `outer` (n, 4): beside, coupling, conductance,
+    driving. The account: stored energy; since the start work of the driving voltage and of who
+    moves plates, heat of leaks, of the source's resistance and of discharges. The energy of an
+    element in a step is its charge times the mean of its voltages."""
     stiff = np.isinf(outer[0, 2])
     n, _, z = capacitance.shape
     found, current, failures = np.zeros((n, z + 1)), np.zeros(n), []
+    account = np.zeros((n, 6))
 
     def at(k, share):
         def mix(values):
@@ -101,15 +110,35 @@ def solve(time, capacitance, conductance, limit, outer, start):
                 leaks, leak = matrix(gs, source), last * source * drive
                 system = matrix(cs, bs + ks) + STAGE * length * leaks
                 known = charge + last * ks * drive + STAGE * length * leak
-                known = known + sum(weight * length * flow for flow, _ in flows)
+                known = known + sum(weight * length * flow for flow, *_ in flows)
                 v = voltages(system, known, held(drive))
-                flows.append((leak - leaks @ v, gs[0] @ (v[-1] - v[:-1])))
+                flows.append((leak - leaks @ v, gs[0] @ (v[-1] - v[:-1]), gs * films(v)))
             moved = [(1 - STAGE) * length * a + STAGE * length * b for a, b in zip(*flows)]
             charge = charge + moved[0]
             current[k] = (c[0] @ (v[-1] - v[:-1]) - inside + moved[1]) / length
+            if stiff:
+                supplied = (whole @ v)[-1] - (matrix(capacitance[k - 1], outer[k - 1, 0]) @ first)[
+                    -1
+                ]
+                supplied += moved[1]
+            else:
+                supplied = moved[0][-1] + moved[1]
+            old = outer[k - 1]
+            plates = (films(first) * films(v) * (c - capacitance[k - 1])).sum()
+            plates += first[-1] * v[-1] * (beside - old[0])
+            mean = 0.5 * (driving + old[3])
+            coupled = coupling * (driving - old[3] - (v[-1] - first[-1]))
+            resisted = 0.0 if stiff else (mean - 0.5 * (first[-1] + v[-1])) * supplied
+            leaked = (0.5 * (films(first) + films(v)) * moved[2]).sum()
+            account[k] = account[k - 1]
+            account[k, 1:5] += [mean * (supplied + coupled), -0.5 * plates, leaked, resisted]
         if stiff:
             charge = whole @ v - push
+        ring = v[-1]
         charge, v, rows = discharge(c, limit[k], (beside, coupling, driving), charge, v)
         failures += [[k, *row] for row in rows]
         found[k] = v
-    return found, current, failures
+        account[k, 0] = energy(c, beside, coupling, driving, v)
+        account[k, 1] += coupling * driving * (ring - v[-1])
+        account[k, 5] += sum(row[-1] for row in rows)
+    return found, current, failures, account

@@ -8,6 +8,8 @@ import numpy as np
 from mpmath import mpf
 from scipy.integrate import quad
 
+from references import hertz
+
 # a sphere's drag coefficient at Re = 0.1 ... 1e5
 DRAG = {0.1: 275, 1.0: 30, 10.0: 4.2, 1e2: 1.2, 1e3: 0.48, 1e4: 0.40, 1e5: 0.45}
 
@@ -59,6 +61,38 @@ def film_coefficient(viscosity, xi, pressure, rate, stress, limit, points=None):
             total = sum(mpf(w) / 2 * shear((mpf(t) + 1) / 2) for t, w in zip(nodes, weights))
             return float(3 * total / pressure)
     return 3 / pressure * quad(lambda t: float(shear(t)), 0, 1, epsrel=1e-6, limit=200)[0]
+
+
+def slip(law, slid, load, speed, a, b, r_d, r_x, points=400):
+    """(force along rolling N, couple about the axis of rolling N m, power W) of a contact under any
+    stress law(pressure in Pa, |s| in m/s) in Pa, by midpoints: `points` across the groove, a
+    quarter as many along rolling. s = slid - (|u|/(2 R_d R_x)) z^2."""
+    z = (np.arange(points) + 0.5) / points  # of a
+    many = points // 4
+    angle = (np.arange(many) + 0.5) * np.pi / many
+    half = b * np.sqrt(1 - z**2)
+    x = np.cos(angle) / np.ones((points, 1))  # of the strip's half-length
+    width = half[:, None] * np.sin(angle) * np.pi / many
+    peak = 1.5 * load / (np.pi * a * b)
+    pressure = peak * np.sqrt(1 - z[:, None] ** 2) * np.sqrt(1 - x**2)
+    s = slid - abs(speed) * (a * z) ** 2 / (2 * r_d * r_x)
+    strip = np.sign(s) * (law(pressure, np.abs(s)[:, None]) * width).sum(1) * 2 * a / points
+    lever = (z * a) ** 2 / (2 * r_d)
+    return strip.sum(), (strip * lever).sum(), (strip * s).sum()
+
+
+def hydrodynamic_rolling(viscosity, modulus, r_x, r_y, speed, load, limit=False):
+    """f in N of Biboulet and Houpert (2010, part 2, eq 32), with `limit` its elastic limit M ->
+    infinity (eq 33)."""
+    found = hertz.contact(r_x, r_y, modulus, load)
+    kappa, unit = found["kappa"], modulus * r_x**2
+    double = 2 * viscosity * speed / (modulus * r_x)
+    beta = 4 / np.pi * found["second"] / (1 + r_x / r_y)
+    elastic = 1.8 * beta**-0.25
+    rigid = 0.77 * beta ** (-1 / 3) * kappa**-0.12 * double ** (-1 / 12)
+    mean = beta**0.25 * load / unit * double**-0.75 / kappa
+    both = elastic if limit else (rigid - elastic) / (1 + mean / 6.6) + elastic
+    return unit * 2 * found["a"] / r_x * both * double**0.75
 
 
 def rolling_powers(viscosity, modulus, r_x, r_y, speed, load):

@@ -339,5 +339,14 @@ def test_main_deck(tmp_path):
     inner, outer = whole.reshape(len(whole), 2, 2, -1).sum(axis=2).transpose(1, 0, 2)
     series = (inner * outer / (inner + outer)).sum(axis=1)
     assert sums["capacitance_total"].to_numpy() == pytest.approx(series, rel=1e-12)
-    with pytest.raises(RunError, match="an export of balls needs rings of one"):
-        next(particles.frames(recorded.tables))
+    frame = list(particles.frames(recorded.tables, 1))[-1].data
+    seen, now, balls = recorded.universe(), want.isel(time=-1), frame["type"] == 1
+    ts, ours = seen.trajectory[-1], np.isin(seen.atoms.ids, want.ball)
+    for name in ("load", "h_c", "capacitance"):
+        for groove in ("inner 0", "inner 1", "outer 0", "outer 1"):
+            values = now[name].sel(raceway=groove).to_numpy()
+            key = f"{name}_{groove.replace(' ', '_')}"
+            np.testing.assert_array_equal(frame[key][balls], values)
+            np.testing.assert_array_equal(ts.data[key][ours], values)
+    np.testing.assert_array_equal(frame["load"][balls], now["load"].max("raceway"))
+    assert frame["capacitance"].sum() == pytest.approx(sums["capacitance"].iloc[-1], rel=1e-12)

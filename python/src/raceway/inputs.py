@@ -58,15 +58,15 @@ def bearing(
     *,
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
-    one_groove: bool = False,
+    one_groove: str | None = None,
 ) -> Bearing:
     """`Bearing` of a file of inputs/bearings, of four points where the file or `four_point` (rad)
-    says so, with two rows by `double_row`. `one_groove` refuses several grooves a ring. Raises
-    `InputError`."""
+    says so, with two rows by `double_row`. `one_groove`, a reason, refuses several grooves a ring.
+    Raises `InputError`."""
     body = _one_groove(path)
     angle = four_point_angle(path) if four_point is None else four_point
     if one_groove and (angle is not None or double_row is not None):
-        raise InputError(f"{path}: a four-point contact bearing; this needs one groove a ring")
+        raise InputError(f"{path}: a four-point contact bearing; {one_groove}")
     if angle is not None and nominal_angle(path):
         raise InputError(f"{path}: four points need a bearing of contact_angle 0")
     try:

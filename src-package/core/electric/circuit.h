@@ -29,7 +29,8 @@ struct CircuitState {
   CircuitAccount account;
 
   // for the last step
-  NodeValues before;    // voltages before the discharge at its end
+  double charge_error = 0.0, energy_error = 0.0;    // C, largest of a node; J
+  NodeValues before;                                // voltages before the discharge at its end
   StepCharges moved;
   double discharge_work = 0.0;    // J, of the driving voltage
 };
@@ -83,9 +84,10 @@ template <class Failed> void settle(CircuitState &s, double before, Failed &&fai
   a.discharge_energy += heat;
   a.source_work += work;
   s.discharge_work = work;
-  const double lacks = before + work - heat - stored_energy(s.films, s.outer, s.voltage);
-  a.energy_error = std::fmax(a.energy_error, std::abs(lacks));
-  a.charge_error = std::fmax(a.charge_error, largest_charge_error(s));
+  s.energy_error = before + work - heat - stored_energy(s.films, s.outer, s.voltage);
+  s.charge_error = largest_charge_error(s);
+  a.energy_error = std::fmax(a.energy_error, std::abs(s.energy_error));
+  a.charge_error = std::fmax(a.charge_error, s.charge_error);
 }
 
 }    // namespace circuit_detail

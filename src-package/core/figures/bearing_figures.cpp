@@ -126,7 +126,7 @@ void add_losses(std::vector<Figure> &list, bool usual)
                       k,
                       table[k].is.key});
   if (!usual)
-    list.push_back({{"cage_power", "W", "power lost between balls and cage balls"},
+    list.push_back({{"cage_power", "W", "power lost between balls, cage balls and rails"},
                     [](F f, int) { return f.cage_loss; },
                     Needs::nothing,
                     couples,
@@ -210,7 +210,7 @@ std::vector<Figure> of_ring()
       {{"orbit", "rad/s", "mean speed of the balls about the ring's axis"}, cage_speed}};
   add_losses(list, true);
   add_losses(list, false);
-  list.pop_back();    // the cage has no contact with a ring
+  list.pop_back();    // of the cage
   add(list,
       {{{"capacitance", "F", "sum over balls in contact with both raceways, their two in series"},
         [](F f, int) { return f.capacitance; },

@@ -6,6 +6,8 @@
 #include "../electric/waveform.h"
 #include "exports.h"
 
+#include <cmath>
+
 using namespace raceway;
 
 RECORD(CircuitEnd, double source_work, mechanical_work, leak_heat, resistor_heat, discharge_energy,
@@ -40,8 +42,8 @@ void put(const NodeValues &v, double *ball, double *ring)
   *ring = v.ring;
 }
 
-// Columns in a row of failures.
-constexpr int columns = 8;
+// Columns in a row of failures, and of the account.
+constexpr int columns = 8, terms = 8;
 void put(const FilmFailure &f, int point, double *row)
 {
   const double numbers[columns] = {
@@ -54,13 +56,16 @@ void put(const FilmFailure &f, int point, double *row)
 // Films are by point, side, ball; the outer circuit by point: parallel capacitance, coupling,
 // conductance, driving voltage. Voltages `before` exclude the discharge of their point. Rows of
 // failures, at most `most`: point, side, ball, film voltage, bearing voltage, bearing voltage
-// after, film energy, energy. Returns the number of failures.
+// after, film energy, energy. Rows of the account, by point: stored energy; since the start source
+// work, mechanical work, leak heat, resistor heat, discharge energy; errors of energy and charge of
+// the step. Returns the number of failures.
 EXPORT(int, bearing_circuit,
        (int points, int balls, const double *time, const double *capacitance,
         const double *conductance, const double *limit, const double *outer, double start,
         double *ball, double *bearing, double *ball_before, double *bearing_before,
         double *ball_charge, double *ring_charge, double *leaked, double *supplied,
-        double *discharge_work, double *current, int most, double *failures, CircuitEnd *out))
+        double *discharge_work, double *current, double *account, int most, double *failures,
+        CircuitEnd *out))
 {
   CircuitState s;
   int count = 0;
@@ -82,7 +87,17 @@ EXPORT(int, bearing_circuit,
     std::copy(s.moved.outer.begin(), s.moved.outer.end(), leaked + films_at + balls);
     supplied[p] = s.moved.supplied;
     discharge_work[p] = s.discharge_work;
-    current[p] = s.account.current;
+    const CircuitAccount &a = s.account;
+    current[p] = p == 0 ? NAN : a.current;
+    const double row[terms] = {stored_energy(s.films, s.outer, s.voltage),
+                               a.source_work,
+                               a.mechanical_work,
+                               a.leak_heat,
+                               a.resistor_heat,
+                               a.discharge_energy,
+                               s.energy_error,
+                               s.charge_error};
+    std::copy(row, row + terms, account + terms * p);
   }
   const CircuitAccount &a = s.account;
   *out = {a.source_work,
@@ -137,6 +152,45 @@ EXPORT(void, threshold_voltages,
   for (int p = 0; p < points; ++p)
     out[p] = threshold_voltage(
         films_of(balls, capacitance + 2 * p * balls, nullptr, limit + 2 * p * balls));
+}
+
+RECORD(Impedance, double real, imaginary;)
+namespace {
+constexpr double turn = 2.0 * 3.14159265358979323846;
+Impedance parts(const Complex &z) { return {z.real(), z.imag()}; }
+}    // namespace
+
+// ohm, of one film at a frequency in Hz
+FORMULA(Impedance, film_impedance, (double capacitance, double conductance, double frequency))
+{
+  CircuitFilm f;
+  f.capacitance = capacitance;
+  f.conductance = conductance;
+  return parts(1.0 / admittance(f, turn * frequency));
+}
+
+FORMULA(double, capacitance_of_impedance, (double real, double imaginary, double frequency))
+{
+  return capacitance_of({real, imaginary}, turn * frequency);
+}
+
+FORMULA(double, resistance_of_impedance, (double real, double imaginary))
+{
+  return resistance_of({real, imaginary});
+}
+
+// S, by point; films are by point, side, ball
+EXPORT(void, bearing_admittances,
+       (int points, int balls, const double *frequency, const double *capacitance,
+        const double *conductance, double *real, double *imaginary))
+{
+  for (int p = 0; p < points; ++p) {
+    const int at = 2 * p * balls;
+    const BearingFilms films = films_of(balls, capacitance + at, conductance + at, nullptr);
+    const Impedance found = parts(admittance(films, turn * frequency[p]));
+    real[p] = found.real;
+    imaginary[p] = found.imaginary;
+  }
 }
 
 FORMULA(double, film_limit, (double thickness, double strength, double less, double floor))

@@ -34,6 +34,14 @@ RACEWAY_INLINE DampedHertzT<T> damped_hertz(double K, const T &overlap, const T 
   return h;
 }
 
+// Power lost, W. While the bodies part faster than the spring opens they exchange no force, and its
+// energy is lost.
+template <class T>
+RACEWAY_INLINE T damping_loss(const DampedHertzT<T> &h, const T &overlap, const T &overlap_rate)
+{
+  return (h.force - h.stiffness * overlap / 1.5) * overlap_rate;
+}
+
 }    // namespace raceway
 
 #endif

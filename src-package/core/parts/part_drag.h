@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Oil drag on the balls (ball_drag.h) at their speed relative to the outer ring, which takes the
-// reaction. A ball off the outer raceway has no drag. The derivative holds the force: over an
-// implicit step it changes the speed of a ball by at most a fraction of 1e-3.
+// reaction. A ball off the outer raceway has no drag; of the two grooves of a Gothic arch, the one
+// the ball is deeper in has it. The derivative holds the force: over an implicit step it changes
+// the speed of a ball by at most a fraction of 1e-3.
 #ifndef RACEWAY_PART_DRAG_H
 #define RACEWAY_PART_DRAG_H
 
@@ -75,7 +76,18 @@ struct DragPart : PartBase {
     const B re = own.reynolds * magnitude(v);
     const B number = where(re > 1e-30, re, 1e-30);
     c.drag = own.prefactor * drag_coefficient(own.table, number) * v * (number / own.reynolds);
+    if (p.groove.offset != 0.0) c.drag = where(deeper(p.groove.offset, c.z), c.drag, 0.0);
     c.drag_power = c.drag * v;
+  }
+
+ private:
+  // True if a ball at z (m) from its groove's centres overlaps the twin groove at -offset less. In
+  // the middle plane, to rounding, the groove at the positive offset has the ball.
+  template <class B> static RACEWAY_INLINE auto deeper(double offset, const B &z)
+  {
+    const B from_middle = z + offset;
+    const double middle = 1e-9 * std::fabs(offset);
+    return offset < 0.0 ? from_middle > middle : from_middle <= middle;
   }
 };
 

@@ -106,6 +106,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   for (std::vector<size_t> *list : {&contact_, &ball_, &cage_, &ring_, &bearing_})
     std::for_each(list->begin(), list->end(), place);
   shares_.resize(n);
+  rails_.resize(m);
 }
 
 size_t RecordFile::width(Kind kind) const
@@ -113,7 +114,7 @@ size_t RecordFile::width(Kind kind) const
   switch (kind) {
     case BALL: return MOTION + BallFigures::numbers();
     case CONTACT: return content_.contact.size();
-    case CAGE: return MOTION;
+    case CAGE: return MOTION + 1;
     case RING: return RING_VALUES;
     case END: return 2;
   }
@@ -146,6 +147,7 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
       for (size_t k = 0; k < columns; ++k) put_real(to + column[k], value[k]);
     if (kind == BALL)
       memcpy(static_cast<void *>(&shares_[place]), value + MOTION, sizeof(BallFigures));
+    if (kind == CAGE) rails_[place] = value[MOTION];
     reported_ += kind != CONTACT;
     row = value + width(kind);
   }
@@ -169,11 +171,13 @@ std::string RecordFile::end_sample(double time, double step)
 void RecordFile::sum_up()
 {
   const std::vector<Figure> &figures = record_figures();
-  size_t ball = 0;
+  size_t ball = 0, cage = 0;
   for (size_t b = 0; b < layout_.bearings.size(); ++b) {
     BearingFigures sum;
     for (; ball < shares_.size() && layout_.balls[ball].bearing == static_cast<int>(b); ++ball)
       sum.add(shares_[ball]);
+    for (; cage < rails_.size() && layout_.cage[cage].bearing == static_cast<int>(b); ++cage)
+      sum.cage_loss += rails_[cage];
     for (size_t k = 0; k < figures.size(); ++k)
       if (bearing_[k] != nowhere) put_real(sample_ + bearing_[k] + 8 * b, figures[k].value(sum));
   }

@@ -53,6 +53,7 @@ class RecordFile {
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_;
   unsigned char *sample_ = nullptr;    // the present one, if a part has reported
   std::vector<BallFigures> shares_;
+  std::vector<double> rails_;    // W, by cage ball
   size_t reported_ = 0;
 };
 

@@ -28,6 +28,7 @@ void RecordRows::begin(const RecordLayout &layout, const RecordFile &file, const
   put(layout.cage, RecordFile::CAGE);
   put(layout.rings, RecordFile::RING);
   shares_.assign(layout.balls.size(), BallFigures());
+  rails_.assign(layout.cage.size(), 0.0);
   for (Kind k : {RecordFile::BALL, RecordFile::CONTACT, RecordFile::CAGE, RecordFile::RING})
     widths_[k] = file.width(k);
   said_.resize(batch * (file.record_bytes() / sizeof(double) + 3 * layout.parts()));
@@ -74,6 +75,12 @@ void RecordRows::gap(int ball, const ContactView &view)
   shares_[ball].gap(view);
 }
 
+void RecordRows::rail(Tag cage_ball, double loss)
+{
+  const Place p = place(cage_ball);
+  if (p.kind == RecordFile::CAGE) rails_[p.at] += loss;
+}
+
 void RecordRows::body(Tag tag, const Vec3 &x, const Vec3 &v, const Vec3 &w)
 {
   const Place p = place(tag);
@@ -82,7 +89,11 @@ void RecordRows::body(Tag tag, const Vec3 &x, const Vec3 &v, const Vec3 &w)
   x.to(to);
   v.to(to + 3);
   w.to(to + 6);
-  if (p.kind == RecordFile::CAGE) return;
+  if (p.kind == RecordFile::CAGE) {
+    to[RecordFile::MOTION] = rails_[p.at];
+    rails_[p.at] = 0.0;
+    return;
+  }
   shares_[p.at].balls = 1.0;
   memcpy(to + RecordFile::MOTION, &shares_[p.at], sizeof(BallFigures));
   shares_[p.at] = BallFigures();

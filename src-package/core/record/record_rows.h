@@ -30,6 +30,7 @@ class RecordRows {
   void gap(int ball, const ContactView &);
   // A contact with a cage ball or another ball: loss of this ball (W), force (N).
   void cage(int ball, double loss, double force) { shares_[ball].cage(loss, force); }
+  void rail(Tag cage_ball, double loss);    // W
   // A ball or cage ball, after all of its contacts.
   void body(Tag, const raceway::Vec3 &x, const raceway::Vec3 &v, const raceway::Vec3 &w);
   void ring(const double *of);    // from of_ring::RING on
@@ -72,7 +73,9 @@ class RecordRows {
   size_t batch_ = 1, samples_ = 0;
   std::vector<double> said_;    // the first used_ of it
   size_t used_ = 0;
-  std::vector<BallFigures> shares_;    // by ball, of the present sample
+  // of the present sample
+  std::vector<BallFigures> shares_;    // by ball
+  std::vector<double> rails_;          // W, by cage ball
 };
 
 }    // namespace bearing

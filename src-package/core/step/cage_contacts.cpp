@@ -71,6 +71,13 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
         const double K = (*track.stiffness)[rail];
         RailContactT<Lane> c =
             rail_contact((*track.rails)[rail], K, r, z, dot(dv, u), dot(dv, e), g.radius, g.mass);
+        if (only) {
+          const LaneMask touches = g.used & (c.overlap > 0.0);
+          const Lane rate = -(dot(dv, u) * c.nr + dot(dv, e) * c.ne);
+          power_lost_ += sum(where(touches, damping_loss(c.h, c.overlap, rate), 0.0));
+          contact_energy_ +=
+              sum(where(touches, 0.4 / 1.5 * c.h.stiffness * c.overlap * c.overlap, 0.0));
+        }
         const LaneMask live = g.used & ~(c.h.force <= 0.0);
         LaneMask close = live;
         if (fresh) close |= g.used & (c.overlap <= 0.0) & (c.overlap > -stage.close_cage);
@@ -79,12 +86,6 @@ RACEWAY_LANES void BearingForces::rails(const Stage &stage)
         const Vec3L force = n * where(live, c.h.force, 0.0);
         ring.force_lanes -= f.lab(force);
         ring.moment_lanes -= f.lab(cross(d, force));
-        if (only) {
-          const Lane overlap = 4.0 / 9.0 * c.h.stiffness * c.h.stiffness / (K * K);
-          const Lane spring = c.h.stiffness / 1.5 * overlap, rate = -dot(dv, n);
-          power_lost_ += sum(where(live, (c.h.force - spring) * rate, 0.0));
-          contact_energy_ += sum(where(live, 0.4 * spring * overlap, 0.0));
-        }
         g.rhs[0] += h * force.x;
         g.rhs[1] += h * force.y;
         g.rhs[2] += h * force.z;
@@ -151,14 +152,12 @@ Failure BearingForces::pockets(const Stage &stage)
     const Vec3 n = d * (1.0 / r), dv = Vec3::from(place_[a].v) - Vec3::from(place_[b].v);
     const double rate = -dot(dv, n);
     const DampedHertz c = damped_hertz(p.K, overlap, rate, p.mass);
-    if (!(c.force > 0.0)) continue;
     if (only) {
-      const double spring = c.stiffness / 1.5 * overlap;
-      power_lost_ += (c.force - spring) * rate;
-      contact_energy_ += 0.4 * spring * overlap;
-    } else {
-      touching_.push_back(static_cast<int>(i));
+      power_lost_ += damping_loss(c, overlap, rate);
+      contact_energy_ += 0.4 / 1.5 * c.stiffness * overlap * overlap;
     }
+    if (!(c.force > 0.0)) continue;
+    if (!only) touching_.push_back(static_cast<int>(i));
     Vec3 local[2];
     for (int k = 0; k < 2; ++k) {
       const int slot = k == 0 ? a : b, lane = slot % lanes;

@@ -46,7 +46,13 @@ def add(commands: Commands) -> None:
     load, speed = number(0, 1e6, "N"), number(1, 1e5, "rpm")
     options.bearing(one)
     options.grooves(one)
-    options.friction(one)
+    options.spin_law(one)
+    one.add_argument(
+        "--models",
+        choices=("full", "eyring"),
+        default="full",
+        help="full, or eyring: Eyring's stress in the film in place of a constant coefficient",
+    )
     options.lubricant(one)
     one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")
     one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, in place of it")
@@ -143,7 +149,7 @@ def _figures(arguments, load, rpm):
         conductance=arguments.conductance,
         nodes=arguments.nodes and Nodes(*arguments.nodes),
         spin_law=arguments.spin_law,
-        film_friction=arguments.film_friction,
+        models=arguments.models,
         **options.grooves_of(arguments),
     )
     names = arguments.bearing, arguments.lubricant, arguments.inputs

@@ -116,20 +116,13 @@ def grooves_of(arguments: argparse.Namespace) -> dict[str, Any]:
     }
 
 
-def friction(to: Any) -> None:
-    """--spin-law and --film-friction: laws of the friction torque."""
+def spin_law(to: Any) -> None:
+    """--spin-law of the friction torque."""
     to.add_argument(
         "--spin-law",
         choices=("closed", "slices"),
         default="closed",
         help="of the friction torque: closed has fits of spin beside slip, slices both together",
-    )
-    to.add_argument(
-        "--film-friction",
-        type=number(0, 0.2, ""),
-        metavar="MU",
-        help="of the friction torque: the film's coefficient, 0.05 in a run with the models full"
-        " (Eyring's stress with its limit)",
     )
 
 

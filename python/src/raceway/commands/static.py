@@ -136,11 +136,12 @@ def add(commands: Commands) -> None:
     options.temperature(balls)
     one.add_argument(
         "--models",
-        choices=("paper", "full"),
+        choices=("paper", "full", "eyring"),
         default="paper",
-        help="paper: as the publication; full: film in the gap, inlet shear, friction torque",
+        help="paper: as the publication; full: film in the gap, inlet shear, friction torque;"
+        " eyring: full with Eyring's stress in the film",
     )
-    options.friction(one)
+    options.spin_law(one)
     one.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,
@@ -164,12 +165,10 @@ def run(arguments: argparse.Namespace) -> None:
         )
     if arguments.lubricant not in (None, "dry") and not arguments.rpm:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
-    if arguments.spin_law != "closed" and arguments.models != "full":
+    if arguments.spin_law != "closed" and arguments.models == "paper":
         arguments.complain("--spin-law: of the friction torque; give --models full")
     if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
         arguments.complain("--temperature: of the lubricant; give --lubricant")
-    if arguments.film_friction is not None and arguments.models != "full":
-        arguments.complain("--film-friction: of the friction torque; give --models full")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
     result = figures(
@@ -189,7 +188,6 @@ def run(arguments: argparse.Namespace) -> None:
         spin_law=arguments.spin_law,
         temperature=arguments.temperature,
         cleanliness=arguments.cleanliness,
-        film_friction=arguments.film_friction,
         **options.grooves_of(arguments),
     )
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))

@@ -208,7 +208,8 @@ def records(spec: Spec) -> list[Record]:
     the number of that ball, and the phases of waves. Raises `RacewayError` for an unknown bearing.
     """
     path = catalogue.find("bearings", spec.bearing)
-    bearing, angle = inputs.bearing(path, one_groove=True), inputs.nominal_angle(path)
+    why = "the ball frequency of labels, BSF, is that of one contact angle"
+    bearing, angle = inputs.bearing(path, one_groove=why), inputs.nominal_angle(path)
     passes = kinematics.frequencies(bearing, angle).outer / 60  # ball passes a second and rpm
     length = spec.seconds + 2 * GUARD / min(spec.rates)
     result = []

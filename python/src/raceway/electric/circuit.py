@@ -7,12 +7,12 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from raceway.electric import energy, films, network
+from raceway.electric import films, network
 from raceway.electric.breakdown import ArcCurrent, Breakdown, threshold
 from raceway.electric.films import Films
 from raceway.electric.leak import Leak
 from raceway.electric.network import Solution
-from raceway.electric.outer import Motor, Outer, Terms
+from raceway.electric.outer import Motor, Outer
 from raceway.electric.waveforms import FEWEST, PER_CYCLE
 from raceway.runs.run import Run
 from raceway.theory.film_voltage import apparent_current_density, field
@@ -34,6 +34,13 @@ MEANINGS = {  # variables and their units
     "current": ("A", "mean current into the inner ring's films in the step that ends here"),
     "ball_charge": ("C", "charge of a ball"),
     "charge_error": ("C", "largest difference of a node's charge by currents and by voltages"),
+    "stored_energy": ("J", "energy stored in films, beside them and in the coupling"),
+    "source_work": ("J", "work of the driving voltage since the start"),
+    "mechanical_work": ("J", "work that moving the plates of the films put in since the start"),
+    "leak_heat": ("J", "heat in the conductance of films since the start"),
+    "resistor_heat": ("J", "heat in the resistance of the source since the start"),
+    "discharge_energy": ("J", "heat of discharges since the start"),
+    "energy_error": ("J", "what the balance of energy lacks in the step and discharge ending here"),
 }
 EVENT_UNITS = {
     "time": "s",
@@ -128,9 +135,9 @@ def _dataset(fine, outer, terms, s, breakdown, limit):
         "film_capacitance": (place, fine.capacitance),
         "film_state": (place, _states(fine)),
         "bearing_capacitance": ("time", bearing),
-        "current": ("time", _current(fine, s)),
+        "current": ("time", s.current),
         "ball_charge": (("time", "ball"), s.ball_charge),
-        "charge_error": ("time", _charge_error(fine, terms, s, film)),
+        **{name: ("time", s.account[:, k]) for k, name in enumerate(network.ACCOUNT)},
     }
     if breakdown:
         local = breakdown.local_thickness(fine)
@@ -151,7 +158,7 @@ def _dataset(fine, outer, terms, s, breakdown, limit):
     for name in ("azimuth", "from_load_line"):
         made.coords[name] = (("time", "ball"), getattr(fine, name), {"units": "rad"})
     made["time"].attrs = {"units": "s", "long_name": "time since the start of the measured window"}
-    return made.merge(energy.account(fine, terms, s))
+    return made
 
 
 def _states(fine):
@@ -159,23 +166,6 @@ def _states(fine):
     if fine.metallic is not None:
         state = np.where(fine.metallic > 0, 2, state)
     return state
-
-
-def _current(fine, s: Solution):
-    """By the charge of the inner ring's films; a discharge does not count."""
-    inner = fine.capacitance[:, 0]
-    after = (inner * (s.bearing_voltage[:, None] - s.ball_voltage)).sum(axis=1)
-    before = (inner * (s.bearing_voltage_before[:, None] - s.ball_voltage_before)).sum(axis=1)
-    charge = before[1:] - after[:-1] + s.leaked[1:, 0].sum(axis=1)
-    return np.concatenate([[np.nan], charge / np.diff(fine.time)])
-
-
-def _charge_error(fine, terms: Terms, s: Solution, film):
-    on_films = fine.capacitance * film
-    ball = np.abs(on_films[:, 1] - on_films[:, 0] - s.ball_charge).max(axis=1)
-    on_ring = on_films[:, 0].sum(axis=1) + terms.capacitance * s.bearing_voltage
-    on_ring += terms.coupling * (s.bearing_voltage - terms.driving)
-    return np.maximum(ball, np.abs(on_ring - s.ring_charge))
 
 
 def _events(fine, s: Solution, breakdown):

@@ -19,6 +19,10 @@ from raceway.electric.films import Films
 from raceway.electric.outer import Terms
 from raceway.errors import RunError
 
+ACCOUNT = (  # of each point: J, and C at last
+    *("stored_energy", "source_work", "mechanical_work", "leak_heat", "resistor_heat"),
+    *("discharge_energy", "energy_error", "charge_error"),
+)
 ROUNDING = 1e-12  # fraction of a film's charge; less on a ball is rounding
 
 
@@ -33,6 +37,8 @@ class Solution(NamedTuple):
     ring_charge: Floats  # (n,) C
     leaked: Floats  # (n, 2, Z) C through the conductance of each film in the step that ends here
     supplied: Floats  # (n,) C from the driving voltage through its conductance, likewise
+    current: Floats  # (n,) A, mean into the inner ring's films in the step that ends here
+    account: Floats  # (n, 8) of `ACCOUNT`
     discharges: dict[int, Discharge]  # by point
 
 
@@ -63,6 +69,8 @@ def _run(films, terms, limit, most=4096):
         ring_charge=n,
         leaked=(n, 2, z),
         supplied=n,
+        current=n,
+        account=(n, len(ACCOUNT)),
     )
     made = {name: np.empty(shape) for name, shape in shapes.items()}
     work, rows = np.empty(n), np.empty((most, len(ROW)))
@@ -78,7 +86,6 @@ def _run(films, terms, limit, most=4096):
         outer=np.stack(outer, axis=1),
         start=terms.start,
         discharge_work=work,
-        current=np.empty(n),
         most=most,
         failures=rows,
         **made,

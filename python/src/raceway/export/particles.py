@@ -12,9 +12,7 @@ from raceway.runs.columns import CONTACT
 from raceway.runs.record_tables import BALL, CAGE
 from raceway.runs.tables import RunTables
 from raceway.theory import capacitance
-from raceway.theory.bearing import INNER, OUTER
 
-SIDES = {INNER: "inner", OUTER: "outer"}
 CARRIED = ("load", "pressure", "h_min", "h_c", "lambda", "friction", "sliding", "capacitance")
 FRAMES = 200  # default number of frames
 
@@ -34,13 +32,12 @@ def frames(tables: RunTables, every: int | None = None) -> Iterator[Frame]:
     """Yield every `every`th sample of the run `tables` as a `Frame`, in bounded memory; None: so
     many that at most `FRAMES` are left.
 
-    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the larger of a ball's
-    two), for each column of `CARRIED` that the run has its value on either raceway (`load_inner`
-    ...), and capacitance (both in series). Where there is no contact: 0 for what vanishes with it,
-    NaN for what it does not have. Raises `RunError` when a file is broken, and for rings of two
-    grooves.
+    `data` has id, type (1 ball, 2 cage ball), radius, velocity, spin, load (the largest of a
+    ball's), for each column of `CARRIED` that the run has its value on either raceway (`load_inner`
+    ..., or `load_inner_0` ... of rings with two grooves), and capacitance (both in series). Where
+    there is no contact: 0 for what vanishes with it, NaN for what it does not have. Raises
+    `RunError` when a file is broken.
     """
-    tables.need_one_groove("an export of balls")
     if every is None:
         every = max(1, -(-(tables.last - tables.first) // FRAMES))
     turned = before = 0.0
@@ -73,15 +70,17 @@ def _frame(tables, sample, atoms, contacts, ring, turned):
         ),
     }
     data["velocity"], data["spin"] = _vectors(atoms, "v"), _vectors(atoms, "omega")
+    contacts_of = tables.by_raceway(contacts)
     for name in CARRIED:
-        for side, word in SIDES.items() if name in contacts else ():
-            rows = contacts[contacts["raceway"] == side]
+        for word, rows in contacts_of.items() if name in contacts else ():
+            rows = contacts[rows]
             values = np.full(len(ids), CONTACT[name].absent)
             values[np.searchsorted(ids, rows["ball"])] = rows[name]
             data[f"{name}_{word}"] = values
-    data["load"] = np.maximum(data["load_inner"], data["load_outer"])
-    if "capacitance_inner" in data:
-        data["capacitance"] = capacitance.ball(data["capacitance_inner"], data["capacitance_outer"])
+    data["load"] = np.max([data[f"load_{word}"] for word in contacts_of], axis=0)
+    if "capacitance" in contacts:
+        each = np.array([data[f"capacitance_{word}"] for word in contacts_of])
+        data["capacitance"] = capacitance.ball(*each.reshape(2, -1, len(ids)).sum(1))
     return Frame(
         sample, sample * tables.settings["sample_s"], _vectors(atoms, ""), data, ring, turned
     )

@@ -24,9 +24,7 @@ FEW = 1e-2  # fraction of the radial force: a smaller axial force is ripple
 def friction(tables: RunTables) -> dict[str, Any]:
     """Means over the window, SI units; None where the run has no value.
 
-    - `friction_torque_N_m`: power loss over the inner ring's speed, as in statics. Without
-      losses, the mean moment of the balls against its spin, uncertain by some 1e-5 N m at a
-      tolerance of 1 nm
+    - `friction_torque_N_m`: power loss over the inner ring's speed, as in statics
     - `power_loss_W`, `losses_W`: power lost in all contacts, and by kind of loss
       (`columns.LOSSES`)
     - `asperity_share`: share of the load on asperities, at the largest inner load
@@ -45,8 +43,6 @@ def friction(tables: RunTables) -> dict[str, Any]:
     spin = float(rings["spin"].mean()) if "spin" in rings else 0.0
     if known and spin:
         result["friction_torque_N_m"] = result["power_loss_W"] / abs(spin)
-    elif spin and "mz" in rings:
-        result["friction_torque_N_m"] = -float(rings["mz"].mean()) * math.copysign(1.0, spin)
     if "asperity_share_top" in totals:
         top = totals["load_inner"].idxmax()
         result["asperity_share"] = float(totals["asperity_share_top"].loc[top])

@@ -45,7 +45,7 @@ def losses_around(run: Run, bins: int = BINS) -> xr.Dataset:
     """Dataset (raceway, from_load_line): mean power loss of a contact (W) in each sector of the
     ring, for each loss column of the contacts (`friction_power`, `damping_power`, ...), and
     `contacts`, their number. Reads in blocks. Raises as `losses` does."""
-    names = _known(run.settings["contact_columns"].split(), run)
+    names = _known(run.tables.record.contact_columns, run)
     result = around(run, {name: lambda table, name=name: table[name] for name in names}, bins)
     for name in names:
         result[name].attrs["units"] = "W"

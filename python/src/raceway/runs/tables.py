@@ -139,12 +139,13 @@ class RunTables:
         for part in self.record.blocks(self.first, self.last):
             yield READERS[name](self.record, *part)
 
-    def need_one_groove(self, what: str) -> None:
-        """Raise `RunError` for rings with two grooves for a ball."""
+    def by_raceway(self, contacts: pd.DataFrame) -> dict[str, np.ndarray]:
+        """{"inner": which rows of `contacts`, "outer": ...}; with two grooves for a ball
+        "inner_0", "inner_1", "outer_0", "outer_1"."""
+        place = contacts["raceway"].to_numpy(int)
         if self.record.two_grooves:
-            raise RunError(
-                f"{self.folder} has rings of two grooves for a ball; {what} needs rings of one"
-            )
+            place = 2 * place + contacts["groove"].to_numpy(int)
+        return {name.replace(" ", "_"): place == k for k, name in enumerate(self.record.raceways)}
 
     def passes(self, sample: ArrayLike) -> Numbers:
         """Time of a sample (number or array) in ball passes since the start of the measured

@@ -6,8 +6,9 @@ the overlap of an unloaded ball and one per cent of a film, so they serve only f
 neighbour searches. Double-precision values come with every frame, in `trajectory.ts.data`:
 
 - `position`, `velocity` (m, m/s), `spin` (rad/s): (atoms, 3)
-- every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...
-  (SI): (atoms,), with 0 or NaN where an atom has no such contact, as in `Run.contacts`
+- every column of the contacts for the inner and the outer raceway, `load_inner`, `h_min_outer` ...,
+  with two grooves a ring `load_inner_0` ... (SI): (atoms,), with 0 or NaN where an atom has no such
+  contact, as in `Run.contacts`
 - `step`, `time` (s), `sample`
 
 Lengths are metres and times seconds, whatever MDAnalysis calls them; there is no box, and positions
@@ -126,18 +127,15 @@ class RunReader(ReaderBase):
         }
         contacts = record_tables.contacts(record, first + start, first + stop)
         frame = contacts["sample"].to_numpy() - first - start
-        atom, raceway = (
-            np.searchsorted(self.ids, contacts["ball"]),
-            contacts["raceway"].to_numpy(int),
-        )
-        sides = [(word, raceway == side) for side, word in enumerate(("inner", "outer"))]
-        places = {word: (frame[there], atom[there]) for word, there in sides}
+        atom = np.searchsorted(self.ids, contacts["ball"])
+        sides = self._tables.by_raceway(contacts)
+        places = {word: (frame[there], atom[there]) for word, there in sides.items()}
         for name in contacts:
-            if name in ("ball", "raceway", "sample"):
+            if name in ("ball", "raceway", "groove", "sample"):
                 continue
             column = contacts[name].to_numpy()
             absent = CONTACT[name].absent if name in CONTACT else np.nan
-            for word, there in sides:
+            for word, there in sides.items():
                 values = np.full((stop - start, self.n_atoms), absent)
                 values[places[word]] = column[there]
                 self._atoms[f"{name}_{word}"] = values
@@ -148,10 +146,9 @@ def universe(tables: RunTables) -> MDAnalysis.Universe:
     """MDAnalysis `Universe` of the run `tables`: atoms named ball, cage, inner, outer, with their
     host's ids and types.
 
-    The trajectory is a `RunReader`. Raises `RunError` when a file is broken, when MDAnalysis is not
-    installed, and for rings of two grooves.
+    The trajectory is a `RunReader`. Raises `RunError` when a file is broken or MDAnalysis is not
+    installed.
     """
-    tables.need_one_groove("an MDAnalysis universe")
     reader = RunReader(str(tables.folder), tables.first, tables.stop, tables.record.bearing)
     result = MDAnalysis.Universe.empty(reader.n_atoms)
     result.add_TopologyAttr("names", [NAMES.get(kind, str(kind)) for kind in reader.types])

@@ -91,7 +91,12 @@ def over_time(run: Run, filling: Filling | None = None, density: float = 7800.0)
     rings of two grooves, or with an axis other than z.
     """
     need_film(run, "capacitance")
-    run.tables.need_one_groove("the whole capacitance")
+    if run.tables.record.two_grooves:
+        raise RunError(
+            f"{run.tables.folder} has rings of two grooves for a ball; the whole capacitance is"
+            " computed from the gap to one. Fix bearing/capacitance has that of both: columns"
+            " capacitance_total, threshold_voltage, leak, impedance"
+        )
     contacts, gaps = _aligned(run)
     recorded = filling is None and set(RECORDED.values()) <= set(contacts)
     filling = filling_of(run) if filling is None else filling

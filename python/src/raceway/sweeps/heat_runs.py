@@ -91,7 +91,7 @@ def _variables(case, temperature, clearance, more):
         "rpm": f"{case.rpm:.10g}",
         "clearance": f"{clearance:.4e}",
         "temperature": f"{temperature:.2f}",
-        "models": "full",
+        "models": case.models,
         **({} if case.spin_law == "closed" else {"spin_law": case.spin_law}),
         **({} if angle is None else {"four_point": f"{math.degrees(angle):.9g}"}),
         **more,

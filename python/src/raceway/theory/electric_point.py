@@ -98,7 +98,8 @@ def solve(
         raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
     if not rpm:
         raise ValueError("rpm = 0: balls that do not turn have no film")
-    body, oil = inputs.bearing(path, one_groove=True), inputs.oil(oil_path, temperature)
+    why = "statics has the gap around a contact for one groove a ring, runs for two (surroundings)"
+    body, oil = inputs.bearing(path, one_groove=why), inputs.oil(oil_path, temperature)
     fluid = inputs.fluid(oil_path, temperature)
     spin = rpm * math.pi / 30
     density = inputs.ball_density(path)

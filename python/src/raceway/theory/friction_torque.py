@@ -4,21 +4,23 @@ roll freely, by part, over the speed of the ring.
 
 rolling     hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and
             starvation (`rolling`)
-slip        differential slip in free rolling: Eyring's stress with its limit in the film's share of
-            the load, Coulomb's with the boundary coefficient in the asperities' (`sliding`)
+slip        differential slip in free rolling under Coulomb's law: the film has a constant
+            coefficient or that of Eyring's stress with its limit (`traction`), asperities carry
+            their share of the load with the boundary coefficient (`sliding`)
 spin        about the contact normals, where the moments of both raceways balance (`spin`): in
             closed form, as in a run, or, with `spin_law` "slices", together with slip
 hysteresis  of the steel (`rolling`)
 drag        of the balls in oil and air (`drag`)
 
-A ball with more than two contacts cannot roll on all of them (`ball_motion`).
+A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball on the outer
+ring alone loses rotation to rolling resistance and slides (`skidding`).
 """
 
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq, root
+from scipy.optimize import root
 
 from raceway.arrays import Floats
 from raceway.core import laws
@@ -28,9 +30,9 @@ from raceway.theory import (
     drag,
     film_factors,
     hertz,
-    lubricant,
     makers,
     rolling,
+    skidding,
     sliding,
     spin,
     traction,
@@ -49,7 +51,7 @@ class Surfaces:
     """Parameters of the laws other than geometry, loads and oil."""
 
     boundary: float = 0.12  # mu_b, running (SKF)
-    film: float | None = None  # mu of the film; None: Eyring's stress with its limit
+    film: float | None = 0.05  # mu of the film; None: that of Eyring's stress with its limit
     loss: float = 0.01  # alpha of hysteresis, 0.005 to 0.05
     oil_share: float = 0.1  # oil fraction of the space around the balls
     starvation: float = 1.0  # factor on the hydrodynamic couple
@@ -65,7 +67,7 @@ class Losses(NamedTuple):
     hysteresis: Floats
     drag: Floats
     asperity_share: Floats  # L_a
-    friction: Floats  # mu that Coulomb's law would need for this slip
+    friction: Floats  # mu
 
     @property
     def parts(self) -> dict[str, float]:
@@ -115,17 +117,25 @@ def losses(
     surfaces = surfaces or Surfaces()
     contacts = _by_groove(state.inner) + _by_groove(state.outer)
     wet = _by_groove(films.inner) + _by_groove(films.outer)
+    loaded = np.array([one.load > 0 for one in contacts])
+    inner = bearing.raceways.count(INNER)
+    speed = orbit * bearing.pitch_radius
+    alone = skidding.unloaded(
+        loaded[:inner].any(0),
+        state.azimuth,
+        bearing.row,
+        float(np.mean(orbit)),
+        bearing.pitch_radius,
+    )
     rows = [
-        _one(bearing, side, contact, film, fluid, clearance, surfaces)
+        _one(bearing, side, contact, film, fluid, clearance, surfaces, alone)
         for side, contact, film in zip(bearing.raceways, contacts, wet)
     ]
     rolled, slid, hysteresis, share, friction = (np.array(part) for part in zip(*rows))
-    speed = orbit * bearing.pitch_radius
     against = drag.force(
         bearing.ball_radius, speed, fluid.viscosity, fluid.density, surfaces.oil_share
     )
-    turned, loaded = np.zeros(slid.shape), np.array([one.load > 0 for one in contacts])
-    inner = bearing.raceways.count(INNER)
+    turned = np.zeros(slid.shape)
     held = loaded[:inner].any(0) & loaded[inner:].any(0)
     two = held & (loaded.sum(0) == 2)
     tilted = np.any(held & (np.abs([one.angle for one in contacts]) > 1e-6))
@@ -196,11 +206,12 @@ def _sheared(pressed, along, rate, fluid, surfaces):
 
 
 def surfaces(
-    size: tuple[float, float] | None, fluid: Fluid, ring: float, film: float | None = None
+    size: tuple[float, float] | None, fluid: Fluid, ring: float, models: str = "full"
 ) -> Surfaces:
-    """`Surfaces` with the coefficient `film` and SKF's starvation factor of a bearing with an oil
-    bath or jet, the inner ring at `ring` rad/s; none without its `size`, bore and outside diameter
-    in m."""
+    """`Surfaces` of the `models` of a run, full or eyring, with SKF's starvation factor of a
+    bearing with an oil bath or jet, the inner ring at `ring` rad/s; none without its `size`, bore
+    and outside diameter in m."""
+    film = None if models == "eyring" else Surfaces.film
     if size is None:
         return Surfaces(film=film)
     bore, outside = (1e3 * one for one in size)
@@ -209,49 +220,61 @@ def surfaces(
     return Surfaces(film=film, starvation=float(starved))
 
 
-def _one(bearing, side, contact, film, fluid, clearance, surfaces):
+def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
+    """`Losses` of a groove but spin and drag, (5, Z)."""
     live = contact.load > 0
     values = np.zeros((5, len(live)))
     load, a, b = contact.load[live], contact.a[live], contact.b[live]
     speed, turns, h_c = film.entrainment[live], film.rolling[live], film.h_c[live]
     r_x, r_y = bearing.effective_radii(side, contact.angle[live], clearance)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
-    force = rolling.hydrodynamic(fluid.viscosity, bearing.effective_modulus, r_x, r_y, speed, load)
-    loading = film_factors.thermal_loading(
-        fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
-    )
-    factor = film_factors.murch_wilson(loading) * surfaces.starvation
+
+    def resistance(speed):
+        loading = film_factors.thermal_loading(
+            fluid.temperature_viscosity, fluid.viscosity, speed, fluid.conductivity
+        )
+        factor = film_factors.murch_wilson(loading) * surfaces.starvation
+        oil, modulus = fluid.viscosity, bearing.effective_modulus
+        return 2 * factor * rolling.hydrodynamic(oil, modulus, r_x, r_y, speed, load)
+
     share = asperity.zhou_hoeprich(film.ratio[live])
-    unit = sliding.free_power(load, 1.0, speed, a, r_d, r_x)
-    if surfaces.film is None:
-        each = zip(load, speed, h_c, a, b, np.broadcast_to(r_x, load.shape))
-        smooth = [_film_slip(fluid, *one, r_d) for one in each]
-    else:
-        smooth = surfaces.film * unit
-    slid = traction.mixed(share, surfaces.boundary * unit, np.array(smooth))
+    smooth = surfaces.film
+    if smooth is None:
+        smooth = traction.coefficient(
+            fluid.viscosity,
+            fluid.pressure_viscosity,
+            1.5 * load / (np.pi * a * b),
+            sliding.FREE_SPEED * sliding.edge_slip(speed, a, r_d, r_x) / h_c,
+            fluid.eyring_stress,
+            fluid.limiting_traction,
+        )
+    friction = traction.mixed(share, surfaces.boundary, smooth)
+    rolled = resistance(speed) * turns
+    slid = sliding.free_power(load, friction, speed, a, r_d, r_x)
+    part = np.ones(load.shape)  # of the rotation of rolling
+    past, since, until, frequency = (one[live] for one in alone)
+    if np.any((past > 0) & (rolled > friction * load * past)):
+        flat = np.cos(contact.angle[live]) * bearing.pitch_radius
+
+        def slowed(part):
+            return resistance(speed - past * (1 - part) / 2)
+
+        def slowing(part):
+            return slowed(part) * r_x / (bearing.ball_radius * load) - friction
+
+        rate = past / (0.4 * flat)
+        part, at_last = (skidding.rotation(slowing, rate, time) for time in (since, until))
+        rolled = slowed(part) * turns * part
+        slid = np.where(part < 1, friction * load * past * (1 - part), slid)
+        slid += 0.2 * load * flat * (1 - at_last) ** 2 * frequency  # spun up again
     values[:, live] = (
-        2 * force * turns * factor,
+        rolled,
         slid,
-        rolling.hysteresis(load, b, surfaces.loss) * turns / r_x,
+        part * rolling.hysteresis(load, b, surfaces.loss) * turns / r_x,
         share,
-        slid / unit,
+        friction,
     )
     return values
-
-
-def _film_slip(fluid, load, speed, h_c, a, b, r_x, r_d):
-    """Power in W of differential slip under Eyring's stress with its limit, without a force."""
-
-    def law(pressure, slid):
-        eta = lubricant.roelands(fluid.viscosity, fluid.pressure_viscosity, pressure)
-        limit = fluid.limiting_traction * pressure
-        return traction.eyring(eta, slid, h_c, fluid.eyring_stress, limit)
-
-    def of(slip):
-        return sliding.quadrature(law, slip, load, speed, a, b, r_d, r_x, 60)
-
-    edge = sliding.edge_slip(speed, a, r_d, r_x)
-    return of(brentq(lambda slip: of(slip).force, 0.0, edge, xtol=1e-4 * edge)).power
 
 
 def _spin_rates(bearing, angle, ring, orbit):

@@ -10,7 +10,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from scipy.optimize import brentq
 
+from raceway import core
 from raceway.arrays import Floats, Numbers
+from raceway.core import laws
 from raceway.theory.capacitance import VACUUM
 from raceway.theory.capacitors import BearingCapacitors
 
@@ -28,21 +30,9 @@ def impedance(
 ) -> complex | np.ndarray:
     """Z in ohm, complex, of C (F) in parallel with R (ohm; infinite by default) at a frequency.
     Raises `ValueError` for a frequency that is not positive."""
-    frequency = np.asarray(frequency, float)
-    if not np.all(frequency > 0):
-        raise ValueError(f"frequency = {frequency} Hz must be positive")
-    omega = 2 * np.pi * frequency
-    return (1 / (1 / np.asarray(resistance, float) + 1j * omega * capacitance))[()]
-
-
-def in_series(*impedances: complex | np.ndarray) -> complex | np.ndarray:
-    """Sum of impedances in ohm."""
-    return sum(impedances[1:], impedances[0])
-
-
-def in_parallel(impedances: np.ndarray) -> complex | np.ndarray:
-    """1/sum(1/Z) over the last axis, ohm."""
-    return 1 / np.sum(1 / np.asarray(impedances), axis=-1)
+    _positive(frequency)
+    found = laws.film_impedance(capacitance, 1 / np.asarray(resistance, float), frequency)
+    return (found.real + 1j * found.imaginary)[()]
 
 
 def of_bearing(
@@ -63,27 +53,21 @@ def of_films(
     resistivity: float = np.inf,
 ) -> complex | np.ndarray:
     """The same from `capacitances` (F) and `paths` (m) of the inner and of the outer films, arrays
-    (..., Z); the frequency is of the shape of the rest."""
-    frequency = np.asarray(frequency, float)[..., None]
-    films = []
-    for total, path in zip(capacitances, paths):
-        with np.errstate(divide="ignore"):  # a dry rigid gap leaks nothing
-            resistance = leak(resistivity, path)
-        films.append(impedance(total, frequency, resistance))
-    return in_parallel(in_series(*films))
+    (..., Z); the frequency is of the shape of the rest. Raises as `impedance`."""
+    _positive(frequency)
+    return 1 / _admittance(capacitances, paths, resistivity, frequency)
 
 
 def leak_of_films(paths: Sequence[Floats], resistivity: float) -> Numbers:
     """R in ohm of a bearing at direct current, `paths` (m) of its inner and outer films (..., Z).
     Infinite where nothing leaks."""
     with np.errstate(divide="ignore"):
-        ball = 1 / sum(1 / np.asarray(path, float) for path in paths)
-        return (resistivity / ball.sum(axis=-1))[()]
+        return 1 / _admittance(np.zeros_like(paths), paths, resistivity, 0.0).real
 
 
 def capacitance_of(impedance: complex | np.ndarray, frequency: Numbers) -> Numbers:
     """C in F of a measured Z (ohm, complex): -sin(phi)/(omega |Z|), phi = arg Z."""
-    return (-np.imag(impedance) / (2 * np.pi * frequency * np.abs(impedance) ** 2))[()]
+    return laws.capacitance_of_impedance(np.real(impedance), np.imag(impedance), frequency)[()]
 
 
 def resistance_of(impedance: complex | np.ndarray) -> Numbers:
@@ -93,8 +77,35 @@ def resistance_of(impedance: complex | np.ndarray) -> Numbers:
     >>> print(f"{capacitance_of(z, 1e4):.3e} F, {resistance_of(z):.3e} ohm")
     2.000e-10 F, 5.000e+05 ohm
     """
-    with np.errstate(divide="ignore"):
-        return (np.abs(impedance) ** 2 / np.asarray(np.real(impedance), float))[()]
+    return laws.resistance_of_impedance(np.real(impedance), np.imag(impedance))[()]
+
+
+def _positive(frequency):
+    frequency = np.asarray(frequency, float)
+    if not np.all(frequency > 0):
+        raise ValueError(f"frequency = {frequency} Hz must be positive")
+
+
+def _admittance(capacitances, paths, resistivity, frequency):
+    """S of the balls in parallel from F and m of inner and outer films (..., Z), and Hz."""
+    capacitance, conductance, frequency = np.broadcast_arrays(
+        np.stack(capacitances, axis=-2),
+        np.stack(paths, axis=-2) / resistivity,
+        np.asarray(frequency, float)[..., None, None],
+    )
+    *shape, _, balls = capacitance.shape
+    real, imaginary = np.empty(shape), np.empty(shape)
+    core.library().call(
+        "bearing_admittances",
+        points=real.size,
+        balls=balls,
+        frequency=frequency[..., 0, 0],
+        capacitance=capacitance,
+        conductance=conductance,
+        real=real,
+        imaginary=imaginary,
+    )
+    return (real + 1j * imaginary)[()]
 
 
 def plates_thickness(capacitance: Numbers, area: Numbers, permittivity: Numbers) -> Numbers:

@@ -33,7 +33,7 @@ from raceway.theory.static import FREEDOMS
 
 __all__ = ("MODELS", "figures", "table")
 
-MODELS = ("paper", "full")
+MODELS = ("paper", "full", "eyring")  # words of a deck's -var models
 SUPPORT = ("support_x_N", "support_y_N", "support_z_N", "support_rx_N_m", "support_ry_N_m")
 
 
@@ -57,7 +57,6 @@ def figures(
     cleanliness: str = "normal",
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
-    film_friction: float | None = None,
 ) -> dict[str, Any]:
     """Figures by name in SI units, text, numbers or None; `balls` is a list of one mapping a ball.
 
@@ -65,12 +64,11 @@ def figures(
     (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
     inner ring and the load along x. What is not `held` is free. `models` is one of `MODELS`: "full"
     has the film in the gap, inlet shear and the friction torque, with the `spin_law` of
-    `friction_torque.losses`. `temperature` of the lubricant is in degrees C, its file's unless
-    given. `cleanliness` is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a
-    four-point contact bearing with that angle, as its file may, too. Each of `balls` then has a
-    list of `contacts`. `double_row` gives it two rows, whose `balls` follow one another.
-    `film_friction` is the film's coefficient of friction, instead of Eyring's stress; 0.05 in a
-    run's models "full".
+    `friction_torque.losses`; "eyring" has Eyring's stress with its limit in the film as well.
+    `temperature` of the lubricant is in degrees C, its file's unless given. `cleanliness` is a word
+    of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point contact bearing with
+    that angle, as its file may, too. Each of `balls` then has a list of `contacts`. `double_row`
+    gives it two rows, whose `balls` follow one another.
 
     As in a deck, the ring is held along z where there is no axial load (`inputs.held`).
 
@@ -87,7 +85,7 @@ def figures(
     density = inputs.ball_density(path) if density is None else density
     stated = inputs.four_point_angle(path)
     four_point = stated if four_point is None else four_point
-    film = FilmInGap(fluid, spin) if models == "full" and oil is not None and spin else None
+    film = FilmInGap(fluid, spin) if models != "paper" and oil is not None and spin else None
     state, orbits = turning(
         body,
         spin,
@@ -161,11 +159,11 @@ def figures(
             body,
             state,
             films,
-            _complete(fluid),
+            _complete(fluid, models),
             spin,
             orbits,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(inputs.size(path), fluid, spin, film_friction),
+            surfaces=friction_torque.surfaces(inputs.size(path), fluid, spin, models),
             spin_law=spin_law,
         )
         inner = lost.asperity_share[: body.raceways.count(INNER)]
@@ -236,10 +234,13 @@ def _oil(lubricant, folder, temperature):
     return inputs.oil(path, temperature), inputs.fluid(path, temperature)
 
 
-def _complete(fluid):
-    if missing := [name for name, value in fluid._asdict().items() if math.isnan(value)]:
+def _complete(fluid, models):
+    known = fluid._asdict()
+    if models == "full":
+        del known["eyring_stress"], known["limiting_traction"]
+    if missing := [name for name, value in known.items() if math.isnan(value)]:
         raise inputs.InputError(
-            f"models full need {', '.join(missing)} of the lubricant, and its file has none"
+            f"models {models} need {', '.join(missing)} of the lubricant, and its file has none"
         )
     return fluid
 

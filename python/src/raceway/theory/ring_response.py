@@ -28,6 +28,7 @@ LAWS = {
     "paper": "steel and squeeze film, eqs 4 and 5",
     "full": "steel, eq 4, and film branch",
 }
+LAWS["eyring"] = LAWS["full"]
 
 
 class Dampers(NamedTuple):

@@ -5,11 +5,8 @@ Both are couples about the axis of the relative rolling velocity w, against it, 
 on ball and ring. Numbers or arrays of one shape, SI units; fully flooded and isothermal.
 """
 
-import numpy as np
-
 from raceway.arrays import Numbers
 from raceway.core import laws
-from raceway.theory import hertz
 
 
 def hydrodynamic(
@@ -19,36 +16,13 @@ def hydrodynamic(
     r_y: Numbers,
     speed: Numbers,
     load: Numbers,
-    limit: bool = False,
 ) -> Numbers:
-    """f in N (Biboulet and Houpert 2010, part 2, eq 32); the contact loses 2 f u.
+    """f in N (Biboulet and Houpert 2010, part 2, eq 32, as powers of U = eta u/(E' R_x), W and
+    R_y/R_x by Balan et al. 2015, within 0.6 % on a ball bearing); the contact loses 2 f u.
 
     eta in Pa s, E' in Pa, R_x and R_y in m, u in m/s, Q in N. Valid for kappa up to 60 and p_max
-    from 0.06 to 4 GPa. `limit` gives the elastic limit M -> infinity (eq 33). Zero at rest and
-    without load.
+    from 0.06 to 4 GPa. Zero at rest and without load.
     """
-    ellipse = hertz.exact(r_x, r_y)
-    a, _ = hertz.semi_axes(ellipse, modulus, load)
-    unit = modulus * r_x**2
-    double = 2 * viscosity * np.abs(speed) / (modulus * r_x)
-    beta = 4 / np.pi * ellipse.second / (1 + r_x / r_y)
-    elastic = 1.8 * beta**-0.25
-    rigid = 0.77 * beta ** (-1 / 3) * ellipse.kappa**-0.12 * _power(double, -1 / 12)
-    mean = beta**0.25 * load / unit * _power(double, -0.75) / ellipse.kappa
-    both = elastic if limit else (rigid - elastic) / (1 + mean / 6.6) + elastic
-    return unit * 2 * a / r_x * both * double**0.75
-
-
-def hydrodynamic_powers(
-    viscosity: Numbers,
-    modulus: float,
-    r_x: Numbers,
-    r_y: Numbers,
-    speed: Numbers,
-    load: Numbers,
-) -> Numbers:
-    """f as `hydrodynamic`, in powers of U = eta u/(E' R_x), W and R_y/R_x (Balan et al. 2015): the
-    same within 0.6 % on a ball bearing."""
     return laws.rolling_force(viscosity, modulus, r_x, r_y, speed, load)
 
 
@@ -70,9 +44,3 @@ def hysteresis_strips(load: Numbers, b: Numbers, loss: float = 0.01) -> Numbers:
     """3/16 alpha Q b in N m: the line contact's couple taken strip by strip over the ellipse, 12 %
     less than `hysteresis`."""
     return 3 / 16 * loss * load * b
-
-
-def _power(value, exponent):
-    """value**exponent for negative exponents, infinite only as a limit: 0 stands for the smallest
-    number, so that products with positive powers of it vanish."""
-    return np.maximum(value, 1e-60) ** exponent

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Differential slip of a ball in its groove (Heathcote): force along rolling and couple about the
-axis of rolling, with Coulomb's law in closed form, with any law by quadrature.
+axis of rolling, with Coulomb's law in closed form.
 
 Across the groove the sliding speed is s(z) = (u/R_x) (y0 - z^2/(2 R_d)); z = 0 has the slip
 `slip` (s bar), and a contact with t0 = sqrt(slip/s_e) in [0, 1] has no slip at z = a t0. s is ball
 minus ring along the ball's surface motion past the contact. Numbers or arrays of one shape, SI.
 """
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -112,33 +111,6 @@ def in_series(
     tau = secant / spring
     gone = -np.expm1(-step / tau)
     return force + (secant * distance - force) * gone, spring * tau * gone
-
-
-def quadrature(
-    law: Callable[[Numbers, Numbers], Numbers],
-    slip: float,
-    load: float,
-    speed: float,
-    a: float,
-    b: float,
-    r_d: float,
-    r_x: float,
-    points: int = 400,
-) -> Slip:
-    """`Slip` of one contact for any traction law tau(pressure in Pa, |s| in m/s) in Pa, by
-    midpoints: `points` across the groove, a quarter as many along rolling."""
-    z = (np.arange(points) + 0.5) / points  # of a
-    many = points // 4
-    angle = (np.arange(many) + 0.5) * np.pi / many
-    half = b * np.sqrt(1 - z**2)
-    x = np.cos(angle) / np.ones((points, 1))  # of the strip's half-length
-    width = half[:, None] * np.sin(angle) * np.pi / many
-    peak = 1.5 * load / (np.pi * a * b)
-    pressure = peak * np.sqrt(1 - z[:, None] ** 2) * np.sqrt(1 - x**2)
-    s = slip - edge_slip(speed, a, r_d, r_x) * z**2
-    strip = np.sign(s) * (law(pressure, np.abs(s)[:, None]) * width).sum(1) * 2 * a / points
-    lever = (z * a) ** 2 / (2 * r_d)
-    return Slip(strip.sum(), (strip * lever).sum(), (strip * s).sum())
 
 
 def _off(slip, speed, a, r_d, r_x):

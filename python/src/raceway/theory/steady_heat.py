@@ -98,17 +98,17 @@ class Scene:
         rpm: float,
         density: float = 7800.0,
         spin_law: str = "closed",
-        film_friction: float | None = None,
+        models: str = "full",
         held: Mapping[str, float] = STRAIGHT,
         size: tuple[float, float] | None = None,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
-        `film_friction` are those of `operating_point.figures`, `held` that of
+        `models` are those of `operating_point.figures`, `held` that of
         `static.equilibrium`, `size` that of `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
-        self.spin_law, self.film_friction, self.held = spin_law, film_friction, held
+        self.spin_law, self.models, self.held = spin_law, models, held
         self.size = size
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
@@ -139,7 +139,7 @@ class Scene:
             ring,
             orbit,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(self.size, fluid, ring, self.film_friction),
+            surfaces=friction_torque.surfaces(self.size, fluid, ring, self.models),
             spin_law=self.spin_law,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
@@ -230,7 +230,7 @@ class Case:
     four_point: float | None = None  # these two as in `inputs.bearing`
     double_row: DoubleRow | None = None
     spin_law: str = "closed"  # these two as in `operating_point.figures`
-    film_friction: float | None = None
+    models: str = "full"
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
@@ -258,7 +258,7 @@ class Case:
             self.rpm,
             inputs.ball_density(path),
             self.spin_law,
-            self.film_friction,
+            self.models,
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
             inputs.size(path),
         )

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Rotation of balls that only the outer ring touches. Rolling resistance slows them from the moment
+they leave the loaded zone, traction is at most mu Q, and the ring spins them up again when they
+come back (docs/tribology, Friction torque)."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats
+
+STEPS = 100
+MEMORY = 100.0  # over the rate of `rotation`: longer than balls remember
+
+
+class Unloaded(NamedTuple):
+    """Balls of all rows, (Z,); zero for those with load."""
+
+    speed: Floats  # m/s, of the centre
+    since: Floats  # s, since the ball lost its load
+    until: Floats  # s, without load, of the ball next to regain it; 0 for others
+    frequency: Floats  # 1/s, of balls that regain it at this place
+
+
+def unloaded(
+    loaded: np.ndarray, azimuth: Floats, row: np.ndarray, orbit: float, pitch: float
+) -> Unloaded:
+    """`Unloaded` of balls, `loaded` (Z,) or not, at `azimuth` (rad) in the rows with the numbers
+    `row`, that move at `orbit` rad/s on the `pitch` radius (m). The loaded zone ends midway between
+    balls. In a row without load, balls lost theirs for ever."""
+    found = Unloaded(*np.zeros((4, len(loaded))))
+    found.speed[~loaded] = abs(orbit) * pitch
+    for one in np.unique(row):
+        (balls,) = np.nonzero(row == one)
+        balls = balls[
+            np.argsort(-np.sign(orbit) * azimuth[balls])
+        ]  # each followed by the one behind
+        step, held = 2 * np.pi / len(balls) / abs(orbit), loaded[balls]
+        if not held.any():
+            found.since[balls] = np.inf
+            continue
+        for place in np.flatnonzero(~held):
+            behind = int(np.argmax(np.roll(held, -place)))
+            found.since[balls[place]] = (behind - 0.5) * step
+            if held[place - 1]:
+                found.until[balls[place]] = behind * step
+                found.frequency[balls[place]] = 1 / step
+    return found
+
+
+def rotation(slowing: Callable[[Floats], Floats], rate: Floats, time: Floats) -> Floats:
+    """Rotation x of balls over that of rolling, (n,), `time` (s) after x = 1, by Heun's method:
+    dx/dt = -`rate` (1/s) `slowing`(x), the resistance less the traction, both over the load.
+    Traction holds a ball that rolls if it can. After an infinite time the steady rotation."""
+
+    def change(x):
+        excess = slowing(x)
+        return -rate * np.where((x < 1) | (excess > 0), excess, 0.0)
+
+    x, step = np.ones(np.shape(time)), np.minimum(time, MEMORY / np.maximum(rate, 1e-300)) / STEPS
+    for _ in range(STEPS):
+        first = change(x)
+        ahead = np.clip(x + step * first, 0, 1)
+        x = np.clip(x + step * (first + change(ahead)) / 2, 0, 1)
+    return x
