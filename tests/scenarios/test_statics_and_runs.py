@@ -12,11 +12,13 @@ import pytest
 import xarray
 from host import ROOT, succeed
 from raceway import inputs
-from raceway.theory import static
+from raceway.theory import friction_torque, static
 from raceway.theory.contact_law import FilmInGap
+from raceway.theory.lubrication import lubricate, turning
 
 BEARINGS = ("6208", "6306", "7205B", "7010AC")
 FLUID = inputs.fluid(ROOT / "inputs/lubricants/vg46")
+OIL = inputs.oil(ROOT / "inputs/lubricants/vg46")
 
 
 def scenes(seed=29):
@@ -77,3 +79,24 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
     seat = inputs.held(path, 0.0)["z"]  # where a run counts z from
     place = [float(last["ring_x"]), float(last["ring_z"]) + seat]
     np.testing.assert_allclose(place, rest.shift[[0, 2]], rtol=0.01, atol=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("name", "load", "axial", "rpm"),
+    [("6208", 4304, 4087, 376), ("6210", 1671, 1067, 2800), ("7205B", 0.1, 300, 8000)],
+)
+def test_torque(tmp_path, name, load, axial, rpm):
+    """The friction torque of settled runs with the models full within 1 %, with spin, and with the
+    starvation of a bearing whose file has its diameters but no series."""
+    words = dict(bearing=name, load=load, axial=axial, rpm=rpm, models="full", lubricant="vg46")
+    succeed("inputs/in.6208", out=tmp_path, settle=60, passes=1, samples=20, **words)
+    with xarray.open_dataset(tmp_path / "record.nc") as data:
+        run = -float(data["ring_torque"].isel(ring=0).mean())
+    path, ring = ROOT / "inputs/bearings" / name, rpm * np.pi / 30
+    body, film = inputs.bearing(path), FilmInGap(FLUID, ring)
+    rest, orbit = turning(body, ring, load, axial, finite_shift=True, film=film)
+    films = lubricate(body, rest, OIL, ring, factor=film.factor)
+    starvation = friction_torque.surfaces(inputs.size(path), FLUID, ring).starvation
+    surfaces = friction_torque.Surfaces(film=0.05, starvation=starvation)
+    lost = friction_torque.losses(body, rest, films, FLUID, ring, orbit, surfaces=surfaces)
+    assert abs(run) == pytest.approx(lost.power / ring, rel=0.01)

@@ -177,6 +177,16 @@ def boundary(path: FilePath) -> makers.Boundary | None:
         raise InputError(f"{path}: {error}") from None
 
 
+def size(path: FilePath) -> tuple[float, float] | None:
+    """Bore and outside diameter (m) of a file of inputs/bearings, None where it does not state
+    both. Raises `InputError`."""
+    names = ("bore_diameter", "outside_diameter")
+    if not values(path).keys() >= set(names):
+        return None
+    bore, outside = numbers(path, *names).values()
+    return (bore, outside) if outside > bore else None
+
+
 def ratings(path: FilePath) -> life.Ratings | None:
     """`life.Ratings` of a file of inputs/bearings, None when it does not state both load ratings.
     Raises `InputError` for a rating that is none."""

@@ -100,6 +100,9 @@ FORMULA(SlipLaw, differential_slip, (double off))
 FORMULA(double, slip_root_of_force, (double force)) { return force_root(force); }
 
 // ---- spin
+RECORD(SpinConstants, double width, loss;)
+FORMULA(SpinConstants, spin_constants, ()) { return {spin_width, spin_loss}; }
+
 FORMULA(double, pure_spin_couple, (double limit, double a, double second))
 {
   return pure_spin_couple(limit, a, second);

@@ -31,6 +31,9 @@ RACEWAY_INLINE T spin_couple(const T &limit, double modulus, const T &root, cons
 // The same from a known E.
 inline double pure_spin_couple(double limit, double a, double E) { return 0.375 * limit * a * E; }
 
+// fits: omega a over s_e up to which the couple grows, and the share of slip's couple that is lost
+constexpr double spin_width = 0.78, spin_loss = 1.35;
+
 struct SpinPart : PartBase {
   static constexpr const char *name = "spin", *needs = "differential_slip";
   static constexpr bool couples = true;
@@ -61,13 +64,13 @@ struct SpinPart : PartBase {
     const B width = c.slip_width;    // from part_differential_slip.h, which acts earlier
     const B along = held(c.sliding_t), across = held(c.sliding_w);
     const B slip = 1.9 * square_root(B(along * along + across * across));
-    const B wide = 0.78 * width, speed = magnitude(held(c.spin_n)) * a;
+    const B wide = spin_width * width, speed = magnitude(held(c.spin_n)) * a;
     const B denominator = where(wide > slip, wide, slip);
     const B limit = own.share * c.mu * held(c.normal);
     const B couple = spin_couple(limit, own.modulus, root, k.a, k.b, k.K,
                                  B(p.rolling_radius(c.cos_angle)), p.transverse_radius());
     c.couple_n = B(couple * a / where(speed > denominator, speed, denominator)) * c.spin_n;
-    const B x = own.share * speed / width, rest = 1.0 - 1.35 * x * x;
+    const B x = own.share * speed / width, rest = 1.0 - spin_loss * x * x;
     const B taken = c.slip_couple * (1.0 - where(rest > 0.0, rest, 0.0));
     c.slip_couple = c.slip_couple - taken;
     c.couple_w += B(-taken);

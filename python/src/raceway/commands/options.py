@@ -122,7 +122,7 @@ def spin_law(to: Any) -> None:
         "--spin-law",
         choices=("closed", "slices"),
         default="closed",
-        help="of the friction torque: closed adds pure spin to slip, slices takes both together",
+        help="of the friction torque: closed has fits of spin beside slip, slices both together",
     )
 
 

@@ -7,8 +7,8 @@ rolling     hydrodynamic, 2 f times the rolling speed and the factors of inlet s
 slip        differential slip in free rolling under Coulomb's law: the film has a constant
             coefficient or that of Eyring's stress with its limit (`traction`), asperities carry
             their share of the load with the boundary coefficient (`sliding`)
-spin        about the contact normals, at the raceway that holds the ball less (`spin`); or, with
-            `spin_law` "slices", shared by both, together with slip
+spin        about the contact normals, where the moments of both raceways balance (`spin`): in
+            closed form, as in a run, or, with `spin_law` "slices", together with slip
 hysteresis  of the steel (`rolling`)
 drag        of the balls in oil and air (`drag`)
 
@@ -23,6 +23,7 @@ import numpy as np
 from scipy.optimize import root
 
 from raceway.arrays import Floats
+from raceway.core import laws
 from raceway.theory import (
     asperity,
     ball_motion,
@@ -109,8 +110,8 @@ def losses(
 ) -> Losses:
     """`Losses` of an `Equilibrium` with its `Lubrication` and the `Fluid` of it; inner ring at
     `ring` and balls around it at `orbit` rad/s, one number or (Z,), clearance in m. `spin_law`
-    "closed" adds Coulomb's moment of pure spin to differential slip, "slices" takes both together
-    over the contact ellipse. ValueError for another law."""
+    "closed" has fits of how spin and differential slip lessen one another, "slices" takes both
+    together over the contact ellipse. ValueError for another law."""
     if spin_law not in SPIN_LAWS:
         raise ValueError(f"spin law '{spin_law}' is none of {', '.join(SPIN_LAWS)}")
     surfaces = surfaces or Surfaces()
@@ -145,10 +146,14 @@ def losses(
         pair = pair[:, two]
         both = _Pressed(*(value[pair, balls] for value in pressed))
         rates = _spin_rates(bearing, both.angle, ring, np.broadcast_to(orbit, two.shape)[two])
-        alone = _spins_alone(rates)
+        at, turn = rates
+        alone = at - turn * (at / turn)[::-1]  # of a ball that does not spin at the other raceway
         both = _sheared(both, _free(both), alone, fluid, surfaces)
         if spin_law == "closed":
-            turned[pair, balls] = _spin(both, alone)
+            spins = _closed(both, rates)
+            turned[pair, balls] = spin.closed_moment(both.spin_moment, spins * both.a, _edge(both))
+            turned[pair, balls] *= np.abs(spins)
+            slid[pair, balls] *= spin.closed_slip(spins * both.a, _edge(both))
         else:
             for k, ball in enumerate(balls):
                 place = pair[:, k], ball
@@ -180,6 +185,10 @@ def _pressed(bearing, contacts, films, friction, share, clearance):
     return _Pressed(*(np.array(part) for part in zip(*rows)))
 
 
+def _edge(pressed):
+    return sliding.edge_slip(pressed.speed, pressed.a, pressed.r_d, pressed.r_x)
+
+
 def _free(pressed):
     return sliding.free_slip(pressed.speed, pressed.a, pressed.r_d, pressed.r_x)
 
@@ -197,16 +206,18 @@ def _sheared(pressed, along, rate, fluid, surfaces):
 
 
 def surfaces(
-    boundary: makers.Boundary | None, fluid: Fluid, ring: float, models: str = "full"
+    size: tuple[float, float] | None, fluid: Fluid, ring: float, models: str = "full"
 ) -> Surfaces:
     """`Surfaces` of the `models` of a run, full or eyring, with SKF's starvation factor of a
-    bearing with an oil bath or jet, the inner ring at `ring` rad/s; without its `boundary`
-    dimensions none."""
+    bearing with an oil bath or jet, the inner ring at `ring` rad/s; none without its `size`, bore
+    and outside diameter in m."""
     film = None if models == "eyring" else Surfaces.film
-    if boundary is None:
+    if size is None:
         return Surfaces(film=film)
-    found = makers.skf(boundary, 1.0, 0.0, abs(ring) * 30 / np.pi, fluid.kinematic)
-    return Surfaces(film=film, starvation=float(found.starvation))
+    bore, outside = (1e3 * one for one in size)
+    rpm = abs(ring) * 30 / np.pi
+    starved = laws.skf_starvation(bore, outside, fluid.kinematic, rpm, makers.OIL)
+    return Surfaces(film=film, starvation=float(starved))
 
 
 def _one(bearing, side, contact, film, fluid, clearance, surfaces, alone):
@@ -288,17 +299,20 @@ def _spin_rates(bearing, angle, ring, orbit):
     return at, np.array(rates[1]) - at
 
 
-def _spins_alone(rates):
-    """Spin (2, Z) in rad/s at each raceway of a ball that does not spin at the other."""
+def _closed(both, rates):
+    """Spin (2, Z) in rad/s at both raceways of balls that roll on both, where the moments of the
+    closed law balance."""
     at, turn = rates
-    return at - turn * (at / turn)[::-1]
-
-
-def _spin(both, alone):
-    """Spin power (2, Z): of all rotations of the ball that roll at both raceways, the one that
-    loses least holds it at one raceway and spins at the other."""
-    lost = np.abs(alone) * both.spin_moment
-    return np.where(np.arange(2)[:, None] == np.argmin(lost, 0), lost, 0.0)
+    ends = -at / turn  # without spin at one raceway
+    low, high = ends.min(0), ends.max(0)
+    edge = _edge(both)
+    for _ in range(60):
+        middle = (low + high) / 2
+        spins = at + turn * middle
+        moment = spin.closed_moment(both.spin_moment, spins * both.a, edge)
+        beyond = (turn * np.sign(spins) * moment).sum(0) > 0
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return at + turn * (low + high) / 2
 
 
 def _together(both, rates, ball):

@@ -163,7 +163,7 @@ def figures(
             spin,
             orbits,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(boundary, fluid, spin, models),
+            surfaces=friction_torque.surfaces(inputs.size(path), fluid, spin, models),
             spin_law=spin_law,
         )
         inner = lost.asperity_share[: body.raceways.count(INNER)]

@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike
 
 from raceway.arrays import Floats, Numbers
 from raceway.core import laws
+from raceway.theory import sliding
+
+_FITS = laws.spin_constants()  # as in a run
 
 
 class Spin(NamedTuple):
@@ -24,6 +27,18 @@ def moment(load: Numbers, friction: Numbers, a: Numbers, second: Numbers) -> Num
     """(3/8) mu Q a E in N m: pure spin under Coulomb's law. a the semi-axis across the groove in m,
     `second` the ellipse's complete integral E (`hertz.Ellipse`)."""
     return laws.pure_spin_couple(friction * load, a, second)
+
+
+def closed_moment(pure: Numbers, speed: Numbers, edge: Numbers) -> Numbers:
+    """Moment in N m against spin beside differential slip, a fit: `pure` of pure spin (N m), less
+    where the `speed` omega a is small against `edge` s_e, both in m/s (`sliding.edge_slip`)."""
+    least = _FITS.width * np.maximum(edge, sliding.LEAST)
+    return pure * np.abs(speed) / np.maximum(np.abs(speed), least)
+
+
+def closed_slip(speed: Numbers, edge: Numbers) -> Numbers:
+    """Share of the couple of differential slip that spin leaves; arguments of `closed_moment`."""
+    return np.maximum(1 - _FITS.loss * (speed / np.maximum(edge, sliding.LEAST)) ** 2, 0.0)
 
 
 def with_slip(

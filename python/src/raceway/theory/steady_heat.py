@@ -100,13 +100,16 @@ class Scene:
         spin_law: str = "closed",
         models: str = "full",
         held: Mapping[str, float] = STRAIGHT,
+        size: tuple[float, float] | None = None,
     ) -> None:
         """`roughness` is composite, m; `density` of the balls in kg/m^3; `spin_law` and
-        `models` are those of `operating_point.figures`, `held` that of `static.equilibrium`."""
+        `models` are those of `operating_point.figures`, `held` that of
+        `static.equilibrium`, `size` that of `friction_torque.surfaces`."""
         self.bearing, self.boundary, self.lubricant = bearing, boundary, lubricant
         self.roughness, self.load, self.axial = roughness, load, axial
         self.ring, self.density = rpm * math.pi / 30, density
         self.spin_law, self.models, self.held = spin_law, models, held
+        self.size = size
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
     def at(self, temperature: float, clearance: float) -> dict[str, Any]:
@@ -136,7 +139,7 @@ class Scene:
             ring,
             orbit,
             clearance=clearance,
-            surfaces=friction_torque.surfaces(self.boundary, fluid, ring, self.models),
+            surfaces=friction_torque.surfaces(self.size, fluid, ring, self.models),
             spin_law=self.spin_law,
         )
         contacts = losses.rolling + losses.slip + losses.spin + losses.hysteresis
@@ -257,6 +260,7 @@ class Case:
             self.spin_law,
             self.models,
             STRAIGHT | inputs.held(path, self.axial, self.clearance, self.double_row),
+            inputs.size(path),
         )
 
     def cooling(self) -> float | None:
