@@ -437,7 +437,7 @@ double PairBearingHertz::init_one(int i, int j)
   return cut;
 }
 
-// A restart file stores the commands themselves; reading it replays them. The simulated time follows.
+// A restart file stores the commands themselves, which are executed again, and the simulated time.
 static void write_words(FILE *fp, const std::vector<std::string> &words)
 {
   const int n = static_cast<int>(words.size());
