@@ -15,6 +15,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -167,44 +168,48 @@ void FixBearingCheckpoint::init()
   begun_ = true;
 }
 
-// What shapes a run: the words of the pair style, of the bearings and of the package's fixes, but not
-// of those that only write.
+// What shapes a run: the words of the bearings (the first line), of the pair style and of the
+// package's fixes, but not of those that only write or watch.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
   if (const auto *pair = dynamic_cast<const PairBearingHertz *>(force->pair))
     for (const std::vector<std::string> &words : pair->commands()) {
-      lines.emplace_back(lines.empty() ? "pair_style" : "pair_coeff");
+      lines.emplace_back(lines.size() == 1 ? "pair_style" : "pair_coeff");
       for (const std::string &w : words) lines.back() += " " + w;
     }
-  lines.push_back(bearing::noted_words(lmp, "create_bearing"));
-  for (int k = 0; k < modify->nfix; ++k) {
-    const std::string style = modify->fix[k]->style;
-    if (style != "bearing/record" && style != "bearing/checkpoint" && style != "bearing/progress")
+  static const std::set<std::string> idle = {"bearing/record", "bearing/checkpoint",
+                                             "bearing/progress", "bearing/timestep"};
+  for (int k = 0; k < modify->nfix; ++k)
+    if (!idle.count(modify->fix[k]->style))
       lines.push_back(bearing::noted_words(lmp, bearing::name_of(*modify->fix[k])));
-  }
   return lines;
 }
 
-// Error if the deck that continues a run has other data.
+// Error if the deck that continues a run has other data. It need not create the bearings anew.
 void FixBearingCheckpoint::check_deck()
 {
   if (deck_.empty()) return;
-  const std::vector<std::string> now = deck();
-  std::vector<std::string> then;
+  std::vector<std::string> now = deck(), then;
   std::istringstream in(deck_);
   for (std::string line; std::getline(in, line);) then.push_back(line);
   deck_.clear();
+  if (now[0].empty() || then[0].empty()) now[0] = then[0] = "";
   // the first line of one list that the other lacks
   const auto alone = [](const std::vector<std::string> &list,
                         const std::vector<std::string> &other) {
     for (const std::string &line : list)
-      if (std::find(other.begin(), other.end(), line) == other.end()) return "'" + line + "'";
-    return std::string("nothing more");
+      if (!line.empty() && std::find(other.begin(), other.end(), line) == other.end())
+        return "'" + line + "'";
+    return std::string();
   };
-  if (alone(now, then) + alone(then, now) != "nothing morenothing more")
-    BRG_ALL(command_ + ": " + file_ + " belongs to another run, with " + alone(then, now) +
-            "; this one has " + alone(now, then) + ". Remove it, or resume with its data");
+  const std::string old = alone(then, now), own = alone(now, then);
+  if (!old.empty() || !own.empty())
+    BRG_ALL(command_ + ": " + file_ + " belongs to another run, " +
+            (old.empty()
+                 ? "without " + own
+                 : "with " + old + ", this one " + (own.empty() ? "without it" : "with " + own)) +
+            ". Remove it, or resume with its data");
 }
 
 void FixBearingCheckpoint::find_ring()

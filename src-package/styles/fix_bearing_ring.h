@@ -118,7 +118,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
     double moved[RingProgram::SPIN] = {},
            before[RingProgram::SPIN] = {};    // by the last two steps
   } imposed_;
-  static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);    // numbers in a restart
+  // in a restart file
+  static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);
   Values now_, before_;                 // values of all rings; those of the step before
   std::vector<int> own_;                // indices of the values given per ring
   std::vector<Values> per_ring_;        // these, by local atom

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Simulated time from one run to the next and through restart files, for formulas of the host's
-// keyword `time`. The hosts treat it differently: some forget it in a restart file, some set it to 0
-// or let it jump in reset_timestep.
+// keyword `time`. Some hosts forget it in a restart file; in reset_timestep some set it to 0 and
+// some let it jump.
 #ifndef BEARING_SIMULATED_TIME_H
 #define BEARING_SIMULATED_TIME_H
 
@@ -36,7 +36,7 @@ class SimulatedTime {
     left_ = s, known_ = read_ = true;
     set(u, s.now());
   }
-  // Before a run or the writing of a restart file. A continued run has the bits of an undisturbed one.
+  // Before a run or the writing of a restart file: a continued run keeps the bits of a whole one.
   void go_on(LAMMPS_NS::Update &u) const
   {
     if (!known_) return;

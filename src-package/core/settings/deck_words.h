@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Words of the fixes and bearings of a deck, and checksums of the files that they read, to compare a
-// continued run with the run of its restart file. Arguments notes them. Independent of the host.
+// Words of the fixes and bearings of a deck, and checksums of the files that they read. Arguments
+// notes them, for the comparison of a continued run with its restart file. Independent of the host.
 #ifndef BEARING_DECK_WORDS_H
 #define BEARING_DECK_WORDS_H
 
