@@ -49,7 +49,7 @@ def model_ranges(tables: RunTables, figures: Mapping[str, Any]) -> dict[str, Ran
     a file."""
     result: dict[str, Range] = {}
     needed = ("h_c_m", "entrainment_speed_m_s", "q_inner_max_N", "p_max_inner_Pa")
-    if tables.lubricated and all(figures.get(key) for key in needed):
+    if tables.lubricated and all(figures.get(key) for key in (*needed, *FIELDS)):
         try:
             path = catalogue.find("lubricants", figures["lubricant"])
             temperature = _temperature(tables)

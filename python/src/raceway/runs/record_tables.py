@@ -99,6 +99,8 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
     """A row per sample: step, time, motion of the inner ring and forces on it."""
     record.need_one()
     inner = int(np.flatnonzero(record.fixed("ring_raceway") == 0)[0])
+    for axis in "xyz":
+        record.variables[f"ring_{axis}"]  # raises if it is missing
     names = record.timed("ring_")
     data = record.read(["step", "time", *names], start, stop)
     table = pd.DataFrame({"step": data["step"], "time": data["time"]})
@@ -113,6 +115,8 @@ def rings(record: Record, start: int, stop: int) -> pd.DataFrame:
 def totals(record: Record, start: int, stop: int) -> pd.DataFrame:
     """A row per sample, indexed by its number: sums and extremes over the bearing."""
     record.need_one()
+    for name in ("contacts", "loaded_balls", "pressure_inner", "pressure_outer", "cage_speed"):
+        record.variables[f"bearing_{name}"]  # raises if it is missing
     data = record.read(record.timed("bearing_"), start, stop)
     table = pd.DataFrame(
         {name.removeprefix("bearing_"): values[:, 0] for name, values in data.items()}

@@ -51,6 +51,9 @@ def settings(record: Record) -> Settings:
     told = {key: value for key, value in record.attrs.items() if key != "pair_commands"}
     columns = {"contact_columns": " ".join(["ball", "ring", "raceway", *record.contact_columns])}
     found = {"bearing": "unnamed", "integrator": "unknown", **one, **told, **columns}
+    for name in ("inner_ring", "outer_ring"):
+        if record.bearing is not None and found[name] not in (None, *record.fixed("ring")):
+            raise RunError(f"{record.path}: {name} is {found[name]:g}, which is none of its rings")
     if record.bearing is not None and not set(MEASURED) <= set(told) and len(record):
         found = {**_measured(record, found), **found}
     return Settings({**found, **end}, (record.need_one, record.need_samples))

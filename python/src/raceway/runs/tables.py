@@ -138,7 +138,7 @@ class RunTables:
     @property
     def bearing_capacitance(self) -> Floats:
         """Capacitance of the bearing in F, one value a sample (eq 12)."""
-        return self.totals["capacitance"].to_numpy()
+        return self.record.known(self.totals)["capacitance"].to_numpy()
 
     @cached_property
     def last(self) -> int:
