@@ -2,16 +2,23 @@
 """A command of `raceway` in a forked child: no start of Python for each, no crash of the fuzzer."""
 
 import os
+import pkgutil
 import resource
 import signal
 import sys
 import time
 import traceback
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 
 from fuzz.lab import Finding
-from raceway import cli
+from raceway import cli, data, electric, export, runs, theory
+
+# once, not in every child
+for package in (data, electric, export, runs, theory):
+    for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
+        import_module(module.name)
 
 SECONDS, BYTES = 20, 6 * 2**30
 
