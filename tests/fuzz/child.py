@@ -63,6 +63,7 @@ def _inside(words, folder):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         for number, name in ((1, "stdout"), (2, "stderr")):
             os.dup2(os.open(name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), number)
+            setattr(sys, name, open(number, "w", encoding="utf-8", closefd=False))
         code = cli.main(words)
         sys.stdout.flush()
     except SystemExit as error:

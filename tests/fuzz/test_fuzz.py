@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from fuzz import files, run
 
-CASES = {"liggghts": 60, "lammps": 20, "plugin": 20}
+CASES = {"liggghts": 60, "lammps": 16, "plugin": 12}
 FOUND = sorted((Path(__file__).parent / "found").glob("*.yaml"))
 
 
