@@ -125,6 +125,7 @@ void ComputeBearingRing::compute_local()
   });
 
   values_.clear();
+  bearing::note_setup(lmp);
   for (int n = 0; n < rings.rings(); ++n) {
     if (!(atom->mask[rings.ring(n)] & groupbit)) continue;
     double motion[of_ring::N];

@@ -187,11 +187,18 @@ raceway::Vec3 FixBearingImplicit::gravity()
   const size_t n = 3 * static_cast<size_t>(atom->nlocal);
   if (n > 0) forces_.assign(&atom->f[0][0], &atom->f[0][0] + n);
   raceway::Vec3 fall;
+  double mass = 1.0;    // kg: rounding must not depend on which atom the rank has first
   int one = 0;
   while (one < atom->nlocal && !(atom->mask[one] & groupbit)) ++one;
-  if (one < atom->nlocal) fall.to(atom->f[one]);
+  if (one < atom->nlocal) {
+    fall.to(atom->f[one]);
+    std::swap(mass, atom->rmass[one]);
+  }
   for (Fix *f : gravity_) f->post_force(0);
-  if (one < atom->nlocal) fall = raceway::Vec3::from(atom->f[one]) * (1.0 / atom->rmass[one]);
+  if (one < atom->nlocal) {
+    fall = raceway::Vec3::from(atom->f[one]);
+    std::swap(mass, atom->rmass[one]);
+  }
   if (n > 0) std::copy(forces_.begin(), forces_.end(), &atom->f[0][0]);
   return raceway::LabAxes{pair_->coefficients().axis_index()}.third(fall);
 }

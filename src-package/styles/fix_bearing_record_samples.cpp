@@ -126,6 +126,7 @@ void FixBearingRecord::sample_parts()
     rows_.body(atom->tag[i], Vec3::from(atom->x[i]), Vec3::from(atom->v[i]),
                Vec3::from(atom->omega[i]));
   double of[of_ring::N];
+  bearing::note_setup(lmp);
   for (int n = 0; n < pair_->ring_sum().rings(); ++n) {
     bearing::ring_values(*atom, *pair_, n, of);
     rows_.ring(of);

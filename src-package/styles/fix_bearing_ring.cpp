@@ -175,7 +175,7 @@ void FixBearingRing::setup(int vflag)
     }
   post_force(vflag);
   hold(0.0);
-  note_accelerations();
+  noted_ = false;    // forces of fixes that come later are missing yet
 }
 
 // Evaluates numbers and equal-style variables.
@@ -274,6 +274,7 @@ RingProgram FixBearingRing::at_end(const Values &of) const
 
 void FixBearingRing::begin_step()
 {
+  note_setup();
   time_ += update->dt;
   reported_ = -1;
   between_.clear();

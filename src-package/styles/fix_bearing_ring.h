@@ -46,6 +46,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // Tag of the ring that its supports connect to, 0: ground.
   bearing::tag_t holder() const { return holder_; }
   void begin_step();
+  // Accelerations by the forces of all fixes at the start of a run. Collective.
+  void note_setup();
   // Force balance of its first ring along its free directions (N): the load and the residual after
   // the contacts.
   struct Balance {
@@ -133,6 +135,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   std::vector<ContactLoad> contacts_;    // of the owned rings of the group, by tag, last step
   std::vector<double> report_;
   bigint reported_ = -1;
+  bool noted_ = true;    // the accelerations are those of the forces in atom->f
 };
 
 }    // namespace LAMMPS_NS

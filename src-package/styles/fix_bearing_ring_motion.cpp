@@ -43,6 +43,7 @@ void FixBearingRing::kick()
 void FixBearingRing::initial_integrate(int)
 {
   if (by_another_) return;
+  note_setup();
   time_ += update->dt;
   reported_ = -1;
   between_.clear();
@@ -91,6 +92,7 @@ void FixBearingRing::final_integrate()
   hold(by_another_ ? 0.0 : 0.5 * update->dt * force->ftm2v);
   if (!by_another_) kick();
   note_accelerations();
+  noted_ = true;
   reported_ = -1;    // a variable may have made the report in mid-step
 }
 
@@ -180,6 +182,12 @@ void FixBearingRing::support_of(const RingProgram &p, const RingAtom &r, const V
     on[k] = p.free(k)
                 ? verlet_support(p.support[k], moved[k], rate[k], other[k], p.inertia_of(k), half)
                 : 0.0;
+}
+
+void FixBearingRing::note_setup()
+{
+  if (!noted_) note_accelerations();
+  noted_ = true;
 }
 
 void FixBearingRing::note_accelerations()

@@ -66,7 +66,10 @@ double FixBearingRing::reported(int row, int k)
 {
   // no output before the first run or after the pair style was replaced
   if (!state_ || modify->find_fix(FixBearingState::fixed_id) < 0) return 0.0;
-  if (reported_ != update->ntimestep) make_report();
+  if (reported_ != update->ntimestep) {
+    note_setup();
+    make_report();
+  }
   reported_ = update->ntimestep;
   return report_[row * bearing::of_fix_ring::N + k];
 }

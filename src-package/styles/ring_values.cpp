@@ -2,7 +2,9 @@
 #include "ring_values.h"
 
 #include "../core/figures/bearing_columns.h"
+#include "fix_bearing_ring.h"
 #include "fix_bearing_state.h"
+#include "fixes.h"
 #include "pair_bearing_hertz.h"
 
 using namespace LAMMPS_NS;
@@ -23,6 +25,11 @@ void ring_values(const RingView &r, const raceway::LabAxes &axes, double *of)
   moment.to(of + of_ring::MX);
   of[of_ring::TORQUE] = dot(moment, axes.lab(r.place.e));
   axes.lab(r.acceleration).to(of + of_ring::AX);
+}
+
+void note_setup(LAMMPS *lmp)
+{
+  for (FixBearingRing *f : fixes_of<FixBearingRing>(lmp)) f->note_setup();
 }
 
 void ring_values(const Atom &atom, PairBearingHertz &pair, int n, double *of)

@@ -2,16 +2,23 @@
 """A command of `raceway` in a forked child: no start of Python for each, no crash of the fuzzer."""
 
 import os
+import pkgutil
 import resource
 import signal
 import sys
 import time
 import traceback
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 
 from fuzz.lab import Finding
-from raceway import cli
+from raceway import cli, data, electric, export, runs, theory
+
+# once, not in every child
+for package in (data, electric, export, runs, theory):
+    for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
+        import_module(module.name)
 
 SECONDS, BYTES = 20, 6 * 2**30
 
@@ -56,6 +63,7 @@ def _inside(words, folder):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         for number, name in ((1, "stdout"), (2, "stderr")):
             os.dup2(os.open(name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), number)
+            setattr(sys, name, open(number, "w", encoding="utf-8", closefd=False))
         code = cli.main(words)
         sys.stdout.flush()
     except SystemExit as error:

@@ -21,11 +21,16 @@ def deck(scene, pose=UPRIGHT, split=None, cuts="* * *", more=(), restart=None):
     total = scene["every"] * scene["samples"]
     lines = [*_world(scene, pose, cuts)]
     if restart == "read":
-        lines = [line for line in lines if not line.startswith(("region", "create_box", "boundary"))]
+        lines = [
+            line for line in lines if not line.startswith(("region", "create_box", "boundary"))
+        ]
         lines += ["read_restart ${out}/half.restart"]
     else:
         lines += [*_contacts(scene, pose), *_create(scene, pose)]
-    lines += ["neighbor %g bin" % (0.3 * scene["diameter"]), "neigh_modify delay 0 every 1 check yes"]
+    lines += [
+        "neighbor %g bin" % (0.3 * scene["diameter"]),
+        "neigh_modify delay 0 every 1 check yes",
+    ]
     lines += [*_fixes(scene, pose), *more, *_output(scene), f"timestep {scene['step']:g}"]
     if restart == "read":
         return "\n".join([*lines, f"run {total} upto", ""])

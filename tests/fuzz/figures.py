@@ -2,7 +2,7 @@
 """What a run wrote, turned back into the bearing's own frame."""
 
 import numpy as np
-from fuzz.deck import ATOMS, RINGS, contact_columns, ring_columns
+from fuzz.deck import ATOMS, contact_columns, ring_columns
 from host import tables
 
 AXIAL = {"omegax", "tilt_1", "mx"}  # first components of axial vectors
@@ -10,7 +10,7 @@ VECTORS = ("x", "vx", "omegax", "fx", "mx", "ax")
 
 
 def read(folder, scene, pose):
-    """{table: (columns, array (samples, rows, columns))} in the own frame, rows in the own order."""
+    """{table: (columns, array (samples, rows, columns))}, in the frame and order of the scene."""
     balls, cage = scene["balls"], bool(scene["cage"])
     # contacts differ in number: a row for every ball, raceway and groove, 0 without contact
     columns = contact_columns(scene)
@@ -117,9 +117,24 @@ def _loaded(columns, a, b):
 
 
 # what counts as zero
-FLOOR = {"x": 1e-9, "vx": 1e-4, "omegax": 1e-1, "fx": 1e-2, "mx": 1e-4, "ax": 1.0, "azimuth": 1e-3,
-         "angle": 1e-4, "tilt_1": 1e-7, "load": 1e-2, "normal": 1e-2, "friction": 1e-2,
-         "torque": 1e-4, "overlap": 1e-9, "friction_power": 1e-3, "damping_power": 1e-3}
+FLOOR = {
+    "x": 1e-9,
+    "vx": 1e-4,
+    "omegax": 1e-1,
+    "fx": 1e-2,
+    "mx": 1e-4,
+    "ax": 1.0,
+    "azimuth": 1e-3,
+    "angle": 1e-4,
+    "tilt_1": 1e-7,
+    "load": 1e-2,
+    "normal": 1e-2,
+    "friction": 1e-2,
+    "torque": 1e-4,
+    "overlap": 1e-9,
+    "friction_power": 1e-3,
+    "damping_power": 1e-3,
+}
 
 
 def _groups(columns):

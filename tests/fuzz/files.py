@@ -50,13 +50,26 @@ def spoil_text(draw, text):
     lines = text.splitlines()
     for _ in range(draw.choice([1, 1, 2, 4])):
         i = draw.randrange(len(lines))
-        kind = draw.choice(["value", "value", "value", "drop", "repeat", "indent", "swap", "nest", "cut"])
+        kind = draw.choice(
+            ["value", "value", "value", "drop", "repeat", "indent", "swap", "nest", "cut"]
+        )
         words = lines[i].replace(",", " , ").replace("{", "{ ").replace("}", " }").split(" ")
         if kind == "value":
             hostile = grammar("hostile")
             numbers = [k for k, word in enumerate(words) if word[:1] in "-0123456789" and word]
             k = draw.choice(numbers) if numbers else draw.randrange(len(words))
-            words[k] = draw.choice([*hostile["numbers"], *hostile["words"], "[1, 2]", "{a: 1}", "null", "~", "2026-01-01", "yes"])
+            words[k] = draw.choice(
+                [
+                    *hostile["numbers"],
+                    *hostile["words"],
+                    "[1, 2]",
+                    "{a: 1}",
+                    "null",
+                    "~",
+                    "2026-01-01",
+                    "yes",
+                ]
+            )
             lines[i] = " ".join(words)
         elif kind == "drop":
             del lines[i]
@@ -69,7 +82,9 @@ def spoil_text(draw, text):
             k = draw.randrange(len(lines))
             lines[i], lines[k] = lines[k], lines[i]
         elif kind == "nest":
-            lines[i] += draw.choice(["[" * 3000, "{a: " * 2000, "&a [*a]", "!!python/object:os.system", "\0", "é"])
+            lines[i] += draw.choice(
+                ["[" * 3000, "{a: " * 2000, "&a [*a]", "!!python/object:os.system", "\0", "é"]
+            )
         else:
             lines[i] = lines[i][: draw.randrange(len(lines[i]) + 1)]
     return "\n".join([*lines, ""])

@@ -12,7 +12,7 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-SECONDS = 30  # of a run that takes a tenth of a second
+SECONDS = 60  # of a run that takes a tenth of a second
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"
 )
@@ -77,5 +77,8 @@ class Lab:
 def same(first, second, tolerance, what):
     """The figures of two runs agree."""
     if found := figures.differences(first, second, tolerance):
-        words = "; ".join(f"{table} {column} by {share:.2g} at sample {sample}" for share, table, column, sample in found[:6])
+        words = "; ".join(
+            f"{table} {column} by {share:.2g} at sample {sample}"
+            for share, table, column, sample in found[:6]
+        )
         raise Finding(f"{what}: {words}")

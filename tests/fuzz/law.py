@@ -45,5 +45,3 @@ def _keyword(draw, keyword):
         for i, parameter in enumerate(keyword["parameters"])
     ]
     return [keyword["name"], *filter(None, [keyword["form"]]), *values]
-
-

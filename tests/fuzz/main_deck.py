@@ -32,8 +32,6 @@ def variables(draw):
 def check(draw, folder, host):
     """A case; the way it went. Raises Finding or Refused."""
     given, way = variables(draw), draw.choice(WAYS)
-    if given.get("integrator") == "verlet":
-        given["rpm"] = 12000
     first = _run(folder / "first", host, given, first=True)
     if way == "resume":
         longer = given | {"passes": 2}
@@ -91,7 +89,9 @@ def _same(first, second, given, what):
             raise Finding(f"{what}: {given}: {name} {a.shape}, {getattr(b, 'shape', None)}")
         if not np.array_equal(a, b, equal_nan=a.dtype.kind == "f"):
             off = np.nanmax(abs(a - b)) if a.size else 0
-            raise Finding(f"{what}: {given}: {name} differs by {off:.3g} of {np.nanmax(abs(a)):.3g}")
+            raise Finding(
+                f"{what}: {given}: {name} differs by {off:.3g} of {np.nanmax(abs(a)):.3g}"
+            )
 
 
 def _summary(folder, given):

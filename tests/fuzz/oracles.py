@@ -2,12 +2,13 @@
 """What must hold for every scene: relations between runs. Each takes the scene, its figures and
 the lab, and raises a Finding."""
 
+import json
 import re
 from dataclasses import replace
 
-from fuzz import figures, statics
+from fuzz import child, figures, statics
 from fuzz.deck import deck
-from fuzz.lab import HOSTS, same
+from fuzz.lab import HOSTS, Finding, same
 from fuzz.pose import MIRRORS, TURNS, UPRIGHT
 from fuzz.rewrites import REWRITES
 
@@ -51,7 +52,9 @@ def _near(scene, first, lab, other, what):
     if not figures.differences(first, other, POSED):
         return
     for k, share in enumerate((1e-13, -1e-12, 1e-11)):
-        inner = scene["inner"] | {"force": [value * (1 + share) for value in scene["inner"]["force"]]}
+        inner = scene["inner"] | {
+            "force": [value * (1 + share) for value in scene["inner"]["force"]]
+        }
         grooves = [[radius * (1 + share / 100), *rest] for radius, *rest in scene["grooves"]]
         near = lab.figures(scene | {"inner": inner, "grooves": grooves}, f"near{k}")
         if figures.differences(first, near, 0.1 * POSED):
@@ -66,10 +69,10 @@ def restart(scene, first, lab, draw):
     (lab.folder / "resumed").mkdir()
     (lab.folder / "split" / "half.restart").rename(lab.folder / "resumed" / "half.restart")
     after = lab.figures(scene, "resumed", restart="read")
-    count = scene["samples"] - steps // scene["every"] + 1
-    # the samples after the file's own
+    # velocity Verlet has forces at half-step velocities, but at the start of a run at full ones
+    count = scene["samples"] - steps // scene["every"] + (scene["implicit"] is not None)
     tails = [
-        {name: (columns, table[1 - count :]) for name, (columns, table) in run.items()}
+        {name: (columns, table[-count:]) for name, (columns, table) in run.items()}
         for run in (whole, after)
     ]
     same(*tails, 0, f"restart at step {steps}")
@@ -117,8 +120,13 @@ def neighbour(scene, first, lab, draw):
     ]
     # dumps and the capacitance are those of the first bearing; forces act on both
     lines = [re.sub(r"^(dump atoms) all", r"\1 first", line) for line in lines]
-    lines = [re.sub(r"^(compute contacts|dump contacts|fix cap) balls", r"\1 first_balls", line) for line in lines]
-    lines = [re.sub(r"^(compute rings|dump rings) rings", r"\1 first_rings", line) for line in lines]
+    lines = [
+        re.sub(r"^(compute contacts|dump contacts|fix cap) balls", r"\1 first_balls", line)
+        for line in lines
+    ]
+    lines = [
+        re.sub(r"^(compute rings|dump rings) rings", r"\1 first_rings", line) for line in lines
+    ]
     at = next(k for k, line in enumerate(lines) if line.startswith("group rings"))
     lines[at + 1 : at + 1] = [f"group first_rings id {count - 1} {count}"]
     at = next(k for k, line in enumerate(lines) if line.startswith("group balls"))
@@ -139,7 +147,41 @@ def rest(scene, first, lab, draw):
     statics.check(scene, lab)
 
 
+# of a record's summary: what does not depend on where the bearing stands; force and shift may turn
+SCALARS = (
+    "ring_shift_m load_parameter q_max_N q_inner_max_N q_outer_max_N p_max_inner_Pa p_max_outer_Pa "
+    "entrainment_speed_m_s h_min_m h_c_m lambda capacitance_F capacitance_top_F "
+    "friction_torque_N_m losses_W capacitance_total_F asperity_share"
+).split()
+
+
+def read(scene, first, lab, draw):
+    """`raceway summary` of a record says the same of the bearing in every pose."""
+    record = f"fix table all bearing/record {scene['every']} ${{out}}/record overwrite yes"
+    pose = draw.choice([*TURNS, *MIRRORS])
+    told = []
+    for name, place in (("upright", UPRIGHT), ("posed", pose)):
+        other = lab.figures(scene, name, place, more=[record])
+        end = child.raceway(["summary", str(lab.folder / name / "record"), "--json"], lab.folder)
+        told.append(json.loads(end.out) if end.code == 0 else {"error": "refused"})
+    if figures.differences(first, other, POSED):
+        return
+    for key in ("error", *SCALARS):
+        a, b = (value.get(key) for value in told)
+        if not _alike(a, b):
+            raise Finding(f"summary: {key} is {a}, {b} with {pose}")
+
+
+def _alike(a, b):
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(_alike(a[key], b[key]) for key in a)
+    if isinstance(a, float | int) and isinstance(b, float | int):
+        return abs(a - b) <= 1e-2 * max(abs(a), abs(b)) + 1e-12
+    return a == b
+
+
 ORACLES = {
     f.__name__: f
-    for f in (turn, mirror, move, split, restart, observe, ranks, hosts, rewrite, neighbour, shaft, rest)
+    for f in (turn, mirror, move, split, restart, observe, ranks, hosts)
+    + (rewrite, neighbour, shaft, rest, read)
 }

@@ -47,11 +47,15 @@ def _sums(scene, of, touching, ring):
         radial = np.where(mine, of["normal"] * np.cos(of["angle"]), 0)
         sign = -1 if side == 0 else 1
         force = [sign * (radial * f(of["azimuth"])).sum(axis=1) for f in (np.cos, np.sin)]
-        slack = np.where(mine, of["friction"], 0).sum(axis=1) + 2e-2 * abs(radial).sum(axis=1) + 1e-6
+        slack = (
+            np.where(mine, of["friction"], 0).sum(axis=1) + 2e-2 * abs(radial).sum(axis=1) + 1e-6
+        )
         for axis, value in zip("xy", force, strict=True):
             off = abs(value - ring[f"f{axis}"][rows, pick]) - slack
             if (off > 0).any():
-                raise Finding(f"f{axis} of ring {side} is not the sum of its contacts, by {off.max():.3g} N")
+                raise Finding(
+                    f"f{axis} of ring {side} is not the sum of its contacts, by {off.max():.3g} N"
+                )
 
 
 def _totals(of, touching, folder):

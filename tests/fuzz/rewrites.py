@@ -27,9 +27,7 @@ def own_keywords(lines, draw):
     law = style.split("overlap_limit")[1].split(None, 1)[1:]
     if not law or " gap" in style or "branch" in style:  # these belong to all raceways
         return None
-    return [
-        f"{line} {law[0]}" if re.match("pair_coeff 1 [34]", line) else line for line in lines
-    ]
+    return [f"{line} {law[0]}" if re.match("pair_coeff 1 [34]", line) else line for line in lines]
 
 
 def upto(lines, draw):
@@ -41,8 +39,8 @@ def every(lines, draw):
 
 
 def order(lines, draw):
-    """Fixes of flaws, rings and weight in another order."""
-    at = [k for k, line in enumerate(lines) if re.match("fix (flaw|ring_|weight|move)", line)]
+    """Fixes of flaws, rings and motion in another order."""
+    at = [k for k, line in enumerate(lines) if re.match("fix (flaw|ring_|move)", line)]
     moved = draw.sample(at, len(at))
     return [lines[moved[at.index(k)]] if k in at else line for k, line in enumerate(lines)]
 
@@ -68,9 +66,13 @@ def skin(lines, draw):
 def box(lines, draw):
     """A larger box."""
     return [
-        "region box block " + " ".join(
+        "region box block "
+        + " ".join(
             f"{float(v) + (0.01 if k % 2 else -0.02):.17g}" for k, v in enumerate(line.split()[3:9])
-        ) + " units box" if line.startswith("region box") else line
+        )
+        + " units box"
+        if line.startswith("region box")
+        else line
         for line in lines
     ]
 

@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The fuzzer: `python tests/fuzz/run.py --seed 1 --cases 100 --host liggghts`."""
+"""The fuzzer of the project, for hours by hand:
+
+python tests/fuzz/run.py --seed 1 --cases 1000 --host lammps
+
+A finding is shrunk and written to build/fuzz, and --replay runs such a file again. docs/extend.rst
+describes it."""
 
 import argparse
 import sys
@@ -8,75 +13,123 @@ import time
 from collections import Counter
 from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).resolve().parents[k]) for k in (1,)]
+import yaml
 
-from fuzz import hostile, physics  # noqa: E402
-from fuzz.deck import deck  # noqa: E402
-from fuzz.draw import Draw  # noqa: E402
-from fuzz.lab import HOSTS, Finding, Lab, Refused  # noqa: E402
-from fuzz.oracles import ORACLES  # noqa: E402
-from fuzz.scene import scene  # noqa: E402
-from fuzz.shrink import shrink  # noqa: E402
+if __name__ == "__main__":
+    sys.path[:0] = [str(Path(__file__).resolve().parents[1])]
+
+from fuzz import files, hostile, main_deck, physics, reading
+from fuzz.deck import deck
+from fuzz.draw import Draw
+from fuzz.lab import HOSTS, Finding, Lab, Refused
+from fuzz.oracles import ORACLES
+from fuzz.scene import scene
+from fuzz.shrink import shrink
+from host import ROOT
+
+SHARES = dict.fromkeys(ORACLES, 4) | {"hostile": 16, "command": 14, "main_deck": 8}
+SHARES["read"] = 0  # finds `raceway summary` of own decks, which takes -y for the load
+FINDINGS = ROOT / "build" / "fuzz"
 
 
-def judge(drawn, name, seed, host, folder):
-    """(verdict, message) of a scene under an oracle."""
-    draw, lab = Draw(f"{seed} {name}"), Lab(Path(folder), host)
-    try:
-        if name == "hostile":
-            text = hostile.spoil(draw, deck(drawn))
-            if not hostile.isolated(text):
-                return "refused", ""
-            end = lab.start(text, "first")
-            hostile.check(end, lab.folder)
-            return "refused" if end.code else "passed", end.error
-        first = lab.figures(drawn)
-        physics.check(drawn, first, lab.folder / "first")
-        ORACLES[name](drawn, first, lab, draw)
-    except Refused as error:
-        return "refused", str(error)
-    except Finding as error:
-        return "finding", str(error)
+def judge(name, seed, host, drawn=None, runs=None):
+    """(verdict, message) of a case: a scene under an oracle, a spoilt deck, a command line, a run
+    of the main deck."""
+    draw = Draw(f"{seed} {name}")
+    with tempfile.TemporaryDirectory() as folder:
+        lab = Lab(Path(folder), host)
+        try:
+            if name == "command":
+                return reading.check(draw, Path(folder), runs), ""
+            if name == "main_deck":
+                main_deck.check(draw, Path(folder), host)
+                return "passed", ""
+            drawn = drawn or scene(seed)
+            if name == "hostile":
+                return hostile.check(draw, deck(drawn), lab), ""
+            first = lab.figures(drawn)
+            physics.check(drawn, first, lab.folder / "first")
+            ORACLES[name](drawn, first, lab, draw)
+        except Refused as error:
+            return "refused", str(error)
+        except Finding as error:
+            return "finding", str(error)
     return "passed", ""
 
 
-def case(seed, host, only=None):
-    """(oracle, verdict, message) of a seed."""
-    name = only or Draw(seed).choice([*ORACLES, *["hostile"] * 8])
+def oracle(seed):
+    """What the case of a seed tries."""
+    return Draw(seed).choices(list(SHARES), SHARES.values())[0]
+
+
+def report(name, seed, host, message):
+    """Write a finding, its scene as small as possible, and its deck."""
+    FINDINGS.mkdir(parents=True, exist_ok=True)
+    found = {"message": message, "oracle": name, "seed": seed, "host": host}
+    if name in ORACLES:
+        kind = message.split(":")[0].split(" at ")[0]
+
+        def fails(drawn):
+            verdict, text = judge(name, seed, host, drawn)
+            return verdict == "finding" and text.startswith(kind)
+
+        found["scene"] = shrink(scene(seed), fails)
+        (FINDINGS / f"in.{seed}").write_text(deck(found["scene"]))
+    elif name == "hostile":
+        text = hostile.spoil(Draw(f"{seed} {name}"), deck(scene(seed)))
+        (FINDINGS / f"in.{seed}").write_text(text)
+    (FINDINGS / f"{seed}.yaml").write_text(
+        yaml.safe_dump(found, sort_keys=False, default_flow_style=None)
+    )
+
+
+def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
+    """Verdicts of many cases and the messages of the findings."""
+    count, found = Counter(), []
     with tempfile.TemporaryDirectory() as folder:
-        return name, *judge(scene(seed), name, seed, host, folder)
+        for seed in seeds:
+            name = only or oracle(seed)
+            if name == "command" and runs is None:
+                runs = files.runs(Path(folder))
+            verdict, message = judge(name, seed, host, runs=runs)
+            count[verdict] += 1
+            if verdict == "finding":
+                found.append(f"{seed} {name}: {message}")
+                tell(seed, name, message)
+    return count, found
 
 
-def small(seed, host, only=None):
-    """The smallest scene with the finding of a seed, and its oracle."""
-    name, verdict, message = case(seed, host, only)
-    kind = message.split(":")[0].split(" at ")[0]
-
-    def fails(drawn):
-        with tempfile.TemporaryDirectory() as folder:
-            verdict, text = judge(drawn, name, seed, host, folder)
-        return verdict == "finding" and text.startswith(kind)
-
-    return shrink(scene(seed), fails), name, message
+def replay(file, host=None):
+    """(verdict, message) of a finding's file."""
+    found = yaml.safe_load(Path(file).read_text())
+    return judge(found["oracle"], found["seed"], host or found["host"], found["scene"])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1, help="of the first case")
     parser.add_argument("--cases", type=int, default=100)
     parser.add_argument("--host", choices=HOSTS, default="liggghts")
-    parser.add_argument("--oracle", choices=[*ORACLES, "hostile"])
+    parser.add_argument("--oracle", choices=SHARES, help="only this one")
+    parser.add_argument("--replay", metavar="FILE", help="a finding of build/fuzz")
     options = parser.parse_args()
-    began, count = time.time(), Counter()
-    for seed in range(options.seed, options.seed + options.cases):
-        name, verdict, message = case(seed, options.host, options.oracle)
-        count[verdict] += 1
-        if verdict == "finding":
-            print(f"{seed} {name}: {message}", flush=True)
-    accepted = options.cases - count["refused"]
-    print(f"{options.cases} cases, {accepted / options.cases:.0%} accepted, {count['finding']} "
-          f"findings, {(time.time() - began) / options.cases:.2f} s a case")
-    return 1 if count["finding"] else 0
+    if options.replay:
+        verdict, message = replay(options.replay)
+        print(verdict, message)
+        return verdict == "finding"
+
+    def tell(seed, name, message):
+        print(f"{seed} {name}: {message}", flush=True)
+        report(name, seed, options.host, message)
+
+    began = time.time()
+    seeds = range(options.seed, options.seed + options.cases)
+    count, found = series(seeds, options.host, options.oracle, tell=tell)
+    print(
+        f"{options.cases} cases in {options.host}, {1 - count['refused'] / options.cases:.0%} "
+        f"accepted, {len(found)} findings, {(time.time() - began) / options.cases:.2f} s a case"
+    )
+    return bool(found)
 
 
 if __name__ == "__main__":

@@ -81,7 +81,12 @@ def _theory(scene, phase):
         return None
     (inner, groove_i, _), (outer, groove_o, _) = scene["grooves"]
     bearing = Bearing(
-        scene["balls"], scene["diameter"], inner, outer, groove_i, groove_o,
+        scene["balls"],
+        scene["diameter"],
+        inner,
+        outer,
+        groove_i,
+        groove_o,
         layout=Layout((0.0,), (grooves[0],), (grooves[1],)),
     )
     ring = scene["inner"]
