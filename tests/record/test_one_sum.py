@@ -72,7 +72,8 @@ FINER = {
     "dry": 2,
     "dry, spring": 2,
     "paper, spring": 2,
-}  # losses of a dry ring that drops are peaks
+    "full, no friction": 2,
+}  # losses of a dry ring that drops are peaks, and the branch gives back what it took
 
 
 def test_every_loss_of_a_contact_is_one_of_bearings_and_rings():
