@@ -9,9 +9,9 @@
 
 namespace raceway {
 
-// Power of the branch, f times the rate of overlap: below 0 while the film springs back. k_m changes
-// with the film, so f^2/(2 k_m) is no potential (at rest k_m falls to 0 and f stays), and the loss in
-// the dashpot alone, f^2/(k_m tau), would not add up to the work on the branch.
+// Power of the branch, f times the rate of overlap: below 0 while the film springs back. k_m
+// changes with the film, so f^2/(2 k_m) is no potential (at rest k_m falls to 0 and f stays), and
+// the loss in the dashpot alone, f^2/(k_m tau), would not add up to the work on the branch.
 struct FilmBranchLoss : DampingPower {
   template <class T> static RACEWAY_INLINE Value<T> of(const ContactStateT<T> &c)
   {
