@@ -102,7 +102,10 @@ def series(seeds, host, only=None, runs=None, tell=lambda *words: None):
 def replay(file, host=None):
     """(verdict, message) of a finding's file."""
     found = yaml.safe_load(Path(file).read_text())
-    return judge(found["oracle"], found["seed"], host or found["host"], found["scene"])
+    name, seed, scene_found = found["oracle"], found["seed"], found.get("scene")
+    with tempfile.TemporaryDirectory() as folder:
+        runs = files.runs(Path(folder)) if name == "command" else None
+        return judge(name, seed, host or found["host"], scene_found, runs)
 
 
 def main():
