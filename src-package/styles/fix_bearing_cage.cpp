@@ -71,7 +71,12 @@ void FixBearingCage::init()
                    seat_rail(pitch_, radius, tube_, gap_, -1.0)};
   cage_.stiffness.clear();
   const double E = reduced_modulus(young_[0], poisson_[0], young_[1], poisson_[1]);
-  for (const Rail &r : cage_.rails) cage_.stiffness.push_back(rail_stiffness(r, radius, pitch_, E));
+  double play = 0.0;
+  for (const Rail &r : cage_.rails) {
+    cage_.stiffness.push_back(rail_stiffness(r, radius, pitch_, E));
+    play = std::max(play, std::hypot(r.circle - pitch_, r.offset) - r.tube - radius);
+  }
+  pocket_ = 0.25 * radius + 2.0 * play;    // a ball that rails hold stays within 0.002 radii
 }
 
 void FixBearingCage::setup_pre_neighbor() { find_balls(); }
@@ -166,6 +171,8 @@ void FixBearingCage::pre_force(int)
     const size_t k = i % lanes;
     CageRails::CageBall &ball = cage_.balls[i];
     ball.loss = four.loss[k];
+    const double off = std::hypot(four.r[k] - pitch_, four.z[k]);
+    if (off > pocket_) left_pocket(ball, off);
     if (four.fr[k] == 0.0 && four.fe[k] == 0.0) continue;
     const Vec3 e = pair_->state()->axis(ball.i_ring);
     const Vec3 d = Vec3::from(x[ball.i]) - Vec3::from(x[ball.i_ring]);
@@ -173,6 +180,15 @@ void FixBearingCage::pre_force(int)
     force.add_to(f[ball.i]);
     pair_->ring_sum().add(ball.claim, -force, -cross(d, force));
   }
+}
+
+void FixBearingCage::left_pocket(const CageRails::CageBall &ball, double off) const
+{
+  BRG_ONE(std::string("fix ") + id + " bearing/cage: cage ball " + std::to_string(ball.tag) +
+          " is " + bearing::text(off) + " m from the pitch circle at step " +
+          std::to_string(update->ntimestep) + ", more than " + bearing::text(pocket_) +
+          " m: it has left its pocket. Rails hold cage balls from outside only, so they fall "
+          "inwards under gravity or vibration at low speed");
 }
 
 // Lanes from `first` on have no ball: they copy the one before but lie far from any rail.

@@ -40,6 +40,7 @@ class FixBearingCage : public Fix {
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66
   bool seats_ = true;    // default pair of rails, placed from the cage balls
   double pitch_ = 0.0;
+  double pocket_ = 0.0;    // m, largest distance of a cage ball from the pitch circle
   // Four cage balls: position and velocity in the ring (radial, axial), mass, radius, rail force,
   // loss.
   struct alignas(32) Four {
@@ -47,6 +48,7 @@ class FixBearingCage : public Fix {
     void spare(int first);
   };
   void find_forces();
+  void left_pocket(const bearing::CageRails::CageBall &, double off) const;
   std::vector<Four> fours_;
   double force_sum_ = 0.0, force_max_ = 0.0;    // of the last step, this rank
 };

@@ -31,6 +31,7 @@ void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &
                                   double energy)
 {
   if (!(c.state.overlap < c.raceway->largest_overlap) || !std::isfinite(c.state.normal)) lost(c);
+  if (c.state.load > 0.0 && (c.side() == Side::inner ? c.state.nu : -c.state.nu) > 0.0) far_side(c);
   forces.force.add_to(atom->f[c.i_ball]);
   forces.ball_torque.add_to(atom->torque[c.i_ball]);
   ring_sum_.add(c.claim, -forces.force, forces.ring_torque);
@@ -75,14 +76,30 @@ void PairBearingHertz::sphere_forces(bool tally)
   }
 }
 
+// "ball B on inner ring R at step S"
+static std::string place_of(const RacewayContact &c, bigint step)
+{
+  return "ball " + std::to_string(c.ball) + " on " + (c.side() == Side::inner ? "inner" : "outer") +
+         " ring " + std::to_string(c.ring) +
+         (c.raceway->groove.offset != 0.0 ? " in groove " + std::to_string(c.groove()) : "") +
+         " at step " + std::to_string(step);
+}
+
+// The torus of the groove goes on beyond the shoulders; a ring has nothing there.
+void PairBearingHertz::far_side(const RacewayContact &c)
+{
+  BRG_ONE(place_of(c, update->ntimestep) + ": force " + text(c.state.normal) +
+          " N on the far side of the groove, at a contact angle above 90 degrees. The free play is "
+          "more than 2 (r_c - R_b) = " +
+          text(2.0 * c.raceway->slack) + " m, or the load forces the ball over the shoulder");
+  std::abort();
+}
+
 void PairBearingHertz::lost(const RacewayContact &c)
 {
-  BRG_ONE("ball " + std::to_string(c.ball) + " on " +
-          (c.side() == Side::inner ? "inner" : "outer") + " ring " + std::to_string(c.ring) +
-          (c.raceway->groove.offset != 0.0 ? " in groove " + std::to_string(c.groove()) : "") +
-          " at step " + std::to_string(update->ntimestep) + ": overlap " + text(c.state.overlap) +
-          " m, force " + text(c.state.normal) + " N, largest allowed overlap " +
-          text(c.raceway->largest_overlap) + " m (" + c.raceway->limit() + "). The step " +
-          text(update->dt) + " s is too large, the load too high, or the start overlaps");
+  BRG_ONE(place_of(c, update->ntimestep) + ": overlap " + text(c.state.overlap) + " m, force " +
+          text(c.state.normal) + " N, largest allowed overlap " + text(c.raceway->largest_overlap) +
+          " m (" + c.raceway->limit() + "). The step " + text(update->dt) +
+          " s is too large, the load too high, or the start overlaps");
   std::abort();
 }

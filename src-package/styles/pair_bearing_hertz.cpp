@@ -94,7 +94,8 @@ void PairBearingHertz::init_style()
   time_.go_on(*update);
   comm->ghost_velocity = 1;
   BRG_REQUEST_HALF();
-  const std::string wrong = coefficients_.prepare(type_sizes());
+  const bearing::TypeSizes sizes = type_sizes();
+  const std::string wrong = coefficients_.prepare(sizes);
   if (!wrong.empty()) BRG_ALL(wrong);
   implicit_bits_ = 0;
   for (int k = 0; k < modify->nfix; ++k)
@@ -103,7 +104,7 @@ void PairBearingHertz::init_style()
   capacitors_ = gaps_ = false;    // fixes bearing/capacitance are counted anew
   validity_.forget_shoulders();
   check_ghosts();
-  check_cages();
+  check_types(sizes.count);
   profiles_.clear();    // set again by fixes bearing/profile
   atoms_ = count_atoms();
   put_state_last();
@@ -166,15 +167,24 @@ void PairBearingHertz::expect_sphere(int ball_type, int cage_type)
   cage_types_.insert(std::minmax(ball_type, cage_type));
 }
 
-// Types that no pair_coeff names do not interact. For a cage that was created this is hardly
-// intended.
-void PairBearingHertz::check_cages()
+// Types that no pair_coeff names do not interact, which is hardly intended: warns once of each.
+void PairBearingHertz::check_types(const std::vector<int> &count)
 {
-  for (const auto &c : cage_types_)
-    if (!coefficients_.spheres(c.first, c.second) && comm->me == 0)
+  for (const auto &c : cage_types_) {
+    if (coefficients_.spheres(c.first, c.second)) continue;
+    silent_types_.insert(c.second);
+    if (comm->me == 0)
       BRG_WARN("cage balls pass through the balls: there is no 'pair_coeff " +
                std::to_string(c.first) + " " + std::to_string(c.second) + " sphere ...'");
-  cage_types_.clear();    // warn once
+  }
+  cage_types_.clear();
+  std::string types;
+  for (int t = 1; t <= atom->ntypes; ++t)
+    if (count[t] > 0 && !coefficients_.is_named(t) && silent_types_.insert(t).second)
+      types += ' ' + std::to_string(t);
+  if (!types.empty() && comm->me == 0)
+    BRG_WARN("pair_style bearing: no pair_coeff names type" + types +
+             ": its atoms pass through everything");
 }
 
 bigint PairBearingHertz::count_atoms() const

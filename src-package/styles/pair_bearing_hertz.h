@@ -72,7 +72,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::TypeSizes type_sizes() const;
   void put_state_last();
   void check_ghosts();
-  void check_cages();
+  void check_types(const std::vector<int> &count);
   bigint count_atoms() const;
   void check_atoms() const;
   void rebuild_contacts();
@@ -83,12 +83,14 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   void sphere_forces(bool tally);
   void check_step();
   [[noreturn]] void lost(const bearing::RacewayContact &);
+  [[noreturn]] void far_side(const bearing::RacewayContact &);
 
   bearing::SimulatedTime time_;
   bearing::PairCoefficients coefficients_;
   bearing::SurfaceProfiles profiles_;
   bearing::Commands commands_;                  // so far: a restart replays them
   std::set<std::pair<int, int>> cage_types_;    // of created bearings, smaller type first
+  std::set<int> silent_types_;                  // unnamed types with a warning
   int implicit_bits_ = 0;    // groups of fixes that advance contact states themselves
   bearing::ContactTable table_;
   bearing::ContactEvaluator evaluator_;

@@ -60,3 +60,53 @@ def test_fixes_beside_the_implicit_step(tmp_path, host, words):
         assert end.code != 0 and message in end.error and "fix beside" in end.error, end.text
     else:
         assert end.code == 0, end.text
+
+
+@pytest.mark.parametrize("clearance, ends", [(4.5e-4, False), (5.5e-4, True)])
+def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends):
+    """The limit is 2 (r_c - R_b) = 5.04e-4 m."""
+    end = run("inputs/in.6208", out=tmp_path / "run", clearance=clearance, passes=1, samples=20)
+    assert (end.code != 0) == ("on the far side of the groove" in end.error) == ends, end.text
+
+
+@pytest.mark.parametrize("gap, weight, ends", [(0, 0, False), (0, 9.81, True), (1e-3, 0, False)])
+@pytest.mark.parametrize("mover", ["bearing/implicit", "nve/sphere"])
+def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
+    """At 20 rad/s the rails do not carry the weight of the cage; their gap is play."""
+    step, turn = (1e-5, 2500) if mover == "bearing/implicit" else (1e-6, 25000)
+    deck = (
+        BEARING.split("create_bearing")[0]
+        + f"""
+pair_coeff 1 2 sphere 210e9 0.3 3.3e9 0.41
+create_bearing 1 2 3 4 balls 9 diameter 12.6e-3 cage 8.38e-3 speed 20.0 0
+group cage type 2
+group moving type 1 2 3 4
+group free type 1 2
+group rings type 3 4
+fix rails cage bearing/cage 4 gap {gap}
+fix move {"moving" if mover == "bearing/implicit" else "free"} {mover}
+fix rings rings bearing/ring mass 0.2 spin speed 20.0
+fix weight all gravity {weight} vector 0 -1 0
+timestep {step}
+run {turn}
+"""
+    )
+    end = outcome(tmp_path, deck)
+    assert (end.code != 0) == ("it has left its pocket" in end.error) == ends, end.text
+
+
+@pytest.mark.parametrize("host", EVERYWHERE)
+def test_types_that_no_pair_coeff_names(tmp_path, host):
+    """One warning for all of them, also if a run follows; under fix bearing/implicit an error."""
+    grains = "".join(
+        f"create_atoms {t} single 0 0 0.0{t} units box\nset type {t} diameter 1e-3 density 1000\n"
+        for t in (2, 5)
+    )
+    deck = BEARING.replace("create_box 4", "create_box 5").replace(
+        "group inner", grains + "group inner"
+    )
+    end = outcome(tmp_path, deck + "run 1\nrun 1\n", host)
+    said = "no pair_coeff names type 2 5: its atoms pass through everything"
+    assert end.code == 0 and end.text.count(said) == 1, end.text
+    end = outcome(tmp_path, deck.replace("type 1 3 4", "type 1 2 3 4") + "run 1\n", host)
+    assert end.code != 0 and "is no ball, cage ball or ring of a bearing" in end.error, end.text
