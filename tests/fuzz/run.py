@@ -28,7 +28,6 @@ from fuzz.shrink import shrink
 from host import ROOT
 
 SHARES = dict.fromkeys(ORACLES, 4) | {"hostile": 16, "command": 14, "main_deck": 8}
-SHARES["read"] = 0  # finds `raceway summary` of own decks, which takes -y for the load
 FINDINGS = ROOT / "build" / "fuzz"
 
 
