@@ -20,9 +20,9 @@ Cooling is that of ISO 15312 unless --conductance gives it. --nodes gives three 
 ring to ambient, outer ring to ambient, ring to balls. Then the parts have their own temperatures
 and the clearance follows from them.
 
---runs N takes the friction from at most N short runs of the main deck with the models `full`, one
-after another, each at the temperature that follows from the last. Less are made when the
-temperature settles. They are in the folder of --out. Stopped, the same command goes on."""
+--runs N takes the friction from at most N short runs of the main deck with the same models, one
+after another, each at the temperature that follows from the last. The command stops early when the
+temperature settles. The runs are in the folder of --out; an interrupted command continues them."""
 EXAMPLES = """\
 examples:
   raceway heat --load 5000 --rpm 1910 --lubricant vg46

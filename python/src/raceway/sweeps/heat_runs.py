@@ -35,7 +35,7 @@ def by_runs(
     say: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
     """Figures of `steady_heat.figures`, friction scaled to that of at most `runs` runs with the
-    models `full`; less when the temperature changes by less than `CLOSE` kelvin.
+    models of `case`; fewer when the temperature changes by less than `CLOSE` kelvin.
 
     `command` is a list: program, options, deck; `more` are further variables of the deck. Folders
     of runs are in `folder`; those that are finished are not run again. `say` gets a line for each
