@@ -223,6 +223,14 @@ void BearingParts::command(int narg, char **arg)
               ". Names are joined by +, or the word is none");
 }
 
+// Restart files of LAMMPS begin with these letters, those of LIGGGHTS do not.
+static bool is_of_this_host(const std::string &file)
+{
+  char start[7] = "";
+  std::ifstream(file).read(start, 6);
+  return (std::string(start) == "LammpS") == !BEARING_IS_LIGGGHTS;
+}
+
 void BearingResume::command(int narg, char **arg)
 {
   Arguments args(lmp, "bearing_resume", narg, arg, 0);
@@ -236,6 +244,8 @@ void BearingResume::command(int narg, char **arg)
   std::string complaint;
   if (there && asked && bearing::check_sum(file) == bearing::Sum::wrong)
     complaint = file + " is damaged: its check sum is wrong. Remove it and start the run anew";
+  else if (there && asked && !is_of_this_host(file))
+    complaint = file + " is of another host: LIGGGHTS and LAMMPS cannot continue each other's runs";
   const fs::path folder = fs::path(file).parent_path();
   if (keeps && comm->me == 0 && !(there && asked) && bearing::holds_finished_run(folder.string()))
     complaint = folder.string() + " holds a finished run. Name another folder with -var out, " +

@@ -7,6 +7,7 @@
 #include "deck_values.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -74,6 +75,25 @@ std::string nearest(const std::string &name, const Names &names)
                            });
 }
 
+bool is_number(const std::string &word)
+{
+  char *end = nullptr;
+  std::strtod(word.c_str(), &end);
+  return end != word.c_str() && *end == '\0';
+}
+
+// What is wrong with a value of -var: nothing in it, or a number with a unit
+std::string wrong_with(const std::string &value)
+{
+  std::istringstream in(value);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  if (words.empty()) return " is empty";
+  if (is_number(words[0]) && !std::all_of(words.begin(), words.end(), is_number))
+    return " is '" + value + "': give a number alone, in the unit of the deck";
+  return "";
+}
+
 }    // namespace
 
 void BearingVariables::command(int narg, char **arg)
@@ -88,11 +108,15 @@ void BearingVariables::command(int narg, char **arg)
     // decks that include this one
     for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);
     for (const std::string &folder : folders) collect_folder(folder, names);
-    for (std::string set : words_after("-var", "-v"))
+    for (std::string set : words_after("-var", "-v")) {
       // the word after -v of another program, such as python, is not a variable
-      if (!names.empty() && !names.count(set) && input->variable->find(&set[0]) >= 0)
-        complaint += (complaint.empty() ? "" : "; ") + ("-var " + set) +
-                     ": the deck has no such variable, nearest is '" + nearest(set, names) + "'";
+      if (names.empty() || input->variable->find(&set[0]) < 0) continue;
+      const char *value = input->variable->retrieve(&set[0]);
+      const std::string wrong = names.count(set) ? wrong_with(value ? value : "")
+                                                 : ": the deck has no such variable, nearest is '" +
+                                                       nearest(set, names) + "'";
+      if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
+    }
   }
   complaint = bearing::agree(complaint, world);
   if (!complaint.empty()) args.fail(complaint);

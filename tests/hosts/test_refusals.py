@@ -110,3 +110,32 @@ def test_types_that_no_pair_coeff_names(tmp_path, host):
     assert end.code == 0 and end.text.count(said) == 1, end.text
     end = outcome(tmp_path, deck.replace("type 1 3 4", "type 1 2 3 4") + "run 1\n", host)
     assert end.code != 0 and "is no ball, cage ball or ring of a bearing" in end.error, end.text
+
+
+SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
+
+
+@pytest.mark.parametrize("deck", ["in.6208", "in.many"])
+@pytest.mark.parametrize(
+    "name, value", [("lubricant", ""), ("step", " "), ("tolerance", "5 kN"), ("phase", "1 rad")]
+)
+def test_values_of_variables(tmp_path, deck, name, value):
+    """Empty, or a number with its unit."""
+    end = run(f"inputs/{deck}", out=tmp_path / "run", **{name: value})
+    assert end.code != 0 and f"-var {name} is " in end.error, end.text
+
+
+def test_resume(tmp_path):
+    """With fewer passes than there are; in another host."""
+    assert run("inputs/in.6208", out=tmp_path, **SHORT | {"passes": 2}).code == 0
+    for host, message in {
+        "liggghts": "the run to resume has got farther: give more passes",
+        "lammps": "LIGGGHTS and LAMMPS cannot continue each other's runs",
+    }.items():
+        end = run("inputs/in.6208", host=host, out=tmp_path, resume="yes", **SHORT)
+        assert end.code != 0 and message in end.error, end.text
+
+
+def test_tolerance_that_is_no_number(tmp_path):
+    end = run("inputs/in.6208", out=tmp_path, tolerance="small", **SHORT)
+    assert end.code != 0 and "tolerance must be a number, not 'small'" in end.error, end.text
