@@ -187,7 +187,7 @@ def _label(one: Record, spec: Spec, run: Run, values: np.ndarray) -> dict[str, A
         "words_ball": one.point.variables.get("flaw_ball", "none"),
         "flawed_ball": one.point.variables.get("flawed_ball"),
         "phase_rad": float(one.point.variables["phase"]),
-        "cage_order": spectrum.cage_order(run),
+        "cage_order": places["FTF", 1][0],
         **{f"{line}_Hz": places[line, 1][1] for line in ("FTF", "BPFO", "BPFI", "BSF")},
         "rms_m_s2": float(np.std(values)),
         "peak_m_s2": float(np.abs(values - values.mean()).max()),
