@@ -13,8 +13,9 @@ import raceway
 import scenes
 import turned
 from fuzz.pose import Pose
+from host import succeed
 from raceway.cli import main as command
-from raceway.runs import losses, spectrum
+from raceway.runs import envelope, losses, spectrum
 
 UPRIGHT = Pose()
 ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # the axis along x, and along y
@@ -199,3 +200,36 @@ def test_axis(scene, tmp_path):
     assert upright[commands[0]].startswith("0"), upright[commands[0]]
     assert found.keys() == upright.keys()
     assert [key for key in upright if found[key] != upright[key]] == []
+
+
+def test_run_about_x(tmp_path):
+    """The same scene run about z and about x: all figures agree but for the cost."""
+    change = [("run 2000", "run 500")]
+    about_x = [
+        ("bearing/ehd ", "bearing/ehd axis x "),
+        ("x free y free", "y free z free"),
+        ("force 0 -500 0", "force 0 0 -500"),
+    ]
+    found = []
+    for name, changes in (("z", change), ("x", change + about_x)):
+        deck = tmp_path / f"{name}.deck"
+        deck.write_text(scenes.changed("in.unbalance", changes))
+        succeed(deck, out=tmp_path / name)
+        found.append(figures(tmp_path / name))
+    z, x = found
+    cost = {"wall_s", "processor_s", "real_time_factor"}
+    kept = {name: value for name, value in z.items() if name.split()[-1] not in cost}
+    assert [one for one in worst(x, kept) if one[0] > 1e-9] == []
+
+
+def test_run_up_names_the_spall(tmp_path):
+    """in.run_up: BPFO in orders, at that of the run's own cage."""
+    folder = tmp_path / "run"
+    deck = tmp_path / "deck"
+    deck.write_text(scenes.changed("in.run_up", [("run 15000", "run 8000")]))
+    succeed(deck, out=folder)
+    run = raceway.open(folder)
+    found = envelope.of_run(run, "ay", ring="outer")
+    bpfo = [one for one in spectrum.lines(run, found) if one.name == "BPFO"]
+    assert all(one.unit == "order" and not one.note for one in bpfo), bpfo
+    assert [one.found for one in bpfo] == pytest.approx([one.by_cage for one in bpfo], rel=2e-3)
