@@ -74,8 +74,8 @@ def of_ring(run, ring):
 
 def line(found, run, shift):
     """Amplitude (m/s^2) at BPFI + `shift` times the shaft, by the run's own cage speed."""
-    bpfi, shaft = spectrum.places(run, harmonics=1)["BPFI", 1][1], run.settings["rpm"] / 60
-    hertz = bpfi + shift * shaft
+    order, hertz = spectrum.places(run, harmonics=1)["BPFI", 1]
+    hertz += shift * hertz / order
     return float(found.sel(frequency=hertz, method="nearest"))
 
 

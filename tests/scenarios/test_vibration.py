@@ -87,7 +87,7 @@ def test_a_fine_wave_stands_out(tmp_path, order, shift):
         succeed(DECK, out=folder, passes=60, settle=4, flaw_inner=flaw, **QUICK)
         run = raceway.open(folder)
         found = spectrum.of_run(run, "ay")
-        middle = 9 * (1 - spectrum.places(run, harmonics=1)["FTF", 1][0])
+        middle, _ = spectrum.places(run, harmonics=1)["BPFI", 1]
         heard[name] = {
             side: float(found.sel(frequency=(middle + side) * 100, method="nearest"))
             for side in (-1, 1)

@@ -247,7 +247,8 @@ def lines(
             other = min(here, key=lambda key: abs(here[key] - found))
             if other != (name, n):
                 found, note = math.nan, f"hidden by {other[0]} x {other[1]}"
-        numbers = order, kinematic, found, found / kinematic - 1, amplitude, prominence
+        difference = found / kinematic - 1 if kinematic else math.nan  # nothing turns
+        numbers = order, kinematic, found, difference, amplitude, prominence
         unit = ("order", "Hz")[which]
         result.append(Line(name, n, *map(float, numbers), note, own, unit))
     return result

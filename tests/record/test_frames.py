@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A bearing anywhere in the lab has the figures of the same scene with its axis along z.
+
+Records are turned, and not decks: integrators stop at a tolerance, which hides small errors.
+"""
+
+import contextlib
+import io
+
+import numpy as np
+import pytest
+import raceway
+import scenes
+import turned
+from fuzz.pose import Pose
+from host import succeed
+from raceway.cli import main as command
+from raceway.runs import envelope, losses, spectrum
+
+UPRIGHT = Pose()
+ALONG = [Pose((1, 2, 0)), Pose((2, 0, 1))]  # the axis along x, and along y
+COMMANDS = [
+    "summary run",
+    "summary run --json",
+    "spectrum run --json",
+    "spectrum run --envelope --signal ay --ring outer",
+    "export run --format vtk --every 400",
+    "export run --format xyz --every 400",
+]
+PICTURES = [
+    "plot run --kind polar",
+    "plot run --kind bearing",
+    "plot run --kind motion",
+    "spectrum run --out run/lines.png",
+]
+ELSEWHERE = [  # turned about its own axis, mirrored, turned over
+    Pose((1, 0, 2), (1, -1, 1), (0.013, -0.02, 0.007)),
+    Pose((1, 0, 2), (1, 1, 1), (0.013, -0.02, 0.007)),
+    Pose((2, 1, 0), (1, 1, 1), (0.013, -0.02, 0.007)),
+    Pose((0, 2, 1), (1, -1, -1), (-0.003, 0.001, 0.02)),
+    Pose((2, 0, 1), (1, 1, -1), (0.013, -0.02, 0.007)),
+]
+
+
+@pytest.fixture(scope="module", params=scenes.SCENES)
+def scene(request, tmp_path_factory):
+    """(name, folder of the run with its axis along z)"""
+    folder = tmp_path_factory.mktemp(request.param)
+    return request.param, scenes.run(request.param, folder / "z")
+
+
+def written(source, folder, pose, commands):
+    """{command or file: what it printed or wrote} of the run in `source` in a `pose`."""
+    turned.write(source, folder / "run", pose)
+    before = {path.name for path in (folder / "run").iterdir()}
+    found = {}
+    with contextlib.chdir(folder):
+        if commands[-1] == PICTURES[-1]:
+            atoms = raceway.open("run").universe()
+            found["universe"] = [atoms.atoms.positions.tolist() for _ in atoms.trajectory[::50]]
+        for words in commands:
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
+                code = command(words.split())
+            found[words] = f"{code} {out.getvalue()}"
+    for path in (folder / "run").rglob("*"):
+        if path.is_file() and path.relative_to(folder / "run").parts[0] not in before:
+            found[str(path.relative_to(folder))] = path.read_bytes()
+    return found
+
+
+def figures(folder):
+    """{name: array} of all that readers make of the run in `folder`, and the same of its parts."""
+    run = raceway.open(folder)
+    run = run if len(run.bearing_numbers) == 1 else run.select(2)
+    found = {
+        f"summary {key}": value
+        for key, value in run.summary().items()
+        if isinstance(value, float) or value is None
+    }
+    of = {"losses": losses.losses(run), "around": losses.losses_around(run, 8)}
+    caged = "cage_x" in run.tables.record.variables
+    parts = ("contacts", "balls", "rings", "bearing", *["cage"][:caged])
+    for name, data in {**of, **{name: getattr(run, name) for name in parts}}.items():
+        numbers = [key for key in data.variables if data[key].dtype.kind == "f"]
+        found |= {f"{name} {key}": data[key].to_numpy() for key in numbers}
+    shift = spectrum.of_run(run)
+    found["spectrum"] = shift.to_numpy()
+    for line in spectrum.lines(run, shift):
+        found |= {
+            f"line {line.name} {line.harmonic} {key}": value
+            for key, value in line._asdict().items()
+            if isinstance(value, float) and key != "prominence"  # over a floor of rounding
+        }
+    return found
+
+
+VECTORS = {  # names with {} for x, y, z: whether axial
+    "{}": False,
+    "v{}": False,
+    "a{}": False,
+    "f{}": False,
+    "omega{}": True,
+    "m{}": True,
+    "force_{}_N": False,
+    "shift_{}_m": False,
+    "moment_{}_N_m": True,
+    "tilt_{}_rad": True,
+}
+ABOUT_AXIS = {"spin", "cage_speed", "cage_speed_rad_s", "rpm_inner", "rpm_outer", "from_load_line"}
+
+
+def moved(found, pose):
+    """The `figures` of the scene in a `pose` in its bearing's frame."""
+    new = {}
+    for name, values in found.items():
+        part, _, key = name.partition(" ")
+        new[name] = values
+        for form, axial in VECTORS.items():
+            k = next((k for k in range(3) if form.format("xyz"[k]) == key), None)
+            if k is not None:
+                own = pose.axes.index(k)
+                sign = pose.signs[own] * (pose.hand if axial else 1)
+                source = found[f"{part} {form.format('xyz'[own])}"]
+                new[name] = None if source is None else sign * source
+        if part == "rings" and key.startswith("tilt_"):
+            own = pose.axes.index(int(key[-1]) - 1)
+            new[name] = pose.hand * pose.signs[own] * found[f"rings tilt_{own + 1}"]
+        if (key in ABOUT_AXIS and part != "around") or name in ("rings angle", "rings torque"):
+            new[name] = pose.sense * values
+        if key == "azimuth":
+            new[name] = turned.wrapped(pose.sense * values + pose.azimuth(0))
+        if name == "contacts angle":
+            new[name] = pose.signs[2] * values
+        if part == "around" and pose.sense < 0 and np.ndim(values) == 2:
+            new[name] = values[:, ::-1]
+        if part == "contacts" and pose.signs[2] < 0 and np.shape(values)[1:2] == (4,):
+            new[name] = new[name][:, [1, 0, 3, 2]]
+    return new
+
+
+def worst(found, wanted):
+    """[(error as a share of the largest value, or of the vector's, name)] of figures that differ by
+    more than 1e-12."""
+    wrong = []
+    for name, one in wanted.items():
+        if one is None or found[name] is None:
+            if one is not found[name]:
+                wrong.append((np.inf, name))
+            continue
+        one, other = np.asarray(one, float), np.asarray(found[name], float)
+        apart = other - one
+        if name.endswith(("azimuth", "from_load_line")):
+            apart = turned.wrapped(apart)
+        scale = max(largest(wanted[k]) for k in components(name, wanted)) or 1
+        share = largest(apart) / scale
+        if (np.isnan(one) != np.isnan(other)).any() or share > 1e-12:
+            wrong.append((share, name))
+    return sorted(wrong, reverse=True)
+
+
+def largest(values):
+    values = np.asarray(values if values is not None else 0.0, float)
+    return float(np.abs(values[np.isfinite(values)]).max(initial=0))
+
+
+def components(name, known):
+    """The names of the components of the vector that `name` belongs to, of the spectrum that it is
+    a value of, or `name`."""
+    part, _, key = name.partition(" ")
+    if part == "line" and key.endswith("amplitude"):
+        return ["spectrum"]
+    for form in VECTORS:
+        names = [f"{part} {form.format(x)}" for x in "xyz"]
+        if name in names:
+            return [one for one in names if one in known]
+    return [name]
+
+
+def test_elsewhere(scene, tmp_path):
+    name, source = scene
+    pose = ELSEWHERE[[*scenes.SCENES].index(name) % len(ELSEWHERE)]
+    turned.write(source, tmp_path / "there", pose)
+    found = figures(tmp_path / "there")
+    wanted = moved(figures(source), turned.own_frame(pose))
+    assert found.keys() == wanted.keys()
+    assert worst(found, wanted) == []
+
+
+def test_axis(scene, tmp_path):
+    name, source = scene
+    number = [*scenes.SCENES].index(name)
+    more = PICTURES if name == "combined" else []
+    bearing = " --bearing 2" if name == "rows" else ""
+    commands = [f"{words}{bearing}" for words in COMMANDS + more]
+    upright, found = (
+        written(source, tmp_path / str(k), pose, commands)
+        for k, pose in enumerate((UPRIGHT, ALONG[number % 2]))
+    )
+    assert upright[commands[0]].startswith("0"), upright[commands[0]]
+    assert found.keys() == upright.keys()
+    assert [key for key in upright if found[key] != upright[key]] == []
+
+
+def test_run_about_x(tmp_path):
+    """The same scene run about z and about x: all figures agree but for the cost."""
+    change = [("run 2000", "run 500")]
+    about_x = [
+        ("bearing/ehd ", "bearing/ehd axis x "),
+        ("x free y free", "y free z free"),
+        ("force 0 -500 0", "force 0 0 -500"),
+    ]
+    found = []
+    for name, changes in (("z", change), ("x", change + about_x)):
+        deck = tmp_path / f"{name}.deck"
+        deck.write_text(scenes.changed("in.unbalance", changes))
+        succeed(deck, out=tmp_path / name)
+        found.append(figures(tmp_path / name))
+    z, x = found
+    cost = {"wall_s", "processor_s", "real_time_factor"}
+    kept = {name: value for name, value in z.items() if name.split()[-1] not in cost}
+    assert [one for one in worst(x, kept) if one[0] > 1e-9] == []
+
+
+def test_run_up_names_the_spall(tmp_path):
+    """in.run_up: BPFO in orders, at that of the run's own cage."""
+    folder = tmp_path / "run"
+    deck = tmp_path / "deck"
+    deck.write_text(scenes.changed("in.run_up", [("run 15000", "run 8000")]))
+    succeed(deck, out=folder)
+    run = raceway.open(folder)
+    found = envelope.of_run(run, "ay", ring="outer")
+    bpfo = [one for one in spectrum.lines(run, found) if one.name == "BPFO"]
+    assert all(one.unit == "order" and not one.note for one in bpfo), bpfo
+    assert [one.found for one in bpfo] == pytest.approx([one.by_cage for one in bpfo], rel=2e-3)
