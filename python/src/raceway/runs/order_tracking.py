@@ -32,7 +32,7 @@ def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
     # as fine as the samples at the lowest speed, so that no frequency is lost
     count = int(turns[-1] / steps.min()) + 1
     if count > MOST * len(turns):
-        raise ValueError("the shaft nearly stands still at times: choose samples of its turning")
+        raise ValueError("the shaft nearly stops: choose samples during which it turns")
     even = np.linspace(0.0, turns[-1], count)
     return interpolate.CubicSpline(turns, np.asarray(values, float))(even), even[1]
 
