@@ -168,8 +168,8 @@ void FixBearingCheckpoint::init()
   begun_ = true;
 }
 
-// What shapes a run: the words of the bearings (the first line), of the pair style and of the
-// package's fixes, but not of those that only write or watch.
+// Commands that determine a run: the bearings (first line), the pair style and the package's fixes,
+// except those that only write or watch.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
@@ -186,7 +186,7 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
   return lines;
 }
 
-// Error if the deck that continues a run has other data. It need not create the bearings anew.
+// Error if the deck of a continued run has other data. It need not repeat create_bearing.
 void FixBearingCheckpoint::check_deck()
 {
   if (deck_.empty()) return;

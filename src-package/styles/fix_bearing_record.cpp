@@ -183,7 +183,7 @@ void FixBearingRecord::check_time_step() const
             bearing::text(update->dt) + " s; samples of a record are even in time");
 }
 
-// Error if the host's step number changed between two runs: steps that nobody made.
+// Error if the host's step number changed between two runs, which would leave a gap.
 void FixBearingRecord::check_step() const
 {
   const double now = static_cast<double>(update->ntimestep);

@@ -175,7 +175,7 @@ void FixBearingRing::setup(int vflag)
     }
   post_force(vflag);
   hold(0.0);
-  noted_ = false;    // forces of fixes that come later are missing yet
+  noted_ = false;    // forces of later fixes are still missing
 }
 
 // Evaluates numbers and equal-style variables.
@@ -283,8 +283,8 @@ void FixBearingRing::begin_step()
   check_positions();
 }
 
-// Error if an imposed position has jumped in the step before: it then moved by far more than in the
-// steps on either side, and by more than a contact takes at once.
+// Error if an imposed position jumped in the last step: it moved by far more than in the steps
+// before and after, and by more than a contact can follow.
 void FixBearingRing::check_positions()
 {
   constexpr double far = 20.0, small = 1e-6, small_angle = 5e-5;    // m, rad

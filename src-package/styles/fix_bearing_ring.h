@@ -118,7 +118,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   struct Imposed {
     double at[RingProgram::SPIN] = {NAN, NAN, NAN, NAN, NAN};
     double moved[RingProgram::SPIN] = {},
-           before[RingProgram::SPIN] = {};    // by the last two steps
+           before[RingProgram::SPIN] = {};    // in the last two steps
   } imposed_;
   // in a restart file
   static constexpr size_t numbers_kept = 1 + sizeof(Imposed) / sizeof(double);

@@ -24,7 +24,7 @@ struct RingView {
 // of[of_ring::RING] to of[of_ring::AZ] (core/figures/bearing_columns.h).
 void ring_values(const RingView &, const raceway::LabAxes &, double *of);
 
-// Before the first of them: accelerations of the start of a run.
+// Call before the others: accelerations at the start of a run.
 void note_setup(LAMMPS_NS::LAMMPS *);
 
 // The same of the n-th ring of this rank in the pair style's RingSum.

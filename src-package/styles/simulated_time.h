@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Simulated time from one run to the next and through restart files, for formulas of the host's
-// keyword `time`. Some hosts forget it in a restart file; in reset_timestep some set it to 0 and
-// some let it jump.
+// keyword `time`. Some hosts do not store it in restart files; reset_timestep sets it to 0 in some
+// and makes it jump in others.
 #ifndef BEARING_SIMULATED_TIME_H
 #define BEARING_SIMULATED_TIME_H
 
@@ -13,7 +13,7 @@ namespace bearing {
 
 class SimulatedTime {
  public:
-  // What a restart file holds: the time is `since` s at step `from` and `step_length` s a step on.
+  // Contents of a restart file: the time is `since` s at step `from` and `step_length` s a step on.
   struct State {
     double since, from, step_length, step;    // `step`: the present one
     double now() const { return since + (step - from) * step_length; }
@@ -36,7 +36,8 @@ class SimulatedTime {
     left_ = s, known_ = read_ = true;
     set(u, s.now());
   }
-  // Before a run or the writing of a restart file: a continued run keeps the bits of a whole one.
+  // Before a run or the writing of a restart file: a continued run has the bits of an uninterrupted
+  // one.
   void go_on(LAMMPS_NS::Update &u) const
   {
     if (!known_) return;

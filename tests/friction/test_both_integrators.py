@@ -254,8 +254,7 @@ def test_work_is_dissipated_or_stored(tmp_path, speed, load):
 @pytest.mark.parametrize("load, ramp", [(50, True), (5000, True), (5000, False)])
 @pytest.mark.parametrize("speed", [0, 0.01, 1, 50])
 def test_balance_at_any_speed(tmp_path, speed, load, ramp, law):
-    """At rest the film's branch had twice the energy that the loads supplied, and the film in the
-    gap lost what the entrainment had put into it."""
+    """Film in the gap, with and without the film branch."""
     inner = radial(load, speed) if ramp else radial(load, speed).partition(" ramp")[0]
     control = "tolerance 1e-9 energy yes"
     text = succeed(CASE, out=tmp_path, law=law, inner=inner, start=speed, control=control).text

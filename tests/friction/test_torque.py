@@ -12,7 +12,7 @@ from raceway.theory.operating_point import figures
 
 @pytest.mark.parametrize("rpm", [477.5, 1910, 9549])
 def test_torque(tmp_path, rpm):
-    """5 kN, 0.04 Pa s, within the 35 % of SKF's torque that is promised."""
+    """Friction torque at 5 kN and 0.04 Pa s within 35 % of SKF's."""
     succeed("inputs/in.6208", out=tmp_path, models="full", rpm=rpm, passes=2)
     run = summary(RunTables(tmp_path))
     point = {"load": 5000.0, "rpm": rpm, "models": "full"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a run wrote, turned back into the bearing's own frame."""
+"""Output of a run, in the bearing's own frame."""
 
 import numpy as np
 from fuzz.deck import ATOMS, contact_columns, ring_columns
@@ -146,7 +146,7 @@ def _groups(columns):
 
 
 def finite(figures):
-    """Columns with a value that is no number."""
+    """Columns with NaN or infinite values."""
     return [
         f"{name} {column}"
         for name, (columns, table) in figures.items()

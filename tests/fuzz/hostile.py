@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Decks spoilt on purpose: words and lines exchanged, dropped, repeated or added. They may end in
-any message, but not in a crash, a hang, or figures that are no numbers."""
+any message, but not in a crash, a hang, or NaN."""
 
 import re
 from contextlib import suppress

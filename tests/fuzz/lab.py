@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs the decks of a case in a folder of its own and says how each ended."""
+"""Runs the decks of a case in a folder of its own and reports how each ended."""
 
 import re
 import subprocess
@@ -22,11 +22,11 @@ HOSTS_OWN = re.compile(r"DumpLocal10init_style|DumpCustom10init_style")
 
 
 class Finding(Exception):
-    """What a case shows to be wrong."""
+    """A failure that a case shows."""
 
 
 class Refused(Exception):
-    """The first deck of a case is not accepted: the case shows nothing else."""
+    """The first deck of a case is not accepted, so the case ends."""
 
 
 @dataclass

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What must hold for every scene: relations between runs. Each takes the scene, its figures and
+"""Relations between runs that hold for every scene. Each takes the scene, its figures and
 the lab, and raises a Finding."""
 
 import json
@@ -156,7 +156,7 @@ SCALARS = (
 
 
 def read(scene, first, lab, draw):
-    """`raceway summary` of a record says the same of the bearing in every pose."""
+    """`raceway summary` of a record gives the same figures in every pose."""
     record = f"fix table all bearing/record {scene['every']} ${{out}}/record overwrite yes"
     pose = draw.choice([*TURNS, *MIRRORS])
     told = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the figures of one run must satisfy: signs, sums, balances."""
+"""Signs, sums and balances of the figures of one run."""
 
 import numpy as np
 from fuzz.deck import LOSSES, SUMS
@@ -30,7 +30,7 @@ def check(scene, figures, folder):
 
 
 def _sums(scene, of, touching, ring):
-    """Every ring carries the sum of its contacts."""
+    """Forces on every ring are the sums over its contacts."""
     inner = ring["ring"].argmin(axis=1)
     for side in (0, 1):
         pick = inner if side == 0 else 1 - inner

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where a scene stands in the lab: one of 48 turns and reflections of the axes, and a centre."""
+"""Pose of a scene in the lab: one of 48 rotations and reflections of the axes, and a centre."""
 
 import math
 from dataclasses import dataclass

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Other words for the same deck: no bit of its figures may change."""
+"""Equivalent forms of a deck: no bit of its figures may change."""
 
 import re
 

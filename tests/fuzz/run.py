@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The fuzzer of the project, for hours by hand:
+"""The fuzzer of the project, for long runs by hand:
 
 python tests/fuzz/run.py --seed 1 --cases 1000 --host lammps
 
@@ -57,7 +57,7 @@ def judge(name, seed, host, drawn=None, runs=None):
 
 
 def oracle(seed):
-    """What the case of a seed tries."""
+    """The kind of case of a seed."""
     return Draw(seed).choices(list(SHARES), SHARES.values())[0]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Takes parts of a scene away as long as the finding stays."""
+"""Removes parts of a scene as long as the failure remains."""
 
 from itertools import combinations
 
@@ -29,7 +29,7 @@ PLAIN_RING = {
 
 
 def shrink(scene, fails):
-    """The scene with as little as `fails(scene)` needs."""
+    """The smallest scene found for which `fails(scene)` holds."""
     again = True
     while again:
         again = False

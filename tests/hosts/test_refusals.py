@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a deck may not ask for ends in a message that names it; what only looks on is allowed."""
+"""Fixes that may change the motion, box or timestep are refused by name; others are allowed."""
 
 import pytest
 from host import BOX, run

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A run goes on with the data that it began with, or not at all."""
+"""A run continues only with the data that it began with."""
 
 import math
 import shutil

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Simulated time goes on through restart files and reset_timestep, and so do formulas of it."""
+"""Simulated time continues through restart files and reset_timestep, and so do formulas of it."""
 
 import numpy as np
 import pytest

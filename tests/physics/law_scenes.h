@@ -57,7 +57,7 @@ inline Shifted magnitude(const Shifted &a) { return a.value < 0.0 ? -a : a; }
 inline Shifted where(bool test, const Shifted &yes, const Shifted &no) { return test ? yes : no; }
 }    // namespace raceway
 
-// the number type above is known to it
+// needs the number type above
 #include "any_parts.h"
 
 using namespace raceway;
@@ -90,7 +90,8 @@ struct Scene {
   bool stage;
 };
 
-// No effect of a part hides behind a number that is 0: a wrong slope of it would show nothing.
+// Sets parameters of a part that are 0, so that each of its effects is present and a wrong slope
+// shows.
 template <class Part> void enliven(RacewayPhysics &p)
 {
   auto &own = p.of<Part>();
@@ -130,7 +131,7 @@ Scene scene(unsigned parts, int n)
   s.p.of<SlipSlicesPart>().share = 0.7;
   Parts::each([&s](auto tag) { enliven<typename decltype(tag)::type>(s.p); });
   s.p.prepare(30.3e-3, 8.17e-3, 0.05);
-  // a contact that hardly has load must not part
+  // a contact with little load must not open
   const bool light = s.p.has<FilmInGapPart>() && n % 5 == 0;
   const double overlap = light ? between(-3e-8, 3e-8) : between(1e-6, 30e-6);
   const double distance = s.p.slack + overlap, fastest = light ? 5e-5 : 5e-3;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Files that people give and ask for: YAML, ROSS matrices, the targets of --out."""
+"""Files of users: YAML, ROSS matrices, the targets of --out."""
 
 import io
 import os

@@ -124,7 +124,7 @@ def test_the_page_of_points_with_other_variables(points):
 
 
 def test_a_record_that_lost_a_variable(folder):
-    """Whichever it is: the films are the same, or a message says so."""
+    """Either the films are the same, or a message names the difference."""
     path = folder / "record.nc"
     variables, content = Record(folder).variables, path.read_bytes()
     names = [n for n, d in variables.items() if "raceway" not in d and not n.startswith("bearing_")]

@@ -37,9 +37,9 @@ def test_reference_life(loads, clearance, want):
 
 @pytest.mark.parametrize("side", ["inner_groove", "outer_groove"])
 def test_life_falls_where_pressure_rises(side):
-    """Grooves from 0.505 of the ball to 0.6, radial and combined load: no wider one lives longer,
-    and above 0.53 each step of 4 % takes at least 1 % off. Those of the catalogue are no wider than
-    ISO 281 rates them."""
+    """Grooves from 0.505 of the ball to 0.6, radial and combined load: a wider one never lasts
+    longer, and above 0.53 each step of 4 % takes at least 1 % off. Those of the catalogue are no
+    wider than ISO 281 rates them."""
     for loads in ((3000.0,), (1500.0, 2500.0)):
         lives = []
         for groove in 12.6e-3 * np.array([0.505, 0.52, 0.53, 0.55, 0.575, 0.6]):

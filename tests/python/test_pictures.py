@@ -218,7 +218,7 @@ def test_run_of_full_complement(tmp_path):
 @pytest.mark.parametrize(
     "options, said",
     [
-        (["--passes", "3"], "holds 2 ball passes: 3 are not to be had"),
+        (["--passes", "3"], "has 2 ball passes, fewer than 3"),
         (["--out", "a.avi"], "a .gif or an .mp4"),
         (["--out", "no/where.gif"], "cannot write no/where.gif: No such file"),
     ],

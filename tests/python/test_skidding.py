@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Balls that only the outer ring touches: their times, and their rotation against closed forms."""
+"""Balls in contact with the outer ring only: times without load, and rotation against closed
+forms."""
 
 import numpy as np
 import pytest

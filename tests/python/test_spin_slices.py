@@ -27,8 +27,8 @@ def test_radial_load_has_no_spin(bearing):
 
 
 def test_as_the_closed_forms(bearing):
-    """Combined load: spin is shared by both raceways, and slip costs less beside it. The closed
-    forms are within 5 %, their fits."""
+    """Combined load: both raceways share the spin, and slip costs less beside it. The closed forms
+    are fits and agree within 5 %."""
     closed, slices = (losses(bearing, 2000.0, 10000.0, law) for law in friction_torque.SPIN_LAWS)
     for part in ("rolling", "hysteresis", "drag"):
         assert slices.parts[part] == closed.parts[part]

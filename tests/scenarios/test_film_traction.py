@@ -16,7 +16,7 @@ PUSHED = {"without": "drag+rolling+rolling_hysteresis", "cage": "no"}
 
 
 def of_statics(models, rotation=skidding.rotation):
-    """Slip in W: (mean, half the spread) over the places of the balls."""
+    """Slip in W: (mean, half the spread) over the positions of the balls."""
     scene = steady_heat.Case("6208", "vg46", load=5000.0, rpm=9549.0, models=models).scene()
     passing = []
     for phase in np.arange(4) * np.pi / 18:
@@ -41,8 +41,8 @@ def found(tmp_path_factory):
 
 @pytest.mark.parametrize("models", ["full", "eyring"])
 def test_sliding_is_that_of_statics(found, models):
-    """9549 rpm: balls that nothing pushes or slows slide as in statics, but for the places of the
-    balls; with all parts the same within 5 %."""
+    """9549 rpm: without drag, rolling resistance and cage balls slide as in statics within the
+    spread over their positions; with all parts within 5 %."""
     statics, places = of_statics(models, lambda slowing, rate, time: 1.0)
     within = places if models == "eyring" else 1e-2 * statics
     assert found[f"free {models}"] == pytest.approx(statics, rel=0, abs=within)

@@ -57,7 +57,7 @@ def test_four_points(tmp_path, name):
 
 @pytest.mark.parametrize("rpm", [477.5, 1910.0])
 def test_unloaded_balls(tmp_path, rpm):
-    """They skid: if they rolled, the rolling loss would be some 5 % more."""
+    """Unloaded balls skid: if they rolled, the rolling loss would be some 5 % higher."""
     point = {"load": 5000.0, "rpm": rpm, "lubricant": "mineral"}
     succeed("inputs/in.6208", out=tmp_path, models="full", passes=1, **point)
     run, (torque, parts) = summary(RunTables(tmp_path)), over_a_pass(**point)

@@ -26,7 +26,7 @@ class Range(NamedTuple):
     low: float
     high: float
     whole: bool
-    beside: float  # a number outside the range that is allowed, NaN for none
+    beside: float  # allowed value outside the range, NaN: none
     unit: str
 
     def allows(self, value: float) -> bool:
@@ -61,8 +61,8 @@ def values(path: FilePath) -> dict[str, str]:
 
 
 def comments(path: FilePath) -> dict[str, str]:
-    """What a data file says behind its index variables, as {name: comment}. Raises `InputError`
-    when it cannot be read."""
+    """Comments on the index variables of a data file, as {name: comment}. Raises `InputError` when
+    it cannot be read."""
     return _matches(path, REMARK)
 
 

@@ -22,10 +22,10 @@ def whole(path: FilePath, write: Callable[[Path], object]) -> Path:
     path, part = Path(path), None
     try:
         if path.exists() and not stat.S_ISREG(path.stat().st_mode):
-            raise OSError("it is no regular file")
+            raise OSError("not a regular file")
         target = Path(os.path.realpath(path))
         if target.is_symlink():
-            raise OSError("it is a link to itself")
+            raise OSError("a link to itself")
         part = target.with_name(f".{target.name}.{os.getpid()}")
         write(part)
         part.replace(target)

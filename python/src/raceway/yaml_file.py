@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""YAML files of people: every value is text or None (6208 is a name, and YAML's yes is no number),
-no key twice, no references."""
+"""YAML files of users: every value is text or None (6208 is a name, and yes is not a number);
+duplicate keys and references are errors."""
 
 from pathlib import Path
 from typing import Any
@@ -37,7 +37,7 @@ class _Loader(yaml.BaseLoader):
 
 
 def parse(text: str) -> Any:
-    """Lists, maps and texts of `text`. Raises `ValueError` for what is not such a file."""
+    """Lists, maps and texts of `text`. Raises `ValueError` for invalid input."""
     if len(text) > LARGEST:
         raise ValueError(f"longer than {LARGEST} characters")
     try:
@@ -49,7 +49,7 @@ def parse(text: str) -> Any:
 
 
 def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:
-    """What `parse` makes of the file at `path`. Raises `error`."""
+    """`parse` applied to the file at `path`. Raises `error`."""
     try:
         with open(Path(path), encoding="utf-8") as file:
             return parse(file.read(LARGEST + 1))
@@ -59,7 +59,8 @@ def read(path: FilePath, error: type[RacewayError] = InputError) -> Any:
 
 
 def number(value: Any) -> float:
-    """The number in a text, or a number itself. Raises `ValueError` for all else, 1_000 too."""
+    """The number in a text, or a number itself. Raises `ValueError` for anything else, also for
+    1_000."""
     if isinstance(value, str) and "_" not in value or type(value) in (int, float):
         return float(value)
     raise ValueError("no number")

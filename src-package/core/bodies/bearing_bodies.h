@@ -24,10 +24,10 @@ struct alignas(32) RingBody {
   int coordinate[RingProgram::N_DOF], column[RingProgram::N_DOF];
   bool loose = false;      // at least one degree of freedom is free
   bool carried = false;    // by a shaft
-  bool levered = false;    // by a rigid shaft, whose unknowns it shares
-  int holder = -1;         // ring to which its supports hold it, -1: ground
+  bool levered = false;    // by a rigid shaft, whose coordinates it shares
+  int holder = -1;         // ring at the other end of its supports, -1: ground
   int bend = -1;           // flexible shaft: index in BearingBodies::bends
-  bool holds = false;      // another ring
+  bool holds = false;      // supports another ring
   bool empty = false;      // no raceway: a housing
   double at = 0.0;         // m, position of a carried ring from the shaft's centre
   double span = 0.0;       // m, shaft: distance from its centre to its farthest ring

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Coordinates of rings and shafts: which there are, what couples them, and the forces on them.
+// Coordinates of rings and shafts, their couplings and the forces on them.
 #include "bearing_bodies.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A flexible shaft in the implicit step: its modes are unknowns in addition to those of the rigid
-// shaft.
+// A flexible shaft in the implicit step: its modes are coordinates in addition to those of the
+// rigid shaft.
 #ifndef RACEWAY_SHAFT_BEND_H
 #define RACEWAY_SHAFT_BEND_H
 

@@ -134,7 +134,7 @@ template <class All, class... P> struct LawOf {
     return sum;
   }
 
-  // W, taken from the motion by damping, friction and all other parts
+  // Power lost to damping, friction and all other parts, W.
   template <class T> static RACEWAY_INLINE Value<T> loss(const ContactStateT<T> &c)
   {
     Value<T> sum = Value<T>();

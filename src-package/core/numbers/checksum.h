@@ -10,7 +10,7 @@
 
 namespace bearing {
 
-// Of n bytes; the same bytes have another sum with another `seed`.
+// Checksum of n bytes; it depends on the `seed`.
 inline uint32_t checksum(const void *from, size_t n, uint64_t seed = 0)
 {
   constexpr uint64_t odd = 0x9e3779b97f4a7c15;

@@ -57,8 +57,8 @@ class NetcdfHeader {
   int variable(const Variable &);
   void add(const Attribute &a) { attributes_.push_back(a); }
 
-  void layout();                         // when all is added
-  void sum(std::string &bytes) const;    // puts the sum into bytes like bytes()
+  void layout();                         // call after the last variable
+  void sum(std::string &bytes) const;    // writes the checksum into a copy of bytes()
   void sum(unsigned char *record, size_t number) const;
   const Variable &variable(int k) const { return variables_[k]; }
   const std::string &bytes() const { return bytes_; }    // with the fixed values; no record yet

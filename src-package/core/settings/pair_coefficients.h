@@ -31,7 +31,7 @@ class PairCoefficients {
   // pair_coeff BALL RING inner|outer R r_c [gothic_arch G] [keywords]
   // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed]
   void read_coeff(Arguments &, int types);
-  // Derives the constants of the raceways. Returns what is wrong with raceways and atoms, or "".
+  // Derives the constants of the raceways. Returns an error in raceways or atoms, or "".
   std::string prepare(const TypeSizes &);
 
   bool lubricated() const { return with_film_; }
@@ -42,7 +42,7 @@ class PairCoefficients {
   }
   bool is_ring(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
-  bool is_named(int type) const;    // by some pair_coeff
+  bool is_named(int type) const;    // in some pair_coeff
   // Sides on which a ball type has a raceway: 1 inner, 2 outer, or their sum.
   int sides_of(int ball_type) const;
   bool any_raceway() const { return !raceways_.empty(); }
@@ -60,7 +60,7 @@ class PairCoefficients {
   // Parts of the contact law (core/contact/contact.h), one law for all raceways.
   unsigned law() const { return law_; }
   const raceway::LawFacts &facts() const { return facts_; }
-  // Raceways with a tangential spring take this creep instead: true.
+  // True: raceways with a tangential spring use this creep instead.
   bool smooth_friction(double creep);
   // Distance of centres below which two types are neighbours, m; 0: they do not interact.
   double cutoff(int type_1, int type_2) const;

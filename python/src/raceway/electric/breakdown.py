@@ -43,7 +43,7 @@ class Breakdown:
             raise ValueError(f"roughness = {self.roughness:g} m must be 0 or more")
 
     def less(self, films: Films) -> float:
-        """What the roughness takes from the thickness of the `films`, m."""
+        """Reduction of the thickness of the `films` by roughness, m."""
         roughness = films.roughness if self.roughness is None else self.roughness
         return PEAKS * roughness if self.surfaces == "rough" else 0.0
 

@@ -31,7 +31,7 @@ class Terms(NamedTuple):
         return np.isinf(self.conductance)
 
     def beside(self, bearing: Floats) -> Floats:
-        """All that is parallel to the films of a `bearing` (F), F."""
+        """Capacitance parallel to the films of a `bearing` (F), F."""
         return self.capacitance + self.factor * bearing
 
 

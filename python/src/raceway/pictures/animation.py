@@ -72,11 +72,9 @@ def _window(tables, passes, frames):
         raise RunError(f"{tables.folder} holds no sample to draw")
     way = tables.passes(tables.first + np.arange(have))
     way = way - way[0]
-    # the cage slips: what the deck asked for counts as there
+    # the cage slips: the number of passes that the deck asked for is accepted
     if passes is not None and passes > max(way[-1], tables.settings["passes"]) + 0.5 / have:
-        raise RunError(
-            f"{tables.folder} holds {way[-1]:.3g} ball passes: {passes:g} are not to be had"
-        )
+        raise RunError(f"{tables.folder} has {way[-1]:.3g} ball passes, fewer than {passes:g}")
     wanted = max(int(np.searchsorted(way, 4.0 if passes is None else passes)), 1)
     wanted = min(wanted, have)
     part = tables.window(slice(tables.first, tables.first + wanted))

@@ -55,7 +55,7 @@ def _numbers(table):
 
 
 def _tables(asked):
-    """Rows without repetition, by the names of the variables that their points set."""
+    """Distinct rows, by the names of the variables that their points set."""
     tables = {}
     for _, row in asked.astype(object).iterrows():
         given = row.dropna()

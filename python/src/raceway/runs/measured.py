@@ -108,7 +108,7 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
 
 
 def _kept(tables):
-    """Samples without the start of the window, unless it is the only one."""
+    """Samples of the window except the first, unless it is the only one."""
     return slice(int(tables.first == 0 and tables.last > 1), None)
 
 

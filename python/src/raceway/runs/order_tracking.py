@@ -29,10 +29,10 @@ def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
     steps = np.diff(turns)
     if not (steps > 0).all():
         raise ValueError("the shaft must turn one way for an order axis")
-    # no coarser than at the lowest speed either: what was sampled stays
+    # as fine as the samples at the lowest speed, so that no frequency is lost
     count = int(turns[-1] / steps.min()) + 1
     if count > MOST * len(turns):
-        raise ValueError("the shaft nearly stands still at times: choose samples of its turning")
+        raise ValueError("the shaft nearly stops: choose samples during which it turns")
     even = np.linspace(0.0, turns[-1], count)
     return interpolate.CubicSpline(turns, np.asarray(values, float))(even), even[1]
 

@@ -53,7 +53,7 @@ def settings(record: Record) -> Settings:
     found = {"bearing": "unnamed", "integrator": "unknown", **one, **told, **columns}
     for name in ("inner_ring", "outer_ring"):
         if record.bearing is not None and found[name] not in (None, *record.fixed("ring")):
-            raise RunError(f"{record.path}: {name} is {found[name]:g}, which is none of its rings")
+            raise RunError(f"{record.path}: {name} is {found[name]:g}, not one of its rings")
     if record.bearing is not None and not set(MEASURED) <= set(told) and len(record):
         found = {**_measured(record, found), **found}
     return Settings({**found, **end}, (record.need_one, record.need_samples))
@@ -74,7 +74,7 @@ def _bearing(record):
     for name, most in BODY.items():
         if not 0 < value[name] < most:
             raise RunError(
-                f"{record.path}: {name} is {value[name]:g}, must be below {most:g}, above 0"
+                f"{record.path}: {name} is {value[name]:g}, must be above 0 and below {most:g}"
             )
     if value["balls"] != len(record.fixed("ball")):
         raise RunError(

@@ -171,7 +171,8 @@ def _need_window(tables):
 
 
 def _need_agreement(tables):
-    """The largest loads of the bearing are those of its contacts; checksums say so at once."""
+    """The largest loads of the bearing must be those of its contacts. A checked record needs no
+    comparison."""
     record = tables.record
     if record.checked or "load" not in record.contact_columns:
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Angles through which rings, cage and balls of a bearing turned in a run, and its ball passes.
+"""Rotation angles of rings, cage and balls of a bearing during a run, and its ball passes.
 
 Speeds may change during a run. A line of a spectrum is thus a ratio of angles, and a ball pass is
 an angle of the cage.
@@ -16,7 +16,7 @@ from raceway.errors import RunError
 from raceway.runs.record import Record
 from raceway.theory.bearing import INNER, OUTER
 
-STEADY = 0.01  # share of the mean speed: a smaller change is none
+STEADY = 0.01  # share of the mean speed; smaller changes do not count
 SPINS = ("x", "y", "z")
 
 
@@ -111,7 +111,7 @@ class Turning:
         return float(total / (stop - start))
 
     def _angle(self, start, stop):
-        """Of the mean cosine over all contacts, weighted by load."""
+        """Contact angle of the mean cosine over all contacts, weighted by load."""
         if not {"angle", "load"} <= set(self.record.contact_columns):
             return math.nan
         cosine = weight = 0.0

@@ -11,7 +11,7 @@ import numpy as np
 from raceway.arrays import Floats
 
 STEPS = 100
-MEMORY = 100.0  # over the rate of `rotation`: longer than balls remember
+MEMORY = 100.0  # times 1/rate of `rotation`, after which the initial rotation has decayed
 
 
 class Unloaded(NamedTuple):
@@ -28,7 +28,7 @@ def unloaded(
 ) -> Unloaded:
     """`Unloaded` of balls, `loaded` (Z,) or not, at `azimuth` (rad) in the rows with the numbers
     `row`, that move at `orbit` rad/s on the `pitch` radius (m). The loaded zone ends midway between
-    balls. In a row without load, balls lost theirs for ever."""
+    balls. In a row without load, balls are never loaded."""
     found = Unloaded(*np.zeros((4, len(loaded))))
     found.speed[~loaded] = abs(orbit) * pitch
     for one in np.unique(row):
@@ -52,7 +52,7 @@ def unloaded(
 def rotation(slowing: Callable[[Floats], Floats], rate: Floats, time: Floats) -> Floats:
     """Rotation x of balls over that of rolling, (n,), `time` (s) after x = 1, by Heun's method:
     dx/dt = -`rate` (1/s) `slowing`(x), the resistance less the traction, both over the load.
-    Traction holds a ball that rolls if it can. After an infinite time the steady rotation."""
+    A ball rolls as long as traction suffices. After an infinite time the steady rotation."""
 
     def change(x):
         excess = slowing(x)

@@ -41,7 +41,7 @@ from raceway.theory.small_motion import Linear
 
 FREEDOMS = ("x", "y", "z", "rx", "ry")
 STRAIGHT = {"rx": 0.0, "ry": 0.0}
-LIGHT = 0.01  # of the largest load: contacts below say nothing of contact angles
+LIGHT = 0.01  # of the largest load; contact angles of lighter contacts do not count
 
 
 class Contacts(NamedTuple):
