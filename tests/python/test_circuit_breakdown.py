@@ -2,6 +2,7 @@
 """Breakdown of films in the circuit: charges that redistribute, thresholds, events."""
 
 import dataclasses
+import warnings
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from raceway.electric.breakdown import ROW, Breakdown
 from raceway.electric.films import series
 from raceway.electric.outer import Floating, Motor, Source
 from raceway.electric.waveforms import Constant, Sine
+from raceway.errors import RunWarning
 
 MOTOR = Motor(Sine(300.0, 2000.0), 50 * PICO, 1000 * PICO, second=200 * PICO)
 WEAK = Breakdown(30e6)
@@ -178,3 +180,20 @@ def test_current_of_a_failure():
     assert plain[["current", "duration", "current_density"]].isna().all(axis=None)
     with pytest.raises(ValueError, match="arc = 0 ohm must be positive"):
         Breakdown(35e6, arc=0.0)
+
+
+def test_steps_too_long_for_the_voltage_have_a_warning():
+    """A source that charges the bearing within a step: films fail at its voltage, not their own."""
+    given = turning()
+    limit = WEAK.limit(given).min()
+    slow = Source(Constant(12 * limit), 1e7)
+    stiff = dataclasses.replace(slow, resistance=1e3)
+    with pytest.warns(RunWarning, match="fail late, at up to .* times their strength"):
+        events = circuit.run(given, stiff, WEAK).events
+    assert events.field.abs().max() > circuit.LATE * WEAK.strength
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert (
+            circuit.run(given, slow, WEAK).events.field.abs().max() < circuit.LATE * WEAK.strength
+        )
+        assert len(circuit.run(given, Floating(12 * limit), WEAK).events)  # from the first point on

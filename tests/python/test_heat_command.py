@@ -99,7 +99,11 @@ def test_command(capsys):
     ("arguments", "code", "message"),
     [
         (["--load", "1", "--rpm", "1", "--lubricant", "mineral"], 1, "has no physical data"),
-        (["--load", "1", "--rpm", "1", "--bearing", "harris209"], 1, "no boundary dimensions"),
+        (
+            ["--load", "1", "--rpm", "1", "--bearing", "harris209"],
+            1,
+            "no bearing_width, bore_diameter, outside_diameter",
+        ),
         (["--load", "1"], 2, "give --rpm or --speeds"),
         (["--rpm", "100"], 2, "a load is needed"),
         (["--load", "1", "--rpm", "0"], 2, "must lie from 1 to 100000 rpm"),
@@ -112,3 +116,10 @@ def test_messages(capsys, arguments, code, message):
     except SystemExit as stop:
         assert stop.code == code
     assert message in capsys.readouterr().err
+
+
+def test_an_angular_contact_bearing_is_cooled_as_one_of_its_size():
+    """ISO 15312 asks for bore, outside diameter and width alone."""
+    angular, deep = (steady_heat.Case(name, "vg46", rpm=1000.0) for name in ("7208", "6208"))
+    assert angular.cooling() == deep.cooling()
+    assert angular.report(angular.scene(), angular.steady(angular.scene()))["temperature_C"] > 20

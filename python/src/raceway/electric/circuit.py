@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The circuit of a bearing that runs: voltages, currents and discharges (docs/electric_circuit)."""
 
+import warnings
 from typing import NamedTuple
 
 import numpy as np
@@ -14,11 +15,13 @@ from raceway.electric.leak import Leak
 from raceway.electric.network import ENERGIES, Solution
 from raceway.electric.outer import Motor, Outer
 from raceway.electric.waveforms import FEWEST, PER_CYCLE, Table
+from raceway.errors import RunWarning
 from raceway.runs.run import Run
 from raceway.theory.film_voltage import field
 
 RACEWAYS = ("inner", "outer")
 MOST = 100_000_000  # films at all points
+LATE = 3  # field over strength of a film that fails
 MEANINGS = {  # variables and their units
     "bearing_voltage": ("V", "voltage of the inner ring to the outer ring"),
     "driving_voltage": ("V", "voltage of the outer circuit"),
@@ -105,7 +108,9 @@ def run(
     limit = breakdown.limit(fine) if breakdown else None
     solution = network.solve(fine, terms, breakdown)
     data = _dataset(fine, outer, terms, solution, breakdown, limit)
-    return Result(data, _events(fine, solution, breakdown))
+    events = _events(fine, solution, breakdown)
+    _warn_of_late(events, (fine.time[0], *terms.edges[:, 0]), breakdown)
+    return Result(data, events)
 
 
 def _points(coarse, outer, points):
@@ -213,6 +218,20 @@ def _events(fine, s: Solution, breakdown):
         table = pd.DataFrame(f._asdict() | own)[list(EVENT_UNITS)]
     table.attrs["units"] = EVENT_UNITS
     return table
+
+
+def _warn_of_late(events, sudden, breakdown):
+    """Warn of steps so long that films fail far above their strength, other than at the `sudden`
+    times and after another film."""
+    gradual = ~np.isin(events.time, sudden) & (events.order == 1)
+    field = events.field[gradual].abs().max()
+    if breakdown and field > LATE * breakdown.strength:
+        warnings.warn(
+            f"films fail late, at up to {field / breakdown.strength:.3g} times their strength: the"
+            " voltage rises too fast for the steps of the circuit. Give more points",
+            RunWarning,
+            stacklevel=3,
+        )
 
 
 def _unbridged(local, breakdown):

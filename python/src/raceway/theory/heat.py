@@ -23,11 +23,10 @@ REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
 STEEL = (46.0, 7850.0, 460.0)  # k in W/(m K), rho in kg/m^3, c in J/(kg K)
 
 
-def cooling(boundary: makers.Boundary) -> float:
-    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): what a bearing's seats and housing carry away
-    per degree above ambient, at the reference conditions."""
-    area = np.pi * boundary.width * (boundary.outside + boundary.bore) * 1e-6
-    return FLUX * area / RISE
+def cooling(bore: float, outside: float, width: float) -> float:
+    """W_s = q_r pi B (D + d)/50 K in W/K (ISO 15312): what seats and housing of a radial bearing of
+    these sizes (mm) carry away per degree above ambient, at the reference conditions."""
+    return FLUX * np.pi * width * (outside + bore) * 1e-6 / RISE
 
 
 def balance(
@@ -131,8 +130,9 @@ def reference_speed(boundary: makers.Boundary, level: float = 0.0) -> float:
         torque = makers.skf(
             boundary, 0.05 * boundary.static_rating, 0.0, speed, REFERENCE_VISCOSITY, level=level
         )
-        return 1e-3 * torque.total * speed * np.pi / 30 - cooling(boundary) * RISE
+        return 1e-3 * torque.total * speed * np.pi / 30 - carried
 
+    carried = cooling(boundary.bore, boundary.outside, boundary.width) * RISE
     speeds = np.geomspace(100, 3e5, 200)
     above: Floats = np.flatnonzero([surplus(speed) > 0 for speed in speeds])
     if not len(above) or above[0] == 0:

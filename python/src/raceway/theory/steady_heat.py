@@ -268,12 +268,12 @@ class Case:
         if self.conductance is not None or self.nodes is not None:
             return self.conductance
         path, _ = self.files()
-        boundary = inputs.boundary(path)
-        if boundary is None:
+        names = ("bore_diameter", "outside_diameter", "bearing_width")
+        if missing := set(names) - set(inputs.values(path)):
             raise inputs.InputError(
-                f"{path} has no boundary dimensions for ISO 15312: give the conductance"
+                f"{path} has no {', '.join(sorted(missing))} for ISO 15312: give --conductance"
             )
-        return heat.cooling(boundary)
+        return heat.cooling(*(1e3 * size for size in inputs.numbers(path, *names).values()))
 
     def steady(self, scene: Scene) -> dict[str, Any]:
         """Steady figures of its `Scene`. Raises `NoEquilibrium`."""
