@@ -24,11 +24,10 @@ COMMANDS = [
     "summary run --json",
     "spectrum run --json",
     "spectrum run --envelope --signal ay --ring outer",
-    "export run --format vtk --every 400",
-    "export run --format xyz --every 400",
+    "export run --format vtk --every 800",
+    "export run --format xyz --every 800",
 ]
 PICTURES = [
-    "plot run --kind polar",
     "plot run --kind bearing",
     "plot run --kind motion",
     "spectrum run --out run/lines.png",
