@@ -37,7 +37,10 @@ PairBearingHertz::~PairBearingHertz()
 PairBearingHertz *PairBearingHertz::find(LAMMPS *lmp, const std::string &asked_by)
 {
   PairBearingHertz *p = dynamic_cast<PairBearingHertz *>(lmp->force->pair);
-  if (!p) BRG_ALL_OF(lmp, asked_by + " needs pair_style bearing/hertz or bearing/ehd before it");
+  if (!p)
+    BRG_ALL_OF(lmp,
+               asked_by +
+                   " needs pair_style bearing/hertz or bearing/ehd before it, not below hybrid");
   return p;
 }
 
@@ -105,6 +108,7 @@ void PairBearingHertz::init_style()
   validity_.forget_shoulders();
   check_ghosts();
   check_types(sizes.count);
+  check_rails();
   profiles_.clear();    // set again by fixes bearing/profile
   atoms_ = count_atoms();
   put_state_last();
@@ -185,6 +189,25 @@ void PairBearingHertz::check_types(const std::vector<int> &count)
   if (!types.empty() && comm->me == 0)
     BRG_WARN("pair_style bearing: no pair_coeff names type" + types +
              ": its atoms pass through everything");
+}
+
+// Nothing holds a cage without rails: warns once for each number of its balls.
+void PairBearingHertz::check_rails()
+{
+  int railed = 0;
+  for (int k = 0; k < modify->nfix; ++k)
+    if (strcmp(modify->fix[k]->style, "bearing/cage") == 0) railed |= modify->fix[k]->groupbit;
+  bigint mine = 0, all = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int t = atom->type[i];
+    mine += coefficients_.is_named(t) && !coefficients_.is_ball(t) && !coefficients_.is_ring(t) &&
+            !(atom->mask[i] & railed);
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (all > 0 && all != without_rails_ && comm->me == 0)
+    BRG_WARN("pair_style bearing: " + std::to_string(all) +
+             " cage balls are in the group of no fix bearing/cage: no rails hold them");
+  without_rails_ = all;
 }
 
 bigint PairBearingHertz::count_atoms() const

@@ -73,6 +73,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   void put_state_last();
   void check_ghosts();
   void check_types(const std::vector<int> &count);
+  void check_rails();
   bigint count_atoms() const;
   void check_atoms() const;
   void rebuild_contacts();
@@ -91,6 +92,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::Commands commands_;                  // so far: a restart replays them
   std::set<std::pair<int, int>> cage_types_;    // of created bearings, smaller type first
   std::set<int> silent_types_;                  // unnamed types with a warning
+  bigint without_rails_ = 0;                    // cage balls
   int implicit_bits_ = 0;    // groups of fixes that advance contact states themselves
   bearing::ContactTable table_;
   bearing::ContactEvaluator evaluator_;

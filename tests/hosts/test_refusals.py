@@ -16,6 +16,19 @@ fix move bearing bearing/implicit
 timestep 1.0e-5
 """
 )
+CAGED = (
+    BEARING.split("create_bearing")[0]
+    + """pair_coeff 1 2 sphere 210e9 0.3 3.3e9 0.41
+create_bearing 1 2 3 4 balls 9 diameter 12.6e-3 cage 8.38e-3 speed 20.0 0
+group cage type 2
+group free type 1 2
+group rings type 3 4
+fix rails cage bearing/cage 4 gap {gap}
+fix rings rings bearing/ring mass 0.2 spin speed 20.0
+fix weight all gravity {weight} vector 0 -1 0
+timestep 1e-5
+"""
+)
 EVERYWHERE, LAMMPS, WHEEL = ("liggghts", "lammps", "wheel"), ("lammps", "wheel"), ("wheel",)
 MAY = "which may change their motion"
 # words of a fix on the atoms of fix bearing/implicit: (what the error says, hosts with that fix)
@@ -74,23 +87,9 @@ def test_free_play_beyond_the_far_side_of_the_grooves(tmp_path, clearance, ends)
 def test_cage_that_falls_inwards(tmp_path, mover, gap, weight, ends):
     """At 20 rad/s the rails do not carry the weight of the cage; their gap is play."""
     step, turn = (1e-5, 2500) if mover == "bearing/implicit" else (1e-6, 25000)
-    deck = (
-        BEARING.split("create_bearing")[0]
-        + f"""
-pair_coeff 1 2 sphere 210e9 0.3 3.3e9 0.41
-create_bearing 1 2 3 4 balls 9 diameter 12.6e-3 cage 8.38e-3 speed 20.0 0
-group cage type 2
-group moving type 1 2 3 4
-group free type 1 2
-group rings type 3 4
-fix rails cage bearing/cage 4 gap {gap}
-fix move {"moving" if mover == "bearing/implicit" else "free"} {mover}
-fix rings rings bearing/ring mass 0.2 spin speed 20.0
-fix weight all gravity {weight} vector 0 -1 0
-timestep {step}
-run {turn}
-"""
-    )
+    atoms = "all" if mover == "bearing/implicit" else "free"
+    deck = CAGED.format(gap=gap, weight=weight) + f"fix move {atoms} {mover}\n"
+    deck += f"timestep {step}\nrun {turn}\n"
     end = outcome(tmp_path, deck)
     assert (end.code != 0) == ("it has left its pocket" in end.error) == ends, end.text
 
@@ -139,3 +138,12 @@ def test_resume(tmp_path):
 def test_tolerance_that_is_no_number(tmp_path):
     end = run("inputs/in.6208", out=tmp_path, tolerance="small", **SHORT)
     assert end.code != 0 and "tolerance must be a number, not 'small'" in end.error, end.text
+
+
+def test_cage_whose_rails_are_taken_away(tmp_path):
+    deck = CAGED.format(gap=0, weight=0)
+    end = outcome(
+        tmp_path, deck + "fix move all bearing/implicit\nrun 1\nunfix rails\nrun 1\nrun 1\n"
+    )
+    said = "9 cage balls are in the group of no fix bearing/cage: no rails hold them"
+    assert end.code == 0 and end.text.count(said) == 1, end.text
