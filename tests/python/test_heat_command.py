@@ -2,6 +2,7 @@
 """`raceway heat` and what it stands on: balances hold, limits agree, messages and exit codes."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -123,3 +124,12 @@ def test_an_angular_contact_bearing_is_cooled_as_one_of_its_size():
     angular, deep = (steady_heat.Case(name, "vg46", rpm=1000.0) for name in ("7208", "6208"))
     assert angular.cooling() == deep.cooling()
     assert angular.report(angular.scene(), angular.steady(angular.scene()))["temperature_C"] > 20
+
+
+@pytest.mark.parametrize("name", ["reference_speed", "ball_density", "bore_diameter"])
+def test_a_word_for_a_number_names_its_variable(capsys, tmp_path, name):
+    text = (ROOT / "inputs/bearings/6208").read_text()
+    words = re.sub(rf"^(variable {name} +index) \S+", r"\1 quick", text, flags=re.M)
+    (tmp_path / "mine").write_text(words)
+    assert main(["heat", "--bearing", str(tmp_path / "mine"), "--load", "9", "--rpm", "900"]) == 1
+    assert f"mine: {name} = quick is no number" in capsys.readouterr().err

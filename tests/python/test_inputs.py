@@ -50,7 +50,7 @@ def test_composite_roughness(tmp_path):
                     "ball_roughness",
                 )
             ),
-            "could not convert",
+            "is no number",
         ),
     ],
 )

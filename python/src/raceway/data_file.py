@@ -76,10 +76,12 @@ def numbers(path: FilePath, *names: str) -> dict[str, float]:
     data = values(path)
     if missing := [name for name in names if name not in data]:
         raise InputError(f"{path} has no variable {', '.join(missing)}")
-    try:
-        found = {name: float(data[name]) for name in names}
-    except ValueError as error:
-        raise InputError(f"{path}: {error}") from None
+    found = {}
+    for name in names:
+        try:
+            found[name] = float(data[name])
+        except ValueError:
+            raise InputError(f"{path}: {name} = {data[name]} is no number") from None
     check(path, found)
     return found
 

@@ -285,7 +285,7 @@ class Case:
         """The mapping of `figures` with the steady figures `found`."""
         path, oil = self.files()
         level = 500 * scene.bearing.ball_diameter  # mm: the middle of the lowest ball
-        known = inputs.values(path).get("reference_speed")
+        known = "reference_speed" in inputs.values(path)
         boundary = scene.boundary
         return dict(
             bearing=path.name,
@@ -299,7 +299,9 @@ class Case:
             **{key: value for key, value in found.items() if key != "sides"},
             reference_speed_rpm=boundary and heat.reference_speed(boundary, level),
             reference_speed_dry_rpm=boundary and heat.reference_speed(boundary),
-            reference_speed_catalogue_rpm=known and float(known),
+            reference_speed_catalogue_rpm=(
+                inputs.numbers(path, "reference_speed")["reference_speed"] if known else None
+            ),
         )
 
 
