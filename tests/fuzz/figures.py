@@ -83,7 +83,7 @@ def _tilts(rings, names, pose):
     rings[..., at : at + 2] = pose.back(lab, axial=True)[..., :2]
 
 
-def differences(first, second, tolerance):
+def differences(first, second, tolerance, start=1):
     """Columns that differ by more than `tolerance` of their largest value, worst first: (share,
     table, column, sample)."""
     found = []
@@ -94,7 +94,7 @@ def differences(first, second, tolerance):
             at = columns.index("azimuth")
             b[..., at] -= 2 * np.pi * np.round((b[..., at] - a[..., at]) / (2 * np.pi))
         if tolerance:  # at the start rounding decides whether balls that just touch are in contact
-            a, b = a[1:], b[1:]
+            a, b = a[start:], b[start:]
         if a.shape != b.shape:
             found.append((np.inf, name, f"shape {a.shape} {b.shape}", 0))
             continue

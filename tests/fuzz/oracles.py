@@ -6,6 +6,7 @@ import json
 import re
 from dataclasses import replace
 
+import numpy as np
 from fuzz import child, figures, statics
 from fuzz.deck import deck
 from fuzz.lab import HOSTS, Finding, same
@@ -164,7 +165,7 @@ def read(scene, first, lab, draw):
         other = lab.figures(scene, name, place, more=[record])
         end = child.raceway(["summary", str(lab.folder / name / "record"), "--json"], lab.folder)
         told.append(json.loads(end.out) if end.code == 0 else {"error": "refused"})
-    if figures.differences(first, other, POSED):
+    if figures.differences(first, other, POSED, start=0):
         return
     for key in ("error", *SCALARS):
         a, b = (value.get(key) for value in told)
@@ -180,8 +181,32 @@ def _alike(a, b):
     return a == b
 
 
+def energy(scene, first, lab, draw):
+    """Work, dissipation and storage balance to 1e-3, or approach it with shorter substeps."""
+    jumps = any("position" in str(scene[ring]) for ring in ("inner", "outer"))  # no work defined
+    if scene["implicit"] is None or "solve" in scene["implicit"] or jumps:
+        return
+    share = 1.0
+    for parts in (4, 32, 256):
+        control = f"tolerance 1e-10 energy yes largest {scene['step'] / parts:.17g}"
+        text = deck(scene | {"implicit": control}).splitlines()
+        terms = [f"variable e{k} equal f_move[{k}]" for k in range(7, 11)]
+        values = " ".join(f"${{e{k}}}" for k in range(7, 11))
+        steps = scene["every"] * scene["samples"]
+        terms.append(f'fix account all print {steps} "{values}" file ${{out}}/energy.txt screen no')
+        end = lab.start("\n".join([*text[:-1], *terms, text[-1], ""]), "energy")
+        if end.code:
+            raise Finding(f"only energy refuses: {end.error.splitlines()[0]}")
+        rows = np.loadtxt(lab.folder / "energy" / "energy.txt", comments="#", ndmin=2)
+        before, (*account, own) = share, abs(rows[-1])
+        share = own / (max(account) + 1e-12)
+        if share <= 1e-3:
+            return
+    raise Finding(f"energy: {share:.2g} is missing, {before:.2g} with longer substeps")
+
+
 ORACLES = {
     f.__name__: f
     for f in (turn, mirror, move, split, restart, observe, ranks, hosts)
-    + (rewrite, neighbour, shaft, rest, read)
+    + (rewrite, neighbour, shaft, rest, read, energy)
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Command lines on whole and damaged files."""
+"""Command lines on whole and damaged files. Damage may be refused, but change no figure."""
 
 import json
 import math
@@ -10,9 +10,9 @@ from fuzz.lab import Finding
 
 def check(draw, folder, runs):
     """A command line: "passed" or "refused"; raises Finding."""
-    damage, places = "", runs
+    damage, places, whole = "", runs, draw.choice(runs)
     if draw.chance(0.3):
-        place, damage = files.damaged(draw, draw.choice(runs), folder)
+        place, damage = files.damaged(draw, whole, folder)
         places = [place]
     words = commands.line(draw, {"DIR": places, **files.tables(folder, draw)})
     try:
@@ -20,7 +20,15 @@ def check(draw, folder, runs):
     except Finding as error:
         raise Finding(f"{error} ({damage})" if damage else str(error)) from None
     if end.code == 0 and "--json" in words:
-        _finite(json.loads(end.out, parse_constant=_constant), words)
+        told = json.loads(end.out, parse_constant=_constant)
+        _finite(told, words)
+        if damage and str(places[0]) in words:
+            again = [str(whole) if word == str(places[0]) else word for word in words]
+            before = json.loads(
+                child.raceway(again, folder).out.replace(str(whole), str(places[0]))
+            )
+            if told != before:
+                raise Finding(f"damage changes the figures of {words}: {damage}")
     return "refused" if end.code else "passed"
 
 

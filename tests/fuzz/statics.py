@@ -65,13 +65,14 @@ def check(scene, lab):
 def _unrest(ring, radius, names, table):
     """Share of the loads that the contacts do not yet carry."""
     row = table[-1, table[-1, :, 0].argmin()]
-    scale = max(map(abs, ring["force"])) + 1e-9
     loads = zip(("fx", "fy", "fz", "mx", "my"), [*ring["force"], *ring["moment"]], strict=True)
-    off = [
-        abs(row[names.index(name)] + load) / (scale * (radius if name[0] == "m" else 1))
+    free = [
+        (row[names.index(name)], load, radius if name[0] == "m" else 1)
         for (name, load), freedom in zip(loads, FREEDOMS, strict=True)
         if ring["freedoms"][freedom] == ["free"]
     ]
+    scale = max((abs(load) / length for _, load, length in free), default=0) + 1e-9
+    off = [abs(carried + load) / (scale * length) for carried, load, length in free]
     return max(off, default=0)
 
 

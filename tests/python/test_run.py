@@ -37,6 +37,7 @@ def test_dry_needs_no_lubricant(tmp_path, dry, name):
         ("^load_N: .*$", r"\g<0>\nload_N: 1", "cannot read .*run.yaml: load_N is there twice"),
         ("^step_s: .*", "step_s: -1", "step_s = -1 must be finite and not negative"),
         ("^wall_s: .*", "wall_s: inf", "wall_s = inf must be finite and not negative"),
+        ("^wall_s: .*", "wall_s: 0", "wall_s = 0 must be positive"),
         ("^simulated_s: .*", "simulated_s: 0", "record.nc is of another run than run.yaml"),
         (r"\A[\s\S]*\Z", "a: " + 9000 * "[" + 9000 * "]", "cannot read .*run.yaml: "),
     ],
@@ -51,6 +52,7 @@ def test_spoilt_run_yaml(folder, pattern, replacement, said):
     "pattern, said",
     [
         ("^wall_s:.*\n", "no wall_s$"),
+        (r"\n\Z", "no step_s and no simulated_s and no wall_s$"),
         ("^simulated_s:.*\nwall_s:.*\n", "no simulated_s and no wall_s$"),
     ],
 )

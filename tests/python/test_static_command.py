@@ -102,6 +102,14 @@ def test_ring_held_along_its_axis(capsys):
     assert "must be 0: it follows from the contact angle" in capsys.readouterr().err
 
 
+def test_balls_that_stand_still_on_the_outer_ring_have_no_film_and_no_capacitance(capsys):
+    words = ["--axial", "900", "--four-point", "35", "--rpm", "89062.8", "--lubricant", "vg46"]
+    found = figures(capsys, *words)
+    outer = [one for one in found["balls"][0]["contacts"] if one["raceway"].startswith("outer")]
+    assert [(one["h_min_m"], one["capacitance_F"]) for one in outer] == [(0, None)] * 2
+    assert found["capacitance_F"] is None and found["residual_N"] < 1e-6
+
+
 def test_balls_that_slide_under_their_gyroscopic_moment(capsys):
     """In runs with a film of 0.05 the balls of a 7205B at 8000 rpm slide under 100 N of thrust and
     roll under 150 N. Without a contact angle there is no such moment."""

@@ -87,10 +87,10 @@ def loading(tables: RunTables) -> Loading | None:
     if "fx" not in rings or "fy" not in rings or not len(rings):
         return None
     force = rings["fx"].to_numpy() + 1j * rings["fy"].to_numpy()
-    # ball-pass ripple turns the direction of a steady load by less
-    away = np.angle(force * np.conj(force.mean()))
+    radial = float(np.abs(force).mean())
     axial = -float(rings["fz"].mean()) if "fz" in rings else 0.0
-    return Loading(float(np.abs(force).mean()), axial, bool(math.sqrt(np.mean(away**2)) > TURNED))
+    # ball-pass ripple turns the direction of a steady load by less
+    return Loading(radial, axial, bool(abs(force.mean()) < math.cos(TURNED) * radial))
 
 
 def load_parameter(tables: RunTables, displacement: float) -> float | None:

@@ -131,7 +131,7 @@ def _said(path: Path) -> dict[str, Any]:
     if not path.exists():
         return {}
     data = yaml_file.read(path, RunError)
-    return data if isinstance(data, dict) else {}
+    return data if isinstance(data, dict) and path.read_bytes().endswith(b"\n") else {}
 
 
 def _the_end(path: Path, said: Mapping[str, Any]) -> dict[str, float]:
@@ -144,4 +144,6 @@ def _the_end(path: Path, said: Mapping[str, Any]) -> dict[str, float]:
             raise RunError(f"{path}: {key} is not a number: '{said[key]}'") from None
         if not 0 <= found[key] < np.inf:
             raise RunError(f"{path}: {key} = {said[key]} must be finite and not negative")
+    if found.get("wall_s") == 0:
+        raise RunError(f"{path}: wall_s = {said['wall_s']} must be positive")
     return found

@@ -181,7 +181,7 @@ def figures(
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
     if film is not None:
         result["warnings"] += _sliding(state, lost.friction, needed)
-    result["balls"] = balls(state, films)
+    result["balls"] = _plain(balls(state, films))
     return result
 
 
@@ -352,4 +352,10 @@ def _rounded(values):
 
 
 def _plain(value):
-    return value.item() if isinstance(value, np.generic) else value
+    """`value` for JSON; None for the capacitance of contacts without film, which is no number."""
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    value = value.item() if isinstance(value, np.generic) else value
+    return None if isinstance(value, float) and not math.isfinite(value) else value
