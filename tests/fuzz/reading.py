@@ -20,7 +20,10 @@ def check(draw, folder, runs):
     except Finding as error:
         raise Finding(f"{error} ({damage})" if damage else str(error)) from None
     if end.code == 0 and "--json" in words:
-        told = json.loads(end.out, parse_constant=_constant)
+        try:
+            told = json.loads(end.out, parse_constant=_constant)
+        except json.JSONDecodeError as error:
+            raise Finding(f"no JSON from {words}: {error}") from None
         _finite(told, words)
         if damage and str(places[0]) in words:
             again = [str(whole) if word == str(places[0]) else word for word in words]

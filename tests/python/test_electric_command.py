@@ -221,3 +221,10 @@ def test_messages(capsys, arguments, code, message):
     except SystemExit as stop:
         assert stop.code == code
     assert message in capsys.readouterr().err
+
+
+def test_paths_of_files_stay_out_of_the_json(capsys, tmp_path):
+    words = ["electric", "--load", "2000", "--rpm", "1000", "--lubricant", "vg46", "--json"]
+    assert main([*words, "--csv", str(tmp_path / "points.csv")]) in (0, None)
+    said = capsys.readouterr()
+    assert json.loads(said.out)["bearing"] == "6208" and "points.csv" in said.err

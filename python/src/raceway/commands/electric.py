@@ -6,6 +6,8 @@ import argparse
 import csv
 import json
 import math
+import sys
+from contextlib import redirect_stdout
 from pathlib import Path
 
 from raceway.commands import Commands, electric_run, options
@@ -207,10 +209,11 @@ def run(arguments: argparse.Namespace) -> None:
         show = electric_table.curves if many else lambda found: electric_table.table(found[0])
         print(show(results))
     curve = _reading(arguments, points[0]) if arguments.kind == "reading" else None
-    if arguments.csv:
-        _table(Path(arguments.csv), results, curve)
-    if arguments.kind:
-        _picture(arguments, points, results, curve)
+    with redirect_stdout(sys.stderr if arguments.json else sys.stdout):
+        if arguments.csv:
+            _table(Path(arguments.csv), results, curve)
+        if arguments.kind:
+            _picture(arguments, points, results, curve)
 
 
 def _check(arguments):
