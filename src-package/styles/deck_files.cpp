@@ -242,7 +242,7 @@ void BearingResume::command(int narg, char **arg)
   std::error_code ec;
   int there = comm->me == 0 && fs::is_regular_file(file, ec) ? 1 : 0;
   std::string complaint;
-  if (there && asked && bearing::check_sum(file) == bearing::Sum::wrong)
+  if (there && asked && !bearing::has_right_sum(file))
     complaint = file + " is damaged: its check sum is wrong. Remove it and start the run anew";
   else if (there && asked && !is_of_this_host(file))
     complaint = file + " is of another host: LIGGGHTS and LAMMPS cannot continue each other's runs";

@@ -277,9 +277,10 @@ def test_every_flipped_bit_of_a_restart_file_is_noticed(stopped, tmp_path):
     shutil.copytree(stopped, out)
     good = (out / "restart").read_bytes()
     case = {"passes": 40, "samples": 100, "keep": 20, "out": out, "resume": "yes"}
-    for k in range(1, 12):
+    mark = good.index(b"bearing/checkpoint sum")
+    for k, place in enumerate([mark, *(len(good) * k // 12 for k in range(1, 12))]):
         bad = bytearray(good)
-        bad[len(bad) * k // 12] ^= 1 << (k % 8)
+        bad[place] ^= 1 << (k % 8)
         (out / "restart").write_bytes(bad)
         end = liggghts("inputs/in.6208", **case)
         assert end.code != 0, k

@@ -240,7 +240,7 @@ def test_a_value_that_is_no_number(force, message, tmp_path):
         (
             {"bearings": 1},
             (
-                r"bearing_range: kinds is 2, must be a whole number from 1 to 1 \(each lubricant"
+                r"bearing_range: lubricants is 2, must be a whole number from 1 to 1 \(each lubricant"
                 r" needs a bearing\)"
             ),
         ),

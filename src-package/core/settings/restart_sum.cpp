@@ -55,12 +55,10 @@ bool write_sum(const std::string &file)
   return out.good();
 }
 
-Sum check_sum(const std::string &file)
+bool has_right_sum(const std::string &file)
 {
   const Content content(file);
-  if (!content.read) return Sum::unreadable;
-  if (content.place == std::string::npos) return Sum::none;
-  return content.sum == content.right_sum() ? Sum::right : Sum::wrong;
+  return content.read && content.place != std::string::npos && content.sum == content.right_sum();
 }
 
 }    // namespace bearing
