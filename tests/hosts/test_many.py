@@ -240,8 +240,8 @@ def test_a_value_that_is_no_number(force, message, tmp_path):
         (
             {"bearings": 1},
             (
-                r"bearing_range: lubricants is 2, must be a whole number from 1 to 1 \(each lubricant"
-                r" needs a bearing\)"
+                r"bearing_range: lubricants is 2, must be a whole number from 1 to 1 "
+                r"\(each lubricant needs a bearing\)"
             ),
         ),
         ({"sample": 1e-4}, r"bearing_range: sample is 0.0001, must be from 0.00025"),
