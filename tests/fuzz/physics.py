@@ -46,7 +46,12 @@ def _sums(scene, of, touching, ring):
             continue  # its rails and the drag push the ring too
         radial = np.where(mine, of["normal"] * np.cos(of["angle"]), 0)
         sign = -1 if side == 0 else 1
-        force = [sign * (radial * f(of["azimuth"])).sum(axis=1) for f in (np.cos, np.sin)]
+        axial = np.where(mine, of["normal"] * np.sin(of["angle"]), 0).sum(axis=1)
+        across = ring["tilt_2"][rows, pick], -ring["tilt_1"][rows, pick]  # axis of a tilted ring
+        force = [
+            sign * ((radial * f(of["azimuth"])).sum(axis=1) + axial * e)
+            for f, e in zip((np.cos, np.sin), across, strict=True)
+        ]
         slack = (
             np.where(mine, of["friction"], 0).sum(axis=1) + 2e-2 * abs(radial).sum(axis=1) + 1e-6
         )
