@@ -11,6 +11,10 @@ using bearing::RacewayContact;
 using bearing::SphereContact;
 using bearing::text;
 
+// Overlap on the far side of a groove that is an error, over r_c - R_b: balls may touch there
+// lightly before they have settled.
+static constexpr double far_touch = 1e-2;
+
 void PairBearingHertz::compute(int eflag, int vflag)
 {
   BRG_EV_INIT(eflag, vflag);
@@ -31,7 +35,9 @@ void PairBearingHertz::add_forces(const RacewayContact &c, const ContactForces &
                                   double energy)
 {
   if (!(c.state.overlap < c.raceway->largest_overlap) || !std::isfinite(c.state.normal)) lost(c);
-  if (c.state.load > 0.0 && (c.side() == Side::inner ? c.state.nu : -c.state.nu) > 0.0) far_side(c);
+  if (c.state.overlap > far_touch * c.raceway->slack &&
+      (c.side() == Side::inner ? c.state.nu : -c.state.nu) > 0.0)
+    far_side(c);
   forces.force.add_to(atom->f[c.i_ball]);
   forces.ball_torque.add_to(atom->torque[c.i_ball]);
   ring_sum_.add(c.claim, -forces.force, forces.ring_torque);

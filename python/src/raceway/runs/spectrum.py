@@ -239,12 +239,18 @@ def lines(
     rolling = places(run, angle, harmonics, sidebands, own=False)
     own_places = places(run, angle, harmonics, sidebands)
     here = {key: both[which] for key, both in own_places.items()}
+    # harmonics of balls and raceways beyond those asked for may be what is found, too
+    others = here | {
+        key: both[which]
+        for key, both in places(run, angle, 2 * harmonics).items()
+        if key[0] in ("BPFO", "BPFI", "BSF")
+    }
     result = []
     for (name, n), own in here.items():
         order, kinematic = own_places[name, n][0], rolling[name, n][which]
         found, _, amplitude, prominence, note = find(found_in, own, within)
         if not note:
-            other = min(here, key=lambda key: abs(here[key] - found))
+            other = min(others, key=lambda key: abs(others[key] - found))
             if other != (name, n):
                 found, note = math.nan, f"hidden by {other[0]} x {other[1]}"
         difference = found / kinematic - 1 if kinematic else math.nan  # nothing turns
