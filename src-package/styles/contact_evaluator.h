@@ -31,7 +31,7 @@ class ContactEvaluator : protected LAMMPS_NS::Pointers {
   void set_order(const ContactTable &);    // after every search for contacts
   void evaluate(ContactTable &, const Setting &);
 
-  // Of row n of the table, if it is live.
+  // Results for row n of the table, valid for live contacts.
   const raceway::ContactForces &forces(size_t n) const { return found_[n]; }
   double energy(size_t n) const { return energies_.empty() ? 0.0 : energies_[n]; }    // J, stored
   // State of the ring at the groove, which may be offset from the ring's middle plane.

@@ -82,7 +82,7 @@ bool is_number(const std::string &word)
   return end != word.c_str() && *end == '\0';
 }
 
-// What is wrong with a value of -var: nothing in it, or a number with a unit
+// Complaint about a value of -var that is empty or a number with a unit; empty if it is neither
 std::string wrong_with(const std::string &value)
 {
   std::istringstream in(value);

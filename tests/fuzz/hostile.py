@@ -97,7 +97,7 @@ def _finite(file):
 
 
 def affordable(text):
-    """Whether its runs and steps are short: a second of motion takes minutes."""
+    """True if its runs and steps are short: a second of motion takes minutes."""
     for word, most in (("run", 2e4), ("timestep", 1e-3)):
         for number in re.findall(rf"^{word} (\S+)", text, re.M):
             with suppress(ValueError):

@@ -32,7 +32,7 @@ class Pose:
 
     @property
     def axis(self):
-        """Of the bearing, in the lab."""
+        """Axis of the bearing in the lab."""
         return self.axes[2]
 
     @property

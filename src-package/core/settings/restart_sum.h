@@ -16,7 +16,7 @@ std::string empty_sum();
 // Writes the sum into a complete file. False without a placeholder or if writing fails.
 bool write_sum(const std::string &file);
 
-// False also for a file that cannot be read or has lost its placeholder.
+// False also for a file that cannot be read or has no position for the sum.
 bool has_right_sum(const std::string &file);
 
 }    // namespace bearing
