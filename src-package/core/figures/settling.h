@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Settling of a bearing: the change of its means from one half of the last samples to the next.
+// A half of a whole ball pass keeps the ripple of ball passes out of the change. Independent of
+// the host.
+#ifndef BEARING_SETTLING_H
+#define BEARING_SETTLING_H
+
+#include "../numbers/vec3.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bearing {
+
+// One sample. Doubles only, to send it or keep it in a restart file.
+struct SettlingSample {
+  double torque = 0.0;        // of friction, N m; with a steady speed also the power lost, W
+  double load[2] = {};        // N, largest on the inner and on the outer raceway
+  double cage_speed = 0.0;    // rad/s
+  // over the balls: load, and load times unit vector of the spin axis, in radial, tangential and
+  // axial direction of the ball's place
+  double weight = 0.0, axis[3] = {};
+
+  // Adds the spin axis of a ball: `load` on its raceways (N), place from the bearing's centre (m),
+  // spin (rad/s), unit vector of the bearing's axis. A ball without spin has none.
+  void ball(double load, const raceway::Vec3 &place, const raceway::Vec3 &spin,
+            const raceway::Vec3 &bearing_axis)
+  {
+    using raceway::Vec3;
+    const Vec3 radial = place - bearing_axis * dot(place, bearing_axis);
+    const double radius = std::sqrt(dot(radial, radial)), speed = std::sqrt(dot(spin, spin));
+    if (!(radius > 0.0) || !(speed > 0.0)) return;
+    const Vec3 u = radial * (1.0 / radius);
+    const double share = load / speed;
+    weight += load;
+    axis[0] += share * dot(spin, u);
+    axis[1] += share * dot(spin, cross(bearing_axis, u));
+    axis[2] += share * dot(spin, bearing_axis);
+  }
+};
+
+// Relative changes; of the loads, the larger of both raceways; of the spin axis, an angle (rad).
+struct SettlingChanges {
+  double torque = HUGE_VAL, load = HUGE_VAL, cage_speed = HUGE_VAL, spin_axis = HUGE_VAL;
+
+  bool within(const SettlingChanges &limits) const    // false for NaN
+  {
+    return torque <= limits.torque && load <= limits.load && cage_speed <= limits.cage_speed &&
+           spin_axis <= limits.spin_axis;
+  }
+};
+
+// Doubles only, as above.
+class Settling {
+ public:
+  explicit Settling(int samples_of_a_half = 1) : wanted_(samples_of_a_half) {}
+
+  void add(const SettlingSample &s)
+  {
+    if (now_.count >= wanted_) {
+      before_ = now_;
+      now_ = Half();
+    }
+    now_.count += 1.0;
+    now_.torque += s.torque;
+    for (int k = 0; k < 2; ++k) now_.load[k] += s.load[k];
+    now_.cage_speed += s.cage_speed;
+    now_.weight += s.weight;
+    for (int k = 0; k < 3; ++k) now_.axis[k] += s.axis[k];
+  }
+
+  // True at the end of each half except the first.
+  bool known() const { return before_.count >= wanted_ && now_.count >= wanted_; }
+
+  // From the half before to the last one; infinite unless known().
+  SettlingChanges changes() const
+  {
+    if (!known()) return {};
+    double turned = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double a = share(before_.axis[k], before_.weight), b = share(now_.axis[k], now_.weight);
+      turned += (b - a) * (b - a);
+    }
+    return {change(before_.torque, now_.torque),
+            std::max(change(before_.load[0], now_.load[0]), change(before_.load[1], now_.load[1])),
+            change(before_.cage_speed, now_.cage_speed), std::sqrt(turned)};
+  }
+
+ private:
+  struct Half {
+    double count = 0.0, torque = 0.0, load[2] = {}, cage_speed = 0.0, weight = 0.0, axis[3] = {};
+  };
+  static double change(double before, double now)
+  {
+    return now == before ? 0.0 : std::fabs(now - before) / std::fabs(now);
+  }
+  static double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
+
+  double wanted_;
+  Half before_, now_;
+};
+
+}    // namespace bearing
+
+#endif
