@@ -6,6 +6,7 @@
 #include "../styles/bearing_case.h"
 #include "../styles/bearing_derive.h"
 #include "../styles/bearing_fleet.h"
+#include "../styles/bearing_resume.h"
 #include "../styles/compute_bearing_ball.h"
 #include "../styles/compute_bearing_contact.h"
 #include "../styles/compute_bearing_ring.h"
@@ -23,10 +24,12 @@
 #include "../styles/fix_bearing_progress.h"
 #include "../styles/fix_bearing_record.h"
 #include "../styles/fix_bearing_ring.h"
+#include "../styles/fix_bearing_run.h"
 #include "../styles/fix_bearing_shaft.h"
 #include "../styles/fix_bearing_state.h"
 #include "../styles/fix_bearing_timestep.h"
 #include "../styles/pair_bearing_ehd.h"
+#include "../styles/run_bearing.h"
 
 // add.pair<Class>("name"), add.fix<Class>("name"), ...
 template <class Registry> void register_bearing_styles(Registry &add)
@@ -44,6 +47,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingProfile>("bearing/profile");
   add.template fix<FixBearingProgress>("bearing/progress");
   add.template fix<FixBearingRecord>("bearing/record");
+  add.template fix<FixBearingRun>("bearing/run");
   add.template fix<FixBearingTimestep>("bearing/timestep");
   add.template fix<FixBearingCheckpoint>("bearing/checkpoint");
   add.template compute<ComputeBearingContact>("bearing/contact");
@@ -61,6 +65,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<BearingRange>("bearing_range");
   add.template command<BearingHost>("bearing_host");
   add.template command<BearingResume>("bearing_resume");
+  add.template command<RunBearing>("run_bearing");
   add.template command<BearingCase>("bearing_case");
   add.template command<BearingDerive>("bearing_derive");
   add.template command<BearingFleet>("bearing_fleet");

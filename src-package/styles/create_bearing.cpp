@@ -75,7 +75,7 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     } else if (args.take("groups")) {
       p.groups = args.choice("groups", {"no", "yes"}) == 1;
     } else if (args.take("resumed")) {
-      p.resumed = args.choice("resumed", {"no", "yes"}) == 1;
+      p.resumed = args.choice("resumed", {"no", "yes", "0", "1"}) % 2 == 1;
     } else {
       args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed, seat, "
                    "groups, resumed");

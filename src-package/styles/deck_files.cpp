@@ -3,11 +3,9 @@
 
 #include "../core/settings/arguments.h"
 #include "../core/settings/data_table.h"
-#include "../core/settings/folder_lock.h"
-#include "../core/settings/restart_sum.h"
 #include "../deck/agree.h"
 #include "../deck/variable_table.h"
-#include "record_settings.h"
+#include "result_folder.h"
 #include "simulated_time.h"
 #include "spheres.h"
 
@@ -125,19 +123,7 @@ void BearingOutput::command(int narg, char **arg)
   if (args.more())
     args.fail("a folder's name is one word without blanks, not '" + folder + " " +
               args.word("folder") + "'");
-  // characters that the host's commands interpret
-  if (folder.find_first_of("%*\"'$&#") != std::string::npos)
-    args.fail("the folder's name '" + folder + "' may not hold any of % * \" ' $ & #");
-  bearing::FolderClaim claim;
-  if (comm->me == 0) {
-    std::error_code ec;
-    fs::create_directories(folder, ec);
-    if (ec) claim.complaint = "cannot make output folder '" + folder + "': " + ec.message();
-    else claim = bearing::claim_folder(folder);
-    if (!claim.warning.empty()) BRG_WARN("bearing_output: " + claim.warning);
-  }
-  claim.complaint = agree(claim.complaint, world);
-  if (!claim.complaint.empty()) args.fail(claim.complaint);
+  bearing::claim_result_folder(lmp, args, folder);
   if (comm->me == 0)
     for (const std::string &name : old) {
       std::error_code ec;
@@ -221,47 +207,6 @@ void BearingParts::command(int narg, char **arg)
     args.fail("there is no part '" + *out.begin() + "' to leave out in '" + without +
               "'; there is: " + (there.empty() ? "none" : there) +
               ". Names are joined by +, or the word is none");
-}
-
-// Restart files of LAMMPS begin with these letters, those of LIGGGHTS do not.
-static bool is_of_this_host(const std::string &file)
-{
-  char start[7] = "";
-  std::ifstream(file).read(start, 6);
-  return (std::string(start) == "LammpS") == !BEARING_IS_LIGGGHTS;
-}
-
-void BearingResume::command(int narg, char **arg)
-{
-  Arguments args(lmp, "bearing_resume", narg, arg, 0);
-  const std::string name = args.word("name of a variable");
-  const bool asked = args.choice("resume", {"no", "yes"}) == 1;
-  const std::string file = args.word("restart file");
-  const bool keeps = args.take("overwrite") && args.choice("overwrite", {"no", "yes"}) == 0;
-  if (args.more()) args.unknown("overwrite");
-  std::error_code ec;
-  int there = comm->me == 0 && fs::is_regular_file(file, ec) ? 1 : 0;
-  std::string complaint;
-  if (there && asked && !bearing::has_right_sum(file))
-    complaint = file + " is damaged: its check sum is wrong. Remove it and start the run anew";
-  else if (there && asked && !is_of_this_host(file))
-    complaint = file + " is of another host: LIGGGHTS and LAMMPS cannot continue each other's runs";
-  const fs::path folder = fs::path(file).parent_path();
-  if (keeps && comm->me == 0 && !(there && asked) && bearing::holds_finished_run(folder.string()))
-    complaint = folder.string() + " holds a finished run. Name another folder with -var out, " +
-                (there ? "make it longer with -var resume yes and more passes, " : "") +
-                "or replace it with -var overwrite yes";
-  complaint = agree(complaint, world);
-  if (!complaint.empty()) args.fail(complaint);
-  MPI_Bcast(&there, 1, MPI_INT, 0, world);
-  if (asked && comm->me == 0) {
-    const std::string say =
-        there ? "Going on from " + file + "\n" : "No " + file + " to go on from: starting anew\n";
-    if (screen) fputs(say.c_str(), screen);
-    if (logfile) fputs(say.c_str(), logfile);
-  }
-  input->one(("variable " + name + " delete").c_str());
-  input->one(("variable " + name + " index " + (asked && there ? "yes" : "no")).c_str());
 }
 
 void BearingStep::command(int narg, char **arg)

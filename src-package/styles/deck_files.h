@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// bearing_input, bearing_output, bearing_range, bearing_host, bearing_resume, bearing_step,
+// bearing_input, bearing_output, bearing_range, bearing_host, bearing_step,
 // bearing_words, bearing_parts: a deck's data files, result folder, numbers, host, restart file,
 // the number of its step, variables of several words and parts of a model, with errors that help
 // before anything runs.
@@ -9,7 +9,6 @@ CommandStyle(bearing_input,BearingInput)
 CommandStyle(bearing_output,BearingOutput)
 CommandStyle(bearing_range,BearingRange)
 CommandStyle(bearing_host,BearingHost)
-CommandStyle(bearing_resume,BearingResume)
 CommandStyle(bearing_step,BearingStep)
 CommandStyle(bearing_words,BearingWords)
 CommandStyle(bearing_parts,BearingParts)
@@ -57,15 +56,6 @@ class BearingRange : public bearing::CommandBase {
 class BearingHost : public bearing::CommandBase {
  public:
   explicit BearingHost(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
-  void command(int, char **);
-};
-
-// bearing_resume NAME yes|no FILE [overwrite yes|no]: set the index variable NAME to yes if
-// requested and FILE exists, otherwise to no. A finished run beside FILE is then refused, with
-// `overwrite no`.
-class BearingResume : public bearing::CommandBase {
- public:
-  explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
   void command(int, char **);
 };
 

@@ -37,7 +37,7 @@ double figure(const FilmFigures &f, double hertz_area, int k)
 }
 }    // namespace
 
-// fix ID group bearing/capacitance N permittivity EPS [permittivity_at maximum|mean|two_thirds]
+// fix ID group bearing/capacitance [N] permittivity EPS [permittivity_at maximum|mean|two_thirds]
 // [surroundings none|flooded|dry|cavitated [EPS_OUT]] [outlet EPS_OUT] [shoulders D_INNER D_OUTER]
 // [roughness none|gamma] [background C] [film_floor H] [resistivity RHO] [frequency HZ]
 // [strength E] [within M] [file F] [contacts F]
@@ -45,8 +45,12 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/capacitance"))
 {
   Arguments args(lmp, std::string("fix ") + id + " bearing/capacitance", narg, arg, 3);
-  nevery = args.integer("steps between samples", 1, 1000000000);
-  for (int k = 4; k < narg; ++k) said_ += (k > 4 ? " " : "") + std::string(arg[k]);
+  nevery = 1;
+  if (args.more() && args.next_is_number())
+    nevery = args.integer("steps between samples", 1, 1000000000);
+  else wait();
+  for (int k = waits() ? 3 : 4; k < narg; ++k)
+    said_ += (said_.empty() ? "" : " ") + std::string(arg[k]);
   read_options(args);
   const bool all = model_.surrounded();
   if (!totals_name_.empty()) {
@@ -150,8 +154,18 @@ FixBearingCapacitance::~FixBearingCapacitance()
 
 int FixBearingCapacitance::setmask() { return END_OF_STEP; }
 
+// `within` of its own needs samples at every step.
+void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
+{
+  if (within_ > 1 && sampling.every > 1)
+    BRG_ALL(bearing::name_of(*this) + ": 'within' takes samples evenly within every step, and " +
+            std::to_string(sampling.every) + " steps are a sample of this run");
+  nevery = global_freq = peratom_freq = sampling.every;
+}
+
 void FixBearingCapacitance::init()
 {
+  if (waits()) return refuse_plain_run(lmp, bearing::name_of(*this));
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
   planned_ = -1;
   filled_ = -1;
@@ -195,11 +209,15 @@ void FixBearingCapacitance::check_shoulders()
 
 void FixBearingCapacitance::setup(int)
 {
+  if (waits()) return;
   if (within_ > 1) find_integrators();
   sample(false);
 }
 
-void FixBearingCapacitance::end_of_step() { sample(true); }
+void FixBearingCapacitance::end_of_step()
+{
+  if (!waits()) sample(true);
+}
 
 // Finds the integrators that provide the instants, and their balls that belong to the group.
 void FixBearingCapacitance::find_integrators()

@@ -14,6 +14,7 @@ FixStyle(bearing/capacitance,FixBearingCapacitance)
 #include "../core/figures/capacitor_table.h"
 #include "../deck/text_file.h"
 #include "bearing_compat.h"
+#include "run_phase.h"
 
 namespace bearing {
 class Arguments;
@@ -23,7 +24,7 @@ namespace LAMMPS_NS {
 
 class PairBearingHertz;
 
-class FixBearingCapacitance : public Fix {
+class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
  public:
   FixBearingCapacitance(class LAMMPS *, int, char **);
   ~FixBearingCapacitance() override;
@@ -50,6 +51,7 @@ class FixBearingCapacitance : public Fix {
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
 
  private:
+  void begin(const bearing::Sampling &) override;
   struct Sum {    // F, of all balls of the group at one instant of a step
     double all, largest;
   };

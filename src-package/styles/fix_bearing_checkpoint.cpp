@@ -94,18 +94,25 @@ std::string whole(double n) { return std::to_string(static_cast<long long>(n)); 
 
 }    // namespace
 
-// fix ID group bearing/checkpoint N FILE [restart M] [resume yes|no] [last yes|no] [settings TEXT]
+// fix ID group bearing/checkpoint [N] FILE [restart M] [keep K] [resume yes|no] [last yes|no]
+// [settings TEXT]
 // [mean V] ... [count K V1 ... VK] [balance RING] [files F1 F2 ...]
 FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), command_(std::string("fix ") + id + " bearing/checkpoint")
 {
   Arguments args(lmp, command_, narg, arg, 3);
-  nevery = args.integer("steps between samples", 1, 1000000000);
+  nevery = 1;
+  if (args.more() && args.next_is_number())
+    nevery = args.integer("steps between samples", 1, 1000000000);
+  else wait();
+  last_ = waits();
   file_ = args.word("restart file");
   part_ = file_ + ".part";
   while (args.more()) {
     if (args.take("restart"))
       every_restart_ = args.integer("steps between restart files", 0, 2000000000);
+    else if (waits() && args.take("keep"))
+      keep_ = args.integer("samples between restart files", 0, 1000000);
     else if (args.take("resume")) resume_ = args.choice("resume", {"no", "yes"}) == 1;
     else if (args.take("last")) last_ = args.choice("last", {"no", "yes"}) == 1;
     else if (args.take("settings")) settings_ = args.word("settings");
@@ -116,7 +123,9 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
     else if (args.take("balance")) ring_id_ = args.word("ID of a fix bearing/ring");
     else if (args.take("files"))
       while (args.more()) files_.push_back(args.word("file"));
-    else args.unknown("restart, resume, last, settings, mean, count, balance, files");
+    else
+      args.unknown(std::string("restart, ") + (waits() ? "keep, " : "") +
+                   "resume, last, settings, mean, count, balance, files");
   }
   for (int k = 0; k < modify->nfix; ++k)
     if (const Fix *f = modify->fix[k])
@@ -133,13 +142,31 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
   size_vector = static_cast<int>(means_.size() + counters_.size());
   extscalar = extvector = 0;
   global_freq = 1;
-  // the host writes under a temporary name; publish() renames the complete file
-  const std::string n =
-      std::to_string(every_restart_ ? every_restart_ : std::numeric_limits<int>::max());
+  write_every(every_restart_);
+  catch_signals();
+}
+
+// The host writes under a temporary name; publish() renames the complete file. 0: when stopped.
+void FixBearingCheckpoint::write_every(int steps)
+{
+  const std::string n = std::to_string(steps ? steps : std::numeric_limits<int>::max());
   std::string words[] = {n, part_, part_};
   char *list[] = {&words[0][0], &words[1][0], &words[2][0]};
   output->create_restart(3, list);
-  catch_signals();
+}
+
+// Restart files while settling too: it may take longer than the measurement.
+void FixBearingCheckpoint::settle(const bearing::Sampling &sampling)
+{
+  if (every_restart_ == 0)
+    write_every(
+        static_cast<int>(std::min(2e9, std::ceil(keep_ / sampling.within) * sampling.every)));
+}
+
+void FixBearingCheckpoint::begin(const bearing::Sampling &sampling)
+{
+  nevery = sampling.every;
+  settle(sampling);
 }
 
 FixBearingCheckpoint::~FixBearingCheckpoint() { release_signals(); }
@@ -148,6 +175,7 @@ int FixBearingCheckpoint::setmask() { return INITIAL_INTEGRATE | END_OF_STEP | P
 
 void FixBearingCheckpoint::init()
 {
+  if (waits()) refuse_plain_run(lmp, command_);
   bool reads = false;
   for (std::vector<DrivenValue> *list : {&means_, &counters_})
     for (DrivenValue &v : *list) {
@@ -179,7 +207,7 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
       for (const std::string &w : words) lines.back() += " " + w;
     }
   static const std::set<std::string> idle = {"bearing/record", "bearing/checkpoint",
-                                             "bearing/progress", "bearing/timestep"};
+                                             "bearing/progress", "bearing/run", "bearing/timestep"};
   for (int k = 0; k < modify->nfix; ++k)
     if (!idle.count(modify->fix[k]->style))
       lines.push_back(bearing::noted_words(lmp, bearing::name_of(*modify->fix[k])));
@@ -231,6 +259,17 @@ void FixBearingCheckpoint::initial_integrate(int)
 
 void FixBearingCheckpoint::end_of_step()
 {
+  if (!waits()) take_sample();
+  int signal = caught;
+  if (comm->nprocs > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // all stop at one step
+  if (!signal) return;
+  caught = signal;
+  bearing::end_run_after_this_step(lmp);
+}
+
+void FixBearingCheckpoint::take_sample()
+{
   for (size_t k = 0; k < means_.size(); ++k) sums_[k] += means_[k].now(lmp);
   if (ring_) {
     const FixBearingRing::Balance now = ring_->balance();
@@ -240,12 +279,6 @@ void FixBearingCheckpoint::end_of_step()
   }
   samples_ += 1.0;
   if (comm->me == 0) watch_files();
-  int signal = caught;
-  if (comm->nprocs > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &signal, 1, MPI_INT, MPI_MAX, world);    // all stop at one step
-  if (!signal) return;
-  caught = signal;
-  bearing::end_run_after_this_step(lmp);
 }
 
 void FixBearingCheckpoint::post_run()
@@ -256,7 +289,7 @@ void FixBearingCheckpoint::post_run()
   caught = signal;
   if (resumed_ && !cut_) cut_files();    // a run of zero steps
   if (signal) stop();
-  if (last_) output->write_restart(update->ntimestep);
+  if (last_ && !waits()) output->write_restart(update->ntimestep);
   if (written_) publish();
   if (comm->me == 0 && !files_.empty()) {    // no later sample detects a full disk
     const std::string room = no_room(file_);

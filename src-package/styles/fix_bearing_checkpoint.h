@@ -13,6 +13,7 @@ FixStyle(bearing/checkpoint,FixBearingCheckpoint)
 
 #include "../core/settings/driven_value.h"
 #include "bearing_compat.h"
+#include "run_phase.h"
 
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace LAMMPS_NS {
 
 class FixBearingRing;
 
-class FixBearingCheckpoint : public Fix {
+class FixBearingCheckpoint : public Fix, public bearing::WaitsForRun {
  public:
   FixBearingCheckpoint(class LAMMPS *, int, char **);
   ~FixBearingCheckpoint() override;
@@ -33,8 +34,12 @@ class FixBearingCheckpoint : public Fix {
   double compute_vector(int) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
+  void settle(const bearing::Sampling &) override;
 
  private:
+  void begin(const bearing::Sampling &) override;
+  void write_every(int steps);
+  void take_sample();
   void publish();
   void check_files();
   void cut_files();
@@ -47,6 +52,7 @@ class FixBearingCheckpoint : public Fix {
   std::string command_, file_, part_, settings_;
   std::string deck_;    // deck() of the run of the restart file, until it is compared
   int every_restart_ = 0;
+  double keep_ = 0.0;    // samples between restart files, in run_bearing
   bool resume_ = false, resumed_ = false;
   std::vector<std::string> files_;                // watched: each grows with every sample
   std::vector<double> length_;                    // bytes at the restart file's step

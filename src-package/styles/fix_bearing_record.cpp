@@ -37,15 +37,16 @@ static void check_note(const Arguments &args, const char *what, const std::strin
               "', which readers of netCDF keep for themselves");
 }
 
-// fix ID group bearing/record N FOLDER [content all|summary|none] [contacts all|usual|none|NAME
-// ...] [within M] [single yes|no] [overwrite yes|no] [number NAME VALUE] [goal NAME VALUE]
+// fix ID group bearing/record N|pass/N FOLDER [content all|summary|none]
+// [contacts all|usual|none|NAME ...] [within M] [single yes|no]
+// [overwrite yes|no] [number NAME VALUE] [goal NAME VALUE]
 // [text NAME VALUE]; for NAME VALUE also NAME=VARIABLE ...
 FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/record")),
     command_(std::string("fix ") + id + " bearing/record")
 {
   Arguments args(lmp, command_, narg, arg, 3);
-  nevery = args.integer("steps between samples", 1, 1000000000);
+  read_rate(args);
   folder_ = args.word("folder");
   read_options(args);
   if (!atom->map_style) args.fail("needs 'atom_modify map array'");
@@ -55,6 +56,23 @@ FixBearingRecord::FixBearingRecord(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   path_ = (fs::path(folder_) / "record.nc").string();
   check_path();
+}
+
+// N steps between samples, or pass/N: N samples in a ball pass, once run_bearing measures.
+void FixBearingRecord::read_rate(Arguments &args)
+{
+  nevery = 1;
+  if (!args.more() || args.next().compare(0, 5, "pass/") != 0) {
+    nevery = args.integer("steps between samples", 1, 1000000000);
+    return;
+  }
+  const std::string word = args.word("samples");
+  a_pass_ = args.number_in(word.substr(5), "samples in a ball pass");
+  if (!(a_pass_ >= 1.0 && a_pass_ <= 1e5 && a_pass_ == std::floor(a_pass_)))
+    args.fail("samples in a ball pass is " + word.substr(5) +
+              ", must be a whole number from 1 to 100000");
+  within_ = 0;
+  wait();
 }
 
 void FixBearingRecord::read_options(Arguments &args)
@@ -78,7 +96,7 @@ void FixBearingRecord::read_options(Arguments &args)
       chosen = true;
       columns_.clear();
     } else if (args.take("within")) {
-      within_ = args.integer("samples a step", 1, 100000);
+      within_ = args.integer("samples a step", waits() ? 0 : 1, 100000);
     } else if (args.take("single")) {
       single_ = args.choice("single", {"no", "yes"}) == 1;
     } else if (args.take("overwrite")) {
@@ -145,6 +163,10 @@ void FixBearingRecord::check_path()
 
 void FixBearingRecord::init()
 {
+  if (waits()) {
+    refuse_plain_run(lmp, command_);
+    return check_finished();
+  }
   pair_ = PairBearingHertz::find(lmp, command_);
   context_ = bearing::context_of(lmp, *pair_, columns_, command_);
   // sums over bearings need it, whichever columns are selected
@@ -154,9 +176,27 @@ void FixBearingRecord::init()
   context_.surroundings = offer.surroundings;
 }
 
+// The samples of a ball pass are spread over the steps that run_bearing has chosen.
+void FixBearingRecord::begin(const bearing::Sampling &sampling)
+{
+  nevery = sampling.every;
+  within_ = sampling.within;
+  note(NetcdfHeader::attribute("samples_per_pass", a_pass_));
+}
+
+void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
+{
+  one.changes = changes;
+  notes_.erase(std::remove_if(notes_.begin(), notes_.end(),
+                              [&](const NetcdfHeader::Attribute &a) { return a.name == one.name; }),
+               notes_.end());
+  notes_.push_back(one);
+}
+
 // At the start of every run: the first sample, unless the run before ended with it.
 void FixBearingRecord::setup(int)
 {
+  if (waits()) return;
   check_step();
   if (open_) {
     check_time_step();
@@ -172,6 +212,7 @@ void FixBearingRecord::setup(int)
 
 void FixBearingRecord::end_of_step()
 {
+  if (waits()) return;
   sample(true);
   if (update->ntimestep == update->laststep) stop_clocks();
 }
@@ -235,11 +276,9 @@ void FixBearingRecord::open()
   // several ranks synchronise once per batch; a single rank writes each sample at once
   rows_.begin(layout_, *file, columns_, comm->nprocs > 1 ? batch : 1);
   open_ = true;
+  check_finished();
   if (comm->me != 0) return;
   std::string why;
-  if (!resumed_ && !overwrite_ && bearing::holds_finished_run(folder_))
-    BRG_ONE(command_ + ": " + folder_ +
-            " holds a finished run: name another folder, or give 'overwrite yes'");
   if (!sampled_) {
     fs::remove(path_);
   } else {
@@ -250,6 +289,16 @@ void FixBearingRecord::open()
   }
   if (!why.empty()) BRG_ONE(command_ + ": cannot write " + path_ + ": " + why);
   refuse(bearing::write_run_yaml(folder_, about_, {}));
+}
+
+// Before the first step: a finished run in the folder stays unless it may go.
+void FixBearingRecord::check_finished()
+{
+  if (allowed_) return;
+  allowed_ = true;
+  if (comm->me == 0 && !overwrite_ && bearing::holds_finished_run(folder_))
+    BRG_ONE(command_ + ": " + folder_ +
+            " holds a finished run: name another folder, or give 'overwrite yes'");
 }
 
 // Samples so far

@@ -17,12 +17,13 @@ FixStyle(bearing/record,FixBearingRecord)
 #include "../core/figures/contact_reader.h"
 #include "../core/record/record_rows.h"
 #include "bearing_compat.h"
+#include "run_phase.h"
 
 #include <memory>
 
 namespace LAMMPS_NS {
 
-class FixBearingRecord : public Fix {
+class FixBearingRecord : public Fix, public bearing::WaitsForRun {
  public:
   FixBearingRecord(class LAMMPS *, int, char **);
   int setmask() override;
@@ -35,11 +36,21 @@ class FixBearingRecord : public Fix {
   void restart(char *) override;
   double memory_usage() override;
 
+  double samples_a_pass() const { return a_pass_; }    // asked of run_bearing; 0: N steps instead
+  int within_asked() const { return within_; }         // 0: run_bearing chooses
+  // Another number of samples in a ball pass than asked, for the notes.
+  void set_samples_a_pass(double number) { a_pass_ = number; }
+  // Adds an attribute to the record's header; `changes`: a longer run may have another value.
+  void note(bearing::NetcdfHeader::Attribute, bool changes = false);
+
  private:
+  void begin(const bearing::Sampling &) override;
   enum class Note { number, goal, text };
-  void read_options(class bearing::Arguments &);
-  void read_notes(class bearing::Arguments &, Note);
+  void read_rate(bearing::Arguments &);
+  void read_options(bearing::Arguments &);
+  void read_notes(bearing::Arguments &, Note);
   void check_path();
+  void check_finished();
   void open();
   void find_integrators();
   void check_time_step() const;
@@ -73,6 +84,8 @@ class FixBearingRecord : public Fix {
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
   int within_ = 1;                                         // samples a step, the last one its end
+  double a_pass_ = 0.0;                                    // samples in a ball pass
+  bool allowed_ = false;                                   // its folder may be written
   std::vector<class FixBearingImplicit *> integrators_;    // that provide instants between steps
   bearing::TagSet capacitors_;                             // balls with a capacitance
 

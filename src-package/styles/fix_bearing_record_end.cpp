@@ -34,6 +34,7 @@ void FixBearingRecord::stop_clocks()
 
 void FixBearingRecord::post_run()
 {
+  if (waits()) return;
   if (running_) stop_clocks();
   left_ = static_cast<double>(update->ntimestep);
   if (comm->me != 0) return;
@@ -121,4 +122,5 @@ void FixBearingRecord::restart(char *buf)
   spent_.evaluations = data[7];
   left_ = data[8];
   resumed_ = samples_ > 0.0;
+  allowed_ = true;    // it was, in the run that wrote this
 }

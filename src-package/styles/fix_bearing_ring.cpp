@@ -74,6 +74,22 @@ void FixBearingRing::find_rings()
   size_array_rows = static_cast<int>(tags_.size());
 }
 
+std::vector<double> FixBearingRing::imposed_spin()
+{
+  constexpr int spin = RingProgram::SPIN;
+  std::vector<double> of(atom->nlocal, NAN);
+  DrivenValue &value = settings_.value[spin];
+  if (settings_.program.mode[spin] == Freedom::free) return of;
+  const bool turns = settings_.program.mode[spin] == Freedom::speed;
+  value.check(lmp, bearing::name_of(*this));
+  const double all = turns ? value.now(lmp) : 0.0;
+  const std::vector<double> own =
+      turns && value.by_atom() ? value.of_atoms(lmp, igroup) : std::vector<double>();
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i)) of[i] = own.empty() ? all : own[i];
+  return of;
+}
+
 // Error if another fix moves a ring of the group.
 void FixBearingRing::refuse_another_mover()
 {

@@ -37,6 +37,9 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // For fix bearing/implicit, which moves the rings of its group itself.
   bool moves(int i) const { return atom->mask[i] & groupbit; }
   bool tilts() const { return settings_.program.tilts(); }
+  // rad/s by local atom, at the present time: NAN for others, and where no spin is imposed.
+  std::vector<double> imposed_spin();
+  double ramp() const { return settings_.program.ramp; }    // s, of its loads
   // Tag of its first ring if all of them are on one shaft, else 0; position of a ring on the shaft
   // (m).
   virtual bearing::tag_t shaft() const { return 0; }

@@ -36,6 +36,7 @@ FixBearingTimestep::FixBearingTimestep(LAMMPS *lmp, int narg, char **arg) :
     }
   }
   time_depend = adapt_ ? 1 : 0;
+  restart_global = 1;
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_timestep::N;
   global_freq = 1;
@@ -49,8 +50,10 @@ void FixBearingTimestep::init() { pair_ = PairBearingHertz::find(lmp, "fix beari
 void FixBearingTimestep::setup(int)
 {
   run_start_ = MPI_Wtime();
-  check();
+  if (!goes_on_) check();
+  goes_on_ = false;
 }
+
 void FixBearingTimestep::end_of_step() { check(); }
 
 void FixBearingTimestep::check()
@@ -96,4 +99,25 @@ double FixBearingTimestep::compute_vector(int k)
     case WALL: return MPI_Wtime() - run_start_;
   }
   return 0.0;
+}
+
+void FixBearingTimestep::write_restart(FILE *fp)
+{
+  if (comm->me != 0) return;
+  const double data[] = {update->dt, limit_, smallest_limit_};
+  const int size = sizeof data;
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(data, 1, size, fp);
+}
+
+// An adaptive run goes on with the step that it had, and without another check.
+void FixBearingTimestep::restart(char *buf)
+{
+  if (!adapt_) return;
+  double data[3];
+  memcpy(data, buf, sizeof data);
+  update->dt = data[0];
+  limit_ = data[1];
+  smallest_limit_ = data[2];
+  goes_on_ = true;
 }

@@ -29,6 +29,7 @@ class Arguments {
   Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command,
             const std::vector<std::string> &words);
 
+  const std::string &command() const { return command_; }
   bool more() const { return next_ < words_.size(); }
   size_t left() const { return words_.size() - next_; }
   bool take(const char *keyword);    // true and consumed if it is the next word

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Internal fix of run_bearing: how far a run is, in memory and in restart files. Exists while that
+// command runs.
+#ifdef FIX_CLASS
+FixStyle(bearing/run,FixBearingRun)
+#else
+#ifndef LMP_FIX_BEARING_RUN_H
+#define LMP_FIX_BEARING_RUN_H
+
+#include "bearing_compat.h"
+
+namespace LAMMPS_NS {
+
+class FixBearingRun : public Fix {
+ public:
+  static constexpr const char *fixed_id = "RUN_BEARING";
+
+  // Doubles only, as in a restart file.
+  struct State {
+    double measures = 0.0;               // 1: settled
+    double step_length = 0.0;            // s; of adaptive steps the one of the measurement
+    double every = 1.0, within = 1.0;    // host steps a sample, samples a step
+    double pass = 0.0;                   // s, a ball pass
+    double a_pass = 0.0;                 // samples in it
+    double begin = 0.0;                  // s, to settle at first: loads come on
+    double begin_steps = 0.0;            // of that; 0: adaptive
+  };
+
+  FixBearingRun(class LAMMPS *, int, char **);
+  int setmask() override { return 0; }
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+  bool resumed() const { return resumed_; }
+  State &now() { return now_; }
+
+ private:
+  std::string words_;    // of the command, but for those that may change when a run goes on
+  State now_;
+  bool resumed_ = false;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

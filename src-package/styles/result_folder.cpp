@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "result_folder.h"
+
+#include "../core/settings/folder_lock.h"
+#include "../core/settings/restart_sum.h"
+#include "../deck/agree.h"
+#include "record_settings.h"
+
+#include <filesystem>
+#include <fstream>
+
+using namespace LAMMPS_NS;
+
+namespace bearing {
+
+void claim_result_folder(LAMMPS *lmp, const Arguments &args, const std::string &folder)
+{
+  // characters that the host's commands interpret
+  if (folder.find_first_of("%*\"'$&#") != std::string::npos)
+    args.fail("the folder's name '" + folder + "' may not hold any of % * \" ' $ & #");
+  FolderClaim claim;
+  if (is_first_rank(lmp)) {
+    std::error_code ec;
+    std::filesystem::create_directories(folder, ec);
+    if (ec) claim.complaint = "cannot make output folder '" + folder + "': " + ec.message();
+    else claim = claim_folder(folder);
+    if (!claim.warning.empty())
+      lmp->error->warning(FLERR, BRG_TEXT(args.command() + ": " + claim.warning));
+  }
+  claim.complaint = agree(claim.complaint, lmp->world);
+  if (!claim.complaint.empty()) args.fail(claim.complaint);
+}
+
+// Restart files of LAMMPS begin with these letters, those of LIGGGHTS do not.
+static bool is_of_this_host(const std::string &file)
+{
+  char start[7] = "";
+  std::ifstream(file).read(start, 6);
+  return (std::string(start) == "LammpS") == !BEARING_IS_LIGGGHTS;
+}
+
+bool goes_on(LAMMPS *lmp, const Arguments &args, const ResumeRequest &ask)
+{
+  const std::string &file = ask.file;
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  std::error_code ec;
+  int there = is_first_rank(lmp) && std::filesystem::is_regular_file(file, ec) ? 1 : 0;
+  std::string complaint;
+  if (there && ask.resume && !has_right_sum(file))
+    complaint = file + " is damaged: its check sum is wrong. Remove it and start the run anew";
+  else if (there && ask.resume && !is_of_this_host(file))
+    complaint = file + " is of another host: LIGGGHTS and LAMMPS cannot continue each other's runs";
+  if (!ask.overwrite && is_first_rank(lmp) && !(there && ask.resume) && holds_finished_run(folder))
+    complaint = folder + " holds a finished run. Name another folder with -var out, " +
+                (there ? "make it longer with -var resume yes and more passes, " : "") +
+                "or replace it with -var overwrite yes";
+  complaint = agree(complaint, lmp->world);
+  if (!complaint.empty()) args.fail(complaint);
+  MPI_Bcast(&there, 1, MPI_INT, 0, lmp->world);
+  if (ask.resume && is_first_rank(lmp)) {
+    const std::string say =
+        there ? "Going on from " + file + "\n" : "No " + file + " to go on from: starting anew\n";
+    if (lmp->screen) fputs(say.c_str(), lmp->screen);
+    if (lmp->logfile) fputs(say.c_str(), lmp->logfile);
+  }
+  return ask.resume && there;
+}
+
+}    // namespace bearing

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "run_bearing.h"
+
+#include "../core/figures/fix_columns.h"
+#include "../core/settings/arguments.h"
+#include "ball_pass.h"
+#include "fix_bearing_checkpoint.h"
+#include "fix_bearing_implicit.h"
+#include "fix_bearing_record.h"
+#include "fix_bearing_ring.h"
+#include "fix_bearing_timestep.h"
+#include "fixes.h"
+#include "output.h"
+#include "simulated_time.h"
+
+#include <algorithm>
+
+using namespace LAMMPS_NS;
+using bearing::Arguments;
+using bearing::NetcdfHeader;
+using bearing::text;
+using bearing::written;
+
+static constexpr const char *command_name = "run_bearing";
+// Fixes and a compute of this command alone
+static const std::string total_id = FixBearingRun::fixed_id, step_id = "RUN_BEARING_STEP",
+                         show_id = "RUN_BEARING_SHOW", share_id = "RUN_BEARING_SHARE";
+
+static std::string digits(double value)
+{
+  char buf[32];
+  snprintf(buf, sizeof buf, "%.15g", value);
+  return buf;
+}
+
+void RunBearing::read(Arguments &args)
+{
+  Settings &to = settings_;
+  bool settles = false;
+  while (args.more()) {
+    if (args.take("settle")) {
+      to.settle = args.within("ball passes to settle", 0.0, 1e6);
+      settles = true;
+    } else if (args.take("passes")) {
+      to.passes = args.integer("ball passes to measure", 1, 1000000);
+    } else if (args.take("step")) {
+      to.step = args.non_negative("step (s)");
+      if (to.step != 0.0 && !(to.step >= 1e-9 && to.step <= 1e-3))
+        args.fail("step (s) is " + text(to.step) + ", must be 1e-9 to 1e-3, or 0");
+    } else if (args.take("safety")) {
+      to.safety = args.within("share of the stability limit", 1e-3, 1.0);
+    } else if (args.take("rate")) {
+      to.rate = args.within("samples a second (Hz)", 1e3, 1e8);
+    } else if (args.take("angle")) {
+      to.angle = args.within("contact angle (degrees)", 0.0, 60.0);
+    } else {
+      args.unknown("settle, passes, step, safety, rate, angle");
+    }
+  }
+  if (!settles) args.fail("'settle N' is missing: ball passes before the measurement");
+  if (to.passes == 0.0) args.fail("'passes P' is missing: ball passes to measure");
+}
+
+// What a continued run must have in common with the one before.
+std::string RunBearing::words() const
+{
+  const Settings &s = settings_;
+  return "settle " + digits(s.settle) + " step " + digits(s.step) + " safety " + digits(s.safety) +
+         " rate " + digits(s.rate) + (std::isnan(s.angle) ? "" : " angle " + digits(s.angle));
+}
+
+void RunBearing::command(int narg, char **arg)
+{
+  Arguments args(lmp, command_name, narg, arg, 0);
+  read(args);
+  if (domain->box_exist == 0) args.fail("there is no box yet, and no bearing in it");
+  for (const FixBearingRecord *f : bearing::fixes_of<FixBearingRecord>(lmp))
+    if (f->samples_a_pass() > 0.0 && !f->waits())
+      args.fail(bearing::name_of(*f) + " has been measured already: begin another record");
+  if (output->thermo_every == 0)    // the table of fix bearing/progress shows more
+    for (const char *line : {"thermo_style custom step", "thermo_modify lost error flush yes"})
+      input->one(line);
+  input->one(("compute " + total_id + " all bearing/total").c_str());
+  input->one(
+      ("fix " + std::string(FixBearingRun::fixed_id) + " all bearing/run " + words()).c_str());
+  fix_ = bearing::fixes_of<FixBearingRun>(lmp).front();
+  if (!fix_->resumed()) plan();
+  if (now().measures == 0.0) settle();
+  measure();
+  input->one(("unfix " + std::string(FixBearingRun::fixed_id)).c_str());
+  input->one(("uncompute " + total_id).c_str());
+  check_balance();
+}
+
+bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit>(lmp).empty(); }
+
+// ---- the plan: ball pass, samples and steps. Numbers are rounded as a deck's formulas write them.
+
+void RunBearing::plan()
+{
+  now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
+  double ramp = 0.0;    // s, until the loads are on
+  for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
+    ramp = std::max(ramp, f->ramp());
+  now().begin = written(settings_.settle * now().pass + std::max(1e-2, ramp));
+  plan_samples();
+  if (implicit()) plan_steps();
+}
+
+// Samples in a ball pass as the records ask, and those within a host step: ten, five, two or one,
+// such that a ball pass is a whole number of steps and at least twenty.
+void RunBearing::plan_samples()
+{
+  double samples = 0.0, asked = 0.0;
+  for (const FixBearingRecord *f : bearing::fixes_of<FixBearingRecord>(lmp)) {
+    if (!f->waits()) continue;
+    if (samples != 0.0 && (f->samples_a_pass() != samples || f->within_asked() != asked))
+      BRG_ALL(std::string(command_name) + ": " + bearing::name_of(*f) + " asks for " +
+              text(f->samples_a_pass()) + " samples in a ball pass, another record for " +
+              text(samples) + ": give both the same samples and 'within'");
+    samples = f->samples_a_pass();
+    asked = f->within_asked();
+  }
+  if (samples == 0.0) samples = 200.0;
+  now().a_pass = settings_.rate > 0.0 ? settings_.rate * now().pass : samples;
+  double chosen = 1.0;
+  if (implicit() && settings_.step == 0.0 && settings_.rate == 0.0)
+    for (const double n : {2.0, 5.0, 10.0})
+      if (samples >= 20.0 * n && std::fmod(samples, n) == 0.0) chosen = n;
+  now().within = asked != 0.0 ? asked : chosen;
+}
+
+// The step of the implicit integrator: several samples, or a whole part of a sample near `step`.
+void RunBearing::plan_steps()
+{
+  fix_step(settings_.step == 0.0 ? sampled_length() : settings_.step);
+  now().begin_steps = std::ceil(now().begin / now().step_length);
+}
+
+// s, of the samples within a host step
+double RunBearing::sampled_length()
+{
+  const double length = now().pass / now().a_pass * now().within;
+  return implicit() ? written(length) : length;
+}
+
+// A whole number of steps of about that length in a sample, or in `within` samples.
+void RunBearing::fix_step(double wanted)
+{
+  const double largest = sampled_length();
+  now().every = std::ceil(largest / written(wanted) - (implicit() ? 1e-9 : 0.0));
+  now().step_length = written(largest / now().every);
+}
+
+bearing::Sampling RunBearing::sampling()
+{
+  return {static_cast<int>(now().every), static_cast<int>(now().within)};
+}
+
+// ---- settling
+
+void RunBearing::set_step(double dt) { input->one(("timestep " + digits(dt)).c_str()); }
+
+void RunBearing::run(double steps)
+{
+  if (steps > static_cast<double>(update->ntimestep))
+    input->one(("run " + digits(steps) + " upto").c_str());
+}
+
+void RunBearing::show(double rows, const std::string &title, const std::string &more)
+{
+  input->one(("fix " + show_id + " all bearing/progress " + digits(std::max(1.0, rows)) + " " +
+              total_id + " title " + title + more)
+                 .c_str());
+}
+
+void RunBearing::settle()
+{
+  if (implicit()) {
+    set_step(now().step_length);
+    for (auto *f : bearing::fixes_of<bearing::WaitsForRun>(lmp)) f->settle(sampling());
+    show(std::ceil(now().begin_steps / 5), "Settling");
+    run(now().begin_steps);
+    input->one(("unfix " + show_id).c_str());
+  } else {
+    settle_adaptively();
+  }
+  // the measurement counts from step 0; the time goes on
+  const double time = bearing::SimulatedTime::now(*update);
+  input->one("reset_timestep 0");
+  bearing::SimulatedTime::set(*update, time);
+  now().measures = 1.0;
+}
+
+// Velocity Verlet: steps that follow a share of the stability limit, then the step of the
+// measurement from the smallest limit of all.
+void RunBearing::settle_adaptively()
+{
+  constexpr double chunk = 5000.0;    // steps
+  const bool chooses = settings_.step == 0.0;
+  const std::string done = "f_" + step_id + "[3]";
+  if (update->ntimestep == 0) set_step(chooses ? 1e-7 : settings_.step);
+  input->one(
+      ("fix " + step_id + " all bearing/timestep " +
+       (chooses ? "20 safety " + digits(settings_.safety) + " adapt yes" : "1000 exceed stop"))
+          .c_str());
+  input->one(("variable " + share_id + " equal " + done + "/" + digits(now().begin)).c_str());
+  show(chunk, "Settling", " share v_" + share_id);
+  while (written(bearing::SimulatedTime::now(*update)) < now().begin) {
+    const double at = static_cast<double>(update->ntimestep);
+    input->one(("run " + digits(chunk - std::fmod(at, chunk)) + " post no").c_str());
+  }
+  FixBearingTimestep *const step = bearing::fixes_of<FixBearingTimestep>(lmp).back();
+  const double limit = step->compute_vector(bearing::of_fix_timestep::SMALLEST);
+  for (const std::string &id : {step_id, show_id}) input->one(("unfix " + id).c_str());
+  input->one(("variable " + share_id + " delete").c_str());
+  fix_step(chooses ? settings_.safety * written(limit) : settings_.step);
+}
+
+// ---- the measurement
+
+void RunBearing::start_fixes()
+{
+  for (int k = 0; k < modify->nfix; ++k) {
+    if (auto *f = dynamic_cast<FixBearingRecord *>(modify->fix[k]); f && f->waits()) {
+      f->set_samples_a_pass(written(now().a_pass));
+      f->note(NetcdfHeader::attribute("passes", settings_.passes), true);
+    }
+    if (auto *f = dynamic_cast<bearing::WaitsForRun *>(modify->fix[k]); f && f->waits())
+      f->measure(sampling());
+  }
+}
+
+void RunBearing::measure()
+{
+  const double a_pass = now().a_pass, within = now().within, every = now().every;
+  const double samples =
+      settings_.rate > 0.0 ? std::ceil(settings_.passes * a_pass - 0.5) : settings_.passes * a_pass;
+  const double steps = samples * every / within;
+  if (!(steps >= 1.0 && steps <= 2e9 && steps == std::floor(steps)))
+    BRG_ALL(std::string(command_name) + ": host steps of the measurement is " + text(steps) +
+            ", must be a whole number from 1 to 2e9: fewer passes or samples; within must divide "
+            "them");
+  if (steps < static_cast<double>(update->ntimestep))
+    BRG_ALL(std::string(command_name) + ": the run to resume has got to step " +
+            std::to_string(update->ntimestep) + ", farther than these passes, " + text(steps) +
+            " steps: give more passes");
+  set_step(now().step_length);
+  start_fixes();
+  if (!implicit())
+    input->one(("fix " + step_id + " all bearing/timestep 1000 exceed stop").c_str());
+  show(std::ceil(steps / 20), "Measuring");
+  input->one(("run " + digits(steps) + " upto").c_str());
+  input->one(("unfix " + show_id).c_str());
+  if (!implicit()) input->one(("unfix " + step_id).c_str());
+}
+
+// The contacts of a ring must carry its load on average, otherwise the run had not settled and
+// gives no figures.
+void RunBearing::check_balance() const
+{
+  for (FixBearingCheckpoint *f : bearing::fixes_of<FixBearingCheckpoint>(lmp))
+    if (const double left = f->compute_scalar(); !(left <= 0.05))
+      BRG_ALL(std::string(command_name) + ": contacts do not carry " + text(left) +
+              " of the load, at most 0.05 is allowed: not settled. Settle more ball passes, or "
+              "measure more");
+}

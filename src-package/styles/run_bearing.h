@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef COMMAND_CLASS
+// clang-format off
+CommandStyle(run_bearing,RunBearing)
+// clang-format on
+#else
+#ifndef LMP_RUN_BEARING_H
+#define LMP_RUN_BEARING_H
+
+#include "bearing_compat.h"
+#include "fix_bearing_run.h"
+#include "run_phase.h"
+
+namespace LAMMPS_NS {
+
+// run_bearing settle N passes P [step DT] [safety F] [rate HZ] [angle A]: choose the step, settle
+// for N ball passes, and measure P of them with the fixes that wait for it (run_phase.h).
+class RunBearing : public bearing::CommandBase {
+ public:
+  explicit RunBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+
+ private:
+  struct Settings {
+    double settle = 1.0, passes = 0.0;    // ball passes
+    double step = 0.0;                    // s; 0: chosen
+    double safety = 0.3;                  // of the stability limit
+    double rate = 0.0;                    // Hz, of samples; 0: as the records ask
+    double angle = NAN;                   // degrees, contact angle; NAN: as the balls lie
+  };
+  void read(class bearing::Arguments &);
+  std::string words() const;
+  bool implicit() const;
+  void plan();
+  void plan_samples();
+  void plan_steps();
+  void settle();
+  void settle_adaptively();
+  bearing::Sampling sampling();
+  double sampled_length();
+  void fix_step(double wanted);
+  void measure();
+  void start_fixes();
+  void check_balance() const;
+  void show(double rows, const std::string &title, const std::string &more = "");
+  void run(double steps);
+  void set_step(double dt);
+  FixBearingRun::State &now() { return fix_->now(); }
+
+  Settings settings_;
+  FixBearingRun *fix_ = nullptr;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fixes that wait while run_bearing settles the bearings, and sample once it measures.
+#ifndef BEARING_RUN_PHASE_H
+#define BEARING_RUN_PHASE_H
+
+#include "../core/settings/arguments.h"
+
+namespace bearing {
+
+// Samples of a measurement: every `every` host steps, `within` of them in a step.
+struct Sampling {
+  int every = 1, within = 1;
+};
+
+class WaitsForRun {
+ public:
+  bool waits() const { return waits_; }
+  // Before it settles, if its steps are known then.
+  virtual void settle(const Sampling &) {}
+  // run_bearing has settled the bearings; called before the set-up of the run that measures.
+  void measure(const Sampling &sampling)
+  {
+    waits_ = false;
+    begin(sampling);
+  }
+
+ protected:
+  ~WaitsForRun() = default;
+  void wait() { waits_ = true; }
+  virtual void begin(const Sampling &) = 0;
+  // Error in a run of the host's own, which never measures.
+  void refuse_plain_run(LAMMPS_NS::LAMMPS *, const std::string &command) const;
+
+ private:
+  bool waits_ = false;
+};
+
+}    // namespace bearing
+
+#endif

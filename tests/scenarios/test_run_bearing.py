@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""run_bearing: the same bits as the host's own commands, whatever stops it, on any number of
+ranks."""
+
+import math
+import re
+import signal
+import subprocess
+
+import pytest
+from host import ENVIRONMENT, HOSTS, ROOT, liggghts, succeed
+from scipy.io import netcdf_file
+
+DECK = "tests/scenarios/in.run"
+BALLS, BALL, INNER, OUTER, GROOVE = 9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3
+IMPLICIT = {"move": "bearing/implicit tolerance 1.0e-9 relative 2e-4"}
+DAMPING = {"move": "bearing/implicit solve damping tolerance 1.0e-7"}
+VERLET = {"move": "nve/sphere", "movers": "parts", "rpm": 5000}
+
+
+def ball_pass(rpm=1500.0, outer_rpm=0.0, angle=0.0, clearance=0.0):
+    """s, of balls that roll without slip (Harris): their centres turn at the mean speed of both
+    surfaces."""
+    pitch = INNER + OUTER + 0.5 * clearance
+    share = BALL * math.cos(angle) / pitch
+    cage = 0.5 * (rpm * (1 - share) + outer_rpm * (1 + share)) * 2 * math.pi / 60
+    return 2 * math.pi / (BALLS * cage)
+
+
+def values(folder):
+    """All variables of a record, and its notes that are numbers."""
+    with netcdf_file(folder / "record.nc", mmap=False) as file:
+        return (
+            {name: variable.data.tobytes() for name, variable in file.variables.items()},
+            {k: v for k, v in file._attributes.items() if not isinstance(v, bytes)},
+        )
+
+
+def differ(one, other):
+    """Names of the variables with other bits."""
+    one, other = values(one)[0], values(other)[0]
+    assert one.keys() == other.keys()
+    return [name for name in one if one[name] != other[name]]
+
+
+def written(value):
+    return float(f"{value:.15g}")
+
+
+@pytest.mark.parametrize(
+    "scene, within",
+    [(IMPLICIT, 10), (DAMPING, 10), ({**IMPLICIT, "more": "step 2.0e-5"}, 1)],
+    ids=["implicit", "damping", "step"],
+)
+def test_same_bits_as_commands_of_the_host(scene, within, tmp_path):
+    """`settle N` is one run: the loads come on, then N ball passes. The measurement is another."""
+    settle, passes, samples = 2, 1, 200
+    once = written(ball_pass())
+    largest = written(once / samples * within)
+    every = 1 if within > 1 else math.ceil(largest / 2.0e-5)
+    dt = written(largest / every)
+    succeed(DECK, out=tmp_path / "run", settle=settle, passes=passes, **scene)
+    succeed(
+        DECK,
+        out=tmp_path / "plain",
+        end="run.plain",
+        move=scene["move"],
+        dt=f"{dt:.15g}",
+        settle_steps=math.ceil(written(settle * once + 1e-2) / dt),
+        steps=passes * samples * every // within,
+        every=every,
+        within=within,
+    )
+    assert differ(tmp_path / "run", tmp_path / "plain") == []
+
+
+@pytest.mark.parametrize(
+    "scene, closed",
+    [
+        ({"rpm": 900}, {"rpm": 900}),
+        ({"rpm": 600, "outer_rpm": -1500, "load": 500}, {"rpm": -600, "outer_rpm": 1500}),
+        (
+            {"clearance": 1.5e-4, "seat": "plus", "axial": 2000, "load": 100},
+            {"clearance": 1.5e-4, "angle": math.acos(1 - 0.75e-4 / (2 * GROOVE - BALL))},
+        ),
+        ({"more": "angle 25"}, {"angle": math.radians(25)}),
+    ],
+    ids=["inner", "both rings", "seated", "angle given"],
+)
+def test_ball_pass(scene, closed, tmp_path):
+    """200 samples are a ball pass in closed form, by integrator and ring speeds."""
+    succeed(DECK, out=tmp_path, samples=200, settle=0, **scene)
+    notes = values(tmp_path)[1]
+    assert notes["samples_per_pass"] == 200
+    assert 200 * notes["sample_s"] == pytest.approx(abs(ball_pass(**closed)), rel=1e-9)
+
+
+@pytest.mark.parametrize("rate", [48000, 192000])
+def test_rate(rate, tmp_path):
+    """Samples a second in place of samples a ball pass; passes end at the nearest sample."""
+    succeed(DECK, out=tmp_path, more=f"rate {rate}", passes=3, **DAMPING)
+    data, notes = values(tmp_path)
+    assert notes["sample_s"] == pytest.approx(1 / rate, rel=1e-12)
+    assert len(data["time"]) / 8 - 1 == round(3 * rate * ball_pass())
+
+
+@pytest.mark.parametrize("scene", [IMPLICIT, DAMPING, VERLET], ids=["all", "damping", "verlet"])
+def test_more_passes(scene, tmp_path):
+    """A pass and one more are two."""
+    succeed(DECK, out=tmp_path / "two", passes=2, **scene)
+    for passes in (1, 2):
+        succeed(DECK, out=tmp_path / "one", passes=passes, resume="yes", **scene)
+    assert differ(tmp_path / "one", tmp_path / "two") == []
+    assert values(tmp_path / "one")[1] == values(tmp_path / "two")[1]
+
+
+@pytest.mark.parametrize("scene", [IMPLICIT, VERLET], ids=["implicit", "verlet"])
+def test_ranks(scene, tmp_path):
+    for ranks in (1, 2, 4):
+        succeed(DECK, out=tmp_path / str(ranks), ranks=ranks, **scene)
+    for ranks in ("2", "4"):
+        assert differ(tmp_path / "1", tmp_path / ranks) == []
+
+
+def stop(out, scene, share):
+    """Stops a run when its settling has got to this share (%)."""
+    command = [HOSTS["liggghts"][0], "-in", DECK, "-log", "none", "-var", "out", out]
+    for name, value in scene.items():
+        command += ["-var", name, str(value)]
+    with subprocess.Popen(
+        [str(word) for word in command],
+        cwd=ROOT,
+        env=ENVIRONMENT,
+        text=True,
+        errors="replace",
+        stdout=subprocess.PIPE,
+    ) as process:
+        for line in process.stdout:
+            words = line.split()
+            assert "Measuring" not in words, "it was not stopped on the way"
+            if len(words) == 9 and words[0][0].isdigit() and float(words[0]) >= share:
+                process.terminate()
+                break
+        process.stdout.read()
+    assert process.returncode == 128 + signal.SIGTERM
+
+
+@pytest.mark.parametrize(
+    "scene", [{**IMPLICIT, "settle": 2000}, {**VERLET, "settle": 20}], ids=["implicit", "verlet"]
+)
+def test_stopped_while_it_settles(scene, tmp_path):
+    """It goes on from there, with adaptive steps too."""
+    stop(tmp_path / "stopped", scene, 15)
+    assert not (tmp_path / "stopped" / "record.nc").exists()
+    succeed(DECK, out=tmp_path / "whole", **scene)
+    succeed(DECK, out=tmp_path / "stopped", resume="yes", **scene)
+    assert differ(tmp_path / "stopped", tmp_path / "whole") == []
+
+
+@pytest.mark.parametrize(
+    "scene, message",
+    [
+        ({"passes": 0}, "ball passes to measure is 0, must be .*1 to"),
+        ({"settle": -1}, "ball passes to settle is -1, must be from 0 to"),
+        ({"more": "step 1.0"}, r"step \(s\) is 1, must be 1e-9 to 1e-3"),
+        ({"more": "stepp 1"}, "'stepp'; known: settle, passes"),
+        ({"rpm": 0}, "no ring turns, so balls do not pass"),
+        ({"samples": 0}, "samples in a ball pass is 0, must be"),
+    ],
+)
+def test_errors_before_anything_runs(scene, message, tmp_path):
+    failed = liggghts(DECK, out=tmp_path, **scene)
+    assert failed.code != 0
+    assert re.search(message, failed.error), failed.error
+    assert "Settling" not in failed.text
