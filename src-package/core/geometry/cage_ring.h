@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A cage as one rigid ring: pockets at equal angles on the pitch circle, and a land that may guide
+// it. Both integrators evaluate the same contact of a ball and its pocket.
+//
+// A pocket is a slot along its radial axis p. Its half plays are c_t along the pitch circle and c_z
+// along the bearing's axis. A cylindrical pocket leaves the ball free along p; a spherical one
+// holds it there as well. Ball and wall touch by damped_hertz.h. Coulomb friction opposes the
+// sliding of the ball's surface on the wall, smoothed below `creep`; oil in the wrap shears with
+// the relative spin. Forces on ball and cage act through one point, so momentum and angular
+// momentum are kept.
+#ifndef RACEWAY_CAGE_RING_H
+#define RACEWAY_CAGE_RING_H
+
+#include "../laws/cage_drag.h"
+#include "../laws/damped_hertz.h"
+#include "../laws/hertz.h"
+#include "../numbers/vec3.h"
+
+namespace raceway {
+
+struct CageRing {
+  enum Guide { by_balls, by_inner, by_outer };
+  int pockets = 0;
+  bool spherical = false;
+  double pitch = 0.0, phase = 0.0;        // m, circle of the pockets; rad, of the first pocket
+  double along = 0.0, across = 0.0;       // m, half plays along the circle and along the axis
+  double stiffness = 0.0;                 // N/m^1.5, of ball on wall
+  double mass = 0.0;                      // kg
+  double friction = 0.0, creep = 1e-2;    // of ball on wall; m/s
+  double shear = 0.0;                     // N m s, pocket_shear()
+  Guide guide = by_balls;
+  LandGap land;
+  double land_stiffness = 0.0;    // N/m^1.5, of cage on land
+  double oil_share = 0.0, oil_density = 0.0, oil_viscosity = 0.0, outer_radius = 0.0;    // churning
+
+  double churning(double speed) const
+  {
+    return churning_couple(oil_share, oil_density, oil_viscosity, outer_radius, speed);
+  }
+};
+
+// Stiffness of a ball in the bore of its pocket, N/m^1.5: with the play to one side the bore's
+// radius is R + c; along a cylinder's axis the wall is straight. A bore without play counts as one
+// with a play of a thousandth of the ball.
+inline double pocket_stiffness(bool spherical, double ball_radius, double play, double Eprime)
+{
+  const double R = ball_radius, bore = R + std::fmax(play, 1e-3 * R);
+  const double around = 1.0 / (1.0 / R - 1.0 / bore);
+  return hertz_contact(spherical ? around : R, around, Eprime, Ellipse::exact).K;
+}
+
+// Stiffness of a cage that touches its land, N/m^1.5: along the circle both radii differ by the
+// play, across it the land counts as curved as the circle.
+inline double land_stiffness(const LandGap &land, double Eprime)
+{
+  const double r = land.radius;
+  return hertz_contact(r * (r + land.clearance) / land.clearance, r, Eprime, Ellipse::exact).K;
+}
+
+// Position and motion of the cage; e is its axis, angle its turn about e since the start.
+struct CageMotion {
+  Vec3 x, v, e, w;
+  double angle = 0.0;
+};
+
+// A direction across the bearing's axis, carried along as that axis turns into e.
+inline Vec3 carried_across(const Vec3 &e, double c, double s)
+{
+  const double share = (e.x * c + e.y * s) / (1.0 + e.z);
+  return {c - share * e.x, s - share * e.y, -share * (1.0 + e.z)};
+}
+
+// Pocket of a ball at d from the cage's centre.
+inline int pocket_at(const CageRing &cage, const CageMotion &m, const Vec3 &d)
+{
+  const double turn = 2.0 * 3.14159265358979323846;
+  const double azimuth =
+      std::atan2(dot(d, carried_across(m.e, 0.0, 1.0)), dot(d, carried_across(m.e, 1.0, 0.0)));
+  const double share = (azimuth - m.angle - cage.phase) / turn;
+  const int k = static_cast<int>(std::lround((share - std::floor(share)) * cage.pockets));
+  return k % cage.pockets;
+}
+
+// Direction from the cage's centre to that of a pocket.
+inline Vec3 pocket_axis(const CageRing &cage, const CageMotion &m, int pocket)
+{
+  const double turn = 2.0 * 3.14159265358979323846;
+  const double azimuth = m.angle + cage.phase + turn * pocket / cage.pockets;
+  return carried_across(m.e, std::cos(azimuth), std::sin(azimuth));
+}
+
+struct PocketContact {
+  Vec3 offset;       // m, ball's centre from the pocket's: along the circle, the axis, the radius
+  double overlap;    // m, negative: gap
+  Vec3 normal;       // from wall to ball
+  Vec3 lever;        // m, ball's centre from the cage's
+  DampedHertz h;
+  double rate = 0.0;    // m/s, of the overlap
+  double bend = 0.0;    // N/m, of a normal that turns with the ball's place in the bore
+  Vec3 side, axis;      // across the normal in the pocket's section; axis of the pocket
+  bool spherical = false;
+  Vec3 slide;                 // direction of the ball's sliding, times its share of full friction
+  double braking = 0.0;       // N s/m, friction over sliding speed
+  Vec3 force, ball_torque;    // on the ball, N and N m
+  Vec3 cage_moment;           // on the cage about its centre, N m
+  double loss = 0.0, energy = 0.0;    // W, J
+};
+
+struct PocketBall {
+  Vec3 x, v, w;
+  double radius, mass;
+};
+
+// barely: m, overlap that stands in for a gap where derivatives of an open contact are wanted; 0:
+// none. The forces are those of the gap.
+inline PocketContact pocket_contact(const CageRing &cage, const CageMotion &m, int pocket,
+                                    const PocketBall &ball, double barely = 0.0)
+{
+  PocketContact c;
+  const Vec3 p = pocket_axis(cage, m, pocket), t = cross(m.e, p), d = ball.x - m.x;
+  c.lever = d;
+  c.axis = p;
+  c.spherical = cage.spherical;
+  c.offset = {dot(d, t), dot(d, m.e), dot(d, p) - cage.pitch};
+  const double gap = std::fmin(cage.along, cage.across);
+  const auto beyond = [](double q, double straight) {
+    return q > straight ? q - straight : q < -straight ? q + straight : 0.0;
+  };
+  const double qt = beyond(c.offset.x, cage.along - gap),
+               qz = beyond(c.offset.y, cage.across - gap), qr = cage.spherical ? c.offset.z : 0.0;
+  const double off = std::sqrt(qt * qt + qz * qz + qr * qr);
+  c.overlap = off - gap;
+  const Vec3 spin = ball.w - m.w;
+  if (cage.shear > 0.0) {
+    const Vec3 couple = (spin + p * dot(spin, p)) * cage.shear;
+    c.ball_torque = -couple;
+    c.cage_moment = couple;
+    c.loss = dot(couple, spin);
+  }
+  if (!(off > 0.0) || (c.overlap <= 0.0 && barely == 0.0)) return c;
+  const Vec3 n = (t * qt + m.e * qz + p * qr) * (-1.0 / off);
+  c.normal = n;
+  c.side = cage.spherical ? Vec3() : cross(p, n);
+  const Vec3 dv = ball.v - m.v - cross(m.w, d);
+  c.rate = -dot(dv, n);
+  const double reduced = ball.mass * cage.mass / (ball.mass + cage.mass);
+  const bool touches = c.overlap > 0.0;
+  c.h = damped_hertz(cage.stiffness, touches ? c.overlap : barely, touches ? c.rate : 0.0, reduced);
+  if (!touches) {
+    c.h.force = 0.0;
+    return c;
+  }
+  c.energy = 0.4 / 1.5 * c.h.stiffness * c.overlap * c.overlap;
+  c.loss += damping_loss(c.h, c.overlap, c.rate);
+  if (!(c.h.force > 0.0)) return c;
+  // where both half plays differ the slot has straight walls, on which the normal does not turn
+  const bool turns = cage.spherical || cage.along == cage.across || (qt != 0.0 && qz != 0.0);
+  c.bend = turns ? c.h.force / off : 0.0;
+  c.force = n * c.h.force;
+  const Vec3 at = n * -ball.radius;    // from the ball's centre to the wall
+  if (cage.friction > 0.0) {
+    const Vec3 on = dv + cross(spin, at), v = on - n * dot(on, n);
+    c.braking = cage.friction * c.h.force / std::sqrt(dot(v, v) + cage.creep * cage.creep);
+    c.slide = v * (c.braking / c.h.force);
+    c.force -= v * c.braking;
+    c.ball_torque -= cross(at, v * c.braking);
+    c.loss += c.braking * dot(v, v);
+  }
+  c.cage_moment -= cross(d + at, c.force);
+  return c;
+}
+
+// Force and moment between a cage and the ring whose land guides it. The force acts on the cage at
+// its centre and on the ring through the same point.
+struct LandContact {
+  Vec3 force, moment;                               // on the cage, N and N m
+  Vec3 lever;                                       // m, cage's centre from the ring's
+  double displaced[2][2] = {}, moved[2][2] = {};    // -d force/d place, -d force/d velocity
+  Vec3 axis[2];                                     // of these, across the ring's axis
+  double loss = 0.0, energy = 0.0;                  // W, J
+  double share = 0.0;                               // eccentricity over clearance
+  double push = 0.0, stiffness = 0.0;               // N and N/m, of the touching surfaces
+};
+
+LandContact land_contact(const CageRing &, const CageMotion &cage, const CageMotion &ring);
+
+}    // namespace raceway
+
+#endif

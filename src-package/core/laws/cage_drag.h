@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Oil at a cage that is one ring: shear in the pockets, film between cage and guiding land,
+// churning of its faces. Sources: Petroff's couple and Ocvirk's short bearing (DuBois and Ocvirk,
+// NACA Report 1157, 1953), with whirl as in Booker (J. Basic Eng. 87, 1965); disc in a fluid:
+// Schlichting, Boundary-Layer Theory. SI.
+#ifndef RACEWAY_CAGE_DRAG_H
+#define RACEWAY_CAGE_DRAG_H
+
+#include "../numbers/exp_log.h"
+
+namespace raceway {
+
+// Couple of a ball that turns in its pocket, N m per rad/s of relative spin across the axis of the
+// pocket: Couette flow over a band of height H (m) in the gap c (m), filled to the share X.
+// Integral of (eta w R |cos|/c) R |cos| over the band; about the pocket's axis it is twice that.
+inline double pocket_shear(double viscosity, double ball_radius, double height, double gap,
+                           double filled)
+{
+  const double pi = 3.14159265358979323846;
+  return filled * pi * viscosity * ball_radius * ball_radius * ball_radius * height / gap;
+}
+
+// The gap between a cage and the land of a ring that guides it.
+struct LandGap {
+  double radius = 0.0, clearance = 0.0;    // m, of the land; radial play
+  double width = 0.0;                      // m, of each land
+  int lands = 2;                           // of that width
+  double viscosity = 0.0, filled = 1.0;    // Pa s, share of the gap with oil
+};
+
+// Eccentricities beyond count as this one: there the surfaces touch.
+constexpr double most_eccentric = 0.99;
+
+// Petroff's couple in an eccentric gap, N m per rad/s of relative speed; e is the eccentricity over
+// the clearance.
+inline double land_couple(const LandGap &g, double e)
+{
+  const double pi = 3.14159265358979323846, r = g.radius;
+  const double cut = std::fmin(e, most_eccentric);
+  return g.filled * 2.0 * pi * g.viscosity * r * r * r * (g.lands * g.width) /
+         (g.clearance * std::sqrt(1.0 - cut * cut));
+}
+
+// Force of the film on the cage in the plane of the land, N.
+template <class T> struct LandForce {
+  T x, y;
+};
+
+// Half film of a short bearing. x, y (m) and vx, vy (m/s): cage from land; sum: both speeds added,
+// rad/s. The film resists approach and is dragged round by half the sum of the speeds, so a cage
+// that whirls at that speed is not carried.
+template <class T>
+LandForce<T> land_film(const LandGap &g, const T &x, const T &y, const T &vx, const T &vy,
+                       double sum)
+{
+  const double pi = 3.14159265358979323846;
+  const double k = g.lands * g.filled * g.viscosity * g.radius * g.width * g.width * g.width /
+                   (2.0 * g.clearance * g.clearance);
+  const T away = square_root(T(x * x + y * y + 1e-12 * g.clearance * g.clearance));
+  T e = away / g.clearance;
+  e = where(e < most_eccentric, e, most_eccentric);
+  const T share = e / away, ex = x * share, ey = y * share;
+  const T wx = vx / g.clearance, wy = vy / g.clearance;
+  const T out = ex * wx + ey * wy, round = (ex * wy - ey * wx) / e;
+  const T turn = sum * e - 2.0 * round;    // the entrainment seen by the whirling gap
+  const T m = 1.0 - e * e, root = square_root(m);
+  const T even = pi / (m * root),
+          radial = 3.0 * pi * out / (m * m * root) + 2.0 * magnitude(turn) / (m * m),
+          along = 0.5 * pi * sum / (m * root) + 4.0 * out / (e * m * m);
+  return {-k * (even * wx + radial * ex + along * ey), -k * (even * wy + radial * ey - along * ex)};
+}
+
+// Couple of both faces of a disc of radius r (m) that turns at w (rad/s) in a mixture of density
+// rho (kg/m^3) with the share X of oil, N m: X rho w^2 r^5 C_m/2, C_m = 3.87/sqrt(Re) below
+// Re = rho w r^2/eta = 3e5, 0.146/Re^0.2 above.
+inline double churning_couple(double share, double density, double viscosity, double radius,
+                              double speed)
+{
+  const double w = std::fabs(speed);
+  if (w == 0.0 || share == 0.0) return 0.0;
+  const double reynolds = density * w * radius * radius / viscosity;
+  const double C =
+      reynolds < 3e5 ? 3.87 / std::sqrt(reynolds) : 0.146 * exponential(-0.2 * logarithm(reynolds));
+  const double r2 = radius * radius;
+  const double couple = 0.5 * share * density * w * w * r2 * r2 * radius * C;
+  return speed < 0.0 ? -couple : couple;
+}
+
+}    // namespace raceway
+
+#endif
