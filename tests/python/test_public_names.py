@@ -74,6 +74,8 @@ def test_docstrings(name):
 def test_hints_name_types_that_are():
     """Every hint can be evaluated, those in quotes too."""
     from MDAnalysis import Universe
+    from raceway.recordings.recording import Recording
+    from raceway.runs.source import Source
     from raceway.runs.spectrum import Line
     from raceway.runs.tables import RunTables
 
@@ -82,6 +84,8 @@ def test_hints_name_types_that_are():
         "RunTables": RunTables,
         "Universe": Universe,
         "Line": Line,
+        "Source": Source,
+        "Recording": Recording,
         "xr": xarray,
     }
     functions = [one for name in MODULES for _, one in public(importlib.import_module(name))]

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 # `raceway.NAME` is the module NAME of one of these rooms or of the package itself, or a class
-ROOMS = ("theory", "runs", "electric")
+ROOMS = ("theory", "runs", "electric", "recordings")
 CLASSES = {"Run": "runs.run", "RunTables": "runs.tables"}
 
 

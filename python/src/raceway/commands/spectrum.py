@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from raceway.commands import Commands, one_run
 from raceway.commands.quantity import number
@@ -15,7 +15,7 @@ from raceway.units import prefixed
 if TYPE_CHECKING:  # xarray takes longer to load than `--help` should
     import xarray as xr
 
-    from raceway.runs.run import Run
+    from raceway.runs.source import Source
     from raceway.runs.spectrum import Line
 
 DESCRIPTION = """\
@@ -67,7 +67,7 @@ def add(commands: Commands) -> None:
         help="whose signal; an outer ring in a housing has ax, ay ... too (default inner)",
     )
     one.add_argument(
-        "--harmonics", type=_count, default=3, metavar="N", help="of each line (default 3)"
+        "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
     )
     one.add_argument(
         "--angle",
@@ -131,7 +131,7 @@ def run(arguments: argparse.Namespace) -> None:
 
         picture(opened, spectrum, found, arguments.out)
     print(
-        json.dumps([_plain(line) for line in found], indent=2)
+        json.dumps([plain(line) for line in found], indent=2)
         if arguments.json
         else table(opened, spectrum, found)
     )
@@ -153,10 +153,9 @@ def _over_time(arguments, opened):
     print(out)
 
 
-def table(run: "Run", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
-    """The `Line`s `found` in `spectrum` of `run` as text."""
-    from raceway.runs.measured import speeds
-
+def table(run: "Source", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
+    """The `Line`s `found` in `spectrum` of a run or recording as text; the last column, against its
+    own cage, where that is known."""
     unit, resolution, of = spectrum.attrs["units"], spectrum.attrs["resolution"], spectrum.dims[0]
     fine = prefixed(resolution, "Hz", 3) if of == "frequency" else f"{resolution:.3g} orders"
     rows = [f"{spectrum.attrs['long_name']}; resolution {fine}"]
@@ -164,41 +163,43 @@ def table(run: "Run", spectrum: "xr.DataArray", found: Sequence["Line"]) -> str:
         low, high = spectrum.attrs["band"]
         rows.append(f"band {prefixed(low, 'Hz')} to {prefixed(high, 'Hz')}")
     if of == "order":
-        rows.append(f"speed {speeds(run.tables)}: lines in orders of the shaft")
-    rows += [
-        "",
-        (
-            f"  {'line':<14}{'order':>9}{'kinematics':>14}"
-            f"{'found':>12}{'difference':>12}{'amplitude':>12}{'to cage':>10}"
-        ),
-    ]
+        rows.append(f"{run.title}: lines in orders of the shaft")
+    heading = (
+        f"  {'line':<14}{'order':>9}{'kinematics':>14}"
+        f"{'found':>12}{'difference':>12}{'amplitude':>12}"
+    )
+    cage = math.isfinite(run.motion.cage)
+    rows += ["", heading + f"{'to cage':>10}" * cage]
     sign = "Hz" if of == "frequency" else "  "
     for line in found:
         name = line.name if line.harmonic == 1 else f"{line.name} x{line.harmonic}"
         start = f"  {name:<14}{line.order:>9.4f}{line.expected:>11.4f} {sign}"
+        if line.note:
+            rows.append(f"{start}  {line.note}")
+            continue
         rows.append(
-            f"{start}  {line.note}"
-            if line.note
-            else (
-                f"{start}{line.found:>9.4f} {sign}{line.difference:>+10.4%} "
-                f" {prefixed(line.amplitude, unit, 3):>12}{line.found / line.by_cage - 1:>+10.4%}"
-            )
+            f"{start}{line.found:>9.4f} {sign}{line.difference:>+10.4%} "
+            f" {prefixed(line.amplitude, unit, 3):>12}"
         )
+        if cage:
+            rows[-1] += f"{line.found / line.by_cage - 1:>+10.4%}"
     return "\n".join(rows)
 
 
-def _plain(line):
+def plain(line: "Line") -> dict[str, Any]:
+    """A `Line` for JSON, None for what was not found."""
     return {
         key: None if isinstance(value, float) and not math.isfinite(value) else value
         for key, value in line._asdict().items()
     }
 
 
-def _count(text):
+def count(text: str) -> int:
+    """An argparse type: a number of harmonics."""
     value = int(text)
     if not 1 <= value <= 50:
         raise ValueError
     return value
 
 
-_count.__name__ = "number from 1 to 50"  # its name in argparse's error message
+count.__name__ = "number from 1 to 50"  # its name in argparse's error message

@@ -12,11 +12,11 @@ from matplotlib.patches import Circle, Polygon
 
 from raceway.files import FilePath
 from raceway.pictures import style
-from raceway.pictures.page import fit, title
+from raceway.pictures.page import fit
 from raceway.pictures.part import shown, tracks
 from raceway.pictures.scene import COLOURS, Scene, scene
 from raceway.pictures.style import FAINT, INK, MAP, SOFT
-from raceway.runs.measured import rpm, speeds
+from raceway.runs.measured import rpm, speeds, title
 from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 from raceway.theory.bearing import INNER, OUTER

@@ -12,51 +12,15 @@ from matplotlib.text import Text
 from matplotlib.ticker import MaxNLocator
 
 from raceway.pictures.style import SOFT
-from raceway.runs.measured import loading, speeds
+from raceway.runs.measured import title
 from raceway.runs.tables import RunTables
-from raceway.units import prefixed
 
 LEFT, RIGHT = 0.075, 0.965  # fractions of the figure's width
-LITTLE = 0.01  # fraction of a load; smaller values are not in the title
-
-
-def title(tables: RunTables) -> str:
-    """The run `tables` in one line, with measured load and speed."""
-    settings = tables.settings
-    oil = f"{settings['lubricant']} lubricant" if tables.lubricated else "dry"
-    clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")
-    return "  ·  ".join(
-        (
-            f"{settings['bearing']} ball bearing",
-            *_loads(tables),
-            speeds(tables),
-            oil,
-            f"clearance {clearance}",
-        )
-    )
 
 
 def quantity(meaning: str) -> str:
     """The `meaning` of a signal for a title: without what explains it, after the first comma."""
     return meaning.partition(",")[0]
-
-
-def _loads(tables):
-    load = loading(tables)
-    if load is None:
-        return [f"{prefixed(tables.settings['load_N'], 'N')} radial"]
-    largest = max(load.radial, abs(load.axial))
-    if largest == 0.0:
-        return ["no load"]
-    parts = (
-        (load.radial, "turning radial load" if load.turns else "radial"),
-        (load.axial, "axial"),
-    )
-    return [
-        f"{prefixed(value, 'N', 3).replace('-', '−')} {name}"
-        for value, name in parts
-        if abs(value) > LITTLE * largest
-    ]
 
 
 def head(figure: Figure, tables: RunTables, below: str, size: float = 17) -> None:

@@ -10,9 +10,9 @@ import numpy as np
 import xarray as xr
 
 from raceway.files import FilePath
-from raceway.pictures.page import quantity, title
+from raceway.pictures.page import quantity
 from raceway.pictures.style import FAINT, INK, PALETTE, SOFT, STYLE, save
-from raceway.runs.run import Run
+from raceway.runs.source import Source
 from raceway.runs.spectrum import COMPLIANCE, NAMES, OUTER_RING, SHAFT, Line
 from raceway.units import axis
 
@@ -38,9 +38,9 @@ def levels(places: Sequence[float], width: float) -> list[int]:
     return [rows[place] for place in places]
 
 
-def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FilePath) -> None:
-    """Draw `spectrum` of `run` (from `raceway.open`) and the `Line`s `found` in it to the PNG
-    `path`.
+def picture(run: Source, spectrum: xr.DataArray, found: Sequence[Line], path: FilePath) -> None:
+    """Draw `spectrum` of `run` (from `raceway.open`, or a recording) and the `Line`s `found` in it
+    to the PNG `path`.
 
     Raises `RunError` when the picture cannot be written.
     """
@@ -107,5 +107,5 @@ def picture(run: Run, spectrum: xr.DataArray, found: Sequence[Line], path: FileP
                     bbox=PAPER,
                 )
         axes.set_title(quantity(spectrum.attrs["long_name"]), pad=26)
-        axes.text(0, 1.02, title(run.tables), transform=axes.transAxes, fontsize=10, color=SOFT)
+        axes.text(0, 1.02, run.title, transform=axes.transAxes, fontsize=10, color=SOFT)
         save(figure, path)

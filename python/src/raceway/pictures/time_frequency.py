@@ -8,12 +8,11 @@ import xarray as xr
 from matplotlib.colors import LogNorm
 
 from raceway.files import FilePath
-from raceway.pictures.page import quantity, title
+from raceway.pictures.page import quantity
 from raceway.pictures.spectrum import COLOUR, levels
 from raceway.pictures.style import FAINT, INK, MAP, SOFT, STYLE, save
 from raceway.runs import spectrum
-from raceway.runs.measured import rpm
-from raceway.runs.run import Run
+from raceway.runs.source import Source
 from raceway.units import axis
 
 DECADES = 2.5  # range of the colours, below the largest amplitude
@@ -23,7 +22,7 @@ LABEL = 0.036  # height of a name, fraction of the axis
 HARMONICS = {"BPFO": (1, 2, 3), "BPFI": (1, 2, 3), "BSF": (2,)}  # of others the first
 
 
-def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
+def picture(run: Source, found: xr.DataArray, path: FilePath) -> None:
     """Draw `found` (`time_frequency.of_run` of `run`) to the PNG `path`.
 
     Raises `RunError` when the picture cannot be written.
@@ -54,9 +53,8 @@ def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
             xlim=(float(shown["time"][0]), float(shown["time"][-1])),
         )
         _name(main, {key: place for key, place in places.items() if place < top}, top)
-        time = np.arange(run.rings.sizes["time"]) * run.settings["sample_s"]
-        inner, outer = rpm(run.tables)
-        speed = np.abs(inner - outer)
+        samples, sample_s = found.attrs["samples"], found.attrs["sample_s"]
+        time, speed = np.arange(samples) * sample_s, np.abs(run.shaft_speed(samples)) * 30 / np.pi
         thin = slice(None, None, -(-len(time) // MOST))
         above.plot(time[thin], speed[thin], color=INK, lw=1.6)
         above.set(ylabel="shaft (rpm)", ylim=(0, 1.15 * speed.max()))
@@ -67,7 +65,7 @@ def picture(run: Run, found: xr.DataArray, path: FilePath) -> None:
         bar.set_label(f"amplitude ({unit})" if unit else "amplitude")
         bar.outline.set_edgecolor(FAINT)
         above.set_title(_head(found), pad=26)
-        above.text(0, 1.1, title(run.tables), transform=above.transAxes, fontsize=10, color=SOFT)
+        above.text(0, 1.1, run.title, transform=above.transAxes, fontsize=10, color=SOFT)
         save(figure, path)
 
 

@@ -10,11 +10,11 @@ import numpy as np
 
 from raceway.errors import RacewayError, RunError
 from raceway.pictures.overview import overview
-from raceway.pictures.page import title
 from raceway.pictures.part import shown as part
 from raceway.report.page import Page
 from raceway.rows import cells
 from raceway.runs.columns import BEARING, CONTACT, LOSSES
+from raceway.runs.measured import title
 from raceway.runs.summary import TOPICS, reasons, ring_displacement, shown, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.check import variables

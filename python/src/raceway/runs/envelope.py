@@ -16,7 +16,7 @@ from scipy import fft, signal
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs import spectrum
-from raceway.runs.run import Run
+from raceway.runs.source import Signal, Source
 
 LEVELS = 6  # the narrowest bands are 1/64 of half the sampling rate
 EDGE = 0.05  # fraction of the signal faded out and not counted at each end, for the bands
@@ -90,24 +90,26 @@ def best_band(values: ArrayLike, sample_s: float, narrowest: float = 0.0) -> Ban
 
 
 def of_run(
-    run: Run,
+    run: Source,
     name: str,
     band: tuple[float, float] | None = None,
     ring: str = "inner",
     orders: bool | None = None,
 ) -> xr.DataArray:
-    """`spectrum.of_run` of the envelope of a column of a `ring` of `run`, in a `band` (Hz, Hz) or
-    in the most impulsive one at least three times as wide as BPFI; `attrs["band"]` is that used.
+    """`spectrum.of_run` of the envelope of a column of a `ring` of `run`, or of a channel of a
+    recording, in a `band` (Hz, Hz) or in the most impulsive one at least three times as wide as
+    BPFI; `attrs["band"]` is that used.
 
     Raises `RunError` as `spectrum.of_run` does, and for a band beyond half the sampling rate.
     """
-    values, sample_s = spectrum.signal_of(run, name, ring), run.settings["sample_s"]
+    values, sample_s, attrs = run.signal(name, ring)
     passes = spectrum.places(run, harmonics=1)["BPFI", 1][1]
     try:
         chosen = band or best_band(values, sample_s, 3 * passes)[:2]
         values = of_values(values, sample_s, *chosen)
     except ValueError as error:
-        raise RunError(f"{run.tables.record.path}: {error}") from None
-    attrs = {**spectrum.of_column(name, ring), "band": tuple(map(float, chosen))}
-    attrs["long_name"] = f"envelope of: {attrs['long_name']}"
-    return spectrum.of_samples(run, values, attrs, orders)
+        raise RunError(f"{run.where}: {error}") from None
+    attrs = attrs | {"long_name": f"envelope of: {attrs['long_name']}"}
+    result = spectrum.of_signal(run, Signal(values, sample_s, attrs), orders)
+    result.attrs["band"] = tuple(map(float, chosen))
+    return result

@@ -12,8 +12,10 @@ from raceway.runs.tables import RunTables
 from raceway.runs.turning import changes
 from raceway.theory import clearance
 from raceway.theory.bearing import INNER, OUTER
+from raceway.units import prefixed
 
 FEW = 0.05  # fraction of the radial load or displacement: above, the load is not purely radial
+LITTLE = 0.01  # fraction of a load; smaller values are not in the title
 TURNED = 0.1  # rad; a load that turns further does not stand still
 
 
@@ -116,3 +118,37 @@ def _window(tables):
     # samples after the start of the window, without copying a long table
     rings = tables.rings
     return rings.iloc[int(np.searchsorted(rings["sample"], 0, side="right")) :]
+
+
+def title(tables: RunTables) -> str:
+    """The run `tables` in one line, with measured load and speed."""
+    settings = tables.settings
+    oil = f"{settings['lubricant']} lubricant" if tables.lubricated else "dry"
+    clearance = prefixed(settings["clearance_m"], "m", 3).replace("-", "−")
+    return "  ·  ".join(
+        (
+            f"{settings['bearing']} ball bearing",
+            *_loads(tables),
+            speeds(tables),
+            oil,
+            f"clearance {clearance}",
+        )
+    )
+
+
+def _loads(tables):
+    load = loading(tables)
+    if load is None:
+        return [f"{prefixed(tables.settings['load_N'], 'N')} radial"]
+    largest = max(load.radial, abs(load.axial))
+    if largest == 0.0:
+        return ["no load"]
+    parts = (
+        (load.radial, "turning radial load" if load.turns else "radial"),
+        (load.axial, "axial"),
+    )
+    return [
+        f"{prefixed(value, 'N', 3).replace('-', '−')} {name}"
+        for value, name in parts
+        if abs(value) > LITTLE * largest
+    ]

@@ -12,7 +12,7 @@ from scipy import interpolate
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
-from raceway.runs.run import Run
+from raceway.runs.source import Signal, Source
 from raceway.runs.turning import changes
 
 MOST = 50  # times the samples of the signal
@@ -37,21 +37,22 @@ def at_even_angles(values: ArrayLike, angle: ArrayLike) -> tuple[Floats, float]:
     return interpolate.CubicSpline(turns, np.asarray(values, float))(even), even[1]
 
 
-def changes_speed(run: Run) -> bool:
-    """True if the speed of the shaft of `run` changes: by more than 1 % of its mean."""
-    return changes(run.tables.turning.shaft_speed(run.tables.first, run.tables.last))
+def changes_speed(of: Source, samples: int) -> bool:
+    """True if the speed of the shaft of a run or recording changes during the `samples` of a
+    signal: by more than 1 % of its mean."""
+    return changes(of.shaft_speed(samples))
 
 
-def tracked(run: Run, values: Floats, orders: bool | None = None) -> tuple[Floats, float, bool]:
-    """(`values` (M,), their spacing, True for orders) of the samples `values` (N,) of `run`: as
+def tracked(of: Source, signal: Signal, orders: bool | None = None) -> tuple[Floats, float, bool]:
+    """(values (M,), their spacing, True for orders) of a `signal` of a run or recording `of`: as
     they are, in s, or at even angles, in turns, where the speed changes or `orders` is true.
 
     Raises `RunError` for a shaft that reverses or nearly stops.
     """
-    if not (changes_speed(run) if orders is None else orders):
-        return values, run.settings["sample_s"], False
-    angle = run.tables.turning.shaft(run.tables.first, run.tables.last)
+    values = signal.values
+    if not (changes_speed(of, len(values)) if orders is None else orders):
+        return values, signal.sample_s, False
     try:
-        return *at_even_angles(values, angle), True
+        return *at_even_angles(values, of.shaft_angle(len(values))), True
     except ValueError as error:
-        raise RunError(f"{run.tables.record.path}: {error}") from None
+        raise RunError(f"{of.where}: {error}") from None

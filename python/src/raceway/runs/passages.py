@@ -16,7 +16,7 @@ from scipy import optimize, signal
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs import spectrum
-from raceway.runs.run import Run
+from raceway.runs.source import Source
 from raceway.theory import kinematics
 
 QUIET = 0.25  # of the time before a blow, at its start: no entry yet
@@ -195,26 +195,27 @@ def _ringing(values):
 
 
 def of_run(
-    run: Run, raceway: str, name: str = "ay", ring: str = "outer", longest: float = 3e-3
+    run: Source, raceway: str, name: str = "ay", ring: str = "outer", longest: float = 3e-3
 ) -> Passages:
-    """`find` in a column of a `ring` of `run`, for a spall of the "inner" or "outer" `raceway` of a
-    length up to `longest` in m; earlier ringing must have decayed by that distance before an
-    impact. The period follows from the run's own cage speed.
+    """`find` in a column of a `ring` of `run`, or in a channel of a recording, for a spall of the
+    "inner" or "outer" `raceway` of a length up to `longest` in m; earlier ringing must have decayed
+    by that distance before an impact. The period follows from the run's own cage speed, that of a
+    recording from kinematics.
 
     Raises `RunError` as `spectrum.signal_of` does, for a run without cage speed, and for too few
     samples; `ValueError` for another raceway.
     """
     if raceway not in ("inner", "outer"):
         raise ValueError(f"raceway is '{raceway}', must be inner or outer")
-    values = spectrum.signal_of(run, name, ring)
-    bearing, spin = run.tables.geometry, abs(run.tables.motion.shaft)
+    values, sample_s, _ = run.signal(name, ring)
+    bearing, spin = run.geometry, abs(run.motion.shaft)
     rate = spectrum.places(run, harmonics=1)["BPFI" if raceway == "inner" else "BPFO", 1][1]
     if not (spin and rate):
-        raise RunError(f"{run.tables.folder}: a shaft that stands still has no ball passages")
+        raise RunError(f"{run.where}: a shaft that stands still has no ball passages")
     period = 1 / rate
     # a ball strikes before it leaves the spall
     reach = longest / float(kinematics.entrainment(bearing, spin)) / (1 - QUIET)
     try:
-        return find(values, run.settings["sample_s"], period, min(reach, 0.5 * period))
+        return find(values, sample_s, period, min(reach, 0.5 * period))
     except ValueError as error:
-        raise RunError(f"{run.tables.folder}: {error}") from None
+        raise RunError(f"{run.where}: {error}") from None

@@ -2,18 +2,25 @@
 """A run as labelled arrays: `raceway.open` returns an object with a dataset for each component of
 the bearing."""
 
+import math
 from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import xarray as xr
 
+from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.files import FilePath
+from raceway.runs import ring_signal
 from raceway.runs.flaws import by_part
+from raceway.runs.measured import title
 from raceway.runs.recorded import Recorded
+from raceway.runs.source import Signal
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
+from raceway.runs.turning import Motion
+from raceway.theory.bearing import Bearing
 
 if TYPE_CHECKING:  # optional
     from MDAnalysis import Universe
@@ -139,6 +146,45 @@ class Run:
     def summary(self) -> dict[str, str | float | None]:
         """The figures that `raceway summary` prints, by name: `raceway.summary.summary`."""
         return summary(self.tables)
+
+    @property
+    def geometry(self) -> Bearing:
+        """The bearing that was simulated."""
+        return self.tables.geometry
+
+    @property
+    def motion(self) -> Motion:
+        """Mean speeds of rings, cage and balls, rad/s."""
+        return self.tables.motion
+
+    @property
+    def nominal_angle(self) -> float:
+        """Contact angle of the bearing in rad without load, 0 where it states none."""
+        return math.radians(self.settings.get("contact_angle_deg", 0))
+
+    @property
+    def where(self) -> str:
+        """Path of the record."""
+        return str(self.tables.record.path)
+
+    @property
+    def title(self) -> str:
+        """Bearing, load, speed, lubricant and clearance in one line."""
+        return title(self.tables)
+
+    def signal(self, name: str = "shift", ring: str = "inner") -> Signal:
+        """Samples of a column of a ring, with their spacing, unit and meaning:
+        `ring_signal.of_run`."""
+        return ring_signal.of_run(self, name, ring)
+
+    def shaft_angle(self, samples: int | None = None) -> Floats:
+        """Angle (N,) in rad of the inner against the outer ring, at all samples or the first
+        `samples`."""
+        return self.tables.turning.shaft(self.tables.first, self.tables.last)[:samples]
+
+    def shaft_speed(self, samples: int | None = None) -> Floats:
+        """Speed (N,) in rad/s of the inner against the outer ring, likewise."""
+        return self.tables.turning.shaft_speed(self.tables.first, self.tables.last)[:samples]
 
     def universe(self) -> "Universe":
         """The run for MDAnalysis: `raceway.runs.universe`."""

@@ -15,7 +15,6 @@ from scipy import signal
 
 from raceway.arrays import Floats
 from raceway.errors import RunError
-from raceway.runs import spectrum
 from raceway.runs.run import Run
 
 PASSED = 0.4  # pass band over the new rate: no change of the signal, within STOPPED
@@ -76,8 +75,7 @@ def of_run(
     Raises `RunError` for a run without such a column, for a ring that does not move, and for a rate
     as `decimated` does.
     """
-    values, attrs = spectrum.signal_of(run, name, ring), spectrum.of_column(name, ring)
-    sample_s = run.settings["sample_s"]
+    values, sample_s, attrs = run.signal(name, ring)
     if not np.ptp(values) > 0:
         raise RunError(
             f"{run.tables.folder}: {name} of the {ring} ring does not change; a sensor needs one"
@@ -92,5 +90,5 @@ def of_run(
     if noise:
         values = values + np.random.default_rng(seed).normal(0.0, noise, len(values))
     time = np.arange(len(values)) * sample_s
-    attrs.update(ring=ring, sample_s=sample_s, noise=noise)
+    attrs = dict(attrs, ring=ring, sample_s=sample_s, noise=noise)
     return xr.DataArray(values, {"time": ("time", time, {"units": "s"})}, name=name, attrs=attrs)

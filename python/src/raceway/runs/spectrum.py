@@ -11,7 +11,7 @@ spectra are over orders (`runs.order_tracking`).
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -19,12 +19,10 @@ from numpy.typing import ArrayLike
 from scipy import fft, signal
 
 from raceway.arrays import Floats
-from raceway.errors import RunError
 from raceway.runs import order_tracking
-from raceway.runs.columns import RING
-from raceway.runs.run import Run
+from raceway.runs.source import Signal, Source
 from raceway.theory import kinematics
-from raceway.theory.bearing import OUTER, Bearing
+from raceway.theory.bearing import Bearing
 
 # Four-term Blackman-Harris: side lobes are 92 dB below the line, so a faint line is visible next to
 # a strong one. Near its peak the logarithm is a parabola to 1e-3 of a bin. The main lobe is 8 bins
@@ -87,66 +85,34 @@ def spectrum(values: ArrayLike, sample_s: float) -> xr.DataArray:
 
 
 def of_run(
-    run: Run, name: str = "shift", ring: str = "inner", orders: bool | None = None
+    run: Source, name: str = "shift", ring: str = "inner", orders: bool | None = None
 ) -> xr.DataArray:
     """`spectrum` of a column of a ring of `run` (from `raceway.open`): `shift`, `x`, `fy`, `mz`,
-    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" has those of motion and force.
+    `ay`, `capacitance` ... of the "inner" `ring`; the "outer" has those of motion and force. Of a
+    recording (`raceway.recording`), `name` is a channel.
 
     Its dimension is frequency (Hz), or order where the speed of the shaft changes by more than 1 %;
     `orders` overrides the choice. Raises `RunError` when the run has no such column, too few
     samples, or a shaft that reverses.
     """
-    return of_samples(run, signal_of(run, name, ring), of_column(name, ring), orders)
+    return of_signal(run, run.signal(name, ring), orders)
 
 
-def of_samples(
-    run: Run, values: Floats, attrs: dict[str, Any], orders: bool | None = None
-) -> xr.DataArray:
-    """`spectrum` of `values` (N,), one for each sample of `run`; otherwise as `of_run`."""
-    values, spacing, tracked = order_tracking.tracked(run, values, orders)
+def of_signal(of: Source, signal: Signal, orders: bool | None = None) -> xr.DataArray:
+    """`spectrum` of a `signal` of a run or recording `of`; otherwise as `of_run`."""
+    values, spacing, tracked = order_tracking.tracked(of, signal, orders)
     result = spectrum(values, spacing)
     if tracked:
         result = result.rename(frequency="order")
         result["order"].attrs["units"] = "1"
-    result.attrs.update(attrs)
+    result.attrs.update(signal.attrs)
     return result
 
 
-def signal_of(run: Run, name: str, ring: str = "inner") -> np.ndarray:
-    """Samples (N,) of a column of a `ring` of `run`, "inner" or "outer". Raises `RunError` as
-    `of_run` does."""
-    values, where, known = (_of_inner if ring == "inner" else _of_outer)(run, name)
-    if values is None:
-        raise RunError(f"{where} has no column {name}; it has {', '.join(known)}")
-    if len(values) < 32:
-        raise RunError(f"{where} has {len(values)} samples: a spectrum needs 32")
-    return values
-
-
-def _of_inner(run, name):
-    rings = run.rings
-    values = rings[name].to_numpy() if name in rings else None
-    return values, run.tables.record.path, rings.data_vars
-
-
-def _of_outer(run, name):
-    record = run.tables.record
-    here = np.flatnonzero(record.fixed("ring_raceway") == OUTER)
-    if len(here) != 1:
-        raise RunError(f"{record.path} has {len(here)} outer rings of one bearing, must be one")
-    known = [n for n, dims in record.variables.items() if dims == ("time", "ring")]
-    values = None
-    if f"ring_{name}" in known:
-        read = record.read([f"ring_{name}"], run.tables.first, run.tables.stop)
-        values = read[f"ring_{name}"][:, here[0]]
-    return values, f"{record.path}, outer ring,", [n.removeprefix("ring_") for n in known]
-
-
-def of_column(name: str, ring: str = "inner") -> dict[str, str]:
-    """Unit and meaning of a column of a ring, as attributes."""
-    column = RING.get(name)
-    meaning = column.meaning.replace("inner ring", f"{ring} ring") if column else name
-    return {"units": column.unit if column else "", "long_name": meaning}
+def signal_of(of: Source, name: str, ring: str = "inner") -> Floats:
+    """Samples (N,) of a column of a `ring` of a run, "inner" or "outer", or of a channel of a
+    recording. Raises `RacewayError` as `of_run` does."""
+    return of.signal(name, ring).values
 
 
 def expected(
@@ -191,16 +157,14 @@ def expected(
     return {key: (float(hertz / unit), float(hertz)) for key, hertz in found.items()}
 
 
-def contact_angle(run: Run) -> float:
-    """Contact angle of `run` in rad: measured, else the nominal one of its settings, else 0."""
-    measured = run.tables.motion.angle
-    return (
-        math.radians(run.settings.get("contact_angle_deg", 0)) if np.isnan(measured) else measured
-    )
+def contact_angle(of: Source) -> float:
+    """Contact angle of a run or recording in rad: measured, else the nominal one."""
+    measured = of.motion.angle
+    return of.nominal_angle if np.isnan(measured) else measured
 
 
 def places(
-    run: Run,
+    run: Source,
     angle: float | None = None,
     harmonics: int = 3,
     sidebands: bool = False,
@@ -208,26 +172,26 @@ def places(
 ) -> dict[tuple[str, int], tuple[float, float]]:
     """`expected` of `run` by its measured speeds: of its `own` cage and balls, or of balls that
     roll at a contact `angle` in rad, by default `contact_angle`."""
-    motion = run.tables.motion
+    motion = run.motion
     hertz = {name: value / (2 * math.pi) for name, value in motion._asdict().items()}
     given = {"cage": hertz["cage"]} if own and math.isfinite(motion.cage) else {}
     if own and math.isfinite(motion.spin):
         given["spin"] = hertz["spin"]
     angle = contact_angle(run) if angle is None else angle
-    of = run.tables.geometry, hertz["inner"], hertz["outer"]
+    of = run.geometry, hertz["inner"], hertz["outer"]
     return expected(*of, angle=angle, harmonics=harmonics, sidebands=sidebands, **given)
 
 
 def lines(
-    run: Run,
+    run: Source,
     found_in: xr.DataArray,
     harmonics: int = 3,
     angle: float | None = None,
     within: float = 0.005,
     sidebands: bool = False,
 ) -> list[Line]:
-    """The kinematic lines of `run` (from `raceway.open`) in its spectrum `found_in`: a list of
-    `Line`.
+    """The kinematic lines of `run` (from `raceway.open`, or a recording) in its spectrum
+    `found_in`: a list of `Line`.
 
     A line is found if a peak lies no further than `within` (relative to the frequency; or a tenth
     of the resolution) from that of the run's own cage and balls, exceeds the median around it by a

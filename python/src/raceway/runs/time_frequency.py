@@ -10,7 +10,7 @@ from scipy import signal
 
 from raceway.errors import RunError
 from raceway.runs import envelope, order_tracking, spectrum
-from raceway.runs.run import Run
+from raceway.runs.source import Source
 
 WINDOW = "hann"
 OVERLAP = 0.9  # overlap of successive windows, fraction of their length
@@ -62,14 +62,15 @@ def spectrogram(values: ArrayLike, sample: float, window: float) -> xr.DataArray
 
 
 def of_run(
-    run: Run,
+    run: Source,
     name: str = "ay",
     ring: str = "outer",
     *,
     band: tuple[float, float] | None = None,
     orders: bool | None = None,
 ) -> xr.DataArray:
-    """`spectrogram` of a column of a `ring` of `run`, or, with a `band` (Hz, Hz), of its envelope.
+    """`spectrogram` of a column of a `ring` of `run`, or of a channel of a recording; with a `band`
+    (Hz, Hz), of its envelope.
 
     Dimensions are frequency (Hz) and time (s), or order (of the shaft) and time where the speed
     changes by more than 1 %; `orders` overrides the choice, and `attrs["orders"]` records it. A
@@ -77,27 +78,27 @@ def of_run(
     Raises `RunError` as `spectrum.signal_of` does, for a record that is too short, and for a shaft
     that reverses.
     """
-    values, sample_s = spectrum.signal_of(run, name, ring), run.settings["sample_s"]
-    tracked = order_tracking.changes_speed(run) if orders is None else orders
+    values, sample_s, attrs = run.signal(name, ring)
+    tracked = order_tracking.changes_speed(run, len(values)) if orders is None else orders
     order = spectrum.places(run, harmonics=1)["BPFO", 1][0]
     window = (ENVELOPE if band else SIGNAL) / order  # turns
     try:
         if band is not None:
             values = envelope.of_values(values, sample_s, *band)
         if not tracked:
-            shaft = abs(run.tables.motion.shaft) / (2 * math.pi)
+            shaft = abs(run.motion.shaft) / (2 * math.pi)
             result = spectrogram(values, sample_s, window / shaft)
         else:
-            angle = run.tables.turning.shaft(run.tables.first, run.tables.last)
+            angle = run.shaft_angle(len(values))
             result = spectrogram(*order_tracking.at_even_angles(values, angle), window)
             turns = np.abs(angle) / (2 * math.pi)
             times = np.interp(result["time"], turns, np.arange(len(turns)) * sample_s)
             result = result.assign_coords(time=times).rename(frequency="order")
     except ValueError as error:
-        raise RunError(f"{run.tables.record.path}: {error}") from None
+        raise RunError(f"{run.where}: {error}") from None
     result["time"].attrs["units"] = "s"
     result[result.dims[0]].attrs["units"] = "1" if tracked else "Hz"
-    result.attrs.update(spectrum.of_column(name, ring), orders=tracked)
+    result.attrs.update(attrs, orders=tracked, samples=len(values), sample_s=sample_s)
     if band is not None:
         result.attrs["band"] = tuple(map(float, band))
         result.attrs["long_name"] = f"envelope of: {result.attrs['long_name']}"

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway measured FILE`: a recording of a real bearing, its speed, levels and lines."""
+
+import argparse
+import json
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from raceway.commands import Commands, recorded
+from raceway.commands.quantity import number, takes_negative
+from raceway.commands.spectrum import count, plain, table
+from raceway.units import prefixed
+
+if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
+    from raceway.recordings.recording import Recording
+
+HELP = "speed, levels and kinematic lines of a recording of a real bearing"
+DESCRIPTION = """\
+Reads a recording as `raceway spectrum` reads a run: channels with their levels, the speed of the
+shaft from its own lines, and the lines of the bearing in the spectrum of the envelope.
+
+Files: .mat of Case Western Reserve University (X..._DE_time), of the MFPT society (bearing.gs), of
+Paderborn University (structure of X and Y) and of `raceway dataset`; .npz with a row a name; .csv
+of PRONOSTIA (acc_00001.csv), or columns, the first perhaps `time_s`; .wav. CWRU's .mat do not say
+their rate: give --rate 12000 or 48000. Accelerations in g are shown in m/s^2.
+
+The nominal speed of a file is often off by more than the slip of a cage. The true one is looked for
+within 1.5 % of it, in lines of the shaft that agree; --rpm sets it."""
+EXAMPLES = """\
+examples:
+  raceway measured 105.mat --bearing 6205 --rate 12000
+  raceway measured vibration.csv --bearing 6208 --rate 48000 --rpm 1482 --out lines.png
+  raceway measured 0002.mat --bearing 6205 --raw --kind time --out motion.png
+
+Exit codes: 0 done, 1 the file cannot be read or says too little, 2 wrong command line."""
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "measured",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    takes_negative(one)
+    recorded.add(one)
+    one.add_argument("--raw", action="store_true", help="of the signal, not of its envelope")
+    one.add_argument(
+        "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
+    )
+    one.add_argument(
+        "--angle",
+        type=number(0, 90, "degrees"),
+        metavar="DEG",
+        help="contact angle of the kinematics (the bearing's nominal one, or 0)",
+    )
+    one.add_argument(
+        "--within",
+        type=number(1e-4, 0.05, "of the frequency"),
+        default=0.01,
+        metavar="SHARE",
+        help="where a line is looked for, relative (default 0.01)",
+    )
+    one.add_argument(
+        "--kind",
+        choices=("lines", "time"),
+        default="lines",
+        help="of the picture: lines (default), or over time and frequency",
+    )
+    one.add_argument("--out", metavar="PNG", help="draw the picture")
+    one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
+    one.set_defaults(command=run, complain=one.error)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print what the recording says and draw it when asked. Raises `RacewayError`."""
+    from raceway.runs import envelope, spectrum
+
+    if arguments.raw and arguments.band:
+        arguments.complain("--band: of an envelope; leave out --raw")
+    if arguments.kind == "time" and not arguments.out:
+        arguments.complain("--kind time: a picture; give --out")
+    opened = recorded.opened(arguments)
+    of = spectrum.of_run if arguments.raw else envelope.of_run
+    more = () if arguments.raw else (arguments.band,)
+    found = of(opened, arguments.channel, *more, orders=False)
+    angle = None if arguments.angle is None else math.radians(arguments.angle)
+    lines = spectrum.lines(
+        opened, found, arguments.harmonics, angle, arguments.within, sidebands=not arguments.raw
+    )
+    if arguments.out and arguments.kind == "time":
+        _over_time(arguments, opened, found)
+    elif arguments.out:
+        # matplotlib takes longer to load than a spectrum to compute
+        from raceway.pictures.spectrum import picture
+
+        picture(opened, found, lines, arguments.out)
+    figures = _figures(opened)
+    if arguments.json:
+        print(json.dumps({**figures, "lines": [plain(line) for line in lines]}, indent=2))
+    else:
+        print(_text(figures), "", table(opened, found, lines), sep="\n")
+
+
+def _over_time(arguments, opened, found):
+    from raceway.pictures.time_frequency import picture
+    from raceway.runs import time_frequency
+
+    band = None if arguments.raw else found.attrs["band"]
+    over = time_frequency.of_run(opened, arguments.channel, band=band, orders=False)
+    picture(opened, over, Path(arguments.out))
+
+
+def _figures(opened: "Recording") -> dict[str, Any]:
+    """File, speed and levels for JSON."""
+    from raceway.recordings.recording import level
+    from raceway.runs.source import Signal
+
+    channels = [
+        {
+            "name": name,
+            "values": len(one.values),
+            "rate_Hz": _known(one.rate),
+            "units": one.units,
+            "mean": float(one.values.mean()),
+            **{
+                key: _known(value)
+                for key, value in level(Signal(one.values, 1 / one.rate, {}))._asdict().items()
+            },
+        }
+        for name, one in opened.channels.items()
+    ]
+    found = opened.speed
+    return {
+        "file": opened.where,
+        "kind": opened.kind,
+        "rpm": opened.rpm,
+        "rpm_uncertainty": 60 * found.uncertainty if found else None,
+        "rpm_nominal": opened.nominal_rpm,
+        "load_N": _known(opened.load),
+        "channels": channels,
+    }
+
+
+def _known(value):
+    return float(value) if math.isfinite(value) else None
+
+
+def _text(figures):
+    rows = [f"{figures['file']} ({figures['kind']})"]
+    shaft = f"  shaft {figures['rpm']:.6g} rpm"
+    if figures["rpm_uncertainty"] is not None:
+        shaft += f" +- {figures['rpm_uncertainty']:.2g}, from its lines; nominal"
+        shaft += (
+            f" {figures['rpm_nominal']:g} rpm ({figures['rpm'] / figures['rpm_nominal'] - 1:+.3%})"
+        )
+    rows.append(shaft)
+    if figures["load_N"] is not None:
+        rows.append(f"  load {figures['load_N']:.4g} N radial")
+    heads = ("values", "rate", "mean", "rms", "peak", "kurtosis")
+    rows += ["", f"  {'channel':<24}" + "".join(f"{head:>14}" for head in heads)]
+    for one in figures["channels"]:
+        rate = "-" if one["rate_Hz"] is None else prefixed(one["rate_Hz"], "Hz", 5)
+        cells = [str(one["values"]), rate]
+        cells += [_cell(one[key], one["units"]) for key in ("mean", "rms", "peak")]
+        cells.append(_cell(one["kurtosis"], ""))
+        rows.append(f"  {one['name']:<24}" + "".join(f"{cell:>14}" for cell in cells))
+    return "\n".join(rows)
+
+
+def _cell(value, units):
+    return "-" if value is None else f"{value:.4g} {units}".rstrip()

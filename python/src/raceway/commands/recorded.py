@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Options of the commands that read a recording of a real bearing."""
+
+import argparse
+from typing import TYPE_CHECKING, Any
+
+from raceway.commands import options
+from raceway.commands.quantity import number
+
+if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
+    from raceway.recordings.recording import Recording
+
+
+def add(to: Any, bearing: bool = True) -> None:
+    """FILE, --rate, --rpm, --channel, --band and, with `bearing`, which bearing it is of."""
+    to.add_argument(
+        "file",
+        metavar="FILE",
+        help=".mat (CWRU, MFPT, Paderborn, raceway dataset), .npz, .csv (FEMTO, or columns), .wav",
+    )
+    if bearing:
+        options.bearing(to)
+    to.add_argument(
+        "--rate",
+        type=number(1e-3, 1e8, "Hz"),
+        metavar="HZ",
+        help="sampling rate, hertz (that of the file)",
+    )
+    to.add_argument(
+        "--rpm",
+        type=number(1, 1e6, "rpm"),
+        metavar="R",
+        help="true speed of the inner ring (found near the nominal one of the file)",
+    )
+    to.add_argument("--channel", default="", metavar="NAME", help="of the file (the first)")
+    to.add_argument(
+        "--band",
+        type=number(1e-3, 1e8, "Hz"),
+        nargs=2,
+        metavar=("LOW", "HIGH"),
+        help="of the envelope, hertz (the most impulsive one)",
+    )
+
+
+def opened(arguments: argparse.Namespace) -> "Recording":
+    """The given recording. Raises `RacewayError`."""
+    from raceway import catalogue, inputs
+    from raceway.recordings.recording import Recording
+
+    path = catalogue.find("bearings", arguments.bearing, arguments.inputs)
+    return Recording(
+        arguments.file,
+        inputs.bearing(path),
+        rpm=arguments.rpm,
+        rate=arguments.rate,
+        nominal_angle=inputs.nominal_angle(path),
+        name=path.name,
+    )

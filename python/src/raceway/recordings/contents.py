@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Contents of a file of measured signals, in SI units, temperatures in degrees C."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.files import FilePath
+
+GRAVITY = 9.80665  # m/s^2
+POUND = 4.4482216152605  # N, pound-force
+
+
+class Channel(NamedTuple):
+    """A channel of a file."""
+
+    values: Floats  # (N,)
+    rate: float  # Hz, NaN where the file does not say
+    units: str
+    meaning: str
+
+
+class Contents(NamedTuple):
+    """A file as read; NaN for what it does not say."""
+
+    kind: str  # of file
+    channels: dict[str, Channel]
+    rpm: float = math.nan  # of the inner ring, as the file has it
+    load: float = math.nan  # N, radial
+
+
+def channel(path: FilePath, name: str, values: ArrayLike, rate: float, **words: Any) -> Channel:
+    """`Channel` of `values`, a row or a column; `scale` into SI `units`, and the `meaning`. Raises
+    `RunError` for values that are no finite numbers, and for another shape."""
+    try:
+        row = np.ravel(np.asarray(values, float)) * words.get("scale", 1.0)
+    except (TypeError, ValueError):
+        raise RunError(f"{path}: {name} is no row of numbers") from None
+    if row.size != max(np.shape(values), default=1):
+        raise RunError(f"{path}: {name} has the shape {np.shape(values)}, must be one row")
+    if not np.isfinite(row).all():
+        raise RunError(f"{path}: {name} has values that are not finite")
+    return Channel(row, float(rate), words.get("units", ""), words.get("meaning", name))

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""MATLAB files: Case Western Reserve University (also those of `raceway dataset`), Machinery
+Failure Prevention Technology society, Paderborn University.
+
+Each is told by its variables. Accelerations in g become m/s^2, loads in pounds N.
+"""
+
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy import io
+
+from raceway.errors import RunError
+from raceway.recordings.contents import GRAVITY, POUND, Channel, Contents, channel
+
+CWRU = re.compile(r"X(\d+)_(DE|FE|BA)_time")
+PADERBORN = re.compile(r"N(\d\d)_M(\d\d)_F(\d\d)_")  # 100 rpm, 0.1 N m, 100 N
+AT = {"DE": "drive end", "FE": "fan end", "BA": "base"}
+SHOWN = 8  # variables that a message lists
+
+
+def read(path: Path) -> Contents:
+    """`Contents` of a .mat file. Raises `RunError` for a damaged file and one of unknown
+    variables."""
+    try:
+        found = io.loadmat(path, simplify_cells=True)
+    except (ValueError, TypeError, KeyError, NotImplementedError, io.matlab.MatReadError) as error:
+        raise RunError(
+            f"cannot read {path}: it is no MATLAB file up to version 7 ({error})"
+        ) from None
+    data = {name: value for name, value in found.items() if not name.startswith("__")}
+    if any(CWRU.fullmatch(name) for name in data):
+        return _cwru(path, data)
+    if "bearing" in data and _has(data["bearing"], "gs", "sr"):
+        return _mfpt(path, data["bearing"])
+    for value in data.values():
+        if _has(value, "X", "Y"):
+            return _paderborn(path, value)
+    names = ", ".join([*data][:SHOWN]) or "nothing"
+    raise RunError(
+        f"{path} has {names}: known are X..._DE_time (CWRU), bearing.gs (MFPT), and a structure"
+        " of X and Y (Paderborn); write others as csv"
+    )
+
+
+def _has(value, *names):
+    return isinstance(value, Mapping) and set(names) <= set(value)
+
+
+def _cwru(path, data):
+    """Channels of the first bearing number that has a drive end; a few files have a second one."""
+    numbers = sorted({m[1] for m in map(CWRU.fullmatch, data) if m}, key=int)
+    stem = path.stem.lstrip("0")
+    number = next((one for one in numbers if one.lstrip("0") == stem), numbers[0])
+    si = data.get("unit") == "m/s^2"
+    rate = float(data.get("sampling_Hz", math.nan))
+    found = {
+        end: channel(
+            path,
+            f"X{number}_{end}_time",
+            data[f"X{number}_{end}_time"],
+            rate,
+            scale=1.0 if si else GRAVITY,
+            units="m/s^2",
+            meaning=f"acceleration, {words}",
+        )
+        for end, words in AT.items()
+        if f"X{number}_{end}_time" in data
+    }
+    rpm, load = data.get(f"X{number}RPM", math.nan), data.get("load_N", math.nan)
+    return Contents("CWRU", found, float(rpm), float(load))
+
+
+def _mfpt(path, data: Mapping[str, Any]):
+    rate = float(data["sr"])
+    words = {"scale": GRAVITY, "units": "m/s^2", "meaning": "acceleration"}
+    found = {"gs": channel(path, "gs", data["gs"], rate, **words)}
+    rpm = 60 * float(data.get("rate", math.nan))
+    return Contents("MFPT", found, rpm, POUND * float(data.get("load", math.nan)))
+
+
+def _paderborn(path, data: Mapping[str, Any]):
+    """Channels by name; the rate of each from the time base of its raster, or of its length."""
+    bases = [one for one in _list(data["X"]) if _has(one, "Data")]
+    found: dict[str, Channel] = {}
+    for one in _list(data["Y"]):
+        if not _has(one, "Name", "Data"):
+            continue
+        size = np.size(one["Data"])
+        own = [base for base in bases if base.get("Raster", "") == one.get("Raster", "?")]
+        fit = [base for base in own or bases if np.size(base["Data"]) == size > 1]
+        time = np.ravel(fit[0]["Data"]) if fit else np.zeros(0)
+        rate = (size - 1) / (time[-1] - time[0]) if size > 1 and len(time) else math.nan
+        name = str(one["Name"])
+        words = _words_of_paderborn(name)
+        found[name] = channel(path, name, one["Data"], rate, **words)
+    if not found:
+        raise RunError(f"{path}: Y has no channel with Name and Data")
+    # the signal of the bearing first
+    found = dict(sorted(found.items(), key=lambda item: item[0] != "vibration_1"))
+    told = PADERBORN.match(path.name)
+    rpm = 100.0 * int(told[1]) if told else math.nan
+    if "speed" in found:
+        rpm = float(found["speed"].values.mean())
+    return Contents("Paderborn", found, rpm, 100.0 * int(told[3]) if told else math.nan)
+
+
+def _words_of_paderborn(name):
+    if name.startswith("vibration"):
+        return {"meaning": "acceleration, as recorded"}
+    if name.startswith("temp"):
+        return {"units": "°C", "meaning": "temperature"}
+    return {"units": "rpm" if name == "speed" else "", "meaning": name.replace("_", " ")}
+
+
+def _list(value):
+    return [value] if isinstance(value, Mapping) else list(np.ravel(value))

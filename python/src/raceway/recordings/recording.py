@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A recording of a real bearing as a source of signals, as a run is one: `spectrum`, `envelope`,
+`time_frequency`, `passages` and their pictures take either."""
+
+import math
+from collections.abc import Callable
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.errors import RunError
+from raceway.files import FilePath
+from raceway.recordings import matlab, plain, shaft_speed
+from raceway.recordings.contents import Contents
+from raceway.runs.source import Signal
+from raceway.runs.turning import Motion
+from raceway.theory.bearing import Bearing
+from raceway.units import prefixed
+
+READERS: dict[str, Callable[[Path], Contents]] = {
+    ".mat": matlab.read,
+    ".npz": plain.read_npz,
+    ".csv": plain.read_csv,
+    ".txt": plain.read_csv,
+    ".wav": plain.read_wav,
+}
+
+
+def contents(path: FilePath) -> Contents:
+    """`Contents` of the file `path`, by the end of its name. Raises `RunError` for a missing or
+    damaged file and for an unknown kind."""
+    path = Path(path)
+    if not path.is_file():
+        raise RunError(f"there is no file {path}")
+    reader = READERS.get(path.suffix.lower())
+    if reader is None:
+        raise RunError(f"{path}: a recording ends in {', '.join(READERS)}")
+    return reader(path)
+
+
+class Recording:
+    """Signals in the file `path` of a `bearing` with its outer ring at rest.
+
+    `rpm` of the inner ring and `rate` in Hz go before what the file says; `nominal_angle` is the
+    contact angle in rad without load. Where the file's nominal speed is used, the true one is
+    looked for in the first channel (`shaft_speed.find`); a given `rpm` is taken as it is. Raises
+    `RunError` for a file that cannot be read, and when neither file nor argument has speed or rate.
+
+    `load` (N, NaN if unknown) is the file's; `speed` the `shaft_speed.Speed` found, or None;
+    `channels` maps names to `contents.Channel`.
+    """
+
+    def __init__(
+        self,
+        path: FilePath,
+        bearing: Bearing,
+        *,
+        rpm: float | None = None,
+        rate: float | None = None,
+        nominal_angle: float = 0.0,
+        name: str = "",
+    ) -> None:
+        self.where, self._name = str(path), name
+        self._bearing, self._angle = bearing, nominal_angle
+        found = contents(path)
+        self.kind, self.load = found.kind, found.load
+        self.channels = {
+            key: one._replace(rate=one.rate if rate is None else rate)
+            for key, one in found.channels.items()
+        }
+        first = next(iter(self.channels.values()))
+        if not first.rate > 0:
+            raise RunError(f"{path} does not say its sampling rate: give it, --rate HZ")
+        self._given = rpm
+        self.nominal_rpm = found.rpm if rpm is None else rpm
+        if not self.nominal_rpm > 0:
+            raise RunError(f"{path} does not say the speed of the shaft: give it, --rpm R")
+
+    @cached_property
+    def speed(self) -> shaft_speed.Speed | None:
+        """Speed found in the first channel; None where it is given or leaves no lines."""
+        if self._given is not None:
+            return None
+        first = self.signal(next(iter(self.channels)))
+        return shaft_speed.find(first.values, first.sample_s, self.nominal_rpm / 60)
+
+    @property
+    def rpm(self) -> float:
+        """Speed of the shaft: as given, as found, else as the file has it."""
+        return 60 * self.speed.hertz if self.speed else self.nominal_rpm
+
+    @property
+    def geometry(self) -> Bearing:
+        """The bearing."""
+        return self._bearing
+
+    @property
+    def nominal_angle(self) -> float:
+        """Contact angle in rad without load."""
+        return self._angle
+
+    @property
+    def motion(self) -> Motion:
+        """Mean speeds in rad/s: of the shaft; those of cage and balls are not known."""
+        return Motion(self.rpm * math.pi / 30, 0.0, math.nan, math.nan, math.nan)
+
+    @property
+    def title(self) -> str:
+        """File, bearing, load and speed in one line."""
+        known = [] if math.isnan(self.load) else [f"{prefixed(self.load, 'N', 3)} radial"]
+        parts = (Path(self.where).name, f"{self._name} ball bearing".strip(), *known)
+        return "  ·  ".join((*parts, f"{self.rpm:.5g} rpm"))
+
+    def signal(self, name: str = "", ring: str = "") -> Signal:
+        """`Signal` of the channel `name`, by default the first. Raises `RunError` for an unknown
+        one and one of fewer than 32 values. `ring` is that of runs and has no meaning here."""
+        name = name or next(iter(self.channels))
+        if name not in self.channels:
+            raise RunError(f"{self.where} has no channel {name}; it has {', '.join(self.channels)}")
+        one = self.channels[name]
+        if len(one.values) < 32:
+            raise RunError(
+                f"{self.where}: {name} has {len(one.values)} values: a spectrum needs 32"
+            )
+        if not one.rate > 0:
+            raise RunError(f"{self.where} does not say the rate of {name}: give it, --rate HZ")
+        return Signal(one.values, 1 / one.rate, {"units": one.units, "long_name": one.meaning})
+
+    def shaft_angle(self, samples: int) -> Floats:
+        """Angle (`samples`,) in rad at the samples of the first channel, at constant speed."""
+        first = next(iter(self.channels.values()))
+        return self.rpm * math.pi / 30 / first.rate * np.arange(samples)
+
+    def shaft_speed(self, samples: int) -> Floats:
+        """Speed (`samples`,) in rad/s, constant."""
+        return np.full(samples, self.rpm * math.pi / 30)
+
+
+class Level(NamedTuple):
+    """Level of a signal."""
+
+    rms: float  # unit of the signal, without its mean
+    peak: float
+    kurtosis: float  # 3 for noise
+
+
+def level(signal: Signal) -> Level:
+    """`Level` of a signal. A constant one has a kurtosis of NaN."""
+    away = signal.values - signal.values.mean()
+    square = float(np.mean(away**2))
+    kurtosis = float(np.mean(away**4)) / square**2 if square else math.nan
+    return Level(math.sqrt(square), float(np.abs(away).max()), kurtosis)

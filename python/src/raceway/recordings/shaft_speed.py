@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Speed of the shaft from the harmonics that it leaves in a signal and in its envelope.
+
+The nominal speed of a motor under load is off by up to 1 %, which is ten times the slip of a cage.
+Unbalance, misalignment and a flaw of the inner raceway give lines at whole multiples of the true
+one. Mains and other machines give lines, too: the largest group of multiples that agree counts.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from raceway.arrays import Floats
+from raceway.runs import envelope, spectrum
+
+HARMONICS = 6
+AGREE = 0.04  # of the resolution, at the line itself: two lines of one shaft
+FINE = 0.02  # of the resolution: a line among noise, for the uncertainty
+
+
+class Speed(NamedTuple):
+    """Speed found in a signal."""
+
+    hertz: float
+    uncertainty: float  # Hz, one standard deviation
+    harmonics: int  # lines that agree
+
+
+def find(values: ArrayLike, sample_s: float, nominal: float, within: float = 0.015) -> Speed | None:
+    """`Speed` of the shaft in evenly sampled `values` (N,), `sample_s` apart, no further than
+    `within` (relative) from the `nominal` one in Hz; None where fewer than two harmonics agree.
+
+    >>> time = np.arange(120000) / 12000
+    >>> tone = sum(np.sin(2 * np.pi * n * 29.53 * time + n) / n for n in (1, 2, 3))
+    >>> mains = np.sin(2 * np.pi * 60 * time)
+    >>> print(f"{find(tone + 0.1 * mains, 1 / 12000, 29.7).hertz:.3f} Hz")
+    29.530 Hz
+    """
+    places, widths = _lines(np.asarray(values, float), sample_s, nominal, within)
+    best: tuple[float, np.ndarray] = 0.0, np.zeros(0, bool)
+    for place, width in zip(places, widths):
+        near = np.abs(places - place) <= np.hypot(widths, width)
+        weight = float((1 / widths[near] ** 2).sum())
+        if near.sum() > 1 and weight > best[0]:
+            best = weight, near
+    weight, near = best
+    if not near.any():
+        return None
+    parts = 1 / widths[near] ** 2
+    mean = float((places[near] * parts).sum() / weight)
+    scatter = np.sqrt((parts * (places[near] - mean) ** 2).sum() / weight)
+    fine = FINE / AGREE / np.sqrt(weight)
+    return Speed(mean, float(np.hypot(fine, scatter / np.sqrt(near.sum()))), int(near.sum()))
+
+
+def _lines(values, sample_s, nominal, within) -> tuple[Floats, Floats]:
+    """Shaft speeds (N,) in Hz from the harmonics found in the signal and its envelope, and the
+    widths (N,) in Hz within which they may agree."""
+    spectra = [spectrum.spectrum(values, sample_s)]
+    try:
+        band = envelope.best_band(values, sample_s, 8 * nominal)
+        held = envelope.of_values(values, sample_s, band.low, band.high)
+        spectra.append(spectrum.spectrum(held, sample_s))
+    except ValueError:
+        pass  # too slow a signal for an envelope
+    places, widths = [], []
+    for one in spectra:
+        for n in range(1, HARMONICS + 1):
+            hertz, *_, note = spectrum.find(one, n * nominal, within)
+            if not note:
+                places.append(hertz / n)
+                widths.append(AGREE * one.attrs["resolution"] / n)
+    return np.array(places), np.array(widths)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Columns of a ring of a run as signals."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from raceway.errors import RunError
+from raceway.runs.columns import RING
+from raceway.runs.source import Signal
+from raceway.theory.bearing import OUTER
+
+if TYPE_CHECKING:
+    from raceway.runs.run import Run
+
+
+def of_run(run: "Run", name: str, ring: str = "inner") -> Signal:
+    """`Signal` of a column of a `ring` of `run`, "inner" or "outer". Raises `RunError` for a column
+    that the run does not have, and for fewer than 32 samples."""
+    values, where, known = (_of_inner if ring == "inner" else _of_outer)(run, name)
+    if values is None:
+        raise RunError(f"{where} has no column {name}; it has {', '.join(known)}")
+    if len(values) < 32:
+        raise RunError(f"{where} has {len(values)} samples: a spectrum needs 32")
+    return Signal(values, run.settings["sample_s"], of_column(name, ring))
+
+
+def of_column(name: str, ring: str = "inner") -> dict[str, str]:
+    """Unit and meaning of a column of a ring, as attributes."""
+    column = RING.get(name)
+    meaning = column.meaning.replace("inner ring", f"{ring} ring") if column else name
+    return {"units": column.unit if column else "", "long_name": meaning}
+
+
+def _of_inner(run, name):
+    rings = run.rings
+    values = rings[name].to_numpy() if name in rings else None
+    return values, run.tables.record.path, rings.data_vars
+
+
+def _of_outer(run, name):
+    record = run.tables.record
+    here = np.flatnonzero(record.fixed("ring_raceway") == OUTER)
+    if len(here) != 1:
+        raise RunError(f"{record.path} has {len(here)} outer rings of one bearing, must be one")
+    known = [n for n, dims in record.variables.items() if dims == ("time", "ring")]
+    values = None
+    if f"ring_{name}" in known:
+        read = record.read([f"ring_{name}"], run.tables.first, run.tables.stop)
+        values = read[f"ring_{name}"][:, here[0]]
+    return values, f"{record.path}, outer ring,", [n.removeprefix("ring_") for n in known]

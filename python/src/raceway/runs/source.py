@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A bearing with signals: a run of the simulation, or a recording of a real one.
+
+Spectra, envelopes, pictures and lengths of spalls need a `Source` and no more, so that they read
+both in the same way.
+"""
+
+from typing import NamedTuple, Protocol
+
+from raceway.arrays import Floats
+from raceway.runs.turning import Motion
+from raceway.theory.bearing import Bearing
+
+
+class Signal(NamedTuple):
+    """Evenly sampled values of one column or channel."""
+
+    values: Floats  # (N,)
+    sample_s: float  # s from one to the next
+    attrs: dict[str, str]  # units, long_name
+
+
+class Source(Protocol):
+    """What `Run` and `recording.Recording` have in common."""
+
+    @property
+    def geometry(self) -> Bearing:
+        """The bearing."""
+
+    @property
+    def motion(self) -> Motion:
+        """Mean speeds; NaN for what is not known."""
+
+    @property
+    def nominal_angle(self) -> float:
+        """Contact angle in rad without load."""
+
+    @property
+    def where(self) -> str:
+        """Folder or file, for messages."""
+
+    @property
+    def title(self) -> str:
+        """Operating point in one line, for pictures."""
+
+    def signal(self, name: str, ring: str = "inner") -> Signal:
+        """`Signal` of a column of a ring, or of a channel. Raises `RacewayError`."""
+
+    def shaft_angle(self, samples: int) -> Floats:
+        """Angle (`samples`,) in rad of the inner against the outer ring at the samples of a
+        signal."""
+
+    def shaft_speed(self, samples: int) -> Floats:
+        """Speed (`samples`,) in rad/s, likewise."""
