@@ -96,7 +96,7 @@ WITHIN = dict(
 # a box with two bearings along x and nothing that moves them
 SMALL = """
 units si
-bearing_host host host_name spheres b_format
+atom_style sphere
 atom_modify map array sort 0 0.0
 boundary f f f
 newton off

@@ -50,7 +50,7 @@ def _world(scene, pose, cuts):
     return [
         "bearing_output ${out}",
         "units si",
-        "bearing_host host host_name spheres b_format",
+        "atom_style sphere",
         "atom_modify map array sort 0 0.0",
         "boundary f f f",
         "newton off",
@@ -162,9 +162,9 @@ def _output(scene):
         yield f"compute {name} {group} bearing/{style} {' '.join(columns)}"
         values = " ".join(f"c_{name}[{k + 1}]" for k in range(len(columns)))
         yield f"dump {name} {group} local {every} ${{out}}/{name}.dump {values}"
-        yield f'dump_modify {name} ${{b_format}} "{" ".join(["%.17g"] * len(columns))}"'
+        yield f'dump_modify {name} ${{dump_format}} "{" ".join(["%.17g"] * len(columns))}"'
     yield f"dump atoms all custom {every} ${{out}}/atoms.dump {' '.join(ATOMS)}"
-    yield f'dump_modify atoms ${{b_format}} "%d %d{" %.17g" * 9}" sort id'
+    yield f'dump_modify atoms ${{dump_format}} "%d %d{" %.17g" * 9}" sort id'
     yield "compute total all bearing/total"
     for number, name in enumerate(SUMS):
         yield f"variable t_{name} equal c_total[{number + 1}]"

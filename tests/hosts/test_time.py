@@ -30,9 +30,7 @@ TELL = """
 run 0
 print "END $(time) $(f_outer[1]) $(f_inner[1]) $(f_inner[2]) $(f_inner[9]) $(x[4]) $(y[4])"
 """
-READ = (
-    "bearing_host host host_name spheres b_format\natom_modify map array sort 0 0.0\nnewton off\n"
-)
+READ = "atom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
 
 
 def end(tmp_path, host, *parts):

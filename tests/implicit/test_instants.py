@@ -114,7 +114,7 @@ def test_instants_do_not_change_the_motion(tmp_path):
     assert (tmp_path / "one/balls.dump").read_bytes() == (tmp_path / "many/balls.dump").read_bytes()
 
 
-FILM = """bearing_input inputs/bearings 6208
+FILM = """include inputs/bearings/6208
 pair_style bearing/ehd young 2.07e11 2.07e11 poisson 0.29 0.29 lubricant 0.04 2e-8 &
   roughness 1e-7 1e-7
 pair_coeff 1 3 inner ${inner_radius} ${inner_groove}

@@ -214,7 +214,7 @@ def test_only_dampers_implicit(tmp_path):
 BEARINGS = (
     BOX.replace("box 4 box", "box 5 box").replace("0.06 -0.06 0.06 -0.06", "0.18 -0.06 0.06 -0.06")
     + """
-bearing_input inputs/bearings 6208
+include inputs/bearings/6208
 pair_style bearing/hertz young 2.07e11 2.07e11 poisson 0.29 0.29
 pair_coeff 1 3 inner ${inner_radius} ${inner_groove}
 pair_coeff 1 4 outer ${outer_radius} ${outer_groove}

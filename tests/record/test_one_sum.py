@@ -141,7 +141,7 @@ def deck(law, kind, integrator, out, finer):
             f'fix totals all print {substeps} "{line}" file {out}/totals.txt screen no title none',
             f"fix record all bearing/record {substeps} {out} overwrite yes contacts all",
             f"dump sides all local {substeps} {out}/sides.dump {values}",
-            f'dump_modify sides ${{b_format}} "{" ".join(["%.17g"] * len(rings))}"',
+            f'dump_modify sides ${{dump_format}} "{" ".join(["%.17g"] * len(rings))}"',
             "thermo_style custom step",
             f"timestep {SAMPLE / substeps / finer}",
             f"run {SAMPLES * substeps * finer}",

@@ -75,7 +75,7 @@ def test_both_integrators(tmp_path):
 LONGEST = (
     BOX
     + """
-bearing_input inputs/bearings 6208
+include inputs/bearings/6208
 pair_style bearing/ehd lubricant 0.04 22e-9 roughness 1.0e-7 0 gap 1 film_damping branch &
   hysteresis 0 ${friction}
 pair_coeff 1 3 inner ${inner_radius} ${inner_groove}

@@ -172,7 +172,7 @@ def test_orientation_of_a_ball(tmp_path, mover):
             "timestep ${step}",
             f"compute o balls bearing/ball {names}\n"
             "dump o balls custom 1000 ${out}/turn.dump id c_o[1] c_o[2] c_o[3] c_o[4]\n"
-            'dump_modify o ${b_format} "%d %.17g %.17g %.17g %.17g"\ntimestep ${step}',
+            'dump_modify o ${dump_format} "%d %.17g %.17g %.17g %.17g"\ntimestep ${step}',
         )
     )
     out = tmp_path / "out"
