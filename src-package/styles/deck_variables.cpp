@@ -57,6 +57,22 @@ bool collect(const fs::path &path, Names &names)
   return true;
 }
 
+// Variables that a line `variable NAME index VALUE` of the deck sets
+Names set_by_deck()
+{
+  Names found;
+  for (const std::string &deck : words_after("-in", "-i")) {
+    std::ifstream file(deck);
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream words(line);
+      std::string command, name, style;
+      if (words >> command >> name >> style && command == "variable" && style == "index")
+        found.insert(name);
+    }
+  }
+  return found;
+}
+
 // Collects them from all files and tables in a folder; returns the error if it cannot be read.
 std::error_code collect_folder(const std::string &folder, Names &names)
 {
@@ -133,7 +149,9 @@ void BearingGiven::command(int narg, char **arg)
     Names names;
     for (const std::string &table : tables)
       if (!collect(table, names)) complaint = "cannot read table '" + table + "'";
-    for (std::string given : words_after("-var", "-v")) {
+    Names set = words_after("-var", "-v");
+    set.merge(set_by_deck());
+    for (std::string given : set) {
       const char *value = names.count(given) ? input->variable->retrieve(&given[0]) : nullptr;
       if (value) all += (all.empty() ? "" : ",") + given + "=" + value;
     }

@@ -85,7 +85,7 @@ def table(tmp_path):
 @pytest.mark.parametrize(
     "words, message",
     [
-        (["--program", "'"], "--program"),
+        (["--program", "'"], 'program "\'": No closing quotation'),
         (["--program", "true", "--out", "{file}"], "cannot make the folder"),
         (["--program", "true", "--slurm", "{job}", "--out", "a\n#SBATCH --x"], "line break"),
     ],

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Ball bearings: runs of the simulation, read and drawn, and the theory to hold them against.
 
-`open` reads a run. The other public names are loaded when first asked for.
+`simulate` runs a bearing, `open` reads a run. The other public names are loaded when first asked
+for.
 """
 
 from importlib import import_module
@@ -11,11 +12,13 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from raceway.runs.run import Run
+    from raceway.sweeps.one_run import simulate as simulate
 
 __version__ = "0.1.0"
-# `raceway.NAME` is the module NAME of one of these rooms or of the package itself, or a class
+# `raceway.NAME` is the module NAME of one of these rooms or of the package itself, or a class or
+# function
 ROOMS = ("theory", "runs", "electric", "recordings")
-CLASSES = {"Run": "runs.run", "RunTables": "runs.tables"}
+CLASSES = {"Run": "runs.run", "RunTables": "runs.tables", "simulate": "sweeps.one_run"}
 
 
 def _names() -> dict[str, str]:

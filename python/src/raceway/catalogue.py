@@ -10,7 +10,7 @@ from raceway.files import FilePath
 from raceway.inputs import InputError
 
 KINDS = {"bearings": "bearing", "lubricants": "lubricant"}
-# In a source tree these are links to the folders of inputs; a wheel has copies of the files.
+# In a source tree this is a link to the folder inputs; a wheel has copies of the files.
 SHIPPED = Path(__file__).with_name("data")
 MANY = 20  # names that a message lists; of more it has those near the one asked for
 

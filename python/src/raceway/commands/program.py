@@ -2,27 +2,19 @@
 """The program of --program, and the command with the deck of --deck that a sweep runs."""
 
 import argparse
-import shlex
-import shutil
 import signal
 import sys
 from pathlib import Path
 
 from raceway.errors import RacewayError
+from raceway.sweeps import host_program
 
 
 def program(text: str) -> list[str]:
-    """Words of the program. Raises `RacewayError` if it is not found."""
-    try:
-        words = shlex.split(text)
-    except ValueError as error:
-        raise RacewayError(f"--program {text!r}: {error}") from None
-    if not words or shutil.which(words[0]) is None:
-        raise RacewayError(
-            f"there is no program {text!r}: `make build` makes build/liggghts; start"
-            " from the repository's root"
-        )
-    return words
+    """Words of the program; in place of a default that is not here, of the one that
+    `host_program.find` finds. Raises `RacewayError` if there is none."""
+    absent = text == str(host_program.LIGGGHTS) and not host_program.LIGGGHTS.is_file()
+    return host_program.find() if absent else host_program.words(text)
 
 
 def command(arguments: argparse.Namespace) -> list[str]:

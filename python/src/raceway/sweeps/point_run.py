@@ -13,9 +13,6 @@ Each is written under another name first and then renamed, so it is never incomp
 import fcntl
 import json
 import os
-import select
-import signal
-import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -28,10 +25,9 @@ from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.runs.summary import summary
 from raceway.runs.tables import RunTables
+from raceway.sweeps.host_run import complaint, execute, stopped
 
 FINISHED, FAILED, PENDING, BUSY, STOPPED = "finished", "failed", "pending", "busy", "stopped"
-STOP_SIGNALS = (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1, signal.SIGKILL, signal.SIGHUP)
-PATIENCE = 20.0  # s, time for a stopped run to write its restart file
 # variables of the deck and their names in `run.yaml`
 RECORDED = {
     "load": "load_N",
@@ -89,10 +85,10 @@ def run_point(
             (folder / "failed.json").unlink(missing_ok=True)
             if not _whole(folder, variables):
                 code = _execute(folder, variables, command, lock, stop)
-                if code is None or -code in STOP_SIGNALS or code - 128 in STOP_SIGNALS:
+                if stopped(code):
                     return STOPPED, "stopped; goes on when the sweep is started again"
                 if code:
-                    return _fail(folder, _complaint(folder / "log.txt", code))
+                    return _fail(folder, complaint(folder / "log.txt", code))
             try:
                 run = RunTables(folder)
                 figures = summary(run)
@@ -130,28 +126,7 @@ def _execute(folder, variables, command, lock, stop):
     words = list(command) + ["-log", "none", "-var", "out", str(folder), "-var", "resume", "yes"]
     for name, value in variables.items():
         words += ["-var", name, value]
-    with open(folder / "log.txt", "wb") as log:
-        # Ctrl-C is passed on by this process
-        process = subprocess.Popen(
-            words,
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-            pass_fds=(lock,),
-            start_new_session=True,
-        )
-    done = os.pidfd_open(process.pid)
-    try:
-        ready = select.select([done] + ([stop] if stop is not None else []), [], [])[0]
-        if done in ready:
-            return process.wait()
-        process.terminate()
-        if not select.select([done], [], [], PATIENCE)[0]:
-            os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-        return None
-    finally:
-        os.close(done)
+    return execute(words, folder / "log.txt", stop=stop, keep=(lock,))
 
 
 def _whole(folder, variables):
@@ -182,17 +157,6 @@ def _same(asked, found):
 def _fail(folder, message):
     _write(folder / "failed.json", json.dumps({"message": message}, ensure_ascii=False))
     return FAILED, message
-
-
-def _complaint(log, code):
-    """Error line of the host, without the place in its source; without one, its exit status."""
-    lines = log.read_text(errors="replace").splitlines()
-    for line in lines:
-        if line.startswith("ERROR"):
-            return line.partition(": ")[2].rsplit(" (", 1)[0].strip() or line
-    last = next((line.strip() for line in reversed(lines) if line.strip()), "nothing printed")
-    how = f"killed by signal {signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
-    return f"{how}; last line: {last[:200]}"
 
 
 def mapping(path: Path, parse: Callable[[str], Any]) -> dict[str, Any] | None:

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A deck with other values of its variables, as its user would edit it."""
+
+import difflib
+import os
+import re
+from collections.abc import Mapping
+from numbers import Integral, Real
+
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.sweeps.points import deck_variables
+
+# what a host reads as more than text
+SPECIAL = re.compile(r"[\"'$&#\x00-\x1f\x7f]")
+LINE = r"^(\s*variable\s+{}\s+index\s+)(\"[^\"]*\"|\S+)([^\S\n]*)"
+FIRST = re.compile(r"^\s*variable\s", re.MULTILINE)
+# names of files: a path is from the folder of the caller, the decks' are from that of the inputs
+FILES = ("bearing", "lubricant")
+
+
+def values(deck: FilePath, given: Mapping[str, object]) -> dict[str, str]:
+    """The `given` values of variables of `deck` as text, without those that are None. Numbers keep
+    all their digits, True and False are yes and no; a bearing or lubricant with a slash is a path.
+    Raises `RacewayError` for a name that the deck has not and for a value that is no text."""
+    known, found = deck_variables(deck), {}
+    for name, value in given.items():
+        if value is None:
+            continue
+        if name not in known:
+            near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
+            raise RacewayError(f"{deck} has no variable '{name}', nearest is '{near[0]}'")
+        found[name] = _text(name, value)
+        if name in FILES and "/" in found[name]:
+            found[name] = os.path.abspath(found[name])
+    return found
+
+
+def _text(name, value):
+    if hasattr(value, "item") and not getattr(value, "shape", ()):
+        value = value.item()  # a number of numpy
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, Integral):
+        return str(int(value))
+    if isinstance(value, Real):
+        return repr(float(value))
+    if not isinstance(value, str | os.PathLike):
+        raise RacewayError(f"{name} is {value!r}, must be a number, a text, True or False")
+    text = os.fspath(value)
+    if not text.strip() or SPECIAL.search(text):
+        raise RacewayError(
+            f"{name} is {text!r}, must be a text without quotes, line breaks and $ & #"
+        )
+    return text
+
+
+def text(deck: FilePath, own: Mapping[str, str], heading: str) -> str:
+    """The deck at path `deck` with the values of `own` (text by variable) and a `heading`, a line
+    of comment. A variable that the deck leaves to its data files gets a line above the first of
+    the deck's own."""
+    with open(deck, encoding="utf-8") as file:
+        found = file.read()
+    added = []
+    for name, value in own.items():
+        word = f'"{value}"' if " " in value else value
+        line = re.compile(LINE.format(re.escape(name)), re.MULTILINE)
+        if match := line.search(found):
+            width = len(match[2]) + len(match[3])
+            blanks = max(width, len(word) + 1) if match[3] else 0
+            found = found[: match.end(1)] + word.ljust(blanks) + found[match.end() :]
+        else:
+            added.append(f"variable {name} index {word}\n")
+    first = FIRST.search(found)
+    place = first.start() if first else 0
+    return f"# {heading}\n" + found[:place] + "".join(added) + found[place:]

