@@ -21,7 +21,7 @@ WORDS = """bearing_fleet DIR/fleet numbers FIRST 5 2 grid 2 0.1 only ONLY tables
   create 1 none 2 3 balls 9 diameter 12.6e-3
 """
 LAST = """write_dump all custom DIR/last id type x y omegaz modify &
-  ${b_format} "%d %d %.17g %.17g %.17g" sort id
+  ${dump_format} "%d %d %.17g %.17g %.17g" sort id
 """
 
 

@@ -6,7 +6,8 @@ import re
 
 import numpy as np
 import pytest
-from host import BOX, run, succeed
+from host import BOX as PLAIN_BOX
+from host import run, succeed
 
 HOSTS = pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
 SPHERES = """units si
@@ -15,6 +16,7 @@ atom_modify map array sort 0 0.0
 boundary f f f
 newton off
 """
+BOX = PLAIN_BOX.replace("atom_style sphere", "bearing_host host host_name spheres b_format")
 RACEWAYS = """pair_style bearing/hertz friction constant 0.1
 pair_coeff 1 3 inner 24.0e-3 6.552e-3
 pair_coeff 1 4 outer 36.6e-3 6.552e-3
@@ -146,7 +148,7 @@ def test_dump_refused(tmp_path, words, says):
     "words, says",
     [
         ("groups maybe", "groups is 'maybe', must be one of: no, yes"),
-        ("resumed 1", "resumed is '1', must be one of: no, yes"),
+        ("resumed 2", "resumed is '2', must be one of: no, yes, 0, 1"),
         ("resumed yes", "'resumed yes' needs the atoms of a restart file: read_restart comes"),
     ],
 )
