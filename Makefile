@@ -90,8 +90,8 @@ test: setup lint tree
 	@$(MAKE) --no-print-directory -s -j2 $(PROGRAMS) $(INTERFACES) build/sanitized/liggghts
 	@$(MAKE) --no-print-directory docs
 	@examples=0; .venv/bin/python docs/try_examples.py || examples=1; \
-	echo ".venv/bin/python -m pytest tests"; \
-	.venv/bin/python -m pytest tests/recipes tests/hosts tests -n $(shell nproc) --dist loadfile --no-loadscope-reorder && \
+	echo ".venv/bin/python -m pytest --nbmake tests docs/notebooks"; \
+	.venv/bin/python -m pytest --nbmake tests/recipes tests/hosts tests docs/notebooks -n $(shell nproc) --dist loadfile --no-loadscope-reorder && \
 	{ [ $$examples = 0 ] || { echo "an example of docs failed, see above"; exit 1; }; }
 
 bench: build
