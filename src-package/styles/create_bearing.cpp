@@ -2,6 +2,7 @@
 #include "create_bearing.h"
 
 #include "../core/laws/rolling.h"
+#include "../core/raceway/start_rotation.h"
 #include "../core/settings/arguments.h"
 #include "pair_bearing_hertz.h"
 
@@ -12,8 +13,8 @@ using bearing::text;
 
 // create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
 // [cage_density RHO]
-//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [groups yes|no]
-//   [resumed yes|no]
+//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [thrust F]
+//   [groups yes|no] [resumed yes|no]
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
@@ -72,13 +73,15 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
     } else if (args.take("seat")) {
       static const int way[] = {0, 1, -1};
       p.seat = way[args.choice("seat", {"none", "plus", "minus"})];
+    } else if (args.take("thrust")) {
+      p.thrust = args.number("thrust on the inner ring (N)");
     } else if (args.take("groups")) {
       p.groups = args.choice("groups", {"no", "yes"}) == 1;
     } else if (args.take("resumed")) {
       p.resumed = args.choice("resumed", {"no", "yes", "0", "1"}) % 2 == 1;
     } else {
       args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed, seat, "
-                   "groups, resumed");
+                   "thrust, groups, resumed");
     }
   }
   if (p.balls == 0) args.fail("'balls Z' is missing");
@@ -181,6 +184,27 @@ void CreateBearing::seat(Arguments &args, const Groove &inner, const Groove &out
   p.inner_z = p.seat * way;
 }
 
+static double mass(double R, double rho)
+{
+  return 4.0 / 3.0 * 3.14159265358979323846 * R * R * R * rho;
+}
+
+// That of least loss under a law with friction against spin, otherwise about the bearing's axis.
+BallRotation CreateBearing::rotation(const Plan &p, const PairBearingHertz &pair)
+{
+  // distance of a contact from the ball's spin axis: ball radius times cosine
+  const Rolling roll =
+      pure_rolling(p.ball_radius * p.cosine, p.pitch, p.inner_speed, p.outer_speed);
+  const bool seated = p.inner_z != 0.0;
+  const RacewayPhysics &inner = *pair.coefficients().raceway(p.ball_type, p.inner_type),
+                       &outer = *pair.coefficients().raceway(p.ball_type, p.outer_type);
+  if (!inner.facts().spin || (p.thrust == 0.0 && !seated)) return {roll.orbit, 0.0, roll.spin, {}};
+  return start_rotation(inner, outer,
+                        {p.ball_radius, mass(p.ball_radius, p.ball_density), p.pitch, roll.orbit,
+                         p.inner_speed, p.outer_speed, p.thrust / p.balls,
+                         seated ? p.seat * std::acos(p.cosine) : 0.0});
+}
+
 void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
 {
   const int first = atom->nlocal;
@@ -194,10 +218,7 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   const double pi = 3.14159265358979323846;
   const Vec3 e = pair.axis(), centre = Vec3::from(p.centre);
   const Vec3 a = {e.z, e.x, e.y}, b = {e.y, e.z, e.x};    // azimuth 0 and 90 degrees
-  // distance of a contact from the ball's spin axis: ball radius times cosine
-  const Rolling roll =
-      pure_rolling(p.ball_radius * p.cosine, p.pitch, p.inner_speed, p.outer_speed);
-  auto mass = [pi](double R, double rho) { return 4.0 / 3.0 * pi * R * R * R * rho; };
+  const BallRotation roll = rotation(p, pair);
   for (int cage = 0; cage < (p.cage_type ? 2 : 1); ++cage)
     for (int k = 0; k < p.balls; ++k) {
       const double phi = p.phase + 2.0 * pi * (k + 0.5 * cage) / p.balls;
@@ -207,7 +228,8 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
       const Vec3 v = cross(e, u) * (roll.orbit * (cage ? p.middle : p.pitch));
       if (cage) add(p.cage_type, at, p.cage_radius, mass(p.cage_radius, p.cage_density), v, Vec3());
       else
-        add(p.ball_type, at, p.ball_radius, mass(p.ball_radius, p.ball_density), v, e * roll.spin);
+        add(p.ball_type, at, p.ball_radius, mass(p.ball_radius, p.ball_density), v,
+            u * roll.radial + e * roll.axial);
     }
   // a ring is one small atom at its centre; fix bearing/ring gives it mass and inertia
   add(p.inner_type, centre + e * p.inner_z, 1e-4, 1.0, Vec3(), e * p.inner_speed);

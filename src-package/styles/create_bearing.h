@@ -7,6 +7,7 @@ CommandStyle(create_bearing,CreateBearing)
 #define LMP_CREATE_BEARING_H
 
 #include "../core/geometry/groove.h"
+#include "../core/laws/start_attitude.h"
 #include "new_atoms.h"
 
 namespace bearing {
@@ -33,6 +34,7 @@ class CreateBearing : public bearing::CommandBase {
     double inner_speed = 0.0, outer_speed = 0.0;    // rad/s
     int seat =
         0;    // +1, -1: the inner ring touches all balls, displaced forward or back along the axis
+    double thrust = 0.0;                   // N, on the inner ring
     double middle = 0.0;                   // m, radius half-way between the raceways
     double pitch = 0.0;                    // m, of the balls' centres
     double ball_z = 0.0, inner_z = 0.0;    // m, along the axis
@@ -45,6 +47,7 @@ class CreateBearing : public bearing::CommandBase {
   void check(bearing::Arguments &, const PairBearingHertz &, Plan &);
   static void seat(bearing::Arguments &, const raceway::Groove &inner, const raceway::Groove &outer,
                    double clearance, Plan &);
+  static raceway::BallRotation rotation(const Plan &, const PairBearingHertz &);
   void place(const Plan &, const PairBearingHertz &);
   void make_groups(const Plan &);
   void add(int type, const raceway::Vec3 &x, double radius, double mass, const raceway::Vec3 &v,

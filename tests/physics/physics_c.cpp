@@ -7,6 +7,7 @@
 #include "../../src-package/core/interface/exports.h"
 #include "../../src-package/core/laws/damped_hertz.h"
 #include "../../src-package/core/laws/step_limit.h"
+#include "../../src-package/core/raceway/start_rotation.h"
 #include "any_parts.h"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ RECORD(Hertz, double kappa, Ebar, Fbar, R, K, a, b, p;)
 RECORD(SpringForce, double ft, fw;)
 RECORD(CageContact, double stiffness, damping, growth, force;)
 RECORD(RailSeat, double circle, tube, offset;)
+RECORD(Start, double orbit, radial, axial, spin[2];)
 
 static RacewayPhysics raceway_from(const RacewayInput &in)
 {
@@ -282,6 +284,16 @@ EXPORT(RacewayPhysics *, raceway_new, (const RacewayInput *in))
   return new RacewayPhysics(raceway_from(*in));
 }
 EXPORT(void, raceway_delete, (RacewayPhysics * p)) { delete p; }
+
+EXPORT(void, start_rotation,
+       (const RacewayPhysics *inner, const RacewayPhysics *outer, double radius, double mass,
+        double path, double orbit, double inner_speed, double outer_speed, double thrust,
+        double angle, Start *out))
+{
+  const BallRotation r = start_rotation(
+      *inner, *outer, {radius, mass, path, orbit, inner_speed, outer_speed, thrust, angle});
+  *out = {r.orbit, r.radial, r.axial, {r.spin[0], r.spin[1]}};
+}
 
 EXPORT(void, raceway_derived, (const RacewayPhysics *p, Derived *out))
 {

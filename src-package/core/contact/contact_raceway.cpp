@@ -58,6 +58,7 @@ LawFacts law_facts(unsigned parts)
   f.film_in_gap = has<FilmInGapPart>(parts);
   f.asperities = has<MixedFrictionPart>(parts);
   f.tangential_spring = has<TangentialSpringPart>(parts);
+  f.spin = has<SpinPart>(parts) || has<SlipSlicesPart>(parts);
   return f;
 }
 

@@ -8,7 +8,7 @@
 #include "../laws/friction.h"
 #include "../laws/rolling_resistance.h"
 #include "../laws/slip_slices.h"
-#include "../parts/part_spin.h"
+#include "../laws/spin.h"
 #include "exports.h"
 
 using namespace raceway;

@@ -21,6 +21,7 @@ struct LawFacts {
   bool decides = false;          // a part determines the onset of contact
   bool explicit_step = false;    // not available in an implicit step
   bool film = false, film_in_gap = false, asperities = false, tangential_spring = false;
+  bool spin = false;    // friction against spin about the contact normal
 };
 LawFacts law_facts(unsigned parts);
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rotation of a ball that rolls on both raceways, at which they together lose least to spin
+// (docs/theory, Start of the balls).
+//
+// In the plane of the bearing's axis (e) and the ball's radius (u), contact k has the normal n_k
+// from ball to raceway. Rolling on both raceways leaves one free speed x, in which orbit, rotation
+// and both spins omega_k are linear. The moments of spin M_k(omega_k) grow up to a width and are
+// constant beyond. They balance where sum of M_k d omega_k/dx vanishes. Without width this is the
+// least loss, control by one of the raceways; with one, both share the spin. The sum rises with x,
+// so the root is the only one, between the motions without spin at one raceway.
+#ifndef RACEWAY_START_ATTITUDE_H
+#define RACEWAY_START_ATTITUDE_H
+
+#include <algorithm>
+#include <cmath>
+
+namespace raceway {
+
+// A contact of the ball, its angle positive on the side of +e at the outer raceway and of -e at the
+// inner one.
+struct SpinContact {
+  double angle = 0.0;     // rad, below pi/2 in size
+  double speed = 0.0;     // rad/s, of the ring
+  double couple = 1.0;    // N m, of pure spin, or any unit that both contacts share
+  double width = 0.0;     // rad/s, spin up to which the couple grows
+
+  double moment(double spin) const
+  {
+    const double most = std::max(std::fabs(spin), width);
+    return most > 0.0 ? couple * spin / most : 0.0;
+  }
+};
+
+struct BallRotation {
+  double orbit = 0.0;                  // rad/s, ball centres (cage) about the bearing axis
+  double radial = 0.0, axial = 0.0;    // rad/s, inertial frame
+  double spin[2] = {};                 // rad/s, of the ball less the ring about the normal
+
+  BallRotation operator-(const BallRotation &o) const
+  {
+    return {orbit - o.orbit,
+            radial - o.radial,
+            axial - o.axial,
+            {spin[0] - o.spin[0], spin[1] - o.spin[1]}};
+  }
+};
+
+// The motion that rolls on both raceways with a radial speed `radial` (rad/s); ball radius R and
+// radius r of the circle of its centre (m).
+inline BallRotation rolling_on_both(const SpinContact &inner, const SpinContact &outer, double R,
+                                    double r, double radial)
+{
+  const double ci = std::cos(inner.angle), si = std::sin(inner.angle);
+  const double co = std::cos(outer.angle), so = std::sin(outer.angle);
+  const double way_i = r / R - ci, way_o = r / R + co;    // of the raceways, over R
+  BallRotation m;
+  m.radial = radial;
+  m.orbit = (inner.speed * way_i * co + outer.speed * way_o * ci + radial * (ci * so - si * co)) /
+            (way_i * co + way_o * ci);
+  const double to_inner = inner.speed - m.orbit, to_outer = outer.speed - m.orbit;
+  const double axial = (to_outer * way_o + radial * so) / co;    // seen from the cage
+  m.axial = m.orbit + axial;
+  m.spin[0] = -radial * ci - (axial - to_inner) * si;
+  m.spin[1] = radial * co + (axial - to_outer) * so;
+  return m;
+}
+
+// The motion of least loss.
+inline BallRotation start_attitude(const SpinContact &inner, const SpinContact &outer, double R,
+                                   double r)
+{
+  const BallRotation none = rolling_on_both(inner, outer, R, r, 0.0),
+                     turn = rolling_on_both(inner, outer, R, r, 1.0) - none;
+  double ends[2];    // of no spin at one raceway
+  for (int k = 0; k < 2; ++k) ends[k] = -none.spin[k] / turn.spin[k];
+  double low = std::min(ends[0], ends[1]), high = std::max(ends[0], ends[1]);
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    if (!(low < middle && middle < high)) break;
+    const double slope = inner.moment(none.spin[0] + turn.spin[0] * middle) * turn.spin[0] +
+                         outer.moment(none.spin[1] + turn.spin[1] * middle) * turn.spin[1];
+    if (slope > 0.0) high = middle;
+    else low = middle;
+  }
+  return rolling_on_both(inner, outer, R, r, 0.5 * (low + high));
+}
+
+}    // namespace raceway
+
+#endif

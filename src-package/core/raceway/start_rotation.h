@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rotation of the balls of a bearing at the start: that of least loss to spin under pure thrust
+// (docs/theory, Start of the balls).
+#ifndef RACEWAY_START_ROTATION_H
+#define RACEWAY_START_ROTATION_H
+
+#include "../laws/differential_slip.h"
+#include "../laws/spin.h"
+#include "../laws/start_attitude.h"
+#include "thrust_ball.h"
+
+namespace raceway {
+
+struct StartingBall {
+  double radius, mass;                // m, kg
+  double path;                        // m, radius of the circle of its centre as placed
+  double orbit;                       // rad/s, about the bearing's axis, for the centrifugal force
+  double inner_speed, outer_speed;    // rad/s, of the rings
+  double thrust;    // N, share of the force on the inner ring along the axis; 0: not known
+  double angle;     // rad, of both contacts as placed, above 0 where a thrust along +e closes them
+};
+
+// A contact that rolls at the speed `roll` (rad/s). The friction coefficients of both raceways
+// count as equal.
+inline SpinContact spin_contact(const Raceway &p, const ThrustContact &c, double sense,
+                                double ring_speed, double roll)
+{
+  const RacewayConstants &k = c.constants;
+  const double root = std::sqrt(c.compression), a = k.a * root,
+               deformed = deformed_radius(p.groove.groove_radius, p.groove.ball_radius);
+  return {sense * c.angle, ring_speed,
+          spin_couple(c.load, p.material.Eprime(), root, k.a, k.b, k.K,
+                      p.rolling_radius(std::cos(c.angle)), p.transverse_radius()),
+          0.5 * spin_width * std::fabs(roll) * a / deformed};
+}
+
+// At the contact angles and loads of the thrust; without it, or if the grooves do not hold it, at
+// the angle of the seat and a small load.
+inline BallRotation start_rotation(Raceway inner, Raceway outer, const StartingBall &b)
+{
+  for (Raceway *p : {&inner, &outer}) {
+    p->groove.ball_radius = b.radius;
+    p->pitch_radius = b.path;
+  }
+  constexpr double small = 1.0;    // N
+  const double centrifugal = b.mass * b.path * b.orbit * b.orbit;
+  ThrustBall ball;
+  if (b.thrust != 0.0) ball = thrust_ball(inner, outer, std::fabs(b.thrust), centrifugal);
+  if (!ball.held)
+    ball = {false, thrust_contact(inner, std::fabs(b.angle), small),
+            thrust_contact(outer, std::fabs(b.angle), small), b.path};
+  const double sense = std::copysign(1.0, ball.held ? b.thrust : b.angle);
+  const auto at = [&](const Raceway &p, const ThrustContact &c, double speed) {
+    return spin_contact(p, c, sense, speed, (speed - b.orbit) * ball.path / b.radius);
+  };
+  return start_attitude(at(inner, ball.inner, b.inner_speed), at(outer, ball.outer, b.outer_speed),
+                        b.radius, ball.path);
+}
+
+}    // namespace raceway
+
+#endif

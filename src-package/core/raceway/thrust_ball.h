@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A ball in a bearing under pure thrust, with its centrifugal force: rigid rings, dry Hertz
+// contacts (docs/theory, Start of the balls).
+//
+// Along the axis both contacts carry the ball's share f of the thrust, Q_k sin(alpha_k) = f, and
+// radially the outer one has the centrifugal force F as well, Q_o cos(alpha_o) = Q_i cos(alpha_i) +
+// F. The lines from the centres of curvature to the ball, slack and compression, add up to the
+// radial distance of these centres, which the thrust does not change. Their sum falls with alpha_i,
+// so the root is the only one.
+#ifndef RACEWAY_THRUST_BALL_H
+#define RACEWAY_THRUST_BALL_H
+
+#include "raceway.h"
+
+namespace raceway {
+
+struct ThrustContact {
+  double angle = 0.0, load = 0.0, compression = 0.0;    // rad, N, m
+  RacewayConstants constants = {};
+};
+
+inline ThrustContact thrust_contact(const Raceway &p, double angle, double load)
+{
+  ThrustContact c = {
+      angle, load, 0.0,
+      raceway_constants(p.groove, p.pitch_radius, p.material, p.model, std::cos(angle))};
+  c.compression = c.constants.unit * std::pow(load, 2.0 / 3.0);
+  return c;
+}
+
+struct ThrustBall {
+  bool held = false;    // false: the ball climbs out of the grooves
+  ThrustContact inner, outer;
+  double path = 0.0;    // m, radius of its centre's circle
+};
+
+// For a share of the thrust above 0 and a centrifugal force, N. Of the raceways it needs groove,
+// materials and pitch_radius.
+inline ThrustBall thrust_ball(const Raceway &inner, const Raceway &outer, double share,
+                              double centrifugal)
+{
+  const double apart = inner.groove.centre_circle() - outer.groove.centre_circle();
+  ThrustBall ball;
+  const auto line = [](const Raceway &p, const ThrustContact &c) {
+    return (p.groove.slack() + c.compression) * std::cos(c.angle);
+  };
+  const auto beyond = [&](double angle) {
+    const double outer_angle = std::atan2(share, share / std::tan(angle) + centrifugal);
+    ball.inner = thrust_contact(inner, angle, share / std::sin(angle));
+    ball.outer = thrust_contact(outer, outer_angle, share / std::sin(outer_angle));
+    return line(inner, ball.inner) + line(outer, ball.outer) - apart;
+  };
+  double low = 1.0e-3, high = 1.5;    // rad
+  if (!(beyond(low) > 0.0) || !(beyond(high) < 0.0)) return ball;
+  for (;;) {
+    const double middle = 0.5 * (low + high);
+    if (!(low < middle && middle < high)) break;
+    if (beyond(middle) > 0.0) low = middle;
+    else high = middle;
+  }
+  ball.held = true;
+  ball.path = outer.groove.centre_circle() + line(outer, ball.outer);
+  return ball;
+}
+
+}    // namespace raceway
+
+#endif
