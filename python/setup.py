@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Builds the library of laws (src-package/core/interface) into the package; pyproject.toml has the
-rest."""
+"""Builds the library of laws (src-package/core/interface) into the package, and into a wheel the
+LAMMPS plugin of the folder RACEWAY_PLUGIN, if that is set; pyproject.toml has the rest."""
 
 import os
+import re
 import shutil
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
@@ -10,10 +11,18 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
 from setuptools.errors import CCompilerError
 
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:  # before setuptools 70.1, which builds no wheels itself
+    bdist_wheel = None
+
 HERE = Path(__file__).resolve().parent
-CORE = HERE.parent / "src-package" / "core"
+CORE = HERE / "core"  # a link to src-package/core; a copy in a source distribution
+VERSION = re.search(r'"(.+)"', (CORE / "settings" / "raceway_version.h").read_text())[1]
+PLUGIN = ("raceway_plugin.so", "libraceway_lammps.so")
 INTERFACE = CORE / "interface"
 BUILT = HERE / "src" / "raceway" / "core" / "lib" / "libraceway_core.so"
 
@@ -64,4 +73,37 @@ def build(target, folder):
     run("-shared", *objects, "-o", target)
 
 
-setup(ext_modules=[Extension("raceway.core.lib.libraceway_core", [])], cmdclass={"build_ext": Core})
+class Package(build_py):
+    """The Python files, and the plugin."""
+
+    def run(self):
+        super().run()
+        if folder := os.environ.get("RACEWAY_PLUGIN"):
+            target = Path(self.build_lib) / "raceway" / "host"
+            target.mkdir(parents=True, exist_ok=True)
+            for name in PLUGIN:
+                shutil.copy2(Path(folder) / name, target / name)
+
+
+commands = {"build_ext": Core, "build_py": Package}
+if bdist_wheel:
+
+    class Wheel(bdist_wheel):
+        """For any Python: the libraries use nothing of it. They need the C library they were built
+        with or a later one, which the tag says as PEP 600 has it."""
+
+        def get_tag(self):
+            library, version = os.confstr("CS_GNU_LIBC_VERSION").split()
+            _, _, platform = super().get_tag()
+            assert library == "glibc" and platform.startswith("linux_")
+            system = f"manylinux_{version.replace('.', '_')}_{platform.removeprefix('linux_')}"
+            return "py3", "none", system
+
+    commands["bdist_wheel"] = Wheel
+
+
+setup(
+    version=VERSION,
+    ext_modules=[Extension("raceway.core.lib.libraceway_core", [])],
+    cmdclass=commands,
+)

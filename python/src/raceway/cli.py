@@ -10,7 +10,8 @@ from collections.abc import Iterator, Sequence
 from importlib import import_module
 from types import ModuleType
 
-from raceway import __version__, commands, progress
+import raceway
+from raceway import commands, progress
 from raceway.errors import RacewayError, RunWarning
 
 EXAMPLES = """\
@@ -71,7 +72,7 @@ def _parser():
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--version", action="version", version=f"raceway {__version__}")
+    parser.add_argument("--version", action="version", version=f"raceway {raceway.__version__}")
     parsers = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     for module in modules():
         module.add(parsers)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway decks`: list and copy the decks, bearings and lubricants that come with the package."""
+
+import argparse
+
+from raceway.commands import Commands
+
+HELP = "list the decks and data files that come with raceway; copy them"
+DESCRIPTION = """\
+Without NAME, lists the decks, bearings and lubricants of the package. With names, copies them into
+DIR: a deck with the folder `inputs` of data files next to it, so that a host started in DIR runs
+it; a bearing or lubricant as a file to edit."""
+EXAMPLES = """\
+examples:
+  raceway decks
+  raceway decks in.6208                 then: lmp -in in.6208
+  raceway decks in.axial vg46 --to trial
+
+Files that are there already with the same text are left alone.
+Exit codes: 0 done, 1 no such name, or a file is there with another text, 2 wrong command line."""
+
+
+def add(commands: Commands) -> None:
+    """Add the parser to those of the `raceway` command."""
+    parser = commands.add_parser(
+        "decks",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("names", nargs="*", metavar="NAME", help="deck, bearing or lubricant")
+    parser.add_argument("--to", metavar="DIR", default=".", help="folder to copy to (here)")
+    parser.set_defaults(command=run)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print or copy. Raises `RacewayError`."""
+    from raceway import decks
+
+    for name in arguments.names:
+        written = decks.copy(name, arguments.to)
+        more = f" and {len(written) - 1} files in inputs" if len(written) > 1 else ""
+        print(f"{written[0]}{more}" if written else f"{name}: there already")
+    if arguments.names:
+        return
+    for kind, found in (("Decks", decks.decks()), ("Lubricants", decks.lubricants())):
+        print(f"{kind}:")
+        for name, title in found.items():
+            print(f"  {name:<12}  {title}")
+    print(f"Bearings: {len(decks.bearings())}, listed by `raceway catalogue`")

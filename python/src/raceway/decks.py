@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The decks that come with the package, and their data files: list them, copy them."""
+
+from pathlib import Path
+
+from raceway import catalogue, data_file, data_table, files
+from raceway.errors import InputError
+from raceway.files import FilePath
+
+INPUTS = "inputs"  # the folder in which decks look for their data, where they are started
+
+
+def decks() -> dict[str, str]:
+    """Title, its first comment, of each deck by name."""
+    return {path.name: _title(path.read_text()) for path in sorted(catalogue.SHIPPED.glob("in.*"))}
+
+
+def lubricants() -> dict[str, str]:
+    """Title of each lubricant by name."""
+    shelf = catalogue.SHIPPED / "lubricants"
+    return {name: _title(data_file.text(shelf / name)) for name in data_table.names(shelf)}
+
+
+def bearings() -> list[str]:
+    """Names of the bearings, files and rows of tables."""
+    return list(data_table.names(catalogue.SHIPPED / "bearings"))
+
+
+def copy(name: str, to: FilePath = ".") -> list[Path]:
+    """Copy the deck, bearing or lubricant `name` into the folder `to`; return the files written. A
+    deck comes with the folder `inputs` of everything that it reads.
+
+    A file that is there already with the same text is left alone. Raises `InputError` for a name
+    that is neither, and before anything is written where a file is there with another text.
+    """
+    shipped, to = catalogue.SHIPPED, Path(to)
+    if name in decks():
+        wanted = {to / name: shipped / name} | {
+            to / INPUTS / path.relative_to(shipped): path
+            for path in sorted(shipped.rglob("*"))
+            if path.is_file()
+        }
+        texts = {path: source.read_text() for path, source in wanted.items()}
+    else:
+        for kind in catalogue.KINDS:
+            source = shipped / kind / name
+            if name in data_table.names(source.parent):
+                texts = {to / name: data_file.text(source)}
+                break
+        else:
+            raise InputError(f"there is no deck, bearing or lubricant '{name}' (raceway decks)")
+    texts = {path: text for path, text in texts.items() if not _is(path, text)}
+    for path in texts:
+        if path.exists():
+            raise InputError(f"{path} is there with another text: remove it, or copy elsewhere")
+    for path, text in texts.items():
+        files.folder(path.parent)
+        files.text(path, text)
+    return list(texts)
+
+
+def _is(path, text):
+    return path.is_file() and path.read_text() == text
+
+
+def _title(text):
+    """The first line, without its mark of a comment."""
+    return text.partition("\n")[0].lstrip("# ")

