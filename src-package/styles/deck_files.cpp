@@ -2,8 +2,8 @@
 #include "deck_files.h"
 
 #include "../core/settings/arguments.h"
-#include "../core/settings/data_table.h"
 #include "../deck/agree.h"
+#include "../deck/find_data.h"
 #include "../deck/variable_table.h"
 #include "result_folder.h"
 #include "simulated_time.h"
@@ -20,68 +20,8 @@ namespace fs = std::filesystem;
 using bearing::agree;
 using bearing::Arguments;
 using bearing::check_range;
+using bearing::joined;
 using bearing::VariableTable;
-
-// Byte order mark of UTF-8: some editors write it, and the host would read it as a command.
-static bool starts_with_mark(const fs::path &file)
-{
-  char first[3] = {};
-  std::ifstream(file, std::ios::binary).read(first, 3);
-  return std::string(first, 3) == "\xef\xbb\xbf";
-}
-
-static std::string joined(const std::vector<std::string> &names, const char *between = ", ")
-{
-  std::string list;
-  for (const std::string &name : names) list += (list.empty() ? "" : between) + name;
-  return list;
-}
-
-namespace {
-
-// The data of FOLDER and NAME: a file or a row of a table
-struct Data {
-  std::string complaint = {}, label = {}, commands = {};
-  std::set<std::string> variables = {};    // set by the file itself, not by its includes
-};
-
-Data data_file(const fs::path &file)
-{
-  if (starts_with_mark(file))
-    return {"'" + file.string() + "' starts with a byte order mark: save it as UTF-8 without one"};
-  Data data{"", "'" + file.string() + "'", "include " + file.string(), {}};
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) data.variables.insert(bearing::variable_of(line));
-  return data;
-}
-
-Data find_data(const std::string &folder, const std::string &name)
-{
-  const fs::path file = fs::path(folder) / name;
-  std::error_code ec;
-  std::set<std::string> names;
-  if (file.extension() != ".csv") {
-    if (fs::is_regular_file(file, ec)) return data_file(file);
-    if (fs::exists(fs::symlink_status(file, ec)))
-      return {"'" + file.string() + "' is no file but a folder, a pipe or a broken link"};
-  }
-  for (const bearing::DataTable &table : bearing::tables_of(folder)) {
-    if (!table.complaint().empty()) return {table.complaint()};
-    if (table.has(name))
-      return {"", "'" + name + "' of '" + table.file() + "'", joined(table.commands(name), "\n"),
-              table.variables(name)};
-    names.merge(table.names());
-  }
-  for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
-    if (it->path().extension() != ".csv") names.insert(it->path().filename().string());
-  const std::string list = joined(bearing::near_first(name, names));
-  return {"there is no '" + name + "' in folder " + folder + "; there is: " +
-          (list.empty()
-               ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
-               : list)};
-}
-
-}    // namespace
 
 void BearingInput::command(int narg, char **arg)
 {
@@ -97,9 +37,9 @@ void BearingInput::command(int narg, char **arg)
     while (args.more()) keys.push_back(args.word("name of a variable"));
   }
   if (args.more()) args.unknown("needs, set, table");
-  Data data;
+  bearing::Data data;
   if (comm->me == 0) {
-    data = find_data(folder, name);
+    data = bearing::find_data(folder, name);
     std::vector<std::string> missing;
     for (std::string &key : keys)
       if (!data.variables.count(key) && input->variable->find(&key[0]) < 0) missing.push_back(key);

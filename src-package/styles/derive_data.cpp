@@ -6,13 +6,13 @@
 #include "../core/laws/starvation.h"
 #include "derive_laws.h"
 
-using bearing::DeckValues;
+using bearing::DataValues;
 
 namespace {
 
 constexpr double degree = M_PI / 180.0;
 
-void usual_data(DeckValues &deck)
+void usual_data(DataValues &deck)
 {
   const double ball = deck.number("ball_diameter");
   const raceway::UsualData data = {deck.number("balls"), ball, deck.number("pitch_diameter"),
@@ -35,7 +35,7 @@ void usual_data(DeckValues &deck)
 }
 
 // Checks the range of the temperature, as in Python.
-raceway::OilData oil_data(const DeckValues &deck)
+raceway::OilData oil_data(const DataValues &deck)
 {
   deck.range("temperature", deck.word("temperature"), {"-40", "200"});
   return {deck.number("oil_density_40"), deck.number("oil_density_slope"),
@@ -43,7 +43,7 @@ raceway::OilData oil_data(const DeckValues &deck)
           deck.number("permittivity_40")};
 }
 
-void suggest_oil(DeckValues &deck, const raceway::OilAtTemperature &oil)
+void suggest_oil(DataValues &deck, const raceway::OilAtTemperature &oil)
 {
   deck.suggest("viscosity", oil.viscosity);
   deck.suggest("pressure_viscosity", oil.pressure_viscosity);
@@ -52,7 +52,7 @@ void suggest_oil(DeckValues &deck, const raceway::OilAtTemperature &oil)
   deck.suggest("permittivity", oil.permittivity);
 }
 
-void walther(DeckValues &deck)
+void walther(DataValues &deck)
 {
   const double low = deck.number("kinematic_viscosity_40"),
                high = deck.number("kinematic_viscosity_100"), at = deck.number("temperature");
@@ -62,7 +62,7 @@ void walther(DeckValues &deck)
   suggest_oil(deck, at_temperature(oil_data(deck), raceway::walther(low, high, at), at));
 }
 
-void vogel(DeckValues &deck)
+void vogel(DataValues &deck)
 {
   const raceway::OilData oil = oil_data(deck);
   const double at = deck.number("temperature");
@@ -74,7 +74,7 @@ void vogel(DeckValues &deck)
 }
 
 // Starvation factor: 1 for a bearing whose file lacks its boundary dimensions
-void starvation(DeckValues &deck)
+void starvation(DataValues &deck)
 {
   deck.suggest("bore_diameter", 0.0);
   deck.suggest("outside_diameter", 0.0);
@@ -87,7 +87,7 @@ void starvation(DeckValues &deck)
 }
 
 // With `four_point` 0, one groove per ring. b_four_point is the value stored in a run's notes.
-void four_point(DeckValues &deck)
+void four_point(DataValues &deck)
 {
   const double angle = deck.number("four_point") * degree,
                ball_radius = 0.5 * deck.number("ball_diameter");
@@ -103,11 +103,11 @@ void four_point(DeckValues &deck)
   deck.range("contact_angle (degrees)", deck.word("contact_angle"),
              {"0", "0", "advice", "four_point has its own"});
   deck.set("b_four_point", ",four_point=" + deck.word("four_point"));
-  deck.set("b_inner_raceway", DeckValues::written(deck.number("inner_radius") - inner.depth()));
-  deck.set("b_inner_arch", "gothic_arch " + DeckValues::written(inner.offset()));
+  deck.set("b_inner_raceway", DataValues::written(deck.number("inner_radius") - inner.depth()));
+  deck.set("b_inner_arch", "gothic_arch " + DataValues::written(inner.offset()));
   deck.set("b_outer_raceway",
            deck.number("outer_radius") + 0.5 * deck.number("clearance") + outer.depth());
-  deck.set("b_outer_arch", "gothic_arch " + DeckValues::written(outer.offset()));
+  deck.set("b_outer_arch", "gothic_arch " + DataValues::written(outer.offset()));
 }
 
 }    // namespace

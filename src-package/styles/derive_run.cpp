@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-using bearing::DeckValues;
+using bearing::DataValues;
 
 namespace {
 
 // The speed, and where the rings start: with a contact angle, or four points and a thrust, balls
 // are in contact with both raceways on the side of the thrust. The contact angle is one of the
 // usual data of a bearing.
-void start(DeckValues &deck)
+void start(DataValues &deck)
 {
   if (deck.number("contact_angle") != 0.0)
     if (!deck.there("b_usual") || deck.word("b_usual") != deck.word("bearing"))
@@ -27,7 +27,7 @@ void start(DeckValues &deck)
 
 // The radial load, rounded to 15 digits so that a load along -y has no x component. The ring is
 // held along its axis without an axial load, and its tilts are held without a moment.
-void loads(DeckValues &deck)
+void loads(DataValues &deck)
 {
   const double azimuth = deck.number("load_azimuth"), load = deck.number("load");
   const auto part = [load](double share) {
@@ -43,7 +43,7 @@ void loads(DeckValues &deck)
 // Ball pass period, and settling time: the time for the ring to come to rest, or the ramp if
 // longer, plus ball passes under full load. The bits of a run depend on both, so the mean diameter
 // is rounded as it is written.
-void ball_pass(DeckValues &deck)
+void ball_pass(DataValues &deck)
 {
   deck.set("b_pitch", 0.5 * (deck.number("inner_radius") + deck.number("b_outer_raceway")));
   const double cosine = std::cos((deck.number("contact_angle") + deck.number("four_point")) * M_PI /
@@ -56,7 +56,7 @@ void ball_pass(DeckValues &deck)
 
 // Samples per host step, unless given: ten, five, two or one, such that a ball pass is a whole
 // number of steps and at least twenty. A given step has one sample.
-void samples_within(DeckValues &deck)
+void samples_within(DataValues &deck)
 {
   const double asked = deck.number("within"), samples = deck.number("samples");
   double chosen = 1.0;
@@ -67,7 +67,7 @@ void samples_within(DeckValues &deck)
 
 // Host steps of the measurement, between restart files, and between rows of the progress table.
 // b_sampling and b_housing are stored in a run's notes unless integrator and housing set more.
-void measurement(DeckValues &deck)
+void measurement(DataValues &deck)
 {
   const double within = deck.number("b_within"), every = deck.number("b_every");
   deck.set("b_keep_steps", std::ceil(deck.number("keep") / within) * every);
@@ -81,7 +81,7 @@ void measurement(DeckValues &deck)
 }
 
 // Kind number b_q of the `kinds` of bearings: its four atom types, and b_wanted, 1 if it is built.
-void kind(DeckValues &deck)
+void kind(DataValues &deck)
 {
   const int kinds = static_cast<int>(deck.number("kinds")),
             q = static_cast<int>(deck.number("b_q")), only = static_cast<int>(deck.number("only"));

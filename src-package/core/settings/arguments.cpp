@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "arguments.h"
 
+#include "deck_variable_table.h"
 #include "deck_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 using LAMMPS_NS::LAMMPS;
@@ -23,8 +26,47 @@ std::string text(double value)
 Arguments::Arguments(LAMMPS *lmp, const std::string &command, int narg, char **arg, int first) :
     lmp_(lmp), command_(command), words_(arg + (first < narg ? first : narg), arg + narg)
 {
+  take_variables();
   note_words(lmp, command, words_);
 }
+
+// Style of "fix ID STYLE" or the command itself, as the table of variables names it
+static std::string taker(const std::string &command)
+{
+  return command.compare(0, 4, "fix ") == 0 ? command.substr(command.rfind(' ') + 1) : command;
+}
+
+void Arguments::take_variables()
+{
+  const auto at = std::find(words_.begin(), words_.end(), "vars");
+  if (at == words_.end()) return;
+  const std::vector<std::string> names(at + 1, words_.end());
+  words_.erase(at, words_.end());
+  if (names.empty()) fail("'vars' without a name of a variable");
+  for (const std::string &name : names) {
+    if (!find_deck_variable(name, taker(command_))) {
+      std::string known;
+      for (const DeckVariable &v : deck_variables())
+        if (v.taken_by(taker(command_))) known += (known.empty() ? "" : ", ") + std::string(v.name);
+      fail("vars '" + name + "', must be of: " + (known.empty() ? "none" : known));
+    }
+    const std::optional<std::string> value = host_variable(lmp_, name);
+    if (!value) continue;
+    words_.push_back(name);
+    std::istringstream in(*value);
+    for (std::string word; in >> std::quoted(word);) words_.push_back(word);
+  }
+}
+
+std::string Arguments::value_of(const char *variable)
+{
+  const DeckVariable *entry = find_deck_variable(variable);
+  const std::string value = word(variable), wrong = wrong_value(*entry, value);
+  if (!wrong.empty()) fail(wrong);
+  return value;
+}
+
+double Arguments::number_of(const char *variable) { return std::atof(value_of(variable).c_str()); }
 
 Arguments::Arguments(LAMMPS *lmp, const std::string &command,
                      const std::vector<std::string> &words) :

@@ -19,10 +19,13 @@ namespace bearing {
 [[noreturn]] void stop_run(LAMMPS_NS::LAMMPS *, const std::string &why);    // with an error
 bool is_first_rank(LAMMPS_NS::LAMMPS *);
 std::string of_first_rank(LAMMPS_NS::LAMMPS *, const std::string &);    // on every rank
+std::optional<std::string> host_variable(LAMMPS_NS::LAMMPS *, const std::string &name);
 
 // A number in the user's notation ("6.3e-3") for messages.
 std::string text(double value);
 
+// `vars K ...` at the end of a command stands for `K VALUE` of every K that is a variable of the
+// host, of those in core/settings/deck_variable_table.h that the command takes.
 class Arguments {
  public:
   Arguments(LAMMPS_NS::LAMMPS *lmp, const std::string &command, int narg, char **arg, int first);
@@ -42,6 +45,9 @@ class Arguments {
   double non_negative(const std::string &what);                                // >= 0
   double within(const std::string &what, double lo, double hi);
   int integer(const std::string &what, int lo, int hi);
+  // Value of a deck's variable, within its range in the table.
+  std::string value_of(const char *variable);
+  double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
   [[noreturn]] void unknown(const std::string &allowed);    // the next word is no keyword
   [[noreturn]] void fail(const std::string &why) const;
@@ -53,6 +59,8 @@ class Arguments {
   std::string command_;
   std::vector<std::string> words_;
   size_t next_ = 0;
+
+  void take_variables();
 };
 
 }    // namespace bearing

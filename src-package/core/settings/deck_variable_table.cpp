@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "deck_variable_table.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+namespace bearing {
+
+// Styles as in a deck: `bearing/ring` is fix bearing/ring. A head variable of the main deck is of
+// the style that its keyword is of.
+const std::vector<DeckVariable> &deck_variables()
+{
+  static const std::vector<DeckVariable> table = {
+      {"bearing", "6208", "", "", "deck",
+       "a bearing of inputs/bearings or its catalogue, or a file"},
+      {"lubricant", "mineral", "", "", "deck", "an oil of inputs/lubricants, or a file; dry: none"},
+      {"integrator", "implicit", "", "one_of implicit damping vibration verlet", "deck",
+       "integrator of balls, cage and rings"},
+      {"rpm", "477.5", "1/min", "1 1.0e5", "deck", "speed of the inner ring"},
+      {"passes", "4", "", "1 1.0e6 whole", "run_bearing", "ball passes that are measured"},
+      {"settle", "1", "", "0 1.0e6", "run_bearing", "ball passes before the measurement"},
+      {"step", "0", "s", "1.0e-9 1.0e-3 or 0", "run_bearing", "time step; 0: automatic"},
+      {"safety", "0.3", "", "1.0e-3 1", "run_bearing",
+       "fraction of the stability limit, with verlet and step 0"},
+      {"samples", "200", "", "1 1.0e5 whole", "bearing/record", "samples per ball pass"},
+      {"within", "0", "", "0 1.0e5 whole", "bearing/record",
+       "samples inside a host step; 0: automatic"},
+      {"record", "all", "", "one_of all summary none", "bearing/record", "contents of the record"},
+      {"dumps", "no", "", "one_of yes no", "bearing/record", "yes: also the host's text dumps"},
+      {"out", "build/run/6208", "", "", "bearing/record", "folder of the results"},
+      {"overwrite", "no", "", "one_of yes no", "bearing/record|bearing_resume",
+       "yes: overwrite a finished run in the folder"},
+      {"resume", "no", "", "one_of yes no", "bearing_resume",
+       "yes: continue from the restart file, if there is one"},
+      {"keep", "0", "", "0 1.0e6 whole", "bearing/checkpoint",
+       "samples between restart files; 0: one when a signal stops the run"},
+      {"inputs", "inputs", "", "", "bearing|pair_style bearing", "folder of the data files"},
+      {"clearance", "0", "m", "-1.0e-3 1.0e-3", "bearing",
+       "diametral clearance; negative is preload"},
+      {"contact_angle", "0", "degrees", "0 60", "bearing",
+       "nominal contact angle of a bearing by its usual data; it sets the clearance"},
+      {"four_point", "0", "degrees", "5 60 or 0", "bearing",
+       "contact angle of a Gothic arch; 0: one groove per ring"},
+      {"cage", "yes", "", "one_of yes no", "bearing", "no: no cage, balls may touch each other"},
+      {"temperature", "40", "C", "-40 200", "pair_style bearing", "temperature of the lubricant"},
+      {"models", "paper", "", "", "pair_style bearing",
+       "models of the contacts: full, film, eyring, paper or none, or a file"},
+      {"gap_film", "power", "", "one_of power moes", "pair_style bearing",
+       "law of the film in the gap"},
+      {"inlet_shear", "murch", "", "one_of murch wilson gupta", "pair_style bearing",
+       "law of film thinning"},
+      {"spin_law", "closed", "", "one_of closed slices", "pair_style bearing",
+       "law of combined spin and slip"},
+      {"without", "none", "", "", "pair_style bearing",
+       "parts of the models to leave out, joined by +"},
+      {"phase", "0", "rad", "-1.0e3 1.0e3", "create_bearing", "azimuth of the first ball"},
+      {"load", "5000", "N", "1.0e-3 1.0e6", "bearing/ring", "radial load on the ring"},
+      {"load_azimuth", "-1.5707963267948966", "rad", "-7 7", "bearing/ring",
+       "direction of the radial load; -pi/2 is -y"},
+      {"axial", "0", "N", "-1.0e6 1.0e6", "bearing/ring", "load along the axis; 0: held along it"},
+      {"moment_x", "0", "N m", "-1.0e5 1.0e5", "bearing/ring",
+       "moment on the ring; without moments its tilts are held"},
+      {"moment_y", "0", "N m", "-1.0e5 1.0e5", "bearing/ring", "moment on the ring"},
+      {"unbalance", "0", "kg m", "0 1.0e3", "bearing/ring",
+       "mass times eccentricity, turns with the ring"},
+      {"ramp", "3.0e-3", "s", "0 1.0e3", "bearing/ring", "time over which loads and moments grow"},
+      {"housing", "none", "", "one_of none springs", "bearing/ring",
+       "support of the outer ring: none holds it"},
+      {"housing_mass", "2", "kg", "1.0e-4 1.0e4", "bearing/ring",
+       "mass of the housing and the outer ring; of a small motor's end shield, estimated"},
+      {"housing_frequency", "4000", "Hz", "1 1.0e6", "bearing/ring",
+       "natural frequency of the housing on its springs alone; estimated"},
+      {"housing_damping", "0.04", "", "0 1", "bearing/ring",
+       "damping of the housing, ratio to critical; estimated"},
+      {"flaw_inner", "none", "", "", "bearing/profile",
+       "flaws of the inner raceway: keywords of fix bearing/profile"},
+      {"flaw_outer", "none", "", "", "bearing/profile", "flaws of the outer raceway"},
+      {"flaw_ball", "none", "", "", "bearing/profile", "flaws of balls"},
+      {"flawed_ball", "1", "", "", "bearing/profile",
+       "numbers of the balls with flaws, as in group ID id"},
+      {"surroundings", "none", "", "one_of none flooded dry cavitated", "bearing/capacitance",
+       "filling of the gaps around the contacts"},
+      {"outlet", "1", "", "1 10", "bearing/capacitance",
+       "relative permittivity behind the contacts, cavitated"},
+      {"tolerance", "0", "m", "1.0e-13 1.0e-5 or 0",
+       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+       "position error of a substep; 0: automatic"},
+      {"relative_tolerance", "", "", "0 1.0e-2",
+       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+       "the same relative to the largest overlap: 2e-4 without a tolerance, else 0"},
+      {"cage_tolerance", "", "m", "1.0e-13 1.0e-3 or 0",
+       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+       "the same of cage balls: by the models 1, 100 or 1000 times as much"},
+      {"step_error", "1", "", "1 100",
+       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+       "largest accepted error of a substep, in tolerances"},
+      {"sampling", "48000", "Hz", "1.0e3 1.0e6",
+       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+       "sampling rate of the signal, with vibration"},
+      {"oversampling", "4", "", "1 100 whole",
+       "bearing/implicit|bearing/damping|bearing/vibration|bearing/verlet",
+       "samples of the record per sample of the signal"},
+      // bearings: complete data, and the usual data from which they follow
+      {"balls", "", "", "2 1000 whole", "bearing data", "number of balls"},
+      {"ball_diameter", "", "m", "1.0e-4 0.3", "bearing data", "diameter of a ball"},
+      {"inner_radius", "", "m", "1.0e-4 10", "bearing data",
+       "radius of the inner raceway at the bottom of its groove"},
+      {"outer_radius", "", "m", "1.0e-4 10", "bearing data",
+       "radius of the outer raceway, without clearance"},
+      {"inner_shoulder_diameter", "0", "m", "1.0e-4 10 or 0", "bearing data",
+       "diameter of the inner shoulders; 0: unknown"},
+      {"outer_shoulder_diameter", "0", "m", "1.0e-4 10 or 0", "bearing data",
+       "diameter of the outer shoulders; 0: unknown"},
+      {"inner_groove", "", "m", "5.0e-5 10", "bearing data", "radius of the inner groove"},
+      {"outer_groove", "", "m", "5.0e-5 10", "bearing data", "radius of the outer groove"},
+      {"cage_ball_diameter", "", "m", "1.0e-5 0.3", "bearing data", "diameter of a cage ball"},
+      {"ball_young", "", "Pa", "1.0e8 1.0e13", "bearing data",
+       "Young's modulus of balls and rings"},
+      {"ball_poisson", "", "", "0 0.5", "bearing data", "Poisson's ratio of balls and rings"},
+      {"ball_density", "", "kg/m^3", "100 3.0e4", "bearing data", "density of the balls"},
+      {"inner_mass", "", "kg", "1.0e-7 1.0e5", "bearing data", "mass of the inner ring"},
+      {"inner_inertia", "", "kg m^2", "1.0e-15 1.0e6", "bearing data",
+       "inertia of the inner ring about its axis"},
+      {"inner_inertia_t", "", "kg m^2", "1.0e-15 1.0e6", "bearing data",
+       "inertia of the inner ring across its axis"},
+      {"ball_young", "210e9", "Pa", "", "usual data", "Young's modulus: of bearing steel"},
+      {"ball_poisson", "0.3", "", "", "usual data", "Poisson's ratio: of bearing steel"},
+      {"ball_density", "7800", "kg/m^3", "", "usual data", "density: of bearing steel"},
+      {"pitch_diameter", "", "m", "", "usual data", "diameter of the circle of the balls' centres"},
+      {"inner_conformity", "", "", "", "usual data",
+       "groove radius of the inner ring over ball diameter"},
+      {"outer_conformity", "", "", "", "usual data",
+       "groove radius of the outer ring over ball diameter"},
+      {"pocket_play", "", "m", "", "usual data",
+       "play of a ball in its pocket, along the pitch circle"},
+      {"bore_diameter", "", "m", "", "usual data", "bore of the inner ring"},
+      {"bearing_width", "", "m", "", "usual data", "width of the rings"},
+      // oils at the temperature of the run
+      {"viscosity", "", "Pa s", "1.0e-5 100", "oil data",
+       "viscosity at the temperature of the run and ambient pressure"},
+      {"pressure_viscosity", "", "1/Pa", "1.0e-10 1.0e-6", "oil data",
+       "pressure-viscosity coefficient"},
+      {"permittivity", "", "", "1 10", "oil data", "relative permittivity"},
+      {"roughness", "", "m", "1.0e-10 1.0e-5", "oil data", "rms roughness of the raceways"},
+      {"ball_roughness", "", "m", "0 1.0e-5", "oil data", "rms roughness of the balls"},
+  };
+  return table;
+}
+
+std::string DeckVariable::label() const
+{
+  return *unit ? std::string(name) + " (" + unit + ")" : name;
+}
+
+bool DeckVariable::taken_by(const std::string &command) const
+{
+  std::istringstream list(of);
+  for (std::string one; std::getline(list, one, '|');)
+    if (one == command) return true;
+  return false;
+}
+
+const DeckVariable *find_deck_variable(const std::string &name, const std::string &of)
+{
+  for (const DeckVariable &v : deck_variables())
+    if (v.name == name && (of.empty() || v.taken_by(of))) return &v;
+  return nullptr;
+}
+
+std::set<std::string> deck_variable_names()
+{
+  std::set<std::string> names;
+  for (const DeckVariable &v : deck_variables()) names.insert(v.name);
+  return names;
+}
+
+static std::string wrong_word(const DeckVariable &v, const std::string &value, std::istream &words)
+{
+  std::string list;
+  for (std::string word; words >> word;) {
+    if (word == value) return "";
+    list += (list.empty() ? "" : ", ") + word;
+  }
+  return v.label() + " is '" + value + "', must be one of " + list;
+}
+
+std::string wrong_value(const DeckVariable &v, const std::string &value)
+{
+  std::istringstream words(v.range);
+  std::string first, second, more, other;
+  if (!(words >> first)) return "";
+  if (first == "one_of") return wrong_word(v, value, words);
+  words >> second >> more >> other;
+  const bool whole = more == "whole", also = more == "or";
+  char *end = nullptr;
+  const double is = strtod(value.c_str(), &end);
+  // hosts' formulas do not take the other number formats of C (hex, inf, nan)
+  if (value.empty() || *end || value.find_first_not_of("0123456789.eE+-") != std::string::npos ||
+      value[0] == '+')
+    return v.label() + " must be a number like 5000 or 5.0e3, not '" + value + "'";
+  if (also && is == strtod(other.c_str(), nullptr)) return "";
+  const double lo = strtod(first.c_str(), nullptr), hi = strtod(second.c_str(), nullptr);
+  if (is >= lo && is <= hi && !(whole && is != std::floor(is))) return "";
+  char text[160];
+  snprintf(text, sizeof text, " is %.6g, must be %sfrom %.6g to %.6g", is,
+           whole ? "a whole number " : "", lo, hi);
+  return v.label() + text + (also ? ", or " + other : "");
+}
+
+}    // namespace bearing

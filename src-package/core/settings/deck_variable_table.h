@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The variables of decks: name, default, unit, range and meaning, in one table for the errors of
+// commands, for Python and for the pages. Independent of the host.
+#ifndef BEARING_DECK_VARIABLE_TABLE_H
+#define BEARING_DECK_VARIABLE_TABLE_H
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace bearing {
+
+struct DeckVariable {
+  const char *name;
+  const char *initial;    // default as text; "": that of the style, or the data must give it
+  const char *unit;       // "": a word, a count or a ratio
+  const char *range;      // "LO HI", "LO HI whole", "LO HI or V", "one_of A B ..."; "": any words
+  const char *of;         // commands and styles that take it, or `bearing data`, `oil data`
+  const char *meaning;
+
+  std::string label() const;    // name and unit, for messages
+  bool taken_by(const std::string &command) const;
+};
+
+const std::vector<DeckVariable> &deck_variables();
+const DeckVariable *find_deck_variable(const std::string &name, const std::string &of = "");
+std::set<std::string> deck_variable_names();
+
+// Reason why a variable cannot have this value; "" if it can.
+std::string wrong_value(const DeckVariable &, const std::string &value);
+
+}    // namespace bearing
+
+#endif

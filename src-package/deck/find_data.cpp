@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "find_data.h"
+
+#include "../core/settings/data_table.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace bearing {
+
+// Byte order mark of UTF-8: some editors write it, and the host would read it as a command.
+static bool starts_with_mark(const fs::path &file)
+{
+  char first[3] = {};
+  std::ifstream(file, std::ios::binary).read(first, 3);
+  return std::string(first, 3) == "\xef\xbb\xbf";
+}
+
+std::string joined(const std::vector<std::string> &names, const char *between)
+{
+  std::string list;
+  for (const std::string &name : names) list += (list.empty() ? "" : between) + name;
+  return list;
+}
+
+static Data data_file(const fs::path &file)
+{
+  if (starts_with_mark(file))
+    return {"'" + file.string() + "' starts with a byte order mark: save it as UTF-8 without one"};
+  Data data{"", "'" + file.string() + "'", "include " + file.string(), {}};
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) data.variables.insert(variable_of(line));
+  return data;
+}
+
+Data find_data(const std::string &folder, const std::string &name)
+{
+  const fs::path file = fs::path(folder) / name;
+  std::error_code ec;
+  std::set<std::string> names;
+  if (file.extension() != ".csv") {
+    if (fs::is_regular_file(file, ec)) return data_file(file);
+    if (fs::exists(fs::symlink_status(file, ec)))
+      return {"'" + file.string() + "' is no file but a folder, a pipe or a broken link"};
+  }
+  for (const DataTable &table : tables_of(folder)) {
+    if (!table.complaint().empty()) return {table.complaint()};
+    if (table.has(name))
+      return {"", "'" + name + "' of '" + table.file() + "'", joined(table.commands(name), "\n"),
+              table.variables(name)};
+    names.merge(table.names());
+  }
+  for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+    if (it->path().extension() != ".csv") names.insert(it->path().filename().string());
+  const std::string list = joined(near_first(name, names));
+  return {"there is no '" + name + "' in folder " + folder + "; there is: " +
+          (list.empty()
+               ? "nothing (run from the folder that holds it, or set the variable 'inputs')"
+               : list)};
+}
+
+}    // namespace bearing

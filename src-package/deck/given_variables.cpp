@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "given_variables.h"
+
+#include "../core/settings/data_table.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace bearing {
+
+// Command line of the program; the host keeps no copy of it.
+static std::vector<std::string> command_line()
+{
+  std::ifstream file("/proc/self/cmdline");
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) words.push_back(word);
+  return words;
+}
+
+Names words_after(const char *option, const char *other)
+{
+  Names found;
+  const std::vector<std::string> words = command_line();
+  for (size_t k = 0; k + 1 < words.size(); ++k)
+    if (words[k] == option || words[k] == other) found.insert(words[k + 1]);
+  return found;
+}
+
+// Words of a command that `&` continues on further lines; without its comment
+static std::vector<std::string> command_words(std::istream &file, std::string line)
+{
+  std::vector<std::string> words;
+  do {
+    std::istringstream in(line);
+    for (std::string word; in >> word && word[0] != '#';) words.push_back(word);
+    if (words.empty() || words.back() != "&") return words;
+    words.pop_back();
+  } while (std::getline(file, line));
+  return words;
+}
+
+bool collect(const fs::path &path, Names &names)
+{
+  static const Names styles = {"index", "string", "loop", "uloop", "universe", "world", "needed"};
+  std::ifstream file(path);
+  if (!file) return false;
+  for (std::string line; std::getline(file, line);) {
+    const std::vector<std::string> words = command_words(file, line);
+    if (words.size() > 2 && words[0] == "variable" && styles.count(words[2]))
+      names.insert(words[1]);
+    if (words.size() > 2 && words[0] == "bearing_host") names.insert({words[1], words[2]});
+    const auto vars = std::find(words.begin(), words.end(), "vars");
+    if (vars != words.end()) names.insert(vars + 1, words.end());
+  }
+  return true;
+}
+
+Names set_by_deck()
+{
+  Names found;
+  for (const std::string &deck : words_after("-in", "-i")) {
+    std::ifstream file(deck);
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream words(line);
+      std::string command, name, style;
+      if (words >> command >> name >> style && command == "variable" && style == "index")
+        found.insert(name);
+    }
+  }
+  return found;
+}
+
+std::error_code collect_folder(const std::string &folder, Names &names)
+{
+  std::error_code ec;
+  for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+    if (it->path().extension() != ".csv") collect(it->path(), names);
+  for (const DataTable &table : tables_of(folder)) names.merge(table.variables());
+  return ec;
+}
+
+void collect_deck(FILE *infile, Names &names)
+{
+  if (infile) collect("/proc/self/fd/" + std::to_string(fileno(infile)), names);
+  for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);
+}
+
+std::string nearest(const std::string &name, const Names &names)
+{
+  return *std::min_element(names.begin(), names.end(),
+                           [&](const std::string &a, const std::string &b) {
+                             return distance(name, a) < distance(name, b);
+                           });
+}
+
+static bool is_number(const std::string &word)
+{
+  char *end = nullptr;
+  std::strtod(word.c_str(), &end);
+  return end != word.c_str() && *end == '\0';
+}
+
+std::string wrong_with(const std::string &value)
+{
+  std::istringstream in(value);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  if (words.empty()) return " is empty";
+  if (is_number(words[0]) && !std::all_of(words.begin(), words.end(), is_number))
+    return " is '" + value + "': give a number alone, in the unit of the deck";
+  return "";
+}
+
+}    // namespace bearing

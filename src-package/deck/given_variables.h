@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Variables that a user gives with -var, and those that a deck knows.
+#ifndef BEARING_GIVEN_VARIABLES_H
+#define BEARING_GIVEN_VARIABLES_H
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace bearing {
+
+typedef std::set<std::string> Names;
+
+// Words of the program's command line that follow either of two options
+Names words_after(const char *option, const char *other);
+
+// Variables that a line `variable NAME index VALUE` of the deck sets
+Names set_by_deck();
+
+// Collects the variables that -var may set in a deck: those of styles that keep such a value, those
+// of tables (deck/variable_table.h), the two of bearing_host, and the words after `vars`. False:
+// the file cannot be read.
+bool collect(const std::filesystem::path &, Names &);
+
+// Collects them from all files and tables in a folder; returns the error if it cannot be read.
+std::error_code collect_folder(const std::string &folder, Names &);
+
+// Adds those of the deck that the host reads, `infile` or null, and of decks that include it.
+void collect_deck(FILE *infile, Names &);
+
+std::string nearest(const std::string &name, const Names &);
+
+// Complaint about a value of -var that is empty or a number with a unit; empty if it is neither
+std::string wrong_with(const std::string &value);
+
+}    // namespace bearing
+
+#endif

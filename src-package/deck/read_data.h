@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Data of a bearing or an oil as names and values: from a file or a row of a catalogue, with those
+// that the user gives instead.
+#ifndef BEARING_READ_DATA_H
+#define BEARING_READ_DATA_H
+
+#include "data_values.h"
+
+namespace bearing {
+
+// Lines `variable NAME index VALUE` of INPUTS/SORT/NAME, of a row NAME of its tables, or of the
+// file NAME if that has a '/'. The first line of a name counts; -var and the deck's own `variable`
+// win. Other lines are commands of the old decks. Collective.
+struct NamedData {
+  std::string label;    // for messages
+  DataValues::Map values;
+  DataValues::Map of_file;    // those of the file alone
+};
+NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &inputs,
+                    const std::string &sort, const std::string &name);
+
+// Sets the defaults of the variables of the table that are `of` this, and checks all; error if one
+// without default is missing.
+void check_data(const Arguments &, NamedData &, const std::string &of);
+
+}    // namespace bearing
+
+#endif

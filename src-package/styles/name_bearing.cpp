@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "name_bearing.h"
+
+#include "../core/settings/deck_variable_table.h"
+#include "../deck/agree.h"
+#include "../deck/given_variables.h"
+#include "derive_laws.h"
+#include "named_bearing.h"
+
+using namespace LAMMPS_NS;
+using bearing::Arguments;
+using bearing::DataValues;
+using bearing::NamedBearing;
+
+void NameBearing::command(int narg, char **arg)
+{
+  Arguments args(lmp, "bearing", narg, arg, 0);
+  NamedBearing b;
+  b.name = args.word("name");
+  if (b.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") !=
+      std::string::npos)
+    args.fail("the name '" + b.name + "' must be of letters, digits and '_'");
+  const std::string data = args.word("bearing of the catalogue, or a file");
+  std::string inputs = bearing::find_deck_variable("inputs")->initial;
+  DataValues::Map own;
+  while (args.more()) {
+    if (args.take("types")) {
+      for (int *type : {&b.balls, &b.cage, &b.inner, &b.outer})
+        *type = args.integer("atom type", 1, 1000);
+    } else if (args.take("inputs")) {
+      inputs = args.value_of("inputs");
+    } else if (args.take("cage")) {
+      b.has_cage = args.value_of("cage") == "yes";
+    } else {
+      bool known = false;
+      for (const char *key : {"clearance", "contact_angle", "four_point"})
+        if (!known && (known = args.take(key))) own[key] = args.value_of(key);
+      if (!known) args.unknown("types, clearance, contact_angle, four_point, cage, inputs, vars");
+    }
+  }
+  if (!b.balls) args.fail("'types BALLS CAGE INNER OUTER' is missing");
+  const int types[] = {b.balls, b.cage, b.inner, b.outer};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < i; ++j)
+      if (types[i] == types[j]) args.fail("types: balls, cage balls and both rings need their own");
+  refuse_unknown(args, inputs);
+  b.data = bearing::read_data(lmp, args, inputs, "bearings", data);
+  for (const auto &value : own) b.data.values[value.first] = value.second;
+  b.data.values.emplace("bearing", data);
+  derive(args, b);
+  set_variables(b);
+  bearing::keep_bearing(lmp, b);
+}
+
+void NameBearing::refuse_unknown(const Arguments &args, const std::string &inputs)
+{
+  std::string complaint;
+  if (comm->me == 0) {
+    bearing::Names deck;
+    bearing::collect_deck(infile, deck);
+    bearing::Names names = deck;
+    for (const bearing::DeckVariable &v : bearing::deck_variables())
+      if (v.taken_by("bearing data") || v.taken_by("usual data") || v.taken_by("oil data"))
+        names.insert(v.name);
+    for (const char *sort : {"/bearings", "/lubricants"})
+      bearing::collect_folder(inputs + sort, names);
+    for (const std::string &set : bearing::words_after("-var", "-v")) {
+      // the word after -v of another program, such as python, is not a variable
+      const auto value = bearing::host_variable(lmp, set);
+      if (deck.empty() || !value) continue;
+      const std::string wrong = names.count(set) ? bearing::wrong_with(*value)
+                                                 : ": the deck has no such variable, nearest is '" +
+                                                       bearing::nearest(set, names) + "'";
+      if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
+    }
+  }
+  complaint = bearing::agree(complaint, world);
+  if (!complaint.empty()) args.fail(complaint);
+}
+
+// Complete data, and the raceways with their clearance or arches.
+void NameBearing::derive(const Arguments &args, NamedBearing &b)
+{
+  DataValues::Map &map = b.data.values;
+  for (const char *key : {"clearance", "contact_angle", "four_point"})
+    map.emplace(key, bearing::find_deck_variable(key)->initial);
+  DataValues values(lmp, args, map, b.data.label);
+  const bearing::DeriveLaws laws = bearing::data_laws();
+  const bool usual = map.count("pitch_diameter") && !map.count("inner_radius");
+  if (usual || map.count("inner_conformity")) {
+    for (const char *key : {"ball_young", "ball_poisson", "ball_density"})
+      map.emplace(key, bearing::find_deck_variable(key, "usual data")->initial);
+    laws.at("usual_data")(values);
+  } else if (values.number("contact_angle") != 0.0) {
+    args.fail("contact_angle is " + map["contact_angle"] +
+              ", must be 0 (needs a bearing by its usual data, as 7208)");
+  }
+  bearing::check_data(args, b.data, "bearing data");
+  // a formula of the host in decks before: as many digits
+  values.set("b_outer_raceway", values.number("outer_radius") + 0.5 * values.number("clearance"));
+  values.set("b_box", 1.3 * values.number("b_outer_raceway"));
+  laws.at("four_point")(values);
+}
+
+// The numbers that a deck computes with or prints.
+void NameBearing::set_variables(const NamedBearing &b)
+{
+  const auto set = [&](const std::string &name, const std::string &value) {
+    std::string of = b.name + "_" + name, style = "string", text = value;
+    char *words[] = {&of[0], &style[0], &text[0]};
+    input->variable->set(3, words);
+  };
+  const auto number = [&](const std::string &name, double value) {
+    set(name, DataValues::written(value));
+  };
+  for (const bearing::DeckVariable &v : bearing::deck_variables())
+    if (v.taken_by("bearing data")) set(v.name, b.word(v.name));
+  set("inner_radius", b.word("b_inner_raceway"));
+  set("outer_radius", b.word("b_outer_raceway"));
+  set("clearance", b.word("clearance"));
+  number("ball_radius", 0.5 * b.number("ball_diameter"));
+  number("pitch_radius", 0.5 * (b.number("b_inner_raceway") + b.number("b_outer_raceway")));
+  number("groove_distance",
+         b.number("inner_groove") + b.number("outer_groove") - b.number("ball_diameter"));
+  number("skin", 0.4 * b.number("ball_diameter"));
+  set("box", b.word("b_box"));
+}

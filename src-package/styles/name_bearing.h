@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifdef COMMAND_CLASS
+// clang-format off
+CommandStyle(bearing,NameBearing)
+// clang-format on
+#else
+#ifndef LMP_NAME_BEARING_H
+#define LMP_NAME_BEARING_H
+
+#include "bearing_compat.h"
+
+namespace bearing {
+class Arguments;
+struct NamedBearing;
+}
+
+namespace LAMMPS_NS {
+
+// bearing NAME FILE|ROW types B C I O [clearance X] [contact_angle A] [four_point A] [cage yes|no]
+// [inputs FOLDER] [vars K ...]: read a bearing's data for later commands that take it by its name,
+// and set variables NAME_... of the host. Stops if -var sets a variable that neither the deck nor
+// the data know.
+class NameBearing : public bearing::CommandBase {
+ public:
+  explicit NameBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
+  void command(int, char **);
+
+ private:
+  void refuse_unknown(const bearing::Arguments &, const std::string &inputs);
+  void derive(const bearing::Arguments &, bearing::NamedBearing &);
+  void set_variables(const bearing::NamedBearing &);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

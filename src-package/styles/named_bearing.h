@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Bearings with a name (command `bearing`): the data that later commands of the deck take by it.
+#ifndef BEARING_NAMED_BEARING_H
+#define BEARING_NAMED_BEARING_H
+
+#include "../deck/read_data.h"
+
+namespace bearing {
+
+struct NamedBearing {
+  std::string name;
+  int balls = 0, cage = 0, inner = 0, outer = 0;    // atom types
+  bool has_cage = true;
+  // Complete data in SI units as text, with clearance (m, diametral), contact_angle and four_point
+  // (degrees), b_inner_raceway, b_outer_raceway (m) and b_inner_arch, b_outer_arch (words of
+  // pair_coeff).
+  NamedData data;
+
+  const std::string &word(const std::string &key) const { return data.values.at(key); }
+  double number(const std::string &key) const { return std::atof(word(key).c_str()); }
+};
+
+// Keeps a bearing for this instance of the host; one of the same name is replaced.
+void keep_bearing(const LAMMPS_NS::LAMMPS *, const NamedBearing &);
+// Null if there is none.
+const NamedBearing *find_bearing(const LAMMPS_NS::LAMMPS *, const std::string &name);
+// Error that lists the names there are.
+const NamedBearing &bearing_of(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &name);
+// All of this instance, by name.
+std::vector<const NamedBearing *> bearings_of(const LAMMPS_NS::LAMMPS *);
+
+}    // namespace bearing
+
+#endif
