@@ -21,6 +21,7 @@ capacitance_total_F wall_s simulated_s real_time_factor processor_s evaluations 
 force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rpm_inner rpm_outer
 rpm_least rpm_most rpm_top
 friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share
+settling_torque settling_load settling_cage_speed settling_spin_axis_rad
 warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
 TYPES = dict.fromkeys(WORDS, str) | {"warnings": list, "losses_W": dict, "model_ranges": dict}

@@ -8,9 +8,10 @@ from raceway.commands.program import command
 from raceway.commands.quantity import takes_negative
 
 DESCRIPTION = """\
-Repeats a run of the main deck with a tenth of the tolerance (velocity Verlet: half the step), and
-with twice the samples. The difference of a figure is its error. The repeats are in DIR/check, the
-errors in DIR/check.json. `raceway summary DIR` then shows the sum of both beside each figure.
+Repeats a run of the main deck with a tenth of the tolerance (velocity Verlet: half the step), with
+twice the samples, and settled for 20 more ball passes. The difference of a figure is its error. The
+repeats are in DIR/check, the errors in DIR/check.json. `raceway summary DIR` then shows their sum
+beside each figure.
 
 This is the error of the numbers, not of the model."""
 EXAMPLES = """\

@@ -20,6 +20,7 @@ from raceway.runs.friction import friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.model_range import model_ranges
 from raceway.runs.settings import LUBRICANT
+from raceway.runs.settling import settling
 from raceway.runs.tables import RunTables
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.validity import Shoulders, doubts, past_shoulder
@@ -90,6 +91,12 @@ TOPICS = {
             for key, name in LOSSES.items()
         ),
     ),
+    "Settling, change from one ball pass to the next": (
+        Row("settling_torque", "friction torque", "", "last two, relative"),
+        Row("settling_load", "largest loads", "", "of both raceways, the larger"),
+        Row("settling_cage_speed", "cage speed", ""),
+        Row("settling_spin_axis_rad", "spin axis of the balls", "rad", "mean, by load"),
+    ),
     "Cost": (
         Row("host", "host", None),
         Row("integrator", "integrator", None),
@@ -149,6 +156,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
         evaluations=settings.get("evaluations"),
         **measured(tables),
         **friction(tables),
+        **settling(tables),
     )
     result = {key: _plain(value) for key, value in result.items()}
     result["warnings"] = _warnings(tables, result)
@@ -197,7 +205,7 @@ def identity(tables: RunTables) -> list[float]:
 
 def numerical_errors(tables: RunTables) -> dict[str, float]:
     """{key: error in the figure's unit} of a run repeated by `raceway check`, otherwise empty: the
-    sum of the changes by a finer integration and by more samples."""
+    sum of the changes by a finer integration, more samples and longer settling."""
     try:
         found = json.loads((tables.folder / CHECK).read_text())
         if found["run"] != identity(tables):  # belongs to an earlier run in this folder

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The numerical error of a run: the same run with a finer integration, and with more samples.
+"""The numerical error of a run: the same run with a finer integration, with more samples, and
+settled longer.
 
-Both repeats are points as in a sweep, in the folder `check` of the run; they can be stopped and
+The repeats are points as in a sweep, in the folder `check` of the run; they can be stopped and
 resumed. `check.json` holds the results.
 """
 
@@ -15,12 +16,14 @@ from raceway import files
 from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.runs.flaws import by_ball, by_raceway
+from raceway.runs.settling import KEYS
 from raceway.runs.summary import CHECK, identity, summary
 from raceway.runs.tables import RunTables
 from raceway.sweeps.point_run import FAILED, FINISHED, run_point
 
 FINER = 0.1  # factor on the tolerance; velocity Verlet: half the step
 MORE = 2  # factor on the number of samples
+LONGER = 20  # ball passes added to those of settling
 IMPLICIT = ("implicit", "damping", "vibration")  # integrators with a tolerance
 TOLERANCES = ("tolerance", "relative_tolerance", "cage_tolerance")
 OF_IMPLICIT = (*TOLERANCES, "step_error")
@@ -30,6 +33,7 @@ LEFT_OUT = (
     *("step_s", "simulated_s", "passes"),
     *("load_N", "rpm", "clearance_m", "viscosity_Pa_s", "pressure_viscosity_per_Pa"),
     *("permittivity", "roughness_m"),
+    *KEYS.values(),
 )
 # a repeat with other settings is another run: some -var value was not noted by the run
 SAME = (
@@ -63,7 +67,7 @@ def variables(tables: RunTables) -> dict[str, str]:
 
 
 def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
-    """{"integration": ..., "sampling": ...}: the variables of both repeats."""
+    """{"integration": ..., "sampling": ..., "settling": ...}: the variables of the repeats."""
     own = variables(tables)
     finer = dict(own)
     if own["integrator"] in IMPLICIT:
@@ -80,12 +84,15 @@ def repeats(tables: RunTables) -> dict[str, dict[str, str]]:
     if own["integrator"] not in IMPLICIT:
         for name in OF_IMPLICIT:
             sampled.pop(name, None)
-    return {"integration": finer, "sampling": sampled}
+    settled = dict(sampled)
+    settled[count] = own[count]
+    settled["settle"] = f"{float(own['settle']) + LONGER:.15g}"
+    return {"integration": finer, "sampling": sampled, "settling": settled}
 
 
 def check(folder: FilePath, command: Sequence[str], more: Mapping[str, str]) -> dict[str, Any]:
-    """Errors by figure in SI units: {key: {"integration": error, "sampling": error}}, written to
-    `check.json` in `folder`, too.
+    """Errors by figure in SI units: {key: {"integration": error, "sampling": error, "settling":
+    error}}, written to `check.json` in `folder`, too.
 
     `command` is a list: program, options, deck. `more` are variables of the run in addition to
     those that it noted. An error is the difference of a figure between the run and its repeat.

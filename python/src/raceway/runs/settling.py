@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Settling of a run: how far its means still change from one ball pass to the next."""
+
+import math
+
+import numpy as np
+
+from raceway.core import library
+from raceway.errors import RunError
+from raceway.runs.columns import LOSSES
+from raceway.runs.tables import RunTables
+from raceway.runs.turning import changes
+
+KEYS = {
+    "torque": "settling_torque",
+    "load": "settling_load",
+    "cage_speed": "settling_cage_speed",
+    "spin_axis": "settling_spin_axis_rad",
+}
+
+
+def settling(tables: RunTables) -> dict[str, float | None]:
+    """Changes between the last two ball passes of the window, or between its halves where it has
+    fewer than two: mean friction torque, largest load on either raceway and cage speed, relative;
+    `settling_spin_axis_rad`, the angle of the balls' mean spin axis, weighted by load. None where
+    the run has not written a quantity, or where the speed of the rings changes.
+
+    Formulas: `src-package/core/figures/settling.h`."""
+    result: dict[str, float | None] = dict.fromkeys(KEYS.values())
+    first, last = max(tables.first, 1), tables.last
+    turning = tables.turning
+    speed = turning.shaft_speed(first, last) if last > first else np.zeros(0)
+    if len(speed) < 2 or changes(speed):
+        return result
+    half = _half(tables, first, last)
+    first = last - 2 * half
+    totals = tables.totals.loc[first : last - 1]
+    losses = [totals[name] for name in LOSSES.values() if name in totals]
+    power = sum(losses).ffill().bfill() if losses else None  # the cage's is known once a step
+    balls = _balls(tables, first, last)
+    found = library().call(
+        "settling",
+        samples=2 * half,
+        balls=balls["load"].shape[1],
+        half=half,
+        torque=power.to_numpy() if losses else np.full(2 * half, math.nan),
+        load=totals[["load_inner", "load_outer"]].to_numpy(),
+        cage_speed=totals["cage_speed"].to_numpy(),
+        ball_load=balls["load"],
+        place=balls["place"],
+        spin=balls["spin"],
+    )
+    for field, key in KEYS.items():
+        value = getattr(found, field)
+        result[key] = float(value) if math.isfinite(value) else None
+    if not balls["load"].size:
+        result["settling_spin_axis_rad"] = None
+    return result
+
+
+def _half(tables, first, last):
+    """Samples of a ball pass, at most half of the window."""
+    most = (last - first) // 2
+    passes = tables.turning.passes([first, last - 1])
+    a_sample = abs(float(passes[1] - passes[0])) / (last - 1 - first)
+    if not a_sample:
+        return most
+    return max(1, min(most, round(1 / a_sample)))
+
+
+def _balls(tables, first, last):
+    """Loads (N,), places from the bearing's centre (m) and spins (rad/s) by sample and ball; no
+    balls where the run has not recorded them."""
+    record, samples = tables.record, last - first
+    try:
+        load = record.read(["load"], first, last)["load"].sum(axis=1)
+        names = [f"ball_{name}" for name in ("x", "y", "z", "omegax", "omegay", "omegaz")]
+        read = np.stack(list(record.read(names, first, last).values()), axis=-1)
+    except RunError:
+        return {"load": np.zeros((samples, 0)), "place": np.zeros(0), "spin": np.zeros(0)}
+    return {"load": np.nan_to_num(load), "place": read[..., :3], "spin": read[..., 3:]}
