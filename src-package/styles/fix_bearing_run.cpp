@@ -1,29 +1,125 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_run.h"
 
-#include <vector>
+#include "../ranks/gather.h"
+#include "compute_bearing_total.h"
+#include "pair_bearing_hertz.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
+using namespace FixConst;
+using bearing::RacewayContact;
+using bearing::Settling;
+using bearing::SettlingSample;
+using raceway::Vec3;
 
 FixBearingRun::FixBearingRun(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   for (int k = 3; k < narg; ++k) words_ += (k > 3 ? " " : "") + std::string(arg[k]);
   restart_global = 1;
+  nevery = 1;
+}
+
+int FixBearingRun::setmask() { return END_OF_STEP; }
+
+void FixBearingRun::init()
+{
+  pair_ = PairBearingHertz::find(lmp, "run_bearing");
+  const int k = modify->find_compute(id);
+  total_ = k < 0 ? nullptr : dynamic_cast<ComputeBearingTotal *>(modify->compute[k]);
+}
+
+void FixBearingRun::end_of_step()
+{
+  if (now_.steps == 0.0 || now_.measures != 0.0) return;
+  const double done = static_cast<double>(update->ntimestep) - now_.begin_steps;
+  if (std::fmod(done, now_.every) != 0.0) return;
+  const SettlingSample s = sample();
+  SettlingSample &sum = now_.sum;
+  sum.torque += s.torque;
+  sum.cage_speed += s.cage_speed;
+  sum.weight += s.weight;
+  for (int k = 0; k < 2; ++k) sum.load[k] += s.load[k];
+  for (int k = 0; k < 3; ++k) sum.axis[k] += s.axis[k];
+  now_.samples += 1.0;
+  if (done >= (now_.passes + 1.0) * now_.steps) end_pass();
+}
+
+// Sums over the bearings in the order of tags: the same bits on any number of ranks. The sum of
+// the loads, unlike the largest, hardly depends on the places of the balls.
+SettlingSample FixBearingRun::sample()
+{
+  struct Ball {
+    bearing::tag_t tag;
+    double load[2];    // N, on the inner and on the outer raceway
+    Vec3 place, spin;
+  };
+  std::vector<Ball> balls;
+  for (const RacewayContact &c : pair_->table().raceway) {
+    if (balls.empty() || balls.back().tag != c.ball)
+      balls.push_back({c.ball,
+                       {},
+                       Vec3::from(atom->x[c.i_ball]) - Vec3::from(atom->x[c.i_ring]),
+                       Vec3::from(atom->omega[c.i_ball])});
+    if (c.live) balls.back().load[c.side() == raceway::Side::inner ? 0 : 1] += c.state.load;
+  }
+  balls = bearing::gather_all(balls, world);
+  std::sort(balls.begin(), balls.end(), [](const Ball &a, const Ball &b) { return a.tag < b.tag; });
+  SettlingSample s;
+  for (const Ball &b : balls) {
+    s.ball(b.load[0] + b.load[1], b.place, b.spin, pair_->axis());
+    for (int k = 0; k < 2; ++k) s.load[k] += b.load[k];
+  }
+  if (total_->invoked_vector != update->ntimestep) total_->compute_vector();
+  const bearing::BearingFigures &of = total_->figures();
+  for (const double power : of.loss) s.torque += power;
+  s.torque += of.cage_loss;
+  s.cage_speed = of.cage_speed();
+  return s;
+}
+
+// Change per ball pass between two spans of whole ball passes: the last quarter of all, and the
+// quarter before. Longer spans average what has another period: unbalance, cage.
+void FixBearingRun::end_pass()
+{
+  SettlingSample &mean = now_.sum;
+  const double share = 1.0 / now_.samples;
+  for (double *one : {&mean.torque, &mean.load[0], &mean.load[1], &mean.cage_speed, &mean.weight,
+                      &mean.axis[0], &mean.axis[1], &mean.axis[2]})
+    *one *= share;
+  passes_.push_back(mean);
+  mean = SettlingSample();
+  now_.samples = 0.0;
+  now_.passes += 1.0;
+  const size_t span = std::max<size_t>(1, passes_.size() / 4);
+  if (passes_.size() < 2 * span) return;
+  Settling settling(static_cast<int>(span));
+  for (auto p = passes_.end() - 2 * span; p != passes_.end(); ++p) settling.add(*p);
+  now_.changes = settling.changes();
+  bearing::SettlingChanges &a_pass = now_.changes;
+  for (double *one : {&a_pass.torque, &a_pass.load, &a_pass.cage_speed, &a_pass.spin_axis})
+    *one /= static_cast<double>(span);
 }
 
 void FixBearingRun::write_restart(FILE *fp)
 {
   if (comm->me != 0) return;
-  const int size = static_cast<int>(sizeof now_ + words_.size() + 1);
+  const size_t past = passes_.size() * sizeof(SettlingSample);
+  const int size = static_cast<int>(sizeof now_ + past + words_.size() + 1);
   fwrite(&size, sizeof(int), 1, fp);
   fwrite(&now_, sizeof now_, 1, fp);
+  fwrite(passes_.data(), 1, past, fp);
   fwrite(words_.c_str(), 1, words_.size() + 1, fp);
 }
 
 void FixBearingRun::restart(char *buf)
 {
   memcpy(&now_, buf, sizeof now_);
-  const std::string then = buf + sizeof now_;
+  buf += sizeof now_;
+  passes_.resize(static_cast<size_t>(now_.passes));
+  if (!passes_.empty()) memcpy(passes_.data(), buf, passes_.size() * sizeof(SettlingSample));
+  const std::string then = buf + passes_.size() * sizeof(SettlingSample);
   if (then != words_)
     BRG_ALL("run_bearing: the restart file belongs to another run: '" + then + "', this one is '" +
             words_ + "'. Remove it, or resume with its settings");

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Internal fix of run_bearing: how far a run is, in memory and in restart files. Exists while that
-// command runs.
+// Internal fix of run_bearing: how far a run is, in memory and in restart files, and what tells
+// whether the bearings have settled. Exists while that command runs.
 #ifdef FIX_CLASS
 FixStyle(bearing/run,FixBearingRun)
 #else
 #ifndef LMP_FIX_BEARING_RUN_H
 #define LMP_FIX_BEARING_RUN_H
 
+#include "../core/figures/settling.h"
 #include "bearing_compat.h"
+
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -21,13 +24,21 @@ class FixBearingRun : public Fix {
     double step_length = 0.0;            // s; of adaptive steps the one of the measurement
     double every = 1.0, within = 1.0;    // host steps a sample, samples a step
     double pass = 0.0;                   // s, a ball pass
+    double start = 0.0;                  // s, time at step 0
     double a_pass = 0.0;                 // samples in it
     double begin = 0.0;                  // s, to settle at first: loads come on
-    double begin_steps = 0.0;            // of that; 0: adaptive
+    double begin_steps = 0.0;            // of that; 0: adaptive, not done yet
+    double passes = 0.0;                 // ball passes watched since then
+    double steps = 0.0;                  // in one of these, a multiple of `every`; 0: none yet
+    double samples = 0.0;                // in the present one
+    bearing::SettlingSample sum;         // of these
+    bearing::SettlingChanges changes;    // per ball pass
   };
 
   FixBearingRun(class LAMMPS *, int, char **);
-  int setmask() override { return 0; }
+  int setmask() override;
+  void init() override;
+  void end_of_step() override;
   void write_restart(FILE *) override;
   void restart(char *) override;
 
@@ -38,6 +49,12 @@ class FixBearingRun : public Fix {
   std::string words_;    // of the command, but for those that may change when a run goes on
   State now_;
   bool resumed_ = false;
+  std::vector<bearing::SettlingSample> passes_;    // mean of each
+  class PairBearingHertz *pair_ = nullptr;
+  class ComputeBearingTotal *total_ = nullptr;
+
+  bearing::SettlingSample sample();
+  void end_pass();
 };
 
 }    // namespace LAMMPS_NS

@@ -39,7 +39,7 @@ void RunBearing::read(Arguments &args)
   bool settles = false;
   while (args.more()) {
     if (args.take("settle")) {
-      to.settle = args.within("ball passes to settle", 0.0, 1e6);
+      to.settle = args.take("auto") ? -1.0 : args.within("ball passes to settle", 0.0, 1e6);
       settles = true;
     } else if (args.take("passes")) {
       to.passes = args.integer("ball passes to measure", 1, 1000000);
@@ -49,15 +49,20 @@ void RunBearing::read(Arguments &args)
         args.fail("step (s) is " + text(to.step) + ", must be 1e-9 to 1e-3, or 0");
     } else if (args.take("safety")) {
       to.safety = args.within("share of the stability limit", 1e-3, 1.0);
+    } else if (args.take("settled")) {
+      to.settled = args.within("change of torque that counts as settled", 1e-6, 1.0);
+    } else if (args.take("limit")) {
+      to.limit = args.integer("ball passes to settle in", 2, 1000000);
     } else if (args.take("rate")) {
       to.rate = args.within("samples a second (Hz)", 1e3, 1e8);
     } else if (args.take("angle")) {
       to.angle = args.within("contact angle (degrees)", 0.0, 60.0);
     } else {
-      args.unknown("settle, passes, step, safety, rate, angle");
+      args.unknown("settle, passes, step, safety, rate, angle, settled, limit");
     }
   }
-  if (!settles) args.fail("'settle N' is missing: ball passes before the measurement");
+  if (!settles)
+    args.fail("'settle N' or 'settle auto' is missing: ball passes before the measurement");
   if (to.passes == 0.0) args.fail("'passes P' is missing: ball passes to measure");
 }
 
@@ -65,8 +70,11 @@ void RunBearing::read(Arguments &args)
 std::string RunBearing::words() const
 {
   const Settings &s = settings_;
-  return "settle " + digits(s.settle) + " step " + digits(s.step) + " safety " + digits(s.safety) +
-         " rate " + digits(s.rate) + (std::isnan(s.angle) ? "" : " angle " + digits(s.angle));
+  const std::string settle = automatic()
+                                 ? "auto settled " + digits(s.settled) + " limit " + digits(s.limit)
+                                 : digits(s.settle);
+  return "settle " + settle + " step " + digits(s.step) + " safety " + digits(s.safety) + " rate " +
+         digits(s.rate) + (std::isnan(s.angle) ? "" : " angle " + digits(s.angle));
 }
 
 void RunBearing::command(int narg, char **arg)
@@ -98,11 +106,15 @@ bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit
 
 void RunBearing::plan()
 {
+  now().start = bearing::SimulatedTime::now(*update);
+  if (update->ntimestep != 0) begin_at_step_0(now().start);
   now().pass = bearing::ball_pass_time(lmp, command_name, settings_.angle);
   double ramp = 0.0;    // s, until the loads are on
   for (const FixBearingRing *f : bearing::fixes_of<FixBearingRing>(lmp))
     ramp = std::max(ramp, f->ramp());
-  now().begin = written(settings_.settle * now().pass + std::max(1e-2, ramp));
+  // adaptive steps see a whole ball pass before they give way to even ones
+  const double before = automatic() ? (implicit() ? 0.0 : 1.0) : settings_.settle;
+  now().begin = written(before * now().pass + std::max(1e-2, ramp));
   plan_samples();
   if (implicit()) plan_steps();
 }
@@ -182,14 +194,21 @@ void RunBearing::settle()
     show(std::ceil(now().begin_steps / 5), "Settling");
     run(now().begin_steps);
     input->one(("unfix " + show_id).c_str());
-  } else {
+  } else if (now().begin_steps == 0.0) {
     settle_adaptively();
   }
-  // the measurement counts from step 0; the time goes on
-  const double time = bearing::SimulatedTime::now(*update);
+  if (automatic()) settle_until_still();
+  // from the number of steps where they are even: a stopped run has the same rounding
+  begin_at_step_0(implicit() ? now().start + update->ntimestep * now().step_length
+                             : bearing::SimulatedTime::now(*update));
+  now().measures = 1.0;
+}
+
+// Settling and measurement count from step 0; the time goes on.
+void RunBearing::begin_at_step_0(double time)
+{
   input->one("reset_timestep 0");
   bearing::SimulatedTime::set(*update, time);
-  now().measures = 1.0;
 }
 
 // Velocity Verlet: steps that follow a share of the stability limit, then the step of the
@@ -215,6 +234,48 @@ void RunBearing::settle_adaptively()
   for (const std::string &id : {step_id, show_id}) input->one(("unfix " + id).c_str());
   input->one(("variable " + share_id + " delete").c_str());
   fix_step(chooses ? settings_.safety * written(limit) : settings_.step);
+  now().begin_steps = static_cast<double>(update->ntimestep);
+}
+
+// Ball pass by ball pass until their means agree. The spans that are compared hold whole ball
+// passes, so that the ripple of balls passing does not count.
+void RunBearing::settle_until_still()
+{
+  set_step(now().step_length);
+  const double steps = now().every * std::max(1.0, std::round(now().a_pass / now().within));
+  now().steps = steps;
+  while (!still() && now().passes < settings_.limit) {
+    input->one(("run " + digits(now().begin_steps + (now().passes + 1.0) * steps) + " upto post no")
+                   .c_str());
+    say_pass();
+  }
+  if (!still() && comm->me == 0)
+    BRG_WARN(std::string(command_name) + ": not settled after " + text(now().passes) +
+             " ball passes: in one of them torque changes by " + text(now().changes.torque) +
+             ", loads by " + text(now().changes.load) + ", cage speed by " +
+             text(now().changes.cage_speed) + ", spin axes by " + text(now().changes.spin_axis) +
+             " rad; asked for " + text(settings_.settled));
+}
+
+bool RunBearing::still()
+{
+  const double s = settings_.settled;
+  return now().changes.within({s, 0.1 * s, s, s});
+}
+
+void RunBearing::say_pass()
+{
+  if (comm->me != 0 || now().passes < 2.0) return;
+  const bearing::SettlingChanges &c = now().changes;
+  char line[160];
+  snprintf(line, sizeof line,
+           "Ball pass %.0f: change of torque %.1e, loads %.1e, cage speed %.1e, spin axes %.1e rad",
+           now().passes, c.torque, c.load, c.cage_speed, c.spin_axis);
+  for (FILE *to : {screen, logfile})
+    if (to) {
+      fprintf(to, "%s\n", line);
+      fflush(to);
+    }
 }
 
 // ---- the measurement
@@ -225,6 +286,14 @@ void RunBearing::start_fixes()
     if (auto *f = dynamic_cast<FixBearingRecord *>(modify->fix[k]); f && f->waits()) {
       f->set_samples_a_pass(written(now().a_pass));
       f->note(NetcdfHeader::attribute("passes", settings_.passes), true);
+      if (automatic()) {
+        const bearing::SettlingChanges &c = now().changes;
+        f->note(NetcdfHeader::attribute("settled_passes", now().passes));
+        f->note(NetcdfHeader::attribute("settled_torque", c.torque));
+        f->note(NetcdfHeader::attribute("settled_load", c.load));
+        f->note(NetcdfHeader::attribute("settled_cage_speed", c.cage_speed));
+        f->note(NetcdfHeader::attribute("settled_spin_axis_rad", c.spin_axis));
+      }
     }
     if (auto *f = dynamic_cast<bearing::WaitsForRun *>(modify->fix[k]); f && f->waits())
       f->measure(sampling());

@@ -13,8 +13,9 @@ CommandStyle(run_bearing,RunBearing)
 
 namespace LAMMPS_NS {
 
-// run_bearing settle N passes P [step DT] [safety F] [rate HZ] [angle A]: choose the step, settle
-// for N ball passes, and measure P of them with the fixes that wait for it (run_phase.h).
+// run_bearing settle N|auto passes P [step DT] [safety F] [rate HZ] [angle A] [settled S]
+// [limit L]: choose the step, settle for N ball passes or until they agree, and measure P of them
+// with the fixes that wait for it (run_phase.h).
 class RunBearing : public bearing::CommandBase {
  public:
   explicit RunBearing(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}
@@ -22,7 +23,9 @@ class RunBearing : public bearing::CommandBase {
 
  private:
   struct Settings {
-    double settle = 1.0, passes = 0.0;    // ball passes
+    double settle = 1.0, passes = 0.0;    // ball passes; settle < 0: until they agree
+    double settled = 1e-2;                // relative change of torque that counts as settled
+    double limit = 100.0;                 // ball passes to get there
     double step = 0.0;                    // s; 0: chosen
     double safety = 0.3;                  // of the stability limit
     double rate = 0.0;                    // Hz, of samples; 0: as the records ask
@@ -36,6 +39,11 @@ class RunBearing : public bearing::CommandBase {
   void plan_steps();
   void settle();
   void settle_adaptively();
+  void settle_until_still();
+  void begin_at_step_0(double time);
+  bool still();
+  void say_pass();
+  bool automatic() const { return settings_.settle < 0.0; }
   bearing::Sampling sampling();
   double sampled_length();
   void fix_step(double wanted);

@@ -7,6 +7,7 @@ import re
 import signal
 import subprocess
 
+import numpy as np
 import pytest
 from host import ENVIRONMENT, HOSTS, ROOT, liggghts, succeed
 from scipy.io import netcdf_file
@@ -114,7 +115,11 @@ def test_more_passes(scene, tmp_path):
     assert values(tmp_path / "one")[1] == values(tmp_path / "two")[1]
 
 
-@pytest.mark.parametrize("scene", [IMPLICIT, VERLET], ids=["implicit", "verlet"])
+@pytest.mark.parametrize(
+    "scene",
+    [IMPLICIT, VERLET, {**IMPLICIT, "settle": "auto"}, {**VERLET, "settle": "auto"}],
+    ids=["implicit", "verlet", "auto", "verlet, auto"],
+)
 def test_ranks(scene, tmp_path):
     for ranks in (1, 2, 4):
         succeed(DECK, out=tmp_path / str(ranks), ranks=ranks, **scene)
@@ -122,8 +127,63 @@ def test_ranks(scene, tmp_path):
         assert differ(tmp_path / "1", tmp_path / ranks) == []
 
 
+# a thrust too small for the speed: balls slip and their spin axes turn
+TURNS = {
+    **IMPLICIT,
+    "models": "friction mixed 0.12 0.05 heathcote 1.0e-4 spin 1",
+    "clearance": 3e-4,
+    "seat": "plus",
+    "axial": 1000,
+    "load": 300,
+    "rpm": 8000,
+}
+
+
+def power(folder):
+    """W, mean loss of the bearing."""
+    with netcdf_file(folder / "record.nc", mmap=False) as file:
+        return sum(
+            np.nanmean(variable.data)
+            for name, variable in file.variables.items()
+            if name.startswith("bearing_") and name.endswith("_power")
+        )
+
+
+def test_auto_settles(tmp_path):
+    """After one ball pass the loss is 70 % off; `auto` goes on until it is that of a long run."""
+    for settle in (1, "auto", 60):
+        succeed(DECK, out=tmp_path / str(settle), settle=settle, **TURNS)
+    want = power(tmp_path / "60")
+    assert power(tmp_path / "1") > 1.2 * want
+    assert power(tmp_path / "auto") == pytest.approx(want, rel=2e-2)
+    notes = values(tmp_path / "auto")[1]
+    assert 2 < notes["settled_passes"] < 20
+    assert notes["settled_torque"] <= 1e-2 and notes["settled_load"] <= 1e-3
+    assert notes["settled_cage_speed"] <= 1e-2 and notes["settled_spin_axis_rad"] <= 1e-2
+
+
+def test_auto_asks_for_more(tmp_path):
+    """A tenth of the change takes more ball passes, and what is asked for is kept."""
+    passes = []
+    for settled in (1e-2, 1e-3):
+        out = tmp_path / str(settled)
+        succeed(DECK, out=out, settle="auto", more=f"settled {settled}", **TURNS)
+        notes = values(out)[1]
+        assert notes["settled_torque"] <= settled and notes["settled_load"] <= 0.1 * settled
+        passes.append(notes["settled_passes"])
+    assert passes[1] > passes[0]
+
+
+def test_auto_ends_at_its_limit(tmp_path):
+    """With a warning that has the numbers, and a measurement."""
+    done = succeed(DECK, out=tmp_path, settle="auto", more="limit 2", **TURNS)
+    assert re.search(r"WARNING: run_bearing: not settled after 2 ball passes: .* 0\.01", done.text)
+    notes = values(tmp_path)[1]
+    assert notes["settled_passes"] == 2 and notes["settled_torque"] > 1e-2
+
+
 def stop(out, scene, share):
-    """Stops a run when its settling has got to this share (%)."""
+    """Stops a run when its settling has got to this share (%), or to this ball pass."""
     command = [HOSTS["liggghts"][0], "-in", DECK, "-log", "none", "-var", "out", out]
     for name, value in scene.items():
         command += ["-var", name, str(value)]
@@ -138,6 +198,9 @@ def stop(out, scene, share):
         for line in process.stdout:
             words = line.split()
             assert "Measuring" not in words, "it was not stopped on the way"
+            if line.startswith(f"Ball pass {share}:"):
+                process.terminate()
+                break
             if len(words) == 9 and words[0][0].isdigit() and float(words[0]) >= share:
                 process.terminate()
                 break
@@ -146,21 +209,33 @@ def stop(out, scene, share):
 
 
 @pytest.mark.parametrize(
-    "scene", [{**IMPLICIT, "settle": 2000}, {**VERLET, "settle": 20}], ids=["implicit", "verlet"]
+    "scene, at",
+    [
+        ({**IMPLICIT, "settle": 600}, 15),
+        ({**VERLET, "settle": 20}, 15),
+        ({**TURNS, "settle": "auto", "more": "settled 1.0e-6 limit 300"}, 2),
+        ({**VERLET, "settle": "auto", "more": "settled 1.0e-6 limit 8"}, 3),
+    ],
+    ids=["implicit", "verlet", "auto", "verlet, auto"],
 )
-def test_stopped_while_it_settles(scene, tmp_path):
+def test_stopped_while_it_settles(scene, at, tmp_path):
     """It goes on from there, with adaptive steps too."""
-    stop(tmp_path / "stopped", scene, 15)
+    stop(tmp_path / "stopped", scene, at)
     assert not (tmp_path / "stopped" / "record.nc").exists()
     succeed(DECK, out=tmp_path / "whole", **scene)
     succeed(DECK, out=tmp_path / "stopped", resume="yes", **scene)
     assert differ(tmp_path / "stopped", tmp_path / "whole") == []
+    assert values(tmp_path / "stopped")[1] == values(tmp_path / "whole")[1]
 
 
 @pytest.mark.parametrize(
     "scene, message",
     [
         ({"passes": 0}, "ball passes to measure is 0, must be .*1 to"),
+        (
+            {"settle": "auto", "more": "settled 2"},
+            "counts as settled is 2, must be from 1e-06 to 1",
+        ),
         ({"settle": -1}, "ball passes to settle is -1, must be from 0 to"),
         ({"more": "step 1.0"}, r"step \(s\) is 1, must be 1e-9 to 1e-3"),
         ({"more": "stepp 1"}, "'stepp'; known: settle, passes"),
