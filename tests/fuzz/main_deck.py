@@ -10,7 +10,7 @@ import netCDF4
 import numpy as np
 from fuzz import child
 from fuzz.draw import grammar
-from fuzz.lab import CRASH, HOSTS, Finding, Refused
+from fuzz.lab import CRASH, HOSTS, LATER, Finding, Refused
 from host import run
 
 SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
@@ -65,7 +65,7 @@ def _run(folder, host, given, ranks=1, first=False):
         raise Finding(f"crash: {given}: exit code {end.code}: {end.text[-300:]}")
     if end.code:
         message = end.error.splitlines()[0]
-        if first:
+        if first or LATER.search(message):
             raise Refused(message)
         raise Finding(f"only {folder.name} refuses: {given}: {message}")
     return _record(folder)

@@ -2,9 +2,10 @@
 """A few cases of the fuzzer (run.py makes more), and all that it found."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
-from fuzz import files, run
+from fuzz import files, lab, run, scene
 
 CASES = {"liggghts": 60, "lammps": 16, "plugin": 12}
 FOUND = sorted((Path(__file__).parent / "found").glob("*.yaml"))
@@ -28,3 +29,23 @@ def test_a_slice(host, runs):
 def test_what_it_found(file):
     verdict, message = run.replay(file)
     assert verdict == "passed", message
+
+
+@pytest.mark.parametrize(
+    "end, verdict",
+    [
+        (
+            "ball 3 on inner ring 1 at step 9: force 5 N on the far side of the groove, at",
+            "refused",
+        ),
+        ("fix c bearing/timestep: step 1e-06 s exceeds what the film allows, 5e-07 s", "refused"),
+        ("fix c bearing/timestep: unknown keyword", "finding"),
+    ],
+)
+def test_ends_that_a_longer_run_may_have(tmp_path, monkeypatch, end, verdict):
+    """Only the second run of a case ends so."""
+    ended = lab.Lab(tmp_path)
+    outcome = SimpleNamespace(code=1, text=end, error=end)
+    monkeypatch.setattr(lab, "run", lambda *words, **options: outcome)
+    with pytest.raises(lab.Refused if verdict == "refused" else lab.Finding):
+        ended.figures(scene.scene(1), "second")

@@ -148,3 +148,21 @@ def test_lanes_have_the_bits_of_a_double(gap, law):
             )
             == 0
         )
+
+
+@pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
+@pytest.mark.parametrize("speed", [0.0, 1e-12])
+def test_contact_at_rest_is_dry(gap, law, speed):
+    """Without entrainment a gap carries no load, and an overlap is elastic."""
+    for overlap in OVERLAPS:
+        open_, found = gap.cpp(overlap, speed, **law)
+        if overlap:
+            assert open_ == (overlap < 0)
+        if overlap <= 0:
+            continue
+        thin = 1e-7 * overlap  # a power law leaves a film of 1e-13 m
+        assert found.compression == pytest.approx(overlap, abs=thin)
+        load = gap.stiffness * overlap**1.5
+        assert found.load == pytest.approx(load, rel=2e-7)
+        assert 0 <= found.h_c <= thin
+        assert gap.stored(overlap, speed, **law) == pytest.approx(0.4 * load * overlap, rel=1e-6)

@@ -45,6 +45,13 @@ def test_figures(folder, capsys):
     assert found["bearing_voltage_ratio"] == pytest.approx(np.mean(50e-12 / (1050e-12 + both)))
 
 
+def test_json_alone_on_stdout(folder, capsys, tmp_path):
+    table, picture = tmp_path / "a.csv", tmp_path / "a.png"
+    wanted = ["--csv", table, "--kind", "parts", "--out", picture]
+    json.loads(printed(capsys, folder, "--json", *wanted))
+    assert table.exists() and picture.exists()
+
+
 def test_what_is_not_asked_for_is_not_there(folder, capsys):
     found = json.loads(printed(capsys, folder, "--json"))
     for key in ("leak_ohm", "impedance_ohm", "phase_deg", "field_V_m", "bearing_voltage_ratio"):

@@ -187,6 +187,7 @@ def test_folder_here_comes_first(tmp_path, monkeypatch):
     "arguments, said",
     [
         ([], "without a load nothing says"),
+        (["--load", "1000", "--hold", "x=0", "--hold", "y=0"], "no ball carries"),
         (["--axial", "1e6"], "out of the inner groove"),
         (["--load", "10", "--bearing", "6299"], "there is no bearing '6299' in "),
         (["--load", "10", "--bearing", "./none"], "there is no file ./none"),
@@ -198,6 +199,13 @@ def test_cannot(capsys, arguments, said):
     assert main(["static", *arguments]) == 1
     printed = capsys.readouterr()
     assert printed.out == "" and printed.err.startswith("raceway: ") and said in printed.err
+
+
+def test_a_ring_held_in_the_middle_has_no_load_parameter(capsys):
+    held = ["--load", "100", "--hold", "x=0", "--hold", "y=0", "--clearance=-20e-6"]
+    assert main(["static", *held, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["load_parameter"] is None and found["loaded_balls"] == 9
 
 
 def test_broken_data_file(capsys, tmp_path):

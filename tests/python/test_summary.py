@@ -139,6 +139,15 @@ def test_friction(folder, lubricated):
     )
 
 
+@pytest.mark.parametrize("speed, has_one", [(0.0, False), (-1e-9, False), (-1e-6, True)])
+def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_one):
+    rings = [[*ring[:8], speed, *ring[9:]] for ring in lubricated["rings"]]
+    figures = summary(RunTables(synthetic.write(folder, dict(lubricated, rings=rings))))
+    assert (figures["friction_torque_N_m"] is not None) == has_one
+    assert any("no friction torque" in one for one in figures["warnings"]) != has_one
+    assert figures["power_loss_W"] > 0
+
+
 def test_makers_see_a_load_that_turns(folder, lubricated):
     """Its mean vector is next to nothing, its size is not."""
     turning = forced(

@@ -75,6 +75,7 @@ struct FilmInGapPart : PartBase {
     } else if (p.factors.by_pressure) {
       const T film = GapFilmT<T, false>(own.moes, p, k, c).at(logarithm(kept(own, k))).thickness;
       c.h_edge = where(own.share * film < p.reach, film, own.widest(p));
+      c.h_edge = where(c.entrainment > resting, c.h_edge, 0.0);
     } else {
       T film = exponential(
           T(k.film.central.lnA + k.film.central.p * c.ln_speed + k.film.central.m * std::log(cut)));
@@ -133,8 +134,6 @@ struct FilmInGapPart : PartBase {
   }
 
  private:
-  static constexpr double resting = 1e-9;    // m/s, no film below this
-
   // m, compression below which a power law keeps its thickness
   template <class T>
   static RACEWAY_INLINE T kept(const Parameters &own, const RacewayConstantsT<T> &k)
@@ -164,8 +163,10 @@ struct FilmInGapPart : PartBase {
     using B = Value<T>;
     const RacewayConstantsT<B> k = p.law.at(c.cos_angle);
     const GapFilmT<B, all> film(own.moes, p, k, c);
-    const B moves = where(c.h_edge > 0.0, B() + own.share, 0.0);
-    return moves * film.work(B(held(c.compression)), c.h_edge, kept(own, k));
+    const auto moves = c.h_edge > 0.0;
+    const B edge = where(moves, c.h_edge, own.widest(p));
+    const B work = own.share * film.work(B(held(c.compression)), edge, kept(own, k));
+    return where(moves, work, 0.0);
   }
 };
 

@@ -12,6 +12,8 @@
 
 namespace raceway {
 
+constexpr double resting = 1e-9;    // m/s, entrainment speed below which a contact is dry
+
 // Power law at the logarithm of a load.
 template <class T> struct PowerFilmT {
   T ln_h, fall;    // at 1 N
@@ -37,7 +39,8 @@ template <class T, bool all> class GapFilmT {
   RACEWAY_INLINE GapFilmT(const MoesRaceway &moes, const Raceway &p, const RacewayConstantsT<T> &k,
                           const State &c)
   {
-    const T ln_u = logarithm(c.entrainment);
+    // at rest any finite film will do: the contact is dry (FilmInGapPart)
+    const T ln_u = logarithm(T(where(c.entrainment > resting, c.entrainment, resting)));
     T ln_factor = T();
     pressed_ = p.factors.by_pressure;
     if (pressed_) {

@@ -4,6 +4,8 @@
 import argparse
 import json
 import math
+import sys
+from contextlib import redirect_stdout
 from pathlib import Path
 
 STATIC = (  # options of an operating point
@@ -34,10 +36,11 @@ def run(arguments: argparse.Namespace) -> None:
         print(json.dumps(found, indent=2, allow_nan=False))
     else:
         print(film_table.table(found))
-    if arguments.csv:
-        print(_table(data, Path(arguments.csv)))
-    if arguments.kind:
-        _picture(arguments, of, whole, data, fields)
+    with redirect_stdout(sys.stderr if arguments.json else sys.stdout):
+        if arguments.csv:
+            print(_table(data, Path(arguments.csv)))
+        if arguments.kind:
+            _picture(arguments, of, whole, data, fields)
 
 
 def _check(arguments):

@@ -18,6 +18,7 @@ KEYS = (
     "torque_palmgren_N_m",
     "asperity_share",
 )
+STILL = 1e-9  # rad/s; rings that turn slower against each other stand still
 FEW = 1e-2  # fraction of the radial force: a smaller axial force is ripple
 
 
@@ -25,7 +26,7 @@ def friction(tables: RunTables) -> dict[str, Any]:
     """Means over the window, SI units; None where the run has no value.
 
     - `friction_torque_N_m`: power loss over the speed of the rings against each other, as in
-      statics
+      statics; None with a warning of the summary below `STILL`
     - `power_loss_W`, `losses_W`: power lost in all contacts, and by kind of loss
       (`columns.LOSSES`)
     - `asperity_share`: share of the load on asperities, at the largest inner load
@@ -42,7 +43,7 @@ def friction(tables: RunTables) -> dict[str, Any]:
     result["losses_W"] = losses if known else None
     result["power_loss_W"] = sum(known) if known else None
     spin = float(tables.turning.shaft_speed(tables.first, tables.last)[tables.first == 0 :].mean())
-    if known and spin:
+    if known and abs(spin) > STILL:
         result["friction_torque_N_m"] = result["power_loss_W"] / abs(spin)
     if "asperity_share_top" in totals:
         top = totals["load_inner"].idxmax()

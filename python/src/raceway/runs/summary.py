@@ -16,6 +16,7 @@ from raceway.errors import RunError
 from raceway.rows import Row, lines, row
 from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
+from raceway.runs.friction import STILL as RESTING
 from raceway.runs.friction import friction
 from raceway.runs.measured import load_parameter, measured
 from raceway.runs.model_range import model_ranges
@@ -225,7 +226,15 @@ def _warnings(tables, figures):
             "lambda": figures["lambda"],
             "conducts": None if figures["capacitance_F"] is None else thinnest,
         }
-    ) + _past_shoulder(tables)
+    ) + [*_past_shoulder(tables), *_still(figures)]
+
+
+def _still(figures):
+    if figures["power_loss_W"] is None or figures["friction_torque_N_m"] is not None:
+        return []
+    return [
+        f"no friction torque: the rings turn at no more than {RESTING:g} rad/s against each other"
+    ]
 
 
 def _past_shoulder(tables):

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from raceway.arrays import Floats
+from raceway.errors import NoEquilibrium
 from raceway.inputs import Oil
 from raceway.theory import ball_motion, capacitance, film, hertz, kinematics
 from raceway.theory.bearing import INNER, OUTER, Bearing
@@ -101,8 +102,11 @@ def _film(bearing, side, contact, speeds, oil, clearance, factor):
 def orbit(bearing: Bearing, state: Equilibrium, spin: float) -> float | Floats:
     """Orbital speed of the balls in rad/s for an inner ring at `spin` rad/s: rolling at the mean
     contact angle, weighted with the loads of both raceways, since one cage carries all balls of a
-    row (Harris, ch. 10). Of several rows one speed a ball (Z,)."""
+    row (Harris, ch. 10). Of several rows one speed a ball (Z,). Raises `NoEquilibrium` if no ball
+    carries."""
     load = np.vstack([state.inner.load, state.outer.load])
+    if not load.any():
+        raise NoEquilibrium("no ball carries: the ring is held where it touches none")
     cosine = np.cos(np.vstack([state.inner.angle, state.outer.angle]))
     if len(bearing.layout.rows) == 1:
         mean = np.average(cosine, weights=load)

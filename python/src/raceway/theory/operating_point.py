@@ -296,7 +296,8 @@ def _ring(state, load, axial, moment, held, play, reach):
     result = dict(zip(("shift_x_m", "shift_y_m", "shift_z_m"), _rounded(state.shift)))
     result.update(zip(("tilt_x_rad", "tilt_y_rad"), _rounded(state.tilt)))
     radial = load and not (result["shift_z_m"] or result["tilt_x_rad"] or result["tilt_y_rad"])
-    result["load_parameter"] = clearance.load_parameter(play, state.shift[0]) if radial else None
+    moved = radial and result["shift_x_m"]
+    result["load_parameter"] = clearance.load_parameter(play, state.shift[0]) if moved else None
     given, carried = (
         np.array([load, 0.0, axial, *moment]),
         np.array([*state.force, *state.moment[:2]]),
