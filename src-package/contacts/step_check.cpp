@@ -68,6 +68,10 @@ StepLimit step_limit(LAMMPS *lmp, const ContactTable &table)
   for (const SphereContact &s : table.sphere)
     if (s.stiffness > 0.0)
       keep_smaller(limit, s.stiffness, s.damping, s.mass, StepLimit::cage, s.tag_i);
+  // ball and cage vibrate on one spring, and several balls may press on the cage
+  for (const PocketRow &p : table.pocket)
+    if (p.stiffness > 0.0)
+      keep_smaller(limit, 2.0 * p.stiffness, 2.0 * p.damping, p.mass, StepLimit::cage, p.ball);
   if (unloaded < limit.step) limit = StepLimit{unloaded, StepLimit::unloaded, 0, 0.0, 0.0};
 
   // the rank with the smallest step broadcasts its limit (lowest rank on a tie)

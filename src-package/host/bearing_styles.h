@@ -16,6 +16,7 @@
 #include "../styles/deck_files.h"
 #include "../styles/deck_variables.h"
 #include "../styles/fix_bearing_cage.h"
+#include "../styles/fix_bearing_cage_ring.h"
 #include "../styles/fix_bearing_capacitance.h"
 #include "../styles/fix_bearing_checkpoint.h"
 #include "../styles/fix_bearing_circuit.h"
@@ -43,6 +44,7 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template fix<FixBearingShaft>("bearing/shaft");
   add.template fix<FixBearingImplicit>("bearing/implicit");
   add.template fix<FixBearingCage>("bearing/cage");
+  add.template fix<FixBearingCageRing>("bearing/cage/ring");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");
   add.template fix<FixBearingCircuit>("bearing/circuit");
   add.template fix<FixBearingProfile>("bearing/profile");

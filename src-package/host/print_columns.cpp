@@ -108,6 +108,7 @@ int main()
   section("atom", bearing::of_atom::list);
   section("fix_ring", bearing::of_fix_ring::list);
   section("bend", bearing::of_bend::list);
+  section("cage", bearing::of_cage::list);
   section("fix_implicit", bearing::of_fix_implicit::list);
   section("fix_cage", bearing::of_fix_cage::list);
   section("fix_capacitance", bearing::of_fix_capacitance::list);

@@ -11,6 +11,7 @@
 #ifndef BEARING_HOME_BEARINGS_H
 #define BEARING_HOME_BEARINGS_H
 
+#include "../contacts/cage_pockets.h"
 #include "../contacts/cage_rails.h"
 #include "../contacts/ring_motion.h"
 #include "../core/bodies/bearing_model.h"
@@ -36,7 +37,8 @@ struct BearingSources {
   const ContactTable *table = nullptr;
   int states = 0;    // state variables of the contact law per contact
   raceway::LabAxes axes;
-  std::vector<const CageRails *> cages;    // the same cages in the same order on all ranks
+  std::vector<const CageRails *> cages;           // the same cages in the same order on all ranks
+  std::vector<const CagePockets *> cage_rings;    // likewise
   std::vector<MovedRing> moved;
   std::function<bool(int type)> is_ring, is_ball;
   std::function<const raceway::RacewayPhysics *(int ball_type, int ring_type, int groove)> raceway;

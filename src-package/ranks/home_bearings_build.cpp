@@ -23,7 +23,7 @@ struct Node {
 };
 
 struct HomeBearings::Piece {
-  enum Kind { body, ring, value, groove, pocket, seat } kind;
+  enum Kind { body, ring, value, groove, pocket, seat, cell } kind;
   tag_t name;    // of the bearing
   tag_t a, b;
   int first, second;    // types of ball and ring; or the number of a cage, of what moves a ring, or
@@ -54,6 +54,8 @@ std::vector<int> HomeBearings::find_bearings(int groupbit, std::vector<NamedBear
   for (const SphereContact &s : table.sphere) local.join(s.i, s.j);
   for (const CageRails *c : sources_.cages)
     for (const CageRails::CageBall &b : c->balls) local.join(b.i, b.i_ring);
+  for (const CagePockets *c : sources_.cage_rings)
+    for (const CagePockets::Cell &b : c->cells) local.join(b.i, b.i_cage);
 
   std::vector<tag_t> piece(nall, 0);    // lowest tag, at the root
   std::vector<int> inside(nall, 0);
@@ -178,6 +180,10 @@ HomeBearings::cut(const std::vector<int> &bearing_of, const std::vector<NamedBea
     for (const CageRails::CageBall &b : sources_.cages[k]->balls)
       if (bearing_of[b.i] >= 0) add(b.i, Piece::seat, b.tag, b.ring).first = static_cast<int>(k);
 
+  for (size_t k = 0; k < sources_.cage_rings.size(); ++k)
+    for (const CagePockets::Cell &b : sources_.cage_rings[k]->cells)
+      if (bearing_of[b.i] >= 0) add(b.i, Piece::cell, b.ball, b.cage).first = static_cast<int>(k);
+
   own_bodies_.clear();
   own_rings_.clear();
   for (int i : letter[comm->me].body_atom) own_bodies_.push_back({i, Place()});
@@ -228,6 +234,17 @@ static void find_holders(BearingModel &m)
   for (BearingModel::Ring &ring : m.rings)
     for (int k = 0; ring.held_by != 0 && k < static_cast<int>(m.rings.size()); ++k)
       if (m.rings[k].tag == ring.held_by) ring.holder = k;
+}
+
+// The ring whose land guides a cage, -1: none.
+static int land_of(const BearingModel &m, const BearingModel::Cage &cage)
+{
+  if (cage.of->guide == raceway::CageRing::by_balls) return -1;
+  const raceway::Side side =
+      cage.of->guide == raceway::CageRing::by_inner ? raceway::Side::inner : raceway::Side::outer;
+  for (const BearingModel::Groove &g : m.grooves)
+    if (g.body == cage.balls.front() && g.physics->groove.side == side) return g.ring;
+  return -1;
 }
 
 // On the home rank: models in the order of names, their atoms in the order of tags.
@@ -338,6 +355,13 @@ void HomeBearings::finish(const std::vector<Piece> &pieces,
       const CageRails &c = *sources_.cages[p.first];
       seats[k].push_back({p.first, {a, b, &c.rails, &c.stiffness}});
     }
+    if (p.kind == Piece::cell) {
+      const raceway::CageRing *of = &sources_.cage_rings[p.first]->of;
+      const auto known = std::find_if(m.cages.begin(), m.cages.end(),
+                                      [b](const BearingModel::Cage &c) { return c.ring == b; });
+      if (known == m.cages.end()) m.cages.push_back({b, -1, of, {a}});
+      else known->balls.push_back(a);
+    }
   }
   for (size_t k = 0; k < bearings_.size(); ++k) {
     BearingModel &m = bearings_[k].model;
@@ -352,6 +376,13 @@ void HomeBearings::finish(const std::vector<Piece> &pieces,
       return a.cage != b.cage ? a.cage < b.cage : a.seat.body < b.seat.body;
     });
     for (const CageSeat &s : seats[k]) m.seats.push_back(s.seat);
+    std::sort(
+        m.cages.begin(), m.cages.end(),
+        [](const BearingModel::Cage &x, const BearingModel::Cage &y) { return x.ring < y.ring; });
+    for (BearingModel::Cage &c : m.cages) {
+      std::sort(c.balls.begin(), c.balls.end());
+      c.land = land_of(m, c);
+    }
   }
 }
 

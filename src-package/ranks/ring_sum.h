@@ -21,7 +21,7 @@ namespace bearing {
 
 class RingSum : protected LAMMPS_NS::Pointers {
  public:
-  enum Source { rail = 0, ball = 1 };    // in the order in which they are added
+  enum Source { rail, pocket, land, ball };    // in the order in which they are added
   explicit RingSum(LAMMPS_NS::LAMMPS *lmp) : Pointers(lmp) {}
 
   void reset();    // after a neighbour build, on all ranks: forget all claims

@@ -65,6 +65,10 @@ void ComputeBearingTotal::compute_vector()
       shares.push_back({b.tag, 0, {}});
       shares.back().of.cage(b.loss, 0.0);
     }
+  for (const bearing::PocketRow &p : pair_->table().pocket) {
+    shares.push_back({p.ball, p.cage, {}});
+    shares.back().of.cage(p.loss, p.force);
+  }
   shares = bearing::gather_all(shares, world);
   std::sort(shares.begin(), shares.end(), [](const Share &a, const Share &b) {
     return a.tag < b.tag || (a.tag == b.tag && a.other < b.other);

@@ -13,7 +13,7 @@ using bearing::text;
 
 // create_bearing BALL CAGE|none INNER OUTER balls Z diameter D [density RHO] [cage D_c]
 // [cage_density RHO]
-//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [thrust F]
+//   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [thrust F] [cage_ring TYPE]
 //   [groups yes|no] [resumed yes|no]
 void CreateBearing::command(int narg, char **arg)
 {
@@ -44,6 +44,7 @@ void CreateBearing::make_groups(const Plan &p)
   };
   add("balls", p.ball_type);
   add("cage", p.cage_type);
+  add("cage", p.ring_cage);
   add("inner", p.inner_type);
   add("outer", p.outer_type);
   add("moving", p.ball_type);
@@ -75,15 +76,19 @@ CreateBearing::Plan CreateBearing::parse(Arguments &args)
       p.seat = way[args.choice("seat", {"none", "plus", "minus"})];
     } else if (args.take("thrust")) {
       p.thrust = args.number("thrust on the inner ring (N)");
+    } else if (args.take("cage_ring")) {
+      p.ring_cage = args.integer("type of the cage ring", 1, atom->ntypes);
     } else if (args.take("groups")) {
       p.groups = args.choice("groups", {"no", "yes"}) == 1;
     } else if (args.take("resumed")) {
       p.resumed = args.choice("resumed", {"no", "yes", "0", "1"}) % 2 == 1;
     } else {
       args.unknown("balls, diameter, density, cage, cage_density, centre, phase, speed, seat, "
-                   "thrust, groups, resumed");
+                   "thrust, cage_ring, groups, resumed");
     }
   }
+  if (p.ring_cage && p.cage_type)
+    args.fail("'cage_ring' is a cage already: 'none' instead of a cage ball type");
   if (p.balls == 0) args.fail("'balls Z' is missing");
   if (p.ball_radius == 0.0) args.fail("'diameter D' is missing");
   if (p.cage_type && p.cage_radius == 0.0)
@@ -101,6 +106,9 @@ void CreateBearing::check(Arguments &args, const PairBearingHertz &pair, Plan &p
   if (!out || out->groove.side != Side::outer)
     args.fail("missing ring: no pair_coeff " + std::to_string(p.ball_type) + " " +
               std::to_string(p.outer_type) + " outer ... before this command");
+  if (p.ring_cage && !pair.coefficients().is_cage(p.ring_cage))
+    args.fail("missing cage: no pair_coeff " + std::to_string(p.ball_type) + " " +
+              std::to_string(p.ring_cage) + " cage before this command");
   const double R = p.ball_radius;
   for (const RacewayPhysics *r : {in, out})
     if (r->groove.groove_radius <= R)
@@ -234,6 +242,7 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   // a ring is one small atom at its centre; fix bearing/ring gives it mass and inertia
   add(p.inner_type, centre + e * p.inner_z, 1e-4, 1.0, Vec3(), e * p.inner_speed);
   add(p.outer_type, centre, 1e-4, 1.0, Vec3(), e * p.outer_speed);
+  if (p.ring_cage) add(p.ring_cage, centre + e * p.ball_z, 1e-4, 1.0, Vec3(), e * roll.orbit);
   bearing::make_atoms(lmp, atoms_);
 
   for (int m = 0; m < modify->nfix; ++m)
@@ -245,7 +254,8 @@ void CreateBearing::place(const Plan &p, const PairBearingHertz &pair)
   if (atom->map_style) bearing::map_atoms(lmp, first, before, next_tag_ - 1);
   if (comm->me == 0) {
     const std::string say = "Created a bearing: " + std::to_string(p.balls) + " balls" +
-                            (p.cage_type ? ", as many cage balls" : "") + ", two rings\n";
+                            (p.cage_type ? ", as many cage balls" : "") +
+                            (p.ring_cage ? ", a cage" : "") + ", two rings\n";
     if (screen) fputs(say.c_str(), screen);
     if (logfile) fputs(say.c_str(), logfile);
   }

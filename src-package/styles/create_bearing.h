@@ -26,6 +26,7 @@ class CreateBearing : public bearing::CommandBase {
  private:
   struct Plan {
     int ball_type, cage_type, inner_type, outer_type;
+    int ring_cage = 0;    // type of a cage that is one ring, 0: none
     int balls = 0;
     double ball_radius = 0.0, ball_density = 7800.0;
     double cage_radius = 0.0, cage_density = 1140.0;

@@ -4,6 +4,7 @@
 #include "../ranks/gather.h"
 #include "../ranks/home_bearings.h"
 #include "fix_bearing_cage.h"
+#include "fix_bearing_cage_ring.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
@@ -21,6 +22,8 @@ using raceway::Side;
 namespace bearing {
 
 namespace {
+
+constexpr int cage_side = 2;    // of a ring that is a cage; 0 inner, 1 outer
 
 // Data of a bearing sent by its home to all ranks.
 struct Piece {
@@ -104,6 +107,8 @@ BearingSources sources_of(LAMMPS *lmp, PairBearingHertz &pair)
   sources.axes.along = pair.coefficients().axis_index();
   for (const FixBearingCage *c : fixes_of<FixBearingCage>(lmp))
     sources.cages.push_back(&c->rails());
+  for (const FixBearingCageRing *c : fixes_of<FixBearingCageRing>(lmp))
+    sources.cage_rings.push_back(&c->pockets());
   sources.is_ring = [&pair](int type) { return pair.coefficients().is_ring(type); };
   sources.is_ball = [&pair](int type) { return pair.coefficients().is_ball(type); };
   sources.raceway = [&pair](int ball, int ring, int groove) {
@@ -134,6 +139,7 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
       if (!both.of[s]) both.of[s] = g.physics;
       side[g.ring] = s;
     }
+    for (const BearingModel::Cage &c : m.cages) side[c.ring] = cage_side;
     if (m.grooves.empty()) continue;
     Piece piece = {Piece::kind, name, 0.0, 0, {}};
     const auto eps = permittivity.find(static_cast<double>(m.bodies.front().tag));

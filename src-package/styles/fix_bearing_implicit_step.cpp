@@ -4,6 +4,7 @@
 #include "../core/bodies/alike_bearings.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_cage.h"
+#include "fix_bearing_cage_ring.h"
 #include "fix_bearing_implicit_solver.h"
 #include "fix_bearing_ring.h"
 #include "fix_bearing_shaft.h"
@@ -36,6 +37,8 @@ void FixBearingImplicit::build()
   sources.axes.along = pair_->coefficients().axis_index();
   for (const FixBearingCage *c : bearing::fixes_of<FixBearingCage>(lmp))
     sources.cages.push_back(&c->rails());
+  for (const FixBearingCageRing *c : bearing::fixes_of<FixBearingCageRing>(lmp))
+    sources.cage_rings.push_back(&c->pockets());
   for (size_t k = 0; k < rings_.size(); ++k)
     for (int i = 0; i < atom->nlocal; ++i)
       if (rings_[k]->moves(i))

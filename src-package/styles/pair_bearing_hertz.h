@@ -39,6 +39,7 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
   bearing::PairCoefficients &coefficients() { return coefficients_; }
   bearing::SurfaceProfiles &profiles() { return profiles_; }    // set anew in every init of fixes
   const bearing::ContactTable &table() const { return table_; }
+  std::vector<bearing::PocketRow> &pocket_rows() { return table_.pocket; }
   bearing::RingSum &ring_sum() { return ring_sum_; }
   FixBearingState *state() const { return state_; }
   raceway::Vec3 axis() const override { return coefficients_.axis(); }

@@ -46,7 +46,7 @@ static void add_bearing(const RecordLayout &layout, Attributes &list)
     add(c.name + std::string(suffix.at(c.unit)), of[k] - outside);
   }
   add("roughness_m", std::hypot(of[of_kind::RING_ROUGHNESS], of[of_kind::BALL_ROUGHNESS]));
-  const char *const ring[] = {"inner_ring", "outer_ring"};
+  const char *const ring[] = {"inner_ring", "outer_ring", "cage_ring"};
   for (const auto &r : layout.rings) add(ring[r.raceway], r.tag);
 }
 

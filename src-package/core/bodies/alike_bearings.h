@@ -49,9 +49,13 @@ inline bool alike(const BearingModel &a, const BearingModel &b)
                              return x.a == y.a && x.b == y.b && x.K == y.K && x.reach == y.reach &&
                                     x.mass == y.mass;
                            }) &&
-         detail::all_alike(a.seats, b.seats, [](const M::Seat &x, const M::Seat &y) {
-           return x.body == y.body && x.ring == y.ring && x.rails == y.rails &&
-                  x.stiffness == y.stiffness;
+         detail::all_alike(a.seats, b.seats,
+                           [](const M::Seat &x, const M::Seat &y) {
+                             return x.body == y.body && x.ring == y.ring && x.rails == y.rails &&
+                                    x.stiffness == y.stiffness;
+                           }) &&
+         detail::all_alike(a.cages, b.cages, [](const M::Cage &x, const M::Cage &y) {
+           return x.ring == y.ring && x.land == y.land && x.of == y.of && x.balls == y.balls;
          });
 }
 

@@ -18,6 +18,7 @@ BearingBodies::BearingBodies(const BearingModel &of) : model(of)
     rings[k].holder = model.rings[k].holder;
     if (rings[k].holder >= 0) rings[rings[k].holder].holds = true;
   }
+  for (const BearingModel::Cage &c : model.cages) rings[c.ring].pockets = c.of->pitch;
   find_ball_profiles();
   states_ = law_facts(model.parts).states;
   if (states_ > 0) {

@@ -28,7 +28,8 @@ struct alignas(32) RingBody {
   int holder = -1;         // ring at the other end of its supports, -1: ground
   int bend = -1;           // flexible shaft: index in BearingBodies::bends
   bool holds = false;      // supports another ring
-  bool empty = false;      // no raceway: a housing
+  bool empty = false;      // no raceway: a housing or a cage
+  double pockets = 0.0;    // m, radius of the circle of its pockets; 0: no cage
   double at = 0.0;         // m, position of a carried ring from the shaft's centre
   double span = 0.0;       // m, shaft: distance from its centre to its farthest ring
   double spring = 0.0;     // N/m, sum over contacts; with dampers_only

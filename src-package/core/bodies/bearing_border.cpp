@@ -18,7 +18,8 @@ void BearingBodies::add_freedoms(RingBody &r)
                     r.base.speed_of(dof),      r.first.speed_of(dof), r.now.speed_of(dof)};
     c.tilts = dof == RingProgram::TILT || dof == RingProgram::TILT + 1;
     if (c.tilts) c.lever = r.span;
-    if (dof == RingProgram::SPIN) c.lever = 0.0;
+    if (dof == RingProgram::SPIN) c.lever = r.pockets;
+    c.of_cage = r.pockets > 0.0;
     border.push_back(c);
   }
   std::copy(r.coordinate, r.coordinate + RingProgram::N_DOF, r.column);
@@ -113,6 +114,8 @@ void BearingBodies::find_columns()
     for (int g = t.first; g < t.end; ++g) join(t.ring, n + g);
   for (const RailTrack &t : rail_tracks)
     for (int g = t.first; g < t.end; ++g) join(t.ring, n + g);
+  for (const BearingModel::Cage &c : model.cages)
+    for (int ball : c.balls) join(c.ring, n + slot[ball] / lanes);
   for (const BearingModel::Pocket &p : model.pockets)
     join(n + slot[p.a] / lanes, n + slot[p.b] / lanes);
   for (const Carried &c : on_shafts) join(c.ring, c.shaft);

@@ -5,6 +5,7 @@
 #ifndef RACEWAY_BEARING_MODEL_H
 #define RACEWAY_BEARING_MODEL_H
 
+#include "../geometry/cage_ring.h"
 #include "../geometry/rail.h"
 #include "../raceway/profiled_contact.h"
 #include "../raceway/raceway_physics.h"
@@ -53,12 +54,18 @@ struct BearingModel {
     const std::vector<Rail> *rails;
     const std::vector<double> *stiffness;
   };
+  struct Cage {        // a cage that is one ring
+    int ring, land;    // land: the ring that guides it, -1: none
+    const CageRing *of;
+    std::vector<int> balls;    // bodies, by tag
+  };
   std::vector<Body> bodies;       // rolling balls first, then cage balls, each by tag
   std::vector<Ring> rings;        // by tag
   std::vector<Shaft> shafts;      // by first ring
   std::vector<Groove> grooves;    // by body, then ring
   std::vector<Pocket> pockets;    // by smaller tag, then larger
   std::vector<Seat> seats;        // by cage, then body
+  std::vector<Cage> cages;        // by ring
   unsigned parts = 0;             // of the contact law of all raceways
 
   Tag name() const { return rings.front().tag; }

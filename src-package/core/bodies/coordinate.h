@@ -17,7 +17,9 @@ struct Coordinate {
   // Velocity at the start of the step, at the base of the stage, after the first stage, and now.
   const double *from, *base, *first, *now;
   bool tilts = false;
-  // Displacement per unit, m or m/rad, of a tilt without that of the balls; of a spin 0.
+  bool of_cage = false;    // its errors count as those of cage balls
+  // Displacement per unit, m or m/rad, of a tilt without that of the balls; of a spin 0, except
+  // that of a cage, whose pockets move along the pitch circle.
   double lever = 1.0;
   double spring = 0.0, damper = 0.0;    // N/m, N s/m, of a mode
 

@@ -44,9 +44,18 @@ struct SphereContact {
   double loss = 0.0;                                     // W, to damping
 };
 
+// A ball in its pocket of a cage that is one ring.
+struct PocketRow {
+  tag_t ball = 0, cage = 0;
+  double mass = 0.0;                                     // kg, reduced
+  double stiffness = 0.0, damping = 0.0, force = 0.0;    // of this step
+  double loss = 0.0;                                     // W, in wall, friction and oil
+};
+
 struct ContactTable {
   std::vector<RacewayContact> raceway;    // by ball tag, ring tag, groove
   std::vector<SphereContact> sphere;      // by smaller tag, then larger
+  std::vector<PocketRow> pocket;          // of the balls of this rank, by cage fix, then ball
 
   int live() const
   {

@@ -85,6 +85,17 @@ const Column list[N] = {
 };
 }    // namespace of_bend
 
+// ---- fix bearing/cage/ring: appended to the row of a ring
+namespace of_cage {
+enum { MAX, SUM, LOSS, ECCENTRICITY, N };
+const Column list[N] = {
+    {"pocket_max", "N", "largest force of a ball on its pocket"},
+    {"pocket_sum", "N", "sum of the forces of balls on their pockets"},
+    {"loss", "W", "lost in pockets, at the guiding land and by churning"},
+    {"eccentricity", "", "of the cage from the ring that guides it, over the clearance"},
+};
+}    // namespace of_cage
+
 // ---- fix bearing/implicit: totals over all its bearings since the start of the run
 namespace of_fix_implicit {
 enum {

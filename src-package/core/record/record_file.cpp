@@ -59,7 +59,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   }
   fix({"ring", "", "atom number of a ring"}, ring, Header::integer, each(layout_.rings, tag));
   fix({"ring_bearing", "", "its bearing"}, ring, Header::integer, each(layout_.rings, number));
-  fix({"ring_raceway", "", "0 inner, 1 outer"}, ring, Header::integer,
+  fix({"ring_raceway", "", "0 inner, 1 outer, 2 a cage that is one ring"}, ring, Header::integer,
       each(layout_.rings, [](const auto &r) { return double(r.raceway); }));
   const char *const origin[] = {"ring_origin_x", "ring_origin_y", "ring_origin_z"};
   for (int k = 0; k < 3; ++k)

@@ -17,7 +17,7 @@ struct RecordLayout {
   struct RecordRing {
     double tag;
     int bearing;
-    int raceway;    // 0 inner, 1 outer
+    int raceway;    // 0 inner, 1 outer, 2 a cage that is one ring
     double origin[3];
   };
   struct Bearing {

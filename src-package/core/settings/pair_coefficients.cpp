@@ -35,8 +35,9 @@ void PairCoefficients::read_style(Arguments &args)
 void PairCoefficients::read_coeff(Arguments &args, int types)
 {
   const int i = args.integer("first type", 1, types), j = args.integer("second type", 1, types);
-  const int role = args.choice("role", {"inner", "outer", "sphere"});
+  const int role = args.choice("role", {"inner", "outer", "sphere", "cage"});
   if (role == 2) return read_spheres(args, i, j);
+  if (role == 3) return read_cage(args, i, j, types);
   if (i == j) args.fail("ball and ring need different atom types");
   if (raceway(j, i))
     args.fail("the ball type comes first, and an earlier pair_coeff has it second");
@@ -71,7 +72,21 @@ void PairCoefficients::read_coeff(Arguments &args, int types)
   ball_type_.resize(types + 1);
   ring_type_.resize(types + 1);
   ball_type_[i] = ring_type_[j] = 1;
-  if (ball_type_[j] || ring_type_[i]) args.fail("a type cannot be both ball and ring");
+  if (ball_type_[j] || ring_type_[i] || is_cage(j))
+    args.fail("a type cannot be two of ball, ring and cage");
+}
+
+void PairCoefficients::read_cage(Arguments &args, int ball, int cage, int types)
+{
+  ring_type_.resize(types + 1);
+  ball_type_.resize(types + 1);
+  cage_type_.resize(types + 1);
+  if (!ball_type_[ball])
+    args.fail("type " + std::to_string(ball) + " is no ball: its raceways come first");
+  if (ball_type_[cage] || !raceways_of(cage).empty())
+    args.fail("type " + std::to_string(cage) + " is a ball or a ring with a raceway already");
+  ring_type_[cage] = cage_type_[cage] = 1;
+  if (args.more()) args.unknown("none, the command ends here");
 }
 
 void PairCoefficients::read_spheres(Arguments &args, int i, int j)

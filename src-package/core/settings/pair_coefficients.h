@@ -29,7 +29,7 @@ class PairCoefficients {
   // pair_style bearing/hertz [axis x|y|z] [overlap_limit F] [raceway keywords]
   void read_style(Arguments &);
   // pair_coeff BALL RING inner|outer R r_c [gothic_arch G] [keywords]
-  // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed]
+  // or pair_coeff I J sphere E1 nu1 E2 nu2 [printed], or pair_coeff BALL CAGE cage
   void read_coeff(Arguments &, int types);
   // Derives the constants of the raceways. Returns an error in raceways or atoms, or "".
   std::string prepare(const TypeSizes &);
@@ -42,6 +42,7 @@ class PairCoefficients {
   }
   bool is_ring(int type) const { return type < (int)ring_type_.size() && ring_type_[type]; }
   bool is_ball(int type) const { return type < (int)ball_type_.size() && ball_type_[type]; }
+  bool is_cage(int type) const { return type < (int)cage_type_.size() && cage_type_[type]; }
   bool is_named(int type) const;    // in some pair_coeff
   // Sides on which a ball type has a raceway: 1 inner, 2 outer, or their sum.
   int sides_of(int ball_type) const;
@@ -75,6 +76,7 @@ class PairCoefficients {
     }
   };
   void read_spheres(Arguments &, int i, int j);
+  void read_cage(Arguments &, int ball, int cage, int types);
   std::string wrong_size(const GrooveName &, const raceway::RacewayPhysics &) const;
   std::string wrong_rings() const;
   void set_law(unsigned parts);
@@ -85,7 +87,8 @@ class PairCoefficients {
   double overlap_limit_ = 0.05;
   std::map<GrooveName, raceway::RacewayPhysics> raceways_;
   std::map<std::pair<int, int>, Spheres> spheres_;    // smaller type first
-  std::vector<char> ring_type_, ball_type_;
+  std::vector<char> ring_type_, ball_type_;           // a cage that is one ring is a ring
+  std::vector<char> cage_type_;
   TypeSizes sizes_;
   unsigned law_ = 0;
   raceway::LawFacts facts_;

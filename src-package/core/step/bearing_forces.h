@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of one bearing at the present state of its bodies, optionally with derivatives: raceway
-// contacts (raceway_contacts.cpp) and cage contacts (cage_contacts.cpp).
+// contacts (raceway_contacts.cpp), cage balls (cage_contacts.cpp), and cages that are one ring
+// (cage_ring_forces.cpp).
 #ifndef RACEWAY_BEARING_FORCES_H
 #define RACEWAY_BEARING_FORCES_H
 
@@ -87,6 +88,9 @@ class BearingForces {
   Failure narrow_raceways(const Stage &);    // for processors without AVX2
   void rails(const Stage &);
   Failure pockets(const Stage &);
+  void cages(const Stage &);    // cage_ring_forces.cpp
+  void pocket(const Stage &, const BearingModel::Cage &, const CageMotion &, int body);
+  void land(const Stage &, const BearingModel::Cage &, const CageMotion &);
 
   struct Place {
     double x[3], v[3];

@@ -73,6 +73,8 @@ static double slowest_contact(const BearingModel &model)
 {
   double slowest = 0.0;
   for (const BearingModel::Pocket &p : model.pockets) slowest = std::max(slowest, p.mass / p.K);
+  for (const BearingModel::Cage &c : model.cages)
+    slowest = std::max(slowest, c.of->mass / c.of->stiffness);
   return slowest;
 }
 
@@ -259,7 +261,8 @@ RACEWAY_LANES double BearingIntegrator::error(double h, const Settings &set) con
   double largest = std::max(std::max(off[0], off[1]), std::max(off[2], off[3]));
   for (const Coordinate &c : bodies_.border) {
     const double before = drift ? 0.0 : one ? *c.from : *c.first;
-    largest = std::max(largest, std::fabs(*c.now - before) * c.moves(ball_radius()));
+    const double counts = c.of_cage ? set.cage_error() : 1.0;
+    largest = std::max(largest, counts * std::fabs(*c.now - before) * c.moves(ball_radius()));
   }
   return share * h * largest;
 }
@@ -291,7 +294,8 @@ RACEWAY_LANES double BearingIntegrator::apply(double h, double cage_counts, Outc
     const double dv = system_.y(k);
     *c.gained += dv;
     finite = finite && std::fabs(dv) < HUGE_VAL;
-    largest = std::max(largest, std::fabs(dv) * c.moves(ball_radius()));
+    const double counts = c.of_cage ? cage_counts : 1.0;
+    largest = std::max(largest, counts * std::fabs(dv) * c.moves(ball_radius()));
   }
   return finite ? h * largest : HUGE_VAL;
 }

@@ -31,6 +31,7 @@ Failure BearingForces::evaluate(const Stage &stage)
     r.force = {sum(r.force_lanes.x), sum(r.force_lanes.y), sum(r.force_lanes.z)};
     r.moment = {sum(r.moment_lanes.x), sum(r.moment_lanes.y), sum(r.moment_lanes.z)};
   }
+  cages(stage);
   b_.add_shafts();
   return failure;
 }

@@ -25,6 +25,7 @@ BLOCK = 8 << 20  # bytes per read
 CHECKSUM = "checksum"  # attribute and variable, src-package/core/record/netcdf_header.h
 HEADER_SUM = re.compile(rb"sum ([0-9a-f]{8}) of (\d{10}) header bytes")
 BY_SCIPY = (TypeError, ValueError, LookupError, ArithmeticError, AttributeError, AssertionError)
+CAGE_RING = 2  # ring_raceway of a cage that is one ring
 NUMBERS = (("time",), ("time", "ring"), ("time", "bearing"))
 
 
@@ -128,7 +129,7 @@ class Record:
 
     def _seat_of_outer(self):
         """Origin of the bearing's frame in the host's box, along the axes of that frame."""
-        last = np.argmax(self.fixed("ring_raceway"))
+        last = np.argmax(self.fixed("ring_raceway") % CAGE_RING)  # 0: an inner ring or a cage
         return [float(self._fixed[f"ring_origin_{x}"][self.part("ring")][last]) for x in "xyz"]
 
     def _from_seat(self, name, values):

@@ -10,9 +10,10 @@ import pandas as pd
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.runs.columns import ATOM
-from raceway.runs.record import Record
+from raceway.runs.record import CAGE_RING, Record
 
-BALL, CAGE, RINGS = 1, 2, 3  # atom types; an inner ring has RINGS, an outer ring RINGS + 1
+# atom types; an inner ring has RINGS, an outer ring RINGS + 1, a cage that is one ring RINGS + 2
+BALL, CAGE, RINGS = 1, 2, 3
 MOTION = list(ATOM)[2:]  # place, velocity and spin
 
 
@@ -44,7 +45,8 @@ def _rings_of_balls(record):
     """Atom number of the inner and the outer ring of every ball: (2, balls)."""
     number = np.zeros((2, max(record.bearings) + 1), dtype=int)
     side, owner = (record.fixed(f"ring_{name}") for name in ("raceway", "bearing"))
-    number[side, owner] = record.fixed("ring")
+    guides = side != CAGE_RING
+    number[side[guides], owner[guides]] = record.fixed("ring")[guides]
     return number[:, record.fixed("ball_bearing")]
 
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A cage that is one ring, and the balls of this rank in its pockets.
+#ifndef BEARING_CAGE_POCKETS_H
+#define BEARING_CAGE_POCKETS_H
+
+#include "../core/geometry/cage_ring.h"
+#include "../core/numbers/tag.h"
+
+#include <vector>
+
+namespace bearing {
+
+struct CagePockets {
+  struct Cell {
+    int i, i_cage;    // local indices of ball and cage
+    tag_t ball, cage;
+    int claim;    // in RingSum; -1: none yet
+  };
+  struct Land {
+    int i_cage, i_ring;    // of a cage of this rank, and of the ring that guides it
+    tag_t cage, ring;
+    int claim, ring_claim;
+  };
+  raceway::CageRing of;
+  std::vector<Cell> cells;    // by tag of the ball
+  std::vector<Land> lands;    // by tag of the cage
+};
+
+}    // namespace bearing
+
+#endif

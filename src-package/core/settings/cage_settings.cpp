@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "cage_settings.h"
+
+using raceway::CageRing;
+using raceway::Freedom;
+using raceway::RingProgram;
+
+namespace bearing {
+
+void CageSettings::read_guide(Arguments &args)
+{
+  of.guide = static_cast<CageRing::Guide>(args.choice("guide", {"balls", "inner", "outer"}));
+  if (of.guide == CageRing::by_balls) return;
+  of.land.radius = args.positive("radius of the guiding land (m)");
+  of.land.clearance = args.positive("radial clearance of the cage on its land (m)");
+  of.land.width = args.positive("width of a land (m)");
+  of.land.lands = args.integer("number of lands", 1, 2);
+  if (of.land.clearance > 0.1 * of.land.radius)
+    args.fail("the clearance of the cage on its land, " + text(of.land.clearance) +
+              " m, must be at most a tenth of the land's radius, " + text(of.land.radius) + " m");
+}
+
+void CageSettings::read(Arguments &args)
+{
+  double inertia[2] = {0.0, 0.0}, across = -1.0, play = -1.0;
+  bool planar = false, shaped = false;
+  while (args.more()) {
+    if (args.take("pockets")) of.pockets = args.integer("number of pockets", 1, 100000);
+    else if (args.take("play")) play = args.non_negative("play along the pitch circle (m)");
+    else if (args.take("across")) across = args.non_negative("play along the axis (m)");
+    else if (args.take("shape")) {
+      of.spherical = args.choice("shape", {"cylinder", "sphere"}) == 1;
+      shaped = true;
+    } else if (args.take("phase")) of.phase = args.number("azimuth of the first pocket (rad)");
+    else if (args.take("mass")) of.mass = args.positive("mass (kg)");
+    else if (args.take("inertia")) {
+      inertia[0] = args.positive("inertia about the axis (kg m^2)");
+      inertia[1] = args.positive("inertia across the axis (kg m^2)");
+      if (inertia[0] > 2.0 * inertia[1])
+        args.fail("inertia " + text(inertia[0]) + " " + text(inertia[1]) +
+                  ": no body has more than twice as much about its axis as across it");
+    } else if (args.take("young")) {
+      young[0] = args.positive("Young's modulus of the balls (Pa)");
+      young[1] = args.positive("Young's modulus of the cage (Pa)");
+    } else if (args.take("poisson")) {
+      poisson[0] = args.within("Poisson's ratio of the balls", 0.0, 0.5);
+      poisson[1] = args.within("Poisson's ratio of the cage", 0.0, 0.5);
+    } else if (args.take("friction")) {
+      of.friction = args.within("friction of ball and cage", 0.0, 1.0);
+    } else if (args.take("guide")) {
+      read_guide(args);
+    } else if (args.take("oil")) {
+      oil = args.positive("viscosity in pockets and at the land (Pa s)");
+      filled = args.within("share of the gaps with oil", 0.0, 1.0);
+      height = args.non_negative("height of a pocket's band of oil (m)");
+    } else if (args.take("churning")) {
+      of.oil_share = args.within("share of oil around the cage", 0.0, 1.0);
+      of.oil_density = args.positive("density of the oil (kg/m^3)");
+      of.oil_viscosity = args.positive("viscosity of the oil (Pa s)");
+      of.outer_radius = args.positive("outer radius of the cage (m)");
+    } else if (args.take("planar")) {
+      planar = args.choice("planar", {"no", "yes"}) == 1;
+    } else {
+      args.unknown("pockets, play, across, shape, phase, mass, inertia, young, poisson, friction, "
+                   "guide, oil, churning, planar");
+    }
+  }
+  if (of.pockets == 0) args.fail("'pockets Z' is missing");
+  if (play < 0.0) args.fail("'play J' is missing");
+  if (of.mass == 0.0 || inertia[0] == 0.0)
+    args.fail("'mass M' or 'inertia AXIAL TRANSVERSE' is missing");
+  // balls hold a cage along the radius only if its pockets wrap them
+  if (!shaped) of.spherical = of.guide == CageRing::by_balls;
+  of.along = 0.5 * play;
+  of.across = across < 0.0 ? of.along : 0.5 * across;
+  if (height > 0.0 && of.along == 0.0)
+    args.fail("the oil in a pocket shears in its play, which is 0: give 'play' or height 0");
+  of.land.viscosity = oil;
+  of.land.filled = filled;
+  program.mass = of.mass;
+  program.inertia = {inertia[0], inertia[1]};
+  for (int dof = 0; dof < RingProgram::N_DOF; ++dof)
+    program.mode[dof] =
+        planar && (dof == 2 || dof == RingProgram::TILT || dof == RingProgram::TILT + 1)
+            ? Freedom::fixed
+            : Freedom::free;
+}
+
+void CageSettings::prepare(Arguments &args, double ball_radius, double pitch)
+{
+  const double R = ball_radius, bore = 2.0 * (R + of.along),
+               room = 2.0 * pitch * std::sin(3.14159265358979323846 / of.pockets);
+  if (of.pockets > 1 && bore >= room)
+    args.fail("play " + text(2.0 * of.along) + " m: a pocket is " + text(bore) +
+              " m long, but the pitch circle of radius " + text(pitch) + " m has only " +
+              text(room) + " m for each of " + std::to_string(of.pockets));
+  const bool inner = of.guide == CageRing::by_inner;
+  if (of.guide != CageRing::by_balls && (inner ? of.land.radius >= pitch : of.land.radius <= pitch))
+    args.fail("the cage is on the wrong land: 'guide " + std::string(inner ? "inner" : "outer") +
+              "' with radius " + text(of.land.radius) + " m, but the pitch circle has " +
+              text(pitch) + " m");
+  const double E = raceway::reduced_modulus(young[0], poisson[0], young[1], poisson[1]);
+  of.pitch = pitch;
+  of.stiffness = raceway::pocket_stiffness(of.spherical, R, std::fmin(of.along, of.across), E);
+  if (of.guide != CageRing::by_balls) of.land_stiffness = raceway::land_stiffness(of.land, E);
+  of.shear = height > 0.0 ? raceway::pocket_shear(oil, R, height, of.along, filled) : 0.0;
+}
+
+}    // namespace bearing

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A cage that is one ring, as set in a deck.
+#ifndef BEARING_CAGE_SETTINGS_H
+#define BEARING_CAGE_SETTINGS_H
+
+#include "../bodies/ring_program.h"
+#include "../geometry/cage_ring.h"
+#include "arguments.h"
+
+namespace bearing {
+
+struct CageSettings {
+  raceway::CageRing of;    // without what depends on ball and pitch circle
+  raceway::RingProgram program;
+  double young[2] = {2.08e11, 2.08e11}, poisson[2] = {0.3, 0.3};    // ball and cage, steel
+  double height = 0.0;                                              // m, of a pocket's band of oil
+  double oil = 0.0, filled = 1.0;                                   // Pa s, share
+
+  // Reads all words after the ball type; error for one that contradicts another.
+  void read(Arguments &);
+  // Derives what depends on the balls, of this radius on this pitch circle (m). Error if they do
+  // not fit.
+  void prepare(Arguments &, double ball_radius, double pitch);
+
+ private:
+  void read_guide(Arguments &);
+};
+
+}    // namespace bearing
+
+#endif

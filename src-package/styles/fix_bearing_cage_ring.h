@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix bearing/cage/ring: a cage as one rigid ring per bearing, an atom of its own
+// (core/geometry/cage_ring.h). It is a fix bearing/ring that is free in space, or in the plane, and
+// adds the forces of pockets, guiding land and churning.
+#ifdef FIX_CLASS
+FixStyle(bearing/cage/ring,FixBearingCageRing)
+#else
+#ifndef LMP_FIX_BEARING_CAGE_RING_H
+#define LMP_FIX_BEARING_CAGE_RING_H
+
+#include "../contacts/cage_pockets.h"
+#include "../core/settings/cage_settings.h"
+#include "fix_bearing_ring.h"
+
+namespace LAMMPS_NS {
+
+class FixBearingCageRing : public FixBearingRing {
+ public:
+  FixBearingCageRing(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup_pre_neighbor() override { pre_neighbor(); }
+  void pre_neighbor() override;
+  void setup_pre_force(int) override;
+  void pre_force(int) override;
+  double compute_vector(int) override;
+
+  const bearing::CagePockets &pockets() const { return all_; }
+
+ private:
+  raceway::CageMotion motion(int i) const;
+  void find_cells();
+  void find_lands();
+  void check_cells() const;
+  void pocket_forces();
+  void land_forces();
+  [[noreturn]] void left_pocket(const bearing::CagePockets::Cell &, int pocket, double) const;
+
+  int ball_type_ = 0;
+  double ball_radius_ = 0.0;
+  bearing::CageSettings cage_;
+  bearing::CagePockets all_;
+  size_t first_row_ = 0;         // in the contact table: cells, then lands
+  double eccentricity_ = 0.0;    // largest of this rank, over the clearance
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A cage that is one rigid ring (fix bearing/cage/ring) in a 6208, under both integrators: what it
+takes from the balls it gives, it slows as its oil says, play makes it slip, and bad data are
+refused."""
+
+import re
+
+import numpy as np
+import pytest
+from host import frames, liggghts, succeed, tables
+
+DECK = "tests/scenarios/in.cage_ring"
+VERLET = dict(integrator="verlet", dt=2e-7)
+BOTH = {"implicit": {}, "verlet": VERLET}
+MASS, AXIAL = 0.03, 2.8e-5  # kg, kg m^2, of the cage
+PITCH, BALL = (24.0e-3 + 36.605e-3) / 2, 6.3e-3
+LAND = "guide outer 33.0e-3 0.15e-3 2.0e-3 2"
+FREE = "x free y free spin free"
+
+
+def scene(folder, integrator="implicit", *, span=0.02, samples=20, **changes):
+    """Run the deck for `span` seconds into `folder`; its `Outcome` and the rows of the cage: step,
+    time, x, y, spin, angle, largest and whole pocket force, loss, eccentricity, torque."""
+    dt = float(changes.pop("dt", 2e-7 if integrator == "verlet" else 2e-5))
+    sample = round(span / dt / samples)
+    changes |= dict(dt=dt, sample=sample, steps=sample * samples, integrator=integrator)
+    outcome = succeed(DECK, out=folder, **changes)
+    return outcome, np.loadtxt(folder / "cage.txt")
+
+
+def momenta(folder):
+    """Momentum (kg m/s) and angular momentum about the origin along the axis (kg m^2/s) of all
+    bodies, and the sums of their sizes: an array (samples,) or (samples, 2) each."""
+    p, size, turn, turns = [], [], [], []
+    for _, rows in tables(folder / "balls.dump"):
+        kind, x, v, w, m, r = rows[:, 1], rows[:, 2:5], rows[:, 5:8], rows[:, 8:11], *rows[:, 11:].T
+        inertia = 0.4 * m * r**2
+        for which, mass, axial in ((2, MASS, AXIAL), (3, 0.2, 1.2e-4), (4, 0.3, 3.0e-4)):
+            m[kind == which], inertia[kind == which] = mass, axial
+        own = m * (x[:, 0] * v[:, 1] - x[:, 1] * v[:, 0]), inertia * w[:, 2]
+        p.append(m @ v[:, :2])
+        size.append(m @ np.linalg.norm(v, axis=1))
+        turn.append(sum(part.sum() for part in own))
+        turns.append(sum(np.abs(part).sum() for part in own))
+    return np.array(p), max(size), np.array(turn), max(turns)
+
+
+@pytest.mark.parametrize("integrator", BOTH)
+@pytest.mark.parametrize("shape", ["cylinder", "sphere"])
+def test_pockets_and_land_keep_momentum(tmp_path, integrator, shape):
+    """Nothing holds the rings. The cage starts against one wall of its pockets and is dragged by
+    the land of the outer ring, by oil and by friction."""
+    _, cage = scene(
+        tmp_path,
+        integrator,
+        inner=FREE,
+        outer=FREE,
+        turns=-30,
+        cage_phase=0.1 + 1.03e-4 / PITCH,
+        film="friction stribeck 0.12 0.05 smoothed 0.01",
+        words=f"friction 0.1 shape {shape} planar yes {LAND} oil 0.04 0.5 4.4e-3",
+        control="tolerance 1e-11 cage_tolerance 1e-11 corrections 20",
+    )
+    assert cage[:, 7].max() > 0.1 and np.ptp(cage[:, 4]) > 0.01
+    p, size, turn, turns = momenta(tmp_path)
+    assert np.abs(p - p[0]).max() < 1e-9 * size
+    # implicit steps of the raceway contacts alone leave 1e-7
+    assert np.abs(turn - turn[0]).max() < (2e-7 if integrator == "implicit" else 1e-11) * turns
+
+
+@pytest.mark.parametrize("integrator", BOTH)
+def test_a_free_cage_slows_as_its_oil_says(tmp_path, integrator):
+    """Wide pockets, so that it meets no ball: Petroff's couple at the land of the outer ring, which
+    turns, and churning."""
+    _, cage = scene(
+        tmp_path,
+        integrator,
+        span=0.01,
+        play=3e-3,
+        outer="spin speed -20",
+        turns=-20,
+        words=f"planar yes {LAND} oil 0.04 1.0 0 churning 0.2 870 0.04 34e-3",
+    )
+    assert cage[:, 7].max() == 0 and np.hypot(cage[:, 2], cage[:, 3]).max() < 1e-9
+    petroff = 2 * np.pi * 0.04 * 33.0e-3**3 * 4.0e-3 / 0.15e-3
+
+    def slowing(w):
+        churned = 0.5 * 0.2 * 870 * w**2 * 34e-3**5 * 3.87 / np.sqrt(870 * w * 34e-3**2 / 0.04)
+        return -(petroff * (w + 20) + churned) / AXIAL
+
+    w, times = cage[0, 4], np.linspace(cage[0, 1], cage[-1, 1], 4001)
+    h = times[1] - times[0]
+    for _ in times[1:]:
+        w += h * slowing(w + h / 2 * slowing(w))
+    lost = cage[0, 4] - cage[-1, 4]
+    assert lost > 0.5
+    assert cage[0, 4] - w == pytest.approx(lost, rel=1e-3)
+    assert cage[0, 8] == pytest.approx(
+        petroff * (cage[0, 4] + 20) ** 2
+        - (slowing(cage[0, 4]) * AXIAL + petroff * (cage[0, 4] + 20)) * cage[0, 4],
+        rel=1e-3,
+    )
+
+
+@pytest.mark.parametrize("words", ["planar yes", f"planar no {LAND} oil 0.04 0.3 4.4e-3"])
+def test_work_is_stored_or_lost(tmp_path, words):
+    outcome, cage = scene(tmp_path, span=0.03, words=f"friction 0.1 {words}")
+    work, lost, stored, missing = map(float, re.search("account (.*)", outcome.text)[1].split())
+    assert cage[:, 7].max() > 1
+    assert abs(work - lost - stored - missing) < 1e-6 * abs(work)  # as they are printed
+    assert abs(missing) < 1e-3 * abs(work)
+
+
+def test_both_integrators_agree(tmp_path):
+    """A pocket's history is chaotic over long times, so: the mean speed, and the way to a few
+    micrometres."""
+    rows = {
+        name: scene(tmp_path / name, name, span=0.03, words=f"friction 0.1 planar yes {LAND}")[1]
+        for name in BOTH
+    }
+    one, other = rows.values()
+    assert one[:, 7].max() > 1
+    assert one[-1, 5] - one[0, 5] == pytest.approx(other[-1, 5] - other[0, 5], rel=2e-4)
+    for column in (2, 3, 5):
+        scale = PITCH if column == 5 else 1.0
+        assert np.abs(one[:, column] - other[:, column]).max() * scale < 2e-5
+
+
+CENTRED = "guide outer 33.0e-3 5e-6 2.0e-3 2"
+
+
+def slip(folder, words=f"friction 0.1 planar yes {CENTRED}", **changes):
+    """Slip of the cage (%) over a turn of the cage after one to settle, and the loaded arc (m)."""
+    _, cage = scene(folder, span=0.21, samples=100, words=words, **changes)
+    speed = np.polyfit(cage[50:, 1], cage[50:, 5], 1)[0]
+    rolling = 157.07963267948966 * (1 - BALL / PITCH) / 2
+    down = -np.mean([rows[rows[:, 1] == 3][0, 3] for _, rows in tables(folder / "balls.dump")[50:]])
+    return 100 * (1 - speed / rolling), 2 * np.arccos(5e-6 / down) * PITCH
+
+
+def test_play_over_the_loaded_arc_makes_a_cage_slip(tmp_path):
+    """Idle balls fall back through the play of their pockets where drag holds them, and loaded ones
+    drive the cage, here one that its land centres. Without drag there is no slip."""
+    plays = [1e-4, 2e-4, 3e-4]
+    found, arcs = zip(*(slip(tmp_path / str(j), play=j) for j in plays), strict=True)
+    assert np.polyfit(plays, found, 1)[0] / 100 == pytest.approx(1 / np.mean(arcs), rel=0.15)
+    none, _ = slip(
+        tmp_path / "none",
+        f"planar yes {CENTRED}",
+        play=2e-4,
+        film="friction stribeck 0.12 0.05 smoothed 0.01",
+    )
+    assert abs(none) < 0.1 * found[1]
+
+
+def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
+    """Its centre moves, too, within the play."""
+    centred, _ = slip(tmp_path / "land")
+    free, _ = slip(tmp_path / "balls", "friction 0.1 planar yes")
+    assert 1.2 * centred < free < 2.5 * centred
+
+
+@pytest.mark.parametrize("integrator", BOTH)
+@pytest.mark.parametrize("guide", ["guide balls", LAND])
+def test_ranks_and_restarts_keep_bits(tmp_path, integrator, guide):
+    fast = VERLET if integrator == "verlet" else {}
+    span = dict(steps=8000, sample=400) if fast else dict(steps=200, sample=10)
+    half = span["steps"] // 2
+    words = f"friction 0.1 planar no {guide} oil 0.04 0.3 4.4e-3 churning 0.1 870 0.04 34e-3"
+    common = fast | span | dict(words=words, play=2e-5)
+    states = {}
+    for ranks in (1, 2, 4):
+        folder = tmp_path / str(ranks)
+        succeed(DECK, ranks=ranks, out=folder, keep=half, **common)
+        states[ranks] = frames(folder / "balls.dump"), (folder / "cage.txt").read_text()
+        assert states[ranks][0] == states[1][0], f"bodies on {ranks} ranks"
+        assert states[ranks][1] == states[1][1], f"cage on {ranks} ranks"
+    assert np.loadtxt(folder / "cage.txt")[:, 7].max() > 0
+    again = tmp_path / "again"
+    succeed(
+        DECK,
+        ranks=2,
+        out=again,
+        begin="resume",
+        **{"from": tmp_path / f"1/restart.{half}"},
+        **common,
+    )
+    late = frames(again / "balls.dump")
+    assert late[span["steps"]] == states[1][0][span["steps"]]
+
+
+@pytest.mark.parametrize("integrator", BOTH)
+@pytest.mark.parametrize("fall", ["1 0 0", "0 -1 0", "0 0 1"])
+def test_a_cage_bears_gravity(tmp_path, integrator, fall):
+    """At 30 rad/s the weight of balls and cage is several times their centrifugal force."""
+    span = dict(span=0.05) | ({"dt": 4e-7} if integrator == "verlet" else {})
+    _, cage = scene(
+        tmp_path,
+        integrator,
+        speed=30,
+        inner="x free y free spin speed 30 force 0 -200 0 ramp 2.0e-3",
+        words="friction 0.1 shape sphere planar no",
+        weight=9.81,
+        fall=fall,
+        **span,
+    )
+    assert np.hypot(cage[:, 2], cage[:, 3]).max() < 2e-4
+    assert 0.02 < cage[:, 7].max() < 50
+
+
+@pytest.mark.parametrize(
+    "changes, message",
+    [
+        (dict(pockets=8), "balls 5 and 6 are both in pocket 5 of cage 12"),
+        (dict(play=9e-3), "has only 0.02072.* m for each of 9"),
+        (
+            dict(words="guide outer 29e-3 1e-4 2e-3 2"),
+            "on the wrong land: 'guide outer' with radius 0.029",
+        ),
+        (
+            dict(words="guide inner 31e-3 1e-4 2e-3 2"),
+            "on the wrong land: 'guide inner' with radius 0.031",
+        ),
+        (dict(words="oil 0.04 0.3 4e-3", play=0), "shears in its play, which is 0"),
+        (dict(words="friction 2"), "friction of ball and cage is 2, must be from 0 to 1"),
+        (dict(words="colour red"), "unknown .*colour.*pockets, play, across"),
+        (dict(coeff="print none"), "no pair_coeff 1 2 cage before this command"),
+        (dict(cage_phase=0.4), "m beyond the wall of pocket . of cage 12"),
+    ],
+)
+def test_bad_data_are_refused(tmp_path, changes, message):
+    outcome = liggghts(DECK, out=tmp_path, **changes)
+    assert outcome.code != 0
+    assert re.search(message, outcome.error), outcome.error
