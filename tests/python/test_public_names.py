@@ -74,6 +74,8 @@ def test_docstrings(name):
 def test_hints_name_types_that_are():
     """Every hint can be evaluated, those in quotes too."""
     from MDAnalysis import Universe
+    from raceway.recordings.identify import Found
+    from raceway.recordings.readings import Readings
     from raceway.recordings.recording import Recording
     from raceway.runs.source import Source
     from raceway.runs.spectrum import Line
@@ -86,6 +88,8 @@ def test_hints_name_types_that_are():
         "Line": Line,
         "Source": Source,
         "Recording": Recording,
+        "Readings": Readings,
+        "Found": Found,
         "xr": xarray,
     }
     functions = [one for name in MODULES for _, one in public(importlib.import_module(name))]

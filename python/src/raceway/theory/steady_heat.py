@@ -10,20 +10,21 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from raceway import catalogue, inputs
+from raceway.arrays import Floats
 from raceway.errors import NoEquilibrium
 from raceway.files import FilePath
 from raceway.rows import Row, lines
 from raceway.theory import friction_torque, heat, makers
 from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
-from raceway.theory.lubricant import Lubricant
-from raceway.theory.lubrication import lubricate, turning
-from raceway.theory.static import STRAIGHT
+from raceway.theory.lubricant import Fluid, Lubricant
+from raceway.theory.lubrication import Lubrication, lubricate, turning
+from raceway.theory.static import STRAIGHT, Equilibrium
 
 ENOUGH = 0.01  # K
 TOPICS = {
@@ -84,6 +85,15 @@ class Nodes:
     contact: float
 
 
+class Rest(NamedTuple):
+    """A bearing at rest under its loads, with the films of its speed."""
+
+    state: Equilibrium
+    orbit: float | Floats  # rad/s, of the balls
+    films: Lubrication
+    fluid: Fluid
+
+
 class Scene:
     """A bearing, its oil and load; the friction follows from temperature and clearance."""
 
@@ -112,11 +122,10 @@ class Scene:
         self.size = size
         self.share = 1.0  # factor on the friction of the laws, set by `by_runs`
 
-    def at(self, temperature: float, clearance: float) -> dict[str, Any]:
-        """Figures of the scene with its oil at a temperature in degrees C and a clearance in m;
-        `sides` has the power in W at the inner and the outer raceway, half the drag to each."""
+    def rest(self, temperature: float, clearance: float) -> Rest:
+        """Equilibrium and films with the oil at a temperature in degrees C and a clearance in m."""
         fluid, ring = self.lubricant.at(temperature), self.ring
-        film = FilmInGap(fluid, ring)
+        film = None if self.models == "paper" else FilmInGap(fluid, ring)
         state, orbit = turning(
             self.bearing,
             ring,
@@ -130,7 +139,18 @@ class Scene:
         oil = inputs.Oil(
             fluid.viscosity, fluid.pressure_viscosity, fluid.permittivity, self.roughness
         )
-        films = lubricate(self.bearing, state, oil, ring, clearance, film.factor)
+        films = lubricate(self.bearing, state, oil, ring, clearance, film and film.factor)
+        return Rest(state, orbit, films, fluid)
+
+    def at(self, temperature: float, clearance: float) -> dict[str, Any]:
+        """Figures of the scene at a temperature in degrees C and a clearance in m; `sides` has the
+        power in W at the inner and the outer raceway, half the drag to each."""
+        return self.figures(self.rest(temperature, clearance), clearance)
+
+    def figures(self, rest: Rest, clearance: float) -> dict[str, Any]:
+        """`at`, from its `rest`."""
+        state, orbit, films, fluid = rest
+        ring = self.ring
         losses = friction_torque.losses(
             self.bearing,
             state,

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway identify FILE`: clearance, loads, oil temperature and cooling from readings."""
+
+import argparse
+import json
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from raceway.commands import Commands, options
+from raceway.units import prefixed
+
+if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
+    from raceway.recordings.identify import Found
+    from raceway.recordings.readings import Readings
+
+HELP = "clearance, thrust, oil temperature, cooling from lines, capacitance, temperatures"
+DESCRIPTION = """\
+State of a real bearing from what was read of it: lines in orders of the shaft (FTF, BPFO, BPFI,
+BSF), capacitance of the contacts in F, temperature in degrees C, or a recording whose lines are
+found. Each reading has its standard deviation, `within`, and its operating point. Least squares
+over statics, films and friction look for what is `unknown`, within the range given for it.
+
+One line leaves a valley of clearance and thrust: it is printed as such. A capacitance, a second
+load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) parts them.
+
+Of the model: the film in the gap takes its thickness off the clearance, and rolling on curved
+grooves speeds the cage, by up to 1e-3 of a line (models full). Where balls are without load, the
+play of the pockets slows the cage by an unknown amount, which widens the result."""
+EXAMPLES = """\
+examples:
+  raceway identify readings.yaml
+  raceway identify readings.yaml --json
+
+A file of readings:
+  bearing: 6205
+  lubricant: vg100
+  known: {load: 10, temperature: 40}
+  unknown: {clearance: 0 15e-6, axial: 5 200}
+  readings:
+    - {rpm: 1796, BPFO: 3.5972, within: 2e-4}
+    - {rpm: 1796, axial_more: 200, BPFO: 3.6086, within: 2e-4}
+    - {file: 130.mat, rate: 12000, line: BPFO}
+
+Exit codes: 0 done, 1 no state explains the loads or the file is wrong, 2 wrong command line."""
+NAMES = {
+    "clearance": "diametral clearance",
+    "load": "radial load",
+    "axial": "axial load",
+    "temperature": "oil temperature",
+    "conductance": "cooling",
+}
+DECK = ("clearance", "load", "axial", "temperature")  # variables of the deck among the unknowns
+OUT = 3.0  # times its uncertainty: a reading that the result does not explain
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "identify",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument("file", metavar="FILE", help="readings, YAML")
+    options.inputs(one)
+    one.add_argument("--json", action="store_true", help="one JSON object instead of text")
+    one.set_defaults(command=run, complain=one.error)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print what the readings say. Raises `RacewayError`."""
+    from raceway.recordings import readings
+    from raceway.recordings.identify import identify
+
+    given = readings.read(arguments.file, arguments.inputs)
+    found = identify(given)
+    if arguments.json:
+        print(json.dumps(figures(given, found), indent=2))
+    else:
+        print(text(given, found))
+
+
+def figures(given: "Readings", found: "Found") -> dict[str, Any]:
+    """Result for JSON, SI units, temperatures in degrees C."""
+    return {
+        "unknown": {
+            name: dict(one._asdict(), told_apart=one.determined)
+            for name, one in found.values.items()
+        },
+        "state": found.state,
+        "readings": [
+            {
+                "quantity": one.quantity,
+                "rpm": one.point.rpm,
+                "value": one.value,
+                "within": one.within,
+                "predicted": float(value),
+                "residual": float(rest),
+            }
+            for one, value, rest in zip(given.readings, found.predicted, found.residuals)
+        ],
+        "chi_squared": found.chi,
+        "valley": found.valley,
+        "idle_balls": found.idle,
+        "deck": deck(given, found),
+    }
+
+
+def deck(given: "Readings", found: "Found") -> str:
+    """Words of a deck that make the twin of the first reading."""
+    point, state = given.readings[0].point, dict(found.state)
+    for name, own, more in (
+        ("load", point.load, point.load_more),
+        ("axial", point.axial, point.axial_more),
+    ):
+        state[name] = (state[name] if own is None else own) + more
+    if point.at is not None:
+        state["temperature"] = point.at
+    words = {"bearing": given.bearing.name, "lubricant": given.lubricant.name}
+    words |= {"models": given.models, "rpm": f"{point.rpm:.8g}"}
+    words |= {name: f"{state[name]:.6g}" for name in DECK if name in state}
+    return " ".join(f"-var {name} {value}" for name, value in words.items())
+
+
+def text(given: "Readings", found: "Found") -> str:
+    """Result as text."""
+    from raceway.recordings.readings import STATE
+
+    rows = [f"{given.bearing.name}, {given.lubricant.name}, models {given.models}", ""]
+    rows.append(f"  {'unknown':<24}{'best':>12}{'95 % from':>14}{'to':>12}")
+    for name, one in found.values.items():
+        cells = [_shown(value, STATE[name][2]) for value in (one.best, one.low, one.high)]
+        row = f"  {NAMES[name]:<24}{cells[0]:>12}{cells[1]:>14}{cells[2]:>12}"
+        rows.append(row if one.determined else f"{row}  not determined")
+    rows += ["", f"  {'reading':<24}{'read':>12}{'+-':>12}{'predicted':>12}{'off by':>10}"]
+    for one, value, rest in zip(given.readings, found.predicted, found.residuals):
+        row = f"  {f'{one.quantity} at {one.point.rpm:.5g} rpm':<24}{one.value:>12.6g}"
+        rows.append(f"{row}{one.within:>12.2g}{value:>12.6g}{rest:>+10.2f}")
+    rows += _remarks(given, found)
+    return "\n".join([*rows, "", f"  {deck(given, found)}"])
+
+
+def _remarks(given, found) -> Sequence[str]:
+    rows = []
+    if found.valley:
+        names = list(found.values)
+        rows += ["", "These readings do not part the unknowns. All of these explain them:"]
+        from raceway.recordings.readings import STATE
+
+        rows.append("  " + "".join(f"{NAMES[name]:>22}" for name in names))
+        rows += [
+            "  " + "".join(f"{_shown(one[name], STATE[name][2]):>22}" for name in names)
+            for one in found.valley
+        ]
+    if (abs(found.residuals) > OUT).any():
+        rows += [
+            "",
+            f"No state explains all readings: some are off by more than {OUT:g} times their",
+        ]
+        rows.append("uncertainty. A reading, a known value or the model is wrong.")
+    if found.idle and given.models != "paper":
+        rows += [
+            "",
+            f"Up to {found.idle} balls are without load: the play of the pockets slows the",
+        ]
+        rows.append("cage by an unknown amount, which is in the uncertainty of the lines.")
+    return rows
+
+
+def _shown(value, unit):
+    if unit == "C":
+        return f"{value:.4g} °C"
+    return prefixed(value, unit, 4) if math.isfinite(value) else "-"

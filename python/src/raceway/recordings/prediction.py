@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Readings as statics predict them from the state of a bearing."""
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from raceway import inputs
+from raceway.arrays import Floats
+from raceway.recordings.readings import Point, Reading, Readings
+from raceway.theory import cage_speed, kinematics
+from raceway.theory.static import STRAIGHT
+from raceway.theory.steady_heat import Scene
+
+
+class Predicted(NamedTuple):
+    """A reading as predicted."""
+
+    value: float
+    error: float  # of the model, one standard deviation, in the unit of the reading
+    lag: float  # largest slip by pocket play, share of the cage's speed
+    idle: int  # balls without load
+
+
+class Model:
+    """Predictions for `readings`. A point is solved once for all its readings."""
+
+    def __init__(self, readings: Readings) -> None:
+        self.readings = readings
+        path, oil = readings.bearing, readings.lubricant
+        self.bearing = inputs.bearing(path, one_groove="its lines are those of one groove a ring")
+        self._boundary, self._density = inputs.boundary(path), inputs.ball_density(path)
+        self._size = inputs.size(path)
+        self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
+
+    def predict(self, state: Mapping[str, float]) -> list[Predicted]:
+        """`Predicted` of each reading in a `state`, {name of `readings.STATE`: value}. Raises
+        `NoEquilibrium` where the bearing cannot carry the load."""
+        solved: dict[Point, tuple] = {}
+        return [self._one(one, state, solved) for one in self.readings.readings]
+
+    def _one(self, reading: Reading, state, solved) -> Predicted:
+        point = reading.point
+        oil = point.at if point.at is not None else state.get("temperature", math.nan)
+        if reading.quantity == "temperature" and "conductance" not in state:
+            return Predicted(oil, 0.0, 0.0, 0)
+        if math.isnan(oil):  # friction at the temperature that was read
+            oil = reading.value
+        key = point._replace(at=oil)
+        if key not in solved:
+            scene = self._scene(point, state)
+            solved[key] = scene, scene.rest(oil, state["clearance"])
+        scene, rest = solved[key]
+        idle = int((rest.state.inner.load <= 0).sum())
+        if reading.quantity == "temperature":
+            lost = scene.figures(rest, state["clearance"])["power_loss_W"]
+            return Predicted(self.readings.ambient + lost / state["conductance"], 0.0, 0.0, idle)
+        if reading.quantity == "capacitance":
+            return Predicted(rest.films.total, 0.0, 0.0, idle)
+        cage = cage_speed.order(self.bearing, rest.state, self.readings.models)
+        slip = 0.0 if self.readings.models == "paper" else cage_speed.lag(self.bearing, rest.state)
+        return self._line(reading.quantity, cage, rest.state, slip, idle)
+
+    def _line(self, name, cage, state, slip, idle):
+        balls = self.bearing.balls
+        if name == "BSF":
+            load = np.concatenate([state.inner.load, state.outer.load])
+            cosine = np.average(
+                np.cos(np.concatenate([state.inner.angle, state.outer.angle])), weights=load
+            )
+            spin = float(kinematics.frequencies(self.bearing, math.acos(cosine)).spin)
+            return Predicted(spin, cage_speed.ERROR * spin, 0.0, idle)
+        value = {"FTF": cage, "BPFO": balls * cage, "BPFI": balls * (1 - cage)}[name]
+        slope = {"FTF": 1.0, "BPFO": balls, "BPFI": balls}[name] * cage
+        return Predicted(value, cage_speed.ERROR * slope, slip, idle)
+
+    def _scene(self, point: Point, state) -> Scene:
+        load = state["load"] if point.load is None else point.load
+        axial = state["axial"] if point.axial is None else point.axial
+        axial += point.axial_more
+        held = STRAIGHT | inputs.held(self.readings.bearing, axial, state["clearance"])
+        return Scene(
+            self.bearing,
+            self._boundary,
+            self._lubricant,
+            self._roughness,
+            load + point.load_more,
+            axial,
+            point.rpm,
+            self._density,
+            models=self.readings.models,
+            held=held,
+            size=self._size,
+        )
+
+
+def residuals(readings: Readings, found: list[Predicted], slip: Floats) -> Floats:
+    """(predicted - read)/uncertainty of each reading (N,), with the model's error in the
+    uncertainty; `slip` (N,) is the largest lag of the cage at each: half of it is taken off, and
+    its range counts as error."""
+    rest = []
+    for one, own, lag in zip(readings.readings, found, slip):
+        slope = {"BPFI": -1.0}.get(one.quantity, 1.0)
+        size = own.error / cage_speed.ERROR  # of the line per share of the cage's speed
+        shift, spread = -slope * size * lag / 2, size * lag / math.sqrt(12)
+        rest.append((own.value + shift - one.value) / math.hypot(one.within, own.error, spread))
+    return np.array(rest)

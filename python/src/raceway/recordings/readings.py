@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Readings of a real bearing, and what of its state is known: the file of `raceway identify`."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from raceway import catalogue, inputs, yaml_file
+from raceway.errors import RacewayError
+from raceway.files import FilePath
+from raceway.recordings import orders
+from raceway.recordings.recording import Recording
+from raceway.theory.cage_speed import MODELS
+
+# unknowns, with the range that each may have at all and its unit
+STATE = {
+    "clearance": (-50e-6, 200e-6, "m"),
+    "load": (0.0, 1e6, "N"),
+    "axial": (-1e6, 1e6, "N"),
+    "temperature": (-40.0, 200.0, "C"),
+    "conductance": (1e-3, 1e4, "W/K"),
+}
+DEFAULTS = {"clearance": 0.0, "load": 0.0, "axial": 0.0}
+QUANTITIES = (*orders.LINES, "capacitance", "temperature")
+MORE = ("load_more", "axial_more")
+FILE = ("file", "line", "rate", "channel")
+
+
+class ReadingsError(RacewayError):
+    """The file of readings cannot be used; the message names the place and the value."""
+
+
+class Point(NamedTuple):
+    """Operating point of a reading; None for what is that of the whole file."""
+
+    rpm: float
+    load: float | None = None  # N
+    axial: float | None = None
+    load_more: float = 0.0  # N, on top of the load
+    axial_more: float = 0.0
+    at: float | None = None  # C, of the oil
+
+
+class Reading(NamedTuple):
+    """A measured number."""
+
+    quantity: str  # of `QUANTITIES`; lines in orders of the shaft, F, C
+    value: float
+    within: float  # one standard deviation
+    point: Point
+
+
+class Readings(NamedTuple):
+    """Content of a file of readings. SI units, temperatures in degrees C."""
+
+    bearing: Path
+    lubricant: Path
+    models: str
+    known: dict[str, float]  # of `STATE`
+    unknown: dict[str, tuple[float, float]]  # ranges
+    readings: list[Reading]
+    ambient: float = 20.0
+
+
+def read(path: FilePath, inputs_folder: FilePath | None = None) -> Readings:
+    """The file of readings at `path`; names are looked up as `catalogue.find` does, recordings from
+    the folder of the file. Raises `RacewayError`."""
+    data = yaml_file.read(path, ReadingsError)
+    try:
+        return _readings(data, Path(path).parent, inputs_folder)
+    except ValueError as error:
+        raise ReadingsError(f"{path}: {error}") from None
+
+
+def _readings(data: Any, folder: Path, shelf: FilePath | None) -> Readings:
+    given = _mapping(data, "the file")
+    _only(given, ("bearing", "lubricant", "models", "ambient", "known", "unknown", "readings"), "")
+    if missing := [name for name in ("bearing", "lubricant", "readings") if not given.get(name)]:
+        raise ValueError(f"{missing[0]} is missing")
+    models = given.get("models") or "full"
+    if models not in MODELS:
+        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    bearing = catalogue.find("bearings", given["bearing"], shelf)
+    known = _state(given.get("known") or {}, "known")
+    unknown = _ranges(given.get("unknown") or {})
+    if both := sorted(set(known) & set(unknown)):
+        raise ValueError(f"{both[0]} is known and unknown")
+    rows = given["readings"]
+    if not isinstance(rows, list):
+        raise ValueError("readings must be a list")
+    found = [
+        one
+        for k, row in enumerate(rows)
+        for one in _reading(row, f"reading {k + 1}", bearing, folder)
+    ]
+    result = Readings(
+        bearing,
+        catalogue.find("lubricants", given["lubricant"], shelf),
+        models,
+        DEFAULTS | known,
+        unknown,
+        found,
+        _number(given.get("ambient", 20.0), "ambient", -60, 200),
+    )
+    _complete(result)
+    return result
+
+
+def _complete(of: Readings) -> None:
+    """Raise `ValueError` for readings that cannot be predicted."""
+    if not of.unknown:
+        raise ValueError("unknown is empty: name what to look for, with a range")
+    state = {*of.known, *of.unknown}
+    for k, one in enumerate(of.readings):
+        if "temperature" not in state and one.point.at is None and one.quantity != "temperature":
+            raise ValueError(
+                f"reading {k + 1}: the temperature of the oil is missing: give it as `at`, or put"
+                " it under known or unknown"
+            )
+        if one.quantity == "temperature" and not state & {"temperature", "conductance"}:
+            raise ValueError(
+                f"reading {k + 1}: a temperature needs a conductance, known or unknown"
+            )
+
+
+def _reading(row: Any, where: str, bearing: Path, folder: Path) -> list[Reading]:
+    given = _mapping(row, where)
+    point_keys = [name for name in Point._fields if name in given]
+    _only(given, (*Point._fields, *QUANTITIES, "within", *FILE), where)
+    if "rpm" not in given and "file" not in given:
+        raise ValueError(f"{where}: rpm is missing")
+    values = {name: _number(given[name], f"{where}: {name}", -1e7, 1e7) for name in point_keys}
+    if "file" in given:
+        return _from_file(given, values, where, bearing, folder)
+    if not values["rpm"] > 0:
+        raise ValueError(f"{where}: rpm {values['rpm']:g} must be positive")
+    said = [name for name in QUANTITIES if name in given]
+    if len(said) != 1:
+        raise ValueError(f"{where}: must have one of {', '.join(QUANTITIES)}, has {len(said)}")
+    value = _number(given[said[0]], f"{where}: {said[0]}", -1e3, 1e6)
+    if "within" not in given:
+        raise ValueError(f"{where}: within, its standard deviation, is missing")
+    within = _number(given["within"], f"{where}: within", 1e-30, 1e6)
+    return [Reading(said[0], value, within, Point(**values))]
+
+
+def _from_file(given, values, where, bearing, folder) -> list[Reading]:
+    """A line of a recording, its order and uncertainty from the signal."""
+    rate = _number(given["rate"], f"{where}: rate", 1, 1e8) if "rate" in given else None
+    recording = Recording(
+        folder / given["file"],
+        inputs.bearing(bearing),
+        rpm=values.get("rpm"),
+        rate=rate,
+        nominal_angle=inputs.nominal_angle(bearing),
+        name=bearing.name,
+    )
+    found = orders.of_recording(recording, given.get("channel") or "")
+    wanted = [given["line"]] if "line" in given else list(found)
+    if missing := [name for name in wanted if name not in found]:
+        raise ValueError(
+            f"{where}: {recording.where} shows no line {missing[0]};"
+            f" it shows {', '.join(found) or 'none'}"
+        )
+    point = Point(**values | {"rpm": recording.rpm})
+    return [Reading(name, found[name].value, found[name].uncertainty, point) for name in wanted]
+
+
+def _mapping(value: Any, where: str) -> Mapping[str, Any]:
+    if not isinstance(value, dict):
+        raise ValueError(f"{where} must be a map of names and values")
+    return value
+
+
+def _only(given, names, where):
+    if strange := [name for name in given if name not in names]:
+        raise ValueError(f"{where}: ".lstrip(": ") + f"{strange[0]} is none of {', '.join(names)}")
+
+
+def _number(value, where, low, high):
+    try:
+        found = yaml_file.number(value)
+    except ValueError:
+        raise ValueError(f"{where}: '{value}' is no number") from None
+    if not low <= found <= high:
+        raise ValueError(f"{where}: {found:g} must lie between {low:g} and {high:g}")
+    return found
+
+
+def _state(given, where):
+    _only(_mapping(given, where), STATE, where)
+    return {
+        name: _number(value, f"{where}: {name}", *STATE[name][:2]) for name, value in given.items()
+    }
+
+
+def _ranges(given):
+    _only(_mapping(given, "unknown"), STATE, "unknown")
+    found = {}
+    for name, text in given.items():
+        parts = text if isinstance(text, list) else str(text).split()
+        if len(parts) != 2:
+            raise ValueError(f"unknown: {name} needs a range of two numbers, has '{text}'")
+        low, high = (_number(one, f"unknown: {name}", *STATE[name][:2]) for one in parts)
+        if not low < high:
+            raise ValueError(f"unknown: {name}: {low:g} must be below {high:g}")
+        found[name] = (low, high)
+    return found

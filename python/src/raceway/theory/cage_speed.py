@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Speed of a cage by statics, fine enough to hold against a measured line: 1e-4 of it.
+
+`kinematics.frequencies` has one contact angle. Three things come to that: the angles at both
+raceways differ by the centrifugal load; the axis about which a ball turns is then not free of
+consequence; and a ball on a curved groove rolls on a circle of its ellipse where nothing slides
+(Heathcote), not at the bottom.
+"""
+
+import math
+
+import numpy as np
+
+from raceway.arrays import Floats
+from raceway.theory import sliding
+from raceway.theory.bearing import INNER, OUTER, Bearing
+from raceway.theory.static import Contacts, Equilibrium
+
+MODELS = ("paper", "full", "eyring")
+# Of the order, for one standard deviation: rolling resistance and drag hold the balls back by up to
+# 1e-4 where all of them are loaded (tests/hosts/test_identify.py has runs against it)
+ERROR = 1e-4
+PLAY = 0.04  # of the ball's diameter: most pockets have less, along the pitch circle
+GRIP = 1.08  # slip of a cage with a play j, over j/(length of the loaded arc)
+
+
+def order(bearing: Bearing, state: Equilibrium, models: str = "full") -> float:
+    """Speed of the cage over that of the inner ring at an equilibrium `state`, outer ring at rest:
+    the mean of all balls, weighted with their loads. Raises `ValueError` for other models.
+
+    Each ball rolls at both contacts (Harris, Rolling Bearing Analysis, ch. 10)::
+
+        w_c/w = A/(A + B),  A = (1 - g cos a_i)(cos a_o + tan b sin a_o),
+                            B = (1 + g cos a_o)(cos a_i + tan b sin a_i)
+
+    with g ball over pitch diameter. The angle b of its axis is 0 with models paper, where nothing
+    turns the axis out of that of the bearing; half the sum of both contact angles otherwise, where
+    pivoting costs the same at both. Then differential slip adds (1 - w_c/w)(e_i - e_o) of it,
+    e = 0.1206 a^2/(2 R_d R_x), a the semi-axis of the ellipse across the groove.
+
+    >>> from raceway.theory import static
+    >>> b = Bearing(9, 7.94e-3, 15.55e-3, 23.49e-3, 4.0891e-3, 4.1685e-3)
+    >>> rest = static.equilibrium(b, 0.0, 30.0, clearance=8e-6)
+    >>> [round(9 * order(b, rest, models), 4) for models in ("paper", "full")]
+    [3.6006, 3.6015]
+    """
+    if models not in MODELS:
+        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    inner, outer = state.inner, state.outer
+    load = inner.load + outer.load
+    gamma = bearing.ball_radius / bearing.pitch_radius
+    tilt = 0.0 if models == "paper" else np.tan((inner.angle + outer.angle) / 2)
+    there = _along(outer.angle, tilt) * (1 - gamma * np.cos(inner.angle))
+    here = _along(inner.angle, tilt) * (1 + gamma * np.cos(outer.angle))
+    speed = float(np.average(there / (there + here), weights=load))
+    if models == "paper":
+        return speed
+    shares = [_shortened(bearing, side, one) for side, one in ((INNER, inner), (OUTER, outer))]
+    return speed * (1 + (1 - speed) * float(np.average(shares[0] - shares[1], weights=load)))
+
+
+def _along(angle: Floats, tilt: Floats | float) -> Floats:
+    return np.cos(angle) + tilt * np.sin(angle)
+
+
+def _shortened(bearing: Bearing, side: int, contacts: Contacts) -> Floats:
+    """How much slower than the ball the ring goes in free rolling, share of its speed."""
+    r_x, _ = bearing.effective_radii(side, contacts.angle)
+    r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
+    return sliding.free_slip(1.0, contacts.a, r_d, r_x)
+
+
+def lag(bearing: Bearing, state: Equilibrium) -> float:
+    """Largest slip of a cage by the play of its pockets, share of its speed; 0 where all balls are
+    loaded.
+
+    Unloaded balls fall back to the rear of their pockets and loaded ones run ahead to the front,
+    so a rigid cage loses 1.08 j over the length of the loaded arc; j is `PLAY` of a ball's
+    diameter, of which makers seldom say more. The arc is that of the loaded balls.
+    """
+    loaded = int(np.count_nonzero(np.atleast_2d(state.inner.load > 0).any(0)))
+    if loaded >= len(state.azimuth) or not loaded:
+        return 0.0
+    arc = 2 * math.pi * bearing.pitch_radius * loaded / len(state.azimuth)
+    return GRIP * PLAY * bearing.ball_diameter / arc
