@@ -90,6 +90,22 @@ def identify(readings: Readings) -> Found:
     )
 
 
+def value_of(of: Readings, name: str, share: float) -> float:
+    """The unknown `name` at a `share` of its range, 0 to 1."""
+    low, high = of.unknown[name]
+    if low > 0 and high / low >= WIDE:
+        return float(low * (high / low) ** share)
+    return float(low + (high - low) * share)
+
+
+def share_of(of: Readings, name: str, value: float) -> float:
+    """The inverse of `value_of`."""
+    low, high = of.unknown[name]
+    if low > 0 and high / low >= WIDE:
+        return math.log(value / low) / math.log(high / low)
+    return (value - low) / (high - low)
+
+
 class _Search:
     """The unknowns as numbers from 0 to 1 of their ranges."""
 
@@ -98,10 +114,7 @@ class _Search:
         self.slip = np.zeros(len(readings.readings))
 
     def value(self, name, share):
-        low, high = self.readings.unknown[name]
-        if low > 0 and high / low >= WIDE:
-            return low * (high / low) ** share
-        return low + (high - low) * share
+        return value_of(self.readings, name, share)
 
     def state(self, place):
         found = {name: float(self.value(name, x)) for name, x in zip(self.readings.unknown, place)}

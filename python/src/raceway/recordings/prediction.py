@@ -2,7 +2,7 @@
 """Readings as statics predict them from the state of a bearing."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -35,11 +35,14 @@ class Model:
         self._size = inputs.size(path)
         self._lubricant, self._roughness = inputs.lubricant(oil), inputs.oil(oil).roughness
 
-    def predict(self, state: Mapping[str, float]) -> list[Predicted]:
-        """`Predicted` of each reading in a `state`, {name of `readings.STATE`: value}. Raises
-        `NoEquilibrium` where the bearing cannot carry the load."""
+    def predict(
+        self, state: Mapping[str, float], rows: Sequence[Reading] | None = None
+    ) -> list[Predicted]:
+        """`Predicted` of each reading, or of the readings `rows`, in a `state`, {name of
+        `readings.STATE`: value}. Raises `NoEquilibrium` where the bearing cannot carry the load."""
         solved: dict[Point, tuple] = {}
-        return [self._one(one, state, solved) for one in self.readings.readings]
+        rows = self.readings.readings if rows is None else rows
+        return [self._one(one, state, solved) for one in rows]
 
     def _one(self, reading: Reading, state, solved) -> Predicted:
         point = reading.point

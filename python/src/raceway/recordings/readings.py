@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import pandas as pd
+
 from raceway import catalogue, inputs, yaml_file
 from raceway.errors import RacewayError
 from raceway.files import FilePath
@@ -60,6 +62,14 @@ class Readings(NamedTuple):
     unknown: dict[str, tuple[float, float]]  # ranges
     readings: list[Reading]
     ambient: float = 20.0
+
+
+class Series(NamedTuple):
+    """Readings over time."""
+
+    readings: Readings  # all of them, and what is known
+    rows: list[tuple[float, list[Reading]]]  # time in s, readings
+    drift: dict[str, float]  # standard deviation of an unknown after an hour
 
 
 def read(path: FilePath, inputs_folder: FilePath | None = None) -> Readings:
@@ -205,4 +215,56 @@ def _ranges(given):
         if not low < high:
             raise ValueError(f"unknown: {name}: {low:g} must be below {high:g}")
         found[name] = (low, high)
+    return found
+
+
+def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
+    """The file of a series at `path`: as `read`, with `series`, a csv file beside it, in place of
+    `readings`; `within`, the standard deviation of each quantity; and `drift`, that of each unknown
+    after an hour. Raises `RacewayError`."""
+    data = yaml_file.read(path, ReadingsError)
+    try:
+        own = {name: data.pop(name, None) for name in ("series", "within", "drift")}
+        if missing := [name for name in ("series", "within") if not own[name]]:
+            raise ValueError(f"{missing[0]} is missing")
+        within = _mapping(own["within"], "within")
+        _only(within, QUANTITIES, "within")
+        table = _table(Path(path).parent / own["series"])
+        rows, times = _rows(table, within), [float(one) for one in table["time_s"]]
+        readings = [dict(one) for row in rows for one in row]
+        result = _readings(dict(data, readings=readings), Path(path).parent, inputs_folder)
+        drift = _mapping(own["drift"] or {}, "drift")
+        drift = {name: _number(value, f"drift: {name}", 0, 1e9) for name, value in drift.items()}
+    except (ValueError, AttributeError) as error:
+        raise ReadingsError(f"{path}: {error}") from None
+    taken = iter(result.readings)
+    found = [(time, [next(taken) for _ in row]) for time, row in zip(times, rows)]
+    return Series(result, [one for one in found if one[1]], drift)
+
+
+def _table(path):
+    try:
+        table = pd.read_csv(path)
+    except (OSError, ValueError) as error:
+        raise ReadingsError(f"cannot read {path}: {error}") from None
+    known = ("time_s", *Point._fields, *QUANTITIES)
+    if strange := [name for name in table if name not in known]:
+        raise ReadingsError(f"{path}: column {strange[0]} is none of {', '.join(known)}")
+    if missing := [name for name in ("time_s", "rpm") if name not in table]:
+        raise ReadingsError(f"{path} has no column {missing[0]}")
+    if not len(table) or not all(kind.kind in "if" for kind in table.dtypes):
+        raise ReadingsError(f"{path}: needs rows of numbers")
+    return table
+
+
+def _rows(table, within):
+    """Readings of each row, as maps; empty cells are not read."""
+    found = []
+    for row in table.to_dict("records"):
+        known = {name: value for name, value in row.items() if value == value}
+        point = {name: known[name] for name in Point._fields if name in known}
+        said = [name for name in QUANTITIES if name in known]
+        if missing := [name for name in said if name not in within]:
+            raise ValueError(f"within: {missing[0]} is missing")
+        found.append([{**point, name: known[name], "within": within[name]} for name in said])
     return found

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway track FILE`: the state of a bearing over hours, from a series of readings."""
+
+import argparse
+
+from raceway.commands import Commands, options
+from raceway.commands.identify import NAMES
+
+HELP = "state over hours from a series of readings: clearance, loads, oil temperature, cooling"
+DESCRIPTION = """\
+An unscented Kalman filter over a series of readings: as `raceway identify`, for a state that
+drifts. Each row of a csv file has a time in s, the speed, and what was read then; empty cells are
+allowed. Columns: time_s, rpm, load, axial, load_more, axial_more, at (temperature of the oil), FTF,
+BPFO, BPFI, BSF (orders), capacitance (F), temperature (C).
+
+The file is that of `raceway identify` with `series`, `within` and `drift` in place of `readings`:
+the name of the csv file, the standard deviation of each quantity, and how far each unknown may
+wander in an hour (standard deviation; 0 unless given: constant)."""
+EXAMPLES = """\
+examples:
+  raceway track hours.yaml
+  raceway track hours.yaml --out hours.png --csv state.csv
+
+hours.yaml:
+  bearing: 6205
+  lubricant: vg68
+  known: {load: 10, axial: 60}
+  unknown: {clearance: 0 15e-6, temperature: 20 90}
+  series: hours.csv
+  within: {BPFO: 1e-4, capacitance: 0.2e-12}
+  drift: {clearance: 1e-6, temperature: 10}
+
+Exit codes: 0 done, 1 the files are wrong or no state carries the loads, 2 wrong command line."""
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "track",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one.add_argument("file", metavar="FILE", help="what is known, and the series, YAML")
+    options.inputs(one)
+    one.add_argument("--out", metavar="PNG", help="draw the state over time")
+    one.add_argument("--csv", metavar="FILE", help="write the table here, not to the terminal")
+    one.set_defaults(command=run, complain=one.error)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print the state over time. Raises `RacewayError`."""
+    import pandas as pd
+
+    from raceway import files
+    from raceway.recordings import readings
+    from raceway.recordings.track import Row, track
+
+    given = readings.series(arguments.file, arguments.inputs)
+    try:
+        found = track(given.readings, [Row(*one) for one in given.rows], given.drift)
+    except ValueError as error:
+        raise readings.ReadingsError(f"{arguments.file}: {error}") from None
+    columns = {"time_s": found.time}
+    for k, name in enumerate(found.names):
+        columns |= {name: found.best[:, k]}
+        columns |= {f"{name}_low": found.low[:, k], f"{name}_high": found.high[:, k]}
+    table = pd.DataFrame(columns | {"surprise": found.surprise})
+    if arguments.out:
+        # matplotlib takes longer to load than a filter to run
+        from raceway.pictures.track import picture
+
+        picture(found, NAMES, arguments.out)
+    if arguments.csv:
+        files.whole(arguments.csv, lambda part: table.to_csv(part, index=False))
+    else:
+        print(table.to_string(index=False, float_format="{:.4g}".format))

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Picture of a tracked state: each unknown over time with its band."""
+
+from collections.abc import Mapping
+
+import matplotlib.pyplot as plt
+
+from raceway.files import FilePath
+from raceway.pictures.style import INK, PALETTE, STYLE, save
+from raceway.recordings.readings import STATE
+from raceway.recordings.track import HOUR, Track
+from raceway.units import axis
+
+
+def picture(found: Track, names: Mapping[str, str], path: FilePath) -> None:
+    """Draw `found` to the PNG `path`; `names` has the words of the unknowns. Raises `RunError` when
+    it cannot be written."""
+    with plt.rc_context(STYLE):
+        size = len(found.names)
+        figure, all_axes = plt.subplots(
+            size, 1, sharex=True, figsize=(10, 1.2 + 2.1 * size), dpi=120, layout="constrained"
+        )
+        for k, (name, axes) in enumerate(zip(found.names, [all_axes] if size == 1 else all_axes)):
+            unit = STATE[name][2]
+            factor, shown = (1.0, "°C") if unit == "C" else axis(abs(found.best[:, k]).max(), unit)
+            time, colour = found.time / HOUR, PALETTE[k % len(PALETTE)]
+            low, high = factor * found.low[:, k], factor * found.high[:, k]
+            axes.fill_between(time, low, high, color=colour, alpha=0.25, lw=0)
+            axes.plot(time, factor * found.best[:, k], color=INK, lw=1.6)
+            axes.set(ylabel=f"{names[name]} ({shown})")
+            axes.grid(True)
+        axes.set(xlabel="time (h)", xlim=(time[0], time[-1] if len(time) > 1 else time[0] + 1))
+        save(figure, path)
