@@ -45,7 +45,13 @@ def thrust():
 
 
 def figures(**options):
-    common = {"held": {"rx": 0.0, "ry": 0.0}, "clearance": PLAY, "four_point": ANGLE}
+    # of `thrust`, whose contacts have no film in the gap
+    common = {
+        "models": "paper",
+        "held": {"rx": 0.0, "ry": 0.0},
+        "clearance": PLAY,
+        "four_point": ANGLE,
+    }
     return operating_point.figures("6208", "mineral", ROOT / "inputs", **(common | options))
 
 
@@ -73,7 +79,7 @@ def test_thrust_is_that_of_an_angular_contact(way):
         assert grooves(found, key)[side, groove] == pytest.approx(want, rel=1e-7)
     assert found["capacitance_F"] == pytest.approx(films.total, rel=1e-7)
     assert found["stiffness_z_N_m"] == pytest.approx(state.stiffness[2, 2], rel=1e-6)
-    beside = ring_response.dampers(body(), state, films, OIL, clearance=PLAY)
+    beside = ring_response.dampers(body(), state, films, OIL, "paper", clearance=PLAY)
     want = response(state.linear, beside.damping).damping
     assert found["damping_z_N_s_m"] == pytest.approx(want[2, 2], rel=1e-6)
     start = sum(body().groove_gap(side) for side in (0, 1)) * np.sin(ANGLE)
@@ -161,7 +167,7 @@ def test_command(capsys, monkeypatch):
     [
         (["--four-point", "80"], "must lie from 5 to 60 degrees"),
         (["--preload", "5e-6"], "of two rows; give --double-row"),
-        (["--spin-law", "slices"], "--spin-law: of the friction torque"),
+        (["--models", "paper", "--spin-law", "slices"], "--spin-law: of the friction torque"),
     ],
 )
 def test_wrong_command_line(capsys, arguments, said):

@@ -67,6 +67,7 @@ def test_names_become_the_decks(tree):
     assert dict(free.settings) == {
         "clearance": "4.41e-05",
         "inner_groove": "0.006804",
+        "models": "paper",
         "outer_groove": "0.006804",
     }
 

@@ -105,6 +105,6 @@ def test_static_prints_it(capsys):
     assert matrix.shape == (5, 5) and np.all(np.diag(matrix) > 0)
     assert found["damping_x_N_s_m"] == matrix[0, 0]
     assert np.linalg.eigvalsh(matrix)[0] > -1e-12 * matrix.max()
-    assert found["damping_law"] == ring_response.LAWS["paper"]
+    assert found["damping_law"] == ring_response.LAWS["full"]
     assert main(shape) == 0
     assert json.loads(capsys.readouterr().out)["damping"] is None

@@ -41,7 +41,7 @@ def figures(capsys, *arguments):
 
 
 def test_figures_are_the_library_s(capsys):
-    found = figures(capsys, *FULL)
+    found = figures(capsys, *FULL, "--models", "paper")
     bearing, oil = (
         inputs.bearing(ROOT / "inputs/bearings/6208"),
         inputs.oil(ROOT / "inputs/lubricants/mineral"),
@@ -247,10 +247,14 @@ def test_help_teaches(capsys):
 
 def test_full_models(capsys):
     common = ("--load", "5000", "--rpm", "1910", "--lubricant", "vg46", "--temperature", "70")
-    paper, full = figures(capsys, *common), figures(capsys, *common, "--models", "full")
+    paper, full = figures(capsys, *common, "--models", "paper"), figures(capsys, *common)
     assert (paper["models"], full["models"]) == ("paper", "full")
     assert paper["temperature_C"] == full["temperature_C"] == 70
     assert paper["friction_torque_N_m"] is None and paper["losses_W"] is None
+    assert set(paper["absent"].values()) == {"not in models paper"} and full["absent"] == {}
+    assert {key for key, value in paper.items() if value is None} >= set(paper["absent"])
+    assert main(["static", *common, "--models", "paper"]) == 0
+    assert "of the inner ring               not in models paper" in capsys.readouterr().out
     oil = inputs.oil(ROOT / "inputs/lubricants/vg46", 70.0)
     assert paper["viscosity_Pa_s"] == oil.viscosity == full["viscosity_Pa_s"]
     assert full["shift_x_m"] < paper["shift_x_m"]

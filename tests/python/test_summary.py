@@ -22,11 +22,13 @@ force_y_N force_z_N moment_x_N_m moment_y_N_m shift_z_m tilt_x_rad tilt_y_rad rp
 rpm_least rpm_most rpm_top
 friction_torque_N_m power_loss_W losses_W torque_skf_N_m torque_palmgren_N_m asperity_share
 settling_torque settling_load settling_cage_speed settling_spin_axis_rad
-warnings model_ranges""".split()
+absent warnings model_ranges""".split()
 WORDS = ("bearing", "lubricant", "host", "integrator", "models")
-TYPES = dict.fromkeys(WORDS, str) | {"warnings": list, "losses_W": dict, "model_ranges": dict}
+TYPES = dict.fromkeys(WORDS, str) | {"warnings": list}
+TYPES |= dict.fromkeys(("losses_W", "model_ranges", "absent"), dict)
 # the paper's model has none
-ABSENT = {"asperity_share", "capacitance_total_F"}
+LOST = {"friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share"}
+ABSENT = {*LOST, "capacitance_total_F"}
 DRY_NULL = {
     "viscosity_Pa_s",
     "pressure_viscosity_per_Pa",
@@ -115,9 +117,31 @@ def test_figures(folder, lubricated, bearing):
     )
 
 
+def full(folder, data):
+    """Figures of the run `data` with models full, which have friction."""
+    own = synthetic.changed(data, models="full")
+    return summary(RunTables(synthetic.write(folder, own)))
+
+
+@pytest.mark.parametrize("models, lost", [("paper", LOST), ("film", LOST), ("mine", set())])
+def test_what_a_model_leaves_out(folder, lubricated, models, lost):
+    """The publication's friction is no friction torque: no number, and the reason in its place. The
+    model of a user has what its contacts have."""
+    own = synthetic.changed(lubricated, models=models)
+    figures = summary(RunTables(synthetic.write(folder, own)))
+    assert figures["absent"] == dict.fromkeys(figures["absent"], f"not in models {models}")
+    assert set(figures["absent"]) == lost and all(figures[key] is None for key in lost)
+    assert (figures["friction_torque_N_m"] is None) == bool(lost)
+    said = [text for text in figures["warnings"] if f"not in models {models}" in text]
+    assert len(said) == bool(lost)
+    text = table(figures)
+    assert bool(re.search(rf"of the inner ring +not in models {models}", text)) == bool(lost)
+    assert "nan" not in text
+
+
 def test_friction(folder, lubricated):
     """The torque of the shaft, the losses by part, and the makers' figures at the same forces."""
-    figures = summary(RunTables(folder))
+    figures = full(folder, lubricated)
     column = synthetic.LUBRICATED.index("load")
     loads = [sum(row[column] for row in frame) for frame in lubricated["contacts"][1:]]
     spin = 477.5 * np.pi / 30
@@ -142,7 +166,7 @@ def test_friction(folder, lubricated):
 @pytest.mark.parametrize("speed, has_one", [(0.0, False), (-1e-9, False), (-1e-6, True)])
 def test_rings_that_stand_still_have_no_torque(folder, lubricated, speed, has_one):
     rings = [[*ring[:8], speed, *ring[9:]] for ring in lubricated["rings"]]
-    figures = summary(RunTables(synthetic.write(folder, dict(lubricated, rings=rings))))
+    figures = full(folder, dict(lubricated, rings=rings))
     assert (figures["friction_torque_N_m"] is not None) == has_one
     assert any("no friction torque" in one for one in figures["warnings"]) != has_one
     assert figures["power_loss_W"] > 0
@@ -158,7 +182,7 @@ def test_makers_see_a_load_that_turns(folder, lubricated):
 
 
 def test_makers_know_no_bearing_of_the_user_s(folder, lubricated):
-    own = synthetic.changed(lubricated, bearing="mine")
+    own = synthetic.changed(lubricated, bearing="mine", models="full")
     figures = summary(RunTables(synthetic.write(folder, own)))
     assert figures["torque_skf_N_m"] is None and figures["friction_torque_N_m"] > 0
 
@@ -226,7 +250,7 @@ def test_warnings(folder, lubricated):
         ]
         figures = summary(RunTables(synthetic.write(folder, dict(lubricated, contacts=contacts))))
         assert all(text in table(figures) for text in figures["warnings"])
-        return figures["warnings"]
+        return [one for one in figures["warnings"] if "not in models" not in one]
 
     def put(place, value):
         def change(row):

@@ -111,7 +111,9 @@ def cells(
 def _value(row, value):
     if row.zero and value == 0:
         return row.zero
-    return value if row.unit is None else _shown(value, row.unit, 4)
+    if row.unit is None or isinstance(value, str):  # text, or why there is no value
+        return value
+    return _shown(value, row.unit, 4)
 
 
 def _range(row, ranges):

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from raceway.commands import Commands, electric_run, options
 from raceway.commands.quantity import number, takes_negative
+from raceway.theory.models import CAPACITANCE, PAPER
 
 HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
 DESCRIPTION = """\
@@ -106,11 +107,8 @@ def _operating_point(one):
         metavar="N",
         help="along z, newtons (0)",
     )
-    point.add_argument(
-        "--models",
-        choices=("paper", "full"),
-        default="paper",
-        help="paper: as the publication; full: film in the gap, inlet shear",
+    options.models(
+        point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as the publication", PAPER
     )
 
 

@@ -13,7 +13,7 @@ from raceway.commands.quantity import number, takes_negative
 HELP = "steady temperature, viscosity, clearance, film and friction torque from theory"
 DESCRIPTION = """\
 The temperature at which cooling carries away the heat of friction. Loads, film in the gap and
-friction torque are those of `raceway static --models full` at that temperature. The lubricant must
+friction torque are those of `raceway static` at that temperature. The lubricant must
 have physical data (vg32, vg46, vg68, vg100, pao8, grease110).
 
 Cooling is that of ISO 15312 unless --conductance gives it. --nodes gives three conductances: inner
@@ -47,11 +47,10 @@ def add(commands: Commands) -> None:
     options.bearing(one)
     options.grooves(one)
     options.spin_law(one)
-    one.add_argument(
-        "--models",
-        choices=("full", "eyring"),
-        default="full",
-        help="full, or eyring: Eyring's stress in the film in place of a constant coefficient",
+    options.models(
+        one,
+        ("full", "eyring"),
+        "eyring: Eyring's stress in the film in place of a constant coefficient",
     )
     options.lubricant(one)
     one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")

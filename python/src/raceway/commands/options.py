@@ -5,9 +5,11 @@ argparse has no public type."""
 import argparse
 import math
 import os
+from collections.abc import Sequence
 from typing import Any
 
 from raceway.commands.quantity import number, positive
+from raceway.theory.models import DEFAULT
 
 
 def run_folder(to: Any) -> None:
@@ -124,6 +126,11 @@ def spin_law(to: Any) -> None:
         default="closed",
         help="of the friction torque: closed has fits of spin beside slip, slices both together",
     )
+
+
+def models(to: Any, known: Sequence[str], said: str, default: str = DEFAULT) -> None:
+    """--models, one of `known`; `said` is what they are."""
+    to.add_argument("--models", choices=known, default=default, help=f"{said} (default: {default})")
 
 
 def lubricant(to: Any) -> None:

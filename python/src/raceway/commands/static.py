@@ -8,6 +8,7 @@ import math
 
 from raceway.commands import Commands, options
 from raceway.commands.quantity import angle, number, takes_negative
+from raceway.theory import models
 from raceway.theory.cleanliness import CLEANLINESS
 
 HELP = "loads, tilt, film and capacitance from theory, without a simulation"
@@ -15,8 +16,8 @@ DESCRIPTION = """\
 Quasi-static equilibrium of a ball bearing in five degrees of freedom (Jones, Harris): radial and
 axial load and two moments on the inner ring, free contact angles, centrifugal load of the balls.
 With a lubricant and a speed: film (Masjedi-Khonsari) and capacitance of every contact, rolling
-without slip. --models full puts the film in the gap, thins it by inlet shear and adds the friction
-torque by part, beside that of the makers' formulas.
+without slip, and the friction torque by part, beside that of the makers' formulas. --models
+paper has the publication's laws, which have no friction torque.
 
 x points along the radial load, z along the bearing's axis. As in a deck, the ring is held along z
 unless it has an axial load: at 0, or where its balls meet both raceways at their contact angle. It
@@ -27,7 +28,8 @@ examples:
   raceway static --load 5000 --clearance 10e-6
   raceway static --load 2000 --axial 1000 --moment 10 0 --rpm 477.5 --lubricant mineral
   raceway static --load 5000 --tilt 0 20arcmin --json
-  raceway static --load 5000 --rpm 1910 --lubricant vg46 --temperature 70 --models full
+  raceway static --load 5000 --rpm 1910 --lubricant vg46 --temperature 70
+  raceway static --load 2000 --rpm 477.5 --lubricant mineral --models paper
   raceway static --axial 1000 --four-point 35 --clearance 20e-6
   raceway static --bearing 7208 --load 1000 --double-row 18e-3 --preload 5e-6 --moment 10 0
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
@@ -134,12 +136,11 @@ def add(commands: Commands) -> None:
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; needs --rpm"
     )
     options.temperature(balls)
-    one.add_argument(
-        "--models",
-        choices=("paper", "full", "eyring"),
-        default="paper",
-        help="paper: as the publication; full: film in the gap, inlet shear, friction torque;"
-        " eyring: full with Eyring's stress in the film",
+    options.models(
+        one,
+        models.STATICS,
+        "full: film in the gap, inlet shear, friction torque; eyring: full with Eyring's stress in"
+        " the film; paper: as the publication, without friction torque",
     )
     options.spin_law(one)
     one.add_argument(
@@ -165,7 +166,7 @@ def run(arguments: argparse.Namespace) -> None:
         )
     if arguments.lubricant not in (None, "dry") and not arguments.rpm:
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
-    if arguments.spin_law != "closed" and arguments.models == "paper":
+    if arguments.spin_law != "closed" and arguments.models == models.PAPER:
         arguments.complain("--spin-law: of the friction torque; give --models full")
     if arguments.temperature is not None and arguments.lubricant in (None, "dry"):
         arguments.complain("--temperature: of the lubricant; give --lubricant")

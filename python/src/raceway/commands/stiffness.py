@@ -7,6 +7,7 @@ from pathlib import Path
 
 from raceway.commands import Commands, options
 from raceway.commands.quantity import number, takes_negative
+from raceway.theory.models import CAPACITANCE
 
 DESCRIPTION = """\
 Stiffness and damping of a bearing's ring from statics and films: 5 x 5 matrices in x, y, z, rx, ry,
@@ -74,11 +75,10 @@ def add(commands: Commands) -> None:
         "--lubricant", metavar="NAME", help="a file of inputs/lubricants, or a path; brings damping"
     )
     options.temperature(one)
-    one.add_argument(
-        "--models",
-        choices=("paper", "full"),
-        default="full",
-        help="paper: damping as the publication; full: film in the gap and film branch (full)",
+    options.models(
+        one,
+        CAPACITANCE,
+        "full: film in the gap and its damping branch; paper: damping as the publication",
     )
     one.add_argument(
         "--frequency",

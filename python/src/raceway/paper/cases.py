@@ -15,6 +15,7 @@ from raceway import inputs
 from raceway.inputs import InputError
 from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
+from raceway.theory.models import PAPER
 
 FILE = Path("inputs/paper/cases.yaml")
 
@@ -80,7 +81,7 @@ def _combinations(settings):
 
 def _case(root, deck, given):
     """Turn entrainment, clearance_ratio and total_curvature into what the decks take."""
-    own = dict(given)
+    own = {"models": PAPER, **given}
     ours = {
         name: own.pop(name)
         for name in ("entrainment", "clearance_ratio", "total_curvature")

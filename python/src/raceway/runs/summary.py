@@ -23,6 +23,7 @@ from raceway.runs.model_range import model_ranges
 from raceway.runs.settings import LUBRICANT
 from raceway.runs.settling import settling
 from raceway.runs.tables import RunTables
+from raceway.theory import models
 from raceway.theory.bearing import INNER, OUTER
 from raceway.theory.validity import Shoulders, doubts, past_shoulder
 
@@ -122,8 +123,8 @@ CHECK = "check.json"  # in the run's folder, by `raceway check`
 
 def summary(tables: RunTables) -> dict[str, Any]:
     """The figures of the run `tables` by name, SI units, text or numbers; None where the run has
-    no value. `warnings` is a list of texts on values outside the range of validity
-    (`theory.validity`).
+    no value. `absent` has the reason by key of those that the run's models leave out. `warnings` is
+    a list of texts: what is absent, and values outside the range of validity (`theory.validity`).
 
     Reads the record in blocks; memory grows by a row of numbers per sample. Raises `RunError` for
     an unfinished run, a broken record, no sample after the start, or no contact in any sample.
@@ -160,6 +161,8 @@ def summary(tables: RunTables) -> dict[str, Any]:
         **settling(tables),
     )
     result = {key: _plain(value) for key, value in result.items()}
+    result["absent"] = models.absent(result["models"], result)
+    result.update(dict.fromkeys(result["absent"]))
     result["warnings"] = _warnings(tables, result)
     ranges = {key: one._asdict() for key, one in model_ranges(tables, result).items()}
     result["model_ranges"] = ranges or None
@@ -226,7 +229,7 @@ def _warnings(tables, figures):
             "lambda": figures["lambda"],
             "conducts": None if figures["capacitance_F"] is None else thinnest,
         }
-    ) + [*_past_shoulder(tables), *_still(figures)]
+    ) + [*_past_shoulder(tables), *_still(figures), *_left_out(figures["absent"])]
 
 
 def _still(figures):
@@ -234,6 +237,13 @@ def _still(figures):
         return []
     return [
         f"no friction torque: the rings turn at no more than {RESTING:g} rad/s against each other"
+    ]
+
+
+def _left_out(absent):
+    reasons = dict.fromkeys(absent.values())
+    return [
+        f"friction torque and losses: {why}; models {models.DEFAULT} have them" for why in reasons
     ]
 
 
@@ -341,6 +351,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     flaws = figures.get("flaws", {})
     return {
         **result,
+        **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},
         **{f"loss_{part}_W": loss or None for part, loss in losses.items()},
         **{f"flaw_{name}": flaws.get(name) for name in NAME.values()},
         "flaw_ball": "; ".join(f"{at}: {w}" for at, w in flaws.items() if at.startswith("ball"))

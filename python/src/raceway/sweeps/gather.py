@@ -32,7 +32,8 @@ def gather(folder: FilePath) -> pd.DataFrame:
         status, message = state(path.parent, asked)
         figures = mapping(path.parent / "summary.json", json.loads) if status == FINISHED else {}
         losses = figures.pop("losses_W", None) or {}
-        figures.pop("model_ranges", None)
+        for nested in ("model_ranges", "absent"):
+            figures.pop(nested, None)
         figures.update({f"loss_{part}_W": loss for part, loss in losses.items()})
         rows.append(
             {"point": path.parent.name, "status": status, "message": message, **asked, **figures}

@@ -19,10 +19,9 @@ from raceway.theory.bearing import Bearing
 from raceway.theory.capacitors import FLOODED, BearingCapacitors, Filling
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import Lubrication
+from raceway.theory.models import CAPACITANCE, PAPER
 from raceway.theory.static import STRAIGHT, Equilibrium
 from raceway.theory.validity import doubts, past_shoulder
-
-MODELS = ("paper", "full")
 
 
 class Point(NamedTuple):
@@ -78,7 +77,7 @@ def solve(
     axial: float = 0.0,
     clearance: float = 0.0,
     temperature: float | None = None,
-    models: str = "paper",
+    models: str = PAPER,
     phase: float = 0.0,
     filling: Filling = FLOODED,
 ) -> Point:
@@ -87,15 +86,15 @@ def solve(
     of the first ball in rad.
 
     Shoulders that `filling` does not have are those of the bearing's file. `models` is one of
-    `MODELS`; "full" has the film in the gap and inlet shear. Raises `RacewayError`; `ValueError`
-    without speed and for unknown words.
+    `models.CAPACITANCE`; "full" has the film in the gap and inlet shear. Raises
+    `RacewayError`; `ValueError` without speed and for unknown words.
     """
     path, oil_path = (
         catalogue.find("bearings", bearing, folder),
         catalogue.find("lubricants", lubricant, folder),
     )
-    if models not in MODELS:
-        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    if models not in CAPACITANCE:
+        raise ValueError(f"models '{models}' is none of {', '.join(CAPACITANCE)}")
     if not rpm:
         raise ValueError("rpm = 0: balls that do not turn have no film")
     why = "statics has the gap around a contact for one groove a ring, runs for two (surroundings)"

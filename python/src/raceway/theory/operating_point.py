@@ -23,6 +23,9 @@ from raceway.theory import (
     ring_response,
     validity,
 )
+from raceway.theory import (
+    models as model_names,
+)
 from raceway.theory.bearing import INNER, DoubleRow, Layout
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubrication import lubricate, turning
@@ -31,9 +34,8 @@ from raceway.theory.operating_table import table
 from raceway.theory.small_motion import response
 from raceway.theory.static import FREEDOMS
 
-__all__ = ("MODELS", "figures", "table")
+__all__ = ("figures", "table")
 
-MODELS = ("paper", "full", "eyring")  # words of a deck's -var models
 SUPPORT = ("support_x_N", "support_y_N", "support_z_N", "support_rx_N_m", "support_ry_N_m")
 
 
@@ -51,7 +53,7 @@ def figures(
     phase: float = 0.0,
     density: float | None = None,
     exact_circle: bool = False,
-    models: str = "paper",
+    models: str = model_names.DEFAULT,
     spin_law: str = "closed",
     temperature: float | None = None,
     cleanliness: str = "normal",
@@ -62,13 +64,14 @@ def figures(
 
     `bearing` and `lubricant` are names or paths of data files, looked up in the inputs `folder`
     (`catalogue.find`); the other arguments are those of `static.equilibrium`, with `rpm` of the
-    inner ring and the load along x. What is not `held` is free. `models` is one of `MODELS`: "full"
-    has the film in the gap, inlet shear and the friction torque, with the `spin_law` of
-    `friction_torque.losses`; "eyring" has Eyring's stress with its limit in the film as well.
-    `temperature` of the lubricant is in degrees C, its file's unless given. `cleanliness` is a word
-    of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point contact bearing with
-    that angle, as its file may, too. Each of `balls` then has a list of `contacts`. `double_row`
-    gives it two rows, whose `balls` follow one another.
+    inner ring and the load along x. What is not `held` is free. `models` is one of
+    `models.STATICS`: "full" has the film in the gap, inlet shear and the friction torque, with the
+    `spin_law` of `friction_torque.losses`; "eyring" has Eyring's stress with its limit in the film
+    as well. `temperature` of the lubricant is in degrees C, its file's unless given. `cleanliness`
+    is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point contact
+    bearing with that angle, as its file may, too. Each of `balls` then has a list of `contacts`.
+    `double_row` gives it two rows, whose `balls` follow one another. `absent` has the reason by key
+    of figures that the models leave out.
 
     As in a deck, the ring is held along z where there is no axial load (`inputs.held`).
 
@@ -76,8 +79,8 @@ def figures(
     models or another word.
     """
     path = catalogue.find("bearings", bearing, folder)
-    if models not in MODELS:
-        raise ValueError(f"models '{models}' is none of {', '.join(MODELS)}")
+    if models not in model_names.STATICS:
+        raise ValueError(f"models '{models}' is none of {', '.join(model_names.STATICS)}")
     body = inputs.bearing(path, four_point=four_point, double_row=double_row)
     oil, fluid = _oil(lubricant, folder, temperature)
     spin, nominal = rpm * math.pi / 30, inputs.nominal_angle(path)
@@ -85,7 +88,8 @@ def figures(
     density = inputs.ball_density(path) if density is None else density
     stated = inputs.four_point_angle(path)
     four_point = stated if four_point is None else four_point
-    film = FilmInGap(fluid, spin) if models != "paper" and oil is not None and spin else None
+    wet = oil is not None and spin
+    film = FilmInGap(fluid, spin) if models != model_names.PAPER and wet else None
     state, orbits = turning(
         body,
         spin,
@@ -137,7 +141,7 @@ def figures(
         angle = nominal if four_point is None else four_point
         result.update(_life(path, body, state, rpm, fluid, cleanliness, angle))
     films = None
-    if oil is not None and spin:
+    if wet:
         films = lubricate(body, state, oil, spin, clearance, film and film.factor)
         top = int(np.argmax(state.inner.load))
         result.update(
@@ -181,6 +185,7 @@ def figures(
     result["warnings"] = _warnings(result, body, inputs.shoulders(path), state, films)
     if film is not None:
         result["warnings"] += _sliding(state, lost.friction, needed)
+    result["absent"] = model_names.absent(models, result) if wet else {}
     result["balls"] = _plain(balls(state, films))
     return result
 

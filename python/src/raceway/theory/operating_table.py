@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from raceway.rows import Row, lines, row
+from raceway.theory import models
 from raceway.units import prefixed
 
 TOPICS = {
@@ -122,6 +123,7 @@ CONTACT_COLUMNS = (  # of the table of contacts with several grooves a ring
 def table(result: Mapping[str, Any]) -> str:
     """The mapping of `figures` as text: a topic a block, then a row a ball."""
     filled = {row.key: result.get(row.key) for rows in TOPICS.values() for row in rows}
+    filled.update({key: why for key, why in result["absent"].items() if key in models.HEADLINES})
     filled.update({f"loss_{part}_W": loss for part, loss in (result["losses_W"] or {}).items()})
     for key in ("angle_max_rad", "four_point_rad"):
         filled[key] = None if filled[key] is None else math.degrees(filled[key])

@@ -19,6 +19,7 @@ from raceway.theory.bearing import INNER, OUTER, Bearing
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid
 from raceway.theory.lubrication import Lubrication, lubricate, turning
+from raceway.theory.models import DEFAULT
 from raceway.theory.small_motion import Response, response
 from raceway.theory.static import Equilibrium, equilibrium
 
@@ -51,7 +52,7 @@ def dampers(
     state: Equilibrium,
     films: Lubrication,
     oil: Oil,
-    models: str = "paper",
+    models: str = DEFAULT,
     *,
     clearance: float = 0.0,
     frequency: float = 0.0,
@@ -79,6 +80,8 @@ def dampers(
                 oil.viscosity, contact.a[live], bearing.ball_radius, floor
             )
             continue
+        live &= film.h_c > 0  # balls that stand still on a raceway have no film there
+        load = contact.load[live]
         ellipse = hertz.exact(*bearing.effective_radii(side, contact.angle[live], clearance))
         elastic = (load / hertz.stiffness(ellipse, bearing.effective_modulus)) ** (2 / 3)
         one = film_damping.branch(
@@ -117,7 +120,7 @@ def turning_ring(
     spin: float = 0.0,
     oil: Oil | None = None,
     fluid: Fluid | None = None,
-    models: str = "paper",
+    models: str = DEFAULT,
     frequency: float = 0.0,
     phases: int = PHASES,
     **options: Any,

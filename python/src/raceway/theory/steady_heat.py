@@ -24,6 +24,7 @@ from raceway.theory.bearing import INNER, Bearing, DoubleRow
 from raceway.theory.contact_law import FilmInGap
 from raceway.theory.lubricant import Fluid, Lubricant
 from raceway.theory.lubrication import Lubrication, lubricate, turning
+from raceway.theory.models import DEFAULT
 from raceway.theory.static import STRAIGHT, Equilibrium
 
 ENOUGH = 0.01  # K
@@ -108,7 +109,7 @@ class Scene:
         rpm: float,
         density: float = 7800.0,
         spin_law: str = "closed",
-        models: str = "full",
+        models: str = DEFAULT,
         held: Mapping[str, float] = STRAIGHT,
         size: tuple[float, float] | None = None,
     ) -> None:
@@ -250,7 +251,7 @@ class Case:
     four_point: float | None = None  # these two as in `inputs.bearing`
     double_row: DoubleRow | None = None
     spin_law: str = "closed"  # these two as in `operating_point.figures`
-    models: str = "full"
+    models: str = DEFAULT
 
     def files(self) -> tuple[Path, Path]:
         """Paths of the bearing and of the lubricant. Raises `RacewayError`."""
