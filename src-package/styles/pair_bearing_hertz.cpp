@@ -4,6 +4,7 @@
 #include "pair_bearing_hertz.h"
 
 #include "../core/settings/arguments.h"
+#include "citation.h"
 #include "fixes.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ PairBearingHertz::PairBearingHertz(LAMMPS *lmp, bool with_film) :
   single_enable = 0;
   restartinfo = 1;
   no_virial_fdotr_compute = 1;
+  bearing::cite_paper(lmp);
 }
 
 PairBearingHertz::~PairBearingHertz()

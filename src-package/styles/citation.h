@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The paper whose model the styles implement, for the host's list of citations.
+#ifndef CITATION_H
+#define CITATION_H
+
+#include "bearing_compat.h"
+#if !BEARING_IS_LIGGGHTS
+#include "citeme.h"
+#endif
+
+namespace bearing {
+
+constexpr char citation[] =
+    "Raceway bearing styles: doi:10.1051/meca/2020022\n\n"
+    "@Article{Farah2020,\n"
+    " author =  {S. O. Farah and M. Guessasma and E. Bellenger},\n"
+    " title =   {Digital twin by {DEM} for ball bearing operating under {EHD} conditions},\n"
+    " journal = {Mechanics \\& Industry},\n"
+    " year =    2020,\n"
+    " volume =  21,\n"
+    " number =  5,\n"
+    " pages =   {506}\n"
+    "}\n\n";
+
+// LAMMPS prints its first line with all citations of the run; the log has the whole. LIGGGHTS would
+// write a file log.cite into the folder it was started in, so it is not told.
+inline void cite_paper(LAMMPS_NS::LAMMPS *lmp)
+{
+#if BEARING_IS_LIGGGHTS
+  (void)lmp;
+#else
+  if (lmp->citeme) lmp->citeme->add(citation);
+#endif
+}
+
+}    // namespace bearing
+
+#endif
