@@ -2,6 +2,7 @@
 """The data files of the decks: bearings and lubricants."""
 
 import math
+from pathlib import Path
 from typing import NamedTuple
 
 from raceway.data_file import check, numbers, values
@@ -53,6 +54,15 @@ class Oil(NamedTuple):
     roughness: float  # m, composite
 
 
+def _named(kind, path):
+    """The path of a data file; of a name without folder that is no file here, as
+    `catalogue.find`."""
+    from raceway import catalogue  # which imports this module
+
+    plain = Path(path).name == str(path) and not Path(path).is_file()
+    return catalogue.find(kind, str(path)) if plain else path
+
+
 def bearing(
     path: FilePath,
     *,
@@ -60,9 +70,10 @@ def bearing(
     double_row: DoubleRow | None = None,
     one_groove: str | None = None,
 ) -> Bearing:
-    """`Bearing` of a file of inputs/bearings, of four points where the file or `four_point` (rad)
-    says so, with two rows by `double_row`. `one_groove`, a reason, refuses several grooves a ring.
-    Raises `InputError`."""
+    """`Bearing` of a file of inputs/bearings or of a name of the catalogue, of four points where
+    the file or `four_point` (rad) says so, with two rows by `double_row`. `one_groove`, a reason,
+    refuses several grooves a ring. Raises `InputError`."""
+    path = _named("bearings", path)
     body = _one_groove(path)
     angle = four_point_angle(path) if four_point is None else four_point
     if one_groove and (angle is not None or double_row is not None):
@@ -242,8 +253,9 @@ def shoulders(path: FilePath) -> Shoulders:
 
 
 def oil(path: FilePath, temperature: float | None = None) -> Oil:
-    """`Oil` of a file of inputs/lubricants at a `temperature` in degrees C, the file's own unless
-    given. Raises `InputError`, for the dry one too."""
+    """`Oil` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, the
+    file's own unless given. Raises `InputError`, for the dry one too."""
+    path = _named("lubricants", path)
     at = fluid(path, temperature)
     data = numbers(path, "roughness", "ball_roughness")
     return Oil(
@@ -255,13 +267,14 @@ def oil(path: FilePath, temperature: float | None = None) -> Oil:
 
 
 def fluid(path: FilePath, temperature: float | None = None) -> Fluid:
-    """`Fluid` of a file of inputs/lubricants at a `temperature` in degrees C, the file's own unless
-    given.
+    """`Fluid` of a file of inputs/lubricants, or its name, at a `temperature` in degrees C, the
+    file's own unless given.
 
     A file has physical data, from which the fluid follows at any temperature, or the fluid
     outright, at one. A value given outright goes before physical data, as in a deck. What an older
     file does not say is NaN. Raises `InputError`, also for a temperature a file has no values for.
     """
+    path = _named("lubricants", path)
     data = values(path)
     own = numbers(path, "temperature")["temperature"] if "temperature" in data else math.nan
     if physical(path):
@@ -287,7 +300,8 @@ def physical(path: FilePath) -> bool:
 
 
 def lubricant(path: FilePath) -> Lubricant:
-    """`Lubricant` of a file with physical data. Raises `InputError`."""
+    """`Lubricant` of a file with physical data, or its name. Raises `InputError`."""
+    path = _named("lubricants", path)
     law, names = (
         (Vogel, ("vogel_viscosity", "vogel_slope", "vogel_temperature"))
         if "vogel_viscosity" in values(path)

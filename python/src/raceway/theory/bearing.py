@@ -7,6 +7,7 @@ clearance) for the outer. A `Layout` gives each ring several grooves, for one ro
 four-point contact and double row bearings.
 """
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any, NamedTuple
@@ -17,6 +18,7 @@ from raceway.arrays import Floats, Numbers
 from raceway.core import laws
 
 INNER, OUTER = 0, 1
+MOST = 1.0  # m; larger balls are meant in millimetres
 ARRANGEMENTS = {"back_to_back": 1.0, "face_to_face": -1.0}
 
 
@@ -54,7 +56,8 @@ class Bearing:
     """Ball bearing; lengths in m, `young` in Pa. `balls` are those of a row. `outer_radius` is the
     value before clearance.
 
-    Raises `ValueError` for a size that is not positive or a groove no wider than its ball.
+    Raises `ValueError` for a size that is not positive or a groove no wider than its ball, and
+    warns of a size in millimetres.
     """
 
     balls: int
@@ -72,6 +75,12 @@ class Bearing:
             value = getattr(self, field.name)
             if not (np.isfinite(value) and (value > 0 or field.name == "poisson")):
                 raise ValueError(f"{field.name} = {value} must be positive")
+        if self.ball_diameter > MOST:
+            warnings.warn(
+                f"ball_diameter = {self.ball_diameter:g} m: sizes are in metres, "
+                f"{self.ball_diameter:g} mm is {1e-3 * self.ball_diameter:g}",
+                stacklevel=3,
+            )
         if not -1 < self.poisson < 0.5:
             raise ValueError(f"poisson = {self.poisson} must lie between -1 and 0.5")
         for name in ("inner_groove", "outer_groove"):

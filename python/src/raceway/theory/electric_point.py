@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from raceway import catalogue, inputs
+from raceway.arrays import short
 from raceway.files import FilePath
 from raceway.theory import capacitors, film_voltage, impedance, lubrication
 from raceway.theory.asperity import zhou_hoeprich
@@ -37,6 +38,8 @@ class Point(NamedTuple):
     clearance: float  # m
     film: FilmInGap | None
     filling: Filling
+
+    __repr__ = short
 
     def capacitors(self, scale: float = 1.0) -> BearingCapacitors:
         """`BearingCapacitors` with every film `scale` times as thick."""

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import root
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, short
 from raceway.core import laws
 from raceway.theory import (
     asperity,
@@ -68,6 +68,8 @@ class Losses(NamedTuple):
     drag: Floats
     asperity_share: Floats  # L_a
     friction: Floats  # mu
+
+    __repr__ = short
 
     @property
     def parts(self) -> dict[str, float]:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, short
 from raceway.errors import NoEquilibrium
 from raceway.inputs import Oil
 from raceway.theory import ball_motion, capacitance, film, hertz, kinematics
@@ -31,6 +31,8 @@ class Film(NamedTuple):
     capacitance: Floats  # F
     rolling: Floats  # m/s, as from `ball_motion.speeds`
 
+    __repr__ = short
+
 
 class Lubrication(NamedTuple):
     """Films of both raceways and the capacitance in a bridge measurement."""
@@ -39,6 +41,8 @@ class Lubrication(NamedTuple):
     outer: Film
     ball: Floats  # (Z,), F: inner and outer in series (eq 12), grooves of a ring in parallel
     total: float  # F: all balls in parallel (eq 12), no background
+
+    __repr__ = short
 
 
 def lubricate(

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, short
 from raceway.errors import NoEquilibrium
 from raceway.theory import beam, static
 from raceway.theory.beam import FREEDOMS, Disc, Section, Steel
@@ -68,6 +68,8 @@ class Carried:
     state: static.Equilibrium
     stiffness: Floats  # (5, 5), of the bearing as the shaft meets it
 
+    __repr__ = short
+
 
 @dataclass(frozen=True)
 class Rest:
@@ -77,6 +79,8 @@ class Rest:
     place: Floats  # (N, 5), m and rad
     bearings: list[Carried]
     residual: float  # residual of the balance over the loads
+
+    __repr__ = short
 
 
 def rest(

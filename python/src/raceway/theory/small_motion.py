@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raceway.arrays import Floats, Numbers
+from raceway.arrays import Floats, Numbers, short
 
 SLOW = 1e-9  # rad/s: a motion so slow that damping is the derivative of the response
 
@@ -25,12 +25,16 @@ class Linear(NamedTuple):
     along: Floats  # (C, Z), N/m: of the contacts along their lines, 1.5 Q over the compression
     loaded: Floats  # (Z,), bool: balls with an inner contact, the others hold no ring
 
+    __repr__ = short
+
 
 class Response(NamedTuple):
     """Response of a ring to small motions at one frequency, in x, y, z, rx, ry."""
 
     stiffness: Floats  # (5, 5), N/m, N/rad, N m/rad
     damping: Floats  # (5, 5), N s/m, N s/rad, N m s/rad
+
+    __repr__ = short
 
 
 def condensed(whole: Floats) -> Floats:

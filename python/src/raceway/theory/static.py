@@ -31,7 +31,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from raceway.arrays import Floats
+from raceway.arrays import Floats, short
 from raceway.errors import NoEquilibrium
 from raceway.theory import hertz, seat
 from raceway.theory.balance import Balance
@@ -58,6 +58,8 @@ class Contacts(NamedTuple):
     b: Floats  # m, along rolling
     pressure: Floats  # Pa
 
+    __repr__ = short
+
     @property
     def heavy(self) -> Floats:
         """Contacts of a load above `LIGHT`, bool. The others may be balls that their centrifugal
@@ -82,6 +84,8 @@ class Equilibrium:
     # ellipses
     stiffness: Floats
     linear: Linear  # of the balls about their rest, for `small_motion.response`
+
+    __repr__ = short
 
 
 def equilibrium(
