@@ -115,7 +115,7 @@ def test_a_map_without_discharges(folder, tmp_path):
     [
         (["--motor", "50e-12", "1e-9"], "give the voltage: --constant, --sine"),
         (["--floating", "5", "--constant", "1"], "--floating takes no voltage"),
-        (["--source", "1", "--sine", "3", "-1"], "frequency = -1 Hz must be positive"),
+        (["--source", "1", "--sine", "3", "-1"], "--sine: -1 is out of range"),
         (["--source", "0", "--constant", "3", "--strength", "1e7"], "give it a resistance"),
         (["--source", "1", "--sine", "3", "1e5", "--points", "1"], "points = 1 must be at"),
         (["--constant", "1"], "one of the arguments --motor --source --floating is required"),

@@ -209,7 +209,11 @@ POINT = ["--load", "1000", "--rpm", "900"]
         ([*POINT, "--shoulders", "0.04", "0.07"], 2, "shoulder diameter = 0.04 m"),
         ([*POINT, "--measured", "1e-13"], 2, "films from 0.001 to 1000 times"),
         ([*POINT, "--measured-impedance", "1e5", "-90"], 2, "needs --frequency"),
-        ([*POINT, "--frequency", "1", "--measured-impedance", "1", "9"], 2, "DEG from -90 to 0"),
+        (
+            [*POINT, "--frequency", "1", "--measured-impedance", "1", "9"],
+            2,
+            "-90 to 0 deg",
+        ),
         ([*POINT, "--lubricant", "dry"], 1, "has no variable viscosity"),
         ([*POINT, "--lubricant", "mineral", "--temperature", "70"], 1, "values for 40 C only"),
         ([*POINT, "--csv", "/nowhere/x.csv"], 1, "cannot write /nowhere/x.csv"),

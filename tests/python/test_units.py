@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """SI prefixes."""
 
+import argparse
+import math
+
 import pytest
-from raceway.units import axis, prefixed
+from raceway import cli
+from raceway.units import PREFIX, SCALED, axis, prefixed, read
 
 
 @pytest.mark.parametrize(
@@ -23,6 +27,81 @@ from raceway.units import axis, prefixed
 )
 def test_prefixed(value, unit, shown):
     assert prefixed(value, unit) == shown
+
+
+@pytest.mark.parametrize(
+    "text, unit, value",
+    [
+        ("5kN", "N", 5000.0),
+        ("5 kN", "N", 5000.0),
+        ("5e3", "N", 5000.0),
+        ("10um", "m", 10e-6),
+        ("-12.5µm", "m", -12.5e-6),
+        ("10um", "mm", 10e-3),
+        ("2in", "mm", None),
+        ("60C", "C", 60.0),
+        ("60 °C", "C", 60.0),
+        ("3000rpm", "rpm", 3000.0),
+        ("2krpm", "rpm", 2000.0),
+        ("50Hz", "rpm", 3000.0),
+        ("2kHz", "Hz", 2000.0),
+        ("10Nm", "N m", 10.0),
+        ("2.5kN*m", "N m", 2500.0),
+        ("150pF", "F", 150e-12),
+        ("1Gohm m", "ohm m", 1e9),
+        ("20MV/m", "V/m", 20e6),
+        ("40deg", "degrees", 40.0),
+        ("20arcmin", "rad", math.pi / 540),
+        ("5mrad", "rad", 5e-3),
+        ("5kg", "N", None),
+        ("5kN", "m", None),
+        ("5kN", "passes", None),
+        ("kN", "N", None),
+        ("5kkN", "N", None),
+        ("5k", "N", None),
+        ("", "N", None),
+    ],
+)
+def test_read(text, unit, value):
+    if value is None:
+        with pytest.raises(ValueError, match="is not a number"):
+            read(text, unit)
+    else:
+        assert read(text, unit) == pytest.approx(value, rel=1e-15)
+
+
+@pytest.mark.parametrize("unit", sorted(SCALED))
+def test_what_is_printed_can_be_read(unit):
+    """Decimal texts with a prefix are the bits of the number with an exponent."""
+    for power, sign in PREFIX.items():
+        assert read(f"12.7{sign}{unit}", unit) == float(f"12.7e{power}")
+    assert read(prefixed(4.7e3, unit), unit) == 4700.0
+
+
+def test_every_physical_option_takes_its_unit():
+    """No command reads an option by float: a length takes 10um wherever there is one."""
+    (commands,) = (
+        action
+        for action in cli._parser()._actions
+        if isinstance(action, argparse._SubParsersAction)
+    )
+    plain = [
+        (name, action.option_strings)
+        for name, parser in commands.choices.items()
+        for action in parser._actions
+        if action.type is float
+    ]
+    assert plain == []
+
+
+def test_an_error_names_option_value_and_range(capsys):
+    for text, said in (
+        ("5kg", "argument --load: '5kg' is not a number in N: give 12.5 or, with its unit, 5kN"),
+        ("2MN", "argument --load: 2MN is out of range: must lie from 0 to 1e+06 N"),
+    ):
+        with pytest.raises(SystemExit):
+            cli.main(["static", "--load", text])
+        assert said in capsys.readouterr().err
 
 
 def test_axis():

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers for people: SI prefixes."""
+"""Numbers for people: SI prefixes, written and read."""
 
 import math
+import re
 
 PREFIX = {-15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
@@ -22,6 +23,75 @@ def prefixed(value: float, unit: str, digits: int = 4) -> str:
     if abs(value) < 1e-18:  # of no prefix
         return f"{value:.{digits}g} {unit}"
     return f"{value / 10.0**power:.{digits}g} {PREFIX[power]}{unit}"
+
+
+# Units that a value may be given in, by the unit it is wanted in; those with SI prefixes besides
+# the unit itself are in `SCALED`. Other units, such as passes, are no units of physics.
+SPELLED = {
+    "C": {"C": 1.0, "°C": 1.0, "degC": 1.0},
+    "degrees": {"deg": 1.0, "°": 1.0, "degrees": 1.0, "arcmin": 1 / 60, "rad": 180 / math.pi},
+    "rad": {
+        "deg": math.pi / 180,
+        "°": math.pi / 180,
+        "arcmin": math.pi / 10800,
+        "'": math.pi / 10800,
+    },
+    "kg/m^3": {"kg/m^3": 1.0, "kg/m3": 1.0, "g/cm3": 1e3, "g/cm^3": 1e3},
+    "rpm": {"rpm": 1.0, "krpm": 1e3, "1/min": 1.0, "Hz": 60.0},
+}
+SCALED = {"N", "N m", "m", "Hz", "V", "V/m", "F", "W/K", "ohm", "ohm m", "rad"}
+MILLI = {"mm": "m"}  # wanted in thousandths of another unit
+NUMBER = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*)", re.DOTALL)
+
+
+def read(text: str, unit: str) -> float:
+    """The value of `text` in `unit`: a bare number, or one with a unit, such as 5kN or 10um.
+
+    u and µ both mean micro. Raises `ValueError` for text that is no number, or in another unit.
+
+    >>> read("5kN", "N"), read("0.05", "mm"), read("50um", "mm"), read("2krpm", "rpm")
+    (5000.0, 0.05, 0.05, 2000.0)
+    """
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    match = NUMBER.fullmatch(text.strip())
+    factor = match and _factor(match[2], unit)
+    if factor is None:
+        raise ValueError(f"'{text}' is not a number{_hint(unit)}")
+    value, power = float(match[1]), math.log10(factor)
+    # as written, 10um is 1e-05 to the last bit: a decimal number rounds once
+    if abs(power - round(power)) < 1e-12 and "e" not in match[1].lower():
+        return float(f"{match[1]}e{round(power)}")
+    return value * factor
+
+
+def _factor(written, unit):
+    spelling = written.strip()
+    if unit in SPELLED and spelling in SPELLED[unit]:
+        return SPELLED[unit][spelling]
+    if unit in MILLI:
+        factor = _factor(written, MILLI[unit])
+        return factor and 1e3 * factor
+    if unit not in SCALED:
+        return None
+    plain, base = (re.sub(r"[ *·]", "", one) for one in (spelling, unit))
+    plain = plain.replace("Ω", "ohm").replace("μ", "µ")  # the Greek letter, for the sign of micro
+    prefix = plain.removesuffix(base)
+    if prefix == plain or prefix == "":
+        return 1.0 if prefix == "" else None
+    powers = {sign: power for power, sign in PREFIX.items() if sign} | {"u": -6}
+    return 10.0 ** powers[prefix] if prefix in powers else None
+
+
+def _hint(unit):
+    """What a value in `unit` looks like, for messages."""
+    example = {"rpm": "3000rpm", "C": "60C", "degrees": "40deg", "kg/m^3": "7.8g/cm3"}
+    example |= {"m": "10um", "mm": "80mm", "N": "5kN", "rad": "20arcmin, 0.3deg or 5mrad"}
+    if unit in example or unit in SCALED:
+        return f" in {unit}: give 12.5 or, with its unit, {example.get(unit, f'5k{unit}')}"
+    return ""
 
 
 def axis(largest: float, unit: str) -> tuple[float, str]:

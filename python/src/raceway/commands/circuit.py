@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from raceway.commands import Commands, one_run
-from raceway.commands.quantity import number, positive, takes_negative
+from raceway.commands.quantity import each, number, positive, takes_negative
 
 DESCRIPTION = """\
 The circuit of a bearing that ran: every ball floats between two films, and an outer circuit lies
@@ -130,15 +130,22 @@ def _outer(one):
     )
 
 
+VOLT, HERTZ = number(-1e6, 1e6, "V"), number(1e-9, 1e12, "Hz")
+
+
 def _voltage(one):
     voltage = one.add_mutually_exclusive_group()
-    voltage.add_argument("--constant", type=number(-1e6, 1e6, "V"), metavar="V", help="volts")
+    voltage.add_argument("--constant", type=VOLT, metavar="V", help="volts")
     voltage.add_argument(
-        "--sine", type=float, nargs=2, metavar=("V", "HZ"), help="amplitude and frequency"
+        "--sine",
+        action=each(VOLT, HERTZ),
+        nargs=2,
+        metavar=("V", "HZ"),
+        help="amplitude and frequency",
     )
     voltage.add_argument(
         "--common-mode",
-        type=float,
+        action=each(VOLT, HERTZ, HERTZ, number(0, 1, "")),
         nargs=4,
         metavar=("V", "HZ", "HZ", "M"),
         help="of an inverter: link voltage, carrier, fundamental, modulation from 0 to 1",

@@ -11,7 +11,7 @@ from contextlib import redirect_stdout
 from pathlib import Path
 
 from raceway.commands import Commands, electric_run, options
-from raceway.commands.quantity import number, takes_negative
+from raceway.commands.quantity import each, number, takes_negative
 from raceway.theory.models import CAPACITANCE, PAPER
 
 HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
@@ -179,7 +179,7 @@ def _electrics(one):
     )
     electric.add_argument(
         "--measured-impedance",
-        type=float,
+        action=each(number(1e-3, 1e15, "ohm"), number(-90, 0, "degrees")),
         nargs=2,
         metavar=("OHM", "DEG"),
         help="the same from modulus and phase at --frequency; the phase is negative",
@@ -237,10 +237,8 @@ def _check(arguments):
         if arguments.measured is not None or arguments.frequency is None:
             complain("--measured-impedance: needs --frequency, and no --measured")
         size, phase = arguments.measured_impedance
-        if not (0 < size < math.inf and -90 <= phase < 0):
-            complain(
-                f"--measured-impedance {size:g} {phase:g}: OHM must be positive, DEG from -90 to 0"
-            )
+        if phase == 0:
+            complain(f"--measured-impedance {size:g} 0: a capacitance has a phase below 0")
 
 
 def _filling(arguments):

@@ -1,29 +1,23 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Numbers on the command line: range checks with a clear message."""
+"""Numbers on the command line, bare or with a unit: range checks with a clear message."""
 
 import argparse
-import math
 import re
 from collections.abc import Callable
+from typing import Any
 
-ANGLES = {
-    "": 1.0,
-    "rad": 1.0,
-    "mrad": 1e-3,
-    "deg": math.pi / 180,
-    "arcmin": math.pi / 10800,
-    "'": math.pi / 10800,
-}
+from raceway import units
 
 
 def number(low: float, high: float, unit: str) -> Callable[[str], float]:
-    """An argparse type: a float from `low` to `high`, in `unit`."""
+    """An argparse type: a float from `low` to `high`, in `unit` unless the text has another one
+    (`units.read`)."""
 
     def convert(text):
         try:
-            value = float(text)
-        except ValueError:
-            raise argparse.ArgumentTypeError(f"'{text}' is not a number") from None
+            value = units.read(text, unit)
+        except ValueError as error:
+            raise argparse.ArgumentTypeError(str(error)) from None
         return inside(value, text, low, high, unit)
 
     return convert
@@ -36,21 +30,18 @@ def positive(text: str) -> int:
     return int(text)
 
 
-def angle(low: float, high: float) -> Callable[[str], float]:
-    """An argparse type: an angle in rad, or with one of the suffixes of `ANGLES`; from `low` to
-    `high` rad."""
+def each(*kinds: Callable[[str], Any]) -> type[argparse.Action]:
+    """An argparse action for an option with a value of each of the types `kinds`."""
 
-    def convert(text):
-        match = re.fullmatch(r"([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)([a-z']*)", text)
-        try:
-            value = float(match.group(1)) * ANGLES[match.group(2)]
-        except (AttributeError, KeyError, ValueError):
-            raise argparse.ArgumentTypeError(
-                f"'{text}' is not an angle: give rad, or 20arcmin, 0.3deg, 5mrad"
-            ) from None
-        return inside(value, text, low, high, "rad")
+    class Each(argparse.Action):
+        def __call__(self, parser, namespace, values, option_string=None):
+            try:
+                found = [kind(text) for kind, text in zip(kinds, values, strict=True)]
+            except argparse.ArgumentTypeError as error:
+                raise argparse.ArgumentError(self, str(error)) from None
+            setattr(namespace, self.dest, found)
 
-    return convert
+    return Each
 
 
 def inside(value: float, text: str, low: float, high: float, unit: str) -> float:

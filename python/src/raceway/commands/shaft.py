@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 from raceway.commands import Commands
+from raceway.commands.quantity import number
 from raceway.theory.cleanliness import CLEANLINESS
 from raceway.units import prefixed
 
@@ -67,14 +68,14 @@ def add(commands: Commands) -> None:
     )
     reduced.add_argument(
         "--damping",
-        type=float,
+        type=number(0, 1, ""),
         default=0.0,
         metavar="RATIO",
         help="damping ratio of every elastic mode (0)",
     )
     reduced.add_argument(
         "--kept",
-        type=float,
+        type=number(-1e3, 1e3, "m"),
         nargs="+",
         default=[],
         metavar="Z",
@@ -83,7 +84,7 @@ def add(commands: Commands) -> None:
     )
     reduced.add_argument(
         "--places",
-        type=float,
+        type=number(-1e3, 1e3, "m"),
         nargs="+",
         default=[],
         metavar="Z",

@@ -7,7 +7,7 @@ import json
 import math
 
 from raceway.commands import Commands, options
-from raceway.commands.quantity import angle, number, takes_negative
+from raceway.commands.quantity import number, takes_negative
 from raceway.theory import models
 from raceway.theory.cleanliness import CLEANLINESS
 
@@ -41,8 +41,8 @@ HOLD = {
     "x": number(-1e-2, 1e-2, "m"),
     "y": number(-1e-2, 1e-2, "m"),
     "z": number(-1e-2, 1e-2, "m"),
-    "rx": angle(-0.2, 0.2),
-    "ry": angle(-0.2, 0.2),
+    "rx": number(-0.2, 0.2, "rad"),
+    "ry": number(-0.2, 0.2, "rad"),
 }
 
 
@@ -90,7 +90,7 @@ def add(commands: Commands) -> None:
     options.grooves(ring)
     ring.add_argument(
         "--tilt",
-        type=angle(-0.2, 0.2),
+        type=number(-0.2, 0.2, "rad"),
         nargs=2,
         metavar=("RX", "RY"),
         help="hold these tilts about x and y: rad, or 20arcmin, 0.3deg, 5mrad",
@@ -114,7 +114,7 @@ def add(commands: Commands) -> None:
     balls = one.add_argument_group("balls, speed, film")
     balls.add_argument(
         "--phase",
-        type=angle(-2 * math.pi, 2 * math.pi),
+        type=number(-2 * math.pi, 2 * math.pi, "rad"),
         default=0.0,
         metavar="ANGLE",
         help="azimuth of the first ball from the load line: rad, or 20deg (0)",
