@@ -23,6 +23,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_PACK_FORWARD pack_forward_comm
 #define BRG_UNPACK_FORWARD unpack_forward_comm
 #define BRG_READ_RESTART_SIG (FILE * fp)
+#define BRG_READ_RESTART_ARGS (fp)
 #define BRG_UNUSED_RESTART_ARGS \
   do {                          \
   } while (0)
@@ -31,6 +32,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *lmp) { lmp->timer->force_
 #define BRG_ARRAYS_ARE_SET() \
   do {                       \
   } while (0)
+#define BRG_AFTER_CREATION post_constructor
 #define BRG_CHANGES_BOX(fix) (((fix).box_change & ~BOX_CHANGE_DOMAIN) != 0)
 #if BEARING_HOST == BEARING_LAMMPS_2022
 #define BRG_FORWARD_FIX(fix) comm->forward_comm(fix)

@@ -29,6 +29,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 #define BRG_PACK_FORWARD pack_comm
 #define BRG_UNPACK_FORWARD unpack_comm
 #define BRG_READ_RESTART_SIG (FILE * fp, const int major, const int minor)
+#define BRG_READ_RESTART_ARGS (fp, major, minor)
 #define BRG_UNUSED_RESTART_ARGS \
   do {                          \
     (void)major;                \
@@ -41,6 +42,7 @@ inline void end_run_after_this_step(LAMMPS_NS::LAMMPS *)
 #define BRG_ARRAYS_ARE_SET() just_created = 0
 #define BRG_CHANGES_BOX(fix) ((fix).box_change_size || (fix).box_change_shape)
 #define BRG_FORWARD_FIX(fix) comm->forward_comm_fix(fix)
+#define BRG_AFTER_CREATION post_create
 #define BRG_SET_MAXEXCHANGE(n) \
   comm->maxexchange_fix = comm->maxexchange_fix > (int)(n) ? comm->maxexchange_fix : (int)(n)
 #define BRG_REQUEST_HALF() neighbor->request(this)

@@ -86,6 +86,20 @@ NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::st
   return data;
 }
 
+std::vector<std::string> given_of(const NamedData &data)
+{
+  std::vector<std::string> list;
+  for (const auto &value : data.values) {
+    const auto of_file = data.of_file.find(value.first);
+    const bool data_of = find_deck_variable(value.first, "bearing data") ||
+                         find_deck_variable(value.first, "usual data") ||
+                         find_deck_variable(value.first, "oil data");
+    if (data_of && (of_file == data.of_file.end() || of_file->second != value.second))
+      list.push_back(value.first + "=" + value.second);
+  }
+  return list;
+}
+
 void check_data(const Arguments &args, NamedData &data, const std::string &of)
 {
   std::vector<std::string> missing;

@@ -29,7 +29,9 @@
 #include "../styles/fix_bearing_shaft.h"
 #include "../styles/fix_bearing_state.h"
 #include "../styles/fix_bearing_timestep.h"
+#include "../styles/fix_bearing_verlet.h"
 #include "../styles/name_bearing.h"
+#include "../styles/pair_bearing.h"
 #include "../styles/pair_bearing_ehd.h"
 #include "../styles/run_bearing.h"
 
@@ -39,10 +41,14 @@ template <class Registry> void register_bearing_styles(Registry &add)
   using namespace LAMMPS_NS;
   add.template pair<PairBearingHertz>("bearing/hertz");
   add.template pair<PairBearingEHD>("bearing/ehd");
+  add.template pair<PairBearing>("bearing");
   add.template fix<FixBearingState>("bearing/state");
   add.template fix<FixBearingRing>("bearing/ring");
   add.template fix<FixBearingShaft>("bearing/shaft");
   add.template fix<FixBearingImplicit>("bearing/implicit");
+  add.template fix<FixBearingImplicit>("bearing/damping");
+  add.template fix<FixBearingImplicit>("bearing/vibration");
+  add.template fix<FixBearingVerlet>("bearing/verlet");
   add.template fix<FixBearingCage>("bearing/cage");
   add.template fix<FixBearingCageRing>("bearing/cage/ring");
   add.template fix<FixBearingCapacitance>("bearing/capacitance");

@@ -18,13 +18,6 @@ using raceway::Vec3;
 
 namespace bearing {
 
-double written(double value)
-{
-  char digits[32];
-  snprintf(digits, sizeof digits, "%.15g", value);
-  return strtod(digits, nullptr);
-}
-
 namespace {
 
 struct Body {

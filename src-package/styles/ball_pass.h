@@ -3,14 +3,12 @@
 #ifndef BEARING_BALL_PASS_H
 #define BEARING_BALL_PASS_H
 
+#include "../core/settings/written.h"
 #include "bearing_compat.h"
 
 #include <string>
 
 namespace bearing {
-
-// Value as the host writes that of a formula, so that a deck that passes it on has the same bits.
-double written(double value);
 
 // s; the longest of all bearings whose rings turn. Balls roll at the speeds that the fixes
 // bearing/ring impose now. `angle` (degrees): contact angle; NAN: that of the balls' present

@@ -14,7 +14,7 @@ namespace bearing {
 
 Offer offer_of(LAMMPS *lmp, const PairBearingHertz &pair)
 {
-  const std::vector<FixBearingCapacitance *> fixes = fixes_of<FixBearingCapacitance>(lmp);
+  const std::vector<FixBearingCapacitance *> fixes = capacitances_of(lmp);
   return {pair.coefficients().lubricated(), !fixes.empty(),
           std::any_of(fixes.begin(), fixes.end(),
                       [](const FixBearingCapacitance *f) { return f->model().surrounded(); }),
@@ -24,7 +24,7 @@ Offer offer_of(LAMMPS *lmp, const PairBearingHertz &pair)
 std::function<raceway::FilmCapacitorT<double>(const RacewayContact &)>
 capacitor_of(LAMMPS *lmp, const std::string &asked_by, const std::string &wants)
 {
-  const std::vector<FixBearingCapacitance *> fixes = fixes_of<FixBearingCapacitance>(lmp);
+  const std::vector<FixBearingCapacitance *> fixes = capacitances_of(lmp);
   if (fixes.empty()) BRG_ALL_OF(lmp, asked_by + ": " + wants + " needs a fix bearing/capacitance");
   return [fixes](const RacewayContact &c) -> raceway::FilmCapacitorT<double> {
     for (FixBearingCapacitance *f : fixes)

@@ -4,7 +4,12 @@
 #include "../core/laws/rolling.h"
 #include "../core/raceway/start_rotation.h"
 #include "../core/settings/arguments.h"
-#include "pair_bearing_hertz.h"
+#include "../core/settings/deck_words.h"
+#include "../core/settings/written.h"
+#include "named_bearing.h"
+#include "pair_bearing.h"
+
+#include <sstream>
 
 using namespace LAMMPS_NS;
 using namespace raceway;
@@ -15,9 +20,58 @@ using bearing::text;
 // [cage_density RHO]
 //   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [thrust F] [cage_ring TYPE]
 //   [groups yes|no] [resumed yes|no]
+// or: create_bearing NAME [speed W_i W_o] [thrust F] [centre x y z] [phase PHI], of a named bearing
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
+  if (args.more() && !args.next_is_number()) return command_named(args);
+  create(args);
+}
+
+// The words with the data of the bearing; after a restart its atoms exist.
+void CreateBearing::command_named(Arguments &args)
+{
+  const bearing::NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
+  auto *pair = dynamic_cast<PairBearing *>(force->pair);
+  if (!pair) args.fail("bearing " + b.name + " needs pair_style bearing before it");
+  double speed[2] = {0.0, 0.0}, thrust = 0.0;
+  std::string more;
+  while (args.more()) {
+    if (args.take("speed"))
+      for (double &w : speed) {
+        more += (&w == speed ? " speed " : " ") + args.next();
+        w = args.number("speed of a ring (rad/s)");
+      }
+    else if (args.take("thrust")) thrust = args.number("thrust (N)");
+    else if (args.take("phase")) more += " phase " + args.value_of("phase");
+    else if (args.take("centre"))
+      for (int k = 0; k < 3; ++k) more += (k ? " " : " centre ") + args.word("centre (m)");
+    else args.unknown("speed, thrust, phase, centre");
+  }
+  pair->set_speed(b.name, speed[0] - speed[1]);
+  more += " thrust " + bearing::digits(thrust);
+  const bool angle = b.number("contact_angle") > 0.0, four = b.number("four_point") > 0.0;
+  const std::string seat = (angle || four) && thrust < 0.0   ? "minus"
+                           : angle || (four && thrust > 0.0) ? "plus"
+                                                             : "none";
+  const bool resumed = bearing::host_variable(lmp, "b_resumed").value_or("0") == "1";
+  const std::string line =
+      std::to_string(b.balls) + " " + (b.has_cage ? std::to_string(b.cage) : "none") + " " +
+      std::to_string(b.inner) + " " + std::to_string(b.outer) + " balls " + b.word("balls") +
+      " diameter " + b.word("ball_diameter") + " density " + b.word("ball_density") + more +
+      " seat " + seat + " groups yes resumed " + (resumed ? "yes" : "no") +
+      (b.has_cage ? " cage " + b.word("cage_ball_diameter") : "");
+  std::istringstream in(line);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  bearing::note_words(lmp, "create_bearing", words);
+  Arguments own(lmp, "create_bearing " + b.name, words);
+  create(own);
+  if (!b.has_cage) input->one(("group cage type " + std::to_string(b.cage)).c_str());
+}
+
+void CreateBearing::create(Arguments &args)
+{
   if (!domain->box_exist)
     args.fail("the simulation box does not exist yet: create_box comes first");
   PairBearingHertz &pair = *PairBearingHertz::find(lmp, "create_bearing");

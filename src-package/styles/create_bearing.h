@@ -44,6 +44,8 @@ class CreateBearing : public bearing::CommandBase {
     bool resumed = false;                  // the atoms exist already, from a restart file
   };
 
+  void command_named(bearing::Arguments &);
+  void create(bearing::Arguments &);
   Plan parse(bearing::Arguments &);
   void check(bearing::Arguments &, const PairBearingHertz &, Plan &);
   static void seat(bearing::Arguments &, const raceway::Groove &inner, const raceway::Groove &outer,

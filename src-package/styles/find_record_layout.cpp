@@ -42,7 +42,7 @@ bool before(const Piece &a, const Piece &b)
 std::map<double, double> permittivities(LAMMPS *lmp)
 {
   std::vector<double> mine, space;    // ball and permittivity in turn
-  for (const FixBearingCapacitance *f : fixes_of<FixBearingCapacitance>(lmp))
+  for (const FixBearingCapacitance *f : capacitances_of(lmp))
     for (int i = 0; i < lmp->atom->nlocal; ++i)
       if (f->covers(i)) {
         mine.push_back(static_cast<double>(lmp->atom->tag[i]));

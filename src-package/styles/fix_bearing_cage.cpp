@@ -4,6 +4,7 @@
 #include "../core/figures/fix_columns.h"
 #include "../core/settings/arguments.h"
 #include "fix_bearing_state.h"
+#include "named_bearing.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -53,6 +54,14 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   }
 }
 
+// False for the bearing of a deck that leaves its cage out by a word.
+bool FixBearingCage::expected() const
+{
+  for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
+    if (b->in_use && (b->inner == ring_type_ || b->outer == ring_type_)) return b->has_cage;
+  return true;
+}
+
 int FixBearingCage::setmask() { return PRE_NEIGHBOR | PRE_FORCE; }
 
 void FixBearingCage::init()
@@ -63,6 +72,7 @@ void FixBearingCage::init()
   for (int i = 0; i < atom->nlocal; ++i)
     if (atom->mask[i] & groupbit) radius = std::max(radius, atom->radius[i]);
   MPI_Allreduce(MPI_IN_PLACE, &radius, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (radius == 0.0 && !expected()) return;
   if (radius == 0.0)
     BRG_ALL(std::string("fix ") + id + " bearing/cage: its group has no cage balls");
   pitch_ = pair_->coefficients().pitch_radius(ring_type_);

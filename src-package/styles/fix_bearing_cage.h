@@ -31,6 +31,7 @@ class FixBearingCage : public Fix {
   const bearing::CageRails &rails() const { return cage_; }
 
  private:
+  bool expected() const;
   void find_balls();
 
   PairBearingHertz *pair_;

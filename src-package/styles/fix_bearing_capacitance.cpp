@@ -3,6 +3,7 @@
 
 #include "../core/figures/fix_columns.h"
 #include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
 #include "../ranks/gather.h"
 #include "fixes.h"
 #include "pair_bearing_hertz.h"
@@ -49,8 +50,8 @@ FixBearingCapacitance::FixBearingCapacitance(LAMMPS *lmp, int narg, char **arg) 
   if (args.more() && args.next_is_number())
     nevery = args.integer("steps between samples", 1, 1000000000);
   else wait();
-  for (int k = waits() ? 3 : 4; k < narg; ++k)
-    said_ += (said_.empty() ? "" : " ") + std::string(arg[k]);
+  for (const std::string &word : args.rest()) said_ += (said_.empty() ? "" : " ") + word;
+  idle_ = pair_->dry_by_choice();
   read_options(args);
   const bool all = model_.surrounded();
   if (!totals_name_.empty()) {
@@ -123,6 +124,8 @@ void FixBearingCapacitance::read_options(Arguments &args)
   if (within_ > 1 && nevery != 1)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
+  if (idle_) return;
+  take_usual_data();
   if (model_.permittivity == 0.0) args.fail("'permittivity EPS' is missing");
   if (model_.surroundings == Surroundings::cavitated &&
       model_.permittivity_outlet > model_.permittivity)
@@ -152,7 +155,36 @@ FixBearingCapacitance::~FixBearingCapacitance()
   memory->destroy(per_ball_);
 }
 
-int FixBearingCapacitance::setmask() { return END_OF_STEP; }
+// What the command leaves to the pair style, which may know bearing and oil
+void FixBearingCapacitance::take_usual_data()
+{
+  const std::vector<int> there = ball_types();
+  const auto usual = [&](double &value, const char *what, const auto &of) {
+    if (value != 0.0) return;
+    for (int type = 1; type <= atom->ntypes; ++type) {
+      if (!there[type] || of(type) == 0.0) continue;
+      if (value != 0.0 && value != of(type))
+        BRG_ALL(bearing::name_of(*this) + ": its balls have more than one " + what +
+                ": give each bearing its own fix, or the value");
+      value = of(type);
+    }
+  };
+  const bool shoulders = model_.inner_shoulder != 0.0 || model_.outer_shoulder != 0.0,
+             permittivity = model_.permittivity != 0.0;
+  usual(model_.permittivity, "permittivity", [this](int t) { return pair_->permittivity(t); });
+  usual(model_.inner_shoulder, "shoulder diameter",
+        [this](int t) { return pair_->shoulder(t, Side::inner); });
+  usual(model_.outer_shoulder, "shoulder diameter",
+        [this](int t) { return pair_->shoulder(t, Side::outer); });
+  if (!permittivity)
+    said_ =
+        "permittivity " + bearing::digits(model_.permittivity) + (said_.empty() ? "" : " ") + said_;
+  if (!shoulders && (model_.inner_shoulder != 0.0 || model_.outer_shoulder != 0.0))
+    said_ += " shoulders " + bearing::digits(model_.inner_shoulder) + " " +
+             bearing::digits(model_.outer_shoulder);
+}
+
+int FixBearingCapacitance::setmask() { return idle_ ? 0 : END_OF_STEP; }
 
 // `within` of its own needs samples at every step.
 void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
@@ -165,6 +197,7 @@ void FixBearingCapacitance::begin(const bearing::Sampling &sampling)
 
 void FixBearingCapacitance::init()
 {
+  if (idle_) return;
   if (waits()) return refuse_plain_run(lmp, bearing::name_of(*this));
   pair_ = PairBearingHertz::find(lmp, "fix bearing/capacitance");
   planned_ = -1;
@@ -209,7 +242,7 @@ void FixBearingCapacitance::check_shoulders()
 
 void FixBearingCapacitance::setup(int)
 {
-  if (waits()) return;
+  if (waits() || idle_) return;
   if (within_ > 1) find_integrators();
   sample(false);
 }
@@ -461,4 +494,12 @@ void FixBearingCapacitance::set_arrays(int i)
 double FixBearingCapacitance::memory_usage()
 {
   return double(size_peratom_cols) * atom->nmax * sizeof(double);
+}
+
+std::vector<FixBearingCapacitance *> bearing::capacitances_of(LAMMPS *lmp)
+{
+  std::vector<FixBearingCapacitance *> list;
+  for (FixBearingCapacitance *f : fixes_of<FixBearingCapacitance>(lmp))
+    if (!f->idle()) list.push_back(f);
+  return list;
 }

@@ -46,6 +46,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   bool covers(int i) const { return atom->mask[i] & groupbit; }
   const raceway::CapacitorModel &model() const { return model_; }
   std::string said() const { return said_; }    // words of the command after N
+  bool idle() const { return idle_; }           // dry contacts, as the deck chose
   // Capacitor of a contact in the table of the pair style; without contact that of the
   // surroundings, or 0.
   raceway::FilmCapacitorT<double> capacitor(const bearing::RacewayContact &);
@@ -80,6 +81,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   void read_surroundings(bearing::Arguments &);
   void read_outlet(bearing::Arguments &);
   std::vector<int> ball_types() const;
+  void take_usual_data();
   void check_shoulders();
   Row row_of(int instant, bearing::tag_t ball, const raceway::RacewayPhysics &, bool live,
              double load, const raceway::ContactState &,
@@ -94,6 +96,7 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
   PairBearingHertz *pair_ = nullptr;
   raceway::CapacitorModel model_;
   std::string said_, totals_name_, contacts_name_;
+  bool idle_ = false;
   double background_ = 0.0;
   raceway::FilmQuestions ask_;
   bearing::CapacitorTable table_;    // with surroundings
@@ -114,6 +117,11 @@ class FixBearingCapacitance : public Fix, public bearing::WaitsForRun {
 };
 
 }    // namespace LAMMPS_NS
+
+namespace bearing {
+// The fixes bearing/capacitance of a run that are not idle.
+std::vector<LAMMPS_NS::FixBearingCapacitance *> capacitances_of(LAMMPS_NS::LAMMPS *);
+}    // namespace bearing
 
 #endif
 #endif

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
+#include <filesystem>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -24,6 +25,7 @@ using namespace LAMMPS_NS;
 using namespace FixConst;
 using bearing::Arguments;
 using bearing::DrivenValue;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -121,7 +123,11 @@ FixBearingCheckpoint::FixBearingCheckpoint(LAMMPS *lmp, int narg, char **arg) :
       for (int n = args.integer("number of counters", 1, 100); n > 0; --n)
         counters_.push_back(DrivenValue::read(args, "count"));
     else if (args.take("balance")) ring_id_ = args.word("ID of a fix bearing/ring");
-    else if (args.take("files"))
+    else if (waits() && args.take("dumps")) {
+      if (args.choice("dumps", {"no", "yes"}) == 1)
+        for (const char *name : {"contacts.dump", "balls.dump", "rings.dat"})
+          files_.push_back((fs::path(file_).parent_path() / name).string());
+    } else if (args.take("files"))
       while (args.more()) files_.push_back(args.word("file"));
     else
       args.unknown(std::string("restart, ") + (waits() ? "keep, " : "") +
@@ -184,7 +190,7 @@ void FixBearingCheckpoint::init()
     }
   if (!ring_id_.empty()) find_ring();
   if (reads)
-    for (const FixBearingCapacitance *f : bearing::fixes_of<FixBearingCapacitance>(lmp))
+    for (const FixBearingCapacitance *f : bearing::capacitances_of(lmp))
       bearing::require_order(lmp, *f, *this,
                              "variables sampled at the end of a step may read its capacitance");
   if (resume_ && !resumed_)

@@ -16,36 +16,21 @@ using bearing::Arguments;
 using bearing::text;
 using raceway::BearingIntegrator;
 
-// fix ID group bearing/implicit [solve all|damping] [tolerance T] [relative R] [error E]
-// [cage_tolerance TC] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
+// fix ID group bearing/implicit|damping|vibration [solve all|damping] [tolerance T] [relative R]
+// [error E] [cage_tolerance TC] [order 1|2] [corrections N] [largest H] [creep C] [energy yes|no]
+// [sampling HZ] [oversampling N]
 FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/implicit")),
-    solver_(new Solver{{}, {}, {lmp, std::string("fix ") + id + " bearing/implicit"}, {}, {}, {}})
+    solver_(new Solver{{}, {}, {lmp, bearing::name_of(*this)}, {}, {}, {}})
 {
   BearingIntegrator::Settings &settings = solver_->settings;
-  double cage = 0.0;
-  Arguments args(lmp, std::string("fix ") + id + " bearing/implicit", narg, arg, 3);
-  while (args.more()) {
-    if (args.take("tolerance")) tolerance_ = args.within("tolerance (m)", 1e-13, 1e-5);
-    else if (args.take("cage_tolerance"))
-      cage = args.within("tolerance of cage balls (m)", 1e-13, 1e-3);
-    else if (args.take("relative"))
-      settings.relative = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
-    else if (args.take("error"))
-      settings.error = args.within("error of a step over the tolerance", 1.0, 100.0);
-    else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
-    else if (args.take("order")) settings.order = args.integer("order", 1, 2);
-    else if (args.take("corrections"))
-      settings.corrections = args.integer("corrections in a stage", 1, 100);
-    else if (args.take("largest"))
-      largest_ = args.within("largest step (s)", smallest_step, HUGE_VAL);
-    else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
-    else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
-    else
-      args.unknown(
-          "solve, tolerance, relative, error, cage_tolerance, order, corrections, largest, creep, "
-          "energy");
-  }
+  settings.dampers_only = strcmp(style, "bearing/implicit") != 0;
+  if (strcmp(style, "bearing/vibration") == 0) sampling_ = 48000.0;
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
+  while (args.more()) read(args);
+  if (std::isnan(relative_))
+    relative_ = tolerance_ == 0.0 && !settings.dampers_only ? pair_->relative_tolerance() : 0.0;
+  settings.relative = relative_;
   if (settings.dampers_only && settings.relative > 0.0)
     args.fail("relative is " + text(settings.relative) +
               ", must be 0 with 'solve damping', whose tolerance is how far a ball may move");
@@ -54,10 +39,11 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
               ", must be 1 with 'solve damping', which estimates none");
   if (tolerance_ == 0.0) tolerance_ = settings.dampers_only ? 1e-7 : 1e-9;
   settings.newton = tolerance_;
-  if (cage > 0.0 && cage < tolerance_)
-    BRG_ALL(std::string("fix ") + id + " bearing/implicit: tolerance of cage balls (m) is " +
-            text(cage) + ", below the tolerance of " + text(tolerance_));
-  if (cage > 0.0) settings.cage = cage / tolerance_;
+  if (cage_ > 0.0 && cage_ < tolerance_)
+    args.fail("tolerance of cage balls (m) is " + text(cage_) + ", below the tolerance of " +
+              text(tolerance_));
+  if (cage_ > 0.0) settings.cage = cage_ / tolerance_;
+  else settings.cage = pair_->cage_tolerance_share();
   time_integrate = 1;
   scalar_flag = vector_flag = 1;
   size_vector = bearing::of_fix_implicit::N;
@@ -65,7 +51,49 @@ FixBearingImplicit::FixBearingImplicit(LAMMPS *lmp, int narg, char **arg) :
   extscalar = extvector = 0;
 }
 
+// One keyword and its value. A tolerance of 0 is chosen automatically.
+void FixBearingImplicit::read(Arguments &args)
+{
+  BearingIntegrator::Settings &settings = solver_->settings;
+  const auto or_zero = [&args](const char *what, double lo, double hi) {
+    const double v = args.number(what);
+    if (v != 0.0 && !(v >= lo && v <= hi))
+      args.fail(std::string(what) + " is " + text(v) + ", must be from " + text(lo) + " to " +
+                text(hi) + ", or 0");
+    return v;
+  };
+  if (args.take("tolerance")) tolerance_ = or_zero("tolerance (m)", 1e-13, 1e-5);
+  else if (args.take("cage_tolerance")) cage_ = or_zero("tolerance of cage balls (m)", 1e-13, 1e-3);
+  else if (args.take("relative") || args.take("relative_tolerance"))
+    relative_ = args.within("tolerance relative to the largest overlap", 0.0, 1e-2);
+  else if (args.take("error") || args.take("step_error"))
+    settings.error = args.within("error of a step over the tolerance", 1.0, 100.0);
+  else if (args.take("solve")) settings.dampers_only = args.choice("solve", {"all", "damping"});
+  else if (args.take("order")) settings.order = args.integer("order", 1, 2);
+  else if (args.take("corrections"))
+    settings.corrections = args.integer("corrections in a stage", 1, 100);
+  else if (args.take("largest"))
+    largest_ = args.within("largest step (s)", smallest_step, HUGE_VAL);
+  else if (args.take("creep")) creep_ = args.within("creep of the smoothed friction", 1e-6, 1.0);
+  else if (args.take("energy")) energy_wanted_ = args.choice("energy", {"no", "yes"});
+  else if (sampling_ > 0.0 && args.take("sampling")) sampling_ = args.number_of("sampling");
+  else if (sampling_ > 0.0 && args.take("oversampling"))
+    oversampling_ = args.number_of("oversampling");
+  else if (args.take("sampling") || args.take("oversampling"))
+    args.fail("sampling and oversampling are of fix bearing/vibration");
+  else
+    args.unknown("solve, tolerance, relative, error, cage_tolerance, order, corrections, largest, "
+                 "creep, energy" +
+                 std::string(sampling_ > 0.0 ? ", sampling, oversampling" : ""));
+}
+
 FixBearingImplicit::~FixBearingImplicit() = default;
+
+FixBearingImplicit::Control FixBearingImplicit::control() const
+{
+  const BearingIntegrator::Settings &settings = solver_->settings;
+  return {tolerance_, settings.relative, settings.cage * tolerance_};
+}
 
 int FixBearingImplicit::setmask() { return INITIAL_INTEGRATE; }
 

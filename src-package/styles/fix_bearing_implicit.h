@@ -11,6 +11,8 @@
 // step size.
 #ifdef FIX_CLASS
 FixStyle(bearing/implicit,FixBearingImplicit)
+             FixStyle(bearing/damping,FixBearingImplicit)
+                          FixStyle(bearing/vibration,FixBearingImplicit)
 #else
 #ifndef LMP_FIX_BEARING_IMPLICIT_H
 #define LMP_FIX_BEARING_IMPLICIT_H
@@ -22,6 +24,10 @@ FixStyle(bearing/implicit,FixBearingImplicit)
 #include <set>
 #include <string>
 #include <vector>
+
+namespace bearing {
+class Arguments;
+}
 
 namespace LAMMPS_NS {
 
@@ -41,6 +47,12 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   // Number of systems on all ranks: bearings, with those on one shaft counted as one. Each has its
   // own substeps.
   double systems() const;
+  struct Control {
+    double tolerance, relative, cage;    // m; of the largest overlap; m, of cage balls
+  };
+  Control control() const;
+  // Hz, samples of a record that bearing/vibration asks for; 0: as the record asks
+  double sampling_rate() const { return sampling_ * oversampling_; }
 
   void want_instants(const bearing::Instants &, const std::string &command) override;
   void read_instant(int k, const bearing::InstantReader &) const override;
@@ -51,6 +63,7 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   struct Solver;
   struct OwnBearing;
 
+  void read(bearing::Arguments &);
   void check_fixes();
   void add_gravity(Fix &);
   raceway::Vec3 gravity();
@@ -70,9 +83,12 @@ class FixBearingImplicit : public Fix, public bearing::InstantSource {
   std::set<std::string> readers_;    // commands that request instants
   double largest_ = HUGE_VAL;        // s, substep
   double creep_ = 0.01;
-  std::vector<FixBearingRing *> rings_;    // integrated by this fix
-  std::vector<Fix *> gravity_;             // gravity on all atoms of the group
-  std::vector<double> forces_;             // saved while gravity is evaluated
+  double cage_ = 0.0;                           // m, tolerance of cage balls; 0: by the pair style
+  double relative_ = NAN;                       // NAN: by the pair style
+  double sampling_ = 0.0, oversampling_ = 4;    // Hz, of the signal; samples of a record for each
+  std::vector<FixBearingRing *> rings_;         // integrated by this fix
+  std::vector<Fix *> gravity_;                  // gravity on all atoms of the group
+  std::vector<double> forces_;                  // saved while gravity is evaluated
   std::unique_ptr<Solver> solver_;
   int build_ = -1;
   // of the bearings at home on this rank, since the start of the run

@@ -32,13 +32,23 @@ static std::string quoted(const std::string &word)
 // fix ID group bearing/profile [groove K] [notch AZIMUTH LENGTH WIDTH|full DEPTH EDGE] ...
 // [wave ORDER AMPLITUDE PHASE] ... [file NAME] ..., or none, or
 // ball [pit AZIMUTH LATITUDE LENGTH WIDTH DEPTH EDGE] ... [wave ORDER AMPLITUDE PHASE] ...
-// [file NAME] ...|none
+// [file NAME] ...|none; these words also after flaw_inner, flaw_outer, or flaw_ball ...
+// [flawed_ball ID ...]
 FixBearingProfile::FixBearingProfile(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   PairBearingHertz::find(lmp, "fix bearing/profile");
   Arguments args(lmp, std::string("fix ") + id + " bearing/profile", narg, arg, 3);
-  for (int k = 3; k < narg; ++k) said_ += (k > 3 ? " " : "") + quoted(arg[k]);
-  settings_ = bearing::ProfileSettings::read(args, FixBearingState::max_grooves);
+  if (!args.more() && narg == 3) args.fail("a profile needs 'notch', 'wave', 'file' or 'none'");
+  std::vector<std::string> said;
+  settings_ = bearing::ProfileSettings::read(args, FixBearingState::max_grooves, said);
+  for (const std::string &word : said) said_ += (said_.empty() ? "" : " ") + quoted(word);
+  if (settings_.flawed.empty()) return;
+  std::string group_of = std::string(id) + "_BALLS", line = "group " + group_of + " id";
+  for (const std::string &ball : settings_.flawed) line += " " + ball;
+  input->one(line.c_str());
+  input->one(("group " + group_of + " intersect " + group_of + " " + group->names[igroup]).c_str());
+  igroup = group->find(group_of.c_str());
+  groupbit = group->bitmask[igroup];
 }
 
 int FixBearingProfile::setmask() { return of_balls() && departs() ? FixConst::PRE_FORCE : 0; }

@@ -2,9 +2,11 @@
 #include "fix_bearing_record.h"
 
 #include "contact_context.h"
+#include "deck_notes.h"
 #include "find_record_layout.h"
 #include "pair_bearing_hertz.h"
 #include "record_settings.h"
+#include "spheres.h"
 
 #include <algorithm>
 #include <cctype>
@@ -88,7 +90,7 @@ void FixBearingRecord::read_options(Arguments &args)
         bearing::select_columns(args, args.word("a contact attribute, all, usual or none"), offer,
                                 columns_);
       while (args.more() && bearing::find_contact_column(args.next()));
-    } else if (args.take("content")) {
+    } else if (args.take("content") || args.take("record")) {
       const int content = args.choice("content", {"none", "summary", "all"});
       sampled_ = content > 0;
       motion_ = content == 2;
@@ -97,6 +99,8 @@ void FixBearingRecord::read_options(Arguments &args)
       columns_.clear();
     } else if (args.take("within")) {
       within_ = args.integer("samples a step", waits() ? 0 : 1, 100000);
+    } else if (waits() && args.take("dumps")) {
+      dumps_ = args.choice("dumps", {"no", "yes"}) == 1;
     } else if (args.take("single")) {
       single_ = args.choice("single", {"no", "yes"}) == 1;
     } else if (args.take("overwrite")) {
@@ -111,6 +115,7 @@ void FixBearingRecord::read_options(Arguments &args)
       args.unknown("contacts, content, within, single, overwrite, number, goal, text");
     }
   }
+  if (dumps_ && within_ == 0) within_ = 1;    // dumps have ends of steps only
   if (within_ > 1 && nevery != 1)
     args.fail("'within' takes samples evenly within every step: N must be 1, not " +
               std::to_string(nevery));
@@ -182,6 +187,23 @@ void FixBearingRecord::begin(const bearing::Sampling &sampling)
   nevery = sampling.every;
   within_ = sampling.within;
   note(NetcdfHeader::attribute("samples_per_pass", a_pass_));
+  if (dumps_) begin_dumps();
+}
+
+// The host's text dumps of contacts, balls and rings, at ends of steps, in the folder of the record
+void FixBearingRecord::begin_dumps()
+{
+  const std::string every = std::to_string(nevery), resumed = resumed_ ? "yes" : "no";
+  for (const std::string &line :
+       {std::string("compute contact balls bearing/contact usual"),
+        "bearing_dump contacts balls " + every + " " + folder_ + "/contacts.dump contact append " +
+            resumed,
+        "dump balls all custom " + every + " " + folder_ +
+            "/balls.dump id type x y z vx vy vz omegax omegay omegaz",
+        "dump_modify balls append " + resumed + " " + bearing::line_format() +
+            " \"%d %d %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g %.12g\" sort id",
+        "bearing_dump rings all " + every + " " + folder_ + "/rings.dat inner append " + resumed})
+    input->one(line.c_str());
 }
 
 void FixBearingRecord::note(NetcdfHeader::Attribute one, bool changes)
@@ -267,6 +289,7 @@ void FixBearingRecord::open()
   content.surroundings = context_.surroundings;
   content.law = pair_->coefficients().law();
   content.spheres = pair_->coefficients().any_spheres();
+  bearing::add_deck_notes(lmp, *pair_, within_, notes_);
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});
   content.about = about_;

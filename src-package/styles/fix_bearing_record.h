@@ -49,6 +49,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   void read_rate(bearing::Arguments &);
   void read_options(bearing::Arguments &);
   void read_notes(bearing::Arguments &, Note);
+  void begin_dumps();
   void check_path();
   void check_finished();
   void open();
@@ -83,6 +84,7 @@ class FixBearingRecord : public Fix, public bearing::WaitsForRun {
   bearing::NetcdfHeader::Attributes notes_, about_;    // from the command; with the derived ones
   bearing::ContactSelection columns_;
   bearing::ContactContext context_;
+  bool dumps_ = false;
   int within_ = 1;                                         // samples a step, the last one its end
   double a_pass_ = 0.0;                                    // samples in a ball pass
   bool allowed_ = false;                                   // its folder may be written

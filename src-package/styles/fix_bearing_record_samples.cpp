@@ -29,7 +29,7 @@ void FixBearingRecord::find_integrators()
               "' needs fix bearing/implicit, which knows what happens within a step; it does not "
               "move ball " +
               std::to_string(atom->tag[i]) + ". With other integrators sample every step");
-  const std::vector<FixBearingCapacitance *> fixes = bearing::fixes_of<FixBearingCapacitance>(lmp);
+  const std::vector<FixBearingCapacitance *> fixes = bearing::capacitances_of(lmp);
   std::vector<bearing::tag_t> balls;
   for (const FixBearingCapacitance *c : fixes)
     for (bearing::tag_t ball : c->find_members()) balls.push_back(ball);

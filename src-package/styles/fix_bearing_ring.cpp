@@ -6,6 +6,7 @@
 #include "../ranks/gather.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
+#include "named_bearing.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg) :
   bearing::RingWords words(args, axes_, settings_, true);
   while (args.more())
     if (!words.take()) args.unknown(words.known());
-  words.check();
+  words.finish(usual_body());
   settings_are_read();
 }
 
@@ -40,6 +41,25 @@ FixBearingRing::FixBearingRing(LAMMPS *lmp, int narg, char **arg, Words) :
   extvector = extarray = 0;
   global_freq = 1;
   axes_.along = pair_->coefficients().axis_index();
+}
+
+// Mass and inertia of the inner ring of a bearing with a name; unknown of other rings
+bearing::RingBody FixBearingRing::usual_body() const
+{
+  std::vector<int> types;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (moves(i)) types.push_back(atom->type[i]);
+  types = bearing::gather_all(types, world);
+  bearing::RingBody body;
+  for (const int type : types) {
+    const bearing::NamedBearing *b = bearing::bearing_of_type(lmp, type);
+    if (!b || b->inner != type) return {};
+    const auto of = [b](const char *name) { return b->number(name); };
+    const bearing::RingBody one = {of("inner_mass"), {of("inner_inertia"), of("inner_inertia_t")}};
+    if (type != types.front() && one.mass != body.mass) return {};
+    body = one;
+  }
+  return body;
 }
 
 void FixBearingRing::settings_are_read()

@@ -39,6 +39,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   bool tilts() const { return settings_.program.tilts(); }
   // rad/s by local atom, at the present time: NAN for others, and where no spin is imposed.
   std::vector<double> imposed_spin();
+  const bearing::StatedLoads &stated_loads() const { return settings_.stated; }
   double ramp() const { return settings_.program.ramp; }    // s, of its loads
   // Tag of its first ring if all of them are on one shaft, else 0; position of a ring on the shaft
   // (m).
@@ -84,7 +85,8 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   };
   enum class Words { unread };
   FixBearingRing(class LAMMPS *, int, char **, Words);    // settings are read after it,
-  void settings_are_read();                               // to be called after that
+  bearing::RingBody usual_body() const;
+  void settings_are_read();    // to be called after that
   void find_rings();
   void refuse_another_mover();
   void find_own_values();

@@ -32,7 +32,7 @@ FixBearingShaft::FixBearingShaft(LAMMPS *lmp, int narg, char **arg) :
     size_array_cols += bearing::of_bend::N;
     size_vector += 1 + 2 * modes().size();
   }
-  words.check();
+  words.finish({});
   for (const bearing::ShaftSettings::Unbalance &u : shaft_.unbalances)
     if (u.of.moment > 0.0 && settings_.program.mode[RingProgram::SPIN] != Freedom::speed)
       args.fail("unbalance needs 'spin speed W': the mass off centre turns with an imposed spin");

@@ -45,6 +45,7 @@ void NameBearing::command(int narg, char **arg)
       if (types[i] == types[j]) args.fail("types: balls, cage balls and both rings need their own");
   refuse_unknown(args, inputs);
   b.data = bearing::read_data(lmp, args, inputs, "bearings", data);
+  b.given = bearing::given_of(b.data);
   for (const auto &value : own) b.data.values[value.first] = value.second;
   b.data.values.emplace("bearing", data);
   derive(args, b);

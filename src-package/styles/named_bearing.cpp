@@ -20,6 +20,9 @@ static bool is_alive(const LAMMPS_NS::LAMMPS *lmp, const std::string &name)
 
 void keep_bearing(const LAMMPS_NS::LAMMPS *lmp, const NamedBearing &bearing)
 {
+  if (lmp->domain->box_exist == 0)    // after `clear` another deck begins
+    for (auto at = kept().begin(); at != kept().end();)
+      at = at->first.first == lmp && at->second.in_use ? kept().erase(at) : std::next(at);
   kept()[{lmp, bearing.name}] = bearing;
 }
 
@@ -35,6 +38,13 @@ std::vector<const NamedBearing *> bearings_of(const LAMMPS_NS::LAMMPS *lmp)
   for (const auto &one : kept())
     if (one.first.first == lmp && is_alive(lmp, one.first.second)) list.push_back(&one.second);
   return list;
+}
+
+const NamedBearing *bearing_of_type(const LAMMPS_NS::LAMMPS *lmp, int type)
+{
+  for (const NamedBearing *one : bearings_of(lmp))
+    if (one->balls == type || one->inner == type) return one;
+  return nullptr;
 }
 
 const NamedBearing &bearing_of(LAMMPS_NS::LAMMPS *lmp, const Arguments &args,

@@ -16,6 +16,13 @@ struct NamedBearing {
   // pair_coeff).
   NamedData data;
 
+  std::vector<std::string> given;    // data that the user gives, NAME=VALUE
+  mutable bool in_use = false;       // of the present box
+
+  double number_or(const std::string &key, double missing) const
+  {
+    return data.values.count(key) ? number(key) : missing;
+  }
   const std::string &word(const std::string &key) const { return data.values.at(key); }
   double number(const std::string &key) const { return std::atof(word(key).c_str()); }
 };
@@ -26,6 +33,8 @@ void keep_bearing(const LAMMPS_NS::LAMMPS *, const NamedBearing &);
 const NamedBearing *find_bearing(const LAMMPS_NS::LAMMPS *, const std::string &name);
 // Error that lists the names there are.
 const NamedBearing &bearing_of(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &name);
+// The bearing whose balls or inner ring have that type; null without one.
+const NamedBearing *bearing_of_type(const LAMMPS_NS::LAMMPS *, int type);
 // All of this instance, by name.
 std::vector<const NamedBearing *> bearings_of(const LAMMPS_NS::LAMMPS *);
 

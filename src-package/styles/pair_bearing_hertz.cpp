@@ -3,6 +3,7 @@
 // pair_bearing_compute.cpp, the contact search in pair_bearing_contacts.cpp.
 #include "pair_bearing_hertz.h"
 
+#include "../contacts/instants.h"
 #include "../core/settings/arguments.h"
 #include "citation.h"
 #include "fixes.h"
@@ -80,6 +81,13 @@ void PairBearingHertz::coeff(int narg, char **arg)
   coefficients_.read_coeff(args, atom->ntypes);
 }
 
+void PairBearingHertz::move_last_command(size_t k)
+{
+  if (k + 1 >= commands_.size()) return;
+  commands_[k] = commands_.back();
+  commands_.pop_back();
+}
+
 void PairBearingHertz::init_style()
 {
   if (strcmp(update->unit_style, "si") != 0)
@@ -104,7 +112,7 @@ void PairBearingHertz::init_style()
   if (!wrong.empty()) BRG_ALL(wrong);
   implicit_bits_ = 0;
   for (int k = 0; k < modify->nfix; ++k)
-    if (strcmp(modify->fix[k]->style, "bearing/implicit") == 0)
+    if (dynamic_cast<bearing::InstantSource *>(modify->fix[k]))
       implicit_bits_ |= modify->fix[k]->groupbit;
   capacitors_ = gaps_ = false;    // fixes bearing/capacitance are counted anew
   validity_.forget_shoulders();

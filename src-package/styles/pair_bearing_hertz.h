@@ -62,11 +62,27 @@ class PairBearingHertz : public Pair, public bearing::PairHooks {
 
   // True for an atom of a fix bearing/implicit, which advances its state.
   bool is_implicit(int i) const { return atom->mask[i] & implicit_bits_; }
+  // Defaults of fix bearing/implicit: tolerance relative to the largest overlap, and that of cage
+  // balls over that of the others.
+  virtual double relative_tolerance() const { return 0.0; }
+  virtual double cage_tolerance_share() const { return 1.0; }
+  // Data of a ball type's bearing and oil where a pair style has them: relative permittivity, and
+  // shoulder diameters (m) of the inner and the outer ring; 0: unknown.
+  virtual double permittivity(int) const { return 0.0; }
+  virtual double shoulder(int, raceway::Side) const { return 0.0; }
+  // A deck that chooses by a word between dry and wet contacts may keep its fixes of films.
+  virtual bool dry_by_choice() const { return false; }
   // Words of pair_style and of every pair_coeff.
   const bearing::Commands &commands() const { return commands_; }
 
   // The pair style of the run; error naming `asked_by` if it is not one of this package.
   static PairBearingHertz *find(class LAMMPS *, const std::string &asked_by);
+
+ protected:
+  // Before settings and coefficients: contacts with a film, or dry ones
+  void set_film(bool film) { coefficients_ = bearing::PairCoefficients(film); }
+  // The last command takes the place of command k, if there are so many.
+  void move_last_command(size_t k);
 
  private:
   void allocate();

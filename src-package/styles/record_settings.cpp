@@ -90,14 +90,15 @@ Attributes record_settings(LAMMPS *lmp, PairBearingHertz &pair, const RecordLayo
       NetcdfHeader::attribute("axis", std::string(1, "xyz"[pair.coefficients().axis_index()])));
   list.push_back(NetcdfHeader::attribute("sample_s", times.sample));
   list.push_back(NetcdfHeader::attribute("start_s", times.start));
-  std::string commands = std::string("pair_style ") + lmp->force->pair_style;
+  std::string commands =
+      std::string("pair_style bearing/") + (pair.coefficients().lubricated() ? "ehd" : "hertz");
   for (const std::vector<std::string> &words : pair.commands()) {
     if (&words != &pair.commands().front()) commands += "\npair_coeff";
     for (const std::string &w : words) commands += " " + w;
   }
   list.push_back(NetcdfHeader::attribute("pair_commands", commands));
   std::string surroundings;    // surroundings of the contacts in these columns
-  for (const FixBearingCapacitance *f : fixes_of<FixBearingCapacitance>(lmp))
+  for (const FixBearingCapacitance *f : capacitances_of(lmp))
     if (f->model().surrounded()) surroundings += (surroundings.empty() ? "" : "\n") + f->said();
   if (!surroundings.empty())
     list.push_back(NetcdfHeader::attribute("capacitance_commands", surroundings));

@@ -10,6 +10,7 @@
 #include "fix_bearing_ring.h"
 #include "fix_bearing_timestep.h"
 #include "fixes.h"
+#include "named_bearing.h"
 #include "output.h"
 #include "simulated_time.h"
 
@@ -17,6 +18,7 @@
 
 using namespace LAMMPS_NS;
 using bearing::Arguments;
+using bearing::digits;
 using bearing::NetcdfHeader;
 using bearing::text;
 using bearing::written;
@@ -25,13 +27,6 @@ static constexpr const char *command_name = "run_bearing";
 // Fixes and a compute of this command alone
 static const std::string total_id = FixBearingRun::fixed_id, step_id = "RUN_BEARING_STEP",
                          show_id = "RUN_BEARING_SHOW", share_id = "RUN_BEARING_SHARE";
-
-static std::string digits(double value)
-{
-  char buf[32];
-  snprintf(buf, sizeof buf, "%.15g", value);
-  return buf;
-}
 
 void RunBearing::read(Arguments &args)
 {
@@ -81,6 +76,7 @@ void RunBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, command_name, narg, arg, 0);
   read(args);
+  take_usual();
   if (domain->box_exist == 0) args.fail("there is no box yet, and no bearing in it");
   for (const FixBearingRecord *f : bearing::fixes_of<FixBearingRecord>(lmp))
     if (f->samples_a_pass() > 0.0 && !f->waits())
@@ -103,6 +99,18 @@ void RunBearing::command(int narg, char **arg)
 bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit>(lmp).empty(); }
 
 // ---- the plan: ball pass, samples and steps. Numbers are rounded as a deck's formulas write them.
+
+// What the scene has where the command leaves it out: the sampling rate of fix bearing/vibration,
+// and the nominal contact angle of bearings with names.
+void RunBearing::take_usual()
+{
+  if (settings_.rate == 0.0)
+    for (const FixBearingImplicit *f : bearing::fixes_of<FixBearingImplicit>(lmp))
+      settings_.rate = std::max(settings_.rate, f->sampling_rate());
+  if (std::isnan(settings_.angle))
+    for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
+      if (b->in_use) settings_.angle = b->number("contact_angle") + b->number("four_point");
+}
 
 void RunBearing::plan()
 {

@@ -34,6 +34,7 @@ class RunBearing : public bearing::CommandBase {
   void read(class bearing::Arguments &);
   std::string words() const;
   bool implicit() const;
+  void take_usual();
   void plan();
   void plan_samples();
   void plan_steps();

@@ -38,7 +38,8 @@ class Arguments {
   bool take(const char *keyword);    // true and consumed if it is the next word
   bool next_is_number() const;
   const std::string &next() const { return words_[next_]; }    // not consumed; must exist
-  std::string word(const std::string &what);                   // next word; error without one
+  std::vector<std::string> rest() const { return {words_.begin() + next_, words_.end()}; }
+  std::string word(const std::string &what);    // next word; error without one
   double number(const std::string &what);
   double number_in(const std::string &word, const std::string &what) const;    // of a given word
   double positive(const std::string &what);                                    // > 0
@@ -49,6 +50,7 @@ class Arguments {
   std::string value_of(const char *variable);
   double number_of(const char *variable);
   int choice(const std::string &what, const std::vector<std::string> &allowed);
+  void skip_rest() { next_ = words_.size(); }
   [[noreturn]] void unknown(const std::string &allowed);    // the next word is no keyword
   [[noreturn]] void fail(const std::string &why) const;
   // Text of a file, read by rank 0, on all ranks; none if it is unreadable.

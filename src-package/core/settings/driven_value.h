@@ -6,6 +6,8 @@
 
 #include "arguments.h"
 
+#include <cmath>
+
 namespace bearing {
 
 class DrivenValue {
@@ -28,6 +30,16 @@ class DrivenValue {
     return d;
   }
 
+  static DrivenValue constant(double value)
+  {
+    DrivenValue d;
+    d.value_ = value;
+    return d;
+  }
+
+  // NAN for a variable
+  double constant_value() const { return name_.empty() ? value_ : NAN; }
+  bool is_zero() const { return name_.empty() && value_ == 0.0; }
   bool is_variable() const { return !name_.empty(); }
 
   // Before a run: checks that the variable exists.

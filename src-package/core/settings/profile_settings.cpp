@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "profile_settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -101,18 +102,36 @@ void read_ball(Arguments &args, ProfileSettings &s)
     if (args.take("pit")) s.ball.pits.push_back(read_pit(args));
     else if (args.take("wave")) s.ball.waves.push_back(read_wave(args));
     else if (args.take("file")) s.ball.tables.push_back(read_table(args));
-    else args.unknown("pit, wave, file, none");
+    else if (args.next() == "flawed_ball") args.skip_rest();
+    else args.unknown("pit, wave, file, none, flawed_ball");
   }
   if (!s.departs()) args.fail("a profile of balls needs 'pit', 'wave', 'file' or 'none'");
 }
 
 }    // namespace
 
-ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves)
+// As a deck's variables name them: flaw_inner and flaw_outer are profiles of raceways, flaw_ball is
+// one of balls, by default the first; the last keyword, flawed_ball, has the balls' numbers.
+ProfileSettings ProfileSettings::read(Arguments &args, int most_grooves,
+                                      std::vector<std::string> &said)
 {
   ProfileSettings s;
-  s.of_balls = args.take("ball");
+  if (args.more() && args.next() == "flawed_ball") args.skip_rest();    // of no flaw
+  if (!args.more()) return s;
+  const bool of_variable = args.take("flaw_ball");
+  if (of_variable) s.flawed = {"1"};
+  s.of_balls = of_variable || args.take("ball");
+  if (!s.of_balls && !args.take("flaw_inner")) args.take("flaw_outer");
+  said = args.rest();
+  const auto at = std::find(said.begin(), said.end(), "flawed_ball");
+  if (at != said.end()) {
+    s.flawed.assign(at + 1, said.end());
+    if (s.flawed.empty()) args.fail("'flawed_ball' without a ball's number");
+    said.erase(at, said.end());
+  }
+  if (s.of_balls) said.insert(said.begin(), "ball");
   if (args.take("none")) {
+    if (args.more() && args.next() == "flawed_ball") args.skip_rest();
     if (args.more()) args.fail("'none' stands alone: no flaws");
   } else if (s.of_balls) {
     read_ball(args, s);

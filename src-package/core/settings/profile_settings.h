@@ -13,7 +13,8 @@ struct ProfileSettings {
   int groove = 0;                   // of each ring, by number
   raceway::ProfileShape raceway;    // departure from the torus
   bool of_balls = false;
-  raceway::BallShape ball;    // departure from the sphere
+  raceway::BallShape ball;            // departure from the sphere
+  std::vector<std::string> flawed;    // numbers of the flawed balls; empty: all of the group
 
   bool departs() const
   {
@@ -21,8 +22,9 @@ struct ProfileSettings {
              ball.pits.empty() && ball.waves.empty() && ball.tables.empty());
   }
 
-  // Reads all words of a fix bearing/profile; most_grooves: largest number of grooves per ring.
-  static ProfileSettings read(Arguments &, int most_grooves);
+  // Reads all words of a fix bearing/profile; most_grooves: largest number of grooves per ring;
+  // said: words of the profile alone.
+  static ProfileSettings read(Arguments &, int most_grooves, std::vector<std::string> &said);
 };
 
 }    // namespace bearing

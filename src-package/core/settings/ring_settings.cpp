@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "ring_settings.h"
 
+#include "written.h"
+
+#include <cmath>
+
 using raceway::Freedom;
 using raceway::RingInertia;
 using raceway::RingProgram;
@@ -27,7 +31,10 @@ std::string RingWords::known() const
   return std::string("x, y, z, ") + name_of(RingProgram::TILT) + ", " +
          name_of(RingProgram::TILT + 1) +
          ", spin, mass, inertia, force, moment, rotating, unbalance, support, " +
-         (each_ ? "to, " : "") + "ramp";
+         (each_ ? "to, free, load, load_azimuth, axial, housing, housing_mass, housing_frequency, "
+                  "housing_damping, "
+                : "") +
+         "ramp";
 }
 
 void RingWords::read_freedom(const std::string &name, int dof)
@@ -103,12 +110,106 @@ bool RingWords::take()
     read_support();
   } else if (each_ && args_.take("to")) {
     to_.holder = args_.word("to");
+  } else if (each_ && (take_load() || take_housing())) {
+    return true;
   } else if (args_.take("ramp")) {
     p.ramp = args_.non_negative("ramp time (s)");
   } else {
     return false;
   }
   return true;
+}
+
+// Loads of a radial bearing: `free loaded` frees what they push.
+bool RingWords::take_load()
+{
+  if (args_.take("free")) {
+    args_.choice("free", {"loaded"});
+    free_loaded_ = true;
+  } else if (args_.take("load")) {
+    load_ = args_.number_of("load");
+    loads_ = true;
+  } else if (args_.take("load_azimuth")) {
+    azimuth_ = args_.number_of("load_azimuth");
+  } else if (args_.take("axial")) {
+    axial_ = args_.number_of("axial");
+    loads_ = true;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// A housing on springs that carries the ring, or none.
+bool RingWords::take_housing()
+{
+  if (args_.take("housing")) springs_ = args_.choice("housing", {"none", "springs"}) == 1;
+  else if (args_.take("housing_mass")) housing_mass_ = args_.number_of("housing_mass");
+  else if (args_.take("housing_frequency"))
+    housing_frequency_ = args_.number_of("housing_frequency");
+  else if (args_.take("housing_damping")) housing_damping_ = args_.number_of("housing_damping");
+  else return false;
+  return true;
+}
+
+// The radial load is rounded to 15 digits of its direction, so that one along -y has no component
+// along x.
+void RingWords::apply_load()
+{
+  RingProgram &p = to_.program;
+  if (loads_) {
+    for (int k = 0; k < 3; ++k)
+      if (!to_.value[RingProgram::FORCE + k].is_zero())
+        args_.fail("'force' and 'load' or 'axial' are given: the latter are forces");
+    const auto part = [this](double share) {
+      return DrivenValue::constant(written(std::floor(1.0e15 * share + 0.5) / 1.0e15 * load_));
+    };
+    to_.value[RingProgram::FORCE] = part(std::cos(azimuth_));
+    to_.value[RingProgram::FORCE + 1] = part(std::sin(azimuth_));
+    to_.value[RingProgram::FORCE + 2] = DrivenValue::constant(axial_);
+    const auto moment = [this](int k) {
+      const double value = to_.value[RingProgram::MOMENT + k].constant_value();
+      return std::isnan(value) ? 0.0 : value;
+    };
+    const bool turns = p.mode[RingProgram::SPIN] == Freedom::speed;
+    to_.stated = {true,
+                  load_,
+                  azimuth_,
+                  axial_,
+                  {moment(0), moment(1)},
+                  p.unbalance.moment,
+                  turns ? to_.value[RingProgram::SPIN].constant_value() : NAN};
+  }
+  if (!free_loaded_) return;
+  const auto loaded = [this](int which) { return !to_.value[which].is_zero(); };
+  p.mode[0] = p.mode[1] = Freedom::free;
+  if (loaded(RingProgram::FORCE + 2)) p.mode[2] = Freedom::free;
+  if (loaded(RingProgram::MOMENT) || loaded(RingProgram::MOMENT + 1))
+    p.mode[RingProgram::TILT] = p.mode[RingProgram::TILT + 1] = Freedom::free;
+}
+
+void RingWords::apply_housing()
+{
+  if (!springs_) return;
+  RingProgram &p = to_.program;
+  const double speed = written(2.0 * M_PI * housing_frequency_);
+  for (int k = 0; k < 2; ++k) {
+    p.mode[k] = Freedom::free;
+    p.support[k].stiffness = written(housing_mass_ * (speed * speed));
+    p.support[k].damping = written(2.0 * housing_damping_ * housing_mass_ * speed);
+  }
+  p.mass = housing_mass_;
+  p.supported = true;
+}
+
+void RingWords::finish(const RingBody &usual)
+{
+  RingProgram &p = to_.program;
+  apply_load();
+  apply_housing();
+  if (p.mass == 0.0) p.mass = usual.mass;
+  if (p.inertia.axial == 0.0) p.inertia = usual.inertia;
+  check();
 }
 
 void RingWords::check() const

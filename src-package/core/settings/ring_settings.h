@@ -7,12 +7,30 @@
 #include "../numbers/lab_axes.h"
 #include "driven_value.h"
 
+#include <cmath>
+
 namespace bearing {
+
+// Loads of a radial bearing as the words `load` and `axial` have them, for a record.
+struct StatedLoads {
+  bool stated = false;
+  double load = 0.0, azimuth = 0.0, axial = 0.0;    // N, rad, N
+  double moment[2] = {0.0, 0.0};                    // N m, constant ones
+  double unbalance = 0.0;                           // kg m
+  double speed = NAN;                               // rad/s, imposed and constant; NAN: other
+};
 
 struct RingSettings {
   raceway::RingProgram program;    // of all rings, without targets and loads
   DrivenValue value[raceway::RingProgram::N_VALUE];
+  StatedLoads stated;
   std::string holder;    // group of the ring that the supports hold to; empty: the ground
+};
+
+// Mass and inertia of a ring where the words have none; zeros: unknown.
+struct RingBody {
+  double mass = 0.0;
+  raceway::RingInertia inertia;
 };
 
 // Reads them, keyword by keyword.
@@ -20,9 +38,10 @@ class RingWords {
  public:
   // each: values may differ from ring to ring
   RingWords(Arguments &args, const raceway::LabAxes &axes, RingSettings &to, bool each);
-  bool take();                  // a keyword and its values; false: the next word is not one of
-                                // these
-  void check() const;           // after all words: checks words that depend on one another
+  bool take();    // a keyword and its values; false: the next word is not one of
+                  // these
+  // After all words: sets what depends on several of them, and checks them
+  void finish(const RingBody &usual);
   std::string known() const;    // all keywords, for messages
 
  private:
@@ -32,6 +51,11 @@ class RingWords {
   void read_vector(int first, const std::string &what);
   void read_inertia();
   void read_support();
+  bool take_load();
+  bool take_housing();
+  void apply_load();
+  void apply_housing();
+  void check() const;
   const char *name_of(int dof) const;    // of a displacement or a tilt
 
   Arguments &args_;
@@ -39,6 +63,10 @@ class RingWords {
   RingSettings &to_;
   bool each_;
   int number_[3];    // of a lab axis; the bearing axis is the third
+  // `free loaded`: degrees of freedom that have a load
+  bool free_loaded_ = false, loads_ = false, springs_ = false;
+  double load_ = 0.0, azimuth_ = -0.5 * 3.14159265358979323846, axial_ = 0.0;          // N, rad, N
+  double housing_mass_ = 2.0, housing_frequency_ = 4000.0, housing_damping_ = 0.04;    // kg, Hz
 };
 
 }    // namespace bearing

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact_models.h"
+
+#include "written.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace bearing {
+
+const std::vector<std::string> model_names = {"paper", "film", "full", "eyring", "none"};
+
+namespace {
+
+typedef std::vector<std::string> Parts;
+
+Parts parts_of(const std::string &models, bool film)
+{
+  const bool full = models == "full" || models == "eyring";
+  if (full && film)
+    return {"gap",     "film_branch", "inlet_shear",        "asperities", "differential_slip",
+            "rolling", "starvation",  "rolling_hysteresis", "spin",       "drag"};
+  if (full) return {"rolling_hysteresis", "spin"};
+  if (models == "film" && film) return {"gap", "film_branch", "inlet_shear"};
+  return {};
+}
+
+std::string list_of(const Parts &parts)
+{
+  std::string list;
+  for (const std::string &part : parts) list += (list.empty() ? "" : " ") + part;
+  return list.empty() ? "none" : list;
+}
+
+const std::string &datum(const OilWords &oil, const std::string &name)
+{
+  const auto at = oil.find(name);
+  if (at == oil.end()) throw DataError("the lubricant has no variable " + name);
+  return at->second;
+}
+
+// Which parts stay
+class Choice {
+ public:
+  Choice(const Parts &parts, const std::string &without) : parts_(parts)
+  {
+    std::istringstream names(without == "none" ? "" : without);
+    for (std::string name; std::getline(names, name, '+');) {
+      if (std::find(parts.begin(), parts.end(), name) == parts.end())
+        throw DataError("there is no part '" + name + "' to leave out in '" + without +
+                        "'; there is: " + list_of(parts) +
+                        ". Names are joined by +, or the word is none");
+      out_.insert(name);
+    }
+  }
+  double has(const std::string &part) const
+  {
+    return std::find(parts_.begin(), parts_.end(), part) != parts_.end() && !out_.count(part);
+  }
+  std::string share(const std::string &part, double value = 1.0) const
+  {
+    return digits(value * has(part));
+  }
+
+ private:
+  Parts parts_;
+  std::set<std::string> out_;
+};
+
+// Film in the gap, its damping and its thinning
+std::string gap_words(const ModelChoice &of, const Choice &with, const OilWords &oil)
+{
+  const std::string thins =
+      datum(oil, "temperature_viscosity") + " " + datum(oil, "oil_conductivity");
+  std::string words;
+  if (with.has("gap")) words += " gap 1 gap_film " + of.gap_film;
+  if (with.has("gap") && with.has("film_branch")) words += " film_damping branch";
+  if (with.has("inlet_shear")) words += " inlet_shear " + of.inlet_shear + " " + thins;
+  return words;
+}
+
+std::string full_words(const ModelChoice &of, const Choice &with, const OilWords *oil,
+                       double phi_rs)
+{
+  std::string slip = of.spin_law == "slices" ? "slices 1.0e-4 " + with.share("spin")
+                                             : "heathcote 1.0e-4 spin " + with.share("spin");
+  const std::string hysteresis = " rolling_hysteresis " + with.share("rolling_hysteresis", 0.01);
+  if (!oil) return "friction constant 0.1 " + slip + hysteresis;
+  if (!with.has("differential_slip")) slip = "smoothed 0.01";
+  const double starved = with.has("starvation"),
+               rolling = with.has("rolling") * (starved * phi_rs + (1.0 - starved));
+  // asperities have the friction coefficient of the film
+  const std::string boundary = digits(0.05 + 0.07 * with.has("asperities"));
+  return "friction mixed " + boundary + " 0.05 " + slip + " rolling " +
+         datum(*oil, "temperature_viscosity") + " " + datum(*oil, "oil_conductivity") + " " +
+         digits(rolling) + hysteresis + " drag " + datum(*oil, "oil_density") + " " +
+         with.share("drag", 0.1) + gap_words(of, with, *oil);
+}
+
+}    // namespace
+
+ContactModel contact_model(const ModelChoice &of, const OilWords *oil, double phi_rs)
+{
+  const Choice with(parts_of(of.models, oil != nullptr), of.without);
+  const bool full = of.models == "full" || of.models == "eyring";
+  // the vibration of a cage that drives balls would limit the step; 1 um is 0.4 N in its contacts
+  const double share = full ? 1000.0 : of.models == "film" ? 100.0 : 1.0;
+  if (of.models == "none") return {"", share};
+  if (full) {
+    std::string words = full_words(of, with, oil, phi_rs);
+    if (of.models == "eyring" && oil)
+      words += " traction " + datum(*oil, "eyring_stress") + " " + datum(*oil, "limiting_traction");
+    return {words, share};
+  }
+  if (!oil) return {"friction constant 0.1", share};
+  const std::string gap = of.models == "film" ? gap_words(of, with, *oil) : "";
+  return {"friction stribeck 0.12 0.05" + gap, share};
+}
+
+}    // namespace bearing

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Values as the hosts' formulas write them, with 15 digits: a deck that computes a number and a
+// command that computes the same give the same bits.
+#ifndef BEARING_WRITTEN_H
+#define BEARING_WRITTEN_H
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace bearing {
+
+inline std::string digits(double value)
+{
+  char buf[32];
+  snprintf(buf, sizeof buf, "%.15g", value);
+  return buf;
+}
+
+inline double written(double value) { return strtod(digits(value).c_str(), nullptr); }
+
+}    // namespace bearing
+
+#endif

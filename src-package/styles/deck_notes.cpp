@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "deck_notes.h"
+
+#include "../core/settings/arguments.h"
+#include "../core/settings/deck_variable_table.h"
+#include "../core/settings/written.h"
+#include "../deck/find_data.h"
+#include "fix_bearing_implicit.h"
+#include "fix_bearing_ring.h"
+#include "fixes.h"
+#include "named_bearing.h"
+#include "pair_bearing.h"
+
+#include <algorithm>
+#include <map>
+
+using namespace LAMMPS_NS;
+
+namespace bearing {
+
+namespace {
+
+typedef NetcdfHeader::Attributes Attributes;
+typedef std::map<std::string, std::string> Words;
+
+// implicit, damping, vibration or verlet
+std::string integrator_of(LAMMPS *lmp)
+{
+  const auto fixes = fixes_of<FixBearingImplicit>(lmp);
+  return fixes.empty() ? "verlet" : std::string(fixes.front()->style).substr(8);
+}
+
+// Values that a run has chosen where the deck leaves them open
+Words chosen(LAMMPS *lmp, double within)
+{
+  Words of = {{"within", digits(within)}};
+  for (const FixBearingImplicit *f : fixes_of<FixBearingImplicit>(lmp)) {
+    const FixBearingImplicit::Control control = f->control();
+    of["tolerance"] = digits(control.tolerance);
+    of["relative_tolerance"] = digits(control.relative);
+    of["cage_tolerance"] = digits(control.cage);
+  }
+  return of;
+}
+
+// NAME=VALUE of every variable with which the deck runs again, or empty: the deck lacks one that
+// says what the bearing does
+std::string variables_of(LAMMPS *lmp, double within)
+{
+  static const char *const head[] = {"bearing", "lubricant", "models", "integrator", "load", "rpm"};
+  for (const char *name : head)
+    if (!host_variable(lmp, name)) return "";
+  // of the folder or the length of the run, or stated elsewhere in the record
+  static const std::vector<std::string> others = {
+      "out",   "inputs", "overwrite",  "resume",     "keep",      "record",
+      "dumps", "passes", "flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"};
+  const bool vibration = integrator_of(lmp) == "vibration";
+  const Words own = chosen(lmp, within);
+  std::string list;
+  for (const DeckVariable &v : deck_variables()) {
+    const std::string name = v.name;
+    const bool data =
+                   v.taken_by("bearing data") || v.taken_by("usual data") || v.taken_by("oil data"),
+               of_sampling = name == "sampling" || name == "oversampling",
+               angle = name == "contact_angle" || name == "four_point";
+    const std::optional<std::string> given = host_variable(lmp, name);
+    if ((data && !angle) || (of_sampling && !vibration) || (angle && !given)) continue;
+    if (std::find(others.begin(), others.end(), name) != others.end()) continue;
+    const auto at = own.find(name);
+    const std::string value = at != own.end() ? at->second : given.value_or(v.initial);
+    if (!value.empty()) list += (list.empty() ? "" : ",") + name + "=" + value;
+  }
+  return list;
+}
+
+}    // namespace
+
+void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, double within, Attributes &to)
+{
+  const auto *named = dynamic_cast<const PairBearing *>(&pair);
+  std::vector<const NamedBearing *> list;
+  for (const NamedBearing *b : bearings_of(lmp))
+    if (b->in_use) list.push_back(b);
+  if (!named || list.empty()) return;
+  const auto add = [&to](const std::string &name, const auto &value) {
+    if (std::none_of(to.begin(), to.end(),
+                     [&](const NetcdfHeader::Attribute &a) { return a.name == name; }))
+      to.push_back(NetcdfHeader::attribute(name, value));
+  };
+  if (const std::string again = variables_of(lmp, within); !again.empty())
+    add("deck_variables", again);
+  add("lubricant", named->oil());
+  add("integrator", integrator_of(lmp));
+  add("models", named->models());
+  if (list.size() > 1) return;
+  const NamedBearing &b = *list.front();
+  std::vector<std::string> given = b.given;
+  given.insert(given.end(), named->given().begin(), named->given().end());
+  add("given_data", given.empty() ? std::string("none") : joined(given, ","));
+  add("bearing", b.word("bearing"));
+  add("contact_angle_deg", b.number("contact_angle"));
+  add("inner_shoulder_diameter_m", b.number_or("inner_shoulder_diameter", 0.0));
+  add("outer_shoulder_diameter_m", b.number_or("outer_shoulder_diameter", 0.0));
+  for (const FixBearingRing *f : fixes_of<FixBearingRing>(lmp)) {
+    const StatedLoads &loads = f->stated_loads();
+    if (!loads.stated) continue;
+    add("load_N", loads.load);
+    add("load_azimuth_rad", loads.azimuth);
+    add("axial_N", loads.axial);
+    add("moment_x_N_m", loads.moment[0]);
+    add("moment_y_N_m", loads.moment[1]);
+    add("unbalance_kg_m", loads.unbalance);
+    // twelve digits: those of the speed in rpm that the deck has turned into rad/s
+    char rpm[32];
+    snprintf(rpm, sizeof rpm, "%.12g", loads.speed * 30.0 / M_PI);
+    if (!std::isnan(loads.speed)) add("rpm", strtod(rpm, nullptr));
+  }
+}
+
+}    // namespace bearing

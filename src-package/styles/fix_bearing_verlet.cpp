@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fix_bearing_verlet.h"
+
+#include "../core/settings/arguments.h"
+#include "fixes.h"
+#include "pair_bearing_hertz.h"
+
+using namespace LAMMPS_NS;
+using bearing::Arguments;
+
+// fix ID group bearing/verlet [tolerance T] ...: tolerances are of the implicit step, so that a
+// deck's line serves either integrator
+FixBearingVerlet::FixBearingVerlet(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
+  const char *const of_implicit[] = {"tolerance", "relative_tolerance", "cage_tolerance",
+                                     "step_error"};
+  while (args.more()) {
+    bool known = false;
+    for (const char *keyword : of_implicit)
+      if (args.take(keyword)) {
+        args.number_of(keyword);
+        known = true;
+      }
+    if (!known) args.unknown("tolerance, relative_tolerance, cage_tolerance, step_error");
+  }
+}
+
+void FixBearingVerlet::BRG_AFTER_CREATION()
+{
+  const PairBearingHertz &pair = *PairBearingHertz::find(lmp, bearing::name_of(*this));
+  std::string types;
+  for (int t = 1; t <= atom->ntypes; ++t)
+    if (pair.coefficients().is_named(t) && !pair.coefficients().is_ring(t))
+      types += " " + std::to_string(t);
+  for (const std::string &line :
+       {"group " + name() + " type" + types,
+        "group " + name() + " intersect " + name() + " " + group->names[igroup],
+        "fix " + name() + " " + name() + " nve/sphere"})
+    input->one(line.c_str());
+}
+
+FixBearingVerlet::~FixBearingVerlet()
+{
+  // Modify may be gone already when the host shuts down
+  if (modify && modify->nfix && modify->find_fix(name().c_str()) >= 0)
+    modify->delete_fix(name().c_str());
+}
+
+void FixBearingVerlet::init()
+{
+  if (modify->find_fix(name().c_str()) < 0)
+    BRG_ALL(bearing::name_of(*this) + ": its fix " + name() + " nve/sphere is gone");
+}

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "pair_bearing.h"
+
+#include "../core/laws/starvation.h"
+#include "../core/settings/arguments.h"
+#include "../core/settings/written.h"
+#include "../deck/find_data.h"
+#include "derive_laws.h"
+#include "named_bearing.h"
+
+#include <algorithm>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+using bearing::Arguments;
+using bearing::digits;
+using bearing::NamedBearing;
+using bearing::text;
+
+static std::vector<std::string> words_of(const std::string &line)
+{
+  std::istringstream in(line);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+// Text of a file of keywords, without comments
+static std::string keywords_of(const std::string &text)
+{
+  std::istringstream lines(text);
+  std::string words;
+  for (std::string line; std::getline(lines, line);) words += " " + line.substr(0, line.find('#'));
+  return words;
+}
+
+// pair_style bearing oil NAME|dry [temperature T] [models M] [without PARTS] [gap_film L]
+// [inlet_shear L] [spin_law L] [inputs FOLDER] [further keywords of bearing/ehd or bearing/hertz]
+void PairBearing::settings(int narg, char **arg)
+{
+  if (replays_) return PairBearingHertz::settings(narg, arg);
+  Arguments args(lmp, "pair_style bearing", narg, arg, 0);
+  oil_name_.clear();
+  own_model_.clear();
+  more_.clear();
+  coeffs_.clear();
+  choice_ = {};
+  temperature_ = 40.0;
+  while (args.more()) {
+    if (args.take("oil")) oil_name_ = args.word("oil of inputs/lubricants, a file, or dry");
+    else if (args.take("temperature")) temperature_ = args.number_of("temperature");
+    else if (args.take("models")) choice_.models = args.word("models");
+    else if (args.take("without")) choice_.without = args.word("parts to leave out");
+    else if (args.take("gap_film")) choice_.gap_film = args.value_of("gap_film");
+    else if (args.take("inlet_shear")) choice_.inlet_shear = args.value_of("inlet_shear");
+    else if (args.take("spin_law")) choice_.spin_law = args.value_of("spin_law");
+    else if (args.take("inputs")) folder_ = args.word("folder of the data files");
+    else more_ += " " + args.word("keyword");
+  }
+  if (oil_name_.empty()) args.fail("'oil NAME' is missing; 'oil dry' for dry contacts");
+  const auto &names = bearing::model_names;
+  if (std::find(names.begin(), names.end(), choice_.models) == names.end()) {
+    const std::string file = folder_ + "/models/" + choice_.models;
+    const std::optional<std::string> own = args.content(file);
+    const std::optional<std::string> path = own ? own : args.content(choice_.models);
+    if (!path)
+      args.fail("there is no model '" + choice_.models + "'; there is: " + bearing::joined(names) +
+                ", or a file of keywords");
+    own_model_ = keywords_of(*path);
+  }
+  const bearing::OilWords oil = read_oil(args, oil_name_, temperature_);
+  const bool film = oil.at("film") != "dry";
+  set_film(film);
+  try {
+    const bearing::ContactModel model = contact_model(choice_, film ? &oil : nullptr, 1.0);
+    cage_share_ = model.cage_tolerance_share;
+  } catch (const bearing::DataError &wrong) {
+    args.fail("models " + choice_.models + ", oil " + oil_name_ + ": " + wrong.what());
+  }
+  PairBearingHertz::settings(0, nullptr);
+}
+
+// The data of an oil at a temperature (C); of a dry contact only `film`.
+bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string &name, double t)
+{
+  if (name == "dry") return {{"film", "dry"}};
+  bearing::NamedData oil = bearing::read_data(lmp, args, folder_, "lubricants", name);
+  if (!oil.values.count("film")) args.fail(oil.label + " has no variable film");
+  if (oil.values["film"] == "dry") return oil.values;
+  given_ = bearing::given_of(oil);
+  oil.values["temperature"] = digits(t);
+  bearing::DataValues values(lmp, args, oil.values, oil.label);
+  const bearing::DeriveLaws laws = bearing::data_laws();
+  if (values.there("vogel_viscosity")) laws.at("vogel")(values);
+  else if (values.there("kinematic_viscosity_40")) laws.at("walther")(values);
+  else if (const auto at = oil.of_file.find("temperature");
+           at != oil.of_file.end() && args.number_in(at->second, "temperature") != t)
+    args.fail(oil.label + " has values for " + at->second + " C only, not for " + text(t) + " C");
+  bearing::check_data(args, oil, "oil data");
+  return oil.values;
+}
+
+// pair_coeff * * NAME [oil NAME [temperature T]] [spheres printed] [keywords of its raceways]
+void PairBearing::coeff(int narg, char **arg)
+{
+  const bool named = narg > 2 && strcmp(arg[0], "*") == 0 && strcmp(arg[1], "*") == 0;
+  if (replays_ || !named) return PairBearingHertz::coeff(narg, arg);
+  Arguments args(lmp, "pair_coeff * *", narg, arg, 2);
+  const NamedBearing &b = bearing::bearing_of(lmp, args, args.word("name of a bearing"));
+  for (int type : {b.balls, b.cage, b.inner, b.outer})
+    if (type > atom->ntypes)
+      args.fail("bearing " + b.name + " has atom type " + std::to_string(type) + ", the box has " +
+                std::to_string(atom->ntypes));
+  b.in_use = true;
+  Coeff own;
+  own.bearing = b.name;
+  own.oil = oil_name_;
+  double t = temperature_;
+  while (args.more()) {
+    if (args.take("oil")) own.oil = args.word("oil of inputs/lubricants, or a file");
+    else if (args.take("temperature")) t = args.number_of("temperature");
+    else if (args.take("spheres")) own.printed = args.choice("spheres", {"exact", "printed"}) == 1;
+    else own.law += " " + args.word("keyword");
+  }
+  own.data = read_oil(args, own.oil, t);
+  if ((own.data.at("film") != "dry") != coefficients().lubricated())
+    args.fail("oil " + own.oil + " of bearing " + b.name + " and oil " + oil_name_ +
+              " of the pair style: all bearings of a run have films, or all are dry");
+  const auto same = [&](const Coeff &c) { return c.bearing == b.name; };
+  const auto before = std::find_if(coeffs_.begin(), coeffs_.end(), same);
+  own.first = before == coeffs_.end() ? commands().size() : before->first;
+  if (before != coeffs_.end()) coeffs_.erase(before);
+  resolve(own);
+  coeffs_.push_back(own);
+}
+
+// Gives the base class the commands for both raceways and the cage, or for balls that meet.
+void PairBearing::resolve(Coeff &of)
+{
+  Arguments args(lmp, "pair_coeff * * " + of.bearing, {});
+  const NamedBearing &b = bearing::bearing_of(lmp, args, of.bearing);
+  const bool film = coefficients().lubricated();
+  std::string law = " young " + b.word("ball_young") + " " + b.word("ball_young") + " poisson " +
+                    b.word("ball_poisson") + " " + b.word("ball_poisson");
+  if (film)
+    law += " lubricant " + of.data.at("viscosity") + " " + of.data.at("pressure_viscosity") +
+           " roughness " + of.data.at("roughness") + " " + of.data.at("ball_roughness");
+  double phi_rs = 1.0;
+  const double bore = 1.0e3 * b.number_or("bore_diameter", 0.0),
+               outside = 1.0e3 * b.number_or("outside_diameter", 0.0);
+  if (film && outside > bore && of.speed != 0.0 && of.data.count("oil_density")) {
+    // twelve digits: those of the speed in rpm that the deck has turned into rad/s
+    char rpm[32];
+    snprintf(rpm, sizeof rpm, "%.12g", std::fabs(of.speed) * 30.0 / M_PI);
+    phi_rs = raceway::skf_starvation(bore, outside,
+                                     1.0e6 * std::atof(of.data.at("viscosity").c_str()) /
+                                         std::atof(of.data.at("oil_density").c_str()),
+                                     strtod(rpm, nullptr));
+  }
+  try {
+    law += " " +
+           (own_model_.empty()
+                ? contact_model(choice_, film ? &of.data : nullptr, bearing::written(phi_rs)).words
+                : own_model_) +
+           more_ + of.law;
+  } catch (const bearing::DataError &wrong) {
+    args.fail("models " + choice_.models + ", oil " + of.oil + ": " + wrong.what());
+  }
+  const std::string ball = std::to_string(b.balls), young = b.word("ball_young"),
+                    poisson = b.word("ball_poisson");
+  const std::string lines[] = {
+      ball + " " + std::to_string(b.inner) + " inner " + b.word("b_inner_raceway") + " " +
+          b.word("inner_groove") + " " + b.word("b_inner_arch") + law,
+      ball + " " + std::to_string(b.outer) + " outer " + b.word("b_outer_raceway") + " " +
+          b.word("outer_groove") + " " + b.word("b_outer_arch") + law,
+      b.has_cage ? ball + " " + std::to_string(b.cage) + " sphere " + young + " " + poisson +
+                       " 3.3e9 0.41" + (of.printed ? " printed" : "")
+                 : ball + " " + ball + " sphere " + young + " " + poisson + " " + young + " " +
+                       poisson + (of.printed ? " printed" : "")};
+  for (size_t k = 0; k < 3; ++k) {
+    std::vector<std::string> words = words_of(lines[k]);
+    std::vector<char *> list;
+    for (std::string &w : words) list.push_back(&w[0]);
+    PairBearingHertz::coeff(static_cast<int>(list.size()), list.data());
+    move_last_command(of.first + k);
+  }
+}
+
+void PairBearing::set_speed(const std::string &name, double speed)
+{
+  for (Coeff &c : coeffs_)
+    if (c.bearing == name && c.speed != speed) {
+      c.speed = speed;
+      resolve(c);
+    }
+}
+
+double PairBearing::permittivity(int ball_type) const
+{
+  const NamedBearing *b = bearing::bearing_of_type(lmp, ball_type);
+  for (const Coeff &c : coeffs_)
+    if (b && c.bearing == b->name && c.data.count("permittivity"))
+      return std::atof(c.data.at("permittivity").c_str());
+  return 0.0;
+}
+
+double PairBearing::shoulder(int ball_type, raceway::Side side) const
+{
+  const NamedBearing *b = bearing::bearing_of_type(lmp, ball_type);
+  const bool inner = side == raceway::Side::inner;
+  return b ? b->number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0) : 0.0;
+}
+
+// The restart file has the commands with numbers: data files may change.
+void PairBearing::write_restart(FILE *fp)
+{
+  const int film = coefficients().lubricated();
+  fwrite(&film, sizeof film, 1, fp);
+  PairBearingHertz::write_restart(fp);
+}
+
+void PairBearing::read_restart BRG_READ_RESTART_SIG
+{
+  int film = 0;
+  if (comm->me == 0 && fread(&film, sizeof film, 1, fp) != 1) film = 0;
+  MPI_Bcast(&film, 1, MPI_INT, 0, world);
+  set_film(film != 0);
+  replays_ = true;
+  PairBearingHertz::read_restart BRG_READ_RESTART_ARGS;
+  replays_ = false;
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// pair_style bearing: contacts of bearings with names, by oil and models; the laws of bearing/ehd
+// or, dry, bearing/hertz.
+#ifdef PAIR_CLASS
+PairStyle(bearing,PairBearing)
+#else
+#ifndef LMP_PAIR_BEARING_H
+#define LMP_PAIR_BEARING_H
+
+#include "../core/settings/contact_models.h"
+#include "pair_bearing_hertz.h"
+
+namespace LAMMPS_NS {
+
+class PairBearing : public PairBearingHertz {
+ public:
+  explicit PairBearing(class LAMMPS *lmp) : PairBearingHertz(lmp, false) {}
+  void settings(int, char **) override;
+  void coeff(int, char **) override;
+  void write_restart(FILE *) override;
+  void read_restart BRG_READ_RESTART_SIG override;
+
+  double relative_tolerance() const override { return 2e-4; }
+  double cage_tolerance_share() const override { return cage_share_; }
+  double permittivity(int ball_type) const override;
+  double shoulder(int ball_type, raceway::Side) const override;
+  bool dry_by_choice() const override { return !coefficients().lubricated(); }
+
+  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves.
+  void set_speed(const std::string &bearing, double);
+  const std::string &oil() const { return oil_name_; }
+  const std::string &models() const { return choice_.models; }
+  double temperature() const { return temperature_; }
+  const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE
+
+ private:
+  struct Coeff {
+    std::string bearing;
+    std::string oil;             // name
+    bearing::DataValues data;    // of the oil
+    std::string law;             // further keywords of the raceways
+    bool printed = false;        // of balls and cage balls
+    double speed = 0.0;          // rad/s
+    size_t first = 0;            // of its lines in commands()
+  };
+  bearing::OilWords read_oil(const bearing::Arguments &, const std::string &name, double t);
+  void resolve(Coeff &);
+
+  std::string oil_name_, more_;    // more_: further keywords
+  std::string folder_ = "inputs";
+  double temperature_ = 40.0, cage_share_ = 1.0;
+  bearing::ModelChoice choice_;
+  std::string own_model_;    // keywords of a file of models
+  std::vector<std::string> given_;
+  std::vector<Coeff> coeffs_;
+  bool replays_ = false;    // commands of a restart file
+};
+
+}    // namespace LAMMPS_NS
+
+#endif
+#endif
