@@ -9,6 +9,7 @@ FixStyle(bearing/run,FixBearingRun)
 
 #include "../core/figures/settling.h"
 #include "bearing_compat.h"
+#include "run_phase.h"
 
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace LAMMPS_NS {
 
 class FixBearingRun : public Fix {
  public:
-  static constexpr const char *fixed_id = "RUN_BEARING";
+  static constexpr const char *fixed_id = bearing::fix_of_run;
 
   // Doubles only, as in a restart file.
   struct State {

@@ -36,12 +36,12 @@ class PairBearing : public PairBearingHertz {
  private:
   struct Coeff {
     std::string bearing;
-    std::string oil;             // name
-    bearing::DataValues data;    // of the oil
-    std::string law;             // further keywords of the raceways
-    bool printed = false;        // of balls and cage balls
-    double speed = 0.0;          // rad/s
-    size_t first = 0;            // of its lines in commands()
+    std::string oil;           // name
+    bearing::OilWords data;    // of the oil
+    std::string law;           // further keywords of the raceways
+    bool printed = false;      // of balls and cage balls
+    double speed = 0.0;        // rad/s
+    size_t first = 0;          // of its lines in commands()
   };
   bearing::OilWords read_oil(const bearing::Arguments &, const std::string &name, double t);
   void resolve(Coeff &);

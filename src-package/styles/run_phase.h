@@ -7,6 +7,9 @@
 
 namespace bearing {
 
+// ID of the internal fix that exists while run_bearing works
+inline constexpr const char *fix_of_run = "RUN_BEARING";
+
 // Samples of a measurement: every `every` host steps, `within` of them in a step.
 struct Sampling {
   int every = 1, within = 1;
