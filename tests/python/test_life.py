@@ -10,6 +10,7 @@ from host import ROOT
 from raceway import cli, inputs
 from raceway.theory import cleanliness, life, static
 from raceway.theory.bearing import Bearing
+from raceway.theory.equivalent_load import equivalent
 
 B6208 = Bearing(9, 12.6e-3, 24.0e-3, 36.6e-3, 6.552e-3, 6.552e-3)
 C = 32.5e3
@@ -152,6 +153,38 @@ def test_command(capsys):
     assert cli.main(words("harris209").split()) == 0
     unrated = json.loads(capsys.readouterr().out)
     assert unrated["static_safety"] > 1 and "life_reference_h" not in unrated
+
+
+def rated(capsys, words):
+    assert cli.main(["static", *words.split(), "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_a_rating_on_the_command_line(capsys):
+    """--C stands in for the file's: both lives grow by its cube, and a bearing without ratings has
+    them. Under a radial load without clearance ISO/TS 16281 has the basic life within 2 %."""
+    one, two = (rated(capsys, f"--load 3kN --rpm 1500 --C {c}") for c in ("16kN", "32000"))
+    for key in ("life_L10_Mrev", "life_reference_Mrev", "life_L10_h"):
+        assert two[key] == pytest.approx(8 * one[key], rel=1e-12)
+    assert one["life_L10_Mrev"] == pytest.approx((16 / 3) ** 3, rel=1e-12)
+    assert one["life_reference_Mrev"] == pytest.approx(one["life_L10_Mrev"], rel=0.02)
+    unrated = rated(capsys, "--bearing harris209 --load 3kN --rpm 1500 --lubricant vg46 --C 32kN")
+    assert unrated["life_L10_Mrev"] == two["life_L10_Mrev"] and "life_factor" not in unrated
+
+
+def test_equivalent_load_of_a_thrust():
+    """P has the sign of neither load and grows with both, but for the step at e."""
+    deep = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
+    steep = dict(deep, angle=np.radians(40))
+    assert equivalent(2000.0, 0.0, **deep) == 2000 == equivalent(-2000.0, 50.0, **deep)
+    assert equivalent(2e3, -1e3, **steep) == equivalent(2e3, 1e3, **steep) == 2000
+    for point in (deep, steep):
+        thrust = np.linspace(100.0, 9000.0, 400)
+        found = np.array([equivalent(1000.0, one, **point) for one in thrust])
+        assert np.all(np.diff(found) > -60) and found[-1] > 4 * found[0]
+        axial = equivalent(0.0, 5000.0, **point)
+        assert axial <= equivalent(500.0, 5000.0, **point)
+    assert equivalent(1e3, 1e3, **dict(deep, angle=np.radians(15))) is None
 
 
 @pytest.mark.parametrize(

@@ -30,6 +30,7 @@ examples:
   raceway static --load 5000 --tilt 0 20arcmin --json
   raceway static --load 5000 --rpm 1910 --lubricant vg46 --temperature 70
   raceway static --load 2000 --rpm 477.5 --lubricant mineral --models paper
+  raceway static --load 5kN --rpm 1500 --bearing 6208 --C 32.5kN
   raceway static --axial 1000 --four-point 35 --clearance 20e-6
   raceway static --bearing 7208 --load 1000 --double-row 18e-3 --preload 5e-6 --moment 10 0
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
@@ -144,6 +145,13 @@ def add(commands: Commands) -> None:
     )
     options.spin_law(one)
     one.add_argument(
+        "--C",
+        type=number(1, 1e8, "N"),
+        metavar="N",
+        dest="dynamic",
+        help="dynamic load rating of a row, newtons, for the rating life (the bearing's file)",
+    )
+    one.add_argument(
         "--cleanliness",
         choices=CLEANLINESS,
         default="normal",
@@ -189,6 +197,7 @@ def run(arguments: argparse.Namespace) -> None:
         spin_law=arguments.spin_law,
         temperature=arguments.temperature,
         cleanliness=arguments.cleanliness,
+        dynamic=arguments.dynamic,
         **options.grooves_of(arguments),
     )
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))

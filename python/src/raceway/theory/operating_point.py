@@ -17,6 +17,7 @@ from raceway.files import FilePath
 from raceway.theory import (
     ball_motion,
     clearance,
+    equivalent_load,
     friction_torque,
     life,
     makers,
@@ -57,6 +58,7 @@ def figures(
     spin_law: str = "closed",
     temperature: float | None = None,
     cleanliness: str = "normal",
+    dynamic: float | None = None,
     four_point: float | None = None,
     double_row: DoubleRow | None = None,
 ) -> dict[str, Any]:
@@ -70,8 +72,8 @@ def figures(
     as well. `temperature` of the lubricant is in degrees C, its file's unless given. `cleanliness`
     is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point contact
     bearing with that angle, as its file may, too. Each of `balls` then has a list of `contacts`.
-    `double_row` gives it two rows, whose `balls` follow one another. `absent` has the reason by key
-    of figures that the models leave out.
+    `double_row` gives it two rows, whose `balls` follow one another. `dynamic` is C in N of a row,
+    in place of the file's. `absent` has the reason by key of figures that the models leave out.
 
     As in a deck, the ring is held along z where there is no axial load (`inputs.held`).
 
@@ -137,9 +139,12 @@ def figures(
     result.update(_loads(state))
     pressure = max(result["p_max_inner_Pa"], result["p_max_outer_Pa"])
     result.update(static_safety=life.static_safety(pressure))
-    if four_point == stated:  # not of a deep groove bearing that an option gives more grooves
+    # ratings of a file are not those of a deep groove bearing that an option gives more grooves
+    if four_point == stated or dynamic is not None:
         angle = nominal if four_point is None else four_point
-        result.update(_life(path, body, state, rpm, fluid, cleanliness, angle))
+        result.update(_life(path, body, state, rpm, fluid, cleanliness, angle, dynamic))
+        if "life_reference_Mrev" in result:
+            result.update(_basic_life(body, result, angle))
     films = None
     if wet:
         films = lubricate(body, state, oil, spin, clearance, film and film.factor)
@@ -262,19 +267,41 @@ def _makers(body, boundary, load, axial, rpm, viscosity):
     )
 
 
-def _life(path, body, state, rpm, fluid, cleanliness, angle):
-    """Life of a bearing whose file states its load ratings."""
+def _basic_life(body, figures, angle):
+    """L_10 of ISO 281: the table of its load factors is of one row and one groove a ring."""
+    axial, layout = figures["axial_N"], body.layout
+    if axial and layout != Layout():
+        return {}
+    load = equivalent_load.equivalent(
+        figures["load_N"], axial, angle=angle, balls=body.balls, ball_diameter=body.ball_diameter
+    )
+    if not load:
+        return {}
+    basic = float(life.basic(figures["dynamic_rating_N"], load))
+    result = dict(equivalent_load_basic_N=load, life_L10_Mrev=basic)
+    if figures["rpm"]:
+        result.update(life_L10_h=basic * 1e6 / (60 * abs(figures["rpm"])))
+    return result
+
+
+def _life(path, body, state, rpm, fluid, cleanliness, angle, dynamic):
+    """Life of a bearing with a basic `dynamic` load rating in N, that of its file unless given."""
     result = {}
     stated, rows = inputs.minimum_load(path), len(body.layout.rows)
     if rows == 1 and stated and rpm and fluid is not None and not math.isnan(fluid.kinematic):
         factor, mean = stated
         result["minimum_load_N"] = life.minimum_load(factor, fluid.kinematic, rpm, mean)
     rated = inputs.ratings(path)
-    if rated is None:
+    if rated is None and dynamic is None:
         return result
+    if rated is None:
+        rated = life.Ratings(dynamic, math.nan, math.nan)
+    elif dynamic is not None:
+        rated = rated._replace(dynamic=dynamic)
     # of all rows, from those of one
     rated = life.Ratings(rated.dynamic * rows**0.7, rated.static * rows, rated.fatigue * rows)
-    viscosity = None if fluid is None or math.isnan(fluid.kinematic) else fluid.kinematic
+    known = fluid is not None and not math.isnan(fluid.kinematic + rated.fatigue)
+    viscosity = fluid.kinematic if known else None
     found = life.of_loads(
         body,
         rated,
@@ -285,6 +312,7 @@ def _life(path, body, state, rpm, fluid, cleanliness, angle):
         viscosity=viscosity,
         cleanliness=cleanliness,
     )
+    result.update(dynamic_rating_N=rated.dynamic)
     result.update(equivalent_load_N=found.equivalent, life_reference_Mrev=found.reference)
     if rpm:
         result.update(life_reference_h=found.reference * 1e6 / (60 * abs(rpm)))

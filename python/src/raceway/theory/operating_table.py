@@ -56,6 +56,9 @@ TOPICS = {
     ),
     "Rating life": (
         Row("static_safety", "static safety", "", "(4.2 GPa/p)^3, ISO 76"),
+        Row("equivalent_load_basic_N", "equivalent load X F_r + Y F_a", "N", "ISO 281, unchecked"),
+        Row("life_L10_Mrev", "basic life, 10^6 turns", "", "ISO 281, (C/P)^3"),
+        Row("life_L10_h", "basic life, hours", "", "90 % survive"),
         Row("equivalent_load_N", "equivalent load", "N", "ISO/TS 16281"),
         Row("life_reference_Mrev", "reference life, 10^6 turns", "", "ISO/TS 16281"),
         Row("life_reference_h", "reference life, hours", "", "90 % survive"),
