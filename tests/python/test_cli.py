@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 import raceway
 from raceway.cli import _parser, main
+from raceway.commands import GROUPS
 from raceway.runs.summary import summary, table
 from raceway.runs.tables import RunTables
 
@@ -50,13 +51,44 @@ def test_unusable_run(folder, capsys, command):
 
 
 @pytest.mark.parametrize(
-    "arguments", [[], ["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]]
+    "arguments", [["sumary", "x"], ["summary"], ["plot", "x", "--output", "y"]]
 )
 def test_wrong_command_line(arguments, capsys):
     with pytest.raises(SystemExit) as stop:
         main(arguments)
     assert stop.value.code == 2
     assert "usage: raceway" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (["sumary", "x"], "argument COMMAND: there is no 'sumary'; did you mean summary?"),
+        (["xyzzy"], "argument COMMAND: there is no 'xyzzy'\n"),
+        (["static", "--laod", "5"], "there is no option --laod; did you mean --load"),
+        (["static", "--laod=5"], "there is no option --laod; did you mean --load"),
+        (["static", "--load", "5", "--qqq"], "there is no option --qqq\n"),
+        (["static", "--models", "ful"], "no 'ful'; did you mean full? (choose from paper, full"),
+        (["summary", "x", "y"], "unrecognized arguments: y"),
+    ],
+)
+def test_a_wrong_word_names_the_nearest(arguments, said, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(arguments)
+    assert stop.value.code == 2
+    assert said in capsys.readouterr().err
+
+
+def test_alone_it_prints_the_commands_by_group(capsys):
+    """Each command once, under one of the headings; no group has a name that is no command."""
+    assert main([]) == 0
+    text = capsys.readouterr().out
+    assert text == _parser().format_help()
+    listed = [name for names in GROUPS.values() for name in names]
+    assert len(listed) == len(set(listed)) and set(listed) <= set(subcommands())
+    assert all(f"\n{heading}:\n" in text for heading in GROUPS)
+    for name in subcommands():
+        assert len(re.findall(rf"\n    {name} ", text)) == 1
 
 
 def subcommands():

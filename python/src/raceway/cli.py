@@ -12,6 +12,7 @@ from types import ModuleType
 
 import raceway
 from raceway import commands, progress
+from raceway.commands.parser import Parser, grouped
 from raceway.errors import RacewayError, RunWarning
 
 EXAMPLES = """\
@@ -28,7 +29,14 @@ Exit codes: 0 done; 1 not done, a message says why; 2 wrong command line; 130 in
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command with `argv` (default: the process's) and return its exit code."""
-    arguments = _parser().parse_args(argv)
+    words = sys.argv[1:] if argv is None else list(argv)
+    parser = _parser()
+    if not words:
+        parser.print_help()
+        return 0
+    arguments, unknown = parser.parse_known_args(words)
+    if unknown:
+        arguments.parser.refuse(unknown)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("always", RunWarning)
@@ -66,14 +74,20 @@ def modules() -> Iterator[ModuleType]:
 
 
 def _parser():
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="raceway",
+        usage="%(prog)s [-h] [--version] COMMAND ...",
         description="Ball bearings: figures, spectra and pictures of runs, and theory.",
-        epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"raceway {raceway.__version__}")
-    parsers = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    parsers = parser.add_subparsers(
+        prog="raceway", required=True, metavar="COMMAND", help=argparse.SUPPRESS
+    )
     for module in modules():
         module.add(parsers)
+    for one in parsers.choices.values():
+        one.set_defaults(parser=one)
+    helps = {action.dest: action.help for action in parsers._choices_actions}
+    parser.epilog = f"{grouped(helps)}\n\n{EXAMPLES}"
     return parser

@@ -4,5 +4,15 @@ the work."""
 
 import argparse
 
+# The commands in the order of `raceway --help`: each is in one group.
+GROUPS = {
+    "Runs": ("decks", "summary", "plot", "animate", "report", "spectrum", "export", "check"),
+    "Theory, without a run": ("static", "heat", "stiffness", "shaft", "catalogue"),
+    "Films as capacitors": ("electric", "circuit"),
+    "Many runs": ("sweep", "gather", "needs", "dataset"),
+    "Measurements": ("measured", "identify", "track"),
+    "The publication": ("paper",),
+}
+
 # what `ArgumentParser.add_subparsers` gives
 Commands = argparse._SubParsersAction

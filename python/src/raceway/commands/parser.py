@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The parser of the command line: commands by group in the help, and near words for wrong ones."""
+
+import argparse
+import textwrap
+from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
+
+from raceway.commands import GROUPS, Commands
+
+REST = "Others"  # the heading of commands that no group has
+NAMES, WIDTH = 12, 80  # columns of the list
+
+
+class Parser(argparse.ArgumentParser):
+    """An `argparse` parser that names the commands or options a wrong word may have meant."""
+
+    def _check_value(self, action, value):
+        if action.choices is not None and value not in action.choices:
+            known = [str(word) for word in action.choices]
+            some = "" if isinstance(action, Commands) else f" (choose from {', '.join(known)})"
+            raise argparse.ArgumentError(
+                action, f"there is no '{value}'{near(str(value), known)}{some}"
+            )
+
+    def refuse(self, unknown: Sequence[str]) -> None:
+        """End with a message on words that no option or argument takes."""
+        options = [word for action in self._actions for word in action.option_strings]
+        wrong = next((word for word in unknown if word.startswith("-")), None)
+        if wrong is None:
+            self.error(f"unrecognized arguments: {' '.join(unknown)}")
+        name = wrong.partition("=")[0]
+        self.error(f"there is no option {name}{near(name, options)}")
+
+
+def near(word: str, known: Sequence[str]) -> str:
+    """The end of a message that `word` is wrong: the nearest of the words `known`, if any.
+
+    >>> near("sumary", ["summary", "static"]), near("x", ["summary"])
+    ('; did you mean summary?', '')
+    """
+    found = get_close_matches(word, known, 2, 0.6)
+    return f"; did you mean {' or '.join(found)}?" if found else ""
+
+
+def grouped(helps: Mapping[str, str]) -> str:
+    """The list of commands with their `helps`, under the headings of `GROUPS`."""
+    listed = {name for names in GROUPS.values() for name in names}
+    groups = GROUPS | {REST: tuple(name for name in helps if name not in listed)}
+    result = []
+    for heading, names in groups.items():
+        if names := [name for name in names if name in helps]:
+            result += ["", f"{heading}:"]
+            result += [_line(name, helps[name]) for name in names]
+    return "\n".join(result[1:])
+
+
+def _line(name, text):
+    first, later = f"    {name:<{NAMES}}", " " * (4 + NAMES)
+    return textwrap.fill(text, WIDTH, initial_indent=first, subsequent_indent=later)
