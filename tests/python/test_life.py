@@ -172,6 +172,55 @@ def test_a_rating_on_the_command_line(capsys):
     assert unrated["life_L10_Mrev"] == two["life_L10_Mrev"] and "life_factor" not in unrated
 
 
+def test_load_spectrum(capsys, tmp_path):
+    """One duty in two parts is that duty; the equivalent load of several is the cubic mean by
+    revolutions, and the steady load of that size has the same life."""
+    path = tmp_path / "duties.csv"
+    common = ["static", "--C", "32.5kN", "--spectrum", str(path)]
+
+    def life_of(text):
+        path.write_text(text)
+        assert cli.main([*common, "--json"]) == 0
+        return json.loads(capsys.readouterr().out)
+
+    one = rated(capsys, "--C 32.5kN --load 3000 --rpm 1500")
+    split = life_of("load,rpm,share\n3000,1500,2\n3000,1500,6\n")
+    for key in ("life_reference_Mrev", "life_reference_h", "equivalent_load_N"):
+        assert split[key] == pytest.approx(one[key], rel=1e-12)
+    assert [point["damage_share"] for point in split["points"]] == pytest.approx([0.25, 0.75])
+
+    mixed = life_of("share,rpm,load,axial\n7,1500,2000,0\n3,3000,5000,0\n")
+    loads = np.array([point["equivalent_load_N"] for point in mixed["points"]])
+    turns = np.array([7 * 1500, 3 * 3000])
+    mean = (turns @ loads**3 / turns.sum()) ** (1 / 3)
+    assert mixed["equivalent_load_N"] == pytest.approx(mean, rel=1e-12)
+    assert mixed["rpm_mean"] == pytest.approx(turns.sum() / 10)
+    hours = [C / load for load in loads]
+    damage = sum(t / h**3 for t, h in zip(turns, hours)) / turns.sum()
+    assert mixed["life_reference_Mrev"] == pytest.approx(1 / damage, rel=1e-12)
+    assert sum(point["damage_share"] for point in mixed["points"]) == pytest.approx(1)
+    assert cli.main(common) == 0
+    assert "equivalent load" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("load,speed\n1,2\n", "there is no column speed, but load, axial, rpm, share"),
+        ("load\n1\n", "rpm among them"),
+        ("load,rpm\n", "a row for each point"),
+        ("load,rpm\n5,9\n5\n", "point 2 has 1 cells, the head 2"),
+        ("load,rpm\n5,x\n", "point 1: rpm is 'x', must be from 0.001 to 100000 rpm"),
+        ("load,rpm,share\n5,9,0\n", "point 1: share is '0', must be from 1e-12"),
+    ],
+)
+def test_a_spectrum_that_is_none(capsys, tmp_path, text, said):
+    path = tmp_path / "duties.csv"
+    path.write_text(text)
+    assert cli.main(["static", "--spectrum", str(path)]) == 1
+    assert said in capsys.readouterr().err
+
+
 def test_equivalent_load_of_a_thrust():
     """P has the sign of neither load and grows with both, but for the step at e."""
     deep = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)

@@ -5,6 +5,7 @@ simulation."""
 import argparse
 import json
 import math
+from functools import partial
 
 from raceway.commands import Commands, options
 from raceway.commands.quantity import number, takes_negative
@@ -31,6 +32,7 @@ examples:
   raceway static --load 5000 --rpm 1910 --lubricant vg46 --temperature 70
   raceway static --load 2000 --rpm 477.5 --lubricant mineral --models paper
   raceway static --load 5kN --rpm 1500 --bearing 6208 --C 32.5kN
+  raceway static --spectrum duties.csv --C 32.5kN
   raceway static --axial 1000 --four-point 35 --clearance 20e-6
   raceway static --bearing 7208 --load 1000 --double-row 18e-3 --preload 5e-6 --moment 10 0
   raceway static --bearing my/bearing --axial 500 --hold x=0 --hold y=0
@@ -72,6 +74,12 @@ def add(commands: Commands) -> None:
         default=0.0,
         metavar="N",
         help="along z, newtons; 0 holds the ring along z (0)",
+    )
+    loads.add_argument(
+        "--spectrum",
+        metavar="FILE",
+        help="CSV table with columns load, axial, rpm, share (of the time) in place of these: life"
+        " and equivalent load of all its points together",
     )
     loads.add_argument(
         "--moment",
@@ -165,14 +173,19 @@ def add(commands: Commands) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Print the figures. Raises `RacewayError`."""
     # scipy takes longer to load than --help to print
+    from raceway.theory import load_spectrum
     from raceway.theory.operating_point import figures, table
+
+    single = [name for name in ("load", "axial", "rpm") if getattr(arguments, name)]
+    if single and arguments.spectrum is not None:
+        arguments.complain(f"--{single[0]}: the table of --spectrum has loads and speeds")
 
     if arguments.moment and arguments.tilt:
         arguments.complain(
             "--moment and --tilt: a tilt is either free under a moment or held; give one of them,"
             " or --hold"
         )
-    if arguments.lubricant not in (None, "dry") and not arguments.rpm:
+    if arguments.lubricant not in (None, "dry") and not (arguments.rpm or arguments.spectrum):
         arguments.complain("--lubricant: a film needs a speed; give --rpm")
     if arguments.spin_law != "closed" and arguments.models == models.PAPER:
         arguments.complain("--spin-law: of the friction torque; give --models full")
@@ -180,16 +193,14 @@ def run(arguments: argparse.Namespace) -> None:
         arguments.complain("--temperature: of the lubricant; give --lubricant")
     held = {} if arguments.moment else dict(zip(("rx", "ry"), arguments.tilt or (0.0, 0.0)))
     held.update(arguments.hold)
-    result = figures(
+    evaluate = partial(
+        figures,
         arguments.bearing,
         arguments.lubricant,
         arguments.inputs,
-        load=arguments.load,
-        axial=arguments.axial,
         moment=arguments.moment or (0.0, 0.0),
         held=held,
         clearance=arguments.clearance,
-        rpm=arguments.rpm,
         phase=arguments.phase,
         density=arguments.density,
         exact_circle=arguments.exact_circle,
@@ -200,6 +211,14 @@ def run(arguments: argparse.Namespace) -> None:
         dynamic=arguments.dynamic,
         **options.grooves_of(arguments),
     )
+    if arguments.spectrum is None:
+        result = evaluate(load=arguments.load, axial=arguments.axial, rpm=arguments.rpm)
+    else:
+        result = load_spectrum.of_points(
+            load_spectrum.read(arguments.spectrum),
+            lambda duty: evaluate(load=duty.load, axial=duty.axial, rpm=duty.rpm),
+        )
+        table = load_spectrum.table
     print(json.dumps(result, indent=2, allow_nan=False) if arguments.json else table(result))
 
 

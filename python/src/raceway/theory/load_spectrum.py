@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Life and equivalent load under a spectrum of loads: points with shares of the time.
+
+Damage adds up by revolutions (Palmgren-Miner, as in ISO 281 and ISO/TS 16281): 1/L is the sum of
+u_i/L_i, u_i the share of the revolutions at point i. The equivalent load is the steady one of that
+life, (sum u_i P_i^3)^(1/3).
+"""
+
+import csv
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from raceway.errors import InputError
+from raceway.files import FilePath
+from raceway.theory import life
+from raceway.units import prefixed
+
+# columns: (lowest, highest, unit, default); the names of a sweep's table, and the share of the time
+COLUMNS = {
+    "load": (0.0, 1e6, "N", 0.0),
+    "axial": (-1e6, 1e6, "N", 0.0),
+    "rpm": (1e-3, 1e5, "rpm", None),
+    "share": (1e-12, 1e12, "", 1.0),
+}
+LIFE = "life_reference_Mrev"
+KEYS = ("equivalent_load_N", LIFE, "dynamic_rating_N")
+
+
+class Duty(NamedTuple):
+    """A point of a spectrum."""
+
+    load: float  # N, radial
+    axial: float  # N
+    rpm: float
+    share: float  # of the time, in any unit
+
+
+def read(path: FilePath) -> list[Duty]:
+    """The points of the CSV file `path`: a head with names of `COLUMNS`, rpm among them, and a row
+    for each point. Raises `InputError` with the line and the value that is wrong."""
+    try:
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            rows = [row for row in csv.reader(file) if any(row) and row[0].lstrip()[:1] != "#"]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise InputError(
+            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
+        ) from None
+    head = [name.strip() for name in rows[0]] if rows else []
+    if unknown := [name for name in head if name not in COLUMNS]:
+        raise InputError(f"{path}: there is no column {unknown[0]}, but {', '.join(COLUMNS)}")
+    if "rpm" not in head or len(set(head)) < len(head) or len(rows) < 2:
+        raise InputError(f"{path}: give each column once, rpm among them, and a row for each point")
+    return [_duty(path, number, head, row) for number, row in enumerate(rows[1:], 1)]
+
+
+def _duty(path, number, head, row):
+    if len(row) != len(head):
+        raise InputError(f"{path}: point {number} has {len(row)} cells, the head {len(head)}")
+    found = {name: default for name, (*_, default) in COLUMNS.items()}
+    for name, text in zip(head, row):
+        low, high, unit, _ = COLUMNS[name]
+        try:
+            found[name] = float(text)
+        except ValueError:
+            found[name] = float("nan")
+        if not low <= found[name] <= high:
+            span = f"from {low:g} to {high:g} {unit}".rstrip()
+            raise InputError(f"{path}: point {number}: {name} is {text.strip()!r}, must be {span}")
+    return Duty(**found)
+
+
+def of_points(
+    duties: Sequence[Duty], figures: Callable[[Duty], Mapping[str, Any]]
+) -> dict[str, Any]:
+    """Figures by name of the spectrum `duties`, SI units; `points` has those of each.
+
+    `figures` gives those of a point (`operating_point.figures`). Raises `InputError` where they
+    have no life because the bearing has no rating.
+    """
+    points: list[dict[str, Any]] = []
+    for duty in duties:
+        found = figures(duty)
+        if LIFE not in found:
+            raise InputError("the bearing's file states no load ratings: give --C")
+        points.append(duty._asdict() | {key: found[key] for key in KEYS})
+    times = np.array([duty.share for duty in duties])
+    turns = times * [duty.rpm for duty in duties]
+    rpm = float(turns.sum() / times.sum())
+    shares = turns / turns.sum()
+    total = life.of_duties([one[LIFE] for one in points], shares)
+    return dict(
+        equivalent_load_N=points[0]["dynamic_rating_N"] / total ** (1 / 3),
+        life_reference_Mrev=total,
+        life_reference_h=total * 1e6 / (60 * rpm),
+        rpm_mean=rpm,
+        points=[
+            dict(
+                one,
+                revolutions_share=share,
+                damage_share=share * total / one["life_reference_Mrev"],
+            )
+            for one, share in zip(points, shares.tolist())
+        ],
+    )
+
+
+def table(found: Mapping[str, Any]) -> str:
+    """The mapping of `of_points` as text."""
+    rows = [["load", "axial", "rpm", "time", "turns", "damage", "P", "L_10r, 10^6"]]
+    whole = sum(one["share"] for one in found["points"])
+    for one in found["points"]:
+        parts = (one["share"] / whole, one["revolutions_share"], one["damage_share"])
+        rows.append(
+            [
+                *(prefixed(one[key], "N") for key in ("load", "axial")),
+                f"{one['rpm']:g}",
+                *(f"{100 * part:.3g} %" for part in parts),
+                prefixed(one["equivalent_load_N"], "N"),
+                f"{one[LIFE]:.4g}",
+            ]
+        )
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    text = ["  " + "  ".join(cell.rjust(w) for cell, w in zip(row, widths)) for row in rows]
+    return "\n".join(
+        [
+            "Points",
+            *text,
+            "",
+            "Spectrum",
+            f"  {'equivalent load':<32}{prefixed(found['equivalent_load_N'], 'N'):>14}"
+            "  (ISO/TS 16281)",
+            f"  {'mean speed':<32}{found['rpm_mean']:>10.4g} rpm",
+            f"  {'reference life, 10^6 turns':<32}{found['life_reference_Mrev']:>14.4g}",
+            f"  {'reference life, hours':<32}{found['life_reference_h']:>14.4g}",
+        ]
+    )
