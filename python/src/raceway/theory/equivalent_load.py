@@ -31,8 +31,8 @@ def equivalent(
     above 45. Without an axial load P is the radial load, at any angle.
 
     >>> point = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
-    >>> equivalent(2000.0, 0.0, **point), equivalent(2000.0, 1000.0, **point).round(0)
-    (2000.0, 2825.0)
+    >>> equivalent(2000.0, 0.0, **point), round(equivalent(2000.0, 1000.0, **point))
+    (2000.0, 2825)
     """
     radial, axial = abs(radial), abs(axial)
     if not axial:
@@ -48,4 +48,4 @@ def equivalent(
         limit, share, factor = (np.interp(degrees, ANGLES, one) for one in ANGULAR)
     if axial <= limit * radial:
         return radial
-    return share * radial + factor * axial
+    return float(share * radial + factor * axial)
