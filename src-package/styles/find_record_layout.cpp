@@ -23,8 +23,6 @@ namespace bearing {
 
 namespace {
 
-constexpr int cage_side = 2;    // of a ring that is a cage; 0 inner, 1 outer
-
 // Data of a bearing sent by its home to all ranks.
 struct Piece {
   enum Kind { kind, ball, cage, ring } what;
@@ -139,7 +137,7 @@ RecordLayout find_record_layout(LAMMPS *lmp, PairBearingHertz &pair, int groupbi
       if (!both.of[s]) both.of[s] = g.physics;
       side[g.ring] = s;
     }
-    for (const BearingModel::Cage &c : m.cages) side[c.ring] = cage_side;
+    for (const BearingModel::Cage &c : m.cages) side[c.ring] = RecordLayout::cage_ring;
     if (m.grooves.empty()) continue;
     Piece piece = {Piece::kind, name, 0.0, 0, {}};
     const auto eps = permittivity.find(static_cast<double>(m.bodies.front().tag));

@@ -288,7 +288,7 @@ void FixBearingRecord::open()
   content.capacitance = static_cast<bool>(context_.capacitor);
   content.surroundings = context_.surroundings;
   content.law = pair_->coefficients().law();
-  content.spheres = pair_->coefficients().any_spheres();
+  content.spheres = pair_->coefficients().any_spheres() || layout_.pockets();
   bearing::add_deck_notes(lmp, *pair_, within_, notes_);
   about_ = bearing::record_settings(lmp, *pair_, layout_, notes_,
                                     {nevery * update->dt / within_, start_});

@@ -8,6 +8,7 @@ import re
 import numpy as np
 import pytest
 from host import frames, liggghts, succeed, tables
+from raceway.runs.run import Run
 
 DECK = "tests/scenarios/in.cage_ring"
 VERLET = dict(integrator="verlet", dt=2e-7)
@@ -160,9 +161,29 @@ def test_a_cage_on_balls_slips_more_than_one_on_its_land(tmp_path):
     assert 1.2 * centred < free < 2.5 * centred
 
 
+def test_a_run_tells_slip_orbit_and_pocket_forces(tmp_path):
+    """The deck of inputs: its figures against the samples of the record."""
+    succeed("inputs/in.cage_ring", out=tmp_path, settle=4, passes=4, cage_play=2e-4)
+    run = Run(tmp_path)
+    record = run.tables.record
+    side, spin = record.fixed("ring_raceway").tolist(), record.read(["ring_spin"])["ring_spin"]
+    assert side == [0, 1, 2]
+    ball, inner, outer = (
+        record.fixed(name)[0] for name in ("ball_diameter", "inner_radius", "outer_radius")
+    )
+    figures = run.summary()
+    rolling = spin[:, 0].mean() / 2 * (1 - ball / (inner + outer))
+    assert figures["cage_slip"] == pytest.approx(1 - spin[:, 2].mean() / rolling, rel=1e-9)
+    assert 1e-3 < figures["cage_slip"] < 1e-2
+    assert 2e-5 < figures["cage_orbit_m"] < 1.5e-4  # within the play
+    force = record.read(["ball_pocket_force"])["ball_pocket_force"]
+    assert figures["pocket_force_max_N"] == np.nanmax(force) > 0.1
+    assert np.isfinite(force).any(axis=1).sum() > 50
+
+
 @pytest.mark.parametrize("integrator", BOTH)
 @pytest.mark.parametrize("guide", ["guide balls", LAND])
-def test_ranks_and_restarts_keep_bits(tmp_path, integrator, guide):
+def test_ranks_hosts_and_restarts_keep_bits(tmp_path, integrator, guide):
     fast = VERLET if integrator == "verlet" else {}
     span = dict(steps=8000, sample=400) if fast else dict(steps=200, sample=10)
     half = span["steps"] // 2
@@ -176,6 +197,9 @@ def test_ranks_and_restarts_keep_bits(tmp_path, integrator, guide):
         assert states[ranks][0] == states[1][0], f"bodies on {ranks} ranks"
         assert states[ranks][1] == states[1][1], f"cage on {ranks} ranks"
     assert np.loadtxt(folder / "cage.txt")[:, 7].max() > 0
+    other = tmp_path / "lammps"
+    succeed(DECK, host="lammps", out=other, **common)
+    assert frames(other / "balls.dump") == states[1][0]
     again = tmp_path / "again"
     succeed(
         DECK,

@@ -10,8 +10,6 @@ namespace bearing {
 
 using Header = NetcdfHeader;
 
-static constexpr size_t nowhere = SIZE_MAX;    // a column that is not in the record
-
 static Header::Attributes said(const Column &c)
 {
   return {Header::attribute("units", *c.unit ? c.unit : "1"),
@@ -90,6 +88,10 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
       ball_.push_back(add("ball_", c, {time, ball}));
       if (m) cage_.push_back(add("cage_", c, {time, cage}));
     }
+  if (layout_.pockets())
+    pocket_ = add("ball_",
+                  {"pocket_force", "N", "force of the ball on its pocket; known at ends of steps"},
+                  {time, ball});
   for (int k = 0; k < RING_VALUES; ++k)
     ring_.push_back(add("ring_", of_ring::list[FIRST_OF_RING + k], {time, ring}));
   for (const Figure &f : record_figures()) {
@@ -103,6 +105,7 @@ RecordFile::RecordFile(const RecordLayout &layout, const Content &content) :
   };
   place(time_);
   place(step_);
+  place(pocket_);
   for (std::vector<size_t> *list : {&contact_, &ball_, &cage_, &ring_, &bearing_})
     std::for_each(list->begin(), list->end(), place);
   shares_.resize(n);
@@ -145,8 +148,10 @@ const double *RecordFile::take(const double *row, const double *end, bool &whole
       for (size_t k = 0; k < columns; ++k) put_single(to + column[k], value[k]);
     else
       for (size_t k = 0; k < columns; ++k) put_real(to + column[k], value[k]);
-    if (kind == BALL)
+    if (kind == BALL) {
       memcpy(static_cast<void *>(&shares_[place]), value + MOTION, sizeof(BallFigures));
+      if (pocket_ != nowhere) put_real(sample_ + pocket_ + 8 * place, shares_[place].cage_force);
+    }
     if (kind == CAGE) rails_[place] = value[MOTION];
     reported_ += kind != CONTACT;
     row = value + width(kind);

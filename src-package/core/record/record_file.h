@@ -48,8 +48,9 @@ class RecordFile {
   NetcdfHeader header_;
   NetcdfFile file_;
   int finished_ = -1;
+  static constexpr size_t nowhere = SIZE_MAX;    // a column that is not in the record
   // bytes from the start of a sample, by column
-  size_t time_, step_;
+  size_t time_, step_, pocket_ = nowhere;
   std::vector<size_t> contact_, ball_, cage_, ring_, bearing_;
   unsigned char *sample_ = nullptr;    // the present one, if a part has reported
   std::vector<BallFigures> shares_;

@@ -31,6 +31,13 @@ struct RecordLayout {
 
   int grooves = 1;    // per ring and ball: contacts are by raceway, groove and ball
 
+  static constexpr int cage_ring = 2;    // raceway of a cage that is one ring
+  bool pockets() const
+  {
+    for (const RecordRing &r : rings)
+      if (r.raceway == cage_ring) return true;
+    return false;
+  }
   size_t bodies() const { return balls.size() + cage.size() + rings.size(); }
 };
 

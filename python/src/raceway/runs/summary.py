@@ -14,6 +14,7 @@ import numpy as np
 from raceway.arrays import Floats
 from raceway.errors import RunError
 from raceway.rows import Row, lines, row
+from raceway.runs.cage import CAGE_RING_FIGURES, cage_figures
 from raceway.runs.columns import BEARING, LOSSES
 from raceway.runs.flaws import by_part
 from raceway.runs.friction import STILL as RESTING
@@ -80,6 +81,9 @@ TOPICS = {
     ),
     "Kinematics": (
         row("cage_speed_rad_s", "mean of (x v_y - y v_x)/r^2"),
+        Row("cage_slip", "slip of the cage", "", "against rolling at contact angle 0"),
+        Row("cage_orbit_m", "orbit of the cage", "m", "largest, from its mean place"),
+        Row("pocket_force_max_N", "largest pocket force", "N", "at ends of steps"),
         row("entrainment_speed_m_s", "U_r of eq 6, largest inner load"),
     ),
     "Friction torque": (
@@ -166,6 +170,7 @@ def summary(tables: RunTables) -> dict[str, Any]:
     result["warnings"] = _warnings(tables, result)
     ranges = {key: one._asdict() for key, one in model_ranges(tables, result).items()}
     result["model_ranges"] = ranges or None
+    result |= {key: _plain(value) for key, value in cage_figures(tables).items()}
     if flaws := by_part(settings):
         result["flaws"] = flaws
     if errors := numerical_errors(tables):
@@ -350,6 +355,7 @@ def shown(figures: Mapping[str, Any]) -> dict[str, Any]:
     losses = figures["losses_W"] or dict.fromkeys(LOSSES)
     flaws = figures.get("flaws", {})
     return {
+        **dict.fromkeys(CAGE_RING_FIGURES),
         **result,
         **{key: why for key, why in figures["absent"].items() if key in models.HEADLINES},
         **{f"loss_{part}_W": loss or None for part, loss in losses.items()},
