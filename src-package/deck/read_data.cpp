@@ -7,6 +7,7 @@
 #include "find_data.h"
 #include "given_variables.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -86,15 +87,15 @@ NamedData read_data(LAMMPS_NS::LAMMPS *lmp, const Arguments &args, const std::st
   return data;
 }
 
-std::vector<std::string> given_of(const NamedData &data)
+std::vector<std::string> given_of(const NamedData &data, const std::vector<std::string> &kinds)
 {
   std::vector<std::string> list;
   for (const auto &value : data.values) {
     const auto of_file = data.of_file.find(value.first);
-    const bool data_of = find_deck_variable(value.first, "bearing data") ||
-                         find_deck_variable(value.first, "usual data") ||
-                         find_deck_variable(value.first, "oil data");
-    if (data_of && (of_file == data.of_file.end() || of_file->second != value.second))
+    const bool asked = std::any_of(kinds.begin(), kinds.end(), [&](const std::string &kind) {
+      return find_deck_variable(value.first, kind) != nullptr;
+    });
+    if (asked && (of_file == data.of_file.end() || of_file->second != value.second))
       list.push_back(value.first + "=" + value.second);
   }
   return list;

@@ -19,8 +19,8 @@ struct NamedData {
 NamedData read_data(LAMMPS_NS::LAMMPS *, const Arguments &, const std::string &inputs,
                     const std::string &sort, const std::string &name);
 
-// Data that differ from the file's, as NAME=VALUE
-std::vector<std::string> given_of(const NamedData &);
+// Data of these kinds that differ from the file's, as NAME=VALUE
+std::vector<std::string> given_of(const NamedData &, const std::vector<std::string> &kinds);
 
 // Sets the defaults of the variables of the table that are `of` this, and checks all; error if one
 // without default is missing.

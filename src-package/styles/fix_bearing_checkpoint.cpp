@@ -357,7 +357,9 @@ void FixBearingCheckpoint::cut_files()
   cut_ = true;
   if (comm->me != 0) return;
   for (size_t k = 0; k < files_.size(); ++k) {
-    if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
+    if (length_[k] < 0.0) {    // not begun when the restart file was written
+      unlink(files_[k].c_str());
+    } else if (truncate(files_[k].c_str(), static_cast<off_t>(length_[k])) != 0)
       BRG_ONE(command_ + ": cannot cut " + files_[k] + ": " + strerror(errno));
     seen_[k] = -1.0;    // the next sample of a dump comes after the next check of its length
   }

@@ -45,7 +45,7 @@ void NameBearing::command(int narg, char **arg)
       if (types[i] == types[j]) args.fail("types: balls, cage balls and both rings need their own");
   refuse_unknown(args, inputs);
   b.data = bearing::read_data(lmp, args, inputs, "bearings", data);
-  b.given = bearing::given_of(b.data);
+  b.given = bearing::given_of(b.data, {"bearing data", "usual data"});
   for (const auto &value : own) b.data.values[value.first] = value.second;
   b.data.values.emplace("bearing", data);
   derive(args, b);
@@ -73,6 +73,12 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
                                                  : ": the deck has no such variable, nearest is '" +
                                                        bearing::nearest(set, names) + "'";
       if (!wrong.empty()) complaint += (complaint.empty() ? "-var " : "; -var ") + set + wrong;
+    }
+    // variables of later commands: out of range before anything runs
+    for (const std::string &name : deck) {
+      const bearing::DeckVariable *of = bearing::find_deck_variable(name);
+      const auto value = of && complaint.empty() ? bearing::host_variable(lmp, name) : std::nullopt;
+      if (value) complaint = bearing::wrong_value(*of, *value);
     }
   }
   complaint = bearing::agree(complaint, world);

@@ -87,7 +87,7 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   bearing::NamedData oil = bearing::read_data(lmp, args, folder_, "lubricants", name);
   if (!oil.values.count("film")) args.fail(oil.label + " has no variable film");
   if (oil.values["film"] == "dry") return oil.values;
-  given_ = bearing::given_of(oil);
+  given_ = bearing::given_of(oil, {"oil data"});
   oil.values["temperature"] = digits(t);
   bearing::DataValues values(lmp, args, oil.values, oil.label);
   const bearing::DeriveLaws laws = bearing::data_laws();

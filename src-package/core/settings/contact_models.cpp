@@ -33,13 +33,6 @@ std::string list_of(const Parts &parts)
   return list.empty() ? "none" : list;
 }
 
-const std::string &datum(const OilWords &oil, const std::string &name)
-{
-  const auto at = oil.find(name);
-  if (at == oil.end()) throw DataError("the lubricant has no variable " + name);
-  return at->second;
-}
-
 // Which parts stay
 class Choice {
  public:
@@ -71,8 +64,7 @@ class Choice {
 // Film in the gap, its damping and its thinning
 std::string gap_words(const ModelChoice &of, const Choice &with, const OilWords &oil)
 {
-  const std::string thins =
-      datum(oil, "temperature_viscosity") + " " + datum(oil, "oil_conductivity");
+  const std::string thins = oil.at("temperature_viscosity") + " " + oil.at("oil_conductivity");
   std::string words;
   if (with.has("gap")) words += " gap 1 gap_film " + of.gap_film;
   if (with.has("gap") && with.has("film_branch")) words += " film_damping branch";
@@ -93,9 +85,21 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
   // asperities have the friction coefficient of the film
   const std::string boundary = digits(0.05 + 0.07 * with.has("asperities"));
   return "friction mixed " + boundary + " 0.05 " + slip + " rolling " +
-         datum(*oil, "temperature_viscosity") + " " + datum(*oil, "oil_conductivity") + " " +
-         digits(rolling) + hysteresis + " drag " + datum(*oil, "oil_density") + " " +
+         oil->at("temperature_viscosity") + " " + oil->at("oil_conductivity") + " " +
+         digits(rolling) + hysteresis + " drag " + oil->at("oil_density") + " " +
          with.share("drag", 0.1) + gap_words(of, with, *oil);
+}
+
+// Data of the oil that the models need, and it lacks
+void require(const OilWords &oil, const std::string &models)
+{
+  Parts needed = {"temperature_viscosity", "oil_conductivity"};
+  if (models != "film") needed.push_back("oil_density");
+  if (models == "eyring") needed.insert(needed.end(), {"eyring_stress", "limiting_traction"});
+  std::string missing;
+  for (const std::string &name : needed)
+    if (!oil.count(name)) missing += (missing.empty() ? "" : ", ") + name;
+  if (!missing.empty()) throw DataError("the lubricant has no variable " + missing);
 }
 
 }    // namespace
@@ -107,10 +111,11 @@ ContactModel contact_model(const ModelChoice &of, const OilWords *oil, double ph
   // the vibration of a cage that drives balls would limit the step; 1 um is 0.4 N in its contacts
   const double share = full ? 1000.0 : of.models == "film" ? 100.0 : 1.0;
   if (of.models == "none") return {"", share};
+  if (oil && of.models != "paper") require(*oil, of.models);
   if (full) {
     std::string words = full_words(of, with, oil, phi_rs);
     if (of.models == "eyring" && oil)
-      words += " traction " + datum(*oil, "eyring_stress") + " " + datum(*oil, "limiting_traction");
+      words += " traction " + oil->at("eyring_stress") + " " + oil->at("limiting_traction");
     return {words, share};
   }
   if (!oil) return {"friction constant 0.1", share};

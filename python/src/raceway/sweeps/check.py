@@ -63,6 +63,9 @@ def variables(tables: RunTables) -> dict[str, str]:
     if balls := by_ball(tables.settings):
         known["flaw_ball"] = next(iter(balls.values()))
         known["flawed_ball"] = " ".join(map(str, balls))
+    known.pop("settled", None)  # the repeats settle as long as the run did
+    if known.get("settle") == "auto":
+        known["settle"] = f"{tables.settings['settled_passes']:.15g}"
     return {**known, "passes": f"{tables.settings['passes']:.15g}"}
 
 

@@ -11,10 +11,16 @@ from typing import NamedTuple
 
 from raceway.errors import RacewayError
 from raceway.files import FilePath
+from raceway.sweeps import variable_table
 
 # in a deck, and in a table of inputs/variables, which has no default of those that it needs
 INDEX = re.compile(r"^\s*variable\s+(\w+)\s+(?:index\s+(\S+)|needed\b)", re.MULTILINE)
 TABLE = re.compile(r"/variables/(\w+)")
+# variables that a command takes if they exist, the command that reads a bearing's data, and a deck
+# in the folder of this one
+VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
+BEARING = re.compile(r"^bearing\s", re.MULTILINE)
+DECK = re.compile(r"^include \S*?/(in\.\S+)", re.MULTILINE)
 # characters of a value: none that are special in a deck, a shell or a path
 WORD = re.compile(r"[A-Za-z0-9_.+-]+")
 OURS = {
@@ -41,15 +47,25 @@ class Point(NamedTuple):
 
 def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
-    lines of the deck at path `deck`, of the `modules`, `integrators` and `housings` in the same
-    folder, and of the tables in `variables` named there. A default that comes from data files is
-    empty.
-    Where the files of a folder differ, the default is from the file used by the deck. Raises
-    `TableError` if the deck cannot be read.
+    lines of the deck at path `deck` and of the decks that it includes, and the words after `vars`
+    in its commands, with the defaults of the commands that take them (`variables.json`, which C++
+    writes). Decks with modules: also those of the modules, integrators, housings and tables in the
+    same folder. A default that comes from data files is empty. Raises `TableError` if the deck
+    cannot be read.
     """
     deck = Path(deck)
     found: dict[str, str] = {}
     tables = _add_variables(found, deck)
+    if re.search(r"^include \S*/modules/", deck.read_text(), re.MULTILINE):
+        _add_modules(found, deck, tables)
+    if not found:
+        raise TableError(
+            f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary"
+        )
+    return found
+
+
+def _add_modules(found, deck, tables):
     for folder, choice in (
         ("modules", None),
         ("integrators", "integrator"),
@@ -63,11 +79,6 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
         table = deck.parent / "variables" / name
         if table.is_file():  # a deck elsewhere has its modules elsewhere, too
             _add_variables(found, table)
-    if not found:
-        raise TableError(
-            f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary"
-        )
-    return found
 
 
 def _add_variables(found, path):
@@ -81,6 +92,18 @@ def _add_variables(found, path):
     for name, default in INDEX.findall(text):
         if not name.startswith("b_"):  # internal to the modules
             found.setdefault(name, default)
+    for name in " ".join(VARS.findall(text)).split():
+        found.setdefault(name, variable_table.default(name))
+    if BEARING.search(text):
+        for name in variable_table.data():
+            found.setdefault(name, "")
+    for name in DECK.findall(text):  # its order, with the defaults of this deck
+        included: dict[str, str] = {}
+        _add_variables(included, path.parent / name)
+        ordered = {key: found.get(key, value) for key, value in included.items()}
+        own = dict(found)
+        found.clear()
+        found.update(ordered | own)
     return TABLE.findall(text)
 
 
