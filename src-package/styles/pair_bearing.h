@@ -7,7 +7,7 @@ PairStyle(bearing,PairBearing)
 #ifndef LMP_PAIR_BEARING_H
 #define LMP_PAIR_BEARING_H
 
-#include "../core/settings/contact_models.h"
+#include "../core/settings/model_words.h"
 #include "pair_bearing_hertz.h"
 
 namespace LAMMPS_NS {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact_models.h"
+#include "model_words.h"
 
 #include "written.h"
 
