@@ -3,7 +3,7 @@
 #ifndef BEARING_NAMED_BEARING_H
 #define BEARING_NAMED_BEARING_H
 
-#include "../deck/read_data.h"
+#include "../deck/named_data.h"
 
 namespace bearing {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Models of contacts by name: the keywords of pair_style bearing/ehd or bearing/hertz for them.
 // docs/pair_bearing has what each is made of. Independent of the host.
-#ifndef BEARING_CONTACT_MODELS_H
-#define BEARING_CONTACT_MODELS_H
+#ifndef BEARING_MODEL_WORDS_H
+#define BEARING_MODEL_WORDS_H
 
 #include <map>
 #include <stdexcept>

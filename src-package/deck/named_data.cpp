@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "read_data.h"
+#include "named_data.h"
 
 #include "../core/settings/data_table.h"
 #include "../core/settings/deck_variable_table.h"

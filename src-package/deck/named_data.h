@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Data of a bearing or an oil as names and values: from a file or a row of a catalogue, with those
 // that the user gives instead.
-#ifndef BEARING_READ_DATA_H
-#define BEARING_READ_DATA_H
+#ifndef BEARING_NAMED_DATA_H
+#define BEARING_NAMED_DATA_H
 
 #include "data_values.h"
 
