@@ -58,7 +58,7 @@ HOST = ("the host's own step, 20 free particles", dict())
 ROWS = (9, 18, 36)
 # symbols of a profile, in the order they are looked for
 PARTS = [
-    ("contact forces and derivatives", "BearingForces::(all_raceways|raceways|evaluate)"),
+    ("contact forces and derivatives", r"BearingForces::(\w*raceways|evaluate)"),
     ("cage rails", "BearingForces::rails"),
     ("cage contacts", "BearingForces::pockets"),
     (

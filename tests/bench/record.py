@@ -116,9 +116,12 @@ def many(folder, record):
     """s of the loop of a hundred bearings."""
     text = (ROOT / "inputs" / "in.many").read_text()
     text = re.sub(r"(?m)^dump(_modify)? table .*\n", "", text)
-    line = "fix record all bearing/record ${every} ${out} overwrite yes\n" if record else ""
+    if record:
+        line = "fix record all bearing/record ${b_every} ${out} overwrite yes"
+        text, count = re.subn(r"(?m)^(?=timestep )", f"{line}\n", text)
+        assert count == 1, "in.many sets its time step in one line"
     deck = folder / "in.many"
-    deck.write_text(text.replace("timestep ${dt}", line + "timestep ${dt}"))
+    deck.write_text(text)
     printed = run_deck(deck, out=folder / "run", bearings=MANY, columns=10)
     return float(re.findall(r"Loop time of (\S+)", printed)[-1])
 
