@@ -119,6 +119,7 @@ bench: build
 	.venv/bin/python tests/bench/capacitance_error.py
 	.venv/bin/python tests/bench/noise_floor.py
 	.venv/bin/python tests/bench/spall_length.py
+	.venv/bin/python tests/bench/identify.py
 	.venv/bin/python tests/bench/shaft.py
 	.venv/bin/python tests/bench/all_bearings.py
 

@@ -74,6 +74,7 @@ def test_docstrings(name):
 def test_hints_name_types_that_are():
     """Every hint can be evaluated, those in quotes too."""
     from MDAnalysis import Universe
+    from raceway.recordings.compare import Comparison
     from raceway.recordings.identify import Found
     from raceway.recordings.readings import Readings
     from raceway.recordings.recording import Recording
@@ -90,6 +91,7 @@ def test_hints_name_types_that_are():
         "Recording": Recording,
         "Readings": Readings,
         "Found": Found,
+        "Comparison": Comparison,
         "xr": xarray,
     }
     functions = [one for name in MODULES for _, one in public(importlib.import_module(name))]

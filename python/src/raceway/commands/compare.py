@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""`raceway compare DIR FILE`: a run beside a recording of the real bearing."""
+
+import argparse
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+from raceway.commands import Commands, one_run, recorded
+from raceway.commands.spectrum import count
+from raceway.units import prefixed
+
+if TYPE_CHECKING:  # scipy takes longer to load than `--help` should
+    from raceway.recordings.compare import Comparison
+
+HELP = "levels and lines of a run beside those of a recording"
+DESCRIPTION = """\
+Levels, and the lines in the spectrum of the envelope, of a run and of a recording of the bearing
+that it stands for. Lines are in orders of the shaft, each with its own speed; levels are those at
+the rate of the recording, to which a faster run is filtered. Both envelopes are of one band.
+
+A level depends on the path from the bearing to the sensor, which a run does not have; the orders do
+not."""
+EXAMPLES = """\
+examples:
+  raceway compare build/run/twin 130.mat --rate 12000
+  raceway compare build/run/twin 130.mat --rate 12000 --band 2000 5000 --out twin.png
+
+Exit codes: 0 done, 1 the run or the file cannot be used, 2 wrong command line."""
+
+
+def add(commands: Commands) -> None:
+    """Put the command into the parser's `commands`."""
+    one = commands.add_parser(
+        "compare",
+        help=HELP,
+        description=DESCRIPTION,
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    one_run.add(one)
+    recorded.add(one, bearing=False)
+    one.add_argument("--signal", default="ay", metavar="NAME", help="column of the run (ay)")
+    one.add_argument(
+        "--ring", choices=("inner", "outer"), default="outer", help="whose column (outer)"
+    )
+    one.add_argument(
+        "--harmonics", type=count, default=3, metavar="N", help="of each line (default 3)"
+    )
+    one.add_argument("--out", metavar="PNG", help="draw both spectra")
+    one.add_argument("--json", action="store_true", help="one JSON object instead of tables")
+    one.set_defaults(command=run, complain=one.error)
+
+
+def run(arguments: argparse.Namespace) -> None:
+    """Print both sides and draw them when asked. Raises `RacewayError`."""
+    from raceway.recordings.compare import compare
+    from raceway.recordings.recording import Recording
+
+    simulated = one_run.opened(arguments)
+    recording = Recording(
+        arguments.file,
+        simulated.geometry,
+        rpm=arguments.rpm,
+        rate=arguments.rate,
+        nominal_angle=simulated.nominal_angle,
+        name=str(simulated.settings["bearing"]),
+    )
+    found = compare(
+        simulated,
+        recording,
+        arguments.signal,
+        arguments.ring,
+        arguments.channel,
+        arguments.band,
+        arguments.harmonics,
+    )
+    if arguments.out:
+        # matplotlib takes longer to load than a spectrum to compute
+        from raceway.pictures.compare import picture
+
+        picture(found, arguments.out)
+    print(json.dumps(figures(found), indent=2) if arguments.json else text(found))
+
+
+def figures(found: "Comparison") -> dict[str, Any]:
+    """Both sides for JSON, None for lines not found."""
+    sides = {
+        name: {"title": side.title, "rate_Hz": side.rate, "shaft_Hz": side.shaft}
+        | {"units": side.units}
+        | {key: _known(value) for key, value in side.level._asdict().items()}
+        for name, side in (("run", found.run), ("recording", found.recording))
+    }
+    lines = [
+        {key: value if isinstance(value, str | int) else _known(value) for key, value in pair}
+        for pair in (one._asdict().items() for one in found.lines)
+    ]
+    return sides | {"band_Hz": list(found.band), "lines": lines}
+
+
+def _known(value):
+    return float(value) if math.isfinite(value) else None
+
+
+def text(found: "Comparison") -> str:
+    """Both sides as text."""
+    rows = [f"run        {found.run.title}", f"recording  {found.recording.title}", ""]
+    rows.append(f"  {'':<16}{'run':>16}{'recording':>16}")
+    for key in ("rms", "peak", "kurtosis"):
+        cells = [
+            f"{getattr(side.level, key):.4g} {side.units if key != 'kurtosis' else ''}".rstrip()
+            for side in (found.run, found.recording)
+        ]
+        rows.append(f"  {key:<16}{cells[0]:>16}{cells[1]:>16}")
+    low, high = (prefixed(one, "Hz") for one in found.band)
+    rows += ["", f"Envelope, {low} to {high}; orders of the shaft", ""]
+    heads = ("nominal", "run", "recording", "run over it", "amplitudes", "")
+    rows.append(f"  {'line':<12}" + "".join(f"{head:>14}" for head in heads))
+    for one in found.lines:
+        name = one.name if one.harmonic == 1 else f"{one.name} x{one.harmonic}"
+        cells = [f"{one.nominal:.4f}", *(_order(value) for value in (one.run, one.recording))]
+        cells.append(
+            f"{one.run / one.recording - 1:+.3%}"
+            if math.isfinite(one.run) and math.isfinite(one.recording)
+            else "-"
+        )
+        for place, value, side in (
+            (one.run, one.run_amplitude, found.run),
+            (one.recording, one.recording_amplitude, found.recording),
+        ):
+            cells.append(prefixed(value, side.units, 3) if math.isfinite(place) else "-")
+        rows.append(f"  {name:<12}" + "".join(f"{cell:>14}" for cell in cells))
+    return "\n".join(rows)
+
+
+def _order(value):
+    return f"{value:.4f}" if math.isfinite(value) else "-"

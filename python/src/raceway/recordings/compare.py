@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run beside a recording: levels, and the lines of their envelopes in orders of the shaft."""
+
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from raceway.errors import RunError
+from raceway.recordings.recording import Level, Recording, level
+from raceway.runs import envelope, sensor, spectrum
+from raceway.runs.run import Run
+from raceway.runs.source import Signal, Source
+
+WITHIN = 0.01  # of the frequency, where a line of the recording is looked for
+
+
+class Side(NamedTuple):
+    """A run or a recording."""
+
+    title: str
+    level: Level
+    units: str
+    rate: float  # Hz, of the signal compared
+    spectrum: xr.DataArray  # of the envelope, over orders of the shaft
+    shaft: float  # Hz
+
+
+class Pair(NamedTuple):
+    """A line in both; NaN where it was not found."""
+
+    name: str
+    harmonic: int
+    nominal: float  # order by rolling at the nominal contact angle
+    run: float  # order
+    recording: float
+    run_amplitude: float  # of the envelope
+    recording_amplitude: float
+
+
+class Comparison(NamedTuple):
+    """Both sides and their lines."""
+
+    run: Side
+    recording: Side
+    band: tuple[float, float]  # Hz, of both envelopes
+    lines: list[Pair]
+
+
+def compare(
+    run: Run,
+    recording: Recording,
+    name: str = "ay",
+    ring: str = "outer",
+    channel: str = "",
+    band: tuple[float, float] | None = None,
+    harmonics: int = 3,
+) -> Comparison:
+    """`Comparison` of a column of a `ring` of `run` with a `channel` of a `recording` of the same
+    bearing. The run is resampled at the rate of the recording (`sensor.decimated`) where it is
+    faster; the envelope of both is of one `band` (Hz, Hz), by default the recording's most
+    impulsive. Raises `RunError` as `envelope.of_run` does, and for a band that the run's signal
+    does not have."""
+    heard = recording.signal(channel)
+    found = envelope.of_run(recording, channel, band, orders=False)
+    chosen = found.attrs["band"]
+    own = _resampled(run, run.signal(name, ring), 1 / heard.sample_s)
+    try:
+        inside = envelope.of_values(own.values, own.sample_s, *chosen)
+    except ValueError as error:
+        raise RunError(f"{run.where}: {error}") from None
+    simulated = spectrum.of_signal(run, own._replace(values=inside), orders=False)
+    pairs = zip(
+        spectrum.lines(run, simulated, harmonics),
+        spectrum.lines(recording, found, harmonics, within=WITHIN),
+    )
+    shafts = [abs(of.motion.shaft) / (2 * np.pi) for of in (run, recording)]
+    lines = [
+        Pair(
+            one.name,
+            one.harmonic,
+            other.order,
+            one.found / shafts[0],
+            other.found / shafts[1],
+            one.amplitude,
+            other.amplitude,
+        )
+        for one, other in pairs
+    ]
+    sides = (_side(run, own, simulated), _side(recording, heard, found))
+    return Comparison(*sides, chosen, lines)
+
+
+def _resampled(run, signal: Signal, rate: float) -> Signal:
+    if rate * signal.sample_s >= 1:
+        return signal
+    try:
+        return signal._replace(
+            values=sensor.decimated(signal.values, signal.sample_s, rate), sample_s=1 / rate
+        )
+    except ValueError as error:
+        raise RunError(f"{run.where}: {error}") from None
+
+
+def _side(of: Source, signal: Signal, found: xr.DataArray) -> Side:
+    shaft = abs(of.motion.shaft) / (2 * np.pi)
+    orders = found.assign_coords(frequency=found["frequency"] / shaft).rename(frequency="order")
+    units = signal.attrs["units"]
+    return Side(of.title, level(signal), units, 1 / signal.sample_s, orders, shaft)

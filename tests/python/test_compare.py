@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A run beside its own signal, written to a file at a lower rate; and beside another speed."""
+
+import json
+
+import numpy as np
+import pytest
+import raceway
+import synthetic
+from raceway import compare, kinematics, recording, sensor, spectrum
+from raceway.cli import main
+from raceway.errors import RunError
+
+SHAFT, SAMPLES = 477.5 / 60, 12000  # Hz
+
+
+@pytest.fixture
+def run(tmp_path, lubricated, bearing):
+    """A ring whose resonance is struck at BPFO."""
+    settings = dict(lubricated["settings"], sample_s=1e-4)
+    passes = SAMPLES // settings["samples_per_pass"]
+    time = settings["sample_s"] * np.arange(1, SAMPLES + 1)
+    rate = float(kinematics.frequencies(bearing).outer) * SHAFT
+    sampling = 1 / settings["sample_s"]
+    since = (rate * time) % 1 / rate
+    shift = 1e-6 * np.exp(-6 * rate * since) * np.sin(2 * np.pi * 0.2 * sampling * since)
+    rings = [
+        [100 * (i + 1), t, 0, -s] + [0.0] * 4 + [2 * np.pi * SHAFT] + [0.0] * 6
+        for i, (t, s) in enumerate(zip(time, 35e-6 + shift))
+    ]
+    settings = dict(settings, passes=passes)
+    return raceway.open(
+        synthetic.write(tmp_path / "run", dict(lubricated, rings=rings, settings=settings))
+    )
+
+
+def write(tmp_path, run, share=0.5):
+    """Its own signal at a lower rate, and that rate."""
+    rate = share / run.settings["sample_s"]
+    values = sensor.decimated(spectrum.signal_of(run, "shift"), run.settings["sample_s"], rate)
+    np.savez(tmp_path / "own.npz", shift=values)
+    return tmp_path / "own.npz", rate
+
+
+def test_a_run_beside_itself(tmp_path, run):
+    """Lines, amplitudes and levels are the same."""
+    path, rate = write(tmp_path, run)
+    rpm = run.motion.shaft * 30 / np.pi
+    same = recording.Recording(path, run.geometry, rpm=rpm, rate=rate)
+    found = compare.compare(run, same, "shift", "inner")
+    assert found.run.level == pytest.approx(found.recording.level, rel=1e-9)
+    outer = [one for one in found.lines if one.name == "BPFO"]
+    assert len(outer) == 3
+    for one in outer:
+        assert one.run == pytest.approx(one.recording, rel=1e-6)
+        assert one.run_amplitude == pytest.approx(one.recording_amplitude, rel=1e-6)
+        assert one.run == pytest.approx(one.nominal, rel=2e-4)
+
+
+def test_another_speed_has_the_same_orders(tmp_path, run):
+    """The recording as if it were taken at twice the speed and rate."""
+    path, rate = write(tmp_path, run)
+    rpm = 2 * run.motion.shaft * 30 / np.pi
+    fast = recording.Recording(path, run.geometry, rpm=rpm, rate=2 * rate)
+    band = (0.2 * rate, 0.45 * rate)
+    found = compare.compare(run, fast, "shift", "inner", band=band)
+    for one in found.lines:
+        if one.name == "BPFO":
+            assert one.run == pytest.approx(one.recording, rel=2e-4)
+    faster = recording.Recording(path, run.geometry, rpm=rpm, rate=8 * rate)
+    with pytest.raises(RunError, match="must lie between 0 and"):
+        compare.compare(run, faster, "shift", "inner", band=(1.2 * rate, 1.5 * rate))
+
+
+def test_command(tmp_path, run, capsys):
+    path, rate = write(tmp_path, run)
+    words = ["compare", str(run.tables.folder), str(path), "--signal", "shift", "--ring", "inner"]
+    words += ["--rate", f"{rate:.12g}", "--rpm", f"{run.motion.shaft * 30 / np.pi:.12g}"]
+    assert main([*words, "--out", str(tmp_path / "both.png")]) == 0
+    assert (tmp_path / "both.png").stat().st_size > 10_000
+    assert "BPFO x3" in capsys.readouterr().out
+    assert main([*words, "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said["run"]["rms"] == pytest.approx(said["recording"]["rms"], rel=1e-9)
