@@ -109,7 +109,7 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
     return clearance.load_parameter(tables.settings["clearance_m"], displacement)
 
 
-def kept(tables):
+def kept(tables: RunTables) -> slice:
     """Samples of the window except the first, unless it is the only one."""
     return slice(int(tables.first == 0 and tables.last > 1), None)
 
