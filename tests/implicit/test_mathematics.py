@@ -19,7 +19,7 @@ def lib():
     target.parent.mkdir(parents=True, exist_ok=True)
     step = [
         str(ROOT / "build/obj/core" / room / source.with_suffix(".o").name)
-        for room in ("numbers", "contact", "bodies", "step")
+        for room in ("numbers", "geometry", "contact", "bodies", "step")
         for source in sorted(ROOT.glob(f"src-package/core/{room}/*.cpp"))
     ]
     subprocess.run(
