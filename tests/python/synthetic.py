@@ -241,7 +241,7 @@ def _fill(file, data, end):
     for kind, ids in ((kind, ids) for kind, ids in atoms.items() if kind in sizes):
         fixed(kind, (kind,), ids + np.arange(2) if kind == "ring" else ids, _ATOM[kind])
         fixed(f"{kind}_bearing", (kind,), 1, "its bearing")
-    fixed("ring_raceway", ("ring",), [0, 1], "0 inner, 1 outer")
+    fixed("ring_raceway", ("ring",), [0, 1], "0 inner, 1 outer, 2 a cage that is one ring")
     for axis in "xyz":
         where = "where the ring was at the start"
         fixed(f"ring_origin_{axis}", ("ring",), 0.0, where, "m", "f8")

@@ -111,7 +111,10 @@ def test_many_unknown_columns_in_one_message(tmp_path):
     with pytest.raises(TableError) as error:
         read_points(table, deck_variables("inputs/in.6208"))
     assert len(str(error.value)) < 3000 and "and 9980 more" in str(error.value)
-    assert isinstance(error.value, RacewayError) and str(error.value).count("clearance") == 1
+    assert (
+        isinstance(error.value, RacewayError)
+        and len(re.findall(r"\bclearance\b", str(error.value))) == 1
+    )
 
 
 def test_the_page_of_points_with_other_variables(points):

@@ -6,7 +6,7 @@ from typing import Any
 
 from raceway import catalogue, inputs
 from raceway.runs.columns import LOSSES
-from raceway.runs.measured import kept, loading
+from raceway.runs.measured import loading
 from raceway.runs.tables import RunTables
 from raceway.theory import makers
 
@@ -37,13 +37,12 @@ def friction(tables: RunTables) -> dict[str, Any]:
     rings = rings[rings["sample"] > 0]
     result: dict[str, Any] = dict.fromkeys(KEYS)
     losses = {
-        key: float(totals[name][kept(tables)].mean()) if name in totals else None
-        for key, name in LOSSES.items()
+        key: float(totals[name].mean()) if name in totals else None for key, name in LOSSES.items()
     }
     known = [loss for loss in losses.values() if loss is not None]
     result["losses_W"] = losses if known else None
     result["power_loss_W"] = sum(known) if known else None
-    spin = float(tables.turning.shaft_speed(tables.first, tables.last)[kept(tables)].mean())
+    spin = float(tables.turning.shaft_speed(tables.first, tables.last)[tables.first == 0 :].mean())
     if known and abs(spin) > STILL:
         result["friction_torque_N_m"] = result["power_loss_W"] / abs(spin)
     if "asperity_share_top" in totals:

@@ -45,10 +45,10 @@ def measured(tables: RunTables) -> dict[str, float | None]:
     }
     inner, outer = rpm(tables)
     against = np.abs(inner - outer)
-    after = kept(tables)
+    kept = _kept(tables)
     means = {"rpm_inner": inner, "rpm_outer": outer}
-    result |= {key: float(values[after].mean()) for key, values in means.items()}
-    result |= {"rpm_least": float(against[after].min()), "rpm_most": float(against[after].max())}
+    result |= {key: float(values[kept].mean()) for key, values in means.items()}
+    result |= {"rpm_least": float(against[kept].min()), "rpm_most": float(against[kept].max())}
     result["rpm_top"] = float(against[int(tables.totals["load_inner"].to_numpy().argmax())])
     return result
 
@@ -61,7 +61,7 @@ def rpm(tables: RunTables) -> tuple[Floats, Floats]:
 
 def speeds(tables: RunTables) -> str:
     """Speed of the shaft in words, a range where it changes; of both rings if the outer turns."""
-    inner, outer = (speed[kept(tables)] for speed in rpm(tables))
+    inner, outer = (speed[_kept(tables)] for speed in rpm(tables))
     if outer.any():
         return f"inner {_range(inner)}, outer {_range(outer)}"
     return _range(np.abs(inner)) if changes(inner) else f"{tables.settings['rpm']:g} rpm"
@@ -109,7 +109,7 @@ def load_parameter(tables: RunTables, displacement: float) -> float | None:
     return clearance.load_parameter(tables.settings["clearance_m"], displacement)
 
 
-def kept(tables: RunTables) -> slice:
+def _kept(tables):
     """Samples of the window except the first, unless it is the only one."""
     return slice(int(tables.first == 0 and tables.last > 1), None)
 
