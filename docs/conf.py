@@ -12,7 +12,14 @@ project = "Raceway"
 author = "the Raceway authors"
 copyright = "the Raceway authors, GPL-2.0-or-later"
 version = release = raceway.__version__
-extensions = ["sphinx.ext.mathjax", "column_table", "room_table", "statement_table"]
+extensions = [
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "api_pages",
+    "column_table",
+    "room_table",
+    "statement_table",
+]
 highlight_language = "none"
 exclude_patterns = ["decks", "packaging"]
 html_theme = "alabaster"
@@ -23,3 +30,7 @@ html_theme_options = {
     "fixed_sidebar": True,
 }
 html_show_sourcelink = False
+# docstrings have names in single backticks, and types are those of the hints
+default_role = "code"
+autodoc_typehints = "description"
+autodoc_default_options = {"exclude-members": "__init__"}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Tables of data files, FOLDER/*.csv: a row stands for a file of its name, as for the decks'
-`bearing_input` (`docs/catalogue.rst` has the format)."""
+"""Tables of data files, `FOLDER/*.csv`: a row has the data of a file of its name
+(`docs/catalogue.rst` has the format)."""
 
 import re
 from functools import lru_cache

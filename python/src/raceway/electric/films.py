@@ -46,7 +46,7 @@ class Films:
                 raise ValueError(f"{name} of a film must be 0 or more, and finite")
 
     def every(self, count: int) -> "Films":
-        """Every `count`th point of the same films, from the first on."""
+        """One in `count` points of the same films, from the first on."""
         kept = {name: getattr(self, name) for name in (*OVER_TIME, *ANGLES)}
         thin = {name: x if x is None else x[::count] for name, x in kept.items()}
         return replace(self, **thin)

@@ -25,7 +25,7 @@ NAME = "bearing"
 
 def element(films: Films, name: str = NAME) -> str:
     """Two subcircuits with the terminals inner and outer, as text: `name` with every ball as a
-    node, and `name`_total with the capacitance and the leak of the bearing as one.
+    node, and `name` followed by `_total` with the capacitance and the leak of the bearing as one.
 
     They are equivalent as long as the balls are uncharged. Leaks charge them where they divide the
     voltage differently from the capacitances.

@@ -2,15 +2,20 @@
 """Friction torque of a bearing at rest in its loads: the power each contact loses while its balls
 roll freely, by part, over the speed of the ring.
 
-rolling     hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and
-            starvation (`rolling`)
-slip        differential slip in free rolling under Coulomb's law: the film has a constant
-            coefficient or that of Eyring's stress with its limit (`traction`), asperities carry
-            their share of the load with the boundary coefficient (`sliding`)
-spin        about the contact normals, where the moments of both raceways balance (`spin`): in
-            closed form, as in a run, or, with `spin_law` "slices", together with slip
-hysteresis  of the steel (`rolling`)
-drag        of the balls in oil and air (`drag`)
+rolling
+    hydrodynamic, 2 f times the rolling speed and the factors of inlet shear and starvation
+    (`rolling`)
+slip
+    differential slip in free rolling under Coulomb's law: the film has a constant coefficient or
+    that of Eyring's stress with its limit (`traction`), asperities carry their share of the load
+    with the boundary coefficient (`sliding`)
+spin
+    about the contact normals, where the moments of both raceways balance (`spin`): in closed form,
+    as in a run, or, with `spin_law` "slices", together with slip
+hysteresis
+    of the steel (`rolling`)
+drag
+    of the balls in oil and air (`drag`)
 
 A ball with more than two contacts cannot roll on all of them (`ball_motion`). A ball on the outer
 ring alone loses rotation to rolling resistance and slides (`skidding`).

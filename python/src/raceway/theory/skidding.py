@@ -51,7 +51,8 @@ def unloaded(
 
 def rotation(slowing: Callable[[Floats], Floats], rate: Floats, time: Floats) -> Floats:
     """Rotation x of balls over that of rolling, (n,), `time` (s) after x = 1, by Heun's method:
-    dx/dt = -`rate` (1/s) `slowing`(x), the resistance less the traction, both over the load.
+    dx/dt = -`rate` `slowing(x)`, with `rate` in 1/s; `slowing` is the resistance less the traction,
+    both over the load.
     A ball rolls as long as traction suffices. After an infinite time the steady rotation."""
 
     def change(x):

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Random lines of pages, comments and messages, to be judged by a reader.
+
+``python docs/random_lines.py --seed 1 --lines 40`` prints them with file and line number.
+``docs/notes/language.rst`` has the verdicts.
+"""
+
+import argparse
+import random
+import re
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+WORDS = 5  # shorter lines are titles, ends of sentences and names
+COMMENT = re.compile(r"(?:^|\s)(?://+|#)\s(.+)")
+MESSAGE = re.compile(r'"([^"\n]*\s[^"\n]*\s[^"\n]*)"')
+
+
+def prose(text):
+    """(line number, text) of the lines of a page that are neither literal blocks nor directives."""
+    literal = None
+    for number, line in enumerate(text.splitlines(), 1):
+        indent = len(line) - len(line.lstrip())
+        if literal is not None and line.strip() and indent <= literal:
+            literal = None
+        if literal is None and not line.lstrip().startswith((".. ", ":", "|", "+--", "===", "---")):
+            yield number, line.strip()
+        if line.rstrip().endswith("::") or line.lstrip().startswith((".. code", ".. math")):
+            literal = indent
+
+
+def code(text):
+    """(line number, text) of the comments, docstrings and messages of a source file."""
+    inside = False
+    for number, line in enumerate(text.splitlines(), 1):
+        quotes = line.count('"""')
+        if inside or quotes:
+            yield number, line.strip().strip('"r')
+            inside = inside != (quotes % 2 == 1)
+            continue
+        for found in (COMMENT.search(line), MESSAGE.search(line)):
+            if found:
+                yield number, found.group(1).strip()
+
+
+def lines():
+    """(place, text) of all lines with at least ``WORDS`` words."""
+    names = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.splitlines()
+    for name in names:
+        path = Path(name)
+        if path.suffix in (".rst", ".md"):
+            found = prose((ROOT / path).read_text())
+        elif path.suffix in (".py", ".cpp", ".h") or path.name.startswith("in."):
+            found = code((ROOT / path).read_text())
+        else:
+            continue
+        for number, text in found:
+            if len(re.findall(r"[A-Za-z]{2,}", text)) >= WORDS and "SPDX" not in text:
+                yield f"{name}:{number}", text
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--lines", type=int, default=40)
+    given = parser.parse_args()
+    drawn = random.Random(given.seed).sample(sorted(set(lines())), given.lines)
+    for place, text in sorted(drawn):
+        print(f"{place}\n    {text}")
+
+
+if __name__ == "__main__":
+    main()
