@@ -4,9 +4,15 @@
 The pages are written into docs/api before the build; git ignores them.
 """
 
+import inspect
+import re
+from importlib import import_module
 from pathlib import Path
 
 import raceway
+from numpy.typing import ArrayLike
+from raceway.arrays import Floats, Numbers
+from sphinx.util.typing import stringify_annotation
 
 FOLDER = Path(__file__).resolve().parent / "api"
 ROOMS = {
@@ -15,6 +21,12 @@ ROOMS = {
     "runs": "Runs and their records",
     "electric": "Capacitance and circuits",
     "recordings": "Recordings of real bearings",
+}
+# aliases of the package, which Sphinx would write out; the longest first
+TYPES = {
+    stringify_annotation(alias, mode): name
+    for mode in ("smart", "fully-qualified")
+    for name, alias in (("ArrayLike", ArrayLike), ("Numbers", Numbers), ("Floats", Floats))
 }
 
 
@@ -43,15 +55,40 @@ def write(app):
             path.write_text(text)
 
 
-def escape_bars(app, what, name, thing, options, lines):
-    """Bars in docstrings are absolute values, not substitutions of reStructuredText."""
+def field_comment(full_name):
+    """Comment at the end of the line that declares a field of a class, "" without one."""
+    module, owner, field = full_name.rsplit(".", 2)
+    try:
+        source = inspect.getsource(getattr(import_module(module), owner))
+    except (AttributeError, TypeError, OSError):
+        return ""
+    found = re.search(rf"^    {field}: [^#\n]*#\s*(.+)$", source, re.MULTILINE)
+    return found.group(1) if found else ""
+
+
+def docstring(app, what, name, thing, options, lines):
+    """Comments of fields are their documentation; bars are absolute values, not substitutions."""
+    if what == "attribute":
+        lines[:] = [field_comment(name)]
     lines[:] = [
         line if line.lstrip().startswith((">>>", "...")) else line.replace("|", r"\|")
         for line in lines
     ]
 
 
+def signature(app, what, name, thing, options, arguments, result):
+    """Types by the package's own aliases."""
+    return short(arguments), short(result)
+
+
+def short(text):
+    for long, name in sorted(TYPES.items(), key=lambda one: -len(one[0])):
+        text = text and text.replace(long, name)
+    return text
+
+
 def setup(app):
     app.connect("builder-inited", write)
-    app.connect("autodoc-process-docstring", escape_bars)
+    app.connect("autodoc-process-docstring", docstring)
+    app.connect("autodoc-process-signature", signature)
     return {"parallel_read_safe": True}

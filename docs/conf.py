@@ -30,7 +30,7 @@ html_theme_options = {
     "fixed_sidebar": True,
 }
 html_show_sourcelink = False
-# docstrings have names in single backticks, and types are those of the hints
+# docstrings have names in single backticks
 default_role = "code"
-autodoc_typehints = "description"
+autodoc_typehints = "signature"
 autodoc_default_options = {"exclude-members": "__init__"}
