@@ -127,7 +127,7 @@ def run_session(page, folder):
 
 
 def key(line):
-    """What makes two lines the same command."""
+    """Key of a line: two lines with one key are the same command."""
     word = line.split()
     if word[0] in ("pair_style", "create_bearing", "timestep", "run"):
         return word[0]
@@ -184,7 +184,7 @@ def of_script(script):
 
 
 def of_page(page, program, main_run):
-    """What a page shows, in a copy with the main run unless the page makes it itself."""
+    """Examples of a page, in a copy of the tree with the main run unless the page makes it."""
     with workspace(program) as folder:
         if page.name not in APART:
             shutil.copytree(main_run, folder / MAIN)

@@ -47,7 +47,7 @@ neigh_modify delay 0 every 20 check yes
 
 @dataclass
 class Outcome:
-    """What a run left: exit code and everything it printed."""
+    """Exit code and output of a run."""
 
     code: int
     text: str

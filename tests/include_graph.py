@@ -138,7 +138,7 @@ def floors(graph, name):
 
 
 def broken(graph):
-    """What breaks a rule, a sentence each."""
+    """Violations of the rules, a sentence each."""
     order = list(ROOMS)
     wrong = [f"{name} is no room" for name in sorted({room(f) for f in graph} - set(order))]
     if wrong:

@@ -55,7 +55,7 @@ class DataValues : protected LAMMPS_NS::Pointers {
   [[noreturn]] void fail(const std::string &why) const { args_.fail(why); }
 
  protected:
-  // Of the variables of the host
+  // Values of the host's variables
   DataValues(LAMMPS_NS::LAMMPS *lmp, const Arguments &args) :
       Pointers(lmp), args_(args), whose_("the deck")
   {

@@ -155,7 +155,7 @@ FixBearingCapacitance::~FixBearingCapacitance()
   memory->destroy(per_ball_);
 }
 
-// What the command leaves to the pair style, which may know bearing and oil
+// Settings that the command leaves to the pair style, which may have a named bearing and its oil
 void FixBearingCapacitance::take_usual_data()
 {
   const std::vector<int> there = ball_types();

@@ -61,7 +61,7 @@ void RunBearing::read(Arguments &args)
   if (to.passes == 0.0) args.fail("'passes P' is missing: ball passes to measure");
 }
 
-// What a continued run must have in common with the one before.
+// Settings in which a continued run must agree with the one before.
 std::string RunBearing::words() const
 {
   const Settings &s = settings_;
@@ -100,7 +100,7 @@ bool RunBearing::implicit() const { return !bearing::fixes_of<FixBearingImplicit
 
 // ---- the plan: ball pass, samples and steps. Numbers are rounded as a deck's formulas write them.
 
-// What the scene has where the command leaves it out: the sampling rate of fix bearing/vibration,
+// Defaults from the scene: the sampling rate of fix bearing/vibration,
 // and the nominal contact angle of bearings with names.
 void RunBearing::take_usual()
 {

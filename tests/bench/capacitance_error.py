@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far the closed form of a contact's whole capacitance is from its integrals, over sizes,
+"""Error of the closed form of a contact's whole capacitance against its integrals, over sizes,
 conformities, raceways, loads and films; writes build/bench/capacitance_error.rst.
 
     .venv/bin/python tests/bench/capacitance_error.py [--print]     --print: leave the page alone

@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def run_deck(deck, **variables):
-    """What a deck with `-var` of these printed. Ends the program if the deck fails."""
+    """Output of a deck run with these `-var`. Ends the program if the deck fails."""
     words = [ROOT / "build" / "liggghts", "-in", deck, "-log", "none"]
     for name, value in variables.items():
         words += ["-var", name, str(value)]
@@ -39,6 +39,6 @@ def cost(folder):
 
 
 def factor(folder):
-    """How much faster than real time a run was."""
+    """Real-time factor of a run."""
     found = cost(folder)
     return found["simulated_s"] / found["wall_s"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a step of fix bearing/implicit costs: feature by feature, part by part, and with the number
+"""Cost of a step of fix bearing/implicit: feature by feature, part by part, and with the number
 of balls; writes build/bench/implicit_cost.rst.
 
 All scenes take turns in every round; ratios and differences are formed within a round. Medians and

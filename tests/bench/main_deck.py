@@ -87,7 +87,7 @@ class Scene(NamedTuple):
 
 
 def integrators(rpm):
-    """Those that are measured at a speed."""
+    """Rows measured at a speed."""
     return [name for name in REFERENCE if name == "implicit" or rpm >= HIGH_SPEED]
 
 
@@ -106,7 +106,7 @@ def played(scene, folder, **more):
 
 
 def recorded(folder):
-    """What is compared of a run: (loads, films, {name: mean})."""
+    """Quantities of a run to compare: (loads, films, {name: mean})."""
     with xr.open_dataset(folder / "record.nc", decode_times=False) as record:
         inner = record.bearing_load_inner
         means = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a perfect bearing vibrates by with integrator vibration, against a waviness of 0.01 um of
+"""Vibration of a perfect bearing with integrator vibration, against a waviness of 0.01 um of
 its inner raceway; writes build/bench/noise_floor.rst.
 
     .venv/bin/python tests/bench/noise_floor.py [--print]     --print: leave the page alone
@@ -38,7 +38,7 @@ Noise floor of vibration
 Written by ``tests/bench/noise_floor.py`` (``make bench``).
 
 A perfect bearing is not silent, since its stiffness varies as balls pass: BPFO and its harmonics.
-What else is in its spectrum is the noise of the computation. Here it is compared with an inner
+The rest of its spectrum is the noise of the computation. Here it is compared with an inner
 raceway that has waves of {wave:g} µm. The bearing is a 6205 at {rpm} rpm under {load} N with VG 46.
 Signals are at {rate:g} kHz, of ``-var integrator vibration`` and ``-var housing springs``. The
 record is {seconds:.2f} s long.

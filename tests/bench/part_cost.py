@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What each part of the contact law costs, alone (part_cost.cpp) and in whole runs of the models
+"""Cost of each part of the contact law, alone (part_cost.cpp) and in whole runs of the models
 `paper`, `film` and `full`; writes build/bench/part_cost.rst."""
 
 import statistics

@@ -29,7 +29,7 @@ class Peer(NamedTuple):
 
 
 class Tried(NamedTuple):
-    """What came of a setting."""
+    """Result of a setting."""
 
     words: str
     error: float  # against the finest; inf where it failed or cannot be compared

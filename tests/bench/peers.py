@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What others make of a 6208 under 5 kN: python tests/bench/peers.py [rounds]. Writes
+"""A 6208 under 5 kN in other programs: python tests/bench/peers.py [rounds]. Writes
 build/bench/peers.rst.
 
 Stock LIGGGHTS with smooth cylinders and with triangle meshes (decks in tests/bench/peers), Exudyn's

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a record costs: against the host's text, against nothing written, with samples inside long
+"""Cost of a record: against the host's text, against nothing written, with samples inside long
 steps, from start to end of the program, and for a hundred bearings; writes
 build/bench/record.rst.
 
@@ -38,8 +38,8 @@ SHORT, SHORT_PASSES = "make run", 4  # of `make run`: the main deck without any 
 FASTER, FASTER_WITHIN, COST = 8.0, {47.75: 15.0, 477.5: 15.0, 9549.0: 12.0}, 2.0
 MANY, MANY_COST = 100, 1.3
 PAGE = """\
-What a record costs
-===================
+Cost of a record
+================
 
 Written by ``tests/bench/record.py`` (``make bench``), {today}.
 
@@ -86,7 +86,7 @@ recording takes. At most {many_cost} is asked for.
 
 
 class Taken(NamedTuple):
-    """What a run of the main deck took."""
+    """Times of a run of the main deck."""
 
     sample: float  # s of a sample, of the measured passes
     factor: float  # real-time factor of the measured passes

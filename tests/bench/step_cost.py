@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What one step costs, feature by feature, and the peer scene of stock LIGGGHTS; writes
+"""Cost of one step, feature by feature, and the peer scene of stock LIGGGHTS; writes
 build/bench/step_cost.rst.
 
 All scenes take turns in every round, so that a drift of the machine hits them alike; the ratio to

@@ -92,7 +92,7 @@ def inner_ring(run):
 
 
 def largest_difference(one, other):
-    """Of any figure; displacements over the largest of them, spin over all of the friction."""
+    """Relative difference of figures: of displacements to the largest, of spin to all friction."""
     most = max(abs(one[name]) for name in ("x", "y", "z"))
     scale = one | dict(x=most, y=most, z=most, spin_power=one["friction_power"])
     return max(abs(one[name] - other[name]) / abs(scale[name]) for name in one)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What contacts keep, the film's branch and the tangential springs, has the order of the implicit
+"""States of contacts, the film branch and the tangential springs, have the order of the implicit
 step in a bearing that moves."""
 
 import numpy as np

@@ -15,15 +15,15 @@ DECK = "tests/hard/in.hard"
 BALLS = 9  # every case is a 6208
 _data = yaml.safe_load((Path(__file__).parent / "cases.yaml").read_text())
 CASES, BOUNDS, EXPLICIT = _data["cases"], _data["bounds"], _data["explicit"]
-# What the references "fine" and every comparison of the fix with itself use, whatever the defaults
-# are.
+# Settings of the references "fine" and of every comparison of the fix with
+# itself, whatever the defaults are.
 FINE = "tolerance 1e-10"
 # what `Course.error` says of a run that ended well without them
 LOST = "atoms got lost and nothing was said"
 
 
 class Course(NamedTuple):
-    """What a run did, sample by sample; `error` holds the host's message when it stopped, tables
+    """A run, sample by sample; `error` holds the host's message when it stopped, tables
     are None then."""
 
     load: np.ndarray  # (samples, 2, balls), N; raceway 0 is the inner one

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How fast the hard cases run in host steps that are as long as their drives allow, with a record
+"""Speed of the hard cases in host steps that are as long as their drives allow, with a record
 and with nothing written; what the control takes of the period of what rings."""
 
 import re

@@ -92,7 +92,7 @@ def rows_of(name, folder):
 
 
 def too_large(name, folder):
-    """How the case ends with a host step and with Verlet steps that are too large on purpose."""
+    """End of the case with a host step and with Verlet steps that are too large on purpose."""
     case = CASES[name]
     kinds = case["references"]
     truth_kind = next(k for k in ("verlet", "fine") if k in kinds)

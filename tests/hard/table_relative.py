@@ -27,7 +27,7 @@ HEAD += ["bound", *(f"figure, R = {share:g}" for share in SHARES)]
 
 
 def corrections(course):
-    """Of the whole run, refused steps included."""
+    """Evaluations of the whole run, refused steps included."""
     found = re.search(r"CONTROL .* substeps (\S+) corrections (\S+)", course.text)
     return float(found[1]) * float(found[2])
 

@@ -165,8 +165,8 @@ def test_energy_of_thirty_seconds(thirty_seconds):
 
 
 def test_the_integrators_own_loss(tmp_path):
-    """What a method loses itself falls with the square of the step for order 2, and with the step
-    for order 1, whose damping is large: the step goes like the root of the tolerance. With the
+    """The energy a method loses by itself falls with the square of the step for order 2, with the
+    step for order 1, whose damping is large: the step goes like the root of the tolerance. With the
     default words the drive has put in what contacts lose at a tenth of the tolerance."""
 
     def found(control):

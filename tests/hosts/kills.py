@@ -49,7 +49,7 @@ SCENES = (
 
 @dataclass
 class Story:
-    """What happened to one run."""
+    """Events of one run."""
 
     kills: int = 0
     resumed: int = 0  # starts that found a restart file
@@ -107,7 +107,7 @@ def settings(folder):
 
 
 def same(one, other):
-    """Whether two files are equal, byte for byte but for the order of rows in a frame, which
+    """True if two files are equal byte for byte, apart from the order of rows in a frame, which
     depends on ranks."""
     if one.read_bytes() == other.read_bytes():
         return True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What happens to forces and reports around the boundary of two runs."""
+"""Forces and reports around the boundary of two runs."""
 
 import pytest
 from host import ROOT, frames, succeed

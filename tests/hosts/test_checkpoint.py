@@ -109,7 +109,7 @@ def test_restart_files_change_no_bit(tmp_path):
 
 
 def test_killed_run_opens(tmp_path):
-    """What was written until then can be read, every sample of it whole."""
+    """All samples written until then can be read, each of them whole."""
     out = tmp_path / "run"
     process = start(SCENE, out)
     wait_for(out / "record.nc", 2_000_000)

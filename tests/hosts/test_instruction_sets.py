@@ -17,7 +17,7 @@ LIBRARY = host.ROOT / "build" / "libraceway_physics.so"
 
 
 def takes_avx2(**environment):
-    """What a process with these variables does."""
+    """Instruction set that a process with these variables uses."""
     ask = f"import ctypes; print(ctypes.CDLL({str(LIBRARY)!r}).takes_avx2())"
     done = subprocess.run(
         [sys.executable, "-c", ask],

@@ -39,7 +39,7 @@ def contents(tree):
 
 @pytest.fixture(scope="module")
 def upstream(tmp_path_factory):
-    """What of the upstream sources matters here: all of src but its packages, untouched."""
+    """The upstream sources used here: all of src except its packages, untouched."""
     whole = unpacked(tmp_path_factory.mktemp("upstream") / "liggghts")
     tree = tmp_path_factory.mktemp("small")
     (tree / "src" / "MAKE").mkdir(parents=True)

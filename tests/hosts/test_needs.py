@@ -62,7 +62,7 @@ def figures(folder):
 
 
 def test_picked_set_keeps_what_is_wanted(answered, tmp_path):
-    """Of two runs made by hand: one with all parts, finer than the command's own reference, and one
+    """Two runs made by hand: one with all parts, finer than the command's own reference, and one
     with the words that it gives."""
     own, found, _ = answered
     assert found["wanted"] == WANTED

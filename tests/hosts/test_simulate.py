@@ -34,7 +34,7 @@ def record(folder):
 
 @pytest.mark.parametrize("host, ranks", [("liggghts", 1), ("liggghts", 2), ("wheel", 2)])
 def test_bits_of_the_deck_run_by_hand(tmp_path, monkeypatch, host, ranks):
-    """Of the deck it wrote, and of the main deck with -var; from a folder without inputs, too."""
+    """Bits of the deck it wrote and of the main deck with -var, also in a folder without inputs."""
     monkeypatch.chdir(tmp_path)
     program = str(HOSTS[host][0]) if host == "liggghts" else None
     if host == "wheel":  # as where no source tree is near

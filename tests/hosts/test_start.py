@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How the programs start Open MPI: quickly when alone, by its own rules when a launcher started
+"""Start of Open MPI by the programs: quickly when alone, by its own rules when a launcher started
 them, and by the user's settings always."""
 
 import re

@@ -199,7 +199,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
 
 
 def in_work(folder):
-    """Whether a process still writes below `folder`."""
+    """True if a process still writes below `folder`."""
     for line in Path("/proc").glob("[0-9]*/cmdline"):
         try:
             if f"{folder}/".encode() in line.read_bytes():

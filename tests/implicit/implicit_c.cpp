@@ -66,7 +66,7 @@ EXPORT(void, contact_force,
   contact(state, spin, mu, frozen, force);
 }
 
-// What a stage of 1 s has as the derivative of the force in the velocity, where positions follow
+// Derivative of the force in the velocity that a stage of 1 s has where positions follow
 // for the time `follows`: 3 x 3 in the lab, and the normal.
 static void lab_derivative(const ContactState &c, const RacewayPhysics &p, double follows,
                            double *D, double *normal)

@@ -84,7 +84,7 @@ template <class A> int different_numbers(const A &a, const A &b)
   return different;
 }
 
-// What an evaluation finds: the contact, what it keeps, and its slopes.
+// Result of an evaluation: the contact, its states and its slopes.
 template <int n> struct Found {
   ContactState c;
   double after[most_states] = {};
@@ -173,7 +173,7 @@ template <class L> int fused_differences(const Scene &s)
   return different;
 }
 
-// Of four contacts of one raceway, the last of which may be open, at once and one by one: number of
+// Four contacts of one raceway, the last of which may be open, at once and one by one: number of
 // values that differ in their bits.
 int lane_differences(unsigned parts, int n)
 {
@@ -256,7 +256,7 @@ EXPORT(int, law_slopes,
   return n;
 }
 
-// Of a law that implicit steps can take.
+// For a law that implicit steps can take.
 EXPORT(int, law_bits, (int law, int sample))
 {
   const Scene s = scene(laws_of_parts()[law], sample);
@@ -294,7 +294,7 @@ EXPORT(const char *, law_contradiction, (const char *names))
   return text.c_str();
 }
 
-// Of the processor, and of the code for contacts.
+// Instruction sets of the processor and of the code for contacts.
 EXPORT(int, has_avx2, ())
 {
 #ifdef __x86_64__

@@ -13,7 +13,7 @@ FRICTIONLESS, CONSTANT, STRIBECK = 0, 1, 2  # Friction
 PITCH, BALL = 30.3e-3, 6.3e-3  # m, of a 6208
 BALL_MASS = 4 / 3 * np.pi * BALL**3 * 7800
 
-# What a raceway is made of, RacewayInput of physics_c.cpp; the values are a dry 6208 inner ring.
+# Data of a raceway, RacewayInput of physics_c.cpp; the values are a dry 6208 inner ring.
 RACEWAY = dict(
     side=INNER,
     raceway_radius=24.0e-3,

@@ -233,7 +233,7 @@ def test_waveforms():
 
 @pytest.mark.parametrize("name", ["rough", "leaking source"])
 def test_cases_have_discharges_of_all_kinds(name):
-    """Of one film and of more, at either raceway, or the comparison sees little."""
+    """One film and several break down, at either raceway: otherwise the comparison is weak."""
     given, outer, breakdown = CASES[name]
     events = circuit.run(given, outer, breakdown, points=1).events
     assert {1, 2} <= set(events.groupby("discharge").size())

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-# What the head of the file promises. Units in the last place of the result.
+# Bounds stated at the head of the file, in units in the last place of the result.
 UNITS = 2.0
 
 

@@ -283,7 +283,7 @@ _ATOM = {
 
 
 def _kind(settings, caged):
-    """What the bearing is, by the names of the file."""
+    """Data of the bearing by the names of the file."""
     of = {column["name"]: np.nan for column in TABLES["kind"]}
     known = {name.rsplit("_", 1)[0]: value for name, value in settings.items() if name in NUMBERS}
     of |= {name: value for name, value in known.items() if name in of}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What happens where around the ring: regimes, pressure, permittivity, losses, against sums over
+"""Quantities around the ring: regimes, pressure, permittivity, losses, against sums over
 the rows of the run."""
 
 import numpy as np

@@ -59,7 +59,7 @@ def test_every_source_is_compiled_once_for_a_host(everything):
 
 
 def test_an_edit_of_one_part_makes_few_objects_again(everything):
-    """Of all hosts together; the tree is built, so the compiler has said what each object saw."""
+    """All hosts together. The compiler listed the headers of each object when it was built."""
     again = [
         made
         for made in compiled(everything)

@@ -159,7 +159,7 @@ def test_summary(folder):
 
 
 def test_growing_run(tmp_path, lubricated):
-    """What was there at the first look is the same in all datasets; a later look sees more."""
+    """Samples there at the first read are the same in all datasets; a later read has more."""
     rings = lubricated["rings"]
     folder = synthetic.write(tmp_path / "run", {**lubricated, "rings": rings[:30]}, end=False)
     run = raceway.open(folder)

@@ -106,7 +106,7 @@ def test_dry_gaps_without_load_leak_nothing():
 
 
 def test_measured_capacitance_gives_the_film_back(point):
-    """What the model has at a film comes back as that film; the plates read too thin."""
+    """The model's capacitance at a film is read back as that film; the plates read too thin."""
     for scale in (0.3, 1.0, 2.5):
         measured = point.capacitors(scale).total
         found = electric_point.figures(point, Ask(measured=measured))

@@ -7,7 +7,7 @@ from raceway import capacitance, film_factors, film_voltage, impedance, rough_fi
 
 
 def test_division():
-    """Of two films the one with half the capacitance takes two thirds of the voltage."""
+    """The one of two films that has half the capacitance takes two thirds of the voltage."""
     shares = film_voltage.divided(9.0, 2e-10, 1e-10)
     assert shares.inner == pytest.approx(3.0) and shares.outer == pytest.approx(6.0)
     with pytest.raises(ValueError, match="capacitance = 0.0 must be positive"):

@@ -27,7 +27,7 @@ def test_the_package_keeps_its_rules():
 
 
 def test_a_private_member_of_the_solver_recompiles_the_implicit_fix_alone():
-    """Of all styles, only the sources of fix bearing/implicit see the class of the solver."""
+    """Only the sources of fix bearing/implicit see the class of the solver."""
     graph = include_graph.read(ROOT / "src-package")
 
     def sees(file):

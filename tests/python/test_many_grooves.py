@@ -77,7 +77,7 @@ def test_two_points_are_an_angular_contact():
 
 
 def share(found, groove):
-    """Of the inner contact loads, what `groove` carries."""
+    """Share of `groove` in the inner contact loads."""
     load = found.inner.load
     return load[groove].sum() / load.sum()
 

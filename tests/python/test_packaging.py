@@ -46,7 +46,7 @@ def test_lock_has_everything():
 
 
 def copy_sources(folder):
-    """What a checkout has of the package before `make` or `pip` built anything."""
+    """Files of the package in a checkout before `make` or `pip` built anything."""
     built = shutil.ignore_patterns("libraceway_core.so", "build", "*.egg-info")
     for name in ("python", "inputs", "src-package/core"):
         shutil.copytree(ROOT / name, folder / name, symlinks=True, ignore=built)

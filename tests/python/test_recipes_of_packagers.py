@@ -23,7 +23,7 @@ VERSION = re.search(r'"(.+)"', (ROOT / "src-package/core/settings/raceway_versio
 
 @pytest.fixture
 def spack(monkeypatch):
-    """What the Spack package asks for: (name of the directive, arguments), and its class."""
+    """Directives of the Spack package: (name of the directive, arguments), and its class."""
     asked = []
     stub = types.ModuleType("spack.package")
     for name in ("license", "version", "extends", "depends_on"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a ring feels of small motions: springs and dampers in series in closed form, laws of the
+"""Response of a ring to small motions: springs and dampers in series in closed form, laws of the
 dampers, and the mean over a ball pass."""
 
 import json

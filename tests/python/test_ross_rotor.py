@@ -68,7 +68,7 @@ def test_its_matrices_are_ours(found, spin):
 
 @pytest.mark.parametrize("spin", FREQUENCIES)
 def test_bending_pairs(found, spin):
-    """Of the reduced rotor on its bearings: the first within 1e-3, the second within 5e-3."""
+    """Frequencies of the reduced rotor on its bearings: 1e-3 for the first, 5e-3 for the second."""
     few = rotor_matrices.bending(found, (0.0, 0.4), modes=4)
     n, ends = len(few.mass) + 2, [int(np.argmin(np.abs(few.z - at))) for at in (0.0, 0.4)]
     mass = np.diag(np.tile([few.body.mass, few.body.transverse, *few.mass], 2))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Stiffness of a 6208 against values computed apart from this package.
 
-Those hold each contact's stiffness at angle 0, ours at its angle: 5e-4. Digits as given are half a
-unit of the last.
+The book takes each contact's stiffness at angle 0, we take it at its angle: 5e-4.
+Digits as given are half a unit of the last.
 """
 
 import numpy as np

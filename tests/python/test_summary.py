@@ -240,7 +240,7 @@ def test_a_speed_that_changes_is_shown(folder, lubricated):
 
 
 def test_warnings(folder, lubricated):
-    """Those of core/raceway/validity.h, at their bounds."""
+    """Warnings of core/raceway/validity.h, at their bounds."""
     pressure, ratio = (synthetic.LUBRICATED.index(name) for name in ("pressure", "lambda"))
 
     def warned(change):

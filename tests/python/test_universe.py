@@ -60,7 +60,7 @@ def test_every_frame_in_any_order(run):
 
 
 def test_single_precision_is_not_enough(run, lubricated):
-    """What the docstring says: positions are off by up to 2 nm, so overlaps from them are wrong;
+    """As the docstring says, positions are off by up to 2 nm, so overlaps from them are wrong;
     the columns are not."""
     u, radius = run.universe(), synthetic.DEEP_GROOVE.pitch_radius
     off = max(np.abs(u.atoms.positions - ts.data["position"]).max() for ts in u.trajectory)

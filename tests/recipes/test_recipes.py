@@ -147,7 +147,7 @@ def test_docs_have_the_part_its_keywords_and_columns(touched):
 
 
 def rows(dump: Path) -> list[list[float]]:
-    """Those of the last frame."""
+    """Rows of the last frame."""
     lines = dump.read_text().splitlines()
     first = max(n for n, line in enumerate(lines) if line.startswith("ITEM: ENTRIES")) + 1
     return sorted([float(x) for x in line.split()] for line in lines[first:])

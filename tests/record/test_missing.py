@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a record does not hold is said in a line, with how to get it."""
+"""A figure that a record does not hold is an error of one line, with the way to get it."""
 
 import re
 import shutil
@@ -81,7 +81,7 @@ def test_a_command_that_needs_contacts(sums, words, capsys):
     ids=lambda words: words[-1],
 )
 def test_contacts_of_one_column(load_alone, words, capsys):
-    """What needs more says so in a line; a report leaves its pictures of contacts out."""
+    """A command that needs more says so in a line; a report leaves its pictures of contacts out."""
     name, *more = words
     code = main([name, str(load_alone), *more])
     said = capsys.readouterr().err

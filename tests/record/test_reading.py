@@ -102,7 +102,7 @@ def test_read_when_used(main_run):
 
 @pytest.mark.parametrize("name", ["load", "ring_fx", "bearing_capacitance", "cage_vx", "time"])
 def test_samples_here_and_there(main_run, name):
-    """What an index picks of the file is what it picks of the values."""
+    """An index picks the same values from the file as from the array."""
     record = Record(main_run)
     with xr.open_dataset(main_run / "record.nc", engine="scipy") as data:
         values = data[name].to_numpy().astype(float)

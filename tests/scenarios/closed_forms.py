@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What a run ought to give, from kinematics and the static solver (written apart from the C++)."""
+"""Expected results of runs, from kinematics and the static solver (written apart from the C++)."""
 
 import numpy as np
 from raceway import hertz, kinematics, static

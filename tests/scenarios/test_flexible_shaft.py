@@ -169,7 +169,7 @@ def test_deflection_is_that_of_the_beam(resting):
 
 # ---- against the equations of a free shaft
 class Support(NamedTuple):
-    """Of the centre of mass, alike in both planes."""
+    """Motion of the centre of mass, alike in both planes."""
 
     stiffness: float = 0.0  # N/m
     damping: float = 0.0  # N s/m
@@ -177,7 +177,7 @@ class Support(NamedTuple):
     tilt_damping: float = 0.0  # N m s/rad
 
     def words(self, *names):
-        """Of a deck; `names` of two displacements and two tilts."""
+        """Motion in a deck; `names` of two displacements and two tilts."""
         pairs = [self[:2], self[:2], self[2:], self[2:]]
         return " ".join(f"support {name} {k} {c}" for name, (k, c) in zip(names, pairs))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the reader finds in runs of the main deck: kinematic lines, where the power goes,
+"""Figures read from runs of the main deck: kinematic lines, where the power goes,
 MDAnalysis."""
 
 import numpy as np

@@ -30,7 +30,7 @@ def runs(request, tmp_path_factory):
 
 
 def test_torque(runs):
-    """Of balls under thrust within 1 %; a tilted ring says that it has not settled."""
+    """Torque of balls under thrust within 1 %; a run with a tilted ring warns: not settled."""
     name, first, settled, _ = runs
     off = abs(first["friction_torque_N_m"] / settled["friction_torque_N_m"] - 1)
     if name == "tilted":

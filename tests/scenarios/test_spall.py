@@ -81,8 +81,8 @@ def test_lines_of_a_flawed_ball(tmp_path):
 @pytest.mark.parametrize("length", [1e-3, 2e-3])
 @pytest.mark.parametrize("raceway, passes", [("outer", 5), ("inner", 12)])
 def test_length_from_a_housing(tmp_path, raceway, passes, length):
-    """What an accelerometer on the housing hears, over 1 and 2 mm: 3 %. Half-way is 5 % to 70 % too
-    long, because the ball loses its load and flies."""
+    """Lengths from the signal of an accelerometer on the housing, 1 and 2 mm: 3 %. Half-way is
+    5 % to 70 % too long, because the ball loses its load and flies."""
     found, half_way = lengths_from_a_housing(tmp_path, raceway, passes, length)
     assert found == pytest.approx(length, rel=0.03)
     assert 1.05 * length < half_way < 1.7 * length
@@ -118,7 +118,7 @@ def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **mo
 
 
 def test_length_from_a_contact_load(tmp_path):
-    """Of the balls that keep their load over 1 mm: 5 %."""
+    """Lengths from the balls that keep their load over 1 mm: 5 %."""
     length, edge = 1e-3, 2e-5
     succeed(
         "inputs/in.6208",

@@ -88,7 +88,7 @@ def test_angular_contact(tmp_path):
 
 
 def statics(*words):
-    """What raceway static says of the 7208."""
+    """Output of `raceway static` for the 7208."""
     said = io.StringIO()
     with contextlib.redirect_stdout(said):
         assert cli.main(["static", "--bearing", "7208", "--json", "--exact-circle", *words]) == 0

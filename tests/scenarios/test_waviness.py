@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Which waves of a raceway move the inner ring, at which frequency, which way round and how far: a
+"""Waves of a raceway that move the inner ring, their frequency, direction and amplitude: a
 6208 under 1 kN along its axis, slowly turning, all nine balls loaded."""
 
 import numpy as np
@@ -44,8 +44,8 @@ def lines(time, values, speeds):
 @pytest.mark.parametrize("ring", ["outer", "inner"])
 def test_one_before_and_after_the_balls(tmp_path, ring):
     """Order Z - 1 and Z + 1 of the outer raceway whirl with and against the shaft at Z cage speeds.
-    Those of the inner one do so against and with it, at Z times its speed relative to the cage less
-    and plus its own. Order Z moves the ring along its axis. Each alone, by what statics says."""
+    Waves of the inner raceway do so against and with it, at Z times its speed relative to the cage
+    less and plus its own. Order Z moves the ring along its axis. Each alone, as in statics."""
     orders = (BALLS - 1, BALLS, BALLS + 1)
     time, across, along, shaft, cage, (radial, axial) = turned(
         tmp_path, **{f"flaw_{ring}": waves(*orders)}
@@ -139,7 +139,7 @@ def orbit_of_a_larger_ball(folder, larger):
 
 
 def log_stiffness(angle, larger):
-    """Of both contacts of a ball of this larger radius (m), over any unit."""
+    """Load of both contacts of a ball of this larger radius (m), over any unit."""
     radius, groove, compliance = 6.3e-3 + larger, 6.552e-3, 0.0
     for side in (-1, 1):
         along = radius * (1 + side * radius * np.cos(angle) / 30.3e-3)

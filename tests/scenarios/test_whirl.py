@@ -17,7 +17,7 @@ KEYS = ("x", "y", "vx", "vy", "angle", "load_x", "load_y")
 
 
 def end(**variables):
-    """What the deck says of the ring at its end."""
+    """State of the ring that the deck prints at its end."""
     text = succeed(DECK, **variables).text
     numbers = [float(word) for word in re.search(r"^END (.*)$", text, re.M)[1].split()]
     ring = dict(zip(KEYS, numbers, strict=True))

@@ -24,7 +24,7 @@ def run(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def filling():
-    """Those of the bearing's file, which a run does not know."""
+    """Shoulders of the bearing's file, which are not in a run."""
     return point(Filling("cavitated")).filling
 
 

@@ -86,7 +86,7 @@ def _factor(written, unit):
 
 
 def _hint(unit):
-    """What a value in `unit` looks like, for messages."""
+    """Example of a value in `unit`, for messages."""
     example = {"rpm": "3000rpm", "C": "60C", "degrees": "40deg", "kg/m^3": "7.8g/cm3"}
     example |= {"m": "10um", "mm": "80mm", "N": "5kN", "rad": "20arcmin, 0.3deg or 5mrad"}
     if unit in example or unit in SCALED:

@@ -33,7 +33,7 @@ std::string list_of(const Parts &parts)
   return list.empty() ? "none" : list;
 }
 
-// Which parts stay
+// The parts that stay
 class Choice {
  public:
   Choice(const Parts &parts, const std::string &without) : parts_(parts)

@@ -24,7 +24,7 @@ over statics, films and friction look for what is `unknown`, within the range gi
 One line leaves a valley of clearance and thrust: it is printed as such. A capacitance, a second
 load (`load_more`, `axial_more`) or a temperature with a known cooling (`conductance`) parts them.
 
-Of the model: the film in the gap takes its thickness off the clearance, and rolling on curved
+In the model, the film in the gap takes its thickness off the clearance, and rolling on curved
 grooves speeds the cage, by up to 1e-3 of a line (models full). Where balls are without load, the
 play of the pockets slows the cage by an unknown amount, which widens the result."""
 EXAMPLES = """\

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""How far results move over the plausible range of what the paper's text has lost: its oils (table
+"""Change of results over the plausible range of data lost from the paper's text: its oils (table
 2) and the roughness.
 
 By theory, at 5 kN, 0.41 m/s, no clearance; two runs with other oils show that the simulation moves

@@ -70,7 +70,7 @@ def _found(verdicts):
 
 
 def holds(rule: str, numbers: Mapping[str, float]) -> bool:
-    """Whether a rule, "name > number or name" or "name = number or name within tolerance", holds
+    """True if a rule, "name > number or name" or "name = number or name within tolerance", holds
     for {name: value}.
 
     Raises `ValueError` for a rule of another form and `KeyError` for an unknown name."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What theory says of a radially loaded bearing with oil: static loads, film at rolling speed,
+"""Theory of a radially loaded bearing with oil: static loads, film at rolling speed,
 capacitance on top.
 
 No run is needed: `raceway.static` gives the loads, `film` and `capacitance` the rest. `printed`

@@ -78,7 +78,7 @@ def unscented(
     """(mean (n,), covariance (n, n), surprise) after one correction: `see` gives what a state (n,)
     shows, (m,), `read` (m,) what was read, with the variances `noise` (m,).
 
-    Of a linear `see` it is Kalman's:
+    For a linear `see` it is the Kalman filter:
 
     >>> see = lambda x: np.array([x[0] + x[1]])
     >>> found = unscented(np.zeros(2), np.eye(2), see, np.array([3.0]), np.array([1.0]))

@@ -64,7 +64,7 @@ def _along(angle: Floats, tilt: Floats | float) -> Floats:
 
 
 def _shortened(bearing: Bearing, side: int, contacts: Contacts) -> Floats:
-    """How much slower than the ball the ring goes in free rolling, share of its speed."""
+    """Speed deficit of the ring against the ball in free rolling, relative to the ball's speed."""
     r_x, _ = bearing.effective_radii(side, contacts.angle)
     r_d = sliding.deformed_radius(bearing.groove(side), bearing.ball_radius)
     return sliding.free_slip(1.0, contacts.a, r_d, r_x)

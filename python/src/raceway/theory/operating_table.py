@@ -39,7 +39,7 @@ TOPICS = {
         Row("stiffness_z_N_m", "stiffness along z", "N/m", "the others held"),
         Row("stiffness_ry_N_m_rad", "tilting stiffness about y", "N m/rad", "the others held"),
     ),
-    "What holds the ring": (
+    "Restraint of the ring": (
         Row("support_x_N", "force along x", "N"),
         Row("support_y_N", "force along y", "N"),
         Row("support_z_N", "force along z", "N", "held: no axial load, or --hold"),
