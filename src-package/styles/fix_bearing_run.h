@@ -47,7 +47,7 @@ class FixBearingRun : public Fix {
   State &now() { return now_; }
 
  private:
-  std::string words_;    // of the command, but for those that may change when a run goes on
+  std::string words_;    // of the command, except those that may change when a run goes on
   State now_;
   bool resumed_ = false;
   std::vector<bearing::SettlingSample> passes_;    // mean of each

@@ -49,8 +49,8 @@ SCENES = [  # name, variables of in.implicit_cost, the scene it is held against 
         dict(control=f"{PLAIN} 1", sample=1, within=10, around="flooded"),
         4,
     ),
-    ("order 2 in place of 1 (film, cage)", dict(control=f"{PLAIN} 2"), 2),
-    ("five free degrees of freedom in place of two", dict(control=f"{PLAIN} 1", tilts=1), 2),
+    ("order 2 instead of 1 (film, cage)", dict(control=f"{PLAIN} 2"), 2),
+    ("five free degrees of freedom instead of two", dict(control=f"{PLAIN} 1", tilts=1), 2),
     ("energy account", dict(control=f"{PLAIN} 1 energy yes"), 2),
 ]
 AROUND = [(3, 5, 1), (4, 6, 10)]  # plates, with surroundings, samples a step

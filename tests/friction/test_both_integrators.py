@@ -307,5 +307,5 @@ def test_step_limit_is_the_spring_s(tmp_path):
         run = raceway.open(out)
         powers.append(float(run.bearing["friction_power"][-100:].mean()) / speed)
         assert float(run.bearing["friction_power"][-100:].min()) > 0
-    # Coulomb's torque does not depend on the speed, but for the loads of centrifugal force
+    # Coulomb's torque does not depend on the speed, except for the loads of centrifugal force
     assert powers == pytest.approx([powers[0]] * 3, rel=0.05)

@@ -70,7 +70,7 @@ def test_files(made):
 
 
 def test_rates_hold_the_same_signal(made):
-    """Every fourth sample of 48 kHz, but for what 12 kHz cannot hold."""
+    """Every fourth sample of 48 kHz, except for what 12 kHz cannot hold."""
     fast, slow = (signal_of(made, 2, rate)["X002_DE_time"].ravel() for rate in (48000, 12000))
     low = np.fft.rfft(fast)[: int(0.35 * len(slow))] / len(fast)
     own = np.fft.rfft(slow)[: len(low)] / len(slow)

@@ -20,7 +20,7 @@ RUN = "run 20000\n"
 
 
 def outcome(tmp_path, deck, commands, **kwargs):
-    """The end of `deck` with `commands` in place of its run."""
+    """Output at the end of `deck` with `commands` instead of its run."""
     assert deck.count(RUN) == 1
     file = tmp_path / "in.hole"
     file.write_text(deck.replace(RUN, commands))

@@ -30,7 +30,7 @@ SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
 
 
 def outcome(tmp_path, deck, commands, **kwargs):
-    """The end of `deck` with `commands` in place of its run."""
+    """Output at the end of `deck` with `commands` instead of its run."""
     assert deck.count(RUN) == 1
     file = tmp_path / "in.hole"
     file.write_text(deck.replace(RUN, commands))

@@ -205,7 +205,7 @@ EXPORT(void, turn, (double angle, double c[1], double s[1]))
   *s = sine[0];
 }
 
-// A ring alone, free but for its driven spin, under a constant force and moment, after n
+// A ring alone, free except for its driven spin, under a constant force and moment, after n
 // steps. order 0: dampers only.
 EXPORT(void, lone_ring,
        (int order, int n, double h, double spin, const double inertia[2], const double moment[3],

@@ -274,7 +274,7 @@ def test_only_dampers_implicit_keeps_a_swing(tmp_path):
 
 def test_cage_balls_may_be_farther_off(tmp_path):
     """The models `full`, where the cage drives the balls that carry no load: with 1 um for cage
-    balls in place of 1 nm steps are more than twice as long, and the figures of the bearing stay
+    balls instead of 1 nm steps are more than twice as long, and the figures of the bearing stay
     within 0.1 %."""
     found = []
     for cage in (1e-9, 1e-6):

@@ -320,7 +320,7 @@ def test_derivatives_over_a_flaw(lib, off_middle, width):
 @pytest.mark.parametrize("width", [5e-3, 3e-4], ids=["wide", "narrow"])
 @pytest.mark.parametrize("off_middle", [-4e-4, 1e-5, 2e-4, 2e-3])
 def test_derivatives_over_a_flaw_of_the_ball(lib, off_middle, width):
-    """As above, with the ball's spin about the axis in place of its way along the raceway."""
+    """As above, with the ball's spin about the axis instead of its way along the raceway."""
 
     def found(overlap):
         return [

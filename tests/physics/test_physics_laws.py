@@ -51,7 +51,7 @@ def test_duals_are_differences(physics):
 
 
 def test_sets_that_nobody_listed_are_there(physics):
-    """Each part with a film and without, but for those that need one; 2 and 4 models compiled."""
+    """Each part with a film and without, except those that need one; 2 and 4 models compiled."""
     names = laws(physics)
     assert len(names) == len(set(names)) > 600
     fused = [name for law, name in enumerate(names) if physics.call("law_fused", law, 0) >= 0]

@@ -397,7 +397,7 @@ def test_drag_of_a_ball(physics):
 
 # ---- energy --------------------------------------------------------------------------------------
 def test_losses_are_the_work_on_the_motions(physics):
-    """All forces and couples times their motions, but for the spring of Hertz."""
+    """All forces and couples times their motions, except the spring of Hertz."""
     contact = turning(
         OUTER, 2.9, sliding_t=0.01, sliding_w=-0.02, spin_n=20.0, overlap_rate=0.003, cos_angle=0.9
     )

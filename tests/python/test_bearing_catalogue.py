@@ -158,7 +158,7 @@ def test_contact_angles_of_a_size_have_the_same_balls():
 
 def test_another_maker_has_the_same_number_of_balls():
     """JTEKT (catalogue pages 20 to 25, in jtekt_deep_groove.csv) rates by ISO 281, so the rule
-    needs no factor: C comes out within 1.2 %. Sizes have SKF's number of balls, but for four."""
+    needs no factor: C comes out within 1.2 %. Sizes have SKF's number of balls, except four."""
     text = Path(__file__).with_name("jtekt_deep_groove.csv").read_text()
     other = {}
     for row in csv.DictReader(text.splitlines()):

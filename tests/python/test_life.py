@@ -222,7 +222,7 @@ def test_a_spectrum_that_is_none(capsys, tmp_path, text, said):
 
 
 def test_equivalent_load_of_a_thrust():
-    """P has the sign of neither load and grows with both, but for the step at e."""
+    """P has the sign of neither load and grows with both, except the step at e."""
     deep = dict(angle=0.0, balls=9, ball_diameter=12.6e-3)
     steep = dict(deep, angle=np.radians(40))
     assert equivalent(2000.0, 0.0, **deep) == 2000 == equivalent(-2000.0, 50.0, **deep)

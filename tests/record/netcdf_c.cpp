@@ -55,7 +55,7 @@ Sample *begin(const char *path, int batch, long records, double temperature)
   return s;
 }
 
-// Record k: time k/8, x = 1e-9 k + 0.1 (3 side + ball) but for (1, 2), which stays blank; load
+// Record k: time k/8, x = 1e-9 k + 0.1 (3 side + ball) except for (1, 2), which stays blank; load
 // k + ball/3.
 void write_record(Sample *s, long k)
 {

@@ -75,7 +75,7 @@ def test_damage_is_found(folder, tmp_path):
         content, way = bytearray(right), (*WAYS, swap)[k % (len(WAYS) + 1)]
         at = dice.randrange(header if k % 2 else len(right))
         way(dice, content, at)
-        if content == right:  # zeros in place of zeros
+        if content == right:  # zeros instead of zeros
             continue
         (to / "record.nc").write_bytes(content)
         try:

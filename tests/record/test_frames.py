@@ -202,7 +202,7 @@ def test_axis(scene, tmp_path):
 
 
 def test_run_about_x(tmp_path):
-    """The same scene run about z and about x: all figures agree but for the cost."""
+    """The same scene run about z and about x: all figures agree except for the cost."""
     change = [("run 2000", "run 500")]
     about_x = [
         ("bearing/ehd ", "bearing/ehd axis x "),

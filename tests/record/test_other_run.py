@@ -39,7 +39,7 @@ def test_of_the_main_deck(one, words, key, tmp_path, capsys):
 
 @pytest.mark.parametrize("steps", [5000, 30000])
 def test_of_a_deck_that_notes_nothing(steps, tmp_path):
-    """Alike but for their length."""
+    """Alike except for their length."""
     for name, count in (("a", 20000), ("b", steps)):
         (tmp_path / name).mkdir()
         succeed(small(tmp_path / name, deck=SMALL.replace("run 20000", f"run {count}")))

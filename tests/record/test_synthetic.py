@@ -8,8 +8,8 @@ from host import succeed
 
 
 def layout(folder):
-    """Dimensions but time, {variable: (dimensions, type, attributes)}, {attribute: type}, but for
-    checksums, which synthetic records do without."""
+    """Dimensions without time, {variable: (dimensions, type, attributes)}, {attribute: type}; no
+    checksums, which synthetic records do not have."""
     with xr.open_dataset(folder / "record.nc", engine="scipy", decode_cf=False) as data:
         data = data.drop_vars("checksum", errors="ignore")
         sizes = {name: size for name, size in data.sizes.items() if name != "time"}

@@ -98,7 +98,7 @@ def test_ball_pass(scene, closed, tmp_path):
 
 @pytest.mark.parametrize("rate", [48000, 192000])
 def test_rate(rate, tmp_path):
-    """Samples a second in place of samples a ball pass; passes end at the nearest sample."""
+    """Samples a second instead of samples a ball pass; passes end at the nearest sample."""
     succeed(DECK, out=tmp_path, more=f"rate {rate}", passes=3, **DAMPING)
     data, notes = values(tmp_path)
     assert notes["sample_s"] == pytest.approx(1 / rate, rel=1e-12)

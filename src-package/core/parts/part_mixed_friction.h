@@ -59,7 +59,7 @@ struct MixedFrictionPart : PartBase {
                   [](Raceway &, Parameters &own) -> double & { return own.traction.limit; },
                   "MU_FILM")},
              nullptr,
-             "of friction mixed: Eyring's stress with a limit in place of MU_FILM"}};
+             "of friction mixed: Eyring's stress with a limit instead of MU_FILM"}};
   }
 
   static std::vector<StateColumn> columns()

@@ -36,7 +36,7 @@ struct SlipSlicesPart : PartBase {
              true,
              {least_slip_width<Parameters>(), share_of_spin<Parameters>()},
              nullptr,
-             "after friction, in place of heathcote and spin: slip and spin together, over slices "
+             "after friction, instead of heathcote and spin: slip and spin together, over slices "
              "of the contact ellipse"}};
   }
 

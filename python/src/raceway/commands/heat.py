@@ -50,16 +50,16 @@ def add(commands: Commands) -> None:
     options.models(
         one,
         ("full", "eyring"),
-        "eyring: Eyring's stress in the film in place of a constant coefficient",
+        "eyring: Eyring's stress in the film instead of a constant coefficient",
     )
     options.lubricant(one)
     one.add_argument("--load", type=load, default=0.0, metavar="N", help="radial, newtons (0)")
-    one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, in place of it")
+    one.add_argument("--loads", type=load, nargs="+", metavar="N", help="several, instead of it")
     one.add_argument(
         "--axial", type=number(-1e6, 1e6, "N"), default=0.0, metavar="N", help="newtons (0)"
     )
     one.add_argument("--rpm", type=speed, metavar="R", help="speed of the inner ring")
-    one.add_argument("--speeds", type=speed, nargs="+", metavar="R", help="several, in place of it")
+    one.add_argument("--speeds", type=speed, nargs="+", metavar="R", help="several, instead of it")
     one.add_argument(
         "--clearance",
         type=number(-1e-3, 1e-3, "m"),
@@ -92,7 +92,7 @@ def add(commands: Commands) -> None:
         "--runs",
         type=_number_of_runs,
         metavar="N",
-        help="friction from at most N runs, 1 to 50, in place of statics",
+        help="friction from at most N runs, 1 to 50, instead of statics",
     )
     one.add_argument(
         "--passes", type=number(1, 1e6, "passes"), metavar="P", help="ball passes of a run (1)"

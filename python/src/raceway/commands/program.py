@@ -11,7 +11,7 @@ from raceway.sweeps import host_program
 
 
 def program(text: str) -> list[str]:
-    """Words of the program; in place of a default that is not here, of the one that
+    """Words of the program; instead of a default that is not here, of the one that
     `host_program.find` finds. Raises `RacewayError` if there is none."""
     absent = text == str(host_program.LIGGGHTS) and not host_program.LIGGGHTS.is_file()
     return host_program.find() if absent else host_program.words(text)

@@ -78,7 +78,7 @@ def add(commands: Commands) -> None:
     loads.add_argument(
         "--spectrum",
         metavar="FILE",
-        help="CSV table with columns load, axial, rpm, share (of the time) in place of these: life"
+        help="CSV table with columns load, axial, rpm, share (of the time) instead of these: life"
         " and equivalent load of all its points together",
     )
     loads.add_argument(

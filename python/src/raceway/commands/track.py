@@ -13,7 +13,7 @@ drifts. Each row of a csv file has a time in s, the speed, and what was read the
 allowed. Columns: time_s, rpm, load, axial, load_more, axial_more, at (temperature of the oil), FTF,
 BPFO, BPFI, BSF (orders), capacitance (F), temperature (C).
 
-The file is that of `raceway identify` with `series`, `within` and `drift` in place of `readings`:
+The file is that of `raceway identify` with `series`, `within` and `drift` instead of `readings`:
 the name of the csv file, the standard deviation of each quantity, and how far each unknown may
 wander in an hour (standard deviation; 0 unless given: constant)."""
 EXAMPLES = """\

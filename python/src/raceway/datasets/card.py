@@ -47,7 +47,7 @@ sidebands follow from that. No blow, line, jitter or sideband was put in by hand
   Real structures have many modes and paths.
 - Notches have rounded edges (`flaw_edge`) and no raised rim. They do not grow.
 - Rings are rigid between their contacts. Shaft, seals and other machines make no sound.
-- Raceways and balls are perfect but for the flaw. Bearing data: {bearing} of `inputs/bearings`.
+- Raceways and balls are perfect except for the flaw. Bearing data: {bearing} of `inputs/bearings`.
 - Waviness has the orders Z - 1 and Z + 1 on both raceways.
 - Speed and load are constant. A seed draws where balls and flaws that turn start.
 - {noise}

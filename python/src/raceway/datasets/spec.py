@@ -30,7 +30,7 @@ FLAWS: dict[str, dict[str, Any]] = {
 }
 FILES = ("mat", "parquet")  # kinds of files that a signal can be written as
 FLAW_WORDS = ("length", "width", "depth", "edge", "place", "amplitude")
-RANGES = {  # m, but for the place
+RANGES = {  # m, except for the place
     "length": (1e-5, 1e-2),
     "depth": (1e-7, 1e-2),
     "edge": (1e-6, 1e-3),

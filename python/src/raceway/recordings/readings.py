@@ -219,7 +219,7 @@ def _ranges(given):
 
 
 def series(path: FilePath, inputs_folder: FilePath | None = None) -> Series:
-    """The file of a series at `path`: as `read`, with `series`, a csv file beside it, in place of
+    """The file of a series at `path`: as `read`, with `series`, a csv file beside it, instead of
     `readings`; `within`, the standard deviation of each quantity; and `drift`, that of each unknown
     after an hour. Raises `RacewayError`."""
     data = yaml_file.read(path, ReadingsError)

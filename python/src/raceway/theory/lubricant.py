@@ -2,7 +2,7 @@
 """Oils by temperature and pressure: Walther, Vogel, Roelands, Barus. Temperatures in degrees C.
 
 A `Lubricant` holds physical data, `Lubricant.at` gives the `Fluid` at a temperature. Ambient
-pressure unless a pressure is given. Numbers or arrays of one shape, SI units but for kinematic
+pressure unless a pressure is given. Numbers or arrays of one shape, SI units except for kinematic
 viscosity in mm^2/s, the unit of its grades and of ASTM D341.
 """
 

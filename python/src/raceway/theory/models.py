@@ -12,7 +12,7 @@ CAPACITANCE = ("paper", "full")  # eyring has the films of full
 # have 146 mN m (main deck).
 WITHOUT_LOSSES = ("paper", "film")
 LOSSES = ("friction_torque_N_m", "power_loss_W", "losses_W", "asperity_share")
-HEADLINES = ("friction_torque_N_m",)  # a table shows the reason in place of these
+HEADLINES = ("friction_torque_N_m",)  # a table shows the reason instead of these
 
 
 def absent(models: str | None, keys: Iterable[str]) -> dict[str, str]:

@@ -73,7 +73,7 @@ def figures(
     is a word of `cleanliness.CLEANLINESS`. `four_point` in rad makes it a four-point contact
     bearing with that angle, as its file may, too. Each of `balls` then has a list of `contacts`.
     `double_row` gives it two rows, whose `balls` follow one another. `dynamic` is C in N of a row,
-    in place of the file's. `absent` has the reason by key of figures that the models leave out.
+    instead of the file's. `absent` has the reason by key of figures that the models leave out.
 
     As in a deck, the ring is held along z where there is no axial load (`inputs.held`).
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Capacitances with all that carries them: the quantities of figs 8 to 12 again, in place of those
+"""Capacitances with all that carries them: the quantities of figs 8 to 12 again, instead of those
 of the plates, and what the gap around the plates and the balls without load have."""
 
 import numpy as np
