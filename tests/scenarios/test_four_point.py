@@ -103,8 +103,8 @@ def test_balls_change_grooves_without_a_jump(path):
 
 
 def tilted(folder, changes):
-    """(x, y, z, rx, ry) in m and rad of a ring that is free except for its spin, under a radial load,
-    a thrust and a moment."""
+    """(x, y, z, rx, ry) in m and rad of a ring that is free except for its spin, under a radial
+    load, a thrust and a moment."""
     folder.mkdir()
     damped = "support x 1.0 3.0e3 support y 1.0 3.0e3 support rx 1.0e-3 3 support ry 1.0e-3 3"
     loads = {
