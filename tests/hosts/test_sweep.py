@@ -170,7 +170,7 @@ def test_stopped_half_way(tmp_path, counter, which, code):
     table.write_text(
         "load,passes,samples,integrator\n"
         + "".join(f"{load},4,50,implicit\n" for load in range(1000, 9000, 1000))
-        + "9000,100,20,verlet\n"  # still in work when the signal comes
+        + "9000,30,20,verlet\n"  # still in work when the signal comes
     )
     process = subprocess.Popen(
         words("sweep", table, "--out", out, "--jobs", 2, "--program", counter),

@@ -225,16 +225,19 @@ def _fill(file, data, end):
     for name, size in {**sizes, "letters": 5}.items():
         file.createDimension(name, size)
 
+    # values follow after the last definition, because a definition moves all values there are
+    pending = []
+
     def put(name, dimensions, values, column=None, kind="f8"):
         variable = file.createVariable(name, kind, dimensions)
         if column:
             variable.setncatts({"units": column["unit"] or "1", "long_name": column["meaning"]})
-        variable[slice(len(values)) if dimensions[:1] == ("time",) else ...] = values
+        pending.append((variable, values, dimensions[:1] == ("time",)))
 
     def fixed(name, dimensions, values, meaning, unit="", kind="i4"):
         put(name, dimensions, values, {"unit": unit, "meaning": meaning}, kind)
 
-    put("raceway", ("raceway", "letters"), [[*"inner"], [*"outer"]], kind="S1")
+    put("raceway", ("raceway", "letters"), np.array(["inner", "outer"]), kind="S1")
     file["raceway"].setncattr("_Encoding", "utf-8")
     fixed("finished", (), int(end), "1: the run has come to its end")
     atoms = {"ball": np.arange(z) + 1, "cage_ball": np.arange(z) + z + 1, "ring": 2 * z + 1}
@@ -273,6 +276,8 @@ def _fill(file, data, end):
     for column in TABLES["bearing"]:
         if column["name"] in sums:
             put(f"bearing_{column['name']}", ("time", "bearing"), sums[column["name"]], column)
+    for variable, values, over_time in pending:
+        variable[slice(len(values)) if over_time else ...] = values
 
 
 _ATOM = {

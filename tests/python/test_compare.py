@@ -14,8 +14,8 @@ from raceway.errors import RunError
 SHAFT, SAMPLES = 477.5 / 60, 12000  # Hz
 
 
-@pytest.fixture
-def run(tmp_path, lubricated, bearing):
+@pytest.fixture(scope="module")
+def run(tmp_path_factory, lubricated, bearing):
     """A ring whose resonance is struck at BPFO."""
     settings = dict(lubricated["settings"], sample_s=1e-4)
     passes = SAMPLES // settings["samples_per_pass"]
@@ -30,7 +30,10 @@ def run(tmp_path, lubricated, bearing):
     ]
     settings = dict(settings, passes=passes)
     return raceway.open(
-        synthetic.write(tmp_path / "run", dict(lubricated, rings=rings, settings=settings))
+        synthetic.write(
+            tmp_path_factory.mktemp("compare") / "run",
+            dict(lubricated, rings=rings, settings=settings),
+        )
     )
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A state that drifts, from readings made of it by statics."""
 
+import shutil
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -21,9 +23,10 @@ drift: {clearance: 2e-6, temperature: 25}
 ROWS = 12
 
 
-@pytest.fixture
-def folder(tmp_path):
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
     """Oil that warms while the clearance falls; noise of its stated size, one gap."""
+    folder = tmp_path_factory.mktemp("track")
     random = np.random.default_rng(4)
     time = 600.0 * np.arange(ROWS)
     true = {
@@ -31,9 +34,9 @@ def folder(tmp_path):
         "clearance": 9e-6 - 4e-6 * (1 - np.exp(-time / 2400)),
     }
     table = pd.DataFrame({"time_s": time, "rpm": 1797.0, "BPFO": 3.6, "capacitance": 1e-11})
-    table.to_csv(tmp_path / "hours.csv", index=False)
-    (tmp_path / "hours.yaml").write_text(FILE)
-    given = readings.series(tmp_path / "hours.yaml")
+    table.to_csv(folder / "hours.csv", index=False)
+    (folder / "hours.yaml").write_text(FILE)
+    given = readings.series(folder / "hours.yaml")
     model = Model(given.readings)
     for k, (_, rows) in enumerate(given.rows):
         state = dict(given.readings.known, **{name: float(v[k]) for name, v in true.items()})
@@ -41,8 +44,14 @@ def folder(tmp_path):
             error = np.hypot(one.within, own.error)
             table.loc[k, one.quantity] = own.value + error * random.normal()
     table.loc[5, "capacitance"] = np.nan
-    table.to_csv(tmp_path / "hours.csv", index=False)
-    return tmp_path, true
+    table.to_csv(folder / "hours.csv", index=False)
+    return folder, true
+
+
+@pytest.fixture
+def folder(made, tmp_path):
+    """A copy, free to be spoilt, and the truth."""
+    return shutil.copytree(made[0], tmp_path / "track"), made[1]
 
 
 def test_a_warming_bearing(folder):
