@@ -14,6 +14,9 @@ void BearingResume::command(int narg, char **arg)
   const auto yes = [&args](const char *what) { return args.choice(what, {"no", "yes"}) == 1; };
   const std::string first = args.word("restart file");
   const bool plain = args.take("resume");
+  if (!plain && args.more() && args.next() != "yes" && args.next() != "no")
+    args.fail("a folder's name is one word without blanks, not '" + first + " " + args.next() +
+              "'");
   const bool asked = yes("resume");
   const std::string file = plain ? first : args.word("restart file");
   const bool overwrite = args.take("overwrite") ? yes("overwrite") : !plain;

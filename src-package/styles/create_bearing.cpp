@@ -4,7 +4,6 @@
 #include "../core/laws/rolling.h"
 #include "../core/raceway/start_rotation.h"
 #include "../core/settings/arguments.h"
-#include "../core/settings/deck_words.h"
 #include "../core/settings/written.h"
 #include "named_bearing.h"
 #include "pair_bearing.h"
@@ -43,7 +42,7 @@ void CreateBearing::command_named(Arguments &args)
         w = args.number("speed of a ring (rad/s)");
       }
     else if (args.take("thrust")) thrust = args.number("thrust (N)");
-    else if (args.take("phase")) more += " phase " + args.value_of("phase");
+    else if (args.take("phase")) more += " phase " + (b.phase = args.value_of("phase"));
     else if (args.take("centre"))
       for (int k = 0; k < 3; ++k) more += (k ? " " : " centre ") + args.word("centre (m)");
     else args.unknown("speed, thrust, phase, centre");
@@ -60,11 +59,12 @@ void CreateBearing::command_named(Arguments &args)
       std::to_string(b.inner) + " " + std::to_string(b.outer) + " balls " + b.word("balls") +
       " diameter " + b.word("ball_diameter") + " density " + b.word("ball_density") + more +
       " seat " + seat + " groups yes resumed " + (resumed ? "yes" : "no") +
-      (b.has_cage ? " cage " + b.word("cage_ball_diameter") : "");
+      (b.has_cage        ? " cage " + b.word("cage_ball_diameter")
+       : b.has_cage_ring ? " cage_ring " + std::to_string(b.cage)
+                         : "");
   std::istringstream in(line);
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);
-  bearing::note_words(lmp, "create_bearing", words);
   Arguments own(lmp, "create_bearing " + b.name, words);
   create(own);
   if (!b.has_cage) input->one(("group cage type " + std::to_string(b.cage)).c_str());

@@ -64,6 +64,8 @@ std::string variables_of(LAMMPS *lmp, double within)
                of_sampling = name == "sampling" || name == "oversampling",
                angle = name == "contact_angle" || name == "four_point";
     const std::optional<std::string> given = host_variable(lmp, name);
+    if (v.taken_by("bearing/cage/ring") && host_variable(lmp, "cage").value_or("") != "ring")
+      continue;
     if ((data && !angle) || (of_sampling && !vibration) || (angle && !given)) continue;
     if (std::find(others.begin(), others.end(), name) != others.end()) continue;
     const auto at = own.find(name);
@@ -74,6 +76,21 @@ std::string variables_of(LAMMPS *lmp, double within)
 }
 
 }    // namespace
+
+std::vector<std::string> data_lines(LAMMPS *lmp)
+{
+  const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
+  std::vector<std::string> lines;
+  for (const NamedBearing *b : bearings_of(lmp)) {
+    if (!b->in_use) continue;
+    lines.push_back("bearing " + b->name);
+    for (const auto &value : b->data.values)
+      if (value.second.find('/') == std::string::npos)
+        lines.back() += " " + value.first + "=" + value.second;
+    if (pair) lines.back() += " permittivity=" + digits(pair->permittivity(b->balls));
+  }
+  return lines;
+}
 
 void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, double within, Attributes &to)
 {

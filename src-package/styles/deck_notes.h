@@ -12,6 +12,9 @@ namespace bearing {
 void add_deck_notes(LAMMPS_NS::LAMMPS *, const LAMMPS_NS::PairBearingHertz &, double within,
                     NetcdfHeader::Attributes &to);
 
+// A line for each bearing with a name: its data and the permittivity of its oil, without paths.
+std::vector<std::string> data_lines(LAMMPS_NS::LAMMPS *);
+
 }    // namespace bearing
 
 #endif

@@ -15,7 +15,7 @@ using namespace raceway;
 using bearing::Arguments;
 using bearing::CageRails;
 
-// fix ID cage-group bearing/cage RING_TYPE [rail R r z] ... [tube r] [gap g] [young E_ball E_rail]
+// fix ID cage-group bearing/cage RING_TYPE|NAME [rail R r z] ... [tube r] [gap g] [young E_ball E_rail]
 // [poisson ...]
 FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/cage"))
@@ -25,7 +25,11 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   global_freq = 1;
   extscalar = extvector = 0;
   Arguments args(lmp, std::string("fix ") + id + " bearing/cage", narg, arg, 3);
-  ring_type_ = args.integer("type of the ring that carries the rails", 1, atom->ntypes);
+  const bearing::NamedBearing *const b =
+      args.more() ? bearing::find_bearing(lmp, args.next()) : nullptr;
+  if (b) args.word("name of a bearing");
+  ring_type_ =
+      b ? b->outer : args.integer("type of the ring that carries the rails", 1, atom->ntypes);
   if (!pair_->coefficients().is_ring(ring_type_))
     args.fail("type " + std::to_string(ring_type_) +
               " is no ring: no pair_coeff names it inner or outer");

@@ -5,6 +5,7 @@
 #include "../ranks/gather.h"
 #include "fix_bearing_state.h"
 #include "fixes.h"
+#include "named_cage.h"
 #include "pair_bearing_hertz.h"
 
 #include <algorithm>
@@ -25,16 +26,25 @@ static constexpr double out_of_pocket = 0.1;
 // fix ID group bearing/cage/ring BALL_TYPE pockets Z play J mass M inertia I_a I_t [across J]
 // [shape cylinder|sphere] [phase PHI] [young E_ball E_cage] [poisson ...] [friction MU]
 // [guide balls | inner|outer R C B N] [oil ETA X H] [churning X RHO ETA R] [planar yes|no]
+// or: bearing/cage/ring NAME [cage_play J] ... of a named bearing (named_cage.h)
 FixBearingCageRing::FixBearingCageRing(LAMMPS *lmp, int narg, char **arg) :
     FixBearingRing(lmp, narg, arg, Words::unread)
 {
   size_vector += bearing::of_cage::N;
   Arguments args(lmp, bearing::name_of(*this), narg, arg, 3);
-  ball_type_ = args.integer("ball type", 1, atom->ntypes);
+  const bearing::NamedBearing *const b =
+      args.more() ? bearing::find_bearing(lmp, args.next()) : nullptr;
+  if (b) args.word("name of a bearing");
+  ball_type_ = b ? b->balls : args.integer("ball type", 1, atom->ntypes);
   if (!pair_->coefficients().is_ball(ball_type_))
     args.fail("type " + std::to_string(ball_type_) +
               " is no ball: no pair_coeff gives it a raceway");
-  cage_.read(args);
+  if (b) {
+    Arguments words(lmp, args.command(), bearing::cage_words(lmp, args, *b));
+    cage_.read(words);
+  } else {
+    cage_.read(args);
+  }
   settings_.program = cage_.program;
   settings_are_read();
 }

@@ -4,6 +4,7 @@
 #include "../core/settings/arguments.h"
 #include "../core/settings/deck_words.h"
 #include "../core/settings/restart_sum.h"
+#include "deck_notes.h"
 #include "fix_bearing_capacitance.h"
 #include "fix_bearing_ring.h"
 #include "fixes.h"
@@ -202,8 +203,8 @@ void FixBearingCheckpoint::init()
   begun_ = true;
 }
 
-// Commands that determine a run: the bearings (first line), the pair style and the package's fixes,
-// except those that only write or watch.
+// Commands that determine a run: the bearings (first line), the pair style, data of bearings with
+// names and the package's fixes, except those that only write or watch.
 std::vector<std::string> FixBearingCheckpoint::deck() const
 {
   std::vector<std::string> lines = {bearing::noted_words(lmp, "create_bearing")};
@@ -212,6 +213,8 @@ std::vector<std::string> FixBearingCheckpoint::deck() const
       lines.emplace_back(lines.size() == 1 ? "pair_style" : "pair_coeff");
       for (const std::string &w : words) lines.back() += " " + w;
     }
+  const std::vector<std::string> data = bearing::data_lines(lmp);
+  lines.insert(lines.end(), data.begin(), data.end());
   static const std::set<std::string> idle = {"bearing/record", "bearing/checkpoint",
                                              "bearing/progress", "bearing/run", "bearing/timestep"};
   for (int k = 0; k < modify->nfix; ++k)

@@ -37,6 +37,7 @@ class FixBearingRing : public Fix, public bearing::ColumnList {
   // For fix bearing/implicit, which moves the rings of its group itself.
   bool moves(int i) const { return atom->mask[i] & groupbit; }
   bool tilts() const { return settings_.program.tilts(); }
+  bool moves_axially() const { return settings_.program.mode[2] != raceway::Freedom::fixed; }
   // rad/s by local atom, at the present time: NAN for others, and where no spin is imposed.
   std::vector<double> imposed_spin();
   const bearing::StatedLoads &stated_loads() const { return settings_.stated; }

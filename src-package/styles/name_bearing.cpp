@@ -30,7 +30,9 @@ void NameBearing::command(int narg, char **arg)
     } else if (args.take("inputs")) {
       inputs = args.value_of("inputs");
     } else if (args.take("cage")) {
-      b.has_cage = args.value_of("cage") == "yes";
+      const std::string cage = args.value_of("cage");
+      b.has_cage = cage == "yes";
+      b.has_cage_ring = cage == "ring";
     } else {
       bool known = false;
       for (const char *key : {"clearance", "contact_angle", "four_point"})
@@ -90,7 +92,11 @@ void NameBearing::derive(const Arguments &args, NamedBearing &b)
 {
   DataValues::Map &map = b.data.values;
   for (const char *key : {"clearance", "contact_angle", "four_point"})
-    map.emplace(key, bearing::find_deck_variable(key)->initial);
+    if (const auto [at, is_new] = map.emplace(key, bearing::find_deck_variable(key)->initial);
+        !is_new) {
+      const std::string wrong = bearing::wrong_value(*bearing::find_deck_variable(key), at->second);
+      if (!wrong.empty()) args.fail(b.data.label + ": " + wrong);
+    }
   DataValues values(lmp, args, map, b.data.label);
   const bearing::DeriveLaws laws = bearing::data_laws();
   const bool usual = map.count("pitch_diameter") && !map.count("inner_radius");
@@ -131,4 +137,5 @@ void NameBearing::set_variables(const NamedBearing &b)
          b.number("inner_groove") + b.number("outer_groove") - b.number("ball_diameter"));
   number("skin", 0.4 * b.number("ball_diameter"));
   set("box", b.word("b_box"));
+  set("cage_style", b.has_cage_ring ? "cage/ring" : "cage");
 }

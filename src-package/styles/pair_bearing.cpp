@@ -173,10 +173,11 @@ void PairBearing::resolve(Coeff &of)
           b.word("inner_groove") + " " + b.word("b_inner_arch") + law,
       ball + " " + std::to_string(b.outer) + " outer " + b.word("b_outer_raceway") + " " +
           b.word("outer_groove") + " " + b.word("b_outer_arch") + law,
-      b.has_cage ? ball + " " + std::to_string(b.cage) + " sphere " + young + " " + poisson +
-                       " 3.3e9 0.41" + (of.printed ? " printed" : "")
-                 : ball + " " + ball + " sphere " + young + " " + poisson + " " + young + " " +
-                       poisson + (of.printed ? " printed" : "")};
+      b.has_cage_ring ? ball + " " + std::to_string(b.cage) + " cage"
+      : b.has_cage    ? ball + " " + std::to_string(b.cage) + " sphere " + young + " " + poisson +
+                            " 3.3e9 0.41" + (of.printed ? " printed" : "")
+                      : ball + " " + ball + " sphere " + young + " " + poisson + " " + young + " " +
+                            poisson + (of.printed ? " printed" : "")};
   for (size_t k = 0; k < 3; ++k) {
     std::vector<std::string> words = words_of(lines[k]);
     std::vector<char *> list;
@@ -193,6 +194,13 @@ void PairBearing::set_speed(const std::string &name, double speed)
       c.speed = speed;
       resolve(c);
     }
+}
+
+std::string PairBearing::viscosity(const std::string &bearing) const
+{
+  for (const Coeff &c : coeffs_)
+    if (c.bearing == bearing && c.data.count("viscosity")) return c.data.at("viscosity");
+  return "";
 }
 
 double PairBearing::permittivity(int ball_type) const

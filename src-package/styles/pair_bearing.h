@@ -29,6 +29,8 @@ class PairBearing : public PairBearingHertz {
   // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves.
   void set_speed(const std::string &bearing, double);
   const std::string &oil() const { return oil_name_; }
+  // Viscosity of a bearing's oil at its temperature (Pa s), as text; empty when dry.
+  std::string viscosity(const std::string &bearing) const;
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from host import ENVIRONMENT, ROOT, frames  # noqa: E402
+from host import ENVIRONMENT, QUICK, ROOT, frames  # noqa: E402
 
 FILES = ("record.nc", "contacts.dump", "balls.dump", "rings.dat")
 DECK = ROOT / "inputs" / "in.6208"
@@ -73,7 +73,7 @@ def start(scene, out, *, ranks=1):
         "resume",
         "yes",
     ]
-    for name, value in scene.items():
+    for name, value in {**QUICK, **scene}.items():
         command += ["-var", name, str(value)]
     if ranks > 1:
         command = ["mpirun.openmpi", "--oversubscribe", "-np", str(ranks), *command]

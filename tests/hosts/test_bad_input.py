@@ -11,31 +11,31 @@ from host import BOX, liggghts, run
 MAIN_DECK = {
     "conformal groove": (
         {"inner_groove": 6.2e-3},
-        r"create_bearing: groove radius 0.0062 m must be larger than the ball radius 0.0063",
+        r"create_bearing b: groove radius 0.0062 m must be larger than the ball radius 0.0063",
     ),
     "too many balls": (
         {"balls": 16},
         (
-            r"create_bearing: overlapping balls: 16 balls of diameter 0.0126 m .* are 0.0118\d* m"
+            r"create_bearing b: overlapping balls: 16 balls of diameter 0.0126 m .* are 0.0118\d* m"
             r" apart"
         ),
     ),
     "negative viscosity": (
         {"viscosity": -0.04},
-        r"bearing_range: viscosity \(Pa s\) is -0.04, must be from 1e-05 to 100",
+        r"pair_style bearing: viscosity \(Pa s\) is -0.04, must be from 1e-05 to 100",
     ),
     "no room": (
         {"clearance": -1e-3},
-        r"create_bearing: clearance -0.001 m .* leaves no room .* may not be below",
+        r"create_bearing b: clearance -0.001 m .* leaves no room .* may not be below",
     ),
     "rings at odds": (
         {"outer_radius": 20e-3, "clearance": 0},
         (
-            r"create_bearing: two rings at odds: inner raceway radius 0.024 m is not smaller than"
+            r"create_bearing b: two rings at odds: inner raceway radius 0.024 m is not smaller than"
             r" the outer one, 0.02 m"
         ),
     ),
-    "step of 1 s": ({"step": 1}, r"bearing_range: step is 1, must be from 1e-09 to 0.001, or 0"),
+    "step of 1 s": ({"step": 1}, r"bearing: step \(s\) is 1, must be from 1e-09 to 0.001, or 0"),
     "step too large": (
         {"step": 1e-4, "integrator": "verlet"},
         r"step 0.0001 s exceeds what the contact spring at 1 um overlap allows, 1.8\d*e-05 s",
@@ -43,56 +43,59 @@ MAIN_DECK = {
     "unknown lubricant": (
         {"lubricant": "honey"},
         (
-            r"bearing_input: there is no 'honey' in folder inputs/lubricants; there is: dry,"
+            r"pair_style bearing: there is no 'honey' in folder inputs/lubricants; there is: dry,"
             r" grease110, mineral, pao48, pao8, vg100, vg32, vg46, vg68"
         ),
     ),
     "unknown bearing": (
         {"bearing": "9999"},
         (
-            r"bearing_input: there is no '9999' in folder inputs/bearings; there is: 6000, 6001,"
+            r"bearing: there is no '9999' in folder inputs/bearings; there is: 6000, 6001,"
             r" .*, QJ310, harris209"
         ),
     ),
     "unknown integrator": (
         {"integrator": "euler"},
-        r"bearing_input: there is no 'euler' in folder inputs/integrators; there is: ",
+        r"bearing: integrator is 'euler', must be one of implicit, damping, vibration, verlet",
     ),
     "unknown models": (
         {"models": "papers"},
-        r"bearing_input: there is no 'papers' in folder inputs/models; "
-        r"there is: paper, eyring, film, full",
+        r"pair_style bearing: there is no model 'papers'; "
+        r"there is: paper, film, full, eyring, none, or a file",
     ),
     "cage ball too large": (
         {"cage_ball_diameter": 9e-3},
         (
-            r"create_bearing: cage ball of diameter 0.009 m is larger than its pocket: at most"
+            r"create_bearing b: cage ball of diameter 0.009 m is larger than its pocket: at most"
             r" 0.0084\d* m"
         ),
     ),
     "output not writable": (
         {"out": "/proc/nowhere/run"},
-        r"bearing_output: cannot make output folder '/proc/nowhere/run'",
+        r"bearing_resume: cannot make output folder '/proc/nowhere/run'",
     ),
     "no such inlet shear": (
         {"inlet_shear": "murh"},
-        r"bearing_range: inlet_shear is 'murh', must be one of murch, wilson, gupta",
+        r"bearing: inlet_shear is 'murh', must be one of murch, wilson, gupta",
     ),
     "no such law of spin": (
         {"spin_law": "slice"},
-        r"bearing_range: spin_law is 'slice', must be one of closed, slices",
+        r"bearing: spin_law is 'slice', must be one of closed, slices",
     ),
     "no such film in the gap": (
         {"gap_film": "moss"},
-        r"bearing_range: gap_film is 'moss', must be one of power, moes",
+        r"bearing: gap_film is 'moss', must be one of power, moes",
     ),
-    "standing still": ({"rpm": 0}, r"bearing_range: rpm is 0, must be from 1 to 100000"),
+    "standing still": ({"rpm": 0}, r"bearing: rpm \(1/min\) is 0, must be from 1 to 100000"),
     "half a pass": (
         {"passes": 1.5},
-        r"bearing_range: passes is 1.5, must be a whole number from 1 to",
+        r"bearing: passes is 1.5, must be a whole number from 1 to",
     ),
-    "load the other way": ({"load": -5000}, r"bearing_range: load is -5000, must be from 0.001"),
-    "no number": ({"load": "much"}, r"bearing_range: load must be a number, not 'much'"),
+    "load the other way": ({"load": -5000}, r"bearing: load \(N\) is -5000, must be from 0.001"),
+    "no number": (
+        {"load": "much"},
+        r"bearing: load \(N\) must be a number like 5000 or 5.0e3, not 'much'",
+    ),
 }
 
 STYLE = "pair_style bearing/hertz\n"
@@ -387,7 +390,9 @@ def test_lost_ball_is_named(tmp_path):
 
 def test_step_that_turns_out_too_large_is_refused(tmp_path):
     """A fixed step the springs do not allow stops the main deck instead of giving numbers."""
-    outcome = liggghts("inputs/in.6208", integrator="verlet", step=3.0e-6, out=tmp_path / "run")
+    outcome = liggghts(
+        "inputs/in.6208", models="paper", integrator="verlet", step=3.0e-6, out=tmp_path / "run"
+    )
     assert outcome.code != 0
     assert re.search(
         r"step 3e-06 s exceeds what .* allows, \S+ s, at step \d+|overlap", outcome.error

@@ -1,21 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A bearing with a name: the same numbers as the deck's data modules, and errors that help."""
+"""A bearing with a name: numbers of its data, and errors that help."""
 
 import pytest
 from host import run
 
-OLD = """variable clearance index 0
-variable four_point index 0
-variable inputs index inputs
-include ${inputs}/modules/bearing_data
-variable contact_angle index 0
-variable b_outer_raceway equal ${outer_radius}+0.5*${clearance}
-variable b_half equal 1.3*${b_outer_raceway}
-bearing_derive four_point
-print "IS ${balls} ${ball_diameter} ${b_inner_raceway} ${inner_groove} ${outer_groove}"
-print "IS ${b_outer_raceway} ${b_half} ${inner_mass} ${inner_inertia} ${cage_ball_diameter}"
-"""
-NEW = """variable bearing index 6208
+DECK = """variable bearing index 6208
 variable clearance index 0
 bearing b ${bearing} types 1 2 3 4 clearance ${clearance} vars inputs contact_angle four_point cage
 print "IS ${b_balls} ${b_ball_diameter} ${b_inner_radius} ${b_inner_groove} ${b_outer_groove}"
@@ -30,23 +19,40 @@ def said(tmp_path, deck, **values):
     return done, [line for line in done.text.splitlines() if line[:3] == "IS "]
 
 
-@pytest.mark.parametrize(
-    "values",
-    [
-        {"bearing": "6208", "clearance": "1.1e-5"},
-        {"bearing": "6208", "four_point": "35"},
-        {"bearing": "6303", "clearance": "-7e-6"},
-        {"bearing": "7205B"},
-        {"bearing": "7208", "contact_angle": "25", "inner_mass": "0.3"},
-    ],
-    ids=lambda values: "-".join(values.values()),
-)
-def test_numbers_are_those_of_the_modules(tmp_path, values):
-    old, before = said(tmp_path, OLD, **values)
-    new, now = said(tmp_path, NEW, **values)
-    assert old.code == new.code == 0, old.text[-500:] + new.text[-500:]
-    assert len(now) == 2
-    assert now == before
+# Numbers that the decks' formulas gave before: balls, ball diameter, inner radius, both grooves;
+# outer radius, half a box, mass and inertia of the inner ring, diameter of a cage ball
+NUMBERS = {
+    ("6208", "clearance", "1.1e-5"): (
+        "9 12.6e-3 24.0e-3 6.552e-3 6.552e-3",
+        "0.0366055 0.04758715 0.2 1.2e-4 8.38e-3",
+    ),
+    ("6208", "four_point", "35"): (
+        "9 12.6e-3 0.0239544263151608 6.552e-3 6.552e-3",
+        "0.0366455736848392 0.04758 0.2 1.2e-4 8.38e-3",
+    ),
+    ("6303", "clearance", "-7e-6"): (
+        "7 8.731e-3 0.0116345 0.00454012 0.00462743",
+        "0.020362 0.0264706 0.0350439632298763 4.32180638430366e-06 0.00542033977320412",
+    ),
+    ("7205B", "clearance", "0"): (
+        "12 7.938e-3 0.0152438572157896 0.00412776 0.00420714",
+        "0.0232747141763156 0.0302571284292103 0.0447434214731118 9.71444183303034e-06"
+        " 0.00203251680094397",
+    ),
+    ("7208", "contact_angle", "25"): (
+        "13 11.9e-3 0.0240277012533147 0.006188 0.006307",
+        "0.0359834481200279 0.0467784825560363 0.3 0.000162727989553161 0.00246440163063876",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", NUMBERS, ids="-".join)
+def test_numbers(tmp_path, case):
+    bearing, name, value = case
+    more = {"inner_mass": "0.3"} if bearing == "7208" else {}
+    done, now = said(tmp_path, DECK, bearing=bearing, **{name: value}, **more)
+    assert done.code == 0, done.text[-500:]
+    assert now == ["IS " + line for line in NUMBERS[case]]
 
 
 @pytest.mark.parametrize(
@@ -65,7 +71,7 @@ def test_numbers_are_those_of_the_modules(tmp_path, values):
     ids=lambda value: "" if isinstance(value, str) else "-".join(value),
 )
 def test_errors(tmp_path, values, error):
-    done, _ = said(tmp_path, NEW, **values)
+    done, _ = said(tmp_path, DECK, **values)
     assert done.code != 0
     assert error in done.text
 
@@ -75,7 +81,11 @@ def test_errors(tmp_path, values, error):
     [
         ("bearing b 6208", "bearing: 'types BALLS CAGE INNER OUTER' is missing"),
         ("bearing b 6208 types 1 2 3 3", "balls, cage balls and both rings need their own"),
-        ("bearing b 6208 types 1 2 3 4 vars load", "bearing: vars 'load', must be of: inputs,"),
+        ("bearing b 6208 types 1 2 3 4 vars lod", "bearing: vars 'lod', must be of: inputs,"),
+        (
+            "variable load index 5\nbearing b 6208 types 1 2 3 4 vars load",
+            "bearing: variable load is of bearing/ring: leave it out here",
+        ),
         ("bearing b-1 6208 types 1 2 3 4", "the name 'b-1' must be of letters, digits and '_'"),
     ],
 )

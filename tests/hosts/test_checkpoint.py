@@ -61,8 +61,8 @@ def test_other_settings_are_refused(stopped):
     assert failed.code != 0
     assert (
         "belongs to another run" in failed.error
-        and "load=5000" in failed.error
-        and "load=4000" in failed.error
+        and "load 5000" in failed.error
+        and "load 4000" in failed.error
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""bearing_variables: a -var that the deck does not have ends the run."""
+"""A -var that the deck does not have ends the run, at the command bearing."""
 
 import shutil
 import subprocess
@@ -7,7 +7,7 @@ import sys
 
 import pytest
 import raceway
-from host import ENVIRONMENT, ROOT, run, succeed
+from host import ENVIRONMENT, QUICK, ROOT, run, succeed
 
 SHORT = {"passes": 1, "samples": 20, "rpm": 20000}
 HOSTS = ["liggghts", "lammps", "wheel"]
@@ -17,17 +17,25 @@ HOSTS = ["liggghts", "lammps", "wheel"]
 @pytest.mark.parametrize("ranks", [1, 2])
 @pytest.mark.parametrize(
     "name, nearest",
-    [("lod", "load"), ("Rpm", "rpm"), ("tolerence", "tolerance"), ("film_lwa", "film_law")],
+    [("lod", "load"), ("Rpm", "rpm"), ("tolerence", "tolerance"), ("cage_paly", "cage_play")],
 )
 def test_unknown(tmp_path, host, ranks, name, nearest):
     done = run("inputs/in.6208", host=host, ranks=ranks, out=tmp_path / "run", **{name: 1})
     assert done.code != 0
-    says = f"bearing_variables: -var {name}: the deck has no such variable, nearest is '{nearest}'"
+    says = f"bearing: -var {name}: the deck has no such variable, nearest is '{nearest}'"
     assert says in done.text
     assert not (tmp_path / "run").exists()
 
 
-DECKS = ["in.axial", "in.dry", "in.many", "in.nocage", "in.preload", "paper/in.printed"]
+DECKS = [
+    "in.axial",
+    "in.cage_ring",
+    "in.dry",
+    "in.many",
+    "in.nocage",
+    "in.preload",
+    "paper/in.printed",
+]
 
 
 @pytest.mark.parametrize("deck", DECKS)
@@ -49,17 +57,11 @@ def test_given(tmp_path, host, ranks):
     assert raceway.open(tmp_path).settings["given_data"] == "none"
 
 
-def test_given_of_no_table(tmp_path):
-    deck = tmp_path / "in.deck"
-    deck.write_text("bearing_given all nowhere\n")
-    done = run(deck)
-    assert done.code != 0 and "bearing_given: cannot read table 'nowhere'" in done.text
-
-
 @pytest.mark.parametrize("host", HOSTS)
 def test_known(tmp_path, host):
-    """Of the deck, of a module, of an integrator, of bearing_host."""
-    succeed("inputs/in.6208", host=host, out=tmp_path, tolerance=1e-9, host_name="mine", **SHORT)
+    """Of the head, after `vars`, of a bearing, of an oil."""
+    words = dict(load=3000, tolerance=1e-9, ball_poisson=0.29, viscosity=0.05)
+    succeed("inputs/in.6208", host=host, out=tmp_path, **words, **SHORT)
 
 
 def test_models(tmp_path):
@@ -103,25 +105,10 @@ def test_models_of_an_oil_without_the_numbers(tmp_path):
     succeed("inputs/in.6208", **case)
     done = run("inputs/in.6208", models="full", **case)
     assert done.code != 0
-    assert "mine' has no variable temperature_viscosity, oil_conductivity" in done.text
-
-
-@pytest.mark.parametrize("host", HOSTS)
-def test_forget(tmp_path, host):
-    """What any file of the folder sets goes, on all ranks; all else stays."""
-    folder = tmp_path / "oils"
-    folder.mkdir()
-    (folder / "one").write_text("variable thick index 1\nvariable warm string 2\n")
-    (folder / "other").write_text("variable thick index 3\n")
-    deck = tmp_path / "in.deck"
-    deck.write_text(
-        f"variable mine index 4\ninclude {folder}/one\nbearing_forget {folder}\n"
-        f"include {folder}/other\nvariable warm index 5\n"
-        'print "NOW ${thick} ${warm} ${mine}"\nbearing_forget nowhere\n'
+    assert (
+        "oil mine: the lubricant has no variable temperature_viscosity, oil_conductivity"
+        in done.text
     )
-    done = run(deck, host=host, ranks=2)
-    assert "NOW 3 5 4" in done.text
-    assert done.code != 0 and "bearing_forget: cannot read folder 'nowhere'" in done.text
 
 
 def test_other_spelling_of_the_option(tmp_path):
@@ -136,7 +123,7 @@ def test_deck_that_includes_the_deck(tmp_path):
         "variable mine index 1\nvariable fixed string 2\nvariable more equal 3\n"
         "include inputs/in.6208\n"
     )
-    succeed(deck, out=tmp_path / "run", mine=5, **SHORT)
+    succeed(deck, out=tmp_path / "run", mine=5, **QUICK, **SHORT)
     assert run(deck, out=tmp_path / "run", mina=5, **SHORT).code != 0
 
 
@@ -153,7 +140,7 @@ def test_option_of_another_program(tmp_path):
         "host.lammps_file(lmp, sys.argv[3].encode())\n"
     )
     deck = tmp_path / "in.deck"
-    deck.write_text("variable out index x\nbearing_variables inputs/modules\nprint done\n")
+    deck.write_text("variable out index x\nbearing b 6208 types 1 2 3 4\nprint done\n")
     done = subprocess.run(
         [
             sys.executable,

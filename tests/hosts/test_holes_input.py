@@ -6,10 +6,10 @@ import re
 
 import pytest
 from host import ROOT, liggghts
+from raceway.sweeps.variable_table import rows
 
 BEARING = (ROOT / "inputs" / "bearings" / "6208").read_text()
-NEEDED = (ROOT / "inputs" / "variables" / "bearing").read_text()
-OF_BEARING = re.findall(r"^variable (\w+) +needed", NEEDED, re.MULTILINE)
+OF_BEARING = [row["name"] for row in rows() if row["of"] == "bearing data" and not row["default"]]
 MINERAL = (ROOT / "inputs" / "lubricants" / "mineral").read_text()
 
 NUMBERS = {
@@ -44,7 +44,7 @@ def refused(end, message):
 @pytest.mark.parametrize("name, value", [(n, v) for n, values in NUMBERS.items() for v in values])
 def test_every_number_has_a_range(tmp_path, name, value):
     end = liggghts("inputs/in.6208", out=tmp_path, **{name: value})
-    refused(end, rf"bearing_range: {name}( \(.+\))? (is \S+, must be |must be a number like)")
+    refused(end, rf"bearing: {name}( \(.+\))? (is \S+, must be |must be a number like)")
 
 
 def inputs(tmp_path, folder, name, text):
@@ -68,7 +68,7 @@ def without(text, key):
 def test_a_key_that_a_bearing_does_not_have(tmp_path, key):
     own = inputs(tmp_path, "bearings", "mine", without(BEARING, key))
     end = liggghts("inputs/in.6208", inputs=own, bearing="mine", out=tmp_path / "out")
-    refused(end, rf"bearing_input: '{own}/bearings/mine' has no variable {key}\b")
+    refused(end, rf"bearing: '{own}/bearings/mine' has no variable {key}\b")
 
 
 @pytest.mark.parametrize(
@@ -78,7 +78,7 @@ def test_a_key_that_a_bearing_does_not_have(tmp_path, key):
 def test_a_key_that_a_lubricant_does_not_have(tmp_path, key):
     own = inputs(tmp_path, "lubricants", "mine", without(MINERAL, key))
     end = liggghts("inputs/in.6208", inputs=own, lubricant="mine", out=tmp_path / "out")
-    refused(end, rf"bearing_input: '{own}/lubricants/mine' has no variable {key}\b")
+    refused(end, rf"pair_style bearing: '{own}/lubricants/mine' has no variable {key}\b")
 
 
 def test_a_lubricant_for_a_bearing(tmp_path):
@@ -103,7 +103,7 @@ def test_files_that_are_none(tmp_path):
 def test_names_of_folders(tmp_path, name):
     refused(
         liggghts("inputs/in.6208", out=f"{tmp_path}/{name}"),
-        r"bearing_output: (a folder's name is one word without blanks, not '\S+ b'"
+        r"bearing_resume: (a folder's name is one word without blanks, not '\S+ b/restart'"
         r"|the folder's name '\S+' may not hold any of)",
     )
     assert not list(tmp_path.iterdir())

@@ -297,7 +297,7 @@ def test_two_runs_in_one_folder(tmp_path, host):
     out = tmp_path / "run"
     program, _ = HOSTS[host]
     deck = tmp_path / "in.waits"
-    deck.write_text(f"bearing_output {out}\nshell sleep 60\n")
+    deck.write_text(f"bearing_resume {out}/restart resume no\nshell sleep 60\n")
     words = [program, "-in", deck, "-log", "none"]
     first = subprocess.Popen(
         [str(w) for w in words],
@@ -315,7 +315,7 @@ def test_two_runs_in_one_folder(tmp_path, host):
         for resume in ("no", "yes"):
             refused(
                 liggghts("inputs/in.6208", out=out, resume=resume, **SHORT),
-                rf"bearing_output: output folder '{out}' is in use: process \d+ on"
+                rf"bearing_resume: output folder '{out}' is in use: process \d+ on"
                 rf" {os.uname().nodename} writes there",
             )
         assert first.poll() is None
@@ -324,6 +324,6 @@ def test_two_runs_in_one_folder(tmp_path, host):
         first.wait()
     assert (out / ".writer").exists()
     once = tmp_path / "in.once"
-    once.write_text(f"bearing_output {out}\nbearing_output {out}\n")
+    once.write_text(f"bearing_resume {out}/restart resume no\n" * 2)
     assert run(once, host=host).code == 0
     assert not (out / ".writer").exists()

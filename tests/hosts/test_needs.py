@@ -145,7 +145,7 @@ def test_mistakes(tmp_path, monkeypatch, capsys):
         (["-var", "load", "5 6"], "must be one word or number"),
         (["--keep", "drags"], "--keep drags: there is:"),
         (["--program", "nowhere/x"], "there is no program 'nowhere/x'"),
-        (["-var", "load", "1e9"], "the scene with every part of the model: bearing_range: load"),
+        (["-var", "load", "1e9"], "the scene with every part of the model: bearing: load"),
     ):
         assert main(["needs", "inputs/in.6208", *more, "--out", str(tmp_path)]) == 1, more
         assert says in capsys.readouterr().err, more

@@ -1,17 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""A deck that includes the main deck has its own variables: what modules define for themselves
+"""A deck that includes the main deck has its own variables: what the deck and its bearing define
 carries the prefix b_."""
 
 import re
 
 import pytest
-from host import ROOT, succeed
-from raceway import data_table, inputs
+from host import QUICK, ROOT, succeed
 
-INPUTS = ROOT / "inputs"
 OWN = """x y z vx vy vz fx fy fz mx my mz n every dt new half omega spin pitch skin wanted now
 format step_length capacitance settings steps row types loaded""".split()
-SHORT = {"passes": 1, "samples": 20, "rpm": 20000, "dumps": "yes"}
+SHORT = {**QUICK, "passes": 1, "samples": 20, "rpm": 20000, "dumps": "yes"}
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
@@ -31,26 +29,10 @@ def test_deck_with_variables_of_its_own(tmp_path, host, integrator):
         assert (plain / name).read_bytes() == (tmp_path / "run" / name).read_bytes()
 
 
-def variables(folder):
-    """{name: styles} of the `variable` commands in the files of a folder and in the rows that
-    stand for files."""
-    found = {}
-    for path in data_table.names(INPUTS / folder):
-        for name, style in re.findall(
-            r"variable (\w+)\s+(\w+)", inputs.text(INPUTS / folder / path)
-        ):
-            found.setdefault(name, set()).add(style)
-    return found
-
-
 def test_prefix():
-    """Without it stand what a user may give with -var, and numbers of bearings and lubricants that
-    follow from other data."""
-    page = (ROOT / "docs" / "main_deck.rst").read_text()
-    data = set(variables("bearings")) | set(variables("lubricants"))
-    for folder in ("modules", "integrators"):
-        for name, styles in variables(folder).items():
-            if name.startswith("b_") or name in variables("models"):
-                continue
-            assert styles == {"index"}, name
-            assert name in data or f"``{name}``" in page, name
+    """Variables that the main deck sets for itself have the prefix b_, so that no -var meets
+    them."""
+    own = re.findall(
+        r"^variable (\w+) +(?! |index)", (ROOT / "inputs" / "in.6208").read_text(), re.M
+    )
+    assert own and all(name.startswith("b_") for name in own)

@@ -5,7 +5,7 @@ import re
 
 import pytest
 import raceway
-from host import liggghts, succeed
+from host import QUICK, liggghts, succeed
 
 SHORT = {"passes": 4, "samples": 200, "rpm": 20000}
 HEAD = ["done", "%", "left", "s", "step", "time", "s", "ring", "um", "loaded", "load", "N"]
@@ -53,6 +53,6 @@ def test_settling_with_verlet_is_one_table(tmp_path):
 def test_needs_its_compute(tmp_path):
     deck = tmp_path / "in.deck"
     deck.write_text("include inputs/in.6208\nfix more all bearing/progress 10 nothing\nrun 0\n")
-    failed = liggghts(deck, out=tmp_path / "run", **{**SHORT, "passes": 1})
+    failed = liggghts(deck, out=tmp_path / "run", **{**SHORT, **QUICK, "passes": 1})
     assert failed.code != 0
     assert "fix more bearing/progress: there is no compute bearing/total 'nothing'" in failed.error

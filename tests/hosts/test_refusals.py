@@ -128,7 +128,7 @@ def test_resume(tmp_path):
     """With fewer passes than there are; in another host."""
     assert run("inputs/in.6208", out=tmp_path, **SHORT | {"passes": 2}).code == 0
     for host, message in {
-        "liggghts": "the run to resume has got farther: give more passes",
+        "liggghts": "farther than these passes",
         "lammps": "LIGGGHTS and LAMMPS cannot continue each other's runs",
     }.items():
         end = run("inputs/in.6208", host=host, out=tmp_path, resume="yes", **SHORT)
@@ -137,7 +137,10 @@ def test_resume(tmp_path):
 
 def test_tolerance_that_is_no_number(tmp_path):
     end = run("inputs/in.6208", out=tmp_path, tolerance="small", **SHORT)
-    assert end.code != 0 and "tolerance must be a number, not 'small'" in end.error, end.text
+    assert (
+        end.code != 0
+        and "tolerance (m) must be a number like 5000 or 5.0e3, not 'small'" in end.error
+    ), end.text
 
 
 def test_cage_whose_rails_are_taken_away(tmp_path):

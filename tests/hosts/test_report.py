@@ -132,7 +132,7 @@ def test_command_repeats_the_run(folder, tmp_path):
 def test_page_of_a_sweep(sweep):
     page = Parsed((sweep / "page.html").read_text())
     assert "4 points, 3 finished" in page.text
-    assert "bearing_range: load is 1e+09" in page.text
+    assert "bearing: load (N) is 1e+09" in page.text
     (chart,) = page.data.values()
     assert chart["table"]["load"] == [1000, 2000, 4000] and chart["x"] == "load"
     assert chart["table"]["capacitance_F"][1] is None  # dry

@@ -81,7 +81,7 @@ def test_sweep(table, tmp_path, counter):
     done = sweep(table, "--out", out, "--program", counter)
     assert done.returncode == 1 and "Traceback" not in done.stderr
     assert "3 finished, 1 failed" in done.stdout
-    assert "bearing_range: load is 2e+07, must be from 0.001 to 1e+06" in done.stderr
+    assert "bearing: load (N) is 2e+07, must be from 0.001 to 1e+06" in done.stderr
     results = pd.read_csv(out / "results.csv")
     # sorted by load, then speed
     assert list(results["status"]) == ["finished", "finished", "finished", "failed"]
@@ -94,7 +94,9 @@ def test_sweep(table, tmp_path, counter):
     assert set(figures) - {"losses_W", "model_ranges", "absent"} | losses <= set(results.columns)
     assert one["q_max_N"] == pytest.approx(figures["q_max_N"], rel=1e-15)
     # the run is the one that the deck makes by itself
-    succeed("inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20)
+    succeed(
+        "inputs/in.6208", out=tmp_path / "alone", passes=1, samples=20, models=None, settle=None
+    )
     assert (out / one.name / "record.nc").read_bytes() == (
         tmp_path / "alone" / "record.nc"
     ).read_bytes()
@@ -326,7 +328,9 @@ def test_run_scripts(tmp_path, script, tasks):
         check=False,
     )
     assert resumed.returncode == 0 and "Going on from" in resumed.stdout
-    succeed("inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100)
+    succeed(
+        "inputs/in.6208", out=tmp_path / "alone", passes=30, samples=100, models=None, settle=None
+    )
     assert (out / "record.nc").read_bytes() == (tmp_path / "alone" / "record.nc").read_bytes()
     finished = subprocess.run(
         command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False
@@ -369,6 +373,8 @@ def test_partition_deck(tmp_path):
             passes=1,
             samples=50,
             overwrite="yes",
+            models=None,
+            settle=None,
         )
         assert (tmp_path / "together" / str(number) / "record.nc").read_bytes() == (
             tmp_path / "alone" / "record.nc"

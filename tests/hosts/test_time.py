@@ -48,7 +48,7 @@ def test_time_goes_on(host, tmp_path):
     assert whole[0] == pytest.approx(1000 * STEP, rel=1e-12)
     assert whole[4] == pytest.approx(50 * (1 + 100 * whole[0]), rel=1e-9)
     near = {"rtol": 1e-9, "atol": 1e-10}  # forces of a new step number are computed anew
-    for seam in ("reset_timestep 0\n", "reset_timestep 40000\n", "bearing_step 7\n"):
+    for seam in ("reset_timestep 0\n", "reset_timestep 40000\n"):
         np.testing.assert_allclose(end(tmp_path, host, begin, seam, RUN), whole, **near)
     end(tmp_path, host, begin, f"write_restart {tmp_path}/kept\n")
     read = (

@@ -79,7 +79,8 @@ def test_mistakes(tmp_path, host):
         ({"without": "spin", "models": "film"}, "there is: gap film_branch inlet_shear"),
         ({"without": "spin", "models": "paper"}, "there is no part 'spin' to leave out"),
         ({"without": "drag", "lubricant": "dry"}, "there is: rolling_hysteresis spin"),
-        ({"cage": "none"}, "bearing_range: cage is 'none', must be"),
+        ({"without": "differential_slip", "spin_law": "slices"}, "spin_law slices is a law of"),
+        ({"cage": "none"}, "bearing: cage is 'none', must be"),
     ):
         done = run("inputs/in.6208", host=host, out=tmp_path / "run", **{**SCENE, **words})
         assert done.code != 0 and says in done.error, (words, done.error)
@@ -89,7 +90,7 @@ def test_models_of_ones_own(tmp_path):
     """They need no parts; then there is none to leave out."""
     inputs = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", inputs)
-    (inputs / "models" / "mine").write_text('variable film_law string "friction constant 0.07"\n')
+    (inputs / "models" / "mine").write_text("friction constant 0.07\n")
     words = {**SCENE, "inputs": inputs, "models": "mine", "out": tmp_path / "run"}
     succeed("inputs/in.6208", **words)
     assert "friction constant 0.07" in commands(tmp_path / "run")

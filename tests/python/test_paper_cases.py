@@ -32,6 +32,8 @@ def tree(tmp_path, monkeypatch):
     """A source tree with a plan of three cases and a program that is a script."""
     for folder in ("bearings", "lubricants"):
         shutil.copytree(ROOT / "inputs" / folder, tmp_path / "inputs" / folder)
+    for deck in ("in.6208", "in.axial"):
+        shutil.copy(ROOT / "inputs" / deck, tmp_path / "inputs")
     (tmp_path / "inputs/paper").mkdir()
     (tmp_path / "inputs/paper/cases.yaml").write_text(PLAN)
     (tmp_path / "build").mkdir()
@@ -59,6 +61,8 @@ def test_names_become_the_decks(tree):
     plan = cases.plan(tree)
     few, free = plan.cases["few"], plan.cases["free"][0]
     assert [dict(case.settings)["load"] for case in few] == ["1000", "2000"]
+    assert all(("models", "paper") in case.settings for case in few)
+    assert all(("settle", "1") in case.settings for case in few)
     # rad/s, U_r = omega r_pitch (1 - gamma^2)/2
     spin = 2 * 0.41 / (30.3e-3 * (1 - (6.3 / 30.3) ** 2))
     # 12 digits are given
@@ -67,7 +71,6 @@ def test_names_become_the_decks(tree):
     assert dict(free.settings) == {
         "clearance": "4.41e-05",
         "inner_groove": "0.006804",
-        "models": "paper",
         "outer_groove": "0.006804",
     }
 

@@ -20,7 +20,7 @@ import xarray as xr
 from scipy.io import netcdf_file
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from host import ENVIRONMENT, HOSTS, ROOT, succeed  # noqa: E402
+from host import ENVIRONMENT, HOSTS, QUICK, ROOT, succeed  # noqa: E402
 
 READERS, KILLS = 60, 12
 CASE = {"passes": 600, "samples": 100, "within": 5}
@@ -29,7 +29,7 @@ CASE = {"passes": 600, "samples": 100, "within": 5}
 def start(folder):
     """The main deck, several seconds of it."""
     words = [HOSTS["liggghts"][0], "-in", "inputs/in.6208", "-log", "none", "-var", "out", folder]
-    for name, value in CASE.items():
+    for name, value in {**QUICK, **CASE}.items():
         words += ["-var", name, str(value)]
     return subprocess.Popen(
         [str(word) for word in words],

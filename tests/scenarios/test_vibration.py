@@ -113,10 +113,10 @@ def test_a_held_ring_is_no_sensor(tmp_path):
 @pytest.mark.parametrize(
     "words, says",
     [
-        ({"samples": 100}, "integrator vibration samples at -var sampling (Hz)"),
+        ({"integrator": "implicit", "sampling": 10000}, "sampling is of bearing/vibration"),
         ({"sampling": 10}, "sampling (Hz)"),
         ({"oversampling": 1.5}, "oversampling"),
-        ({"housing": "rubber"}, "there is no 'rubber' in folder inputs/housings"),
+        ({"housing": "rubber"}, "housing is 'rubber', must be one of none, springs"),
         ({"housing": "springs", "housing_damping": 2}, "housing_damping"),
         ({"housing": "springs", "housing_mass": 0}, "housing_mass (kg)"),
     ],

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """A data file, `variable NAME index VALUE # comment`, its numbers within the ranges by which the
-decks check them: the tables of inputs/variables."""
+decks check them (`sweeps.variable_table`)."""
 
 import math
 import re
-import shlex
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -13,11 +12,10 @@ from typing import NamedTuple
 from raceway import data_table
 from raceway.errors import InputError
 from raceway.files import FilePath
+from raceway.sweeps import variable_table
 
 LINE = re.compile(r"\s*variable\s+(\w+)\s+index\s+(\S+)")
 REMARK = re.compile(r"\s*variable\s+(\w+)\s+index\s+\S+\s*#\s*(.*\S)")
-SHIPPED = Path(__file__).with_name("data") / "variables"
-TABLES = ("bearing", "usual_data", "contacts", "lubricant")
 
 
 class Range(NamedTuple):
@@ -98,15 +96,11 @@ def check(path: FilePath, numbers: Mapping[str, float]) -> None:
 def ranges() -> dict[str, Range]:
     """The `Range` of each variable that has one."""
     found: dict[str, Range] = {}
-    for table in TABLES:
-        for line in (SHIPPED / table).read_text().splitlines():
-            words = shlex.split(line, comments=True)
-            if "range" not in words:
-                continue
-            at = words.index("range")
-            more = dict(zip(words[at:], words[at + 1 :]))
-            unit = words[words.index("unit") + 1] if "unit" in words else ""
-            low, high = map(float, words[at + 1 : at + 3])
-            beside = float(more.get("or", "nan"))
-            found[words[1]] = Range(low, high, "whole" in words, beside, unit)
+    for row in variable_table.rows():
+        words = row["range"].split()
+        if not words or words[0] == "one_of":
+            continue
+        beside = float(words[words.index("or") + 1]) if "or" in words else math.nan
+        low, high = map(float, words[:2])
+        found.setdefault(row["name"], Range(low, high, "whole" in words, beside, row["unit"]))
     return found

@@ -44,7 +44,9 @@ void Arguments::take_variables()
   words_.erase(at, words_.end());
   if (names.empty()) fail("'vars' without a name of a variable");
   for (const std::string &name : names) {
-    if (!find_deck_variable(name, taker(command_))) {
+    const DeckVariable *const entry = find_deck_variable(name);
+    const bool ours = find_deck_variable(name, taker(command_));
+    if (!entry) {
       std::string known;
       for (const DeckVariable &v : deck_variables())
         if (v.taken_by(taker(command_))) known += (known.empty() ? "" : ", ") + std::string(v.name);
@@ -52,6 +54,8 @@ void Arguments::take_variables()
     }
     const std::optional<std::string> value = host_variable(lmp_, name);
     if (!value) continue;
+    // a line with a style by variable has the words of all its styles
+    if (!ours) fail("variable " + name + " is of " + entry->of + ": leave it out here");
     words_.push_back(name);
     std::istringstream in(*value);
     for (std::string word; in >> std::quoted(word);) words_.push_back(word);

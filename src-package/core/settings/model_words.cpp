@@ -78,6 +78,9 @@ std::string full_words(const ModelChoice &of, const Choice &with, const OilWords
   std::string slip = of.spin_law == "slices" ? "slices 1.0e-4 " + with.share("spin")
                                              : "heathcote 1.0e-4 spin " + with.share("spin");
   const std::string hysteresis = " rolling_hysteresis " + with.share("rolling_hysteresis", 0.01);
+  if (of.spin_law == "slices" && oil && !with.has("differential_slip"))
+    throw DataError("spin_law slices is a law of differential_slip: leave the part in, or take "
+                    "spin_law closed");
   if (!oil) return "friction constant 0.1 " + slip + hysteresis;
   if (!with.has("differential_slip")) slip = "smoothed 0.01";
   const double starved = with.has("starvation"),

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from raceway.commands import Commands, electric_run, options
 from raceway.commands.quantity import each, number, takes_negative
-from raceway.theory.models import CAPACITANCE, PAPER
+from raceway.theory.models import CAPACITANCE
 
 HELP = "capacitance with everything that carries it, breakdown and impedance from theory"
 DESCRIPTION = """\
@@ -108,7 +108,7 @@ def _operating_point(one):
         help="along z, newtons (0)",
     )
     options.models(
-        point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as the publication", PAPER
+        point, CAPACITANCE, "full: film in the gap, inlet shear; paper: as the publication"
     )
 
 

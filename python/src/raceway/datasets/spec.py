@@ -37,6 +37,8 @@ RANGES = {  # m, except for the place
     "amplitude": (1e-10, 1e-5),
     "place": (0, 12),  # o'clock
 }
+# where the file says nothing: signals of the paper's model, which damps contacts least
+USUAL = {"housing": "springs", "models": "paper", "settle": "1"}
 SET_HERE = {
     **OURS,
     **dict.fromkeys(("flaw_inner", "flaw_outer", "flaw_ball", "flawed_ball"), "`flaws` says it"),
@@ -126,7 +128,7 @@ def _spec(data, known):
     return Spec(
         title=str(data["title"]),
         bearing=_word("bearing", data["bearing"]),
-        deck={"housing": "springs", **deck},
+        deck={name: v for name, v in USUAL.items() if name not in swept} | deck,
         flaws=_flaws(data["flaws"]),
         conditions=swept,
         seeds=seeds,

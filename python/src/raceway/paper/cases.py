@@ -13,11 +13,13 @@ import yaml
 
 from raceway import inputs
 from raceway.inputs import InputError
+from raceway.sweeps.points import deck_variables
 from raceway.theory import kinematics
 from raceway.theory.bearing import Bearing
 from raceway.theory.models import PAPER
 
 FILE = Path("inputs/paper/cases.yaml")
+OF_THE_PAPER = {"models": PAPER, "settle": 1}
 
 
 @dataclass(frozen=True)
@@ -81,7 +83,8 @@ def _combinations(settings):
 
 def _case(root, deck, given):
     """Turn entrainment, clearance_ratio and total_curvature into what the decks take."""
-    own = {"models": PAPER, **given}
+    known = deck_variables(root / deck)
+    own = {name: value for name, value in OF_THE_PAPER.items() if name in known} | given
     ours = {
         name: own.pop(name)
         for name in ("entrainment", "clearance_ratio", "total_curvature")

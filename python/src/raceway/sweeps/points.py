@@ -13,9 +13,7 @@ from raceway.errors import RacewayError
 from raceway.files import FilePath
 from raceway.sweeps import variable_table
 
-# in a deck, and in a table of inputs/variables, which has no default of those that it needs
-INDEX = re.compile(r"^\s*variable\s+(\w+)\s+(?:index\s+(\S+)|needed\b)", re.MULTILINE)
-TABLE = re.compile(r"/variables/(\w+)")
+INDEX = re.compile(r"^\s*variable\s+(\w+)\s+index\s+(\S+)", re.MULTILINE)
 # variables that a command takes if they exist, the command that reads a bearing's data, and a deck
 # in the folder of this one
 VARS = re.compile(r"^(?!\s*#)(?:[^#\n]|&\n)*?\bvars ((?:\w+[ \t]*)+)", re.MULTILINE)
@@ -49,15 +47,11 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
     """Names (in order) and defaults of the variables a user may set: the `variable NAME index`
     lines of the deck at path `deck` and of the decks that it includes, and the words after `vars`
     in its commands, with the defaults of the commands that take them (`variables.json`, which C++
-    writes). Decks with modules: also those of the modules, integrators, housings and tables in the
-    same folder. A default that comes from data files is empty. Raises `TableError` if the deck
-    cannot be read.
+    writes). A default that comes from data files is empty. Raises `TableError` if the deck cannot
+    be read.
     """
-    deck = Path(deck)
     found: dict[str, str] = {}
-    tables = _add_variables(found, deck)
-    if re.search(r"^include \S*/modules/", deck.read_text(), re.MULTILINE):
-        _add_modules(found, deck, tables)
+    _add_variables(found, Path(deck))
     if not found:
         raise TableError(
             f"{deck} has no line 'variable NAME index VALUE': there is nothing to vary"
@@ -65,24 +59,8 @@ def deck_variables(deck: FilePath) -> dict[str, str]:
     return found
 
 
-def _add_modules(found, deck, tables):
-    for folder, choice in (
-        ("modules", None),
-        ("integrators", "integrator"),
-        ("housings", "housing"),
-    ):
-        taken = found.get(choice or "")
-        paths = sorted((deck.parent / folder).glob("*"), key=lambda p: (p.name != taken, p.name))
-        for path in paths:
-            tables += _add_variables(found, path)
-    for name in dict.fromkeys(tables):
-        table = deck.parent / "variables" / name
-        if table.is_file():  # a deck elsewhere has its modules elsewhere, too
-            _add_variables(found, table)
-
-
 def _add_variables(found, path):
-    """Adds the variables of a file to `found`; returns the names of the tables in it."""
+    """Adds the variables of a file to `found`."""
     try:
         text = path.read_text()
     except (OSError, UnicodeDecodeError) as error:
@@ -90,8 +68,7 @@ def _add_variables(found, path):
             f"cannot read deck {path}: {getattr(error, 'strerror', None) or error}"
         ) from None
     for name, default in INDEX.findall(text):
-        if not name.startswith("b_"):  # internal to the modules
-            found.setdefault(name, default)
+        found.setdefault(name, default)
     for name in " ".join(VARS.findall(text)).split():
         found.setdefault(name, variable_table.default(name))
     if BEARING.search(text):
@@ -104,7 +81,6 @@ def _add_variables(found, path):
         own = dict(found)
         found.clear()
         found.update(ordered | own)
-    return TABLE.findall(text)
 
 
 def read_points(table: FilePath, variables: Mapping[str, str]) -> list[Point]:

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "named_cage.h"
+
+#include "../core/settings/deck_variable_table.h"
+#include "../core/settings/written.h"
+#include "fix_bearing_ring.h"
+#include "fixes.h"
+#include "pair_bearing.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+
+namespace bearing {
+
+std::vector<std::string> cage_words(LAMMPS *lmp, Arguments &args, const NamedBearing &b)
+{
+  std::map<std::string, std::string> words;
+  std::string known;
+  for (const DeckVariable &v : deck_variables())
+    if (v.taken_by("bearing/cage/ring")) {
+      words[v.name] = v.initial;
+      known += (known.empty() ? "" : ", ") + std::string(v.name);
+    }
+  while (args.more()) {
+    if (!words.count(args.next())) args.unknown(known);
+    const std::string key = args.word("keyword");
+    words[key] = args.value_of(key.c_str());
+  }
+  if (!b.has_cage_ring)
+    args.fail("the cage of bearing " + b.name + " is no ring: give it 'cage ring'");
+  // rounded as a deck's formulas
+  const auto or_estimate = [&](const char *key, double estimate) {
+    const double given = std::atof(words[key].c_str());
+    return given != 0.0 ? given : written(estimate);
+  };
+  const double ball = b.number("ball_diameter"),
+               pitch = written(b.number("inner_radius") + b.number("outer_radius")),
+               play = or_estimate("cage_play", 0.025 * ball),
+               mass = or_estimate("cage_mass", 4060.0 * ball * ball * pitch),
+               inertia = written(0.25 * mass * pitch * pitch);
+  std::ostringstream line;
+  line << "pockets " << b.word("balls") << " play " << digits(play) << " across "
+       << digits(or_estimate("cage_across", play)) << " phase " << b.phase << " mass "
+       << digits(mass) << " inertia " << digits(inertia) << " "
+       << digits(0.5 * inertia + mass * ball * ball / 24.0) << " young " << b.word("ball_young")
+       << " " << words["cage_young"] << " poisson " << b.word("ball_poisson") << " "
+       << words["cage_poisson"] << " friction " << words["cage_friction"] << " guide "
+       << words["cage_guide"];
+  if (words["cage_guide"] != "balls")
+    line << " " << words["cage_land"] << " " << words["cage_clearance"] << " "
+         << words["cage_width"] << " 2";
+  const auto rings = fixes_of<FixBearingRing>(lmp);
+  const bool plane = std::none_of(rings.begin(), rings.end(), [](const FixBearingRing *ring) {
+    return ring->moves_axially() || ring->tilts();
+  });
+  line << " planar " << (plane ? "yes" : "no");
+  // oil over the usual wrap of a pocket
+  const auto *pair = dynamic_cast<const PairBearing *>(lmp->force->pair);
+  const std::string viscosity = pair ? pair->viscosity(b.name) : "";
+  if (!viscosity.empty())
+    line << " oil " << viscosity << " " << words["cage_filled"] << " " << digits(0.35 * ball);
+  std::istringstream in(line.str());
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+}    // namespace bearing
