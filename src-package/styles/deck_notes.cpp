@@ -89,15 +89,18 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, double within, At
   };
   if (const std::string again = variables_of(lmp, within); !again.empty())
     add("deck_variables", again);
-  add("lubricant", named->oil());
+  if (const std::string oil = named->oil(); !oil.empty()) add("lubricant", oil);
   add("integrator", integrator_of(lmp));
   add("models", named->models());
-  if (list.size() > 1) return;
   const NamedBearing &b = *list.front();
+  if (std::all_of(list.begin(), list.end(), [&](const NamedBearing *one) {
+        return one->word("bearing") == b.word("bearing");
+      }))
+    add("bearing", b.word("bearing"));
+  if (list.size() > 1) return;
   std::vector<std::string> given = b.given;
   given.insert(given.end(), named->given().begin(), named->given().end());
   add("given_data", given.empty() ? std::string("none") : joined(given, ","));
-  add("bearing", b.word("bearing"));
   add("contact_angle_deg", b.number("contact_angle"));
   add("inner_shoulder_diameter_m", b.number_or("inner_shoulder_diameter", 0.0));
   add("outer_shoulder_diameter_m", b.number_or("outer_shoulder_diameter", 0.0));

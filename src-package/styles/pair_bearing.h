@@ -26,9 +26,10 @@ class PairBearing : public PairBearingHertz {
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
-  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves.
+  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves. The
+  // first speed counts.
   void set_speed(const std::string &bearing, double);
-  const std::string &oil() const { return oil_name_; }
+  std::string oil() const;    // of all bearings; empty if they have several
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE
