@@ -64,7 +64,8 @@ std::string variables_of(LAMMPS *lmp, double within)
                of_sampling = name == "sampling" || name == "oversampling",
                angle = name == "contact_angle" || name == "four_point";
     const std::optional<std::string> given = host_variable(lmp, name);
-    if ((data && !angle) || (of_sampling && !vibration) || (angle && !given)) continue;
+    if (v.of_one_deck() || (data && !angle) || (of_sampling && !vibration) || (angle && !given))
+      continue;
     if (std::find(others.begin(), others.end(), name) != others.end()) continue;
     const auto at = own.find(name);
     const std::string value = at != own.end() ? at->second : given.value_or(v.initial);
