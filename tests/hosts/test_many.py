@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 import raceway
 from host import BOX, frames, liggghts, succeed
+from scipy.io import netcdf_file
 
 DECK = "tests/hosts/in.many_bits"
 ATOMS = 20  # of a bearing
@@ -46,6 +47,12 @@ def table(folder, ring):
         assert len(mine) == 1
         found[step] = mine[0]
     return found
+
+
+def variables(folder):
+    """{name: bytes} of the variables of a record."""
+    with netcdf_file(folder / "record.nc", mmap=False) as file:
+        return {name: one.data.tobytes() for name, one in file.variables.items()}
 
 
 def atoms(folder, ring):
@@ -89,6 +96,19 @@ def test_ranks(scene, ranks, tmp_path):
     for name in ("bearings.dump", "last.dump"):
         assert frames(tmp_path / name) == frames(folder / name)
     assert (tmp_path / "record.nc").read_bytes() == (folder / "record.nc").read_bytes()
+
+
+@pytest.mark.parametrize("host, ranks", [("lammps", 1), ("wheel", 2)])
+def test_hosts(tmp_path, host, ranks):
+    """The same rows of the table, and the same samples of the record, in every host."""
+    words = {"bearings": 4, "columns": 2, "time": 2e-3, "record": "all"}
+    for folder, where in (("one", {}), ("other", dict(host=host, ranks=ranks))):
+        succeed("inputs/in.many", out=tmp_path / folder, **where, **words)
+    assert (tmp_path / "one/fleet.txt").read_text() == (tmp_path / "other/fleet.txt").read_text()
+    one, other = (frames(tmp_path / folder / "bearings.dump") for folder in ("one", "other"))
+    assert one == other
+    one, other = (variables(tmp_path / folder) for folder in ("one", "other"))
+    assert one == other and "ring_x" in one
 
 
 @pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
