@@ -30,7 +30,7 @@ FILM_ONLY = (
     "dump ",
     "dump_modify ",
     "variable out ",
-    "bearing_output ",
+    "shell mkdir ",
 )
 MAIN = Path("build/run/6208")
 APART = ("tutorial.rst", "sweep.rst", "gallery.rst")  # they make the main run, or need none

@@ -83,9 +83,17 @@ std::error_code collect_folder(const std::string &folder, Names &names)
   return ec;
 }
 
+static std::string link_of(FILE *file) { return "/proc/self/fd/" + std::to_string(fileno(file)); }
+
+std::string deck_name(FILE *infile)
+{
+  std::error_code ec;
+  return infile ? fs::read_symlink(link_of(infile), ec).filename().string() : "";
+}
+
 void collect_deck(FILE *infile, Names &names)
 {
-  if (infile) collect("/proc/self/fd/" + std::to_string(fileno(infile)), names);
+  if (infile) collect(link_of(infile), names);
   for (const std::string &deck : words_after("-in", "-i")) collect(deck, names);
 }
 

@@ -25,6 +25,9 @@ bool collect(const std::filesystem::path &, Names &);
 // Collects them from all files and tables in a folder; returns the error if it cannot be read.
 std::error_code collect_folder(const std::string &folder, Names &);
 
+// Name of the file that the host reads; empty for the standard input
+std::string deck_name(FILE *infile);
+
 // Adds those of the deck that the host reads, `infile` or null, and of decks that include it.
 void collect_deck(FILE *infile, Names &);
 

@@ -5,7 +5,6 @@
 
 #include "../styles/bearing_case.h"
 #include "../styles/bearing_derive.h"
-#include "../styles/bearing_fleet.h"
 #include "../styles/bearing_resume.h"
 #include "../styles/compute_bearing_ball.h"
 #include "../styles/compute_bearing_contact.h"
@@ -78,7 +77,6 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template command<RunBearing>("run_bearing");
   add.template command<BearingCase>("bearing_case");
   add.template command<BearingDerive>("bearing_derive");
-  add.template command<BearingFleet>("bearing_fleet");
   add.template command<BearingVariables>("bearing_variables");
   add.template command<BearingGiven>("bearing_given");
   add.template command<BearingForget>("bearing_forget");

@@ -19,7 +19,8 @@ using bearing::text;
 // [cage_density RHO]
 //   [centre x y z] [phase PHI] [speed W_i W_o] [seat none|plus|minus] [thrust F] [cage_ring TYPE]
 //   [groups yes|no] [resumed yes|no]
-// or: create_bearing NAME [speed W_i W_o] [thrust F] [centre x y z] [phase PHI], of a named bearing
+// or: create_bearing NAME [speed W_i W_o] [thrust F] [centre x y z] [phase PHI] [groups yes|no], of
+// a named bearing
 void CreateBearing::command(int narg, char **arg)
 {
   Arguments args(lmp, "create_bearing", narg, arg, 0);
@@ -34,6 +35,7 @@ void CreateBearing::command_named(Arguments &args)
   auto *pair = dynamic_cast<PairBearing *>(force->pair);
   if (!pair) args.fail("bearing " + b.name + " needs pair_style bearing before it");
   double speed[2] = {0.0, 0.0}, thrust = 0.0;
+  bool groups = true;
   std::string more;
   while (args.more()) {
     if (args.take("speed"))
@@ -42,10 +44,11 @@ void CreateBearing::command_named(Arguments &args)
         w = args.number("speed of a ring (rad/s)");
       }
     else if (args.take("thrust")) thrust = args.number("thrust (N)");
+    else if (args.take("groups")) groups = args.choice("groups", {"no", "yes"}) == 1;
     else if (args.take("phase")) more += " phase " + (b.phase = args.value_of("phase"));
     else if (args.take("centre"))
       for (int k = 0; k < 3; ++k) more += (k ? " " : " centre ") + args.word("centre (m)");
-    else args.unknown("speed, thrust, phase, centre");
+    else args.unknown("speed, thrust, phase, centre, groups");
   }
   pair->set_speed(b.name, speed[0] - speed[1]);
   more += " thrust " + bearing::digits(thrust);
@@ -58,7 +61,8 @@ void CreateBearing::command_named(Arguments &args)
       std::to_string(b.balls) + " " + (b.has_cage ? std::to_string(b.cage) : "none") + " " +
       std::to_string(b.inner) + " " + std::to_string(b.outer) + " balls " + b.word("balls") +
       " diameter " + b.word("ball_diameter") + " density " + b.word("ball_density") + more +
-      " seat " + seat + " groups yes resumed " + (resumed ? "yes" : "no") +
+      " seat " + seat + " groups " + (groups ? "yes" : "no") + " resumed " +
+      (resumed ? "yes" : "no") +
       (b.has_cage        ? " cage " + b.word("cage_ball_diameter")
        : b.has_cage_ring ? " cage_ring " + std::to_string(b.cage)
                          : "");
@@ -67,7 +71,7 @@ void CreateBearing::command_named(Arguments &args)
   for (std::string word; in >> word;) words.push_back(word);
   Arguments own(lmp, "create_bearing " + b.name, words);
   create(own);
-  if (!b.has_cage) input->one(("group cage type " + std::to_string(b.cage)).c_str());
+  if (!b.has_cage && groups) input->one(("group cage type " + std::to_string(b.cage)).c_str());
 }
 
 void CreateBearing::create(Arguments &args)

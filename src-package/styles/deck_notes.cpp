@@ -66,7 +66,8 @@ std::string variables_of(LAMMPS *lmp, double within)
     const std::optional<std::string> given = host_variable(lmp, name);
     if (v.taken_by("bearing/cage/ring") && host_variable(lmp, "cage").value_or("") != "ring")
       continue;
-    if ((data && !angle) || (of_sampling && !vibration) || (angle && !given)) continue;
+    if (v.of_one_deck() || (data && !angle) || (of_sampling && !vibration) || (angle && !given))
+      continue;
     if (std::find(others.begin(), others.end(), name) != others.end()) continue;
     const auto at = own.find(name);
     const std::string value = at != own.end() ? at->second : given.value_or(v.initial);
@@ -106,15 +107,18 @@ void add_deck_notes(LAMMPS *lmp, const PairBearingHertz &pair, double within, At
   };
   if (const std::string again = variables_of(lmp, within); !again.empty())
     add("deck_variables", again);
-  add("lubricant", named->oil());
+  if (const std::string oil = named->oil(); !oil.empty()) add("lubricant", oil);
   add("integrator", integrator_of(lmp));
   add("models", named->models());
-  if (list.size() > 1) return;
   const NamedBearing &b = *list.front();
+  if (std::all_of(list.begin(), list.end(), [&](const NamedBearing *one) {
+        return one->word("bearing") == b.word("bearing");
+      }))
+    add("bearing", b.word("bearing"));
+  if (list.size() > 1) return;
   std::vector<std::string> given = b.given;
   given.insert(given.end(), named->given().begin(), named->given().end());
   add("given_data", given.empty() ? std::string("none") : joined(given, ","));
-  add("bearing", b.word("bearing"));
   add("contact_angle_deg", b.number("contact_angle"));
   add("inner_shoulder_diameter_m", b.number_or("inner_shoulder_diameter", 0.0));
   add("outer_shoulder_diameter_m", b.number_or("outer_shoulder_diameter", 0.0));

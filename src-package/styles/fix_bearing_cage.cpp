@@ -58,12 +58,25 @@ FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
   }
 }
 
+// The bearing with a name whose ring carries the rails; null without one
+const bearing::NamedBearing *FixBearingCage::named() const
+{
+  for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
+    if (b->in_use && (b->inner == ring_type_ || b->outer == ring_type_)) return b;
+  return nullptr;
+}
+
+// An atom of the group; with named bearings a cage ball of the one that has the ring
+bool FixBearingCage::holds(int i) const
+{
+  return (atom->mask[i] & groupbit) && (cage_type_ == 0 || atom->type[i] == cage_type_);
+}
+
 // False for the bearing of a deck that leaves its cage out by a word.
 bool FixBearingCage::expected() const
 {
-  for (const bearing::NamedBearing *b : bearing::bearings_of(lmp))
-    if (b->in_use && (b->inner == ring_type_ || b->outer == ring_type_)) return b->has_cage;
-  return true;
+  const bearing::NamedBearing *const b = named();
+  return !b || b->has_cage;
 }
 
 int FixBearingCage::setmask() { return PRE_NEIGHBOR | PRE_FORCE; }
@@ -71,10 +84,12 @@ int FixBearingCage::setmask() { return PRE_NEIGHBOR | PRE_FORCE; }
 void FixBearingCage::init()
 {
   pair_ = PairBearingHertz::find(lmp, "fix bearing/cage");
+  const bearing::NamedBearing *const b = named();
+  cage_type_ = b ? b->cage : 0;
   // one radius and one pitch circle for the whole cage, as in create_bearing
   double radius = 0.0;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (atom->mask[i] & groupbit) radius = std::max(radius, atom->radius[i]);
+    if (holds(i)) radius = std::max(radius, atom->radius[i]);
   MPI_Allreduce(MPI_IN_PLACE, &radius, 1, MPI_DOUBLE, MPI_MAX, world);
   if (radius == 0.0 && !expected()) return;
   if (radius == 0.0)
@@ -121,7 +136,7 @@ void FixBearingCage::find_balls()
   const double reach = 2.0 * pitch_;
   const int axis = pair_->coefficients().axis_index();
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (!(atom->mask[i] & groupbit)) continue;
+    if (!holds(i)) continue;
     int nearest = -1;
     double best = HUGE_VAL;
     auto j = std::lower_bound(rings.begin(), rings.end(), x[i][along] - reach,

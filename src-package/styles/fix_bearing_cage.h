@@ -12,6 +12,10 @@ FixStyle(bearing/cage,FixBearingCage)
 
 #include <vector>
 
+namespace bearing {
+struct NamedBearing;
+}
+
 namespace LAMMPS_NS {
 
 class PairBearingHertz;
@@ -31,11 +35,14 @@ class FixBearingCage : public Fix {
   const bearing::CageRails &rails() const { return cage_; }
 
  private:
+  const bearing::NamedBearing *named() const;
   bool expected() const;
+  bool holds(int i) const;
   void find_balls();
 
   PairBearingHertz *pair_;
   int ring_type_ = 0;
+  int cage_type_ = 0;    // of the balls on the rails; 0: all of the group
   bearing::CageRails cage_;
   double tube_ = 1e-3, gap_ = 0.0;
   double young_[2] = {3.3e9, 3.3e9}, poisson_[2] = {0.41, 0.41};    // PA66 on PA66

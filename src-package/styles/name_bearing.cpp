@@ -79,6 +79,7 @@ void NameBearing::refuse_unknown(const Arguments &args, const std::string &input
     // variables of later commands: out of range before anything runs
     for (const std::string &name : deck) {
       const bearing::DeckVariable *of = bearing::find_deck_variable(name);
+      if (of && of->of_one_deck() && !of->taken_by(bearing::deck_name(infile))) continue;
       const auto value = of && complaint.empty() ? bearing::host_variable(lmp, name) : std::nullopt;
       if (value) complaint = bearing::wrong_value(*of, *value);
     }

@@ -100,7 +100,8 @@ bearing::OilWords PairBearing::read_oil(const Arguments &args, const std::string
   return oil.values;
 }
 
-// pair_coeff * * NAME [oil NAME [temperature T]] [spheres printed] [keywords of its raceways]
+// pair_coeff * * NAME [oil NAME [temperature T]] [speed W] [spheres printed] [keywords of its
+// raceways]
 void PairBearing::coeff(int narg, char **arg)
 {
   const bool named = narg > 2 && strcmp(arg[0], "*") == 0 && strcmp(arg[1], "*") == 0;
@@ -119,6 +120,7 @@ void PairBearing::coeff(int narg, char **arg)
   while (args.more()) {
     if (args.take("oil")) own.oil = args.word("oil of inputs/lubricants, or a file");
     else if (args.take("temperature")) t = args.number_of("temperature");
+    else if (args.take("speed")) own.speed = args.number("speed of the rings (rad/s)");
     else if (args.take("spheres")) own.printed = args.choice("spheres", {"exact", "printed"}) == 1;
     else own.law += " " + args.word("keyword");
   }
@@ -190,7 +192,7 @@ void PairBearing::resolve(Coeff &of)
 void PairBearing::set_speed(const std::string &name, double speed)
 {
   for (Coeff &c : coeffs_)
-    if (c.bearing == name && c.speed != speed) {
+    if (c.bearing == name && c.speed == 0.0 && speed != 0.0) {
       c.speed = speed;
       resolve(c);
     }
@@ -201,6 +203,14 @@ std::string PairBearing::viscosity(const std::string &bearing) const
   for (const Coeff &c : coeffs_)
     if (c.bearing == bearing && c.data.count("viscosity")) return c.data.at("viscosity");
   return "";
+}
+
+std::string PairBearing::oil() const
+{
+  const std::string &first = coeffs_.empty() ? oil_name_ : coeffs_.front().oil;
+  const bool one =
+      std::all_of(coeffs_.begin(), coeffs_.end(), [&](const Coeff &c) { return c.oil == first; });
+  return one ? first : "";
 }
 
 double PairBearing::permittivity(int ball_type) const

@@ -26,11 +26,12 @@ class PairBearing : public PairBearingHertz {
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
-  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves.
+  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves. The
+  // first speed counts.
   void set_speed(const std::string &bearing, double);
-  const std::string &oil() const { return oil_name_; }
   // Viscosity of a bearing's oil at its temperature (Pa s), as text; empty when dry.
   std::string viscosity(const std::string &bearing) const;
+  std::string oil() const;    // of all bearings; empty if they have several
   const std::string &models() const { return choice_.models; }
   double temperature() const { return temperature_; }
   const std::vector<std::string> &given() const { return given_; }    // oil data, NAME=VALUE

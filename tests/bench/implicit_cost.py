@@ -28,10 +28,10 @@ PLAIN = "tolerance 1e-7 order"
 SCENES = [  # name, variables of in.implicit_cost, the scene it is held against (its number) or None
     (
         "dry: 9 balls, two raceways, friction, free ring; order 1",
-        dict(lubricant="dry", cage=0, control=f"{PLAIN} 1"),
+        dict(lubricant="dry", cage="no", control=f"{PLAIN} 1"),
         None,
     ),
-    ("+ film, film damping, Stribeck friction", dict(cage=0, control=f"{PLAIN} 1"), 0),
+    ("+ film, film damping, Stribeck friction", dict(cage="no", control=f"{PLAIN} 1"), 0),
     ("+ cage: 9 cage balls on two rails", dict(control=f"{PLAIN} 1"), 1),
     ("+ capacitance every step", dict(control=f"{PLAIN} 1", sample=1), 2),
     (

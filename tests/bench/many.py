@@ -35,7 +35,7 @@ INTEGRATORS = {
     "verlet": {"step": 4e-7, "steps": (400_000, 1000), "settle": 4e-4},
     "implicit": {"step": 2.5e-4, "steps": (70_000, 140), "settle": 2e-2},
 }
-ALIKE = {"fleet": "alike", "lubricant": "mineral", "kinds": 1}
+ALIKE = {"fleet": "alike", "lubricant": "mineral", "models": "paper", "record": "none"}
 RANKS = (100, 1000, 10_000)
 FLEETS = (10_000, 100_000, 1_000_000)
 LATENCY, BANDWIDTH = 2e-6, 1e10  # s, bytes/s: a usual cluster network; not measured here
@@ -76,6 +76,9 @@ def run(ranks, steps, folder, **variables):
         "-var",
         "ramp",
         settle / 4,
+        "-var",
+        "overwrite",
+        "yes",
     ]
     for name, value in variables.items():
         command += ["-var", name, value]
@@ -395,6 +398,8 @@ def main():
                 "sample": length,
                 "step": how["step"],
                 "ramp": length / 2,
+                "models": "paper",
+                "overwrite": "yes",
             }
             print(f"{integrator}: bits on 1, 2 and 4 ranks", flush=True)
             states = []

@@ -23,10 +23,10 @@ SCENES = [  # name, deck, variables, target ratio to the empty step
     (
         "dry: 9 balls, two raceways, friction, free ring",
         "in.cost",
-        {"lubricant": "dry", "cage": 0},
+        {"lubricant": "dry", "cage": "no"},
         5,
     ),
-    ("+ film, film damping, Stribeck friction", "in.cost", {"cage": 0}, None),
+    ("+ film, film damping, Stribeck friction", "in.cost", {"cage": "no"}, None),
     ("+ cage: 9 cage balls on two rails", "in.cost", {}, None),
     ("+ capacitance every 100 steps (everything)", "in.cost", {"sample": 100}, 7),
     ("stock: 9 balls between two smooth cylinders", "in.cylinder", {}, None),

@@ -48,7 +48,7 @@ def _world(scene, pose, cuts):
     half = 1.5 * scene["grooves"][1][0]
     box = " ".join(f"{c - half:.17g} {c + half:.17g}" for c in pose.centre)
     return [
-        "bearing_output ${out}",
+        "shell mkdir ${out}",
         "units si",
         "atom_style sphere",
         "atom_modify map array sort 0 0.0",

@@ -27,7 +27,7 @@ def runs(folder):
     """Run the small decks once; their folders."""
     for name, variables in RUNS.items():
         succeed("inputs/in.6208", out=folder / name, **SHORT, **variables)
-    succeed("inputs/in.many", out=folder / "many", bearings=3, time=2e-3, sample=5e-4)
+    succeed("inputs/in.many", out=folder / "many", bearings=3, time=2e-3, sample=5e-4, record="all")
     return [folder / name for name in RUNS]
 
 

@@ -9,22 +9,34 @@ column, so through rings, balls and cages.
 
 import re
 
+import numpy as np
 import pytest
+import raceway
 from host import BOX, frames, liggghts, succeed
+from scipy.io import netcdf_file
 
 DECK = "tests/hosts/in.many_bits"
 ATOMS = 20  # of a bearing
 SCENES = {
     "implicit": {"integrator": "implicit", "time": 4e-3, "sample": 1e-3, "step": 2.5e-4},
-    "verlet": {"integrator": "verlet", "time": 4e-4, "sample": 1e-4, "step": 2e-7, "ramp": 2e-4},
+    "verlet": {
+        "integrator": "verlet",
+        "models": "paper",
+        "time": 4e-4,
+        "sample": 1e-4,
+        "step": 2e-7,
+        "ramp": 2e-4,
+    },
 }
 BEARINGS = {"bearings": 12, "columns": 3}
 
 
 def fleet(folder):
     """{bearing: its inner ring, load, rpm, lubricant}."""
-    rows = [line.split() for line in (folder / "fleet.txt").read_text().splitlines()[1:]]
-    return {int(row[0]): (int(row[1]), float(row[4]), float(row[5]), row[6]) for row in rows}
+    lines = (folder / "fleet.txt").read_text().splitlines()
+    oils = dict(re.findall(r"^# kind (\d+): (\S+)$", "\n".join(lines), flags=re.M))
+    rows = [line.split() for line in lines if line[0] != "#"]
+    return {int(row[0]): (int(row[1]), float(row[4]), float(row[5]), oils[row[6]]) for row in rows}
 
 
 def table(folder, ring):
@@ -35,6 +47,12 @@ def table(folder, ring):
         assert len(mine) == 1
         found[step] = mine[0]
     return found
+
+
+def variables(folder):
+    """{name: bytes} of the variables of a record."""
+    with netcdf_file(folder / "record.nc", mmap=False) as file:
+        return {name: one.data.tobytes() for name, one in file.variables.items()}
 
 
 def atoms(folder, ring):
@@ -77,6 +95,20 @@ def test_ranks(scene, ranks, tmp_path):
     succeed(DECK, ranks=ranks, out=tmp_path, **variables)
     for name in ("bearings.dump", "last.dump"):
         assert frames(tmp_path / name) == frames(folder / name)
+    assert (tmp_path / "record.nc").read_bytes() == (folder / "record.nc").read_bytes()
+
+
+@pytest.mark.parametrize("host, ranks", [("lammps", 1), ("wheel", 2)])
+def test_hosts(tmp_path, host, ranks):
+    """The same rows of the table, and the same samples of the record, in every host."""
+    words = {"bearings": 4, "columns": 2, "time": 2e-3, "record": "all"}
+    for folder, where in (("one", {}), ("other", dict(host=host, ranks=ranks))):
+        succeed("inputs/in.many", out=tmp_path / folder, **where, **words)
+    assert (tmp_path / "one/fleet.txt").read_text() == (tmp_path / "other/fleet.txt").read_text()
+    one, other = (frames(tmp_path / folder / "bearings.dump") for folder in ("one", "other"))
+    assert one == other
+    one, other = (variables(tmp_path / folder) for folder in ("one", "other"))
+    assert one == other and "ring_x" in one
 
 
 @pytest.mark.parametrize("number, ranks", [(1, 1), (5, 3), (8, 1), (11, 4)])
@@ -232,38 +264,68 @@ def test_a_value_that_is_no_number(force, message, tmp_path):
 @pytest.mark.parametrize(
     "words, message",
     [
-        ({"bearings": 0}, r"bearing_range: bearings is 0, must be a whole number from 1"),
-        ({"only": 13}, r"bearing_range: only is 13, must be a whole number from 0 to 12"),
-        ({"fleet": "none"}, r"there is no 'none' in folder inputs/fleets; there is: alike, spread"),
-        ({"lubricant": "oil"}, r"there is no 'oil' in folder inputs/lubricants"),
-        ({"lubricant": "dry"}, r"in.many needs lubricants: dry is not one"),
-        (
-            {"bearings": 1},
-            (
-                r"bearing_range: lubricants is 2, must be a whole number from 1 to 1 "
-                r"\(each lubricant needs a bearing\)"
-            ),
-        ),
-        ({"sample": 1e-4}, r"bearing_range: sample is 0.0001, must be from 0.00025"),
+        ({"bearings": 0}, "bearings is 0, must be a whole number from 1"),
+        ({"columns": 2.5}, "columns is 2.5, must be a whole number from 1"),
+        ({"only": 13}, "only is 13, but there are 12 bearings"),
+        ({"fleet": "none"}, "fleet is 'none', must be one of spread, alike"),
+        ({"lubricant": "oil"}, "there is no 'oil' in folder inputs/lubricants"),
+        ({"lubricant": "dry"}, "needs a lubricant"),
+        ({"lubricant": ["vg46", "dry"]}, "all bearings of a run have films, or all are dry"),
+        ({"kinds": 3}, "kinds is 3, but lubricant has 2 oils"),
+        ({"kinds": 2, "lubricant": ["vg46", "vg68", "pao8"]}, "kinds is 2, but lubricant has 3"),
+        ({"sample": 1e-4}, "steps between samples is 0, must be a whole number from 1"),
+        ({"clearence": 0}, "-var clearence: the deck has no such variable, nearest is 'clearance'"),
     ],
 )
 def test_mistakes(words, message, tmp_path):
     outcome = liggghts("inputs/in.many", out=tmp_path, **{**BEARINGS, **words})
-    assert outcome.code != 0 and re.search(message, outcome.error), outcome.text[-2000:]
+    assert outcome.code != 0 and message in outcome.error, outcome.text[-2000:]
+
+
+def test_oils_in_turn(tmp_path):
+    """Three oils, seven bearings: the record has the viscosity of each."""
+    oils = ["mineral", "vg68", "vg46"]
+    words = {"bearings": 7, "columns": 3, "time": 1e-3, "kinds": 3, "lubricant": oils}
+    succeed("inputs/in.many", out=tmp_path, **words)
+    assert [oil for *_, oil in fleet(tmp_path).values()] == [*oils, *oils, "mineral"]
+    run = raceway.open(tmp_path)
+    assert run.bearing_numbers == [*range(1, 8)] and run.settings["bearing"] == "6208"
+    viscosity = [run.select(k).settings["viscosity_Pa_s"] for k in run.bearing_numbers]
+    assert viscosity[0] == 0.040 and len(set(viscosity)) == 3
+    assert viscosity == [*viscosity[:3], *viscosity[:3], viscosity[0]]
+
+
+def test_alike(tmp_path):
+    """Every bearing as the first: same load, speed and azimuth."""
+    words = {"bearings": 2, "columns": 2, "fleet": "alike", "lubricant": "vg46", "phase": 0.3}
+    succeed(DECK, out=tmp_path, time=2e-3, **words)
+    one, other = fleet(tmp_path).values()
+    assert one[1:] == other[1:] == (5000.0, 477.5, "vg46")
 
 
 def test_surroundings(tmp_path):
-    """All of the capacitance in the table; the motion and the rest of the rows stay."""
+    """All of the capacitance in the record; the motion and the table stay."""
     short = {"bearings": 2, "columns": 2, "time": 2e-3}
-    tables = {}
+    runs = {}
     for word in ("none", "cavitated"):
         more = {"surroundings": word, "outlet": 1.3, "out": tmp_path / word}
         succeed("inputs/in.many", **short, **more)
-        tables[word] = frames(tmp_path / word / "bearings.dump")
-    for step, rows in tables["none"].items():
-        for plain, whole in zip(rows, tables["cavitated"][step], strict=True):
-            *same, total = whole.split()
-            assert same == plain.split()
-            assert float(total) > 1.05 * float(same[-1])
+        runs[word] = raceway.open(tmp_path / word)
+    assert frames(tmp_path / "none" / "bearings.dump") == frames(
+        tmp_path / "cavitated" / "bearings.dump"
+    )
+    for number in (1, 2):
+        plain, whole = (runs[word].select(number).bearing for word in runs)
+        assert np.array_equal(plain.capacitance, whole.capacitance)
+        assert (whole.capacitance_total > 1.05 * whole.capacitance).all()
     end = liggghts("inputs/in.many", **short, surroundings="wet", out=tmp_path / "wet")
     assert end.code != 0 and "none, flooded, dry, cavitated" in end.error
+
+
+def test_starved_as_alone(tmp_path):
+    """The factor of starvation is that of the nominal speed, whichever bearing is the first."""
+    for only in (0, 2):
+        succeed(DECK, out=tmp_path / str(only), only=only, models="full", time=2e-3, **BEARINGS)
+    ring = fleet(tmp_path / "0")[2][0]
+    assert table(tmp_path / "2", fleet(tmp_path / "2")[2][0]) == table(tmp_path / "0", ring)
+    assert "rolling" in raceway.open(tmp_path / "0").tables.record.attrs["pair_commands"]

@@ -109,7 +109,6 @@ def deck(law, kind, integrator, out, finer):
     )
     return "\n".join(
         [
-            f"bearing_resume {out}/restart resume no",
             box.replace("every 20", "every 1"),
             f"pair_style bearing/{'ehd' if wet else 'hertz'} {law}",
             f"pair_coeff 1 3 inner {radii[0]} 6.552e-3 {grooves}",

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import raceway
 import xarray as xr
-from host import ROOT, succeed
+from host import succeed
 from raceway.cli import main as command
 from raceway.errors import RunError
 from raceway.runs.friction import friction
@@ -148,11 +148,8 @@ def test_what_nobody_told(one_line):
 
 
 def test_many(tmp_path, capsys):
-    deck = tmp_path / "in.many"
-    text = (ROOT / "inputs" / "in.many").read_text()
-    line = "fix rec all bearing/record ${b_every} ${out}\n"
-    deck.write_text(text.replace("timestep ${b_dt}", line + "timestep ${b_dt}"))
-    succeed(deck, out=tmp_path / "run", bearings=4, columns=2, time=6e-3, ramp=1e-3)
+    words = dict(bearings=4, columns=2, time=6e-3, ramp=1e-3, record="all")
+    succeed("inputs/in.many", out=tmp_path / "run", **words)
     run = raceway.open(tmp_path / "run")
     assert run.bearing_numbers == [1, 2, 3, 4] and run.contacts.sizes["ball"] == 36
     for number in run.bearing_numbers:

@@ -276,15 +276,13 @@ MANY = {"bearings": 6, "columns": 3, "time": 4e-3, "ramp": 1e-3}
 
 @pytest.fixture(scope="module")
 def many(tmp_path_factory):
-    """in.many with a record beside its table."""
+    """in.many, its table with all digits."""
     folder = tmp_path_factory.mktemp("many")
     deck = folder / "in.many"
     text = (ROOT / "inputs" / "in.many").read_text()
-    deck.write_text(
-        text.replace(
-            "timestep ${b_dt}", "fix rec all bearing/record ${b_every} ${out}\ntimestep ${b_dt}"
-        )
-    )
+    short, digits = "dump_modify table sort 1\n", " ".join(["%.0f"] + 15 * ["%.12g"])
+    assert short in text
+    deck.write_text(text.replace(short, f'{short}dump_modify table format "{digits}"\n'))
     for ranks in (1, 2, 4):
         succeed(deck, ranks=ranks, out=folder / str(ranks), **MANY)
     return folder

@@ -106,7 +106,8 @@ def test_a_free_cage_slows_as_its_oil_says(tmp_path, integrator):
 @pytest.mark.parametrize("words", ["planar yes", f"planar no {LAND} oil 0.04 0.3 4.4e-3"])
 def test_work_is_stored_or_lost(tmp_path, words):
     outcome, cage = scene(tmp_path, span=0.03, words=f"friction 0.1 {words}")
-    work, lost, stored, missing = map(float, re.search("account (.*)", outcome.text)[1].split())
+    found = re.search(r"ENERGY work (\S+) own (\S+) dissipated (\S+) stored (\S+)", outcome.text)
+    work, missing, lost, stored = map(float, found.groups())
     assert cage[:, 7].max() > 1
     assert abs(work - lost - stored - missing) < 1e-6 * abs(work)  # as they are printed
     assert abs(missing) < 1e-3 * abs(work)

@@ -152,9 +152,3 @@ def test_missing_number(tmp_path, key):
     own = folder(tmp_path, {name: value for name, value in USUAL.items() if name != key})
     failed = run("inputs/in.6208", out=tmp_path / "run", inputs=own, bearing="mine")
     assert failed.code != 0 and f"has no variable {key}" in failed.error
-
-
-@pytest.mark.parametrize("deck", ["in.many"])
-def test_decks_for_radial_bearings(tmp_path, deck):
-    failed = run(f"inputs/{deck}", out=tmp_path, bearing=7208)
-    assert failed.code != 0 and "this deck is for radial bearings" in failed.error

@@ -169,6 +169,14 @@ const std::vector<DeckVariable> &deck_variables()
       {"permittivity", "", "", "1 10", "oil data", "relative permittivity"},
       {"roughness", "", "m", "1.0e-10 1.0e-5", "oil data", "rms roughness of the raceways"},
       {"ball_roughness", "", "m", "0 1.0e-5", "oil data", "rms roughness of the balls"},
+      // many bearings
+      {"bearings", "24", "", "1 1.0e7 whole", "in.many", "number of bearings"},
+      {"columns", "6", "", "1 1.0e7 whole", "in.many", "bearings in a row of the grid"},
+      {"only", "0", "", "0 1.0e7 whole", "in.many", "number of the only bearing to build; 0: all"},
+      {"fleet", "spread", "", "one_of spread alike", "in.many", "loads and speeds of the bearings"},
+      {"kinds", "0", "", "0 16 whole", "in.many", "number of lubricants; 0: count them"},
+      {"time", "0.02", "s", "1.0e-9 1.0e6", "in.many", "simulated time"},
+      {"sample", "1.0e-3", "s", "1.0e-12 1.0e3", "in.many", "time between rows of the table"},
   };
   return table;
 }
@@ -185,6 +193,8 @@ bool DeckVariable::taken_by(const std::string &command) const
     if (one == command) return true;
   return false;
 }
+
+bool DeckVariable::of_one_deck() const { return std::string(of).compare(0, 3, "in.") == 0; }
 
 const DeckVariable *find_deck_variable(const std::string &name, const std::string &of)
 {

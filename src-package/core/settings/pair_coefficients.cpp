@@ -218,6 +218,7 @@ std::string PairCoefficients::prepare(const TypeSizes &sizes)
   for (auto &entry : raceways_) {
     const int ball = entry.first.ball;
     RacewayPhysics &p = entry.second;
+    if (!is_there(entry.first)) continue;
     p.groove.ball_radius = sizes.largest[ball];
     const std::string who = name_of(ball, entry.first.ring) + ": ";
     std::string wrong = wrong_size(entry.first, p);
@@ -234,6 +235,12 @@ std::string PairCoefficients::prepare(const TypeSizes &sizes)
     first = false;
   }
   return wrong_rings();
+}
+
+// False if the bearing that a pair_coeff describes is not in the box.
+bool PairCoefficients::is_there(const GrooveName &of) const
+{
+  return sizes_.count[of.ball] > 0 || sizes_.count[of.ring] > 0;
 }
 
 // Ball radius and mass come from the atoms: one size per ball type.
@@ -264,6 +271,7 @@ std::string PairCoefficients::wrong_rings() const
 {
   for (const auto &a : raceways_) {
     const int ball = a.first.ball, ring = a.first.ring;
+    if (!is_there(a.first)) continue;
     if (sizes_.count[ring] == 0)
       return "missing ring: " + name_of(ball, ring) + " names ring type " + std::to_string(ring) +
              ", but no atom has that type";

@@ -77,6 +77,7 @@ class PairCoefficients {
   };
   void read_spheres(Arguments &, int i, int j);
   void read_cage(Arguments &, int ball, int cage, int types);
+  bool is_there(const GrooveName &) const;
   std::string wrong_size(const GrooveName &, const raceway::RacewayPhysics &) const;
   std::string wrong_rings() const;
   void set_law(unsigned parts);
