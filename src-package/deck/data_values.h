@@ -4,7 +4,8 @@
 #ifndef BEARING_DATA_VALUES_H
 #define BEARING_DATA_VALUES_H
 
-#include "variable_table.h"
+#include "../core/settings/arguments.h"
+#include "bearing_compat.h"
 
 #include <map>
 #include <optional>
@@ -37,12 +38,11 @@ class DataValues : protected LAMMPS_NS::Pointers {
     return *value;
   }
   double number(const std::string &name) const { return args_.number_in(word(name), name); }
-  // Stops the run unless the value is in the range; syntax as in bearing_range.
-  void range(const std::string &label, const std::string &value,
-             const std::vector<std::string> &range) const
+  // Stops the run unless the number is 0, and says why it must be.
+  void zero(const std::string &name, const std::string &why) const
   {
-    Arguments words(lmp, args_.command(), range);
-    check_range(words, label, value);
+    if (number(name) != 0.0)
+      fail(name + " is " + text(number(name)) + ", must be from 0 to 0 (" + why + ")");
   }
   // Sets a value unless there is one of that name.
   void suggest(const std::string &name, const std::string &value)

@@ -45,14 +45,13 @@ static std::vector<std::string> command_words(std::istream &file, std::string li
 
 bool collect(const fs::path &path, Names &names)
 {
-  static const Names styles = {"index", "string", "loop", "uloop", "universe", "world", "needed"};
+  static const Names styles = {"index", "string", "loop", "uloop", "universe", "world"};
   std::ifstream file(path);
   if (!file) return false;
   for (std::string line; std::getline(file, line);) {
     const std::vector<std::string> words = command_words(file, line);
     if (words.size() > 2 && words[0] == "variable" && styles.count(words[2]))
       names.insert(words[1]);
-    if (words.size() > 2 && words[0] == "bearing_host") names.insert({words[1], words[2]});
     const auto vars = std::find(words.begin(), words.end(), "vars");
     if (vars != words.end()) names.insert(vars + 1, words.end());
   }

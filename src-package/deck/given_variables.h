@@ -17,9 +17,8 @@ Names words_after(const char *option, const char *other);
 // Variables that a line `variable NAME index VALUE` of the deck sets
 Names set_by_deck();
 
-// Collects the variables that -var may set in a deck: those of styles that keep such a value, those
-// of tables (deck/variable_table.h), the two of bearing_host, and the words after `vars`. False:
-// the file cannot be read.
+// Collects the variables that -var may set in a deck: those of styles that keep such a value,
+// and the words after `vars`. False: the file cannot be read.
 bool collect(const std::filesystem::path &, Names &);
 
 // Collects them from all files and tables in a folder; returns the error if it cannot be read.

@@ -3,8 +3,6 @@
 #ifndef BEARING_STYLES_H
 #define BEARING_STYLES_H
 
-#include "../styles/bearing_case.h"
-#include "../styles/bearing_derive.h"
 #include "../styles/bearing_resume.h"
 #include "../styles/compute_bearing_ball.h"
 #include "../styles/compute_bearing_contact.h"
@@ -12,8 +10,6 @@
 #include "../styles/compute_bearing_total.h"
 #include "../styles/create_bearing.h"
 #include "../styles/deck_columns.h"
-#include "../styles/deck_files.h"
-#include "../styles/deck_variables.h"
 #include "../styles/fix_bearing_cage.h"
 #include "../styles/fix_bearing_cage_ring.h"
 #include "../styles/fix_bearing_capacitance.h"
@@ -64,22 +60,10 @@ template <class Registry> void register_bearing_styles(Registry &add)
   add.template compute<ComputeBearingTotal>("bearing/total");
   add.template command<NameBearing>("bearing");
   add.template command<CreateBearing>("create_bearing");
-  add.template command<BearingInput>("bearing_input");
   add.template command<BearingColumns>("bearing_columns");
   add.template command<BearingDump>("bearing_dump");
-  add.template command<BearingStep>("bearing_step");
-  add.template command<BearingWords>("bearing_words");
-  add.template command<BearingParts>("bearing_parts");
-  add.template command<BearingOutput>("bearing_output");
-  add.template command<BearingRange>("bearing_range");
-  add.template command<BearingHost>("bearing_host");
   add.template command<BearingResume>("bearing_resume");
   add.template command<RunBearing>("run_bearing");
-  add.template command<BearingCase>("bearing_case");
-  add.template command<BearingDerive>("bearing_derive");
-  add.template command<BearingVariables>("bearing_variables");
-  add.template command<BearingGiven>("bearing_given");
-  add.template command<BearingForget>("bearing_forget");
 }
 
 #endif

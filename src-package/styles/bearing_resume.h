@@ -13,8 +13,6 @@ namespace LAMMPS_NS {
 
 // bearing_resume FILE resume yes|no [overwrite yes|no]: make and claim the folder of the restart
 // file, and set the host's variable b_resumed to 1 if the run goes on from that file, else to 0.
-// bearing_resume NAME yes|no FILE [overwrite yes|no] sets the index variable NAME to yes or no
-// instead and leaves the folder to bearing_output.
 class BearingResume : public bearing::CommandBase {
  public:
   explicit BearingResume(class LAMMPS *lmp) : bearing::CommandBase(lmp) {}

@@ -3,7 +3,6 @@
 #include "../core/geometry/gothic_arch.h"
 #include "../core/geometry/usual_data.h"
 #include "../core/laws/oil_data.h"
-#include "../core/laws/starvation.h"
 #include "derive_laws.h"
 
 using bearing::DataValues;
@@ -18,8 +17,7 @@ void usual_data(DataValues &deck)
   const raceway::UsualData data = {deck.number("balls"), ball, deck.number("pitch_diameter"),
                                    deck.number("contact_angle") * degree};
   if (deck.number("contact_angle") != 0.0)
-    deck.range("clearance", deck.word("clearance"),
-               {"0", "0", "advice", "it follows from the contact angle"});
+    deck.zero("clearance", "it follows from the contact angle");
   deck.suggest("inner_groove", deck.number("inner_conformity") * ball);
   deck.suggest("outer_groove", deck.number("outer_conformity") * ball);
   deck.suggest("inner_radius", data.inner_radius(deck.number("inner_conformity") * ball));
@@ -31,13 +29,10 @@ void usual_data(DataValues &deck)
   deck.suggest("inner_mass", ring.mass(deck.number("ball_density")));
   deck.suggest("inner_inertia", ring.inertia(deck.number("inner_mass")));
   deck.suggest("inner_inertia_t", ring.inertia_t(deck.number("inner_mass")));
-  deck.set("b_usual", deck.word("bearing"));    // the bearing that the data are of
 }
 
-// Checks the range of the temperature, as in Python.
 raceway::OilData oil_data(const DataValues &deck)
 {
-  deck.range("temperature", deck.word("temperature"), {"-40", "200"});
   return {deck.number("oil_density_40"), deck.number("oil_density_slope"),
           deck.number("pressure_viscosity_40"), deck.number("pressure_viscosity_100"),
           deck.number("permittivity_40")};
@@ -73,36 +68,20 @@ void vogel(DataValues &deck)
                                    at));
 }
 
-// Starvation factor: 1 for a bearing whose file lacks its boundary dimensions
-void starvation(DataValues &deck)
-{
-  deck.suggest("bore_diameter", 0.0);
-  deck.suggest("outside_diameter", 0.0);
-  const double bore = 1.0e3 * deck.number("bore_diameter"),
-               outside = 1.0e3 * deck.number("outside_diameter"),
-               kinematic = 1.0e6 * deck.number("viscosity") / deck.number("oil_density");
-  deck.set("b_phi_rs", outside > bore
-                           ? raceway::skf_starvation(bore, outside, kinematic, deck.number("rpm"))
-                           : 1.0);
-}
-
-// With `four_point` 0, one groove per ring. b_four_point is the value stored in a run's notes.
+// With `four_point` 0, one groove per ring.
 void four_point(DataValues &deck)
 {
   const double angle = deck.number("four_point") * degree,
                ball_radius = 0.5 * deck.number("ball_diameter");
   const raceway::GothicArch inner = {deck.number("inner_groove") - ball_radius, angle},
                             outer = {deck.number("outer_groove") - ball_radius, angle};
-  deck.set("b_four_point", "");
   if (angle == 0.0) {
     deck.set("b_inner_raceway", deck.word("inner_radius"));
     deck.set("b_inner_arch", "");
     deck.set("b_outer_arch", "");
     return;
   }
-  deck.range("contact_angle (degrees)", deck.word("contact_angle"),
-             {"0", "0", "advice", "four_point has its own"});
-  deck.set("b_four_point", ",four_point=" + deck.word("four_point"));
+  deck.zero("contact_angle", "four_point has its own");
   deck.set("b_inner_raceway", DataValues::written(deck.number("inner_radius") - inner.depth()));
   deck.set("b_inner_arch", "gothic_arch " + DataValues::written(inner.offset()));
   deck.set("b_outer_raceway",
@@ -115,7 +94,6 @@ void four_point(DataValues &deck)
 bearing::DeriveLaws bearing::data_laws()
 {
   return {{"four_point", four_point},
-          {"starvation", starvation},
           {"usual_data", usual_data},
           {"vogel", vogel},
           {"walther", walther}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The laws of bearing_derive.
+// Laws by which data of bearings and oils follow from others.
 #ifndef BEARING_DERIVE_LAWS_H
 #define BEARING_DERIVE_LAWS_H
 
@@ -11,8 +11,7 @@ namespace bearing {
 
 typedef std::map<std::string, void (*)(DataValues &)> DeriveLaws;
 
-DeriveLaws data_laws();    // laws of bearings and oils
-DeriveLaws run_laws();     // laws of loads, motion, steps and samples
+DeriveLaws data_laws();
 
 }    // namespace bearing
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Processors without AVX2 take contacts with other code, made from the same formulas: same bits.
-That code calls the law part by part, where code for AVX2 has the laws of inputs/models inlined.
+That code calls the law part by part, where code for AVX2 has the laws of `models` inlined.
 
 The variable RACEWAY_NARROW_LANES asks for that code where there is AVX2 (docs/design).
 """

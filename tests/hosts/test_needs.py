@@ -169,7 +169,7 @@ def test_sets():
     assert variables(picked) == {**REFERENCE, "samples": "40", "without": "gap+drag"}
     assert all("film" not in choice.name for choice in choices({}, False))
     # a scene that has chosen leaves no choice
-    chosen = {"cage": "no", "surroundings": "none", "load": "5000"}
+    chosen = {"cage": "no", "surroundings": "none", "load": "5000", "settle": "auto"}
     gone = {one.name for one in known} - {one.name for one in choices(chosen, True)}
     assert gone == {"cage", "surroundings"}
     assert scene_parts.whole_scene(chosen, True) == chosen

@@ -90,6 +90,7 @@ def test_models_of_ones_own(tmp_path):
     """They need no parts; then there is none to leave out."""
     inputs = tmp_path / "inputs"
     shutil.copytree(ROOT / "inputs", inputs)
+    (inputs / "models").mkdir()
     (inputs / "models" / "mine").write_text("friction constant 0.07\n")
     words = {**SCENE, "inputs": inputs, "models": "mine", "out": tmp_path / "run"}
     succeed("inputs/in.6208", **words)

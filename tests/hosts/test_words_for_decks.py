@@ -1,22 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Words that say at once what decks said in many lines: bearing_host ... bearings, create_bearing
-... groups and resumed, bearing_dump, fix bearing/checkpoint ... balance."""
+"""Words that say at once what decks said in many lines: create_bearing ... groups and resumed,
+bearing_dump, fix bearing/checkpoint ... balance."""
 
 import re
 
 import numpy as np
 import pytest
-from host import BOX as PLAIN_BOX
-from host import run, succeed
+from host import BOX, FORMATS, run, succeed
 
 HOSTS = pytest.mark.parametrize("host", ["liggghts", "lammps", "wheel"])
-SPHERES = """units si
-bearing_host host host_name spheres b_format
-atom_modify map array sort 0 0.0
-boundary f f f
-newton off
-"""
-BOX = PLAIN_BOX.replace("atom_style sphere", "bearing_host host host_name spheres b_format")
 RACEWAYS = """pair_style bearing/hertz friction constant 0.1
 pair_coeff 1 3 inner 24.0e-3 6.552e-3
 pair_coeff 1 4 outer 36.6e-3 6.552e-3
@@ -34,23 +26,15 @@ fix move all bearing/implicit
 fix inner inner bearing/ring mass 0.2 x free y free spin speed 50 force 300 -400 0 ramp 1e-3
 timestep 1e-4
 """
-LAST = 'write_dump all custom OUT id x y vx modify ${b_format} "%d %.17g %.17g %.17g" sort id\n'
+LAST = 'write_dump all custom OUT id x y vx modify FORMAT "%d %.17g %.17g %.17g" sort id\n'
 
 
 def given(tmp_path, name, text, **words):
     deck = tmp_path / f"in.{name}"
+    text = text.replace("FORMAT", FORMATS.get(words.get("host"), "format"))
     deck.write_text(text.replace("OUT", str(tmp_path / name)))
     succeed(deck, **words)
     return (tmp_path / name).read_text()
-
-
-@HOSTS
-def test_what_decks_of_bearings_begin_with(tmp_path, host):
-    assert SPHERES in BOX
-    short = "bearing_host host host_name bearings b_format\nboundary f f f\n"
-    rest = RACEWAYS + CREATE + "\n" + GROUPS + MOVE + "run 5\n" + LAST
-    long = given(tmp_path, "long", BOX + rest, host=host)
-    assert given(tmp_path, "short", BOX.replace(SPHERES, short) + rest, host=host) == long
 
 
 COUNT = "".join(
@@ -94,7 +78,7 @@ BY_HAND = """
 bearing_columns contact
 bearing_columns inner
 dump contacts balls local 2 OUT.contacts ${contact_values}
-dump_modify contacts append APPEND ${b_format} ${contact_format}
+dump_modify contacts append APPEND FORMAT ${contact_format}
 fix rings all print 2 ${inner_values} FILE OUT.rings screen no title TITLE
 """
 AT_ONCE = """
@@ -110,13 +94,12 @@ def test_dump(tmp_path, host):
     first = BOX + RACEWAYS + CREATE + " groups yes\n" + MOVE
     first += "compute contact balls bearing/contact ball load\n"
     said = {}
+    words = {"FORMAT": FORMATS.get(host, "format"), "FILE": "file", "TITLE": "${inner_columns}"}
+    more_words = {**words, "FILE": "append", "TITLE": "none"}
     for name, text in (("hand", BY_HAND), ("once", AT_ONCE)):
-        new = (
-            text.replace("APPEND", "no")
-            .replace("FILE", "file")
-            .replace("TITLE", "${inner_columns}")
-        )
-        more = text.replace("APPEND", "yes").replace("FILE", "append").replace("TITLE", "none")
+        new, more = text.replace("APPEND", "no"), text.replace("APPEND", "yes")
+        for word, meaning in words.items():
+            new, more = new.replace(word, meaning), more.replace(word, more_words[word])
         end = "run 4\nundump contacts\nunfix rings\n"
         deck = tmp_path / f"in.{name}"
         deck.write_text((first + new + end + more + end).replace("OUT", str(tmp_path / name)))

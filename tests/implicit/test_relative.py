@@ -49,7 +49,7 @@ def test_goes_on_to_the_same_bits(tmp_path, runs):
 
 def test_refused(tmp_path):
     for words, says in (
-        ({"relative_tolerance": 0.1}, "tolerance relative to the largest overlap"),
+        ({"relative_tolerance": 0.1}, "relative_tolerance is 0.1, must be from 0 to 0.01"),
         (
             {"relative_tolerance": 1e-4, "integrator": "damping"},
             "relative is 0.0001, must be 0 with 'solve damping'",

@@ -33,19 +33,13 @@ def scenes(seed=29):
             yield name, load, axial, moment, rpm, "paper" if moment else models
 
 
-def little_friction(folder, moment):
-    """An inputs folder whose models have little friction, the shipped one without a `moment`."""
+def little_friction(folder, models, moment):
+    """With a `moment` a model of one's own, that of the paper with little friction."""
     if not moment:
-        return ROOT / "inputs"
-    folder.mkdir()
-    for one in (ROOT / "inputs").iterdir():
-        if one.name != "models":
-            (folder / one.name).symlink_to(one)
-    (folder / "models").mkdir()
-    text = (ROOT / "inputs/models/paper").read_text()
-    assert "stribeck 0.12 0.05" in text
-    (folder / "models/paper").write_text(text.replace("0.12 0.05", "0.0012 0.0005"))
-    return folder
+        return models
+    own = folder / "slippery"
+    own.write_text("friction stribeck 0.0012 0.0005\n")
+    return own
 
 
 @pytest.mark.parametrize(("name", "load", "axial", "moment", "rpm", "models"), list(scenes()))
@@ -55,8 +49,8 @@ def test_loads_and_place(tmp_path, name, load, axial, moment, rpm, models):
     words = dict(zip(("moment_x", "moment_y"), moment or ()))
     words |= dict(bearing=name, load=load, axial=axial, rpm=rpm, models=models, lubricant="vg46")
     words |= dict(load_azimuth=0, settle=30, passes=1, samples=20, overwrite="yes")
-    shelf = little_friction(tmp_path / "inputs", moment)
-    succeed("inputs/in.6208", out=tmp_path / "run", inputs=shelf, **words)
+    words["models"] = little_friction(tmp_path, models, moment)
+    succeed("inputs/in.6208", out=tmp_path / "run", **words)
     with xarray.open_dataset(tmp_path / "run/record.nc") as data:
         last = data.isel(time=-1, ring=0, bearing=0).load()
     path = ROOT / "inputs/bearings" / name

@@ -160,7 +160,7 @@ def four_point_angle(path: FilePath) -> float | None:
 
 
 def _radii(path):
-    """Raceways and grooves from the usual data, as bearing_derive usual_data has them (m)."""
+    """Raceways and grooves from the usual data, as the command bearing has them (m)."""
     pitch, ball, inner, outer = numbers(
         path, "pitch_diameter", "ball_diameter", "inner_conformity", "outer_conformity"
     ).values()
