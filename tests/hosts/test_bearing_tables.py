@@ -1,113 +1,96 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""bearing_input takes a row of FOLDER/*.csv as it takes a file of that name, and Python reads the
-same."""
+"""The command `bearing` takes a row of INPUTS/bearings/*.csv as it takes a file of that name, and
+Python reads the same."""
 
 import pytest
 from host import ROOT, run, succeed
-from raceway import catalogue, data_table, inputs
+from raceway import data_table, inputs
 
-BEARINGS = ROOT / "inputs" / "bearings"
-NAMES = ["6210", "7205B", "7010AC", "QJ208"]
 HOSTS = ["liggghts", "lammps", "wheel"]
-FOLLOWS = ("inner_radius", "outer_groove", "cage_ball_diameter", "inner_mass", "ball_young")
-
-
-def told(tmp_path, folder, name, **host):
-    """The variables of a deck after it took the bearing, as texts."""
-    names = [*inputs.values(BEARINGS / name), *FOLLOWS]
-    deck = tmp_path / "in.deck"
-    deck.write_text(
-        f"variable inputs index inputs\nvariable bearing index {name}\nvariable clearance index 0\n"
-        f"bearing_input {folder} {name}\n"
-        + "".join(f'print "HAS {one} ${{{one}}}"\n' for one in names)
-    )
-    lines = succeed(deck, **host).text.splitlines()
-    found = dict(line.split()[1:] for line in lines if line.startswith("HAS"))
-    assert set(found) == set(names)
-    return found
-
-
-@pytest.mark.parametrize("host", HOSTS)
-@pytest.mark.parametrize("name", NAMES)
-def test_row_is_a_file(tmp_path, host, name):
-    """The row, on two ranks, and the file that `raceway catalogue --file` writes of it give every
-    variable the same text, that which Python reads."""
-    (tmp_path / name).write_text(inputs.text(catalogue.find("bearings", name, ROOT / "inputs")))
-    row = told(tmp_path, BEARINGS, name, host=host, ranks=2)
-    assert row == told(tmp_path, tmp_path, name, host=host)
-    assert row.items() >= inputs.values(BEARINGS / name).items()
-
-
-OWN = """# mm are no SI units
-variable colour index red # of all
-name,balls,ball_diameter,source,made
-one,8,1e-2,me,1999
-two,9,,me,2000
+VALUES = inputs.values(ROOT / "inputs/bearings/6208")
+COLUMNS = [name for name in VALUES if name != "series"]
+ROW = ",".join(VALUES[name] for name in COLUMNS)
+OWN = f"""# a comment
+variable series index 62 # of all
+name,{",".join(COLUMNS)},source,made
+one,{ROW},me,1999
+two,{ROW.replace(VALUES["balls"], "", 1)},me,2000
 """
-BEFORE = "variable balls index 1\nvariable ball_diameter index 2\n"
-DECK = """bearing_input {folder} {name} needs colour
-print "NOW ${{balls}} ${{ball_diameter}} ${{colour}}"
-bearing_variables {folder}
-bearing_forget {folder}
-variable balls index 5
-print "THEN ${{balls}}"
+HEAD = "variable bearing index one\n"
+DECK = (
+    HEAD
+    + """{before}bearing b ${{bearing}} types 1 2 3 4 inputs {folder}
+print "NOW ${{b_balls}} ${{b_ball_diameter}}"
 """
+)
+
+
+def table(tmp_path, text=OWN):
+    """The folder of `inputs` with that table."""
+    folder = tmp_path / "own"
+    (folder / "bearings").mkdir(parents=True)
+    (folder / "bearings" / "table.csv").write_text(text, newline="")
+    return folder
+
+
+def deck(tmp_path, folder, before=""):
+    path = tmp_path / "in.deck"
+    path.write_text(DECK.format(folder=folder, before=before))
+    return path
 
 
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("change", ["", "mark", "spreadsheet"])
 def test_own_table(tmp_path, host, change):
-    """Tables saved by a spreadsheet are read. A variable that the deck or -var has set keeps its
-    value, as with a file. bearing_forget deletes the variables of a row."""
+    """Tables saved by a spreadsheet are read. A value that the deck or -var gives wins."""
     text = OWN
     if change == "mark":
         text = "\ufeff" + text
     elif change == "spreadsheet":
         text = OWN.replace(" # of all\n", ",,,,\r\n").replace("2000\n", "2000\r\n,,,,\r\n")
-    own = tmp_path / "own"
-    own.mkdir()
-    (own / "table.csv").write_text(text, newline="")
-    deck = tmp_path / "in.deck"
+    folder = table(tmp_path, text)
+    diameter = VALUES["ball_diameter"]
     for before, given, says in (
-        ("", {}, "NOW 8 1e-2 red"),
-        ("", {"balls": 4}, "NOW 4 1e-2 red"),
-        (BEFORE, {}, "NOW 1 2 red"),
+        ("", {}, f"NOW 9 {diameter}"),
+        ("", {"balls": 8}, f"NOW 8 {diameter}"),
+        ("variable balls index 7\n", {}, f"NOW 7 {diameter}"),
     ):
-        deck.write_text(before + DECK.format(folder=own, name="one"))
-        done = succeed(deck, host=host, **given)
-        assert says in done.text and "THEN 5" in done.text
-    assert inputs.values(own / "one") == {"balls": "8", "ball_diameter": "1e-2", "colour": "red"}
-    assert inputs.values(own / "two") == {"balls": "9", "colour": "red"}
+        done = succeed(deck(tmp_path, folder, before), host=host, **given)
+        assert says in done.text
+    found = inputs.values(folder / "bearings" / "one")
+    assert found == {**{name: VALUES[name] for name in COLUMNS}, "series": "62"}
+    assert "balls" not in inputs.values(folder / "bearings" / "two")
 
 
 def test_file_comes_first(tmp_path):
-    (tmp_path / "table.csv").write_text(OWN)
-    (tmp_path / "one").write_text("variable colour index blue\n")
-    deck = tmp_path / "in.deck"
-    deck.write_text(BEFORE + DECK.format(folder=tmp_path, name="one"))
-    assert "NOW 1 2 blue" in succeed(deck).text
-    assert inputs.values(tmp_path / "one") == {"colour": "blue"}
-    assert data_table.names(tmp_path) == ["in.deck", "one", "two"]
+    folder = table(tmp_path)
+    lines = [f"variable {name} index {value}" for name, value in (VALUES | {"balls": 5}).items()]
+    (folder / "bearings" / "one").write_text("\n".join(lines))
+    assert "NOW 5 " in succeed(deck(tmp_path, folder)).text
+    assert inputs.values(folder / "bearings" / "one")["balls"] == "5"
+    assert data_table.names(folder / "bearings") == ["one", "two"]
 
 
 @pytest.mark.parametrize(
-    "table, message",
+    "text, message",
     [
-        (OWN.replace("8,", ""), "table.csv', line 4: 4 cells, must be 5 as in the line of columns"),
+        (
+            OWN.replace("one,9,", "one,"),
+            "table.csv', line 4: {a} cells, must be {b} as in the line",
+        ),
         (OWN.replace("two", "one"), "table.csv', line 5: a second row 'one'"),
         (OWN.replace("name,", "bearing,"), "has no line of columns that begins with name,"),
-        (OWN, "'two' of '{folder}/table.csv' has no variable pitch_diameter"),
+        (OWN, "'two' of '{folder}/bearings/table.csv' has no variable balls"),
     ],
 )
-def test_broken_table(tmp_path, table, message):
-    (tmp_path / "table.csv").write_text(table)
-    deck = tmp_path / "in.deck"
-    deck.write_text(f"bearing_input {tmp_path} two needs colour balls pitch_diameter\n")
-    done = run(deck, ranks=2)
-    assert done.code != 0 and message.format(folder=tmp_path) in done.error
-    if table != OWN:
+def test_broken_table(tmp_path, text, message):
+    folder = table(tmp_path, text)
+    done = run(deck(tmp_path, folder), ranks=2, bearing="two")
+    message = message.format(folder=folder, a=len(COLUMNS) + 2, b=len(COLUMNS) + 3)
+    assert done.code != 0 and message in done.error, done.text[-500:]
+    if text != OWN:
         with pytest.raises(inputs.InputError) as error:
-            inputs.values(tmp_path / "two")
+            inputs.values(folder / "bearings" / "two")
         assert message.split("table.csv', ")[-1] in str(error.value)
 
 
