@@ -15,8 +15,8 @@ using namespace raceway;
 using bearing::Arguments;
 using bearing::CageRails;
 
-// fix ID cage-group bearing/cage RING_TYPE|NAME [rail R r z] ... [tube r] [gap g] [young E_ball E_rail]
-// [poisson ...]
+// fix ID cage-group bearing/cage RING_TYPE|NAME [rail R r z] ... [tube r] [gap g]
+// [young E_ball E_rail] [poisson ...]
 FixBearingCage::FixBearingCage(LAMMPS *lmp, int narg, char **arg) :
     Fix(lmp, narg, arg), pair_(PairBearingHertz::find(lmp, "fix bearing/cage"))
 {

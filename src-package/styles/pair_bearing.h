@@ -26,8 +26,8 @@ class PairBearing : public PairBearingHertz {
   double shoulder(int ball_type, raceway::Side) const override;
   bool dry_by_choice() const override { return !coefficients().lubricated(); }
 
-  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves. The
-  // first speed counts.
+  // The rings of a named bearing turn at this speed against each other (rad/s): the oil starves.
+  // The first speed counts.
   void set_speed(const std::string &bearing, double);
   // Viscosity of a bearing's oil at its temperature (Pa s), as text; empty when dry.
   std::string viscosity(const std::string &bearing) const;

@@ -1,116 +1,96 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command bearing takes a row of FOLDER/*.csv as it takes a file of that name, and Python reads
-the same."""
+"""The command `bearing` takes a row of INPUTS/bearings/*.csv as it takes a file of that name, and
+Python reads the same."""
 
 import pytest
 from host import ROOT, run, succeed
-from raceway import catalogue, data_table, inputs
+from raceway import data_table, inputs
 
-BEARINGS = ROOT / "inputs" / "bearings"
-NAMES = ["6210", "7205B", "7010AC", "QJ208"]
 HOSTS = ["liggghts", "lammps", "wheel"]
-FOLLOWS = "ball_diameter inner_radius outer_groove cage_ball_diameter inner_mass ball_young".split()
-
-
-def told(tmp_path, data, names=FOLLOWS, **words):
-    """The numbers of a bearing in a deck, as texts."""
-    deck = tmp_path / "in.deck"
-    deck.write_text(
-        f"bearing b {data} types 1 2 3 4 vars inputs\n"
-        + "".join(f'print "HAS {one} ${{b_{one}}}"\n' for one in names)
-    )
-    lines = succeed(deck, **words).text.splitlines()
-    found = dict(line.split()[1:] for line in lines if line.startswith("HAS"))
-    assert set(found) == set(names)
-    return found
-
-
-@pytest.mark.parametrize("host", HOSTS)
-@pytest.mark.parametrize("name", NAMES)
-def test_row_is_a_file(tmp_path, host, name):
-    """The row, on two ranks, and the file that `raceway catalogue --file` writes of it give the
-    same texts."""
-    (tmp_path / name).write_text(inputs.text(catalogue.find("bearings", name, ROOT / "inputs")))
-    row = told(tmp_path, name, host=host, ranks=2)
-    assert row == told(tmp_path, tmp_path / name, host=host)
-    given = inputs.values(BEARINGS / name)
-    assert row["ball_diameter"] == given["ball_diameter"]
-
-
-COMPLETE = {
-    "inner_groove": "6.6e-3",
-    "outer_groove": "6.6e-3",
-    "inner_radius": "24e-3",
-    "outer_radius": "36.6e-3",
-    "cage_ball_diameter": "8e-3",
-    "ball_young": "2e11",
-    "ball_poisson": "0.3",
-    "ball_density": "7800",
-    "inner_mass": "0.2",
-    "inner_inertia": "1e-4",
-    "inner_inertia_t": "1e-4",
-}
-OWN = (
-    "".join(f"variable {name} index {value} # of all\n" for name, value in COMPLETE.items())
-    + """name,balls,ball_diameter,source,made
-one,8,1.2e-2,me,1999
-two,9,,me,2000
+VALUES = inputs.values(ROOT / "inputs/bearings/6208")
+COLUMNS = [name for name in VALUES if name != "series"]
+ROW = ",".join(VALUES[name] for name in COLUMNS)
+OWN = f"""# a comment
+variable series index 62 # of all
+name,{",".join(COLUMNS)},source,made
+one,{ROW},me,1999
+two,{ROW.replace(VALUES["balls"], "", 1)},me,2000
+"""
+HEAD = "variable bearing index one\n"
+DECK = (
+    HEAD
+    + """{before}bearing b ${{bearing}} types 1 2 3 4 inputs {folder}
+print "NOW ${{b_balls}} ${{b_ball_diameter}}"
 """
 )
+
+
+def table(tmp_path, text=OWN):
+    """The folder of `inputs` with that table."""
+    folder = tmp_path / "own"
+    (folder / "bearings").mkdir(parents=True)
+    (folder / "bearings" / "table.csv").write_text(text, newline="")
+    return folder
+
+
+def deck(tmp_path, folder, before=""):
+    path = tmp_path / "in.deck"
+    path.write_text(DECK.format(folder=folder, before=before))
+    return path
 
 
 @pytest.mark.parametrize("host", HOSTS)
 @pytest.mark.parametrize("change", ["", "mark", "spreadsheet"])
 def test_own_table(tmp_path, host, change):
-    """Tables saved by a spreadsheet are read. A value that -var gives wins, as with a file."""
+    """Tables saved by a spreadsheet are read. A value that the deck or -var gives wins."""
     text = OWN
     if change == "mark":
         text = "\ufeff" + text
     elif change == "spreadsheet":
         text = OWN.replace(" # of all\n", ",,,,\r\n").replace("2000\n", "2000\r\n,,,,\r\n")
-    own = tmp_path / "bearings"
-    own.mkdir()
-    (own / "table.csv").write_text(text, newline="")
-    for given, balls in (({}, "8"), ({"balls": 4}, "4")):
-        found = told(tmp_path, "one", ("balls", "ball_young"), host=host, inputs=tmp_path, **given)
-        assert found == {"balls": balls, "ball_young": "2e11"}
-    assert inputs.values(own / "one") == {"balls": "8", "ball_diameter": "1.2e-2"} | COMPLETE
-    assert inputs.values(own / "two") == {"balls": "9"} | COMPLETE
+    folder = table(tmp_path, text)
+    diameter = VALUES["ball_diameter"]
+    for before, given, says in (
+        ("", {}, f"NOW 9 {diameter}"),
+        ("", {"balls": 8}, f"NOW 8 {diameter}"),
+        ("variable balls index 7\n", {}, f"NOW 7 {diameter}"),
+    ):
+        done = succeed(deck(tmp_path, folder, before), host=host, **given)
+        assert says in done.text
+    found = inputs.values(folder / "bearings" / "one")
+    assert found == {**{name: VALUES[name] for name in COLUMNS}, "series": "62"}
+    assert "balls" not in inputs.values(folder / "bearings" / "two")
 
 
 def test_file_comes_first(tmp_path):
-    own = tmp_path / "bearings"
-    own.mkdir()
-    (own / "table.csv").write_text(OWN)
-    (own / "one").write_text((BEARINGS / "6208").read_text())
-    assert told(tmp_path, "one", ("balls",), inputs=tmp_path) == {"balls": "9"}
-    assert inputs.values(own / "one")["balls"] == "9"
-    assert data_table.names(own) == ["one", "two"]
+    folder = table(tmp_path)
+    lines = [f"variable {name} index {value}" for name, value in (VALUES | {"balls": 5}).items()]
+    (folder / "bearings" / "one").write_text("\n".join(lines))
+    assert "NOW 5 " in succeed(deck(tmp_path, folder)).text
+    assert inputs.values(folder / "bearings" / "one")["balls"] == "5"
+    assert data_table.names(folder / "bearings") == ["one", "two"]
 
 
 @pytest.mark.parametrize(
-    "table, message",
+    "text, message",
     [
         (
-            OWN.replace("8,", ""),
-            "table.csv', line 13: 4 cells, must be 5 as in the line of",
+            OWN.replace("one,9,", "one,"),
+            "table.csv', line 4: {a} cells, must be {b} as in the line",
         ),
-        (OWN.replace("two", "one"), "table.csv', line 14: a second row 'one'"),
+        (OWN.replace("two", "one"), "table.csv', line 5: a second row 'one'"),
         (OWN.replace("name,", "bearing,"), "has no line of columns that begins with name,"),
-        (OWN, "'two' of '{folder}/table.csv' has no variable ball_diameter"),
+        (OWN, "'two' of '{folder}/bearings/table.csv' has no variable balls"),
     ],
 )
-def test_broken_table(tmp_path, table, message):
-    own = tmp_path / "bearings"
-    own.mkdir()
-    (own / "table.csv").write_text(table)
-    deck = tmp_path / "in.deck"
-    deck.write_text("bearing b two types 1 2 3 4 vars inputs\n")
-    done = run(deck, ranks=2, inputs=tmp_path)
-    assert done.code != 0 and message.format(folder=own) in done.error
-    if table != OWN:
+def test_broken_table(tmp_path, text, message):
+    folder = table(tmp_path, text)
+    done = run(deck(tmp_path, folder), ranks=2, bearing="two")
+    message = message.format(folder=folder, a=len(COLUMNS) + 2, b=len(COLUMNS) + 3)
+    assert done.code != 0 and message in done.error, done.text[-500:]
+    if text != OWN:
         with pytest.raises(inputs.InputError) as error:
-            inputs.values(own / "two")
+            inputs.values(folder / "bearings" / "two")
         assert message.split("table.csv', ")[-1] in str(error.value)
 
 

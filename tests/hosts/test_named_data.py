@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Data of bearings and oils that plain decks take by name are those that Python reads: usual data,
+rows of a table, files of one's own, an oil at its temperature."""
+
+import math
+
+import pytest
+import raceway
+from host import ROOT, run, succeed
+from raceway import catalogue, inputs
+from raceway.theory import makers
+
+BEARINGS, OILS = ROOT / "inputs/bearings", ROOT / "inputs/lubricants"
+HOSTS = ["liggghts", "lammps", "wheel"]
+NAME = "bearing b ${bearing} types 1 2 3 4 clearance ${clearance} vars four_point contact_angle\n"
+HEAD = "variable bearing index 6208\nvariable clearance index 0\n" + NAME
+SCENE = (
+    HEAD
+    + """variable lubricant index vg46
+variable temperature index 40
+variable rpm index 1500
+variable out index x
+units si
+atom_style sphere
+atom_modify map array sort 0 0.0
+boundary f f f
+newton off
+region box block -0.06 0.06 -0.06 0.06 -0.06 0.06 units box
+create_box 4 box
+neighbor ${b_skin} nsq
+pair_style bearing oil ${lubricant} temperature ${temperature} models full
+pair_coeff * * b
+variable omega equal 2*PI*${rpm}/60
+create_bearing b speed ${omega} 0
+fix rails cage bearing/cage b
+fix move all bearing/implicit
+fix record all bearing/record 1 ${out}
+timestep 1.0e-6
+run 0
+"""
+)
+
+
+def told(tmp_path, names, head=HEAD, **words):
+    """{name: text} of variables b_NAME."""
+    deck = tmp_path / "in.deck"
+    deck.write_text(head + "".join(f'print "IS {name} ${{b_{name}}}"\n' for name in names))
+    lines = succeed(deck, **words).text.splitlines()
+    return dict(line.split(None, 2)[1:] for line in lines if line.startswith("IS "))
+
+
+def recorded(tmp_path, **words):
+    """The record of the scene."""
+    deck = tmp_path / "in.scene"
+    deck.write_text(SCENE)
+    succeed(deck, out=tmp_path / "run", **words)
+    return raceway.open(tmp_path / "run").tables.record
+
+
+@pytest.mark.parametrize("host", HOSTS)
+@pytest.mark.parametrize("name", ["7208", "6303"])
+def test_usual_data(tmp_path, host, name):
+    radii = ("inner_radius", "outer_radius", "inner_groove", "outer_groove")
+    ring = ("inner_mass", "inner_inertia", "inner_inertia_t")
+    texts = told(tmp_path, (*radii, *ring), host=host, bearing=name)
+    found = {key: float(value) for key, value in texts.items()}
+    data, file = inputs.bearing(BEARINGS / name), inputs.values(BEARINGS / name)
+    for key in radii:
+        assert found[key] == pytest.approx(getattr(data, key), rel=2e-15), key
+    bore, width = float(file["bore_diameter"]) / 2, float(file["bearing_width"])
+    shoulder = data.inner_radius + 0.18 * data.ball_diameter
+    mass = 7800 * math.pi * (shoulder**2 - bore**2) * width
+    squares = shoulder**2 + bore**2
+    own = {
+        "inner_mass": mass,
+        "inner_inertia": mass * squares / 2,
+        "inner_inertia_t": mass * (3 * squares + width**2) / 12,
+    }
+    assert found == pytest.approx(found | own, rel=1e-14)
+
+
+def test_what_is_given_stays(tmp_path):
+    names = ("inner_mass", "inner_inertia")
+    given = told(tmp_path, names, bearing="7208", inner_mass="0.250")
+    own = told(tmp_path, names, bearing="7208")
+    assert given["inner_mass"] == "0.250"
+    share = 0.25 / float(own["inner_mass"])
+    assert float(given["inner_inertia"]) == pytest.approx(
+        share * float(own["inner_inertia"]), rel=1e-14
+    )
+
+
+@pytest.mark.parametrize("name", ["6210", "7205B", "7010AC"])
+def test_row_is_a_file(tmp_path, name):
+    """A row, on two ranks, and the file that `raceway catalogue --file` writes of it give every
+    variable the same text."""
+    path = tmp_path / name
+    path.write_text(inputs.text(catalogue.find("bearings", name, ROOT / "inputs")))
+    names = ("balls", "ball_diameter", "inner_radius", "outer_groove", "cage_ball_diameter")
+    row = told(tmp_path, names, bearing=name, ranks=2)
+    assert row == told(tmp_path, names, bearing=path)
+    assert row["ball_diameter"] == inputs.values(BEARINGS / name)["ball_diameter"]
+
+
+def test_four_point(tmp_path):
+    """Radii with the arch, and its offset in the record."""
+    record = recorded(tmp_path, four_point=35, clearance=4e-6)
+    bearing = inputs.bearing(BEARINGS / "6208", four_point=math.radians(35))
+    for side, play in (("inner", 0.0), ("outer", 2e-6)):
+        radius, offset = record.fixed(f"{side}_radius")[0], record.fixed(f"{side}_arch")[0]
+        assert radius == pytest.approx(getattr(bearing, f"{side}_radius") + play, rel=2e-15)
+        assert offset == pytest.approx(max(getattr(bearing.layout, side)[0]), rel=4e-15)
+
+
+@pytest.mark.parametrize("warm", [-20.0, 70.0])
+@pytest.mark.parametrize("name", ["vg32", "vg46", "vg68", "vg100", "pao8", "grease110"])
+def test_oils_at_a_temperature(tmp_path, name, warm):
+    """Walther's or Vogel's viscosity, and the other data, as the pair style got them."""
+    record = recorded(tmp_path, lubricant=name, temperature=warm)
+    oil = inputs.fluid(OILS / name, warm)
+    assert record.fixed("viscosity")[0] == pytest.approx(oil.viscosity, rel=1e-14)
+    words = record.attrs["pair_commands"].split("\n")[1].split()
+    at = words.index("lubricant")
+    assert float(words[at + 2]) == pytest.approx(oil.pressure_viscosity, rel=1e-14)
+    assert float(words[words.index("drag") + 1]) == pytest.approx(oil.density, rel=1e-14)
+
+
+@pytest.mark.parametrize("rpm", [477.5, 9549])
+def test_starvation(tmp_path, rpm):
+    record = recorded(tmp_path, bearing=6205, temperature=20, rpm=rpm)
+    oil = inputs.fluid(OILS / "vg46", 20.0)
+    skf = makers.skf(inputs.boundary(BEARINGS / "6205"), 1.0, 0.0, rpm, oil.kinematic)
+    words = record.attrs["pair_commands"].split("\n")[1].split()
+    assert skf.starvation < 0.99
+    share = float(words[words.index("rolling") + 3])
+    assert share == pytest.approx(float(skf.starvation), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "words, says",
+    [
+        ({"lubricant": "mineral", "temperature": 70}, "has values for 40 C only, not for 70 C"),
+        ({"temperature": 250}, "temperature (C) is 250, must be from -40 to 200"),
+        (
+            {"bearing": "7205"},
+            "there is no '7205' in folder inputs/bearings; there is: 6205, 7205A",
+        ),
+    ],
+)
+def test_refused(tmp_path, words, says):
+    deck = tmp_path / "in.scene"
+    deck.write_text(SCENE)
+    done = run(deck, out=tmp_path / "run", **words)
+    assert done.code != 0 and says in done.error, done.text[-500:]
