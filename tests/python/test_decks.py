@@ -32,7 +32,7 @@ def test_data_to_edit(name, tmp_path):
 
 
 def test_a_file_of_the_user_stays(tmp_path, capsys):
-    mine = tmp_path / "inputs" / "models" / "full"
+    mine = tmp_path / "inputs" / "bearings" / "6208"
     mine.parent.mkdir(parents=True)
     mine.write_text("mine\n")
     assert main(["decks", "in.6208", "--to", str(tmp_path)]) == 1
