@@ -12,7 +12,7 @@ from fuzz.pose import UPRIGHT
 from host import run
 
 HOSTS = {"liggghts": "liggghts", "lammps": "lammps", "plugin": "wheel", "sanitized": "sanitized"}
-SECONDS = 60  # of a run that takes a tenth of a second
+SECONDS = 600  # of a run that takes a tenth of a second, and a hundred times that beside others
 CRASH = re.compile(
     r"Segmentation|Aborted|Traceback|terminate called|AddressSanitizer|runtime error|stack smashing"
 )

@@ -10,7 +10,7 @@ import netCDF4
 import numpy as np
 from fuzz import child
 from fuzz.draw import grammar
-from fuzz.lab import CRASH, HOSTS, LATER, Finding, Refused
+from fuzz.lab import CRASH, HOSTS, LATER, SECONDS, Finding, Refused
 from host import run
 
 SHORT = {"passes": 1, "samples": 20, "settle": 0.1}
@@ -55,7 +55,7 @@ def _run(folder, host, given, ranks=1, first=False):
             "inputs/in.6208",
             host=HOSTS[host],
             ranks=ranks,
-            timeout=60,
+            timeout=SECONDS,
             out=folder,
             **(SHORT | given),
         )

@@ -329,3 +329,10 @@ def test_starved_as_alone(tmp_path):
     ring = fleet(tmp_path / "0")[2][0]
     assert table(tmp_path / "2", fleet(tmp_path / "2")[2][0]) == table(tmp_path / "0", ring)
     assert "rolling" in raceway.open(tmp_path / "0").tables.record.attrs["pair_commands"]
+
+
+def test_one_oil_in_lammps(tmp_path):
+    """LAMMPS crashed in its own reader."""
+    words = {"bearings": 4, "time": 5e-4, "sample": 2.5e-4, "lubricant": "vg46"}
+    succeed("inputs/in.many", host="lammps", out=tmp_path, **words)
+    assert [oil for *_, oil in fleet(tmp_path).values()] == 4 * ["vg46"]

@@ -150,3 +150,11 @@ def test_cage_whose_rails_are_taken_away(tmp_path):
     )
     said = "9 cage balls are in the group of no fix bearing/cage: no rails hold them"
     assert end.code == 0 and end.text.count(said) == 1, end.text
+
+
+def test_create_bearing_below_hybrid(tmp_path):
+    deck = BEARING.replace("pair_style bearing/hertz", "pair_style hybrid bearing/hertz")
+    for pair in ("1 3", "1 4"):
+        deck = deck.replace(f"pair_coeff {pair}", f"pair_coeff {pair} bearing/hertz")
+    end = outcome(tmp_path, deck + "run 1\n")
+    assert end.code != 0 and "before it, not below hybrid" in end.error, end.text

@@ -2,6 +2,8 @@
 """Spalls of a 6208 at 1500 rpm under 2 kN: lines of the envelope, and the length from entry and
 blow."""
 
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 import raceway as package
@@ -89,18 +91,33 @@ def test_length_from_a_housing(tmp_path, raceway, passes, length):
 
 
 @pytest.mark.parametrize(
-    "raceway, length, more",
+    "raceway, length, more, rings",
     [
-        ("outer", 1e-3, dict(load=1000, rpm=3000)),  # nearly loses its load, and bounces
-        ("outer", 1e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2)),  # keeps it
-        ("inner", 2e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2)),  # the worst of the page
+        # nearly loses its load, and bounces
+        ("outer", 1e-3, dict(load=1000, rpm=3000), True),
+        # keeps it
+        ("outer", 1e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
+        # the worst of the page
+        ("inner", 2e-3, dict(bearing=6208, load=2000, rpm=1500, mass=0.2), False),
+        # read 3.55 mm with the line through earlier ringing continued
+        ("outer", 1e-3, dict(bearing=6208, load=4000, rpm=3000, mass=0.2, passes=8), True),
     ],
 )
-def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more):
-    """The runs of tests/bench/spall_length.py that are hardest to read: 3 %."""
-    passes = {"outer": 5, "inner": 16}[raceway]
-    found, _ = lengths_from_a_housing(tmp_path, raceway, passes, length, **more)
+def test_hard_lengths_from_a_housing(tmp_path, raceway, length, more, rings):
+    """The runs of tests/bench/spall_length.py that are hardest to read, and one that still rings
+    when the next ball comes: 3 %."""
+    more = {"passes": {"outer": 5, "inner": 16}[raceway]} | more
+    with pytest.warns(UserWarning, match="the signal moves by") if rings else nullcontext():
+        found, _ = lengths_from_a_housing(tmp_path, raceway, length=length, **more)
     assert found == pytest.approx(length, rel=0.03)
+
+
+def test_a_length_that_is_wrong_has_a_warning(tmp_path):
+    """4.95 mm for 2 mm: the ringing of the last ball hides the entry of the next."""
+    case = dict(bearing=6208, load=2000, rpm=3000, mass=0.2)
+    with pytest.warns(UserWarning, match="lengths can be wrong by half or more"):
+        found, _ = lengths_from_a_housing(tmp_path, "outer", 5, 2e-3, **case)
+    assert found > 3e-3  # if it is right one day, this test has no scene
 
 
 def lengths_from_a_housing(folder, raceway, passes, length, mass=RING_MASS, **more):

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Frequencies, ball passes and speeds against the motion of a run's own balls and rings: angular
+contact, either ring turning, either sense, a changing speed."""
+
+import numpy as np
+import pytest
+import raceway
+import scenes
+from host import succeed
+from raceway import spectrum
+from raceway.runs.summary import summary
+
+ANGULAR = dict(bearing="7205B", load=0.1, axial=300, rpm=8000, models="full", lubricant="vg46")
+SCENES = ("angular", "ramp", "reversed", "outer", "both")
+
+
+@pytest.fixture(scope="module", params=SCENES)
+def run(request, tmp_path_factory):
+    folder = tmp_path_factory.mktemp(request.param) / "run"
+    if request.param == "angular":
+        succeed("inputs/in.6208", out=folder, passes=6, samples=40, record="all", **ANGULAR)
+    else:
+        scenes.run(request.param, folder)
+    return raceway.open(folder)
+
+
+def angles(run):
+    """(cage, inner, outer): angles in rad (time,) that the balls, on average, and rings turned."""
+    x, y = (run.balls[name].transpose("time", "ball").to_numpy() for name in "xy")
+    cage = np.unwrap(np.arctan2(y, x), axis=0).mean(1)
+    data = run.tables.record.read(["ring_angle"])["ring_angle"]
+    sides = run.tables.record.fixed("ring_raceway")
+    rings = [data[:, sides == k][:, 0] if k in sides else 0 * cage for k in (0, 1)]
+    return [one - one[0] for one in (cage, *rings)]
+
+
+def test_ball_passes_are_angles_of_the_cage(run):
+    cage, _, _ = angles(run)
+    passes = run.balls.sizes["ball"] * np.abs(cage) / (2 * np.pi)
+    # the coordinate sums speeds by trapezoids
+    np.testing.assert_allclose(run.balls["passes"], passes, rtol=0, atol=1e-3 * passes[-1])
+
+
+def test_lines_are_those_of_its_balls_and_rings(run):
+    """FTF, BPFO, BPFI and the shaft from the angles turned; BSF from the spins of the balls against
+    the cage. 0.1 %."""
+    (cage, inner, outer), balls = angles(run), run.balls.sizes["ball"]
+    seconds = float(run.balls["time"][-1] - run.balls["time"][0])
+    turned = [one[-1] / (2 * np.pi * seconds) for one in (cage, inner, outer)]
+    spins = np.stack([run.balls[f"omega{k}"].transpose("time", "ball") for k in "xyz"])
+    spins[2] -= (np.gradient(cage) / np.gradient(run.balls["time"].to_numpy()))[:, None]
+    wanted = {
+        "FTF": turned[0],
+        "BPFO": balls * (turned[0] - turned[2]),
+        "BPFI": balls * (turned[1] - turned[0]),
+        "shaft": turned[1],
+        "BSF": np.linalg.norm(spins, axis=0).mean() / (2 * np.pi),
+    }
+    found = spectrum.of_run(run, "vy")
+    lines = {one.name: one for one in spectrum.lines(run, found, harmonics=1)}
+    unit = abs(turned[1] - turned[2]) if "order" in found.dims else 1.0
+    for name, hertz in wanted.items():
+        if name == "shaft" and abs(hertz) < 1e-9:
+            assert name not in lines
+        else:
+            assert lines[name].by_cage * unit == pytest.approx(abs(hertz), rel=1e-3), name
+
+
+def test_speed_at_the_largest_load(run):
+    """Also on a ramp, whose summary has the range of speeds."""
+    figures = summary(run.tables)
+    data = run.tables.record.read(["ring_spin"])["ring_spin"]
+    sides = list(run.tables.record.fixed("ring_raceway"))
+    speed = data[:, sides.index(0)] - (data[:, sides.index(1)] if 1 in sides else 0)
+    rpm = np.abs(speed) * 30 / np.pi
+    want = rpm[1:].min(), rpm[1:].max()  # the first sample is the state before the measurement
+    assert (figures["rpm_least"], figures["rpm_most"]) == pytest.approx(want, rel=1e-6)
+    top = int(run.bearing["load_inner"].to_numpy().argmax())
+    assert figures["rpm_top"] == pytest.approx(rpm[top], rel=1e-6)
