@@ -18,24 +18,24 @@ struct HeatPass {
 };
 
 struct HeatControl {
-  double change = 2.0;      // K, largest of a node in a jump
-  double error = 0.5;       // K, that a jump may leave by losses that change with temperature
-  double until = 0.0;       // s, thermal time at which temperatures stay; 0: when they are steady
-  double steady = 0.05;     // K, from the steady state
-  double hottest = 200.0;   // C
-  double share = 0.2;       // of the slowest time constant, the longest jump
-  bool both_ends = true;    // false: with the losses at the start of a jump
+  double change = 2.0;       // K, largest of a node in a jump
+  double error = 0.5;        // K, that a jump may leave by losses that change with temperature
+  double until = 0.0;        // s, thermal time at which temperatures stay; 0: when they are steady
+  double steady = 0.05;      // K, from the steady state
+  double hottest = 200.0;    // C
+  double share = 0.2;        // of the slowest time constant, the longest jump
+  bool both_ends = true;     // false: with the losses at the start of a jump
 };
 
 enum class HeatEnd { none = 0, reached = 1, steady = 2, seizes = 3, hot = 4 };
 
 // Doubles only, as in a restart file.
 struct HeatState {
-  double time = 0.0;                    // s
-  double at[heat_nodes] = {};           // C, at that time
-  double law[heat_nodes] = {};          // C, at which the contacts run: predicted
-  double length = 0.0;                  // s, of the jump that `law` predicts; 0: none
-  HeatPass start;                       // at the start of that jump
+  double time = 0.0;              // s
+  double at[heat_nodes] = {};     // C, at that time
+  double law[heat_nodes] = {};    // C, at which the contacts run: predicted
+  double length = 0.0;            // s, of the jump that `law` predicts; 0: none
+  HeatPass start;                 // at the start of that jump
   double jumps = 0.0;
   double booked = 0.0, carried = 0.0;    // J, from the losses, and to ambient
   double correction = 0.0;               // K, largest of the last jump: predicted less corrected
@@ -62,7 +62,7 @@ inline double stored_heat(const HeatNetwork &net, const double *from, const doub
 inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const HeatControl &c)
 {
   constexpr int in_a_row = 3;           // passes with a gain above 1 that are no accident
-  constexpr double least_rise = 0.05;   // K, from which a slope is known
+  constexpr double least_rise = 0.2;    // K, from which a slope is known
   if (s.length > 0.0) {                 // complete the jump whose end has just been seen
     HeatPass mean = s.start;
     if (c.both_ends) {
@@ -111,8 +111,8 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
   // a first-order jump of a change dT errs by at most |P'| dT/(G - P'); both ends leave half of it
   double change = c.change;
   if (s.gain != 0.0 && s.gain < 1.0)
-    change = std::min(change, (c.both_ends ? 2.0 : 1.0) * c.error * (1.0 - s.gain) /
-                                  std::fabs(s.gain));
+    change =
+        std::min(change, (c.both_ends ? 2.0 : 1.0) * c.error * (1.0 - s.gain) / std::fabs(s.gain));
   change = std::max(change, 0.1 * c.change);
   double most = c.share * flow.slowest();
   if (c.until > 0.0) most = std::min(most, c.until - s.time);

@@ -18,12 +18,12 @@ namespace raceway {
 constexpr int heat_nodes = 4;    // inner ring, balls, outer ring, housing
 
 struct HeatNetwork {
-  double capacity[heat_nodes] = {};            // J/K; of the housing 0: none of its own
-  double inner = 0.0, outer = 0.0;             // W/K, from each ring to all balls
-  double shaft = 0.0;                          // W/K, from the inner ring to ambient
-  double seat = 0.0;                           // W/K, from the outer ring to the housing; 0: perfect
-  double housing = 0.0;                        // W/K, from the housing to ambient
-  double ambient = 20.0;                       // C
+  double capacity[heat_nodes] = {};    // J/K; of the housing 0: none of its own
+  double inner = 0.0, outer = 0.0;     // W/K, from each ring to all balls
+  double shaft = 0.0;                  // W/K, from the inner ring to ambient
+  double seat = 0.0;                   // W/K, from the outer ring to the housing; 0: perfect
+  double housing = 0.0;                // W/K, from the housing to ambient
+  double ambient = 20.0;               // C
 
   int nodes() const { return capacity[3] > 0.0 ? 4 : 3; }
   // W/K, from the outer ring to ambient in steady state
@@ -128,8 +128,7 @@ class HeatFlow {
   double housing_of(double outer_ring) const
   {
     if (!(net_.seat > 0.0)) return outer_ring;
-    return net_.ambient +
-           (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
+    return net_.ambient + (outer_ring - net_.ambient) * net_.seat / (net_.seat + net_.housing);
   }
 
   // Rises over ambient that the conductances `g` balance. In the chain elimination has one factor a
@@ -137,7 +136,7 @@ class HeatFlow {
   void find_steady(const double g[heat_nodes][heat_nodes], const double *heat)
   {
     double own[heat_nodes], drive[heat_nodes];    // diagonal and heat, less what parts before take
-    double before = 0.0;    // W/K, to ambient through the parts before
+    double before = 0.0;                          // W/K, to ambient through the parts before
     for (int i = 0; i < n_; ++i) {
       const double next = i + 1 < n_ ? -g[i][i + 1] : 0.0;
       const double share = i > 0 ? -g[i][i - 1] / own[i - 1] : 0.0;
@@ -191,7 +190,7 @@ class HeatFlow {
   int n_;
   double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // of the capacities; W/K
   double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};        // by mode
-  double steady_rise_[heat_nodes] = {};    // K, over ambient
+  double steady_rise_[heat_nodes] = {};                           // K, over ambient
   double mode_[heat_nodes][heat_nodes] = {};
 };
 
