@@ -20,8 +20,8 @@ using bearing::Arguments;
 using bearing::text;
 namespace of = bearing::of_fix_heat;
 
-static constexpr double passes_at_first = 2.0;    // ball passes after the loads are on
-static constexpr double samples_a_pass = 200.0;   // of losses, at most
+static constexpr double passes_at_first = 2.0;     // ball passes after the loads are on
+static constexpr double samples_a_pass = 200.0;    // of losses, at most
 
 // fix ID group bearing/heat [heat yes|no] [ambient T] [cooling G] [shaft_cooling G] [seat G]
 // [housing_capacity C] [warm_start T] [warm_time S] [warm_change K] [warm_error K] [file NAME]
@@ -39,7 +39,8 @@ FixBearingHeat::FixBearingHeat(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, nar
   nevery = 1;
   if (idle_ || file_name_.empty()) return;
   std::string names;
-  for (const auto &column : of::list) names += (names.empty() ? "" : " ") + std::string(column.name);
+  for (const auto &column : of::list)
+    names += (names.empty() ? "" : " ") + std::string(column.name);
   file_.open(args, file_name_, names.c_str(), world);
 }
 
@@ -50,8 +51,7 @@ void FixBearingHeat::read(Arguments &args)
   else if (args.take("cooling")) cooling_ = args.number_of("cooling");
   else if (args.take("shaft_cooling")) network_.shaft = args.number_of("shaft_cooling");
   else if (args.take("seat")) network_.seat = args.number_of("seat");
-  else if (args.take("housing_capacity"))
-    network_.capacity[3] = args.number_of("housing_capacity");
+  else if (args.take("housing_capacity")) network_.capacity[3] = args.number_of("housing_capacity");
   else if (args.take("warm_start")) start_ = args.number_of("warm_start");
   else if (args.take("warm_time")) control_.until = args.number_of("warm_time");
   else if (args.take("warm_change")) control_.change = args.number_of("warm_change");
@@ -137,7 +137,8 @@ void FixBearingHeat::find_network()
   const bearing::NamedBearing &b = *bearing_;
   std::string missing;
   for (const char *size : {"bore_diameter", "outside_diameter", "bearing_width"})
-    if (!(b.number_or(size, 0.0) > 0.0)) missing += (missing.empty() ? "" : ", ") + std::string(size);
+    if (!(b.number_or(size, 0.0) > 0.0))
+      missing += (missing.empty() ? "" : ", ") + std::string(size);
   if (!missing.empty())
     BRG_ALL(bearing::name_of(*this) + ": bearing " + b.name + " has no " + missing +
             ", from which the capacities of its rings follow: give the data with -var");
@@ -147,7 +148,8 @@ void FixBearingHeat::find_network()
   for (const RacewayPhysics *p : pair_->coefficients().raceways_under(b.balls)) {
     if (p->number > 0) continue;
     const bool inner = p->groove.side == Side::inner;
-    double shoulder = b.number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0);
+    double shoulder =
+        b.number_or(inner ? "inner_shoulder_diameter" : "outer_shoulder_diameter", 0.0);
     if (shoulder == 0.0) {
       const double depth =
           RingCylinder::shoulder(0.0, 2.0 * p->groove.ball_radius);    // of a groove
@@ -202,8 +204,8 @@ void FixBearingHeat::grow(double share)
 {
   double strain[parts];
   for (int k = 0; k < parts; ++k)
-    strain[k] = steel_expansion *
-                (now_.from[k] + share * (now_.to[k] - now_.from[k]) - network_.ambient);
+    strain[k] =
+        steel_expansion * (now_.from[k] + share * (now_.to[k] - now_.from[k]) - network_.ambient);
   pair_->coefficients().grow(bearing_->balls, strain[0], strain[1], strain[2]);
 }
 
@@ -340,10 +342,10 @@ double FixBearingHeat::value(int column) const
 double FixBearingHeat::clearance() const
 {
   const double *t = now_.heat.at, cold = network_.ambient;
-  return bearing_->number("clearance") +
-         clearance_change(bearing_->number("b_inner_raceway"), bearing_->number("b_outer_raceway"),
-                          0.5 * bearing_->number("ball_diameter"), t[0] - cold, t[1] - cold,
-                          t[2] - cold);
+  return bearing_->number("clearance") + clearance_change(bearing_->number("b_inner_raceway"),
+                                                          bearing_->number("b_outer_raceway"),
+                                                          0.5 * bearing_->number("ball_diameter"),
+                                                          t[0] - cold, t[1] - cold, t[2] - cold);
 }
 
 double FixBearingHeat::compute_scalar() { return compute_vector(of::OIL); }

@@ -53,16 +53,16 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Doubles only, as in a restart file.
   struct State {
     raceway::HeatState heat;
-    raceway::HeatPass sum;               // of the present ball pass, times time
+    raceway::HeatPass sum;    // of the present ball pass, times time
     double begun = 0.0, stage = WAIT;
-    double since = 0.0;                  // s, in this stage
-    double run = 0.0;                    // s, in all
-    double summed = 0.0;                 // s
-    double oil = 0.0;                    // C, of the present law
+    double since = 0.0;                         // s, in this stage
+    double run = 0.0;                           // s, in all
+    double summed = 0.0;                        // s
+    double oil = 0.0;                           // C, of the present law
     double begin[raceway::heat_nodes] = {};     // C, at the start
     double from[parts] = {}, to[parts] = {};    // C, between which clearance follows
-    double jump = 0.0;                   // s, the last one
-    double rows = 0.0;                   // of the file
+    double jump = 0.0;                          // s, the last one
+    double rows = 0.0;                          // of the file
   };
   using Row = std::array<double, bearing::of_fix_heat::N>;
 

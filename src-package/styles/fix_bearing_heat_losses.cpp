@@ -21,7 +21,7 @@ HeatPass FixBearingHeat::losses()
 {
   struct Share {
     bearing::tag_t first, second;
-    double place;                // groove of a contact; -1 of a cage
+    double place;                 // groove of a contact; -1 of a cage
     double ball, inner, outer;    // W
     double to_inner, to_outer;    // W/K
   };
@@ -32,8 +32,8 @@ HeatPass FixBearingHeat::losses()
     double power = 0.0;
     for (const double one : powers.of) power += one;
     const raceway::RacewayConstants k = c.raceway->law.at(c.state.cos_angle);
-    const double conductance = raceway::contact_conductance(
-        k.a * c.state.root, k.b * c.state.root, c.state.entrainment);
+    const double conductance =
+        raceway::contact_conductance(k.a * c.state.root, k.b * c.state.root, c.state.entrainment);
     const bool inner = c.side() == raceway::Side::inner;
     shares.push_back({c.ball, c.ring, double(c.groove()), 0.5 * power, inner ? 0.5 * power : 0.0,
                       inner ? 0.0 : 0.5 * power, inner ? conductance : 0.0,

@@ -95,7 +95,7 @@ def test_advance_is_the_matrix_exponential(net, time):
     n, g, outside = matrix(net)
     start = np.array([20.0, 60.0, 35.0, 25.0])
     capacity = np.array(net["capacity"][:n])
-    rates, modes = -g / capacity[:, None], into(n) / capacity
+    rates = -g / capacity[:, None]
     steady = net["ambient"] + np.linalg.solve(g, into(n))
     expected = steady + linalg.expm(rates * time) @ (start[:n] - steady)
     carried, found = heat.advance(net, HEAT, start, time)
@@ -105,14 +105,14 @@ def test_advance_is_the_matrix_exponential(net, time):
 
 
 def jump(net, losses, start, **control):
-    """Temperatures (time, C of the mean) of jumps whose passes lose `losses`(T) in W at both
-    raceways, the last state, and the number of passes."""
+    """Temperatures of jumps (time in s and C of the nodes) whose passes lose `losses`(T) in W, and the
+    last state."""
     state = library().records["HeatStateOf"]()
     for k in range(4):
         state.at[k] = state.law[k] = start
     inner, outer = net["inner"], net["outer"]
     rows = []
-    for passes in range(1, 2000):
+    for _ in range(2000):
         oil = np.mean(state.law[:3])
         pass_ = heat.into_nodes(0.6 * losses(oil), 0.4 * losses(oil))
         library().call(
@@ -122,7 +122,7 @@ def jump(net, losses, start, **control):
         rows.append((state.time, *state.at))
         if state.end:
             break
-    return np.array(rows), state, passes
+    return np.array(rows), state
 
 
 def integrated(net, losses, start, times):
@@ -149,7 +149,7 @@ def test_jumps_against_no_jumping(net):
     """The error of a start from cold falls with the square of the largest change."""
     worst = []
     for change in (4.0, 2.0, 1.0):
-        rows, state, _ = jump(net, fall, 20.0, change=change, error=1e9, until=3600.0)
+        rows, state = jump(net, fall, 20.0, change=change, error=1e9, until=3600.0)
         times, found = rows[:, 0], rows[:, 1 : 1 + matrix(net)[0]]
         keep = np.flatnonzero(np.diff(times, prepend=-1.0))
         exact = integrated(net, fall, 20.0, times[keep])
@@ -163,7 +163,7 @@ def test_jumps_against_no_jumping(net):
 
 def test_jumps_to_the_steady_state():
     net = NETS["none"]
-    rows, state, _ = jump(net, fall, 20.0)
+    rows, state = jump(net, fall, 20.0)
     end = integrated(net, fall, 20.0, np.array([0.0, 1e5]))[-1]
     assert rows[-1, 1:4] == pytest.approx(end, abs=0.06)
     slope = (fall(end.mean() + 0.1) - fall(end.mean() - 0.1)) / 0.2
@@ -177,7 +177,7 @@ def test_run_away(share, end):
     """Losses that grow linearly, by 0.9 and 1.1 of the conductance of the whole."""
     net = NETS["none"]
     _, hot = heat.steady(net, heat.into_nodes(0.6, 0.4))
-    slope = share / (hot[:3].mean() - 20)
-    _, state, _ = jump(net, lambda t: 1.0 + slope * (t - 20), 20.0, hottest=1e3)
+    slope = share / (hot[:3].mean() - 20)  # W/K
+    _, state = jump(net, lambda t: 30.0 + slope * (t - 20), 20.0, hottest=1e4)
     assert state.end == end
-    assert state.gain == pytest.approx(share, rel=1e-6)
+    assert state.gain == pytest.approx(share, rel=1e-2)

@@ -14,7 +14,8 @@ RECORD(SteelOfBearings, double conductivity, density, heat, expansion;)
 RECORD(HeatNetworkOf, double capacity[4]; double inner, outer, shaft, seat, housing, ambient;)
 RECORD(HeatControlOf, double change, error, until, steady, hottest, share, both_ends;)
 RECORD(HeatStateOf, double time, at[4], law[4], length, start_heat[4], start_inner, start_outer,
-       jumps, booked, carried, correction, slope, gain, seen, law_before[4], alarms, end;)
+       jumps, booked, carried, correction, slope, gain, seen, oil_before, power_before, alarms,
+       end;)
 static_assert(sizeof(HeatStateOf) == sizeof(HeatState), "the record of HeatState");
 
 namespace {

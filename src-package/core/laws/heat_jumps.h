@@ -41,9 +41,10 @@ struct HeatState {
   double correction = 0.0;               // K, largest of the last jump: predicted less corrected
   double slope = 0.0, gain = 0.0;        // W/K, of the losses; over the conductance of the whole
   double seen = 0.0;                     // ball passes
-  double law_before[heat_nodes] = {};    // C, in the pass before
-  double alarms = 0.0;                   // passes in a row with a gain above 1
-  double end = 0.0;                      // a HeatEnd
+  // C and W, of an earlier pass that is far enough for a slope
+  double oil_before = 0.0, power_before = 0.0;
+  double alarms = 0.0;    // slopes in a row with a gain above 1
+  double end = 0.0;       // a HeatEnd
 
   double oil() const { return oil_of(law); }
   // C, of the oil in the contacts: that of the surfaces it wets
@@ -61,7 +62,7 @@ inline double stored_heat(const HeatNetwork &net, const double *from, const doub
 // Takes the ball pass that ran at `s.law` and begins the next jump. `net` without its contacts.
 inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const HeatControl &c)
 {
-  constexpr int in_a_row = 3;           // passes with a gain above 1 that are no accident
+  constexpr int in_a_row = 3;           // slopes with a gain above 1 that are no accident
   constexpr double least_rise = 0.2;    // K, from which a slope is known
   if (s.length > 0.0) {                 // complete the jump whose end has just been seen
     HeatPass mean = s.start;
@@ -88,11 +89,15 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
   const HeatFlow flow(net, seen.heat);
   double last[heat_nodes];
   flow.steady(last);
-  const double rise = s.oil() - HeatState::oil_of(s.law_before), power = seen.power();
-  const bool known = s.seen > 0.0 && std::fabs(rise) >= least_rise;
-  if (known) s.slope = (power - s.start.power()) / rise;
+  const double rise = s.oil() - s.oil_before, power = seen.power();
+  const bool first = s.seen == 0.0, known = !first && std::fabs(rise) >= least_rise;
+  if (known) s.slope = (power - s.power_before) / rise;
   s.gain = power > 0.0 ? s.slope * (HeatState::oil_of(last) - net.ambient) / power : 0.0;
-  s.alarms = s.gain >= 1.0 && (!known || rise > 0.0) ? s.alarms + 1.0 : 0.0;
+  if (known) s.alarms = s.gain >= 1.0 && rise > 0.0 ? s.alarms + 1.0 : 0.0;
+  if (known || first) {
+    s.oil_before = s.oil();
+    s.power_before = power;
+  }
   s.seen += 1.0;
   double left = 0.0;    // K, from the steady state, with losses that change
   for (int i = 0; i < net.nodes(); ++i) left = std::max(left, std::fabs(last[i] - s.at[i]));
@@ -104,7 +109,6 @@ inline void heat_jump(HeatState &s, const HeatPass &seen, HeatNetwork net, const
   else if (c.until == 0.0 && left <= c.steady) end = HeatEnd::steady;
   s.end = static_cast<double>(end);
   s.start = seen;
-  for (int i = 0; i < heat_nodes; ++i) s.law_before[i] = s.law[i];
   s.length = 0.0;
   for (int i = 0; i < heat_nodes; ++i) s.law[i] = s.at[i];
   if (end != HeatEnd::none) return;
