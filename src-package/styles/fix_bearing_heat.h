@@ -46,6 +46,7 @@ class FixBearingHeat : public Fix, public bearing::LawFollower {
   // Temperatures (C) of the contacts now, as in core/figures/fix_columns.h from INNER to OIL.
   std::array<double, 5> temperatures() const;
   bool covers_type(int ball_type) const;
+  double ambient() const { return network_.ambient; }    // C, of the clearance
 
  private:
   enum Stage { WAIT, RAMP, WATCH, LAST, STAY };

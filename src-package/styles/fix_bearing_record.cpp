@@ -333,6 +333,7 @@ void FixBearingRecord::find_heats()
     for (size_t b = 0; b < type.size(); ++b)
       if (!f->idle() && f->covers_type(type[b])) {
         found[b] = f;
+        if (!any) note(NetcdfHeader::attribute("heat_ambient_C", f->ambient()));
         any = true;
       }
   if (any) heats_ = found;

@@ -15,7 +15,7 @@ RECORD(HeatNetworkOf, double capacity[4]; double inner, outer, shaft, seat, hous
 RECORD(HeatControlOf, double change, error, until, steady, hottest, share, both_ends;)
 RECORD(HeatStateOf, double time, at[4], law[4], length, start_heat[4], start_inner, start_outer,
        jumps, booked, carried, correction, slope, gain, seen, oil_before, power_before, alarms,
-       end;)
+       alarm, end;)
 static_assert(sizeof(HeatStateOf) == sizeof(HeatState), "the record of HeatState");
 
 namespace {
@@ -67,13 +67,13 @@ FORMULA(double, clearance_change,
   return clearance_change(inner_radius, outer_radius, ball_radius, inner, balls, outer);
 }
 
-// Temperatures (C) after `time` seconds with constant heat (W) into each node; returns the heat (J)
-// carried to ambient.
+// Temperatures (C) after `time` seconds with heat (W) into each node that goes evenly from `heat` to
+// `end`; returns the heat (J) carried to ambient.
 EXPORT(double, heat_advance,
-       (const HeatNetworkOf *net, const double heat[4], const double from[4], double time,
-        double to[4]))
+       (const HeatNetworkOf *net, const double heat[4], const double end[4], const double from[4],
+        double time, double to[4]))
 {
-  return HeatFlow(network(*net), heat).advance(from, time, to);
+  return HeatFlow(network(*net), heat, end, time).advance(from, time, to);
 }
 
 // Temperatures (C) of the steady state; returns the slowest time constant (s).

@@ -33,9 +33,16 @@ struct HeatNetwork {
   }
 };
 
-// The network in its modes, for constant heat (W) into each node.
+// The network in its modes, for constant heat (W) into each node, or heat that goes evenly to `end`
+// in `over` seconds.
 class HeatFlow {
  public:
+  HeatFlow(const HeatNetwork &of, const double *heat, const double *end, double over) :
+      HeatFlow(of, heat)
+  {
+    const HeatFlow then(of, end);
+    for (int m = 0; m < n_; ++m) growth_[m] = (then.steady_[m] - steady_[m]) / over;
+  }
   HeatFlow(const HeatNetwork &of, const double *heat) : net_(of), n_(of.nodes())
   {
     double to_ambient[heat_nodes] = {of.shaft, 0.0, 0.0, 0.0}, g[heat_nodes][heat_nodes] = {};
@@ -80,9 +87,11 @@ class HeatFlow {
     for (int m = 0; m < n_; ++m) {
       double begin = 0.0;
       for (int i = 0; i < n_; ++i) begin += mode_[m][i] * root_[i] * (from[i] - net_.ambient);
-      const double decay = exponential(-rate_[m] * time), away = begin - steady_[m];
-      now[m] = steady_[m] + away * decay;
-      sum[m] = steady_[m] * time + away * (1.0 - decay) / rate_[m];
+      const double decay = exponential(-rate_[m] * time), lag = growth_[m] / rate_[m],
+                   away = begin - steady_[m] + lag;
+      now[m] = steady_[m] + growth_[m] * time - lag + away * decay;
+      sum[m] =
+          (steady_[m] + 0.5 * growth_[m] * time - lag) * time + away * (1.0 - decay) / rate_[m];
     }
     for (int i = 0; i < n_; ++i)
       for (int m = 0; m < n_; ++m) {
@@ -98,7 +107,7 @@ class HeatFlow {
     return carried;
   }
 
-  // Temperatures (C) for all times
+  // Temperatures (C) of the steady state
   void steady(double *to) const
   {
     for (int i = 0; i < n_; ++i) to[i] = net_.ambient + steady_rise_[i];
@@ -190,6 +199,7 @@ class HeatFlow {
   int n_;
   double root_[heat_nodes] = {}, to_ambient_[heat_nodes] = {};    // of the capacities; W/K
   double rate_[heat_nodes] = {}, steady_[heat_nodes] = {};        // by mode
+  double growth_[heat_nodes] = {};                                // of steady_, by mode, 1/s
   double steady_rise_[heat_nodes] = {};                           // K, over ambient
   double mode_[heat_nodes][heat_nodes] = {};
 };

@@ -83,10 +83,11 @@ def add(commands: Commands) -> None:
     )
     cooling.add_argument(
         "--nodes",
-        type=number(1e-3, 1e5, "W/K"),
+        type=number(0, 1e5, "W/K"),
         nargs=3,
         metavar=("SHAFT", "HOUSING", "CONTACT"),
-        help="three conductances in W/K for ring, balls and ring",
+        help="three conductances in W/K for ring, balls and ring; HOUSING 0: ISO 15312, CONTACT 0:"
+        " by size and speed of the contacts",
     )
     one.add_argument(
         "--runs",
@@ -146,7 +147,7 @@ def _figures(arguments, load, rpm):
         clearance=arguments.clearance,
         ambient=arguments.ambient,
         conductance=arguments.conductance,
-        nodes=arguments.nodes and Nodes(*arguments.nodes),
+        nodes=arguments.nodes and Nodes(arguments.nodes[0], *(g or None for g in arguments.nodes[1:])),
         spin_law=arguments.spin_law,
         models=arguments.models,
         **options.grooves_of(arguments),

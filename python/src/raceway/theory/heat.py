@@ -14,7 +14,9 @@ from raceway.arrays import Floats, Numbers
 from raceway.core import laws, library
 from raceway.theory import makers
 from raceway.theory.bearing import Bearing
+from raceway.theory.lubrication import Lubrication
 from raceway.theory.sliding import FREE
+from raceway.theory.static import Equilibrium
 
 RISE = 50.0  # K, at the reference conditions of ISO 15312
 REFERENCE_VISCOSITY = 12.0  # mm^2/s at 70 C, ISO 15312
@@ -85,17 +87,39 @@ def network(
 
 
 def advance(
-    of: Mapping[str, Any], heat: ArrayLike, start: ArrayLike, time: float
+    of: Mapping[str, Any],
+    heat: ArrayLike,
+    start: ArrayLike,
+    time: float,
+    end: ArrayLike | None = None,
 ) -> tuple[float, Floats]:
-    """Heat in J carried to ambient and temperatures in degrees C (4) after `time` seconds of
-    constant `heat` in W into the nodes (4) of a `network`, from the temperatures `start`; exact."""
-    return library().call("heat_advance", net=of, heat=heat, **{"from": start}, time=time)
+    """Heat in J carried to ambient and temperatures in degrees C (4) after `time` seconds from the
+    temperatures `start`, with `heat` in W into the nodes (4) of a `network` that is constant or goes
+    evenly to `end`; exact."""
+    return library().call(
+        "heat_advance",
+        net=of,
+        heat=heat,
+        end=heat if end is None else end,
+        **{"from": start},
+        time=time,
+    )
 
 
 def steady(of: Mapping[str, Any], heat: ArrayLike) -> tuple[float, Floats]:
     """The slowest time constant in s, and the steady temperatures in degrees C (4) of a `network`
     with `heat` in W into its nodes."""
     return library().call("heat_steady", net=of, heat=heat)
+
+
+def conductances(state: Equilibrium, films: Lubrication) -> tuple[float, float]:
+    """Conductances in W/K from the inner and from the outer ring to all balls through their moving
+    contacts: of each 0.874 2a sqrt(2 k rho c b u/pi)."""
+    sides = ((state.inner, films.inner), (state.outer, films.outer))
+    return tuple(
+        float(laws.contact_conductance(at.a, at.b, film.entrainment)[at.load > 0].sum())
+        for at, film in sides
+    )
 
 
 def into_nodes(inner: float, outer: float) -> list[float]:
