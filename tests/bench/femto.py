@@ -175,7 +175,7 @@ def cold_start(of, folder, until=600.0, change=2.0):
     )  # fmt: skip
     words = [word for name, value in variables.items() for word in ("-var", name, str(value))]
     done = subprocess.run(
-        ["build/liggghts", "-in", "inputs/in.bearing", "-log", "none", *words],
+        ["build/liggghts", "-in", "inputs/in.6208", "-log", "none", *words],
         cwd=ROOT, capture_output=True, text=True, check=False,
     )  # fmt: skip
     if done.returncode:

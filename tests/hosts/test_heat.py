@@ -31,7 +31,7 @@ def differing(one, other):
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory):
     folder = tmp_path_factory.mktemp("whole")
-    succeed("inputs/in.bearing", out=folder, **POINT)
+    succeed("inputs/in.6208", out=folder, **POINT)
     return folder
 
 
@@ -39,28 +39,28 @@ def whole(tmp_path_factory):
     ("host", "ranks"), [("liggghts", 2), ("lammps", 1), ("wheel", 1), ("wheel", 2)]
 )
 def test_bits(tmp_path, whole, host, ranks):
-    succeed("inputs/in.bearing", out=tmp_path, host=host, ranks=ranks, **POINT)
+    succeed("inputs/in.6208", out=tmp_path, host=host, ranks=ranks, **POINT)
     assert differing(whole, tmp_path) == []
 
 
 @pytest.mark.parametrize("host", ["liggghts", "lammps"])
 def test_stopped_and_continued(tmp_path, whole, host):
     words = [w for k, v in {**POINT, "out": tmp_path}.items() for w in ("-var", k, str(v))]
-    command = [HOSTS[host][0], "-in", "inputs/in.bearing", "-log", "none", *words]
+    command = [HOSTS[host][0], "-in", "inputs/in.6208", "-log", "none", *words]
     table = tmp_path / "heat.txt"
     with subprocess.Popen(command, cwd=ROOT, env=ENVIRONMENT, stdout=subprocess.DEVNULL) as one:
         while one.poll() is None and not (table.exists() and len(table.read_text()) > 800):
             time.sleep(0.01)
         one.send_signal(signal.SIGTERM)
     assert (tmp_path / "restart").exists()
-    succeed("inputs/in.bearing", out=tmp_path, host=host, resume="yes", **POINT)
+    succeed("inputs/in.6208", out=tmp_path, host=host, resume="yes", **POINT)
     assert differing(whole, tmp_path) == []
 
 
 def test_velocity_verlet(tmp_path):
     words = dict(POINT, integrator="verlet", rpm=5000, warm_time=3, settle=1)
     for ranks in (1, 2):
-        succeed("inputs/in.bearing", out=tmp_path / str(ranks), ranks=ranks, **words)
+        succeed("inputs/in.6208", out=tmp_path / str(ranks), ranks=ranks, **words)
     assert differing(tmp_path / "1", tmp_path / "2") == []
     assert len(values(tmp_path / "1")["jumps"].splitlines()) > 2
 
@@ -68,9 +68,9 @@ def test_velocity_verlet(tmp_path):
 def test_off_is_free(tmp_path):
     """Without heat the deck has the record of one without the fix."""
     deck = tmp_path / "in.none"
-    lines = (ROOT / "inputs/in.bearing").read_text().splitlines(keepends=True)
+    lines = (ROOT / "inputs/in.6208").read_text().splitlines(keepends=True)
     deck.write_text("".join(line for line in lines if "bearing/heat" not in line))
-    for name, path in (("off", "inputs/in.bearing"), ("none", deck)):
+    for name, path in (("off", "inputs/in.6208"), ("none", deck)):
         succeed(path, out=tmp_path / name, lubricant="vg46", rpm=1910, passes=1)
     assert differing(tmp_path / "off", tmp_path / "none") == []
     assert values(tmp_path / "off")["jumps"] == ""

@@ -124,8 +124,8 @@ def test_heat_that_grows_evenly(net):
 
 
 def jump(net, losses, start, **control):
-    """Temperatures of jumps (time in s and C of the nodes) whose passes lose `losses`(T) in W, and the
-    last state."""
+    """Temperatures of jumps (time in s and C of the nodes) whose passes lose `losses`(T) in W, and
+    the last state."""
     state = library().records["HeatStateOf"]()
     for k in range(4):
         state.at[k] = state.law[k] = start

@@ -20,7 +20,7 @@ PARTS = ("inner", "balls", "outer")
 def warm(tmp_path_factory):
     """The 6208 from cold to its steady state."""
     folder = tmp_path_factory.mktemp("warm")
-    succeed("inputs/in.bearing", heat="yes", out=folder, **POINT)
+    succeed("inputs/in.6208", heat="yes", out=folder, **POINT)
     return raceway.open(folder)
 
 
@@ -70,7 +70,7 @@ def test_the_contacts_run_at_these_temperatures(warm, tmp_path):
     """A run at the same oil temperature with the same clearance has the same torque and films."""
     said = warm.summary()
     cold = {**POINT, "temperature": f"{said['temperature_oil_C']:.9g}"}
-    succeed("inputs/in.bearing", clearance=f"{said['clearance_warm_m']:.9g}", out=tmp_path, **cold)
+    succeed("inputs/in.6208", clearance=f"{said['clearance_warm_m']:.9g}", out=tmp_path, **cold)
     other = raceway.open(tmp_path).summary()
     for key in ("friction_torque_N_m", "h_min_m", "ring_shift_m", "capacitance_F"):
         assert said[key] == pytest.approx(other[key], rel=2e-3), key
@@ -83,7 +83,7 @@ def test_jumps_against_small_ones(tmp_path):
     ends = []
     for change in (2, 0.25):
         words = dict(heat="yes", warm_time=60, warm_change=change, record="summary")
-        succeed("inputs/in.bearing", out=tmp_path, **words, **POINT)
+        succeed("inputs/in.6208", out=tmp_path, **words, **POINT)
         ends.append(raceway.open(tmp_path).heat.isel(thermal_time=-1))
         assert float(ends[-1]["thermal_time"]) == pytest.approx(60.0)
     for part in PARTS:
@@ -102,10 +102,10 @@ PRELOAD = dict(
 def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):
     """A cooled outer ring around a hot inner ring runs away; with a cooled shaft it does not."""
     words = dict(heat="yes", overwrite="yes", **PRELOAD)
-    done = run("inputs/in.bearing", out=tmp_path / "hot", **words)
+    done = run("inputs/in.6208", out=tmp_path / "hot", **words)
     assert done.code != 0
     assert "it seizes. Losses grow with temperature" in done.error
-    succeed("inputs/in.bearing", out=tmp_path / "cold", shaft_cooling=50, **words)
+    succeed("inputs/in.6208", out=tmp_path / "cold", shaft_cooling=50, **words)
     said = raceway.open(tmp_path / "cold").summary()
     assert said["heat_gain"] < 1 and said["temperature_inner_C"] < 40
     assert said["heat_booked_J"] == pytest.approx(
@@ -123,5 +123,5 @@ def test_preloaded_bearing_seizes_by_its_cooling(tmp_path):
     ],
 )
 def test_errors(tmp_path, words, says):
-    done = run("inputs/in.bearing", out=tmp_path, heat="yes", **{**POINT, **words})
+    done = run("inputs/in.6208", out=tmp_path, heat="yes", **{**POINT, **words})
     assert done.code != 0 and says in done.error

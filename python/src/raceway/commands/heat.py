@@ -140,6 +140,7 @@ def run(arguments: argparse.Namespace) -> None:
 def _figures(arguments, load, rpm):
     from raceway.theory.steady_heat import Case, Nodes, figures
 
+    shaft, housing, contact = arguments.nodes or (None, None, None)
     point = dict(
         load=load,
         axial=arguments.axial,
@@ -147,7 +148,7 @@ def _figures(arguments, load, rpm):
         clearance=arguments.clearance,
         ambient=arguments.ambient,
         conductance=arguments.conductance,
-        nodes=arguments.nodes and Nodes(arguments.nodes[0], *(g or None for g in arguments.nodes[1:])),
+        nodes=arguments.nodes and Nodes(shaft, housing or None, contact or None),
         spin_law=arguments.spin_law,
         models=arguments.models,
         **options.grooves_of(arguments),

@@ -33,8 +33,8 @@ ROWS = (
 
 
 def transient(folder: FilePath) -> xr.Dataset:
-    """The jumps of the temperatures of the run in `folder`: a dataset over `thermal_time` in s, with
-    units and meanings in `attrs`. Raises `RunError` where the run has none."""
+    """The jumps of the temperatures of the run in `folder`: a dataset over `thermal_time` in s,
+    with units and meanings in `attrs`. Raises `RunError` where the run has none."""
     path = Path(folder) / FILE
     try:
         lines = path.read_text().splitlines()

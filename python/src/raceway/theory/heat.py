@@ -94,8 +94,8 @@ def advance(
     end: ArrayLike | None = None,
 ) -> tuple[float, Floats]:
     """Heat in J carried to ambient and temperatures in degrees C (4) after `time` seconds from the
-    temperatures `start`, with `heat` in W into the nodes (4) of a `network` that is constant or goes
-    evenly to `end`; exact."""
+    temperatures `start`, with `heat` in W into the nodes (4) of a `network` that is constant or
+    goes evenly to `end`; exact."""
     return library().call(
         "heat_advance",
         net=of,
