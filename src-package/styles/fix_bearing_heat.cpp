@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_bearing_heat.h"
 
+#include "../core/geometry/ring_capacity.h"
 #include "../core/geometry/usual_data.h"
-#include "../core/laws/heat.h"
 #include "../core/settings/arguments.h"
 #include "ball_pass.h"
 #include "fix_bearing_implicit.h"

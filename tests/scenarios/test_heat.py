@@ -2,7 +2,6 @@
 """fix bearing/heat: its steady state is that of `raceway heat`, heat and work balance, oil and
 clearance follow the temperatures, and a preloaded bearing seizes or not by its cooling."""
 
-
 import numpy as np
 import pytest
 import raceway
@@ -10,9 +9,7 @@ from host import run, succeed
 from raceway import heat, steady_heat
 
 # settled until the drift of energy stored in balls and cage is below the tolerances here
-POINT = dict(
-    lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10
-)
+POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10)
 PARTS = ("inner", "balls", "outer")
 
 
@@ -25,9 +22,7 @@ def warm(tmp_path_factory):
 
 
 def test_steady_state_is_that_of_raceway_heat(warm):
-    found = steady_heat.figures(
-        "6208", "vg46", load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes()
-    )
+    found = steady_heat.figures("6208", "vg46", load=5000.0, rpm=1910.0, nodes=steady_heat.Nodes())
     said = warm.summary()
     for part in PARTS:
         assert said[f"temperature_{part}_C"] == pytest.approx(
@@ -90,8 +85,6 @@ def test_jumps_against_small_ones(tmp_path):
         one, other = (float(end[f"temperature_{part}"]) for end in ends)
         assert one == pytest.approx(other, abs=0.1)
     assert float(ends[0]["run_time"]) < 0.6
-
-
 
 
 PRELOAD = dict(

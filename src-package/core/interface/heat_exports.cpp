@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Heat of a bearing (heat.h), its network of nodes (heat_network.h) and the jumps of its
 // temperatures (heat_jumps.h).
-#include "../laws/heat.h"
+#include "../geometry/ring_capacity.h"
 #include "../laws/heat_jumps.h"
 #include "exports.h"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat of a bearing (docs/heat): conductances, capacities of the rings, and growth by temperature.
+// Heat of a bearing (docs/heat): conductances, and growth by temperature.
 // SI units, temperatures in degrees C.
 #ifndef RACEWAY_HEAT_H
 #define RACEWAY_HEAT_H
-
-#include "../geometry/groove.h"
 
 #include <cmath>
 
@@ -33,22 +31,6 @@ inline double contact_conductance(double a, double b, double u)
 inline double iso_15312_conductance(double bore, double outside, double width)
 {
   return 0.016e6 * 3.14159265358979323846 * width * (outside + bore) / 50.0;
-}
-
-// Heat capacity of a ring (J/K): the cylinder between its seat and its shoulders (diameters, m) of
-// this width (m), less the groove.
-inline double ring_capacity(const Groove &groove, double seat, double shoulder, double width)
-{
-  const bool inner = groove.side == Side::inner;
-  const double pi = 3.14159265358979323846, r = groove.groove_radius,
-               depth = inner ? 0.5 * shoulder - groove.raceway_radius
-                             : groove.raceway_radius - 0.5 * shoulder,
-               left = r - depth, half = std::sqrt(r * r - left * left),
-               area = r * r * std::acos(left / r) - left * half,
-               centroid = 2.0 / 3.0 * half * half * half / area,
-               at = groove.centre_circle() + (inner ? -centroid : centroid),
-               whole = 0.25 * pi * width * std::fabs(shoulder * shoulder - seat * seat);
-  return steel_density * steel_heat * (whole - 2.0 * pi * at * area);
 }
 
 // Change of the diametral clearance (m) of raceways and balls of these radii (m) by the rises (K)
