@@ -84,6 +84,10 @@ void FixBearingHeat::init()
     std::copy_n(heat.law, parts, now_.from);
     std::copy_n(heat.law, parts, now_.to);
     std::copy_n(heat.at, heat_nodes, now_.begin);
+    for (const char *cold : {"paper", "film", "none"})
+      if (pair_->models() == cold && comm->me == 0)
+        BRG_WARN(bearing::name_of(*this) + ": models " + cold +
+                 " have no friction of full films, so there is little heat; full has it");
     now_.oil = heat.oil();
   }
   apply_oil();

@@ -9,7 +9,8 @@ from host import run, succeed
 from raceway import heat, steady_heat
 
 # settled until the drift of energy stored in balls and cage is below the tolerances here
-POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10)
+POINT = dict(lubricant="vg46", load=5000, rpm=1910, overwrite="yes", settled=1e-4, passes=10,
+             models="full", settle="auto")  # fmt: skip
 PARTS = ("inner", "balls", "outer")
 
 
@@ -88,7 +89,15 @@ def test_jumps_against_small_ones(tmp_path):
 
 
 PRELOAD = dict(
-    lubricant="dry", load=200, rpm=20000, clearance=-60e-6, cooling=20, passes=1, record="summary"
+    lubricant="dry",
+    load=200,
+    rpm=20000,
+    clearance=-60e-6,
+    cooling=20,
+    passes=1,
+    record="summary",
+    models="full",
+    settle="auto",
 )
 
 
